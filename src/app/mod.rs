@@ -1,0 +1,1 @@
+//! The app: panels, viewports, handles.

@@ -1,0 +1,1 @@
+//! Closed forms used as truth.

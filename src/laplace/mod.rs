@@ -1,0 +1,1 @@
+//! The cotangent Laplacian of a mesh and its Cholesky factor.

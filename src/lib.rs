@@ -1,0 +1,25 @@
+//! Real-time conformal maps between two outlines.
+//!
+//! A conformal map `f: Ω₁ → Ω₂` is fixed by one pair of interior points and one
+//! pair of boundary points. riemap finds it by matching the harmonic measure of
+//! the two boundaries, as in "Real-Time Conformal Maps and Parameterizations".
+//!
+//! Dependencies between the modules run one way:
+//! `geometry → outline, mesh → laplace → conformal → session, worker → render → app`.
+//! Without the default feature `app` only the numerical core is built.
+
+pub mod conformal;
+pub mod exact;
+pub mod geometry;
+pub mod laplace;
+pub mod mesh;
+pub mod outline;
+pub mod session;
+pub mod worker;
+
+#[cfg(feature = "app")]
+pub mod app;
+#[cfg(feature = "app")]
+pub mod platform;
+#[cfg(feature = "app")]
+pub mod render;

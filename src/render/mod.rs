@@ -1,0 +1,1 @@
+//! Drawing the textured meshes with wgpu: on screen and into images.

@@ -1,0 +1,163 @@
+//! Everything that a person can set, and the commands that set it.
+//!
+//! The UI emits [`Command`]s; [`Session::apply`] is the only door to a change.
+//! A session is small and plain: it is what links and files carry.
+
+use crate::conformal::{Constraints, Direction, PrepareSettings, Side};
+use crate::geometry::DVec2;
+use crate::outline::Preset;
+
+/// Where a domain's outline comes from.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum OutlineSpec {
+    /// A built-in outline.
+    Preset(Preset),
+    /// A loaded one.
+    Points {
+        /// Its name.
+        name: String,
+        /// Its vertices, a valid simple polygon.
+        points: Vec<DVec2>,
+    },
+}
+
+/// One side of the session.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct DomainSpec {
+    /// The outline.
+    pub outline: OutlineSpec,
+    /// How it is discretised.
+    pub settings: PrepareSettings,
+}
+
+/// The pattern drawn on the source and carried by the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TextureKind {
+    /// A checkerboard with a vertical change of hue.
+    #[default]
+    Checker,
+    /// Lines.
+    Grid,
+    /// Circles and rays about the interior point x₁.
+    Polar,
+    /// The user's own image.
+    Image,
+}
+
+/// The state of the app that a link or a file carries.
+///
+/// `interior` and `anchor` are `None` until they are set: the pole of
+/// inaccessibility and the outline's first point.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Session {
+    /// Format version, 1.
+    pub version: u32,
+    /// Ω₁.
+    pub source: DomainSpec,
+    /// Ω₂.
+    pub target: DomainSpec,
+    /// `x₁, x₂`.
+    pub interior: [Option<DVec2>; 2],
+    /// `y₁, y₂`, as fractions of arc length.
+    pub anchor: [f64; 2],
+    /// Which mesh is mapped.
+    pub direction: Direction,
+    /// The pattern.
+    pub texture: TextureKind,
+    /// Cells of the pattern across the source.
+    pub texture_scale: f64,
+}
+
+/// A change that a person makes.
+#[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs, reason = "each variant sets the session's field of that name")]
+pub enum Command {
+    SetOutline {
+        side: Side,
+        outline: OutlineSpec,
+    },
+    SetSettings {
+        side: Side,
+        settings: PrepareSettings,
+    },
+    MoveInterior {
+        side: Side,
+        point: DVec2,
+    },
+    MoveAnchor {
+        side: Side,
+        fraction: f64,
+    },
+    SetDirection(Direction),
+    SetTexture(TextureKind),
+    SetTextureScale(f64),
+    /// Exchanges source and target.
+    Swap,
+}
+
+impl Default for Session {
+    fn default() -> Self {
+        let domain = |preset| DomainSpec { outline: OutlineSpec::Preset(preset), settings: PrepareSettings::default() };
+        Self {
+            version: 1,
+            source: domain(Preset::Gingerbread),
+            target: domain(Preset::Heart),
+            interior: [None, None],
+            anchor: [0.0, 0.0],
+            direction: Direction::default(),
+            texture: TextureKind::default(),
+            texture_scale: 8.0,
+        }
+    }
+}
+
+impl Session {
+    /// One side.
+    pub fn domain(&self, side: Side) -> &DomainSpec {
+        match side {
+            Side::Source => &self.source,
+            Side::Target => &self.target,
+        }
+    }
+
+    /// Carries out a command. A new outline resets that side's two points.
+    pub fn apply(&mut self, command: Command) {
+        match command {
+            Command::SetOutline { side, outline } => {
+                self.domain_mut(side).outline = outline;
+                self.interior[side as usize] = None;
+                self.anchor[side as usize] = 0.0;
+            }
+            Command::SetSettings { side, settings } => self.domain_mut(side).settings = settings,
+            Command::MoveInterior { side, point } => self.interior[side as usize] = Some(point),
+            Command::MoveAnchor { side, fraction } => self.anchor[side as usize] = fraction.rem_euclid(1.0),
+            Command::SetDirection(direction) => self.direction = direction,
+            Command::SetTexture(texture) => self.texture = texture,
+            Command::SetTextureScale(scale) => self.texture_scale = scale,
+            Command::Swap => {
+                std::mem::swap(&mut self.source, &mut self.target);
+                self.interior.swap(0, 1);
+                self.anchor.swap(0, 1);
+            }
+        }
+    }
+
+    /// The constraints, with the domains' poles where no interior point is set.
+    pub fn constraints(&self, poles: [DVec2; 2]) -> Constraints {
+        Constraints {
+            source_point: self.interior[0].unwrap_or(poles[0]),
+            target_point: self.interior[1].unwrap_or(poles[1]),
+            source_anchor: self.anchor[0],
+            target_anchor: self.anchor[1],
+        }
+    }
+
+    fn domain_mut(&mut self, side: Side) -> &mut DomainSpec {
+        match side {
+            Side::Source => &mut self.source,
+            Side::Target => &mut self.target,
+        }
+    }
+}
