@@ -125,8 +125,7 @@ impl PreparedDomain {
     /// The point inside the domain nearest to `x` that keeps the distance `inset`
     /// from the boundary where the domain is wide enough: a handle slides along the boundary.
     pub fn nearest_inside(&self, x: DVec2, inset: f64) -> DVec2 {
-        let _ = inset;
-        x
+        crate::mesh::nearest_inside(&self.mesh, x, inset)
     }
 }
 

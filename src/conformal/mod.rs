@@ -19,6 +19,7 @@ mod kernel;
 mod map;
 mod matching;
 mod measure;
+mod stencil;
 
 pub use buffers::DomainBuffers;
 pub use distortion::Quality;
