@@ -4,6 +4,7 @@ mod assemble;
 mod error;
 mod graded;
 mod hex_lattice;
+mod level_grid;
 mod locate;
 mod nearest;
 mod planar;

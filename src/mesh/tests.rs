@@ -91,3 +91,44 @@ fn random_points_are_found_from_any_hint_and_outside_points_are_not() {
     }
     println!("locate from a near hint: {:?} each ({sum})", start.elapsed() / 10_000);
 }
+
+fn min_angle(mesh: &TriMesh, t: [u32; 3]) -> f64 {
+    let p = t.map(|v| mesh.vertices[v as usize]);
+    (0..3).map(|i| (p[(i + 1) % 3] - p[i]).angle_to(p[(i + 2) % 3] - p[i]).abs().to_degrees()).fold(180.0, f64::min)
+}
+
+fn quality(mesh: &TriMesh) -> String {
+    let mut angles: Vec<f64> = mesh.triangles.iter().map(|&t| min_angle(mesh, t)).collect();
+    angles.sort_by(f64::total_cmp);
+    let at = |q: f64| angles[(q * (angles.len() - 1) as f64) as usize];
+    format!("min angle {:.1}, 1% {:.1}, 10% {:.1}, median {:.1}", at(0.0), at(0.01), at(0.1), at(0.5))
+}
+
+#[test]
+fn graded_timing() {
+    for (name, shape) in [
+        ("disk", disk(500)),
+        ("heart1000", resampled(&heart(5000), 1000)),
+        ("heart500", resampled(&heart(5000), 500)),
+        ("spiky700", resampled(&spiky(9000, 11.0, 0.6), 700)),
+        ("spiky3200", resampled(&spiky(9000, 11.0, 0.6), 3200)),
+    ] {
+        for growth in [0.05, 0.1, 0.15, 0.2, 0.4] {
+            let start = Instant::now();
+            let (mesh, report) = mesh_domain(&shape, Sizing::Graded(growth)).unwrap();
+            let time = start.elapsed();
+            let start = Instant::now();
+            graded::seeds(&shape, growth).unwrap();
+            println!(
+                "{name} g {growth} n {} +{} {} {time:.1?} seeds {:.1?} {}",
+                mesh.interior_count(),
+                report.added,
+                report.complete,
+                start.elapsed(),
+                quality(&mesh)
+            );
+        }
+        let (mesh, _) = mesh_domain(&shape, Sizing::Uniform).unwrap();
+        println!("uniform {} {}", mesh.interior_count(), quality(&mesh));
+    }
+}
