@@ -8,7 +8,7 @@ mod sampling;
 
 use crate::geometry::SimplePolygon;
 pub use preset::Preset;
-pub use sampling::{BoundaryPoint, BoundarySamples, Sampling, SamplingError, sample};
+pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};
 
 /// A named, valid outline with what was said about it on the way in.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,49 @@
+//! Samples equally spaced in arc length, with or without the outline's corners.
+
+use super::arc::Arc;
+use super::{CORNER_ANGLE, SamplingError};
+
+/// The arc lengths `k L / count`.
+pub(super) fn equal(arc: &Arc, count: u32) -> Vec<f64> {
+    (0..count).map(|k| arc.length() * (f64::from(k) / f64::from(count))).collect()
+}
+
+/// `count` arc lengths that contain the first vertex and every corner; the
+/// pieces between corners are divided equally, each into nearly
+/// `count · length / L` parts.
+pub(super) fn with_corners(arc: &Arc, count: u32) -> Result<Vec<f64>, SamplingError> {
+    let corners = corners(arc);
+    if corners.len() > count as usize {
+        return Err(SamplingError::MoreCornersThanSamples { corners: corners.len(), count });
+    }
+    let end = |i: usize| corners.get(i + 1).map_or(arc.length(), |&k| arc.at_vertex(k));
+    let lengths: Vec<f64> = (0..corners.len()).map(|i| end(i) - arc.at_vertex(corners[i])).collect();
+    let parts = apportion(&lengths, count as usize);
+    let piece = |i: usize| {
+        let (start, parts) = (arc.at_vertex(corners[i]), parts[i]);
+        (0..parts).map(move |j| start + (end(i) - start) * (j as f64 / parts as f64))
+    };
+    Ok((0..corners.len()).flat_map(piece).collect())
+}
+
+/// The first vertex, and the vertices that turn by more than [`CORNER_ANGLE`].
+pub(super) fn corners(arc: &Arc) -> Vec<usize> {
+    (0..arc.vertices().len()).filter(|&k| k == 0 || arc.turn(k).abs() > CORNER_ANGLE).collect()
+}
+
+/// Divides `count` seats among pieces, at least one each, nearly in proportion
+/// to their lengths (largest remainder; the first of equals wins).
+fn apportion(lengths: &[f64], count: usize) -> Vec<usize> {
+    let free = count - lengths.len();
+    let total: f64 = lengths.iter().sum();
+    // a piece needs `quota` parts, one of which it has already
+    let quota = |length: f64| (length / total * count as f64 - 1.0).max(0.0);
+    let needed: f64 = lengths.iter().map(|&l| quota(l)).sum();
+    let share: Vec<f64> = lengths.iter().map(|&l| quota(l) * (free as f64 / needed.max(f64::MIN_POSITIVE))).collect();
+    let mut parts: Vec<usize> = share.iter().map(|s| 1 + s.floor() as usize).collect();
+    let mut by_remainder: Vec<usize> = (0..lengths.len()).collect();
+    by_remainder.sort_by(|&i, &j| share[j].fract().total_cmp(&share[i].fract()));
+    let left = count.saturating_sub(parts.iter().sum());
+    by_remainder.iter().cycle().take(left).for_each(|&i| parts[i] += 1);
+    parts
+}
