@@ -82,7 +82,8 @@ pub struct Handle {
 impl TextureStyle {
     /// The colour of the hue change at height `y` of the source, sRGB-encoded.
     ///
-    /// Quadratic Bézier in t = (y − y_min) / (y_max − y_min), clamped to 0..=1.
+    /// Quadratic Bézier in the height above the lower bound over the whole
+    /// height, clamped to 0..=1.
     pub fn hue_at(&self, y: f64) -> [f32; 4] {
         let (low, high) = (self.bounds.0.y, self.bounds.1.y);
         let t = ((y - low) / (high - low)).clamp(0.0, 1.0) as f32;
