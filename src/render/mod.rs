@@ -1,1 +1,35 @@
 //! Drawing the textured meshes with wgpu: on screen and into images.
+//!
+//! [`ViewportRenderer`] owns the pipelines and, for every viewport, its buffers
+//! and off-screen targets: `prepare` renders a viewport into its own 4×
+//! multisampled target, `paint` copies the result into the caller's pass.
+//! `headless` does the same without a window.
+//!
+//! Guarantees: every colour in this API is sRGB-encoded with straight alpha, and
+//! a flat colour arrives on the screen as asked to within 1/255. Positions are
+//! f64 here and become f32 once, at upload, relative to the middle of what is
+//! uploaded. Not guaranteed: sharpness beyond a magnification of about 10⁵ of a
+//! mesh's extent, where the f32 steps become visible.
+
+mod blit_pass;
+mod camera;
+mod disc_pass;
+mod error;
+mod gpu;
+mod image_texture;
+mod mesh_pass;
+mod placement;
+mod stroke_pass;
+mod style;
+mod targets;
+mod viewport;
+
+#[cfg(not(target_arch = "wasm32"))]
+mod headless;
+
+pub use camera::Camera;
+pub use error::{ImageError, RenderError};
+#[cfg(not(target_arch = "wasm32"))]
+pub use headless::{SceneDescription, SceneViewport, headless_device, render_scene, render_scene_with};
+pub use style::{Handle, Pattern, StrokeStyle, TextureStyle};
+pub use viewport::{MeshGeometry, ViewportRenderer};

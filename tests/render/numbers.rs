@@ -1,0 +1,158 @@
+//! Colours, widths and refusals as numbers.
+
+use super::support::*;
+use glam::DVec2;
+use image::RgbaImage;
+use riemap::render::{
+    Camera, Handle, MeshGeometry, Pattern, RenderError, SceneDescription, StrokeStyle, TextureStyle, render_scene_with,
+};
+
+#[test]
+fn checker_has_its_exact_colours_inside_and_the_background_outside() {
+    let Some(gpu) = gpu() else { return };
+    // Four cells of 20 pixels; the square covers the pixels 10..90.
+    let style = style(Pattern::Checker, 4.0);
+    let image = render(gpu, &[square(style)], None, [100, 100]);
+    let paper = bytes(TextureStyle::paper());
+    for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+        let pixel = [20 + 20 * i, 20 + 20 * j];
+        let height = 1.0 - (f64::from(pixel[1]) + 0.5 - 10.0) / 40.0;
+        let expected = if (i + j) % 2 == 1 { paper } else { bytes(style.hue_at(height)) };
+        assert_pixel(&image, pixel, expected, 2, "checker cell");
+    }
+    for pixel in [[5, 50], [95, 50], [50, 5], [50, 95], [0, 0], [99, 99]] {
+        assert_pixel(&image, pixel, bytes(BACKGROUND), 1, "background");
+    }
+}
+
+#[test]
+fn cells_below_a_pixel_fade_to_their_mean_without_moire() {
+    let Some(gpu) = gpu() else { return };
+    let style = style(Pattern::Checker, 300.0);
+    let image = render(gpu, &[square(style)], None, [100, 100]);
+    for y in 12..88 {
+        let row: Vec<_> = (12..88).map(|x| image.get_pixel(x, y).0).collect();
+        let spread = (0..3).map(|c| row.iter().map(|p| p[c]).max().unwrap() - row.iter().map(|p| p[c]).min().unwrap());
+        assert!(spread.clone().max().unwrap() <= 1, "row {y} varies by {:?}", spread.collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn a_flat_colour_arrives_as_asked() {
+    let Some(gpu) = gpu() else { return };
+    for level in 0..=16_u8 {
+        let colour = image::Rgba([level * 15, 255 - level * 15, 128 ^ level, 255]);
+        let flat = RgbaImage::from_pixel(4, 4, colour);
+        let image = render(gpu, &[square(style(Pattern::Image, 1.0))], Some(&flat), [100, 100]);
+        assert_pixel(&image, [50, 50], colour.0, 1, "image colour");
+    }
+}
+
+#[test]
+fn a_transparent_background_stays_transparent() {
+    let Some(gpu) = gpu() else { return };
+    let asked = [0.8, 0.4, 0.2, 0.5];
+    let viewports = [square(style(Pattern::Checker, 4.0))];
+    let scene = SceneDescription { viewports: &viewports, background: asked, image: None, margin_px: 0.0 };
+    let image = render_scene_with(&gpu.0, &gpu.1, &scene, [100, 100]).unwrap();
+    // Premultiplying by one half costs one more bit.
+    assert_pixel(&image, [3, 3], bytes(asked), 3, "background");
+    assert_eq!(image.get_pixel(50, 50).0[3], 255);
+}
+
+#[test]
+fn a_row_that_is_not_aligned_for_copies_comes_back_straight() {
+    let Some(gpu) = gpu() else { return };
+    let viewports = [square(style(Pattern::Checker, 1.0)), square(style(Pattern::Checker, 1.0))];
+    let image = render(gpu, &viewports, None, [201, 97]);
+    assert_eq!(image.dimensions(), (201, 97));
+    // Columns 0..100 and 100..201; the squares' edges are 80 pixels apart.
+    for y in [2, 48, 94] {
+        assert_pixel(&image, [5, y], bytes(BACKGROUND), 1, "left of the first square");
+        assert_pixel(&image, [100, y], bytes(BACKGROUND), 1, "between the squares");
+        assert_pixel(&image, [198, y], bytes(BACKGROUND), 1, "right of the second square");
+    }
+}
+
+/// Ink of a horizontal cut through the left edge of the square, in pixels.
+fn stroke_width(gpu: &Gpu, units_per_pixel: f64, points: &[DVec2], width_px: f32) -> f64 {
+    let white = StrokeStyle { colour: [1.0; 4], width_px };
+    let mut viewport = square(style(Pattern::Checker, 4.0));
+    viewport.geometry.triangles = &[];
+    viewport.boundary = points;
+    viewport.boundary_style = Some(white);
+    viewport.camera = Some(Camera { center: DVec2::new(-1.0, 0.05), units_per_pixel });
+    let scene =
+        SceneDescription { viewports: &[viewport], background: [0.0, 0.0, 0.0, 1.0], image: None, margin_px: 0.0 };
+    let image = render_scene_with(&gpu.0, &gpu.1, &scene, [40, 40]).unwrap();
+    (0..40).map(|x| linear(image.get_pixel(x, 20).0[0])).sum()
+}
+
+fn linear(encoded: u8) -> f64 {
+    let value = f64::from(encoded) / 255.0;
+    if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+}
+
+#[test]
+fn the_stroke_keeps_its_width_under_zoom_and_with_any_number_of_points() {
+    let Some(gpu) = gpu() else { return };
+    let fine: Vec<DVec2> =
+        (0..4).flat_map(|k| (0..500).map(move |i| SQUARE[k].lerp(SQUARE[(k + 1) % 4], f64::from(i) / 500.0))).collect();
+    for width in [0.6, 1.0, 1.75, 3.5, 5.0] {
+        for units_per_pixel in [1e-5, 0.001, 0.02] {
+            for points in [&SQUARE[..], &fine[..]] {
+                let actual = stroke_width(gpu, units_per_pixel, points, width);
+                let error = (actual - f64::from(width)).abs();
+                // 8 bits of coverage and of colour at either side.
+                assert!(error < 0.02, "{} points, scale {units_per_pixel}: {actual} for {width}", points.len());
+            }
+        }
+    }
+}
+
+#[test]
+fn precision_survives_a_far_origin_and_a_deep_zoom() {
+    let Some(gpu) = gpu() else { return };
+    let shift = DVec2::new(4.0e6, -7.0e6);
+    let positions = SQUARE.map(|p| p + shift);
+    let mut viewport = square(style(Pattern::Checker, 4.0));
+    viewport.geometry = MeshGeometry { positions: &positions, texture_coordinates: &positions, ..viewport.geometry };
+    viewport.style.bounds = (positions[0], positions[2]);
+    viewport.camera = Some(Camera { center: shift, units_per_pixel: 2.0 / 80.0 });
+    let far = render(gpu, &[viewport.clone()], None, [100, 100]);
+    let near = render(gpu, &[square(style(Pattern::Checker, 4.0))], None, [100, 100]);
+    assert_eq!(far.as_raw(), near.as_raw(), "a shift of {shift} changes the picture");
+    // 10⁵ times larger, the corner at (1, 1) is still within a pixel of its place.
+    viewport.camera = Some(Camera { center: positions[2], units_per_pixel: 2.0 / 8.0e6 });
+    let deep = render(gpu, &[viewport], None, [100, 100]);
+    assert_pixel(&deep, [48, 52], bytes(TextureStyle::paper()), 2, "just inside the corner");
+    assert_pixel(&deep, [51, 48], bytes(BACKGROUND), 1, "just outside the corner");
+}
+
+#[test]
+fn a_handle_is_a_coloured_disc_in_a_white_ring() {
+    let Some(gpu) = gpu() else { return };
+    let handles = [Handle { position: DVec2::new(0.5, 0.5), colour: GREEN, radius_px: 9.0 }];
+    let mut viewport = square(style(Pattern::Checker, 4.0));
+    viewport.handles = &handles;
+    let image = render(gpu, &[viewport], None, [100, 100]);
+    assert_pixel(&image, [70, 30], bytes(GREEN), 2, "centre");
+    assert_pixel(&image, [77, 30], [255; 4], 2, "ring");
+}
+
+#[test]
+fn impossible_scenes_are_refused_with_the_reason() {
+    let Some((device, queue, _)) = gpu() else { return };
+    let scene = |viewports| SceneDescription { viewports, background: BACKGROUND, image: None, margin_px: 0.0 };
+    let good = [square(style(Pattern::Checker, 4.0))];
+    assert!(matches!(render_scene_with(device, queue, &scene(&good), [0, 10]), Err(RenderError::Size { .. })));
+    assert!(matches!(render_scene_with(device, queue, &scene(&good), [10, 1 << 30]), Err(RenderError::Size { .. })));
+    assert!(matches!(
+        render_scene_with(device, queue, &scene(&[]), [10, 10]),
+        Err(RenderError::ViewportCount { count: 0, .. })
+    ));
+    let mut bad = good.clone();
+    bad[0].geometry.triangles = &[[0, 1, 4]];
+    let error = render_scene_with(device, queue, &scene(&bad), [10, 10]).unwrap_err();
+    assert!(error.to_string().contains("triangle 0 [0, 1, 4]"), "{error}");
+}

@@ -1,0 +1,63 @@
+//! The shared device, the test square, and comparisons that say what differs.
+
+use glam::DVec2;
+use image::RgbaImage;
+use riemap::render::{
+    Camera, MeshGeometry, Pattern, SceneDescription, SceneViewport, TextureStyle, headless_device, render_scene_with,
+};
+use std::sync::OnceLock;
+
+pub type Gpu = (wgpu::Device, wgpu::Queue, wgpu::AdapterInfo);
+
+pub const BACKGROUND: [f32; 4] = [0.043, 0.063, 0.082, 1.0];
+pub const GREEN: [f32; 4] = [0.17, 0.70, 0.45, 1.0];
+pub const MAGENTA: [f32; 4] = [0.84, 0.24, 0.62, 1.0];
+
+/// The shared device, or `None` (said aloud) where there is no adapter.
+pub fn gpu() -> Option<&'static Gpu> {
+    static GPU: OnceLock<Result<Gpu, String>> = OnceLock::new();
+    match GPU.get_or_init(|| headless_device().map_err(|error| error.to_string())) {
+        Ok(gpu) => Some(gpu),
+        Err(error) if std::env::var("CI").is_ok_and(|ci| ci == "true") => panic!("in CI an adapter is needed: {error}"),
+        Err(error) => {
+            eprintln!("SKIPPED: {error}");
+            None
+        }
+    }
+}
+
+pub fn bytes(colour: [f32; 4]) -> [u8; 4] {
+    colour.map(|component| (255.0 * component).round() as u8)
+}
+
+pub fn assert_pixel(image: &RgbaImage, [x, y]: [u32; 2], expected: [u8; 4], tolerance: u8, what: &str) {
+    let actual = image.get_pixel(x, y).0;
+    let worst = actual.iter().zip(expected).map(|(a, b)| a.abs_diff(b)).max().unwrap();
+    assert!(worst <= tolerance, "{what} at ({x}, {y}): {actual:?} should be {expected:?} within {tolerance}");
+}
+
+/// The texture of a source in [−1, 1]².
+pub fn style(pattern: Pattern, cells: f64) -> TextureStyle {
+    TextureStyle { pattern, cells, bounds: (-DVec2::ONE, DVec2::ONE), pole: DVec2::ZERO, dark: true }
+}
+
+/// The square [−1, 1]², textured by itself.
+pub const SQUARE: [DVec2; 4] =
+    [DVec2::new(-1.0, -1.0), DVec2::new(1.0, -1.0), DVec2::new(1.0, 1.0), DVec2::new(-1.0, 1.0)];
+pub const SQUARE_TRIANGLES: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+
+pub fn square(style: TextureStyle) -> SceneViewport<'static> {
+    SceneViewport {
+        geometry: MeshGeometry { positions: &SQUARE, texture_coordinates: &SQUARE, triangles: &SQUARE_TRIANGLES },
+        boundary: &[],
+        boundary_style: None,
+        camera: Some(Camera { center: DVec2::ZERO, units_per_pixel: 2.0 / 80.0 }),
+        style,
+        handles: &[],
+    }
+}
+
+pub fn render(gpu: &Gpu, viewports: &[SceneViewport], image: Option<&RgbaImage>, size: [u32; 2]) -> RgbaImage {
+    let scene = SceneDescription { viewports, background: BACKGROUND, image, margin_px: 16.0 };
+    render_scene_with(&gpu.0, &gpu.1, &scene, size).unwrap()
+}
