@@ -8,6 +8,7 @@ mod cargo_tool;
 mod lint;
 mod node;
 mod places;
+mod report;
 mod rust;
 mod shell;
 mod system;

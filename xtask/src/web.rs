@@ -1,9 +1,13 @@
 //! The web app: trunk compiles it, runs wasm-bindgen and writes `dist/`, or serves it.
 
 use crate::cargo_tool::{CargoTool, path_with};
+use crate::node::wasm_opt;
 use crate::places::Places;
 use crate::rust::{ensure_web_target, locked_version};
-use crate::shell::{Failure, run, say};
+use crate::shell::{Failure, program_in, run, say};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The newest trunk that rustc 1.95 compiles; 0.22 needs 1.96.1.
@@ -47,9 +51,13 @@ pub fn serve(places: &Places, options: &ServeOptions) -> Result<(), Failure> {
     run("serving the web app", &mut trunk)
 }
 
-/// Builds the release app into `dist/`.
+/// Builds the release app into `dist/`, and lets wasm-opt go over it where it is to be had.
 pub fn dist(places: &Places) -> Result<(), Failure> {
-    run("building the web app", &mut trunk(places, "build")?)
+    run("building the web app", &mut trunk(places, "build")?)?;
+    match wasm_opt(places) {
+        Some(wasm_opt) => compiled_files(&places.dist())?.iter().try_for_each(|file| optimise(&wasm_opt, file)),
+        None => Ok(()),
+    }
 }
 
 /// `trunk <subcommand>` for the release app, with every tool that it needs on its `PATH`.
@@ -57,7 +65,7 @@ fn trunk(places: &Places, subcommand: &str) -> Result<Command, Failure> {
     ensure_web_target()?;
     let bindgen = wasm_bindgen_cli(locked_version(places, "wasm-bindgen")?).ensure(places)?;
     let trunk = trunk_itself().ensure(places)?;
-    let mut command = Command::new("trunk");
+    let mut command = Command::new(program_in(&trunk, "trunk"));
     command.env("PATH", path_with(&[trunk, bindgen])?).current_dir(&places.root);
     command.args([subcommand, "--release", "--locked", "--skip-version-check"]);
     // trunk reads NO_COLOR as a boolean and stops at the customary `NO_COLOR=1`.
@@ -84,5 +92,45 @@ fn wasm_bindgen_cli(version: String) -> CargoTool {
         version,
         arguments: &["--no-default-features"],
         purpose: "which writes the JavaScript around the compiled app",
+    }
+}
+
+/// What rustc turns on for this target, and SIMD.
+const WASM_FEATURES: [&str; 7] = [
+    "--enable-simd",
+    "--enable-bulk-memory",
+    "--enable-multivalue",
+    "--enable-mutable-globals",
+    "--enable-nontrapping-float-to-int",
+    "--enable-reference-types",
+    "--enable-sign-ext",
+];
+
+fn compiled_files(dist: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let entries: io::Result<Vec<_>> = fs::read_dir(dist).and_then(Iterator::collect);
+    let entries = entries.map_err(|error| Failure::new("looking for the compiled app", error.to_string()))?;
+    let files = entries.into_iter().map(|entry| entry.path());
+    Ok(files.filter(|file| file.extension().is_some_and(|extension| extension == "wasm")).collect())
+}
+
+fn optimise(wasm_opt: &Path, file: &Path) -> Result<(), Failure> {
+    let mut command = Command::new(wasm_opt);
+    run("optimising the compiled app", command.arg("-O3").args(WASM_FEATURES).arg(file).arg("-o").arg(file))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ServeOptions;
+
+    #[test]
+    fn serve_takes_a_port_and_open() {
+        assert_eq!(ServeOptions::parse(&["--port", "9000", "--open"]), Ok(ServeOptions { port: 9000, open: true }));
+        assert_eq!(ServeOptions::parse(&[]), Ok(ServeOptions { port: 8080, open: false }));
+    }
+
+    #[test]
+    fn serve_names_what_it_does_not_understand() {
+        assert_eq!(ServeOptions::parse(&["--port", "eighty"]), Err("not a port number: eighty".to_owned()));
+        assert_eq!(ServeOptions::parse(&["--prot"]), Err("serve does not know --prot".to_owned()));
     }
 }
