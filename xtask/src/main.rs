@@ -1,2 +1,63 @@
-//! x
-fn main() {}
+//! The project's commands: `cargo xtask serve | dist | test | lint`.
+//!
+//! Each command installs what it lacks, names each step before it runs, and
+//! ends with status 1 and the failing step's name when one fails (2 for a
+//! wrong call). Only `serve` keeps running.
+
+mod cargo_tool;
+mod lint;
+mod node;
+mod places;
+mod report;
+mod rust;
+mod shell;
+mod system;
+mod test;
+mod web;
+
+use places::Places;
+use shell::Failure;
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+usage: cargo xtask <command>
+
+  serve [--port N] [--open]  install what the web app needs, build it and serve it
+  dist                       build the web app into dist/, ready to be hosted
+  test                       every test: unit, images on lavapipe, real browsers
+  lint                       rustfmt, clippy, rustdoc, the core alone, cargo-deny";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let outcome = match words.as_slice() {
+        ["serve", options @ ..] => match web::ServeOptions::parse(options) {
+            Ok(options) => at_home(|places| web::serve(places, &options)),
+            Err(message) => return misuse(&message),
+        },
+        ["dist"] => at_home(web::dist),
+        ["test"] => at_home(test::everything),
+        ["lint"] => at_home(lint::everything),
+        [] | ["help" | "--help" | "-h"] => {
+            println!("{USAGE}");
+            return ExitCode::SUCCESS;
+        }
+        [other, ..] => return misuse(&format!("no such command, or too many words after it: {other}")),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("xtask: failed: {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn at_home(command: impl FnOnce(&Places) -> Result<(), Failure>) -> Result<(), Failure> {
+    command(&Places::find()?)
+}
+
+fn misuse(message: &str) -> ExitCode {
+    eprintln!("xtask: {message}\n{USAGE}");
+    ExitCode::from(2)
+}

@@ -1,0 +1,161 @@
+// One running app: how a person's hands and eyes reach it, in states and not in time.
+
+import assert from 'node:assert/strict';
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+
+const DESKTOP = { viewport: { width: 1440, height: 900 } };
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+export const DEVICES = { desktop: DESKTOP, phone: PHONE };
+
+/** Software drawing on two cores; a state that takes longer is not reached at all. */
+const PATIENCE_MS = 90_000;
+
+/** The app on one page. Errors that nobody caught are kept, and `during` fails on them. */
+export class App {
+  #context;
+  #page;
+  #faults = [];
+
+  static async open(browser, address, device) {
+    const context = await browser.newContext(device);
+    const app = new App(context, await context.newPage());
+    await app.#page.goto(address);
+    return app;
+  }
+
+  constructor(context, page) {
+    this.#context = context;
+    this.#page = page;
+    page.setDefaultTimeout(PATIENCE_MS);
+    page.on('pageerror', (error) => this.#faults.push(`uncaught: ${error.stack ?? error}`));
+    page.on('crash', () => this.#faults.push('the page crashed'));
+    page.on('console', (message) => {
+      if (message.type() === 'error') this.#faults.push(`console: ${message.text()} (${message.location().url})`);
+    });
+    page.on('requestfailed', (request) => this.#faults.push(`not loaded: ${request.url()}`));
+  }
+
+  /** Lets `act` use the app, closes it, and fails if anything went wrong in front of or behind the scenes. */
+  async during(act) {
+    try {
+      await this.settled();
+      await act(this);
+    } catch (error) {
+      throw this.#faults.length === 0 ? error : new Error(this.#faults.join('\n'), { cause: error });
+    } finally {
+      await this.#context.close();
+    }
+    assert.deepEqual(this.#faults, [], 'nothing goes wrong behind the scenes');
+  }
+
+  stats() {
+    return this.#page.evaluate(() => window.riemap.stats());
+  }
+
+  session() {
+    return this.#page.evaluate(() => window.riemap.session());
+  }
+
+  /** Waits until `reached(stats, argument)`, asked once a frame in the page, and returns the stats. */
+  async until(state, reached, argument) {
+    const asked = `(argument) => {
+      const stats = window.riemap?.stats?.();
+      return stats && (${reached})(stats, argument) ? stats : null;
+    }`;
+    try {
+      const handle = await this.#page.waitForFunction(`(${asked})(${JSON.stringify(argument ?? null)})`);
+      return await handle.jsonValue();
+    } catch (error) {
+      const last = await this.#page.evaluate(() => JSON.stringify(window.riemap?.stats?.())).catch(String);
+      throw new Error(`not reached: ${state}\nlast stats: ${last}`, { cause: error });
+    }
+  }
+
+  /** Waits until both domains are prepared and the map of the newest state has been drawn. */
+  settled() {
+    return this.until('nothing is being prepared', (stats) => stats.ready && !stats.preparing.some(Boolean));
+  }
+
+  /** Two animation frames: the app has seen what was done, and drawn it. */
+  #frames() {
+    return this.#page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  }
+
+  /** Drags with the mouse, one step a frame, as a hand would. */
+  async drag(from, to, steps = 6) {
+    const { mouse } = this.#page;
+    await mouse.move(...from);
+    await this.#frames();
+    await mouse.down();
+    await this.#frames();
+    for (const point of between(from, to, steps)) {
+      await mouse.move(...point);
+      await this.#frames();
+    }
+    await mouse.up();
+    await this.#frames();
+  }
+
+  /** Drags with one finger. */
+  async touchDrag(from, to, steps = 6) {
+    const protocol = await this.#context.newCDPSession(this.#page);
+    const touch = async (type, touchPoints) => {
+      await protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
+      await this.#frames();
+    };
+    await touch('touchStart', [{ x: from[0], y: from[1] }]);
+    for (const [x, y] of between(from, to, steps)) await touch('touchMove', [{ x, y }]);
+    await touch('touchEnd', []);
+  }
+
+  loadOutline(side, name, text) {
+    return this.#page.evaluate((given) => window.riemap.load_outline(...given), [side, name, text]);
+  }
+
+  /** Drops a file on the canvas at a place of the window, as from a file manager. */
+  async dropFile(at, name, text) {
+    await this.#page.evaluate(
+      ([[clientX, clientY], fileName, content]) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([content], fileName));
+        const canvas = document.querySelector('canvas');
+        for (const type of ['dragenter', 'dragover', 'drop']) {
+          canvas.dispatchEvent(
+            new DragEvent(type, { bubbles: true, cancelable: true, clientX, clientY, dataTransfer }),
+          );
+        }
+      },
+      [at, name, text],
+    );
+    await this.#frames();
+  }
+
+  /** Takes a picture, keeps it in the folder `RIEMAP_SHOTS` if that is set, and returns its colours' counts. */
+  async picture(name) {
+    await this.#frames();
+    const folder = process.env.RIEMAP_SHOTS;
+    if (folder) mkdirSync(folder, { recursive: true });
+    const png = await this.#page.screenshot(folder ? { path: join(folder, `${name}.png`) } : {});
+    return this.#page.evaluate(countColours, png.toString('base64'));
+  }
+}
+
+function between(from, to, steps) {
+  return Array.from({ length: steps }, (_, k) => from.map((start, axis) => start + ((to[axis] - start) * (k + 1)) / steps));
+}
+
+/** Runs in the page: how many pixels each colour has, the most frequent first, in steps of 16. */
+async function countColours(png) {
+  const blob = await (await fetch(`data:image/png;base64,${png}`)).blob();
+  const bitmap = await createImageBitmap(blob);
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+  context.drawImage(bitmap, 0, 0);
+  const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+  const counts = new Map();
+  for (let k = 0; k < data.length; k += 4) {
+    const colour = (data[k] >> 4) * 256 + (data[k + 1] >> 4) * 16 + (data[k + 2] >> 4);
+    counts.set(colour, (counts.get(colour) ?? 0) + 1);
+  }
+  return [...counts.values()].sort((a, b) => b - a);
+}

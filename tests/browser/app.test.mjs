@@ -1,0 +1,149 @@
+// The release web app, as a person meets it, with each of wgpu's two backends:
+// it starts, follows the mouse and the finger, takes outlines, and says what is
+// wrong with a bad one while it keeps the last good map.
+
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { App, DEVICES } from './app.mjs';
+import { BACKENDS, launch } from './chromium.mjs';
+import { serve } from './server.mjs';
+
+const DIST = process.env.RIEMAP_DIST ?? fileURLToPath(new URL('../../dist', import.meta.url));
+
+/** A regular 40-gon, in the plainest format. */
+const POLYGON = Array.from({ length: 40 }, (_, k) => {
+  const angle = (2 * Math.PI * k) / 40;
+  return `${Math.cos(angle)},${Math.sin(angle)}`;
+}).join('\n');
+/** Its first and third edges cross. */
+const BOW_TIE = '0,0\n1,1\n1,0\n0,1\n';
+
+/** In units of the target's size: an image inside one triangle of the mesh is off by less. */
+const MAPPING_TOLERANCE = 0.02;
+
+/** Where each handle is dragged, in CSS pixels from where it is. */
+const DRAGS = { x1: [14, -18], x2: [-16, 12], y1: [60, 60], y2: [-60, 60] };
+
+let site;
+before(async () => (site = await serve(DIST)));
+after(() => site?.close());
+
+for (const backend of BACKENDS) {
+  describe(backend, () => {
+    let browser;
+    before(async () => (browser = await launch(backend)));
+    after(() => browser?.close());
+
+    /** Runs `act` on a freshly opened app. */
+    const withApp = (device, act) => async () => {
+      const app = await App.open(browser, site.address, DEVICES[device]);
+      await app.during(act);
+    };
+
+    test(
+      'the app starts with this backend and shows a map',
+      withApp('desktop', async (app) => {
+        const stats = await app.stats();
+        assert.equal(stats.backend, backend);
+        assert.deepEqual(stats.errors.filter(Boolean), []);
+        assert.ok(stats.source.triangles > 1000 && stats.target.triangles > 1000, 'both domains are meshed');
+        assert.equal(stats.flipped, 0);
+        assert.ok(stats.q_mean >= 1 && stats.q_mean < 1.5, `nearly conformal: mean Q = ${stats.q_mean}`);
+        assertMapsInteriorPoint(stats);
+        assertShowsSomething(await app.picture(`${backend}-desktop`));
+      }),
+    );
+
+    for (const [handle, offset] of Object.entries(DRAGS)) {
+      test(
+        `dragging ${handle} changes the map`,
+        withApp('desktop', (app) => dragChangesMap(app, handle, offset, (from, to) => app.drag(from, to))),
+      );
+    }
+
+    test(
+      'a finger drags an interior point on a phone',
+      withApp('phone', async (app) => {
+        const { handles } = await app.stats();
+        const handle = handles.x1 ? 'x1' : 'x2';
+        await dragChangesMap(app, handle, DRAGS[handle], (from, to) => app.touchDrag(from, to));
+        assertShowsSomething(await app.picture(`${backend}-phone`));
+      }),
+    );
+
+    test(
+      'an outline in a file replaces the source',
+      withApp('desktop', async (app) => {
+        const before = await app.stats();
+        await app.loadOutline('source', 'forty.csv', POLYGON);
+        await assertOutlineReplaced(app, before);
+      }),
+    );
+
+    test(
+      'an outline dropped on the source replaces it',
+      withApp('desktop', async (app) => {
+        const before = await app.stats();
+        await app.dropFile(before.handles.x1, 'forty.csv', POLYGON);
+        await assertOutlineReplaced(app, before);
+      }),
+    );
+
+    test(
+      'a bad outline is refused with a readable reason, and the map stays',
+      withApp('desktop', async (app) => {
+        const before = await app.stats();
+        await app.loadOutline('source', 'bow-tie.csv', BOW_TIE);
+        const after = await app.until('an error is shown', (stats) => stats.errors.some(Boolean));
+        assert.match(after.errors.join(' '), /cross/i);
+        assert.deepEqual(after.source, before.source);
+        assert.equal(after.boundary_checksum, before.boundary_checksum);
+        assertShowsSomething(await app.picture(`${backend}-bad-outline`));
+      }),
+    );
+  });
+}
+
+/** Drags a handle, and checks that the map followed: a new one, of the new constraints, without flips. */
+async function dragChangesMap(app, handle, [dx, dy], drag) {
+  const before = await app.stats();
+  const session = await app.session();
+  const [x, y] = before.handles[handle];
+  await drag([x, y], [x + dx, y + dy]);
+  const after = await app.until(
+    'the map has changed',
+    (stats, last) => stats.generation > last.generation && stats.boundary_checksum !== last.boundary_checksum,
+    { generation: before.generation, boundary_checksum: before.boundary_checksum },
+  );
+  assert.notDeepEqual(await app.session(), session, 'the session holds the new point');
+  assert.notDeepEqual(after.handles[handle], before.handles[handle], 'the handle has moved');
+  assert.equal(after.flipped, 0);
+  assertMapsInteriorPoint(after);
+}
+
+async function assertOutlineReplaced(app, before) {
+  const replaced = await app.until(
+    'the new outline is prepared and mapped',
+    (stats, last) => !stats.preparing.some(Boolean) && stats.generation > last.generation && stats.source.m !== last.m,
+    { generation: before.generation, m: before.source.m },
+  );
+  assert.deepEqual(replaced.errors.filter(Boolean), []);
+  assert.deepEqual(replaced.target, before.target, 'the target is untouched');
+  assertMapsInteriorPoint(replaced);
+}
+
+/** f(x₁) = x₂, or f⁻¹(x₂) = x₁: the constraint that the two interior points set. */
+function assertMapsInteriorPoint({ image_of_mapped_point: image, expected }) {
+  const distance = Math.hypot(image[0] - expected[0], image[1] - expected[1]);
+  const message = `image ${image}, expected ${expected}, distance ${distance}`;
+  assert.ok(distance < MAPPING_TOLERANCE, message);
+}
+
+/** A blank page has one colour; the map, its texture and the panels have many. */
+function assertShowsSomething(colours) {
+  const most = colours[0] / colours.reduce((sum, count) => sum + count, 0);
+  assert.ok(colours.length > 30, `only ${colours.length} colours`);
+  assert.ok(most < 0.9, `${(100 * most).toFixed(0)} % of the picture has one colour`);
+}

@@ -1,0 +1,69 @@
+//! The checks that need no run of the program: formatting, clippy and the
+//! documentation, natively and for the web, and the dependencies' licences.
+
+use crate::cargo_tool::{CargoTool, path_with};
+use crate::places::Places;
+use crate::report::Report;
+use crate::rust::{WEB_TARGET, ensure_component, ensure_web_target};
+use crate::shell::{Failure, run, say};
+use std::process::Command;
+
+/// The newest cargo-deny that was tried; it needs rustc 1.88.
+const CARGO_DENY_VERSION: &str = "0.20.2";
+
+/// The parts of cargo-deny's check that need no network.
+const DENY_OFFLINE: [&str; 3] = ["bans", "licenses", "sources"];
+
+/// Every lint. The order lets later steps reuse what earlier ones compiled.
+pub fn everything(places: &Places) -> Result<(), Failure> {
+    ensure_component("rustfmt", "fmt")?;
+    ensure_component("clippy", "clippy")?;
+    ensure_web_target()?;
+    let mut report = Report::default();
+    let mut cargo_step = |name: &str, arguments: &[&str]| {
+        report.step(name, || run(name, cargo(places, arguments).env("RUSTDOCFLAGS", "-D warnings")));
+    };
+    cargo_step("rustfmt", &["fmt", "--all", "--check"]);
+    cargo_step("clippy", &["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"]);
+    cargo_step(
+        "clippy for the web",
+        &["clippy", "--lib", "--bins", "--locked", "--target", WEB_TARGET, "--", "-D", "warnings"],
+    );
+    cargo_step("rustdoc", &["doc", "--lib", "--no-deps", "--locked"]);
+    cargo_step("the core alone", &["check", "--lib", "--no-default-features", "--locked"]);
+    cargo_step(
+        "the core alone, for the web",
+        &["check", "--lib", "--no-default-features", "--locked", "--target", WEB_TARGET],
+    );
+    report.step("cargo-deny", || deny(places));
+    report.finish("lint")
+}
+
+fn cargo(places: &Places, arguments: &[&str]) -> Command {
+    let mut command = Command::new("cargo");
+    command.args(arguments).current_dir(&places.root);
+    command
+}
+
+/// Checks licences, duplicates and sources; advisories too, where their database can be had.
+fn deny(places: &Places) -> Result<(), Failure> {
+    let tool = CargoTool {
+        package: "cargo-deny",
+        program: "cargo-deny",
+        version: CARGO_DENY_VERSION.to_owned(),
+        arguments: &["--locked"],
+        purpose: "which checks the licences and sources of the dependencies",
+    };
+    let path = path_with(&[tool.ensure(places)?])?;
+    let deny = |arguments: &[&str]| {
+        let mut command = cargo(places, &["deny", "--all-features"]);
+        command.args(arguments).env("PATH", &path);
+        command
+    };
+    run("cargo-deny", deny(&["check", "--hide-inclusion-graph"]).args(DENY_OFFLINE))?;
+    if let Err(failure) = run("fetching the advisories", &mut deny(&["fetch", "db"])) {
+        say(format_args!("security advisories were NOT checked: their database is out of reach ({failure})"));
+        return Ok(());
+    }
+    run("advisories", &mut deny(&["check", "--disable-fetch", "advisories"]))
+}

@@ -1,0 +1,136 @@
+//! The web app: trunk compiles it, runs wasm-bindgen and writes `dist/`, or serves it.
+
+use crate::cargo_tool::{CargoTool, path_with};
+use crate::node::wasm_opt;
+use crate::places::Places;
+use crate::rust::{ensure_web_target, locked_version};
+use crate::shell::{Failure, program_in, run, say};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The newest trunk that rustc 1.95 compiles; 0.22 needs 1.96.1.
+const TRUNK_VERSION: &str = "0.21.14";
+
+const DEFAULT_PORT: u16 = 8080;
+
+/// What `serve` is asked for.
+#[derive(Debug, PartialEq)]
+pub struct ServeOptions {
+    port: u16,
+    open: bool,
+}
+
+impl ServeOptions {
+    pub fn parse(words: &[&str]) -> Result<Self, String> {
+        let mut options = Self { port: DEFAULT_PORT, open: false };
+        let mut words = words.iter();
+        while let Some(&word) = words.next() {
+            match word {
+                "--open" => options.open = true,
+                "--port" => {
+                    let number = words.next().ok_or("--port needs a number")?;
+                    options.port = number.parse().map_err(|_| format!("not a port number: {number}"))?;
+                }
+                other => return Err(format!("serve does not know {other}")),
+            }
+        }
+        Ok(options)
+    }
+}
+
+/// Builds the release app and serves it until it is interrupted.
+pub fn serve(places: &Places, options: &ServeOptions) -> Result<(), Failure> {
+    let mut trunk = trunk(places, "serve")?;
+    trunk.args(["--port", &options.port.to_string()]);
+    if options.open {
+        trunk.arg("--open");
+    }
+    say(format_args!("the first build takes minutes; then open http://localhost:{}/", options.port));
+    run("serving the web app", &mut trunk)
+}
+
+/// Builds the release app into `dist/`, and lets wasm-opt go over it where it is to be had.
+pub fn dist(places: &Places) -> Result<(), Failure> {
+    run("building the web app", &mut trunk(places, "build")?)?;
+    match wasm_opt(places) {
+        Some(wasm_opt) => compiled_files(&places.dist())?.iter().try_for_each(|file| optimise(&wasm_opt, file)),
+        None => Ok(()),
+    }
+}
+
+/// `trunk <subcommand>` for the release app, with every tool that it needs on its `PATH`.
+fn trunk(places: &Places, subcommand: &str) -> Result<Command, Failure> {
+    ensure_web_target()?;
+    let bindgen = wasm_bindgen_cli(locked_version(places, "wasm-bindgen")?).ensure(places)?;
+    let trunk = trunk_itself().ensure(places)?;
+    let mut command = Command::new(program_in(&trunk, "trunk"));
+    command.env("PATH", path_with(&[trunk, bindgen])?).current_dir(&places.root);
+    command.args([subcommand, "--release", "--locked", "--skip-version-check"]);
+    // trunk reads NO_COLOR as a boolean and stops at the customary `NO_COLOR=1`.
+    command.env_remove("NO_COLOR");
+    Ok(command)
+}
+
+fn trunk_itself() -> CargoTool {
+    CargoTool {
+        package: "trunk",
+        program: "trunk",
+        version: TRUNK_VERSION.to_owned(),
+        arguments: &["--locked"],
+        purpose: "which builds and serves the web app",
+    }
+}
+
+/// Without its default features, which only download the drivers of browsers,
+/// it compiles in a sixth of the time. Its lock file lacks a package.
+fn wasm_bindgen_cli(version: String) -> CargoTool {
+    CargoTool {
+        package: "wasm-bindgen-cli",
+        program: "wasm-bindgen",
+        version,
+        arguments: &["--no-default-features"],
+        purpose: "which writes the JavaScript around the compiled app",
+    }
+}
+
+/// What rustc turns on for this target, and SIMD.
+const WASM_FEATURES: [&str; 7] = [
+    "--enable-simd",
+    "--enable-bulk-memory",
+    "--enable-multivalue",
+    "--enable-mutable-globals",
+    "--enable-nontrapping-float-to-int",
+    "--enable-reference-types",
+    "--enable-sign-ext",
+];
+
+fn compiled_files(dist: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let entries: io::Result<Vec<_>> = fs::read_dir(dist).and_then(Iterator::collect);
+    let entries = entries.map_err(|error| Failure::new("looking for the compiled app", error.to_string()))?;
+    let files = entries.into_iter().map(|entry| entry.path());
+    Ok(files.filter(|file| file.extension().is_some_and(|extension| extension == "wasm")).collect())
+}
+
+fn optimise(wasm_opt: &Path, file: &Path) -> Result<(), Failure> {
+    let mut command = Command::new(wasm_opt);
+    run("optimising the compiled app", command.arg("-O3").args(WASM_FEATURES).arg(file).arg("-o").arg(file))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ServeOptions;
+
+    #[test]
+    fn serve_takes_a_port_and_open() {
+        assert_eq!(ServeOptions::parse(&["--port", "9000", "--open"]), Ok(ServeOptions { port: 9000, open: true }));
+        assert_eq!(ServeOptions::parse(&[]), Ok(ServeOptions { port: 8080, open: false }));
+    }
+
+    #[test]
+    fn serve_names_what_it_does_not_understand() {
+        assert_eq!(ServeOptions::parse(&["--port", "eighty"]), Err("not a port number: eighty".to_owned()));
+        assert_eq!(ServeOptions::parse(&["--prot"]), Err("serve does not know --prot".to_owned()));
+    }
+}
