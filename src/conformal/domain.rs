@@ -1,8 +1,10 @@
 //! Everything about one domain that does not depend on the constraints.
 
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::mesh::{MeshError, Sizing, TriMesh, mesh_domain};
+use crate::laplace::{DirichletLaplacian, Factor, LaplaceError, Ordering, RootPaths};
+use crate::mesh::{MeshError, RefineReport, Sizing, TriMesh, mesh_domain};
 use crate::outline::{BoundarySamples, Sampling, SamplingError, sample};
+use sprs::CsMatI;
 use web_time::Instant;
 
 /// How a domain is discretised.
@@ -41,6 +43,13 @@ pub struct PrepareTimings {
     pub factor: f64,
 }
 
+impl PrepareTimings {
+    /// The whole preparation.
+    pub fn total(&self) -> f64 {
+        self.sample + self.mesh + self.assemble + self.order + self.factor
+    }
+}
+
 /// Why a domain could not be prepared.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PrepareError {
@@ -50,6 +59,9 @@ pub enum PrepareError {
     /// The sampled boundary could not be meshed.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// The Laplacian could not be factored.
+    #[error(transparent)]
+    Laplace(#[from] LaplaceError),
 }
 
 /// A domain, sampled, meshed, assembled and factored.
@@ -59,19 +71,18 @@ pub struct PreparedDomain {
     pub samples: BoundarySamples,
     /// The mesh over them.
     pub mesh: TriMesh,
+    /// Whether the mesh meets its limits.
+    pub refinement: RefineReport,
+    /// L̄ (n×m, by columns).
+    pub coupling: CsMatI<f64, u32>,
+    /// The factor of L̂.
+    pub factor: Factor,
+    /// The root paths of the boundary's neighbours in the factor.
+    pub boundary_paths: RootPaths,
     /// The default interior point: the pole of inaccessibility.
     pub pole: DVec2,
     /// How long it took.
     pub timings: PrepareTimings,
-}
-
-/// A [`PreparedDomain`] as flat arrays, to cross a worker boundary by transfer.
-#[derive(Debug, Clone, PartialEq)]
-pub struct DomainBuffers {
-    /// The floating-point arrays.
-    pub floats: Vec<Vec<f64>>,
-    /// The index arrays.
-    pub indices: Vec<Vec<u32>>,
 }
 
 /// Samples, meshes, assembles, orders and factors, reporting each stage before it starts.
@@ -80,32 +91,64 @@ pub fn prepare(
     settings: &PrepareSettings,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<PreparedDomain, PrepareError> {
-    // skeleton
+    let mut timings = PrepareTimings::default();
     progress(Stage::Sample);
-    let start = Instant::now();
-    let samples = sample(polygon, settings.sampling)?;
+    let samples = timed(&mut timings.sample, || sample(polygon, settings.sampling))?;
     progress(Stage::Mesh);
-    let (mesh, _report) = mesh_domain(&samples.points, settings.sizing)?;
-    let timings = PrepareTimings { sample: start.elapsed().as_secs_f64() * 1e3, ..PrepareTimings::default() };
-    Ok(PreparedDomain { samples, mesh, pole: polygon.pole_of_inaccessibility(1e-3), timings })
+    let (mesh, refinement) = timed(&mut timings.mesh, || mesh_domain(&samples.points, settings.sizing))?;
+    progress(Stage::Assemble);
+    let laplacian = timed(&mut timings.assemble, || DirichletLaplacian::assemble(&mesh))?;
+    progress(Stage::Order);
+    let ordering = timed(&mut timings.order, || Ordering::minimum_degree(&laplacian))?;
+    progress(Stage::Factor);
+    let factor = timed(&mut timings.factor, || Factor::new(&laplacian, ordering))?;
+    let pole = default_point(polygon, &mesh);
+    Ok(PreparedDomain::new(samples, mesh, refinement, laplacian.coupling, factor, pole, timings))
 }
 
 impl PreparedDomain {
+    /// Bundles the parts; the root paths of the boundary follow from them.
+    pub(super) fn new(
+        samples: BoundarySamples,
+        mesh: TriMesh,
+        refinement: RefineReport,
+        coupling: CsMatI<f64, u32>,
+        factor: Factor,
+        pole: DVec2,
+        timings: PrepareTimings,
+    ) -> Self {
+        let mut boundary_paths = RootPaths::default();
+        factor.root_paths(coupling.indices().iter().copied(), &mut boundary_paths);
+        Self { samples, mesh, refinement, coupling, factor, boundary_paths, pole, timings }
+    }
+
     /// The point inside the domain nearest to `x` that keeps the distance `inset`
     /// from the boundary where the domain is wide enough: a handle slides along the boundary.
     pub fn nearest_inside(&self, x: DVec2, inset: f64) -> DVec2 {
         let _ = inset;
-        x // skeleton
+        x
     }
+}
 
-    /// As flat arrays.
-    pub fn to_buffers(&self) -> DomainBuffers {
-        DomainBuffers { floats: Vec::new(), indices: Vec::new() } // skeleton
+/// The pole of inaccessibility of the polygon. On a very coarse sampling it may lie outside
+/// the mesh; then the centroid of the largest triangle serves.
+fn default_point(polygon: &SimplePolygon, mesh: &TriMesh) -> DVec2 {
+    let pole = polygon.pole_of_inaccessibility(1e-3 * polygon.perimeter());
+    if crate::mesh::locate(mesh, pole, 0).is_some() {
+        return pole;
     }
+    let corners = |t: &[u32; 3]| t.map(|v| mesh.vertices[v as usize]);
+    let area = |t: &[u32; 3]| {
+        let [a, b, c] = corners(t);
+        (b - a).perp_dot(c - a)
+    };
+    let largest = mesh.triangles.iter().max_by(|s, t| area(s).total_cmp(&area(t)));
+    largest.map_or(pole, |t| corners(t).iter().sum::<DVec2>() / 3.0)
+}
 
-    /// From flat arrays; `None` if they are not what [`Self::to_buffers`] makes.
-    pub fn from_buffers(buffers: DomainBuffers) -> Option<Self> {
-        let _ = buffers;
-        None // skeleton
-    }
+fn timed<T>(milliseconds: &mut f64, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    *milliseconds = start.elapsed().as_secs_f64() * 1e3;
+    result
 }

@@ -1,9 +1,18 @@
 //! The pipeline of a frame: kernels → measures → matching → extension.
+//!
+//! [`ConformalMap::update`] recomputes only what a change touches: moving x₁
+//! renews its kernel, the matching and the extension; moving y₁ re-anchors its
+//! measure instead. After the first update nothing is allocated.
 
-use super::PreparedDomain;
+use super::{
+    BoundaryCorrespondence, HarmonicMeasure, KernelScratch, PreparedDomain, Quality, harmonic_extension,
+    match_measures, poisson_kernel,
+};
 use crate::geometry::DVec2;
-use crate::mesh::TriMesh;
+use crate::laplace::Lanes;
+use crate::mesh::{BarycentricPoint, TriMesh, locate};
 use std::sync::Arc;
+use web_time::Instant;
 
 /// One of the two domains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -15,6 +24,28 @@ pub enum Side {
     Target,
 }
 
+impl Side {
+    /// Both, source first.
+    pub const BOTH: [Self; 2] = [Self::Source, Self::Target];
+
+    /// The other one.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Source => Self::Target,
+            Self::Target => Self::Source,
+        }
+    }
+}
+
+impl std::fmt::Display for Side {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Source => "source",
+            Self::Target => "target",
+        })
+    }
+}
+
 /// Which mesh is mapped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -24,6 +55,16 @@ pub enum Direction {
     /// The target's vertices are mapped into the source, as texture coordinates.
     #[default]
     Backward,
+}
+
+impl Direction {
+    /// The side whose mesh is mapped.
+    pub fn mapped_side(self) -> Side {
+        match self {
+            Self::Forward => Side::Source,
+            Self::Backward => Side::Target,
+        }
+    }
 }
 
 /// `f(x₁) = x₂`, `f(y₁) = y₂`.
@@ -39,6 +80,24 @@ pub struct Constraints {
     pub target_anchor: f64,
 }
 
+impl Constraints {
+    /// The interior point of a side.
+    pub fn point(&self, side: Side) -> DVec2 {
+        match side {
+            Side::Source => self.source_point,
+            Side::Target => self.target_point,
+        }
+    }
+
+    /// The anchor of a side.
+    pub fn anchor(&self, side: Side) -> f64 {
+        match side {
+            Side::Source => self.source_anchor,
+            Side::Target => self.target_anchor,
+        }
+    }
+}
+
 /// What an update took, in milliseconds; a stage that was not needed took 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 #[allow(missing_docs, reason = "the fields are the stages")]
@@ -49,40 +108,91 @@ pub struct FrameTimings {
     pub extend: f64,
 }
 
-/// Angle distortion of the mapped mesh, `Q = σ₁/σ₂` per triangle.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct Quality {
-    /// Area-weighted mean of Q.
-    pub q_mean: f64,
-    /// The largest Q.
-    pub q_max: f64,
-    /// How many triangles changed their orientation.
-    pub flipped: u32,
-}
-
 /// Why there is no map.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MapError {
     /// An interior point is not inside its domain.
     #[error("the {side} point ({x}, {y}) is not inside the {side} outline")]
     PointOutside {
-        /// "source" or "target".
-        side: &'static str,
+        /// Which domain.
+        side: Side,
         /// Its position.
         x: f64,
         /// Its position.
         y: f64,
+    },
+    /// An anchor is not a number.
+    #[error("the {side} anchor is not a finite fraction of the arc length")]
+    AnchorNotFinite {
+        /// Which domain.
+        side: Side,
     },
 }
 
 /// The conformal map between two prepared domains under the current constraints.
 #[derive(Debug)]
 pub struct ConformalMap {
-    source: Arc<PreparedDomain>,
-    target: Arc<PreparedDomain>,
+    source: Half,
+    target: Half,
     direction: Direction,
+    correspondence: BoundaryCorrespondence,
     images: Vec<DVec2>,
     timings: FrameTimings,
+    kernel_scratch: KernelScratch,
+    extension_scratch: Vec<Lanes<2>>,
+}
+
+/// One side of the map.
+#[derive(Debug)]
+struct Half {
+    domain: Arc<PreparedDomain>,
+    point: DVec2,
+    located: BarycentricPoint,
+    anchor: f64,
+    kernel: Vec<f64>,
+    measure: HarmonicMeasure,
+}
+
+/// What a change of constraints asks of one side.
+struct Change {
+    located: Option<BarycentricPoint>,
+    re_anchor: bool,
+}
+
+impl Half {
+    fn new(domain: Arc<PreparedDomain>) -> Self {
+        let located = BarycentricPoint { triangle: 0, weights: [1.0, 0.0, 0.0] };
+        let (kernel, measure) = (Vec::new(), HarmonicMeasure::default());
+        Self { domain, point: DVec2::NAN, located, anchor: f64::NAN, kernel, measure }
+    }
+
+    /// Checks the constraints of this side and finds what they change; changes nothing.
+    fn plan(&self, side: Side, constraints: &Constraints) -> Result<Change, MapError> {
+        let (x, anchor) = (constraints.point(side), constraints.anchor(side));
+        if !anchor.is_finite() {
+            return Err(MapError::AnchorNotFinite { side });
+        }
+        let re_anchor = anchor != self.anchor;
+        if x == self.point {
+            return Ok(Change { located: None, re_anchor });
+        }
+        let found = if x.is_finite() { locate(&self.domain.mesh, x, self.located.triangle) } else { None };
+        let located = found.ok_or(MapError::PointOutside { side, x: x.x, y: x.y })?;
+        Ok(Change { located: Some(located), re_anchor })
+    }
+
+    /// Renews the kernel and the measure as planned.
+    fn apply(&mut self, side: Side, constraints: &Constraints, change: &Change, scratch: &mut KernelScratch) {
+        if let Some(located) = change.located {
+            (self.located, self.point) = (located, constraints.point(side));
+            poisson_kernel(&self.domain, located, scratch, &mut self.kernel);
+        }
+        if change.located.is_some() || change.re_anchor {
+            self.anchor = constraints.anchor(side);
+            let anchor = self.domain.samples.at_fraction(self.anchor);
+            self.measure.set(&self.domain.samples, &self.kernel, anchor);
+        }
+    }
 }
 
 impl ConformalMap {
@@ -93,7 +203,16 @@ impl ConformalMap {
         constraints: &Constraints,
         direction: Direction,
     ) -> Result<Self, MapError> {
-        let mut map = Self { source, target, direction, images: Vec::new(), timings: FrameTimings::default() };
+        let mut map = Self {
+            source: Half::new(source),
+            target: Half::new(target),
+            direction,
+            correspondence: BoundaryCorrespondence::default(),
+            images: Vec::new(),
+            timings: FrameTimings::default(),
+            kernel_scratch: KernelScratch::default(),
+            extension_scratch: Vec::new(),
+        };
         map.update(constraints, direction)?;
         Ok(map)
     }
@@ -101,18 +220,71 @@ impl ConformalMap {
     /// Recomputes what the change of constraints or direction touches. After an
     /// error the map is unchanged.
     pub fn update(&mut self, constraints: &Constraints, direction: Direction) -> Result<(), MapError> {
-        let _ = constraints;
-        self.direction = direction; // skeleton: the identity
-        self.images = self.mapped_mesh().vertices.clone();
+        let changes = [self.source.plan(Side::Source, constraints)?, self.target.plan(Side::Target, constraints)?];
+        let touched = changes.iter().any(|c| c.located.is_some() || c.re_anchor);
+        if !touched && direction == self.direction && !self.images.is_empty() {
+            return Ok(());
+        }
+        self.direction = direction;
+        let mut timings = FrameTimings::default();
+        let start = Instant::now();
+        self.source.apply(Side::Source, constraints, &changes[0], &mut self.kernel_scratch);
+        self.target.apply(Side::Target, constraints, &changes[1], &mut self.kernel_scratch);
+        timings.kernel = start.elapsed().as_secs_f64() * 1e3;
+        self.match_boundaries(&mut timings);
+        self.extend(&mut timings);
+        self.timings = timings;
         Ok(())
     }
 
-    /// The prepared domain of a side.
-    pub fn domain(&self, side: Side) -> &Arc<PreparedDomain> {
+    fn match_boundaries(&mut self, timings: &mut FrameTimings) {
+        let start = Instant::now();
+        let (mapped, other) = match self.direction {
+            Direction::Forward => (&self.source, &self.target),
+            Direction::Backward => (&self.target, &self.source),
+        };
+        match_measures(&mapped.measure, &other.measure, &mut self.correspondence);
+        timings.matching = start.elapsed().as_secs_f64() * 1e3;
+    }
+
+    fn extend(&mut self, timings: &mut FrameTimings) {
+        let start = Instant::now();
+        let (mapped, other) = match self.direction {
+            Direction::Forward => (&self.source.domain, &self.target.domain),
+            Direction::Backward => (&self.target.domain, &self.source.domain),
+        };
+        self.images.clear();
+        self.images.extend(self.correspondence.images(&other.samples));
+        self.images.resize(mapped.mesh.vertices.len(), DVec2::ZERO);
+        harmonic_extension(mapped, &mut self.images, &mut self.extension_scratch);
+        timings.extend = start.elapsed().as_secs_f64() * 1e3;
+    }
+
+    fn half(&self, side: Side) -> &Half {
         match side {
             Side::Source => &self.source,
             Side::Target => &self.target,
         }
+    }
+
+    /// The prepared domain of a side.
+    pub fn domain(&self, side: Side) -> &Arc<PreparedDomain> {
+        &self.half(side).domain
+    }
+
+    /// The Poisson kernel ψ of a side's interior point, per boundary vertex.
+    pub fn kernel(&self, side: Side) -> &[f64] {
+        &self.half(side).kernel
+    }
+
+    /// The harmonic measure of a side, from its anchor.
+    pub fn measure(&self, side: Side) -> &HarmonicMeasure {
+        &self.half(side).measure
+    }
+
+    /// Where the boundary vertices of the mapped side go.
+    pub fn correspondence(&self) -> &BoundaryCorrespondence {
+        &self.correspondence
     }
 
     /// Which mesh is mapped.
@@ -122,10 +294,7 @@ impl ConformalMap {
 
     /// The mesh whose vertices are mapped: the source's if forward, else the target's.
     pub fn mapped_mesh(&self) -> &TriMesh {
-        match self.direction {
-            Direction::Forward => &self.source.mesh,
-            Direction::Backward => &self.target.mesh,
-        }
+        &self.domain(self.direction.mapped_side()).mesh
     }
 
     /// The images of the mapped mesh's vertices, in the other domain.
@@ -140,11 +309,15 @@ impl ConformalMap {
 
     /// Angle distortion and flips. Cost O(triangles); call it when it is shown.
     pub fn quality(&self) -> Quality {
-        Quality { q_mean: 1.0, q_max: 1.0, flipped: 0 } // skeleton
+        Quality::of(self.mapped_mesh(), &self.images)
     }
 
     /// The image of a point of the mapped mesh (piecewise linear); `None` outside it.
     pub fn image_of(&self, x: DVec2) -> Option<DVec2> {
-        Some(x) // skeleton
+        let mesh = self.mapped_mesh();
+        let hint = self.half(self.direction.mapped_side()).located.triangle;
+        let found = locate(mesh, x, hint)?;
+        let corners = mesh.triangles[found.triangle as usize];
+        Some(corners.iter().zip(found.weights).map(|(&v, w)| w * self.images[v as usize]).sum())
     }
 }

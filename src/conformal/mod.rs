@@ -1,10 +1,30 @@
 //! The conformal map: a prepared domain, Poisson kernels, harmonic measures, their matching, its extension.
 //!
 //! [`prepare`] does once per outline what takes milliseconds to seconds;
-//! [`ConformalMap::update`] does what a drag needs, in a fraction of that.
+//! [`ConformalMap::update`] does what a drag needs, in a fraction of that:
+//!
+//! | step | file | paper |
+//! |---|---|---|
+//! | Poisson kernel ψ at x | `kernel` | (9), (10), (B.2), by the adjoint solve |
+//! | harmonic measure ω̃ from y | `measure` | (11), (12) |
+//! | boundary correspondence | `matching` | section 3.2, C.4, in a form that does not cancel |
+//! | images of the vertices | `extension` | (14) |
+//! | angle distortion | `distortion` | section 5.1 |
 
+mod buffers;
+mod distortion;
 mod domain;
+mod extension;
+mod kernel;
 mod map;
+mod matching;
+mod measure;
 
-pub use domain::{DomainBuffers, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare};
-pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, Quality, Side};
+pub use buffers::DomainBuffers;
+pub use distortion::Quality;
+pub use domain::{PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare};
+pub use extension::harmonic_extension;
+pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};
+pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, Side};
+pub use matching::{BoundaryCorrespondence, match_measures};
+pub use measure::HarmonicMeasure;

@@ -1,1 +1,38 @@
 //! The cotangent Laplacian of a mesh and its Cholesky factor.
+//!
+//! [`DirichletLaplacian`] holds the blocks L̂ and L̄ of the paper's appendix A;
+//! [`Factor`] is the Cholesky factor of L̂ as flat arrays, with sweeps that visit
+//! only what a sparse right-hand side, or a sparse question, needs.
+
+mod cotangent;
+mod factor;
+mod ordering;
+mod supernode;
+mod sweep;
+#[cfg(test)]
+mod tests;
+
+pub use cotangent::DirichletLaplacian;
+pub use factor::{Factor, FactorBuffers, RootPaths};
+pub use ordering::Ordering;
+pub use sweep::Lanes;
+
+/// Why the Laplacian of a mesh could not be assembled or factored.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum LaplaceError {
+    /// The assembled pattern is not a valid sparse matrix: the mesh is inconsistent.
+    #[error("the mesh is inconsistent: {0}")]
+    Structure(String),
+    /// A pivot of the Cholesky factorisation is not positive.
+    #[error("the Laplacian is not positive definite at interior vertex {vertex}: a triangle there is degenerate")]
+    NotPositiveDefinite {
+        /// The interior vertex, `0 … n−1`.
+        vertex: usize,
+    },
+    /// Not enough memory, or more entries than a 32-bit index counts.
+    #[error("the factor of {unknowns} unknowns does not fit into memory: use fewer samples or graded sizing")]
+    TooLarge {
+        /// The number of interior vertices, `n`.
+        unknowns: usize,
+    },
+}

@@ -6,4 +6,4 @@ mod tri_mesh;
 
 pub use locate::{BarycentricPoint, locate};
 pub use planar::{MeshError, RefineReport, Sizing, mesh_domain};
-pub use tri_mesh::TriMesh;
+pub use tri_mesh::{NO_TRIANGLE, TriMesh};

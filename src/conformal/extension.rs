@@ -1,0 +1,25 @@
+//! Extending the boundary map harmonically into the mesh, equation (14): L̂ ŵ = −L̄ w̄.
+
+use super::PreparedDomain;
+use crate::geometry::DVec2;
+use crate::laplace::Lanes;
+
+/// Replaces the interior part of `values` (length m+n) by the discrete harmonic
+/// extension of its boundary part `values[..m]`. Both coordinates are solved in
+/// one sweep; `scratch` is reused, so repeated calls allocate nothing.
+pub fn harmonic_extension(domain: &PreparedDomain, values: &mut [DVec2], scratch: &mut Vec<Lanes<2>>) {
+    let (boundary, interior) = values.split_at_mut(domain.mesh.boundary_count as usize);
+    scratch.clear();
+    scratch.resize(domain.factor.len(), [0.0; 2]);
+    for (w, column) in boundary.iter().zip(domain.coupling.outer_iterator()) {
+        for (unknown, &entry) in column.iter() {
+            let right = &mut scratch[domain.factor.position(unknown as u32)];
+            right[0] -= entry * w.x;
+            right[1] -= entry * w.y;
+        }
+    }
+    domain.factor.solve(&domain.boundary_paths, domain.factor.everything(), scratch);
+    for (&[x, y], &unknown) in scratch.iter().zip(domain.factor.unknowns()) {
+        interior[unknown as usize] = DVec2::new(x, y);
+    }
+}

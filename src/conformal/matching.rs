@@ -1,0 +1,98 @@
+//! Matching two harmonic measures along two boundaries (section 3.2, algorithm C.4).
+//!
+//! For every vertex k of the mapped boundary, the point of the other boundary
+//! with the same harmonic measure. One pass, O(m + m'). The correspondence keeps
+//! the cyclic order (weakly: where ω is flat in f64, points coincide).
+
+use super::HarmonicMeasure;
+use crate::geometry::DVec2;
+use crate::outline::{BoundaryPoint, BoundarySamples};
+
+/// Where each boundary vertex of the mapped side goes on the other boundary.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct BoundaryCorrespondence {
+    /// By vertex of the mapped boundary, `0 … m−1`.
+    pub points: Vec<BoundaryPoint>,
+}
+
+impl BoundaryCorrespondence {
+    /// The images `w_k` of the boundary vertices, equation (13).
+    pub fn images<'a>(&'a self, samples: &'a BoundarySamples) -> impl Iterator<Item = DVec2> + 'a {
+        self.points.iter().map(|&point| samples.position(point))
+    }
+}
+
+/// Matches `source` to `target` into `result`; both run from 0 to 1.
+pub fn match_measures(source: &HarmonicMeasure, target: &HarmonicMeasure, result: &mut BoundaryCorrespondence) {
+    let m = source.vertex_count();
+    let (a, b, density) = (source.at_knots(), target.at_knots(), target.density());
+    let last = target.vertex_count();
+    result.points.clear();
+    result.points.resize(m, target.point(0, 0.0));
+    let mut l = 0;
+    for j in 1..=m {
+        while l < last && a[j] >= b[l + 1] {
+            l += 1;
+        }
+        let vertex = source.vertex_at(j);
+        let lambda = inverse_quadratic(a[j] - b[l], b[l + 1] - b[l], density[l], density[l + 1]);
+        // the anchor's own vertex stands at knot m; its image is the other anchor
+        let at_anchor = j == m && source.at_vertex(vertex) == 0.0 && a[j] == 1.0;
+        result.points[vertex] = if at_anchor { target.point(0, 0.0) } else { target.point(l, lambda) };
+    }
+}
+
+/// The λ in [0, 1] at which the integral of a density running linearly from `p` to `q`
+/// over an interval of measure `step` reaches `rest`.
+///
+/// With μ = rest/step, s = p + q, Δ = q − p, the equation p λ + Δ λ²/2 = μ s/2 has
+/// the root λ = μ s / (p + √(p² + μ Δ s)); written so, nothing cancels. A flat
+/// interval (step = 0) gives 0.
+fn inverse_quadratic(rest: f64, step: f64, p: f64, q: f64) -> f64 {
+    if rest <= 0.0 || step <= 0.0 {
+        return 0.0;
+    }
+    let mu = (rest / step).min(1.0);
+    let scale = p.max(q); // ψ may be 1e-300: its square must not underflow
+    if scale <= 0.0 {
+        return 0.0;
+    }
+    let (p, q) = (p / scale, q / scale);
+    let area = mu * (p + q);
+    let root = (p * p + area * (q - p)).max(0.0).sqrt();
+    if area == 0.0 { 0.0 } else { (area / (p + root)).clamp(0.0, 1.0) }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    /// The forward direction: the share of the measure before λ.
+    fn share(lambda: f64, p: f64, q: f64) -> f64 {
+        (2.0 * p * lambda + (q - p) * lambda * lambda) / (p + q)
+    }
+
+    #[test]
+    fn inverse_quadratic_inverts_the_measure_of_an_interval() {
+        let densities = [0.0, 1e-300, 1e-30, 1e-8, 0.5, 1.0 - 1e-15, 1.0, 1.0 + 1e-15, 3.0, 1e10];
+        for &p in &densities {
+            for &q in &densities {
+                if p + q == 0.0 {
+                    continue;
+                }
+                for mu in [0.0, 1e-12, 0.1, 0.5, 0.9, 1.0] {
+                    let lambda = inverse_quadratic(mu, 1.0, p, q);
+                    let error = (share(lambda, p / (p + q), q / (p + q)) - mu).abs();
+                    assert!(error <= 4e-16, "p = {p:e}, q = {q:e}, μ = {mu}: λ = {lambda}, error {error:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn flat_interval_maps_to_its_start() {
+        assert_eq!(inverse_quadratic(0.3, 0.0, 0.0, 0.0), 0.0);
+        assert_eq!(inverse_quadratic(0.3, 1.0, 0.0, 0.0), 0.0);
+    }
+}

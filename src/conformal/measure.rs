@@ -1,0 +1,106 @@
+//! The harmonic measure ω̃ of the boundary from an anchor y, equations (11) and (12).
+//!
+//! ω̃ is piecewise quadratic, the integral of the piecewise linear ψ; it runs from
+//! exactly 0 to exactly 1. The anchor may lie inside an edge, which is then split.
+
+use crate::outline::{BoundaryPoint, BoundarySamples};
+
+/// The harmonic measure along a boundary, counter-clockwise from its anchor.
+///
+/// Knot 0 is the anchor, knot j = 1 … m the vertex `edge + j` (mod m), knot m+1
+/// the anchor again; interval j lies between the knots j and j+1, on edge `edge + j`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HarmonicMeasure {
+    anchor: BoundaryPoint,
+    density: Vec<f64>,
+    cumulative: Vec<f64>,
+}
+
+impl Default for HarmonicMeasure {
+    fn default() -> Self {
+        Self { anchor: BoundaryPoint { edge: 0, fraction: 0.0 }, density: Vec::new(), cumulative: Vec::new() }
+    }
+}
+
+impl HarmonicMeasure {
+    /// The measure with density `psi` (length m, ≥ 0) from `anchor`.
+    pub fn new(samples: &BoundarySamples, psi: &[f64], anchor: BoundaryPoint) -> Self {
+        let mut measure = Self::default();
+        measure.set(samples, psi, anchor);
+        measure
+    }
+
+    /// As [`Self::new`], in place. Returns the total before it was divided out: near 1,
+    /// and 0 or not finite only for a density that is no kernel.
+    pub fn set(&mut self, samples: &BoundarySamples, psi: &[f64], anchor: BoundaryPoint) -> f64 {
+        let m = psi.len();
+        let (first, f) = (anchor.edge as usize, anchor.fraction);
+        let vertex = |j: usize| (first + j) % m;
+        let at_anchor = (1.0 - f) * psi[first] + f * psi[vertex(1)];
+        self.anchor = anchor;
+        self.density.clear();
+        self.density.push(at_anchor);
+        self.density.extend((1..=m).map(|j| psi[vertex(j)]));
+        self.density.push(at_anchor);
+        self.cumulative.clear();
+        self.cumulative.push(0.0);
+        let mut sum = 0.0;
+        for j in 0..=m {
+            let (from, to) = self.span(j);
+            let length = samples.edge_lengths[vertex(j)] * (to - from);
+            sum += 0.5 * length * (self.density[j] + self.density[j + 1]);
+            self.cumulative.push(sum);
+        }
+        for value in &mut self.cumulative {
+            *value /= sum;
+        }
+        sum
+    }
+
+    /// The number of boundary vertices, m.
+    pub fn vertex_count(&self) -> usize {
+        self.density.len().saturating_sub(2)
+    }
+
+    /// ω̃ at boundary vertex `k`, in `[0, 1]`; 0 where the anchor is.
+    pub fn at_vertex(&self, k: usize) -> f64 {
+        match self.knot_of(k) {
+            j if j == self.vertex_count() && self.anchor.fraction == 0.0 => 0.0,
+            j => self.cumulative[j],
+        }
+    }
+
+    /// The knot of boundary vertex `k`, in `1 ..= m`.
+    pub(super) fn knot_of(&self, k: usize) -> usize {
+        let m = self.vertex_count();
+        (k + 2 * m - self.anchor.edge as usize - 1) % m + 1
+    }
+
+    /// The boundary vertex at knot `j`, `1 ≤ j ≤ m`.
+    pub(super) fn vertex_at(&self, j: usize) -> usize {
+        (self.anchor.edge as usize + j) % self.vertex_count()
+    }
+
+    /// ω̃ at the knots, from 0 to 1, non-decreasing (length m+2).
+    pub fn at_knots(&self) -> &[f64] {
+        &self.cumulative
+    }
+
+    /// ψ at the knots (length m+2).
+    pub(super) fn density(&self) -> &[f64] {
+        &self.density
+    }
+
+    /// The point in interval `j` at `lambda` of its length.
+    pub(super) fn point(&self, j: usize, lambda: f64) -> BoundaryPoint {
+        let (from, to) = self.span(j);
+        BoundaryPoint { edge: self.vertex_at(j) as u32, fraction: (from + lambda * (to - from)).clamp(from, to) }
+    }
+
+    /// Which part of its edge interval `j` is.
+    fn span(&self, j: usize) -> (f64, f64) {
+        let f = self.anchor.fraction;
+        let last = self.vertex_count();
+        (if j == 0 { f } else { 0.0 }, if j == last { f } else { 1.0 })
+    }
+}

@@ -1,0 +1,217 @@
+//! The Cholesky factor L̂ = Pᵀ L Lᵀ P, made by faer, kept as flat arrays.
+//!
+//! [`Factor::solve`] is pruned: its forward sweep visits only the root paths of
+//! the right-hand side in the elimination tree, its backward sweep only the root
+//! paths of what is wanted. With three non-zero entries on the right and the
+//! boundary's neighbours wanted, that is a small part of L.
+
+use super::supernode::{Chunk, Chunks};
+use super::{DirichletLaplacian, Lanes, LaplaceError, Ordering};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltError;
+use faer::perm::PermRef;
+use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
+    supernodal::SupernodalLltRef,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Par, Side, Spec};
+
+/// The root of the elimination tree has no parent.
+const NO_PARENT: u32 = u32::MAX;
+
+/// The Cholesky factor of L̂.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Factor {
+    ordering: Ordering,
+    chunks: Chunks,
+    /// The chunk of each (permuted) column.
+    chunk_of: Vec<u32>,
+    /// The elimination tree of the chunks.
+    parent: Vec<u32>,
+    everything: RootPaths,
+}
+
+/// A set of root paths in the elimination tree of a [`Factor`].
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RootPaths {
+    /// Ascending.
+    chunks: Vec<u32>,
+    seen: Vec<bool>,
+}
+
+impl RootPaths {
+    fn clear(&mut self, count: usize) {
+        self.seen.resize(count, false);
+        for c in self.chunks.drain(..) {
+            self.seen[c as usize] = false;
+        }
+    }
+}
+
+/// A [`Factor`] as flat arrays.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FactorBuffers {
+    /// The permutation, `new → old`.
+    pub forward: Vec<u32>,
+    /// Five numbers per chunk: column, width, rows, row count, values.
+    pub chunks: Vec<u32>,
+    /// The row lists.
+    pub rows: Vec<u32>,
+    /// The entries of L.
+    pub values: Vec<f64>,
+}
+
+impl Factor {
+    /// Factors L̂ in the given ordering. Errors: [`LaplaceError::NotPositiveDefinite`], [`LaplaceError::TooLarge`].
+    pub fn new(laplacian: &DirichletLaplacian, ordering: Ordering) -> Result<Self, LaplaceError> {
+        let n = laplacian.interior.cols();
+        if n == 0 {
+            return Ok(Self::from_chunks(ordering, Chunks::default()));
+        }
+        let too_large = || LaplaceError::TooLarge { unknowns: n };
+        let pointers = laplacian.interior.proper_indptr();
+        let pattern = SymbolicSparseColMatRef::new_checked(n, n, &pointers, None, laplacian.interior.indices());
+        let matrix = SparseColMatRef::new(pattern, laplacian.interior.data());
+        let symbolic = factorize_symbolic_cholesky(
+            pattern,
+            Side::Upper,
+            SymmetricOrdering::Custom(PermRef::new_checked(&ordering.forward, &ordering.inverse, n)),
+            CholeskySymbolicParams {
+                supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+                ..CholeskySymbolicParams::default()
+            },
+        )
+        .map_err(|_| too_large())?;
+        let values = numeric(&symbolic, matrix, &ordering)?;
+        let SymbolicCholeskyRaw::Supernodal(structure) = symbolic.raw() else { return Err(too_large()) };
+        let chunks = Chunks::from_supernodes(SupernodalLltRef::new(structure, &values), &ordering)?;
+        Ok(Self::from_chunks(ordering, chunks))
+    }
+
+    fn from_chunks(ordering: Ordering, chunks: Chunks) -> Self {
+        let mut chunk_of = vec![0; ordering.forward.len()];
+        for (c, chunk) in chunks.list.iter().enumerate() {
+            chunk_of[chunk.column as usize..][..chunk.width as usize].fill(c as u32);
+        }
+        let parent = chunks
+            .list
+            .iter()
+            .map(
+                |chunk| {
+                    if chunk.row_count == 0 { NO_PARENT } else { chunk_of[chunks.rows[chunk.rows as usize] as usize] }
+                },
+            )
+            .collect();
+        let count = chunks.list.len();
+        let everything = RootPaths { chunks: (0..count as u32).collect(), seen: vec![true; count] };
+        Self { ordering, chunks, chunk_of, parent, everything }
+    }
+
+    /// The number of unknowns, `n`.
+    pub fn len(&self) -> usize {
+        self.ordering.forward.len()
+    }
+
+    /// Whether there are no unknowns.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The number of stored entries of L.
+    pub fn entry_count(&self) -> usize {
+        self.chunks.values.len()
+    }
+
+    /// Where an unknown stands in the vectors that [`Self::solve`] works on.
+    pub fn position(&self, unknown: u32) -> usize {
+        self.ordering.inverse[unknown as usize] as usize
+    }
+
+    /// The unknown at each position.
+    pub fn unknowns(&self) -> &[u32] {
+        &self.ordering.forward
+    }
+
+    /// All of the tree: what [`Self::solve`] is asked for when every unknown is wanted.
+    pub fn everything(&self) -> &RootPaths {
+        &self.everything
+    }
+
+    /// Collects into `paths` the paths from the `unknowns` to the root. Cost: their length.
+    pub fn root_paths(&self, unknowns: impl IntoIterator<Item = u32>, paths: &mut RootPaths) {
+        paths.clear(self.parent.len());
+        for unknown in unknowns {
+            let mut c = self.chunk_of[self.position(unknown)];
+            while c != NO_PARENT && !std::mem::replace(&mut paths.seen[c as usize], true) {
+                paths.chunks.push(c);
+                c = self.parent[c as usize];
+            }
+        }
+        paths.chunks.sort_unstable();
+    }
+
+    /// Solves L̂ x = b in place. `x` is ordered by [`Self::position`]; on entry it
+    /// holds b, which is zero outside the unknowns of `given`; on exit it holds the
+    /// solution at the unknowns on the paths of `wanted` (elsewhere, scratch).
+    pub fn solve<const K: usize>(&self, given: &RootPaths, wanted: &RootPaths, x: &mut [Lanes<K>]) {
+        self.chunks.forward(&given.chunks, x);
+        self.chunks.backward(&wanted.chunks, x);
+    }
+
+    /// As flat arrays.
+    pub fn to_buffers(&self) -> FactorBuffers {
+        let chunks = self.chunks.list.iter().flat_map(|c| [c.column, c.width, c.rows, c.row_count, c.values]).collect();
+        FactorBuffers {
+            forward: self.ordering.forward.clone(),
+            chunks,
+            rows: self.chunks.rows.clone(),
+            values: self.chunks.values.clone(),
+        }
+    }
+
+    /// From flat arrays; `None` if they are not consistent.
+    pub fn from_buffers(buffers: FactorBuffers) -> Option<Self> {
+        let n = buffers.forward.len();
+        let mut inverse = vec![u32::MAX; n];
+        for (new, &old) in buffers.forward.iter().enumerate() {
+            *inverse.get_mut(old as usize)? = new as u32;
+        }
+        let (records, rest) = buffers.chunks.as_chunks::<5>();
+        let list: Vec<Chunk> = records
+            .iter()
+            .map(|&[column, width, rows, row_count, values]| Chunk { column, width, rows, row_count, values })
+            .collect();
+        let chunks = Chunks { list, rows: buffers.rows, values: buffers.values };
+        let permuted = inverse.iter().all(|&new| new != u32::MAX);
+        (rest.is_empty() && permuted && chunks.check_invariants(n))
+            .then(|| Self::from_chunks(Ordering { forward: buffers.forward, inverse }, chunks))
+    }
+}
+
+fn numeric(
+    symbolic: &SymbolicCholesky<u32>,
+    matrix: SparseColMatRef<'_, u32, f64>,
+    ordering: &Ordering,
+) -> Result<Vec<f64>, LaplaceError> {
+    let mut values = vec![0.0; symbolic.len_val()];
+    let request = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default());
+    let mut memory =
+        MemBuffer::try_new(request).map_err(|_| LaplaceError::TooLarge { unknowns: ordering.forward.len() })?;
+    let result = symbolic.factorize_numeric_llt(
+        &mut values,
+        matrix,
+        Side::Upper,
+        faer::linalg::cholesky::llt::factor::LltRegularization::default(),
+        Par::Seq,
+        MemStack::new(&mut memory),
+        Spec::default(),
+    );
+    match result {
+        Ok(_) => Ok(values),
+        Err(LltError::NonPositivePivot { index }) => Err(LaplaceError::NotPositiveDefinite {
+            vertex: ordering.forward.get(index).map_or(index, |&v| v as usize),
+        }),
+    }
+}

@@ -1,0 +1,122 @@
+//! The Laplacian and its factor on a grid whose matrix is known: the five-point stencil.
+
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use super::*;
+use crate::geometry::DVec2;
+use crate::mesh::{NO_TRIANGLE, TriMesh};
+
+/// The unit square, k×k cells, each cut along the same diagonal; boundary first, counter-clockwise.
+fn grid(k: u32) -> TriMesh {
+    let ring: Vec<(u32, u32)> = (0..k)
+        .map(|i| (i, 0))
+        .chain((0..k).map(|i| (k, i)))
+        .chain((0..k).map(|i| (k - i, k)))
+        .chain((0..k).map(|i| (0, k - i)))
+        .collect();
+    let inside = (1..k).flat_map(|j| (1..k).map(move |i| (i, j)));
+    let places: Vec<(u32, u32)> = ring.iter().copied().chain(inside).collect();
+    let index = |i: u32, j: u32| places.iter().position(|&p| p == (i, j)).unwrap_or_default() as u32;
+    let mut triangles = Vec::new();
+    for j in 0..k {
+        for i in 0..k {
+            let (a, b, c, d) = (index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1));
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    let across = |t: usize, a: u32, b: u32| {
+        let found =
+            triangles.iter().enumerate().position(|(s, other)| s != t && other.contains(&a) && other.contains(&b));
+        found.map_or(NO_TRIANGLE, |s| s as u32)
+    };
+    let neighbours = triangles
+        .iter()
+        .enumerate()
+        .map(|(t, &[a, b, c])| [across(t, b, c), across(t, c, a), across(t, a, b)])
+        .collect();
+    let vertices = places.iter().map(|&(i, j)| DVec2::new(f64::from(i), f64::from(j)) / f64::from(k)).collect();
+    TriMesh { vertices, boundary_count: 4 * k, triangles, neighbours }
+}
+
+fn factored(mesh: &TriMesh) -> (DirichletLaplacian, Factor) {
+    let laplacian = DirichletLaplacian::assemble(mesh).unwrap();
+    let ordering = Ordering::minimum_degree(&laplacian).unwrap();
+    let factor = Factor::new(&laplacian, ordering).unwrap();
+    (laplacian, factor)
+}
+
+/// L̂ x, from the stored upper triangle.
+fn multiply(laplacian: &DirichletLaplacian, x: &[f64]) -> Vec<f64> {
+    let mut product = vec![0.0; x.len()];
+    for (j, column) in laplacian.interior.outer_iterator().enumerate() {
+        for (i, &value) in column.iter() {
+            product[i] += value * x[j];
+            if i != j {
+                product[j] += value * x[i];
+            }
+        }
+    }
+    product
+}
+
+#[test]
+fn square_grid_gives_the_five_point_stencil() {
+    let (laplacian, _) = factored(&grid(6));
+    for (j, column) in laplacian.interior.outer_iterator().enumerate() {
+        for (i, &value) in column.iter() {
+            let expected = if i == j { 4.0 } else { -1.0 };
+            // the diagonals of the cells are edges between cocircular points: exactly 0
+            assert!(value == 0.0 || (value - expected).abs() < 1e-14, "entry ({i}, {j}) = {value}");
+        }
+    }
+    assert_eq!(laplacian.coupling.data().iter().filter(|v| (**v + 1.0).abs() < 1e-14).count(), 4 * 5);
+}
+
+#[test]
+fn solution_has_no_residual() {
+    let (laplacian, factor) = factored(&grid(23));
+    let n = factor.len();
+    let right: Vec<f64> = (0..n).map(|i| (i as f64 * 0.7).sin()).collect();
+    let mut x = vec![[0.0, 0.0]; n];
+    for (unknown, &value) in right.iter().enumerate() {
+        x[factor.position(unknown as u32)] = [value, -2.0 * value];
+    }
+    factor.solve(factor.everything(), factor.everything(), &mut x);
+    let lane = |k: usize| (0..n).map(|u| x[factor.position(u as u32)][k]).collect::<Vec<_>>();
+    for (first, second) in lane(0).iter().zip(lane(1)) {
+        assert!((2.0 * first + second).abs() < 1e-12, "the two lanes disagree: {first}, {second}");
+    }
+    for (left, right) in multiply(&laplacian, &lane(0)).iter().zip(&right) {
+        assert!((left - right).abs() < 1e-12, "residual {}", left - right);
+    }
+}
+
+#[test]
+fn pruned_solve_equals_the_full_one_where_it_is_asked() {
+    let (_, factor) = factored(&grid(17));
+    let n = factor.len();
+    let (mut given, mut wanted) = (RootPaths::default(), RootPaths::default());
+    for unknown in [0, n / 2, n - 1] {
+        let mut full = vec![[0.0]; n];
+        full[factor.position(unknown as u32)] = [1.0];
+        let mut pruned = full.clone();
+        factor.solve(factor.everything(), factor.everything(), &mut full);
+        factor.root_paths([unknown as u32], &mut given);
+        factor.root_paths([3, 40, 41], &mut wanted);
+        factor.solve(&given, &wanted, &mut pruned);
+        for asked in [3, 40, 41] {
+            let place = factor.position(asked);
+            assert_eq!(full[place], pruned[place], "unknown {unknown}, asked at {asked}");
+        }
+    }
+}
+
+#[test]
+fn factor_survives_the_trip_through_flat_arrays() {
+    let (_, factor) = factored(&grid(9));
+    assert_eq!(Factor::from_buffers(factor.to_buffers()).as_ref(), Some(&factor));
+    let mut broken = factor.to_buffers();
+    broken.rows[0] = u32::MAX;
+    broken.forward[0] = broken.forward[1];
+    assert_eq!(Factor::from_buffers(broken), None);
+}
