@@ -1,7 +1,16 @@
-//! Rendering scenes into images without a window.
+//! Rendering scenes into images without a window, natively.
+//!
+//! The scene goes through the same `prepare` and `paint` as on screen, into a
+//! target like egui's, and is read back row by row. Works on any adapter,
+//! software ones included; the pixels of two adapters may differ by rounding.
 
-use super::{Camera, Handle, MeshGeometry, RenderError, StrokeStyle, TextureStyle};
+use super::targets::attachment;
+use super::{Camera, Handle, MeshGeometry, RenderError, StrokeStyle, TextureStyle, ViewportRenderer};
 use glam::DVec2;
+use image::RgbaImage;
+
+/// Like egui's target: sRGB-encoded bytes, encoded by the shader.
+const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// One of the pictures of a scene.
 #[derive(Clone, Debug)]
@@ -28,28 +37,198 @@ pub struct SceneDescription<'a> {
     /// sRGB-encoded, straight alpha.
     pub background: [f32; 4],
     /// The image of `Pattern::Image`.
-    pub image: Option<&'a image::RgbaImage>,
+    pub image: Option<&'a RgbaImage>,
     /// Free space around a fitted mesh.
     pub margin_px: f32,
 }
 
 /// A device on any adapter, hardware preferred, software accepted.
+///
+/// It is asked for no more than WebGL2 has, but for the adapter's largest
+/// textures, so what renders here also renders in a browser.
 pub fn headless_device() -> Result<(wgpu::Device, wgpu::Queue, wgpu::AdapterInfo), RenderError> {
-    Err(RenderError::NoAdapter { cause: String::from("pending") })
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        ..wgpu::RequestAdapterOptions::default()
+    };
+    let adapter = pollster::block_on(instance.request_adapter(&options))
+        .map_err(|error| RenderError::NoAdapter { cause: error.to_string() })?;
+    let info = adapter.get_info();
+    let descriptor = wgpu::DeviceDescriptor {
+        label: Some("headless"),
+        required_limits: wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits()),
+        ..wgpu::DeviceDescriptor::default()
+    };
+    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+        .map_err(|error| RenderError::NoDevice { adapter: info.name.clone(), cause: error.to_string() })?;
+    Ok((device, queue, info))
 }
 
 /// [`render_scene_with`] on a device of its own.
-pub fn render_scene(scene: &SceneDescription, size: [u32; 2]) -> Result<image::RgbaImage, RenderError> {
+pub fn render_scene(scene: &SceneDescription, size: [u32; 2]) -> Result<RgbaImage, RenderError> {
     let (device, queue, _) = headless_device()?;
     render_scene_with(&device, &queue, scene, size)
 }
 
-/// Renders `scene` into an image of `size` pixels (straight alpha).
+/// Renders `scene` into an sRGB image of `size` pixels with straight alpha.
+///
+/// Viewport k takes the columns from ⌊k·w/n⌋ to ⌊(k+1)·w/n⌋.
 pub fn render_scene_with(
-    _device: &wgpu::Device,
-    _queue: &wgpu::Queue,
-    _scene: &SceneDescription,
-    _size: [u32; 2],
-) -> Result<image::RgbaImage, RenderError> {
-    Err(RenderError::NoAdapter { cause: String::from("pending") })
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    scene: &SceneDescription,
+    size: [u32; 2],
+) -> Result<RgbaImage, RenderError> {
+    check(device, scene, size)?;
+    let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
+    let image = draw(device, queue, scene, size).and_then(|target| read_back(device, queue, &target));
+    match pollster::block_on(scope.pop()) {
+        Some(error) => Err(RenderError::Device(error.to_string())),
+        None => image,
+    }
+}
+
+fn check(device: &wgpu::Device, scene: &SceneDescription, size: [u32; 2]) -> Result<(), RenderError> {
+    let [width, height] = size;
+    let limit = device.limits().max_texture_dimension_2d;
+    if width.min(height) == 0 || width.max(height) > limit {
+        return Err(RenderError::Size { width, height, limit });
+    }
+    let count = scene.viewports.len();
+    if count == 0 || count > width as usize {
+        return Err(RenderError::ViewportCount { count, limit: width });
+    }
+    for (viewport, part) in scene.viewports.iter().enumerate() {
+        part.geometry.check().map_err(|reason| RenderError::Geometry { viewport, reason })?;
+    }
+    Ok(())
+}
+
+/// The first column of viewport `k` of `count`.
+fn column(k: usize, count: usize, width: u32) -> u32 {
+    (k as u64 * u64::from(width) / count as u64) as u32
+}
+
+fn draw(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    scene: &SceneDescription,
+    size: [u32; 2],
+) -> Result<wgpu::Texture, RenderError> {
+    let count = scene.viewports.len();
+    let mut renderer = ViewportRenderer::new(device, queue, TARGET_FORMAT, count);
+    if let Some(image) = scene.image {
+        renderer.set_image(device, queue, image.as_raw(), image.width(), image.height())?;
+    }
+    let target = target_texture(device, size);
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("scene") });
+    for (k, part) in scene.viewports.iter().enumerate() {
+        upload(device, queue, &mut renderer, k, part)?;
+        let size_px = [column(k + 1, count, size[0]) - column(k, count, size[0]), size[1]];
+        let camera = part.camera.unwrap_or_else(|| fitted(part.geometry.positions, size_px, scene.margin_px));
+        renderer.prepare(device, queue, &mut encoder, k, size_px, &camera, &part.style, scene.background);
+    }
+    paint(&mut encoder, &renderer, count, &target);
+    queue.submit([encoder.finish()]);
+    Ok(target)
+}
+
+fn upload(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    renderer: &mut ViewportRenderer,
+    viewport: usize,
+    part: &SceneViewport,
+) -> Result<(), RenderError> {
+    let uploaded = renderer.set_mesh(device, queue, viewport, &part.geometry)
+        && renderer.set_boundary(device, queue, viewport, part.boundary);
+    if !uploaded {
+        let reason = format!("{} triangles do not fit on the graphics device", part.geometry.triangles.len());
+        return Err(RenderError::Geometry { viewport, reason });
+    }
+    renderer.set_boundary_style(viewport, part.boundary_style);
+    renderer.set_handles(device, queue, viewport, part.handles);
+    Ok(())
+}
+
+fn fitted(positions: &[DVec2], size_px: [u32; 2], margin_px: f32) -> Camera {
+    let (low, high) =
+        positions.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+    let bounds = if low.is_finite() && high.is_finite() { (low, high) } else { (DVec2::ZERO, DVec2::ONE) };
+    Camera::fit(bounds, size_px.map(|side| side as f32), margin_px)
+}
+
+fn paint(encoder: &mut wgpu::CommandEncoder, renderer: &ViewportRenderer, count: usize, target: &wgpu::Texture) {
+    let view = target.create_view(&wgpu::TextureViewDescriptor::default());
+    let clear = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
+    let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("scene"),
+        color_attachments: &[Some(attachment(&view, clear))],
+        ..Default::default()
+    });
+    let mut pass = pass.forget_lifetime();
+    for k in 0..count {
+        let (left, right) = (column(k, count, target.width()), column(k + 1, count, target.width()));
+        pass.set_viewport(left as f32, 0.0, (right - left) as f32, target.height() as f32, 0.0, 1.0);
+        renderer.paint(&mut pass, k);
+    }
+}
+
+fn target_texture(device: &wgpu::Device, [width, height]: [u32; 2]) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("scene"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: TARGET_FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
+
+/// The pixels of an 8-bit RGBA `texture`; rows are padded to the copy alignment
+/// on their way and trimmed here.
+fn read_back(device: &wgpu::Device, queue: &wgpu::Queue, texture: &wgpu::Texture) -> Result<RgbaImage, RenderError> {
+    let (width, height) = (texture.width(), texture.height());
+    let row = (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("readback"),
+        size: u64::from(row) * u64::from(height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("readback") });
+    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
+    let destination = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
+    encoder.copy_texture_to_buffer(texture.as_image_copy(), destination, texture.size());
+    queue.submit([encoder.finish()]);
+    let padded = mapped_bytes(device, &buffer)?;
+    let mut pixels = Vec::with_capacity(4 * width as usize * height as usize);
+    for line in padded.chunks_exact(row as usize) {
+        pixels.extend(line[..4 * width as usize].chunks_exact(4).flat_map(straight));
+    }
+    let missing = || RenderError::Readback(format!("fewer bytes than {width} × {height} pixels"));
+    RgbaImage::from_raw(width, height, pixels).ok_or_else(missing)
+}
+
+fn mapped_bytes(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Result<Vec<u8>, RenderError> {
+    let readback = |cause: String| RenderError::Readback(cause);
+    let (sender, receiver) = std::sync::mpsc::channel();
+    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+        // The receiver outlives the poll below, or nobody waits for the answer.
+        let _ = sender.send(result);
+    });
+    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| readback(error.to_string()))?;
+    receiver.recv().map_err(|error| readback(error.to_string()))?.map_err(|error| readback(error.to_string()))?;
+    let view = buffer.get_mapped_range(..).map_err(|error| readback(error.to_string()))?;
+    Ok(view.to_vec())
+}
+
+/// Undoes the premultiplication of an encoded pixel.
+fn straight(pixel: &[u8]) -> [u8; 4] {
+    let alpha = u32::from(pixel[3]);
+    let channel = |value: u8| (u32::from(value) * 255 + alpha / 2).checked_div(alpha).unwrap_or(0).min(255) as u8;
+    [channel(pixel[0]), channel(pixel[1]), channel(pixel[2]), pixel[3]]
 }

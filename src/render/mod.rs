@@ -11,9 +11,17 @@
 //! uploaded. Not guaranteed: sharpness beyond a magnification of about 10⁵ of a
 //! mesh's extent, where the f32 steps become visible.
 
+mod blit_pass;
 mod camera;
+mod disc_pass;
 mod error;
+mod gpu;
+mod image_texture;
+mod mesh_pass;
+mod placement;
+mod stroke_pass;
 mod style;
+mod targets;
 mod viewport;
 
 #[cfg(not(target_arch = "wasm32"))]

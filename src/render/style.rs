@@ -5,6 +5,22 @@
 
 use glam::DVec2;
 
+/// Control points, from top to bottom, of the quadratic Bézier curve that the
+/// hue follows over the source's height: warm orange, mauve-grey, blue.
+pub(super) const HUE: [[f32; 4]; 3] = [[0.80, 0.43, 0.22, 1.0], [0.47, 0.39, 0.46, 1.0], [0.18, 0.42, 0.58, 1.0]];
+
+/// The light cells of the checkerboard, the lines of the grids.
+pub(super) const PAPER: [f32; 4] = [0.96, 0.93, 0.86, 1.0];
+
+/// The linear components of an sRGB-encoded colour; alpha stays.
+pub(super) fn linear_colour([r, g, b, a]: [f32; 4]) -> [f32; 4] {
+    [linear(r), linear(g), linear(b), a]
+}
+
+fn linear(encoded: f32) -> f32 {
+    if encoded <= 0.040_45 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}
+
 /// What is drawn on the source domain and carried along by the map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pattern {
@@ -61,4 +77,51 @@ pub struct Handle {
     pub colour: [f32; 4],
     /// Outer radius in physical pixels, ring included.
     pub radius_px: f32,
+}
+
+impl TextureStyle {
+    /// The colour of the hue change at height `y` of the source, sRGB-encoded.
+    ///
+    /// Quadratic Bézier in t = (y − y_min) / (y_max − y_min), clamped to 0..=1.
+    pub fn hue_at(&self, y: f64) -> [f32; 4] {
+        let (low, high) = (self.bounds.0.y, self.bounds.1.y);
+        let t = ((y - low) / (high - low)).clamp(0.0, 1.0) as f32;
+        let [top, middle, bottom] = HUE;
+        std::array::from_fn(|i| {
+            let (below, above) = (bottom[i] + t * (middle[i] - bottom[i]), middle[i] + t * (top[i] - middle[i]));
+            below + t * (above - below)
+        })
+    }
+
+    /// The palette's light colour, sRGB-encoded.
+    pub const fn paper() -> [f32; 4] {
+        PAPER
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hue_is_orange_above_and_blue_below() {
+        let style = TextureStyle {
+            pattern: Pattern::Checker,
+            cells: 8.0,
+            bounds: (DVec2::new(0.0, -1.0), DVec2::new(1.0, 3.0)),
+            pole: DVec2::ZERO,
+            dark: true,
+        };
+        assert_eq!(style.hue_at(3.0), HUE[0]);
+        assert_eq!(style.hue_at(-1.0), HUE[2]);
+        let [r, _, b, _] = style.hue_at(2.0);
+        assert!(r > b, "red {r} should exceed blue {b} in the upper part");
+    }
+
+    #[test]
+    fn linear_components_meet_the_definition_of_srgb() {
+        // Value from IEC 61966-2-1: encoded 0.5 is linear 0.21404.
+        let [r, g, b, a] = linear_colour([0.0, 0.5, 1.0, 0.25]);
+        assert!(r == 0.0 && (g - 0.214_041).abs() < 1e-5 && (b - 1.0).abs() < 1e-6 && a == 0.25, "{r} {g} {b} {a}");
+    }
 }

@@ -1,7 +1,24 @@
 //! The renderer behind the viewports: uploads, off-screen rendering, the blit.
+//!
+//! A viewport is rendered in three passes (mesh, multisampled and resolved; the
+//! outline's coverage; outline and handles over the picture), then painted into
+//! the caller's pass. Nothing is allocated per frame once the sizes are settled.
+//!
+//! A viewport index out of range, positions that do not fit the mesh and
+//! inconsistent meshes are refused: the methods answer `false`, nothing changes.
 
-use super::{Camera, Handle, ImageError, StrokeStyle, TextureStyle};
+use super::blit_pass::BlitPass;
+use super::disc_pass::{DiscBuffers, DiscPass};
+use super::image_texture::{ImageTexture, ImageTextures};
+use super::mesh_pass::{MeshBuffers, MeshFrame, MeshPass};
+use super::stroke_pass::{StrokeBuffers, StrokePass};
+use super::style::linear_colour;
+use super::targets::{Targets, attachment, clamped_size};
+use super::{Camera, Handle, ImageError, Pattern, StrokeStyle, TextureStyle, gpu};
 use glam::DVec2;
+
+/// Thin pattern lines relative to the outline's stroke.
+const LINE_TO_STROKE: f32 = 0.7;
 
 /// Geometry of one viewport.
 #[derive(Clone, Copy, Debug)]
@@ -10,85 +27,243 @@ pub struct MeshGeometry<'a> {
     pub positions: &'a [DVec2],
     /// Where each vertex looks the texture up, in source coordinates.
     pub texture_coordinates: &'a [DVec2],
-    /// Vertex indices of the triangles.
+    /// Vertex indices of the triangles; either orientation is drawn.
     pub triangles: &'a [[u32; 3]],
+}
+
+impl MeshGeometry<'_> {
+    /// Ok when there are as many texture coordinates as positions and every
+    /// triangle names existing vertices; otherwise what is wrong. `O(triangles)`.
+    pub fn check(&self) -> Result<(), String> {
+        let (count, coordinates) = (self.positions.len(), self.texture_coordinates.len());
+        if count != coordinates {
+            return Err(format!("{count} positions have {coordinates} texture coordinates"));
+        }
+        match self.triangles.iter().position(|corners| corners.iter().any(|&v| v as usize >= count)) {
+            Some(t) => Err(format!("triangle {t} {:?} names a vertex beyond the {count} given", self.triangles[t])),
+            None => Ok(()),
+        }
+    }
 }
 
 /// Pipelines, and buffers and targets of every viewport.
 #[derive(Debug)]
-pub struct ViewportRenderer {}
+pub struct ViewportRenderer {
+    samples: u32,
+    mesh: MeshPass,
+    stroke: StrokePass,
+    disc: DiscPass,
+    blit: BlitPass,
+    images: ImageTextures,
+    image: ImageTexture,
+    viewports: Vec<Viewport>,
+    staging: Vec<[f32; 2]>,
+}
+
+#[derive(Debug)]
+struct Viewport {
+    mesh: MeshBuffers,
+    stroke: StrokeBuffers,
+    stroke_style: Option<StrokeStyle>,
+    discs: DiscBuffers,
+    targets: Option<Targets>,
+}
 
 impl ViewportRenderer {
-    /// Pipelines for a target of `target_format` and empty viewports.
+    /// Pipelines for a target of `target_format` and `viewports` empty viewports.
     pub fn new(
-        _device: &wgpu::Device,
-        _queue: &wgpu::Queue,
-        _target_format: wgpu::TextureFormat,
-        _viewports: usize,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        target_format: wgpu::TextureFormat,
+        viewports: usize,
     ) -> Self {
-        Self {}
+        let samples = gpu::sample_count(device);
+        let images = ImageTextures::new(device);
+        let image = images.blank(device, queue);
+        let mesh = MeshPass::new(device, &images.layout, samples);
+        let (stroke, disc, blit) =
+            (StrokePass::new(device), DiscPass::new(device), BlitPass::new(device, target_format));
+        let empty = |_| Viewport {
+            mesh: mesh.buffers(device),
+            stroke: stroke.buffers(device),
+            stroke_style: None,
+            discs: disc.buffers(device),
+            targets: None,
+        };
+        let viewports = (0..viewports).map(empty).collect();
+        Self { samples, mesh, stroke, disc, blit, images, image, viewports, staging: Vec::new() }
     }
-    /// Replaces a viewport's mesh; call it when the topology changes.
+
+    /// Replaces a viewport's mesh; call it when the topology changes. Buffers
+    /// are kept where they are large enough.
+    ///
+    /// False, and the old mesh stays, for an inconsistent mesh ([`MeshGeometry::check`]).
     pub fn set_mesh(
         &mut self,
-        _device: &wgpu::Device,
-        _queue: &wgpu::Queue,
-        _viewport: usize,
-        _geometry: &MeshGeometry,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        viewport: usize,
+        geometry: &MeshGeometry,
     ) -> bool {
-        true
+        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        viewport.mesh.set(device, queue, &mut self.staging, geometry)
     }
-    /// Moves the vertices of the mesh; false (and nothing changes) when the count differs.
-    pub fn set_positions(&mut self, _queue: &wgpu::Queue, _viewport: usize, _positions: &[DVec2]) -> bool {
-        true
+
+    /// Moves the vertices of the mesh, without reallocation.
+    ///
+    /// False, and nothing changes, when the count is not the mesh's.
+    pub fn set_positions(&mut self, queue: &wgpu::Queue, viewport: usize, positions: &[DVec2]) -> bool {
+        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        viewport.mesh.set_positions(queue, &mut self.staging, positions)
     }
-    /// New texture coordinates for the mesh; false (and nothing changes) when the count differs.
-    pub fn set_texture_coordinates(&mut self, _queue: &wgpu::Queue, _viewport: usize, _coordinates: &[DVec2]) -> bool {
-        true
+
+    /// New texture coordinates for the mesh, without reallocation.
+    ///
+    /// False, and nothing changes, when the count is not the mesh's.
+    pub fn set_texture_coordinates(&mut self, queue: &wgpu::Queue, viewport: usize, coordinates: &[DVec2]) -> bool {
+        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        viewport.mesh.set_texture_coordinates(queue, &mut self.staging, coordinates)
     }
-    /// Replaces the closed outline stroke; an empty slice removes it.
+
+    /// Replaces the closed outline stroke; fewer than two points remove it.
     pub fn set_boundary(
         &mut self,
-        _device: &wgpu::Device,
-        _queue: &wgpu::Queue,
-        _viewport: usize,
-        _points: &[DVec2],
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        viewport: usize,
+        points: &[DVec2],
     ) -> bool {
-        true
+        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        viewport.stroke.set(device, queue, &mut self.staging, points)
     }
-    /// Colour and width of the outline stroke; `None`: the theme's at a device pixel ratio of 1.
-    pub fn set_boundary_style(&mut self, _viewport: usize, _style: Option<StrokeStyle>) {}
+
+    /// Colour and width of the outline stroke, to which pattern lines keep a
+    /// fixed proportion; `None`: [`StrokeStyle::themed`] at one pixel per point.
+    pub fn set_boundary_style(&mut self, viewport: usize, style: Option<StrokeStyle>) {
+        if let Some(viewport) = self.viewports.get_mut(viewport) {
+            viewport.stroke_style = style;
+        }
+    }
+
     /// Replaces the discs drawn over the outline.
-    pub fn set_handles(&mut self, _device: &wgpu::Device, _queue: &wgpu::Queue, _viewport: usize, _handles: &[Handle]) {
+    pub fn set_handles(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, viewport: usize, handles: &[Handle]) {
+        if let Some(viewport) = self.viewports.get_mut(viewport) {
+            viewport.discs.set(device, queue, handles);
+        }
     }
-    /// Replaces the image of `Pattern::Image`.
+
+    /// Replaces the image of `Pattern::Image`: `width × height` sRGB-encoded
+    /// RGBA bytes, straight alpha, first row on top.
+    ///
+    /// The image covers the source's bounds with its aspect kept. One larger than
+    /// the device's textures is scaled down; transparent parts show the paper.
     pub fn set_image(
         &mut self,
-        _device: &wgpu::Device,
-        _queue: &wgpu::Queue,
-        _rgba: &[u8],
-        _width: u32,
-        _height: u32,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        rgba: &[u8],
+        width: u32,
+        height: u32,
     ) -> Result<(), ImageError> {
+        self.image = self.images.load(device, queue, rgba, width, height)?;
         Ok(())
     }
-    /// Renders a viewport into its own target; `background` is sRGB-encoded with straight alpha.
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "one call per viewport and frame; each argument is a thing of its own"
-    )]
+
+    /// Records the rendering of a viewport into its own target of `size_px`
+    /// physical pixels; `background` is sRGB-encoded with straight alpha.
+    ///
+    /// Once per viewport and submission: the uniform blocks hold one frame.
+    /// A size beyond the device's textures is clamped, and `paint` stretches.
+    #[allow(clippy::too_many_arguments, reason = "a frame's parts come from as many owners")]
     pub fn prepare(
         &mut self,
-        _device: &wgpu::Device,
-        _queue: &wgpu::Queue,
-        _encoder: &mut wgpu::CommandEncoder,
-        _viewport: usize,
-        _size_px: [u32; 2],
-        _camera: &Camera,
-        _style: &TextureStyle,
-        _background: [f32; 4],
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        viewport: usize,
+        size_px: [u32; 2],
+        camera: &Camera,
+        style: &TextureStyle,
+        background: [f32; 4],
     ) {
+        let size_px = clamped_size(device, size_px);
+        if !self.provide_targets(device, viewport, size_px) {
+            return;
+        }
+        let viewport = &self.viewports[viewport];
+        let stroke_style = viewport.stroke_style.unwrap_or_else(|| StrokeStyle::themed(style.dark, 1.0));
+        let (image_aspect, line_px) = (self.image.aspect, LINE_TO_STROKE * stroke_style.width_px);
+        viewport.mesh.write_frame(queue, &MeshFrame { camera, size_px, style, image_aspect, line_px });
+        viewport.stroke.write_frame(queue, camera, size_px, &stroke_style);
+        viewport.discs.write_frame(queue, camera, size_px);
+        if let Some(targets) = &viewport.targets {
+            self.record_mesh(encoder, viewport, targets, style.pattern, background);
+            self.record_overlay(encoder, viewport, targets);
+        }
     }
-    /// Draws what `prepare` rendered over the whole viewport rectangle of `render_pass`.
-    pub fn paint(&self, _render_pass: &mut wgpu::RenderPass<'static>, _viewport: usize) {}
+
+    /// Makes the targets of this size where they are not there; false when there
+    /// is no such viewport.
+    fn provide_targets(&mut self, device: &wgpu::Device, viewport: usize, size_px: [u32; 2]) -> bool {
+        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        if viewport.targets.as_ref().is_none_or(|targets| targets.size_px != size_px) {
+            viewport.targets = Some(Targets::new(device, &self.blit, &self.stroke, size_px, self.samples));
+        }
+        true
+    }
+
+    /// Draws what `prepare` rendered over the whole viewport rectangle of
+    /// `render_pass`; nothing when there was no `prepare`.
+    pub fn paint(&self, render_pass: &mut wgpu::RenderPass<'static>, viewport: usize) {
+        if let Some(targets) = self.viewports.get(viewport).and_then(|viewport| viewport.targets.as_ref()) {
+            self.blit.draw(render_pass, &targets.picture_group);
+        }
+    }
+
+    fn record_mesh(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        viewport: &Viewport,
+        targets: &Targets,
+        pattern: Pattern,
+        background: [f32; 4],
+    ) {
+        let attachment = targets.mesh_attachment(clear_colour(background));
+        let mut pass = begin_pass(encoder, "mesh", attachment);
+        self.mesh.draw(&mut pass, &viewport.mesh, pattern, &self.image.group);
+    }
+
+    fn record_overlay(&self, encoder: &mut wgpu::CommandEncoder, viewport: &Viewport, targets: &Targets) {
+        let stroked = !viewport.stroke.is_empty();
+        if stroked {
+            let clear = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
+            let mut pass = begin_pass(encoder, "outline coverage", attachment(&targets.coverage, clear));
+            self.stroke.cover(&mut pass, &viewport.stroke);
+        }
+        if stroked || !viewport.discs.is_empty() {
+            let mut pass = begin_pass(encoder, "overlay", attachment(&targets.picture, wgpu::LoadOp::Load));
+            if stroked {
+                self.stroke.composite(&mut pass, &viewport.stroke, &targets.coverage_group);
+            }
+            self.disc.draw(&mut pass, &viewport.discs);
+        }
+    }
+}
+
+fn begin_pass<'encoder>(
+    encoder: &'encoder mut wgpu::CommandEncoder,
+    label: &str,
+    attachment: wgpu::RenderPassColorAttachment,
+) -> wgpu::RenderPass<'encoder> {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments: &[Some(attachment)],
+        ..Default::default()
+    })
+}
+
+/// Premultiplied and linear, as the picture holds it.
+fn clear_colour(background: [f32; 4]) -> wgpu::Color {
+    let [r, g, b, a] = linear_colour(background).map(f64::from);
+    wgpu::Color { r: r * a, g: g * a, b: b * a, a }
 }

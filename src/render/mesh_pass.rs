@@ -1,0 +1,198 @@
+//! The textured mesh: buffers, uniform block and the four pattern pipelines of
+//! `shaders/mesh.wgsl`.
+//!
+//! Vertex positions and texture coordinates live in two buffers, since each
+//! frame of a drag changes only one of them.
+
+use super::gpu::{self, GrowingBuffer, PipelineSpec, Uniform};
+use super::style::{HUE, PAPER};
+use super::{Camera, MeshGeometry, Pattern, TextureStyle, placement};
+use glam::DVec2;
+
+/// `Mesh` of `shaders/mesh.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct MeshUniform {
+    placement: [f32; 4],
+    lookup: [f32; 4],
+    source: [f32; 4],
+    image: [f32; 4],
+    hue: [[f32; 4]; 3],
+    paper: [f32; 4],
+}
+
+/// The pipelines, one per pattern.
+#[derive(Debug)]
+pub struct MeshPass {
+    layout: wgpu::BindGroupLayout,
+    pipelines: [wgpu::RenderPipeline; 4],
+}
+
+/// One viewport's mesh.
+#[derive(Debug)]
+pub struct MeshBuffers {
+    uniform: Uniform,
+    positions: GrowingBuffer,
+    texture_coordinates: GrowingBuffer,
+    indices: GrowingBuffer,
+    vertex_count: usize,
+    index_count: u32,
+    position_origin: DVec2,
+    texture_origin: DVec2,
+}
+
+/// How a frame shows the mesh.
+pub struct MeshFrame<'a> {
+    pub camera: &'a Camera,
+    pub size_px: [u32; 2],
+    pub style: &'a TextureStyle,
+    /// Width over height of the texture image.
+    pub image_aspect: f64,
+    pub line_px: f32,
+}
+
+impl MeshPass {
+    /// Pipelines that draw into `PICTURE_FORMAT` with `samples` samples.
+    pub fn new(device: &wgpu::Device, image_layout: &wgpu::BindGroupLayout, samples: u32) -> Self {
+        let layout = gpu::uniform_layout(device, "mesh");
+        let shader = gpu::shader(device, "mesh", include_str!("../../shaders/mesh.wgsl"));
+        let position = wgpu::vertex_attr_array![0 => Float32x2];
+        let texture_coordinate = wgpu::vertex_attr_array![1 => Float32x2];
+        let buffers = [Some(points_of(&position)), Some(points_of(&texture_coordinate))];
+        let pipelines = ["fs_checker", "fs_grid", "fs_polar", "fs_image"].map(|fragment| {
+            let spec = PipelineSpec {
+                label: fragment,
+                shader: &shader,
+                fragment,
+                groups: &[&layout, image_layout],
+                buffers: &buffers,
+                topology: wgpu::PrimitiveTopology::TriangleList,
+                format: gpu::PICTURE_FORMAT,
+                blend: None,
+                samples,
+            };
+            gpu::pipeline(device, &spec)
+        });
+        Self { layout, pipelines }
+    }
+
+    /// Empty buffers for a viewport.
+    pub fn buffers(&self, device: &wgpu::Device) -> MeshBuffers {
+        MeshBuffers {
+            uniform: Uniform::new(device, &self.layout, size_of::<MeshUniform>()),
+            positions: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
+            texture_coordinates: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
+            indices: GrowingBuffer::new(wgpu::BufferUsages::INDEX),
+            vertex_count: 0,
+            index_count: 0,
+            position_origin: DVec2::ZERO,
+            texture_origin: DVec2::ZERO,
+        }
+    }
+
+    /// Draws `mesh`, whose uniform block was written for this frame.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, mesh: &MeshBuffers, pattern: Pattern, image: &wgpu::BindGroup) {
+        let (Some(positions), Some(coordinates), Some(indices)) =
+            (mesh.positions.get(), mesh.texture_coordinates.get(), mesh.indices.get())
+        else {
+            return;
+        };
+        let pipeline = match pattern {
+            Pattern::Checker => &self.pipelines[0],
+            Pattern::Grid => &self.pipelines[1],
+            Pattern::Polar => &self.pipelines[2],
+            Pattern::Image => &self.pipelines[3],
+        };
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, &mesh.uniform.group, &[]);
+        pass.set_bind_group(1, image, &[]);
+        pass.set_vertex_buffer(0, positions.slice(..));
+        pass.set_vertex_buffer(1, coordinates.slice(..));
+        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..mesh.index_count, 0, 0..1);
+    }
+}
+
+fn points_of(attributes: &[wgpu::VertexAttribute]) -> wgpu::VertexBufferLayout<'_> {
+    wgpu::VertexBufferLayout { array_stride: 8, step_mode: wgpu::VertexStepMode::Vertex, attributes }
+}
+
+impl MeshBuffers {
+    /// Replaces everything; false, and the old mesh stays, when `geometry` is
+    /// inconsistent ([`MeshGeometry::check`]); false, and no mesh is left, when
+    /// the device has no buffers of this size.
+    pub fn set(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        staging: &mut Vec<[f32; 2]>,
+        geometry: &MeshGeometry,
+    ) -> bool {
+        if let Err(reason) = geometry.check() {
+            log::error!("a mesh was not uploaded: {reason}");
+            return false;
+        }
+        self.index_count = 0;
+        self.vertex_count = geometry.positions.len();
+        if geometry.triangles.is_empty() {
+            return true;
+        }
+        self.position_origin = gpu::stage_points(staging, geometry.positions);
+        let positions = self.positions.write(device, queue, staging);
+        self.texture_origin = gpu::stage_points(staging, geometry.texture_coordinates);
+        let coordinates = self.texture_coordinates.write(device, queue, staging);
+        let complete = positions && coordinates && self.indices.write(device, queue, geometry.triangles);
+        if complete {
+            self.index_count = 3 * geometry.triangles.len() as u32;
+        }
+        complete
+    }
+
+    /// Moves the vertices; false when the count is not the mesh's.
+    pub fn set_positions(&mut self, queue: &wgpu::Queue, staging: &mut Vec<[f32; 2]>, points: &[DVec2]) -> bool {
+        if points.len() != self.vertex_count {
+            return false;
+        }
+        self.position_origin = gpu::stage_points(staging, points);
+        self.positions.overwrite(queue, staging);
+        true
+    }
+
+    /// Replaces the texture coordinates; false when the count is not the mesh's.
+    pub fn set_texture_coordinates(
+        &mut self,
+        queue: &wgpu::Queue,
+        staging: &mut Vec<[f32; 2]>,
+        points: &[DVec2],
+    ) -> bool {
+        if points.len() != self.vertex_count {
+            return false;
+        }
+        self.texture_origin = gpu::stage_points(staging, points);
+        self.texture_coordinates.overwrite(queue, staging);
+        true
+    }
+
+    /// Writes the uniform block of a frame.
+    pub fn write_frame(&self, queue: &wgpu::Queue, frame: &MeshFrame) {
+        let (low, high) = frame.style.bounds;
+        let (middle, extent) = (0.5 * (low + high), (high - low).max(DVec2::splat(f64::MIN_POSITIVE)));
+        let lookup = (self.texture_origin - middle).as_vec2();
+        let pole = (frame.style.pole - middle).as_vec2();
+        let cells_per_unit = (frame.style.cells / extent.max_element()) as f32;
+        // The image covers the bounds, its aspect kept: the longer side is cropped.
+        let covered =
+            DVec2::new(extent.x.max(extent.y * frame.image_aspect), extent.y.max(extent.x / frame.image_aspect));
+        self.uniform.write(
+            queue,
+            &MeshUniform {
+                placement: placement::to_clip(frame.camera, self.position_origin, frame.size_px),
+                lookup: [lookup.x, lookup.y, cells_per_unit, frame.line_px],
+                source: [(-0.5 * extent.y) as f32, (1.0 / extent.y) as f32, pole.x, pole.y],
+                image: [(1.0 / covered.x) as f32, (1.0 / covered.y) as f32, 0.0, 0.0],
+                hue: HUE,
+                paper: PAPER,
+            },
+        );
+    }
+}
