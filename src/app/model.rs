@@ -315,8 +315,7 @@ pub fn mapped_side(direction: Direction) -> Side {
 
 fn side_of(error: &MapError) -> Side {
     match error {
-        MapError::PointOutside { side: "target", .. } => Side::Target,
-        MapError::PointOutside { .. } => Side::Source,
+        MapError::PointOutside { side, .. } | MapError::AnchorNotFinite { side } => *side,
     }
 }
 

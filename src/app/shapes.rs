@@ -8,7 +8,7 @@ use crate::conformal::Side;
 use crate::outline::Preset;
 use crate::session::{Command, OutlineSpec};
 use egui::{
-    Align2, Color32, CornerRadius, Id, Pos2, Rect, Response, Sense, Shape, Stroke, TextStyle, Ui, WidgetInfo, WidgetType,
+    Align2, Color32, CornerRadius, Id, Pos2, Rect, Response, Sense, Shape, Stroke, TextStyle, Ui, WidgetInfo, Role,
     vec2,
 };
 use std::sync::Arc;
@@ -53,7 +53,7 @@ fn cell(ui: &mut Ui, preset: Preset, selected: bool) -> Response {
     let palette = Palette::of(ui.visuals());
     let (rect, response) = ui.allocate_exact_size(CELL, Sense::click());
     let name = words::preset(preset);
-    response.widget_info(|| WidgetInfo::selected(WidgetType::Button, true, selected, name));
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, selected, name));
     let (fill, ink) = match (selected, response.hovered() || response.has_focus()) {
         (true, _) => (palette.accent, palette.on_accent),
         (false, true) => (palette.control_hovered, palette.text),
@@ -71,7 +71,7 @@ fn cell(ui: &mut Ui, preset: Preset, selected: bool) -> Response {
 
 /// The outline, thinned, in the square from −1 to 1, y down; made once.
 fn picture(context: &egui::Context, preset: Preset) -> Arc<Vec<Pos2>> {
-    let id = Id::new(("picture", preset.name()));
+    let id = Id::unique(("picture", preset.name()));
     if let Some(points) = context.data(|data| data.get_temp::<Arc<Vec<Pos2>>>(id)) {
         return points;
     }

@@ -33,7 +33,7 @@ pub fn interact(
 ) {
     let extent = model.domain(side).map(|domain| bounds(&domain.samples.points));
     view.place(rect, ui.pixels_per_point(), extent);
-    let response = ui.interact(view.rect, ui.id().with(("viewport", side)), Sense::click_and_drag());
+    let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
     if pinch(ui, &response, view, handles) {
         return;
     }
@@ -149,7 +149,7 @@ fn paint_dot(ui: &Ui, painter: &egui::Painter, handle: Handle, point: DVec2, vie
         painter.circle_stroke(place, radius, Stroke::new(3.0 * (1.0 - progress), colour));
         ui.request_repaint();
     }
-    let raised = ui.ctx().animate_bool_with_time(ui.id().with((handle.side, handle.symbol())), handles.is_raised(handle), 0.1);
+    let raised = ui.ctx().animate_bool_with_time(ui.scope_id().with((handle.side, handle.symbol())), handles.is_raised(handle), 0.1);
     let radius = DOT_RADIUS + 3.0 * raised;
     painter.circle_filled(place + vec2(0.0, 1.0), radius + 3.0, Color32::from_black_alpha(70));
     painter.circle_filled(place, radius + 1.0, Color32::WHITE);
@@ -197,7 +197,7 @@ pub fn paint_progress(ui: &Ui, side: Side, model: &Model, view: &View) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
     let (done, name) = super::words::stage(state.stage());
-    let done = ui.ctx().animate_value_with_time(ui.id().with(("progress", side)), done, 0.15);
+    let done = ui.ctx().animate_value_with_time(ui.scope_id().with(("progress", side)), done, 0.15);
     let line = Rect::from_min_size(view.rect.min, vec2(view.rect.width(), 3.0));
     painter.rect_filled(line, CornerRadius::ZERO, palette.border);
     let filled = Rect::from_min_size(line.min, vec2(line.width() * done, 3.0));

@@ -4,7 +4,7 @@
 use super::theme::{Palette, ROUNDING, ROW_HEIGHT};
 use egui::{
     Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Sense, Stroke, StrokeKind, TextStyle,
-    Ui, WidgetInfo, WidgetType, vec2,
+    Ui, WidgetInfo, Role, vec2,
 };
 use std::ops::RangeInclusive;
 
@@ -38,9 +38,9 @@ pub fn segmented<T: Copy + PartialEq>(ui: &mut Ui, segments: &[Segment<T>], curr
 
 fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool) -> Response {
     let palette = Palette::of(ui.visuals());
-    let id = ui.id().with(segment.label).with(segment.tooltip);
+    let id = ui.scope_id().with(segment.label).with(segment.tooltip);
     let response = ui.interact(cell, id, Sense::click()).on_hover_text(segment.tooltip);
-    response.widget_info(|| WidgetInfo::selected(WidgetType::RadioButton, true, selected, segment.label));
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, selected, segment.label));
     let (fill, ink) = match (selected, response.hovered()) {
         (true, _) => (palette.accent, palette.on_accent),
         (false, true) => (palette.control_hovered, palette.text),
@@ -123,7 +123,7 @@ pub fn message_box(ui: &mut Ui, text: &str, can_retry: bool) -> Option<MessageAn
                     answer = Some(MessageAnswer::Retry);
                 }
                 let cross = ui.add(egui::Button::new("✕").frame(false)).on_hover_text("Close this message");
-                cross.widget_info(|| WidgetInfo::labeled(WidgetType::Button, true, "Close this message"));
+                cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close this message"));
                 if cross.clicked() {
                     answer = Some(MessageAnswer::Dismiss);
                 }
