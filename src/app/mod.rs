@@ -1,1 +1,277 @@
 //! The app: panels, viewports, handles.
+//!
+//! A frame: take in what happened outside of it (workers, files), show the
+//! panels and collect what the person wants as [`Action`]s, carry those out in
+//! one place ([`RiemapApp::carry_out`]), bring the map up to date, upload what
+//! changed, paint. At rest nothing is computed and nothing drawn.
+
+mod action;
+mod files;
+mod gpu;
+mod handles;
+mod header;
+mod layout;
+mod model;
+mod prepare_state;
+mod shapes;
+mod side_panel;
+mod stats;
+mod status;
+mod theme;
+mod top_bar;
+mod view;
+mod viewport;
+mod widgets;
+mod words;
+
+pub use action::{Action, Actions};
+pub use model::Model;
+pub use stats::Stats;
+
+use crate::platform::{self, Event, FilePurpose, Mailbox, Preparer};
+use crate::render::{Pattern, TextureStyle};
+use crate::session::{Command, Session, TextureKind};
+use crate::conformal::Side;
+use files::{Content, FileError};
+use gpu::Gpu;
+use handles::HandleState;
+use model::SIDES;
+use stats::{HandlePositions, ScreenFacts};
+use status::FrameMeter;
+use std::sync::mpsc;
+use view::View;
+
+/// Below this width (in points) the viewports are stacked and the controls become a sheet.
+pub const PHONE_WIDTH: f32 = 700.0;
+
+/// How long the map must rest before an expensive quality is computed, in seconds.
+const REST_SECONDS: f64 = 0.15;
+
+/// The app.
+pub struct RiemapApp {
+    model: Model,
+    preparer: Preparer,
+    mailbox: Mailbox,
+    events: mpsc::Receiver<Event>,
+    gpu: Option<Gpu>,
+    views: [View; 2],
+    handles: HandleState,
+    meter: FrameMeter,
+    panels_open: bool,
+    sheet_open: bool,
+    image_name: Option<String>,
+    image_error: Option<String>,
+    last_change: f64,
+}
+
+impl RiemapApp {
+    /// Starts preparing the default session.
+    pub fn new(creation: &eframe::CreationContext<'_>) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
+        theme::install(&creation.egui_ctx);
+        let (mailbox, events) = Mailbox::new(creation.egui_ctx.clone());
+        Ok(Self {
+            model: Model::new(Session::default()),
+            preparer: Preparer::new(mailbox.clone()),
+            mailbox,
+            events,
+            gpu: creation.wgpu_render_state.clone().map(Gpu::new),
+            views: [View::default(), View::default()],
+            handles: HandleState::default(),
+            meter: FrameMeter::default(),
+            panels_open: true,
+            sheet_open: false,
+            image_name: None,
+            image_error: None,
+            last_change: 0.0,
+        })
+    }
+
+    /// What the map on the screen is made from.
+    pub fn session(&self) -> &Session {
+        self.model.session()
+    }
+
+    /// The numbers on the screen.
+    pub fn stats(&self) -> Stats {
+        let place = |side: Side, point: Option<glam::DVec2>| {
+            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| [place.x, place.y])
+        };
+        let handles = HandlePositions {
+            x1: place(Side::Source, self.model.interior(Side::Source)),
+            x2: place(Side::Target, self.model.interior(Side::Target)),
+            y1: place(Side::Source, self.model.anchor(Side::Source)),
+            y2: place(Side::Target, self.model.anchor(Side::Target)),
+        };
+        let backend = self.gpu.as_ref().map(Gpu::backend).unwrap_or_default();
+        stats::collect(&self.model, ScreenFacts { backend, handles, errors: self.errors(), notes: self.notes() })
+    }
+
+    /// Takes in a file: an outline or an image, by its purpose.
+    pub fn take_file(&mut self, purpose: FilePurpose, name: String, bytes: Result<Vec<u8>, String>) {
+        self.mailbox.post(Event::File { purpose, name, bytes });
+    }
+
+    fn errors(&self) -> Vec<String> {
+        let sides = SIDES.into_iter().filter_map(|side| self.model.side(side).error.clone());
+        sides.chain(self.image_error.clone()).collect()
+    }
+
+    fn notes(&self) -> Vec<String> {
+        SIDES.into_iter().flat_map(|side| &self.model.side(side).notes).map(words::note).collect()
+    }
+
+    /// What happened since the last frame.
+    fn take_events(&mut self) {
+        while let Ok(event) = self.events.try_recv() {
+            match event {
+                Event::Worker { side, generation, response } => self.model.accept(side, generation, response),
+                Event::WorkerDied { side, reason } => self.model.side_mut(side).worker_died(&reason),
+                Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
+            }
+        }
+    }
+
+    fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
+        let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
+        match files::read(purpose, name, bytes, limit) {
+            Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
+            Ok(Content::Image(picture)) => self.use_image(&picture),
+            Err(FileError::Outline(side, message)) => self.model.side_mut(side).error = Some(message),
+            Err(FileError::Image(message)) => self.image_error = Some(message),
+        }
+    }
+
+    fn use_image(&mut self, picture: &files::Picture) {
+        let (width, height) = picture.pixels.dimensions();
+        let used = self.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(picture.pixels.as_raw(), width, height));
+        match used {
+            Ok(()) => {
+                self.image_name = Some(picture.name.clone());
+                self.image_error = None;
+                self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
+            }
+            Err(error) => self.image_error = Some(format!("{}: {error}", picture.name)),
+        }
+    }
+
+    /// Reads the files that were dropped, for the side that they were dropped over.
+    fn take_dropped(&self, context: &egui::Context) {
+        let dropped = context.input(|input| input.raw.dropped_files.clone());
+        let place = platform::drop_position(context);
+        let over_target = place.is_some_and(|place| self.views[Side::Target as usize].rect.contains(place));
+        let side = if over_target { Side::Target } else { Side::Source };
+        for file in &dropped {
+            platform::read_dropped(file, side, self.mailbox.clone());
+        }
+    }
+
+    /// The one place where wishes become changes.
+    fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
+        let now = context.input(|input| input.time);
+        for action in actions {
+            match action {
+                Action::Session(command) => self.model.dispatch(command, now),
+                Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
+                Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
+                Action::Fit(side) => self.views[side as usize].fit(),
+                Action::Retry(side) => self.model.side_mut(side).retry(),
+                Action::Dismiss(side) => self.model.side_mut(side).error = None,
+                Action::DismissImageError => self.image_error = None,
+                Action::ToggleTheme => theme::toggle(context),
+                Action::TogglePanels => self.panels_open = !self.panels_open,
+            }
+        }
+    }
+
+    /// Sends what is due to the workers, updates the map, uploads.
+    fn advance(&mut self, context: &egui::Context) {
+        let now = context.input(|input| input.time);
+        for (side, request) in self.model.take_requests(now) {
+            self.preparer.request(side, request);
+        }
+        if let Some(due) = self.model.next_due() {
+            context.request_repaint_after_secs((due - now).max(0.0) as f32);
+        }
+        let changes = self.model.refresh();
+        if changes != model::Changes::default() {
+            self.last_change = now;
+            // The status line was laid out before the change.
+            context.request_repaint();
+            if let Some(gpu) = &self.gpu {
+                gpu.upload(&self.model, changes);
+            }
+        }
+        for side in SIDES {
+            if self.model.take_refit(side) {
+                self.views[side as usize].fit();
+                context.request_repaint();
+            }
+        }
+        if self.model.is_quality_stale() {
+            if now - self.last_change >= REST_SECONDS {
+                self.model.measure();
+                context.request_repaint();
+            } else {
+                context.request_repaint_after_secs(REST_SECONDS as f32);
+            }
+        }
+    }
+
+    fn texture_style(&self, dark: bool) -> Option<TextureStyle> {
+        let session = self.model.session();
+        let source = self.model.domain(Side::Source)?;
+        let pattern = match session.texture {
+            TextureKind::Grid => Pattern::Grid,
+            TextureKind::Polar => Pattern::Polar,
+            TextureKind::Image if self.image_name.is_some() => Pattern::Image,
+            TextureKind::Checker | TextureKind::Image => Pattern::Checker,
+        };
+        Some(TextureStyle {
+            pattern,
+            cells: session.texture_scale,
+            bounds: model::bounds(&source.samples.points),
+            pole: self.model.interior(Side::Source)?,
+            dark,
+        })
+    }
+}
+
+impl eframe::App for RiemapApp {
+    fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
+        self.take_events();
+        self.take_dropped(ui.ctx());
+        let compute = self.model.map().map_or(0.0, |map| {
+            let timings = map.timings();
+            timings.kernel + timings.matching + timings.extend
+        });
+        let since_last = ui.input(|input| input.unstable_dt);
+        self.meter.tick(since_last, frame.info().cpu_usage, compute);
+        layout::show(self, ui);
+    }
+
+    /// Tab folds the panels, unless a control has the keyboard.
+    fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
+        if context.memory(|memory| memory.focused().is_some()) {
+            return;
+        }
+        input.events.retain(|event| {
+            let egui::Event::Key { key: egui::Key::Tab, pressed, modifiers, .. } = event else { return true };
+            if modifiers.any() {
+                return true;
+            }
+            if *pressed {
+                self.panels_open = !self.panels_open;
+            }
+            false
+        });
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        theme::Palette::of(visuals).canvas.to_normalized_gamma_f32()
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
+        Some(self)
+    }
+}

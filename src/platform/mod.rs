@@ -1,1 +1,107 @@
-//! What differs between the web and the desktop.
+//! What differs between the web and the desktop: start-up, workers, dialogs, dropped files.
+//!
+//! The only room with `cfg(target_arch)`. `web` and `native` offer the same
+//! names: [`start`], [`Preparer`], [`pick_file`], [`read_dropped`],
+//! [`drop_position`]. Whatever happens outside of a frame arrives as an
+//! [`Event`] in the app's mailbox, in order, and wakes the app.
+
+#[cfg(target_arch = "wasm32")]
+mod web;
+#[cfg(target_arch = "wasm32")]
+pub use web::{Preparer, drop_position, pick_file, read_dropped, start};
+
+#[cfg(not(target_arch = "wasm32"))]
+mod native;
+#[cfg(not(target_arch = "wasm32"))]
+pub use native::{Preparer, drop_position, pick_file, read_dropped, start};
+
+use crate::conformal::Side;
+use crate::worker::Response;
+use std::sync::mpsc;
+
+/// What a file is meant to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FilePurpose {
+    /// An outline for this side.
+    Outline(Side),
+    /// The texture.
+    Image,
+    /// Dropped over this side: its name decides.
+    Dropped(Side),
+}
+
+/// Something that happened outside of a frame.
+#[derive(Debug)]
+pub enum Event {
+    /// A worker answered.
+    Worker {
+        /// Which one.
+        side: Side,
+        /// Of the request that it answers.
+        generation: u64,
+        /// The answer.
+        response: Response,
+    },
+    /// A worker stopped without an answer; it is started again with the next request.
+    WorkerDied {
+        /// Which one.
+        side: Side,
+        /// What is known about it.
+        reason: String,
+    },
+    /// A file was read, or could not be.
+    File {
+        /// What it is meant to be.
+        purpose: FilePurpose,
+        /// Its name, without folders.
+        name: String,
+        /// Its content, or why there is none.
+        bytes: Result<Vec<u8>, String>,
+    },
+}
+
+/// Where events are posted.
+#[derive(Clone)]
+pub struct Mailbox {
+    sender: mpsc::Sender<Event>,
+    context: egui::Context,
+}
+
+impl Mailbox {
+    /// A mailbox and its reading end; posting wakes `context`.
+    pub fn new(context: egui::Context) -> (Self, mpsc::Receiver<Event>) {
+        let (sender, receiver) = mpsc::channel();
+        (Self { sender, context }, receiver)
+    }
+
+    /// Posts `event`. When the app is gone, nobody is left to read it.
+    pub fn post(&self, event: Event) {
+        if self.sender.send(event).is_ok() {
+            self.context.request_repaint();
+        }
+    }
+}
+
+/// The endings that the dialogs offer.
+fn endings(purpose: FilePurpose) -> (&'static str, &'static [&'static str]) {
+    match purpose {
+        FilePurpose::Image => ("Images", &["png", "jpg", "jpeg"]),
+        FilePurpose::Outline(_) | FilePurpose::Dropped(_) => {
+            ("Outlines", &["json", "geojson", "svg", "csv", "txt", "tsv", "xy"])
+        }
+    }
+}
+
+/// What is drawn with, in the words of the status line.
+pub fn backend_name(backend: wgpu::Backend) -> String {
+    let name = match backend {
+        wgpu::Backend::BrowserWebGpu => "WebGPU",
+        wgpu::Backend::Gl if cfg!(target_arch = "wasm32") => "WebGL2",
+        wgpu::Backend::Gl => "OpenGL",
+        wgpu::Backend::Vulkan => "Vulkan",
+        wgpu::Backend::Metal => "Metal",
+        wgpu::Backend::Dx12 => "Direct3D 12",
+        wgpu::Backend::Noop => "nothing",
+    };
+    String::from(name)
+}

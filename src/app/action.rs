@@ -1,0 +1,30 @@
+//! What the panels ask for: commands to the session, and what concerns the screen alone.
+
+use crate::conformal::Side;
+use crate::session::Command;
+
+/// A wish of the person at the screen. All of them go through one queue and are carried out in one place.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Action {
+    /// A change of the session.
+    Session(Command),
+    /// Show the dialog for an outline.
+    OpenOutline(Side),
+    /// Show the dialog for the texture image.
+    OpenImage,
+    /// Show all of a side's outline.
+    Fit(Side),
+    /// Ask for a side's preparation once more.
+    Retry(Side),
+    /// Close a side's message.
+    Dismiss(Side),
+    /// Close the message about the image.
+    DismissImageError,
+    /// Dark to light and back.
+    ToggleTheme,
+    /// Fold the panels away, or bring them back.
+    TogglePanels,
+}
+
+/// The queue.
+pub type Actions = Vec<Action>;

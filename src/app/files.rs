@@ -1,0 +1,120 @@
+//! Files that came in: which are outlines, which are images, and what is wrong with the others.
+
+use crate::outline::{Outline, parse};
+use crate::platform::FilePurpose;
+use crate::conformal::Side;
+
+/// A decoded image.
+pub struct Picture {
+    /// The file's name.
+    pub name: String,
+    /// Straight RGBA, 8 bits each.
+    pub pixels: image::RgbaImage,
+}
+
+/// What a file turned out to be.
+pub enum Content {
+    /// An outline for a side.
+    Outline(Side, Outline),
+    /// A texture.
+    Image(Picture),
+}
+
+/// Why a file cannot be used, and beside what to say so.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FileError {
+    /// Meant as an outline of this side.
+    Outline(Side, String),
+    /// Meant as the texture.
+    Image(String),
+}
+
+/// Reads a file for its purpose; a dropped one is told by its name.
+pub fn read(
+    purpose: FilePurpose,
+    name: &str,
+    bytes: Result<Vec<u8>, String>,
+    max_image_side: u32,
+) -> Result<Content, FileError> {
+    let (image, side) = match purpose {
+        FilePurpose::Image => (true, Side::Source),
+        FilePurpose::Outline(side) => (false, side),
+        FilePurpose::Dropped(side) => (is_image_name(name), side),
+    };
+    let failed = |why: String| {
+        let message = format!("{name}: {why}");
+        if image { FileError::Image(message) } else { FileError::Outline(side, message) }
+    };
+    let bytes = bytes.map_err(failed)?;
+    if image {
+        let pixels = decode(&bytes, max_image_side).map_err(failed)?;
+        return Ok(Content::Image(Picture { name: name.to_owned(), pixels }));
+    }
+    parse(name, &bytes).map(|outline| Content::Outline(side, outline)).map_err(|error| failed(error.to_string()))
+}
+
+fn is_image_name(name: &str) -> bool {
+    let ending = name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+    ["png", "jpg", "jpeg"].contains(&ending.as_str())
+}
+
+/// Decodes a PNG or JPEG, halved until the device can hold it.
+fn decode(bytes: &[u8], max_side: u32) -> Result<image::RgbaImage, String> {
+    let decoded = image::load_from_memory(bytes)
+        .map_err(|error| format!("this is no PNG or JPEG image that can be read ({error})"))?;
+    let largest = decoded.width().max(decoded.height());
+    if largest <= max_side {
+        return Ok(decoded.into_rgba8());
+    }
+    let scale = f64::from(max_side) / f64::from(largest);
+    let scaled = |side: u32| ((f64::from(side) * scale) as u32).max(1);
+    Ok(decoded.thumbnail_exact(scaled(decoded.width()), scaled(decoded.height())).into_rgba8())
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+    use super::*;
+
+    fn png(width: u32, height: u32) -> Vec<u8> {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        let picture = image::RgbaImage::from_pixel(width, height, image::Rgba([1, 2, 3, 255]));
+        picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+        bytes.into_inner()
+    }
+
+    #[test]
+    fn a_dropped_png_is_a_texture_whatever_the_case_of_its_ending() {
+        let content = read(FilePurpose::Dropped(Side::Target), "a.PNG", Ok(png(3, 2)), 4096);
+        let Ok(Content::Image(picture)) = content else { panic!("not an image") };
+        assert_eq!(picture.pixels.dimensions(), (3, 2));
+    }
+
+    #[test]
+    fn an_image_that_the_device_cannot_hold_is_made_smaller_in_proportion() {
+        let Ok(Content::Image(picture)) = read(FilePurpose::Image, "wide.png", Ok(png(64, 16)), 32) else { panic!() };
+        assert_eq!(picture.pixels.dimensions(), (32, 8));
+    }
+
+    #[test]
+    fn what_is_no_image_is_told_with_the_files_name() {
+        let Err(FileError::Image(message)) = read(FilePurpose::Image, "x.png", Ok(b"text".to_vec()), 32) else { panic!() };
+        assert!(message.starts_with("x.png: "), "{message}");
+    }
+
+    #[test]
+    fn an_unreadable_outline_is_told_beside_its_side() {
+        let error = read(FilePurpose::Dropped(Side::Target), "shape.csv", Err("permission denied".into()), 32).err();
+        assert_eq!(error, Some(FileError::Outline(Side::Target, "shape.csv: permission denied".into())));
+    }
+
+    #[test]
+    fn a_broken_outline_says_what_is_wrong() {
+        let Err(FileError::Outline(side, message)) = read(FilePurpose::Outline(Side::Source), "a.json", Ok(b"{".to_vec()), 32)
+        else {
+            panic!("was read")
+        };
+        assert_eq!(side, Side::Source);
+        assert!(message.len() > "a.json: ".len(), "{message}");
+    }
+}

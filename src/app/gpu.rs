@@ -1,0 +1,153 @@
+//! From the model to the GPU: uploads after a change, and the callbacks by
+//! which the viewports are drawn inside egui's pass.
+//!
+//! Forward, the target shows the source's mesh at its images, textured by its
+//! own positions; backward, the target shows its own mesh, textured by the
+//! images. The source always shows its own mesh, textured by its positions.
+
+use super::model::{Changes, Model, SIDES};
+use crate::conformal::{ConformalMap, Direction, PreparedDomain, Side};
+use crate::render::{Camera, ImageError, MeshGeometry, StrokeStyle, TextureStyle, ViewportRenderer};
+use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
+
+/// The renderer and its device.
+pub struct Gpu {
+    state: RenderState,
+}
+
+impl Gpu {
+    /// Puts a renderer for both viewports next to egui's own.
+    pub fn new(state: RenderState) -> Self {
+        let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, SIDES.len());
+        state.renderer.write().callback_resources.insert(renderer);
+        Self { state }
+    }
+
+    /// What it draws with, in the words of the status line.
+    pub fn backend(&self) -> String {
+        crate::platform::backend_name(self.state.adapter.get_info().backend)
+    }
+
+    /// The name of the graphics adapter.
+    pub fn adapter(&self) -> String {
+        self.state.adapter.get_info().name
+    }
+
+    /// The largest width or height of a texture.
+    pub fn max_texture_side(&self) -> u32 {
+        self.state.device.limits().max_texture_dimension_2d
+    }
+
+    /// Uploads what has changed.
+    pub fn upload(&self, model: &Model, changes: Changes) {
+        if changes.meshes {
+            for side in SIDES {
+                if let Some(domain) = model.domain(side) {
+                    self.upload_boundary(side, domain);
+                }
+            }
+            if let Some(source) = model.domain(Side::Source) {
+                self.upload_mesh(Side::Source, &still_geometry(source));
+            }
+            if let Some(map) = model.map() {
+                self.upload_mesh(Side::Target, &target_geometry(map));
+            }
+        } else if changes.images
+            && let Some(map) = model.map()
+        {
+            self.upload_images(map);
+        }
+    }
+
+    /// The texture of [`crate::render::Pattern::Image`].
+    pub fn set_image(&self, rgba: &[u8], width: u32, height: u32) -> Result<(), ImageError> {
+        let RenderState { device, queue, .. } = &self.state;
+        self.with_renderer(|renderer| renderer.set_image(device, queue, rgba, width, height)).unwrap_or(Ok(()))
+    }
+
+    /// The outlines' stroke, of constant width on the screen.
+    pub fn set_stroke(&self, dark: bool, pixels_per_point: f32) {
+        self.with_renderer(|renderer| {
+            for side in SIDES {
+                renderer.set_boundary_style(side as usize, Some(StrokeStyle::themed(dark, pixels_per_point)));
+            }
+        });
+    }
+
+    fn upload_boundary(&self, side: Side, domain: &PreparedDomain) {
+        let RenderState { device, queue, .. } = &self.state;
+        self.with_renderer(|renderer| renderer.set_boundary(device, queue, side as usize, &domain.samples.points));
+    }
+
+    fn upload_mesh(&self, side: Side, geometry: &MeshGeometry) {
+        let RenderState { device, queue, .. } = &self.state;
+        self.with_renderer(|renderer| renderer.set_mesh(device, queue, side as usize, geometry));
+    }
+
+    fn upload_images(&self, map: &ConformalMap) {
+        let queue = &self.state.queue;
+        let target = Side::Target as usize;
+        let fits = self.with_renderer(|renderer| match map.direction() {
+            Direction::Forward => renderer.set_positions(queue, target, map.images()),
+            Direction::Backward => renderer.set_texture_coordinates(queue, target, map.images()),
+        });
+        if fits == Some(false) {
+            self.upload_mesh(Side::Target, &target_geometry(map));
+        }
+    }
+
+    fn with_renderer<R>(&self, use_it: impl FnOnce(&mut ViewportRenderer) -> R) -> Option<R> {
+        self.state.renderer.write().callback_resources.get_mut::<ViewportRenderer>().map(use_it)
+    }
+}
+
+fn still_geometry(domain: &PreparedDomain) -> MeshGeometry<'_> {
+    let vertices = &domain.mesh.vertices;
+    MeshGeometry { positions: vertices, texture_coordinates: vertices, triangles: &domain.mesh.triangles }
+}
+
+fn target_geometry(map: &ConformalMap) -> MeshGeometry<'_> {
+    let mesh = map.mapped_mesh();
+    let (positions, texture_coordinates) = match map.direction() {
+        Direction::Forward => (map.images(), mesh.vertices.as_slice()),
+        Direction::Backward => (mesh.vertices.as_slice(), map.images()),
+    };
+    MeshGeometry { positions, texture_coordinates, triangles: &mesh.triangles }
+}
+
+/// Draws one viewport inside egui's pass.
+pub struct ViewportCallback {
+    /// Which one.
+    pub side: Side,
+    /// Its size in physical pixels.
+    pub size_px: [u32; 2],
+    /// What it looks at.
+    pub camera: Camera,
+    /// How it is textured.
+    pub style: TextureStyle,
+    /// The ground, sRGB-encoded.
+    pub background: [f32; 4],
+}
+
+impl CallbackTrait for ViewportCallback {
+    fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        _screen: &ScreenDescriptor,
+        encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        if let Some(renderer) = resources.get_mut::<ViewportRenderer>() {
+            let viewport = self.side as usize;
+            renderer.prepare(device, queue, encoder, viewport, self.size_px, &self.camera, &self.style, self.background);
+        }
+        Vec::new()
+    }
+
+    fn paint(&self, _info: egui::PaintCallbackInfo, pass: &mut wgpu::RenderPass<'static>, resources: &CallbackResources) {
+        if let Some(renderer) = resources.get::<ViewportRenderer>() {
+            renderer.paint(pass, self.side as usize);
+        }
+    }
+}

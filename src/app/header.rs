@@ -1,0 +1,99 @@
+//! What lies over a viewport's upper edge: title, sizes, buttons, messages; and its legend below.
+
+use super::action::{Action, Actions};
+use super::model::Model;
+use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
+use super::view::View;
+use super::widgets::{self, MessageAnswer, grouped, message_box, milliseconds};
+use super::{shapes, words};
+use crate::conformal::Side;
+use crate::session::Command;
+use egui::{Align, Layout, Rect, RichText, Ui, UiBuilder, vec2};
+
+/// What the dialog takes.
+pub const OPEN_TOOLTIP: &str = "An outline from a file: JSON, GeoJSON, SVG, CSV or text with one point per line";
+
+/// Shows the title line, the buttons and the messages of a viewport.
+pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, narrow: bool, actions: &mut Actions) {
+    let area = view.rect.shrink2(vec2(14.0, 10.0));
+    ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
+        ui.horizontal_top(|ui| {
+            ui.vertical(|ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                title(ui, side, model);
+            });
+            ui.with_layout(Layout::right_to_left(Align::Min), |ui| buttons(ui, side, model, view, narrow, actions));
+        });
+        messages(ui, side, model, actions);
+    });
+}
+
+fn title(ui: &mut Ui, side: Side, model: &Model) {
+    let palette = Palette::of(ui.visuals());
+    let name = words::outline(&model.session().domain(side).outline);
+    ui.label(RichText::new(format!("{} · {name}", words::side(side))).strong().size(14.0).color(palette.text));
+    let Some(domain) = model.domain(side) else { return };
+    let sizes = format!(
+        "m {} · n {} · prepared in {}",
+        grouped(domain.samples.len()),
+        grouped(domain.mesh.interior_count()),
+        milliseconds(words::total(&domain.timings)),
+    );
+    ui.label(RichText::new(sizes).small().color(palette.weak))
+        .on_hover_text(format!("{}\n\n{}", words::SIZE_TOOLTIP, words::timings(&domain.timings)));
+    for note in &model.side(side).notes {
+        ui.label(RichText::new(words::note(note)).small().italics().color(palette.weak));
+    }
+}
+
+fn buttons(ui: &mut Ui, side: Side, model: &Model, view: &View, narrow: bool, actions: &mut Actions) {
+    ui.spacing_mut().button_padding = vec2(9.0, 4.0);
+    ui.spacing_mut().interact_size.y = 26.0;
+    let fit = ui.add_enabled(!view.is_fitted(), egui::Button::new("Fit"));
+    if fit.on_hover_text("Show the whole outline (double-click)").clicked() {
+        actions.push(Action::Fit(side));
+    }
+    if !narrow {
+        if ui.button("Open…").on_hover_text(OPEN_TOOLTIP).clicked() {
+            actions.push(Action::OpenOutline(side));
+        }
+        shapes::menu_button(ui, "Shapes", side, &model.side(side).wanted().outline, actions);
+    }
+    if side == Side::Target {
+        let idle = model.is_ready();
+        let swap = ui.add_enabled(idle, egui::Button::new("Swap"));
+        if swap.on_hover_text("Exchange source and target").clicked() {
+            actions.push(Action::Session(Command::Swap));
+        }
+    }
+}
+
+fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
+    let state = model.side(side);
+    if let Some(error) = &state.error {
+        ui.add_space(4.0);
+        let can_retry = !state.is_busy() && model.domain(side).is_none() || error.contains("stopped unexpectedly");
+        match message_box(ui, error, can_retry) {
+            Some(MessageAnswer::Dismiss) => actions.push(Action::Dismiss(side)),
+            Some(MessageAnswer::Retry) => actions.push(Action::Retry(side)),
+            None => {}
+        }
+    }
+}
+
+/// What the dots mean.
+pub fn legend(ui: &mut Ui, side: Side, view: &View) {
+    let palette = Palette::of(ui.visuals());
+    let place = Rect::from_min_max(view.rect.left_bottom() + vec2(14.0, -30.0), view.rect.right_bottom() - vec2(14.0, 8.0));
+    let (interior, boundary) = match side {
+        Side::Source => ("interior point x₁", "boundary point y₁"),
+        Side::Target => ("x₂ = f(x₁)", "y₂ = f(y₁)"),
+    };
+    ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
+        for (colour, text) in [(INTERIOR_COLOUR, interior), (BOUNDARY_COLOUR, boundary)] {
+            widgets::dot(ui, colour);
+            ui.label(RichText::new(text).small().color(palette.weak));
+            ui.add_space(6.0);
+        }
+    });
+}

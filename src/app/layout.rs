@@ -1,0 +1,128 @@
+//! How the screen is divided: on a desk bars, panel and two viewports side by
+//! side; on a phone the viewports one above the other and a sheet of controls.
+
+use super::action::{Action, Actions};
+use super::theme::Palette;
+use super::widgets::message_box;
+use super::{PHONE_WIDTH, RiemapApp, SIDES, header, side_panel, status, top_bar, viewport};
+use egui::{Frame, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
+
+/// The width of the side panel.
+const PANEL_WIDTH: f32 = 250.0;
+
+/// One frame: panels, then what they ask for, then the pictures.
+pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
+    let narrow = ui.available_width() < PHONE_WIDTH;
+    let mut actions = Actions::new();
+    if app.panels_open {
+        bars(app, ui, narrow, &mut actions);
+        if narrow {
+            sheet(app, ui, &mut actions);
+        } else {
+            panel(app, ui, &mut actions);
+        }
+    }
+    egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow, actions));
+}
+
+fn bar_frame(palette: &Palette) -> Frame {
+    Frame::new().fill(palette.panel).inner_margin(Margin::symmetric(14, 0))
+}
+
+fn bars(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
+    let palette = Palette::of(ui.visuals());
+    Panel::top("top").exact_size(46.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
+        top_bar::show(ui, &app.model, narrow, actions);
+    });
+    let (backend, adapter) = app.gpu.as_ref().map(|gpu| (gpu.backend(), gpu.adapter())).unwrap_or_default();
+    Panel::bottom("status").exact_size(26.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
+        status::show(ui, &app.model, &app.meter, &backend, &adapter, narrow);
+    });
+}
+
+fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
+    let palette = Palette::of(ui.visuals());
+    let frame = Frame::new().fill(palette.panel).inner_margin(Margin { left: 14, right: 6, top: 4, bottom: 8 });
+    Panel::left("controls").exact_size(PANEL_WIDTH).resizable(false).frame(frame).show(ui, |ui| {
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            ui.set_max_width(ui.available_width() - 8.0);
+            side_panel::show(ui, &app.model, app.image_name.as_deref(), actions);
+        });
+    });
+}
+
+fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
+    let palette = Palette::of(ui.visuals());
+    let height = 0.45 * ui.ctx().content_rect().height();
+    Panel::bottom("sheet").resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
+        let label = if app.sheet_open { "Controls  ⏷" } else { "Controls  ⏶" };
+        let button = egui::Button::new(RichText::new(label).color(palette.text)).frame(false);
+        if ui.add_sized(vec2(ui.available_width(), 40.0), button).clicked() {
+            app.sheet_open = !app.sheet_open;
+        }
+        if app.sheet_open {
+            ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                side_panel::show(ui, &app.model, app.image_name.as_deref(), actions);
+                ui.add_space(10.0);
+            });
+        }
+    });
+}
+
+/// Both viewports; here the frame's actions are carried out and the map is updated.
+fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions) {
+    let rects = divide(ui.max_rect(), narrow || ui.max_rect().width() < ui.max_rect().height());
+    for side in SIDES {
+        let (view, rect) = (&mut app.views[side as usize], rects[side as usize]);
+        viewport::interact(ui, side, rect, &app.model, view, &mut app.handles, &mut actions);
+    }
+    let context = ui.ctx().clone();
+    app.carry_out(&context, std::mem::take(&mut actions));
+    app.advance(&context);
+    let dark = ui.visuals().dark_mode;
+    if let Some(gpu) = &app.gpu {
+        gpu.set_stroke(dark, ui.pixels_per_point());
+    }
+    let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
+    for side in SIDES {
+        let view = &app.views[side as usize];
+        viewport::paint(ui, side, &app.model, view, &app.handles, style.as_ref());
+        header::show(ui, side, &app.model, view, narrow, &mut actions);
+        if !narrow {
+            header::legend(ui, side, view);
+        }
+        viewport::paint_progress(ui, side, &app.model, view);
+    }
+    if !app.handles.ever_dragged && app.model.map().is_some() {
+        viewport::paint_hint(ui, &app.model, &app.views[0]);
+    }
+    let palette = Palette::of(ui.visuals());
+    let [a, b] = rects;
+    let divider = if a.bottom() <= b.top() { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
+    ui.painter().line_segment(divider, Stroke::new(1.0, palette.border));
+    image_message(app, ui, &mut actions);
+    app.carry_out(&context, actions);
+}
+
+fn divide(rect: Rect, stacked: bool) -> [Rect; 2] {
+    if stacked {
+        let y = rect.center().y.round();
+        [Rect::from_min_max(rect.min, pos2(rect.right(), y)), Rect::from_min_max(pos2(rect.left(), y), rect.max)]
+    } else {
+        let x = rect.center().x.round();
+        [Rect::from_min_max(rect.min, pos2(x, rect.bottom())), Rect::from_min_max(pos2(x, rect.top()), rect.max)]
+    }
+}
+
+/// The texture belongs to both sides: its message lies over the middle.
+fn image_message(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
+    let Some(message) = &app.image_error else { return };
+    let area = ui.max_rect();
+    let width = (area.width() - 32.0).min(460.0);
+    let place = Rect::from_min_size(pos2(area.center().x - 0.5 * width, area.bottom() - 110.0), vec2(width, 100.0));
+    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
+        if message_box(ui, message, false).is_some() {
+            actions.push(Action::DismissImageError);
+        }
+    });
+}

@@ -1,0 +1,298 @@
+//! The preparation of one side: what is wanted, what is under way, what is there.
+//!
+//! The panels show what is *wanted*; the map uses the last domain that was
+//! *prepared*. A new wish supersedes the one under way: its generation is
+//! higher, and [`Preparation::accept`] is the one place where stale answers are
+//! dropped. After a failure the last good domain stays and the message says why.
+
+use crate::conformal::{PreparedDomain, Stage};
+use crate::geometry::SimplePolygon;
+use crate::outline::{Outline, OutlineNote};
+use crate::session::{DomainSpec, OutlineSpec};
+use crate::worker::{Request, Response};
+use std::sync::Arc;
+
+/// How long the resolution controls must rest before a preparation starts, in
+/// seconds: a dragged slider gives a value per frame (0.017 s), a person who
+/// waits for the result notices 0.3 s.
+const SETTLE_SECONDS: f64 = 0.12;
+
+/// What an answer of the worker changed.
+#[derive(Debug)]
+pub enum Progress {
+    /// A stale answer, or one more stage.
+    Nothing,
+    /// The wanted domain is there.
+    Ready {
+        /// What it was prepared from.
+        spec: DomainSpec,
+        /// Whether its outline is another one than before.
+        new_outline: bool,
+    },
+    /// It could not be prepared; the message is in [`Preparation::error`].
+    Failed,
+}
+
+#[derive(Debug)]
+struct Running {
+    spec: DomainSpec,
+    notes: Vec<OutlineNote>,
+    stage: Option<Stage>,
+}
+
+/// One side's way from a wish to a prepared domain.
+#[derive(Debug)]
+pub struct Preparation {
+    wanted: DomainSpec,
+    prepared_from: Option<DomainSpec>,
+    due: Option<f64>,
+    generation: u64,
+    running: Option<Running>,
+    domain: Option<Arc<PreparedDomain>>,
+    /// What to say about the last wish, if it failed.
+    pub error: Option<String>,
+    /// What was noticed when the outline was read.
+    pub notes: Vec<OutlineNote>,
+    incoming_notes: Vec<OutlineNote>,
+}
+
+impl Preparation {
+    /// Wants `spec`, at once.
+    pub fn new(spec: DomainSpec) -> Self {
+        Self {
+            wanted: spec,
+            prepared_from: None,
+            due: Some(f64::NEG_INFINITY),
+            generation: 0,
+            running: None,
+            domain: None,
+            error: None,
+            notes: Vec::new(),
+            incoming_notes: Vec::new(),
+        }
+    }
+
+    /// What the panels show.
+    pub fn wanted(&self) -> &DomainSpec {
+        &self.wanted
+    }
+
+    /// The last good domain.
+    pub fn domain(&self) -> Option<&Arc<PreparedDomain>> {
+        self.domain.as_ref()
+    }
+
+    /// Whether something is wanted that is not there yet.
+    pub fn is_busy(&self) -> bool {
+        self.due.is_some() || self.running.is_some()
+    }
+
+    /// Whether a request is with the worker.
+    pub fn is_running(&self) -> bool {
+        self.running.is_some()
+    }
+
+    /// The stage that the worker is in.
+    pub fn stage(&self) -> Option<Stage> {
+        self.running.as_ref().and_then(|running| running.stage)
+    }
+
+    /// The generation of the last request.
+    pub fn generation(&self) -> u64 {
+        self.generation
+    }
+
+    /// Makes answers up to `generation` stale: after a swap the sides' workers answer for each other.
+    pub fn skip_to(&mut self, generation: u64) {
+        self.generation = self.generation.max(generation);
+    }
+
+    /// Wants another outline, at once.
+    pub fn want_outline(&mut self, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+        self.wanted.outline = outline;
+        self.incoming_notes = notes;
+        self.due = Some(f64::NEG_INFINITY);
+    }
+
+    /// Wants another discretisation, once the wish has rested.
+    pub fn want_settings(&mut self, settings: crate::conformal::PrepareSettings, now: f64) {
+        if settings != self.wanted.settings {
+            self.wanted.settings = settings;
+            self.due = Some(now + SETTLE_SECONDS);
+        }
+    }
+
+    /// Asks for the same once more.
+    pub fn retry(&mut self) {
+        self.error = None;
+        self.due = Some(f64::NEG_INFINITY);
+    }
+
+    /// When [`Self::take_request`] should be called again.
+    pub fn due(&self) -> Option<f64> {
+        self.due
+    }
+
+    /// The request that is due, if any.
+    pub fn take_request(&mut self, now: f64) -> Option<Request> {
+        self.due.take_if(|due| *due <= now)?;
+        self.generation += 1;
+        self.running = None;
+        match polygon_of(&self.wanted.outline) {
+            Ok(polygon) => {
+                self.running = Some(Running {
+                    spec: self.wanted.clone(),
+                    notes: std::mem::take(&mut self.incoming_notes),
+                    stage: None,
+                });
+                Some(Request { generation: self.generation, polygon, settings: self.wanted.settings })
+            }
+            Err(message) => {
+                self.fail(message);
+                None
+            }
+        }
+    }
+
+    /// Takes in an answer of the worker; a stale one changes nothing.
+    pub fn accept(&mut self, generation: u64, response: Response) -> Progress {
+        if generation != self.generation {
+            return Progress::Nothing;
+        }
+        let Some(running) = &mut self.running else { return Progress::Nothing };
+        match response {
+            Response::Progress(stage) => {
+                running.stage = Some(stage);
+                Progress::Nothing
+            }
+            Response::Prepared(domain) => self.finish(*domain),
+            Response::Failed(message) => {
+                self.running = None;
+                self.fail(message);
+                Progress::Failed
+            }
+        }
+    }
+
+    /// The worker is gone; what it was doing is lost, nothing else.
+    pub fn worker_died(&mut self, reason: &str) {
+        if self.running.take().is_some() {
+            self.error = Some(format!("The preparation stopped unexpectedly ({reason}). The map shown is the last one."));
+        }
+    }
+
+    fn finish(&mut self, domain: PreparedDomain) -> Progress {
+        let Some(running) = self.running.take() else { return Progress::Nothing };
+        let new_outline = self.prepared_from.as_ref().is_none_or(|old| old.outline != running.spec.outline);
+        if new_outline {
+            self.notes = running.notes;
+        }
+        self.error = None;
+        self.domain = Some(Arc::new(domain));
+        self.prepared_from = Some(running.spec.clone());
+        Progress::Ready { spec: running.spec, new_outline }
+    }
+
+    /// Goes back to the last good outline; the settings stay as the person left them.
+    fn fail(&mut self, message: String) {
+        self.error = Some(message);
+        if let Some(good) = &self.prepared_from {
+            self.wanted.outline = good.outline.clone();
+        }
+    }
+}
+
+fn polygon_of(outline: &OutlineSpec) -> Result<SimplePolygon, String> {
+    match outline {
+        OutlineSpec::Preset(preset) => {
+            let Outline { polygon, .. } = preset.outline();
+            Ok(polygon)
+        }
+        OutlineSpec::Points { points, .. } => SimplePolygon::try_from(points.clone()).map_err(|error| error.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+    use super::*;
+    use crate::outline::{Preset, Sampling};
+    use crate::session::Session;
+    use crate::worker::run;
+
+    fn answers(request: &Request) -> Vec<(u64, Response)> {
+        let mut all = Vec::new();
+        run(request, &mut |generation, response| all.push((generation, response)));
+        all
+    }
+
+    fn coarse() -> Preparation {
+        let mut spec = Session::default().source;
+        spec.settings.sampling = Sampling::Uniform { count: 60, keep_corners: false };
+        Preparation::new(spec)
+    }
+
+    #[test]
+    fn a_wish_becomes_a_domain() {
+        let mut side = coarse();
+        let request = side.take_request(0.0).unwrap();
+        assert!(side.is_running() && side.domain().is_none());
+        let last = answers(&request).into_iter().map(|(g, r)| side.accept(g, r)).last();
+        assert!(matches!(last, Some(Progress::Ready { new_outline: true, .. })));
+        assert!(side.domain().is_some() && !side.is_busy());
+    }
+
+    #[test]
+    fn answers_to_a_superseded_request_change_nothing() {
+        let mut side = coarse();
+        let first = side.take_request(0.0).unwrap();
+        side.want_outline(OutlineSpec::Preset(Preset::Star), Vec::new());
+        let second = side.take_request(0.0).unwrap();
+        assert!(second.generation > first.generation);
+        for (generation, response) in answers(&first) {
+            assert!(matches!(side.accept(generation, response), Progress::Nothing));
+        }
+        assert!(side.domain().is_none() && side.is_running());
+    }
+
+    #[test]
+    fn resolution_waits_until_the_slider_rests() {
+        let mut side = coarse();
+        side.take_request(0.0).unwrap();
+        let mut settings = side.wanted().settings;
+        settings.sampling = Sampling::Uniform { count: 80, keep_corners: false };
+        side.want_settings(settings, 1.0);
+        assert!(side.take_request(1.0).is_none());
+        assert!(side.take_request(1.0 + SETTLE_SECONDS).is_some());
+    }
+
+    #[test]
+    fn after_a_bad_outline_the_good_domain_and_its_outline_stay() {
+        let mut side = coarse();
+        let request = side.take_request(0.0).unwrap();
+        for (generation, response) in answers(&request) {
+            side.accept(generation, response);
+        }
+        let good = Arc::clone(side.domain().unwrap());
+        side.want_outline(OutlineSpec::Points { name: "no area".into(), points: Vec::new() }, Vec::new());
+        match side.take_request(2.0) {
+            None => {}
+            Some(request) => {
+                side.accept(request.generation, Response::Failed("no".into()));
+            }
+        }
+        assert!(side.error.is_some());
+        assert!(Arc::ptr_eq(&good, side.domain().unwrap()));
+        assert_eq!(side.wanted().outline, OutlineSpec::Preset(Preset::Gingerbread));
+    }
+
+    #[test]
+    fn a_dead_worker_is_reported_and_can_be_asked_again() {
+        let mut side = coarse();
+        side.take_request(0.0).unwrap();
+        side.worker_died("out of memory");
+        assert!(side.error.as_ref().unwrap().contains("out of memory") && !side.is_busy());
+        side.retry();
+        assert!(side.take_request(1.0).is_some() && side.error.is_none());
+    }
+}

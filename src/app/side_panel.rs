@@ -1,0 +1,156 @@
+//! The controls: direction of the map, texture, resolution of both sides.
+//!
+//! Everything shown is what is *wanted*; a click becomes an [`Action`].
+
+use super::action::{Action, Actions};
+use super::model::{Model, SIDES};
+use super::theme::Palette;
+use super::widgets::{Segment, captioned_slider, group_heading, segmented};
+use super::words;
+use crate::conformal::{Direction, PrepareSettings, Side};
+use crate::mesh::Sizing;
+use crate::outline::Sampling;
+use crate::session::{Command, TextureKind};
+use egui::{RichText, Ui};
+
+/// Boundary samples that can be asked for: fewer than 30 make a polygon of any
+/// outline, more than 4000 with uniform triangles need over half a million vertices.
+const SAMPLES: std::ops::RangeInclusive<f64> = 30.0..=4000.0;
+/// Cells of the texture across the source.
+const CELLS: std::ops::RangeInclusive<f64> = 2.0..=64.0;
+/// Growth of the triangles per distance from the boundary.
+const GRADES: std::ops::RangeInclusive<f64> = 0.05..=0.5;
+
+const DIRECTIONS: [Segment<Direction>; 2] = [
+    Segment { value: Direction::Forward, label: "Forward", tooltip: "The source's mesh is mapped into the target" },
+    Segment {
+        value: Direction::Backward,
+        label: "Backward",
+        tooltip: "The target's mesh is mapped into the source and looks its texture up there",
+    },
+];
+
+const TEXTURES: [Segment<TextureKind>; 4] = [
+    Segment { value: TextureKind::Checker, label: "Checker", tooltip: "Squares; angles of 90° stay angles of 90°" },
+    Segment { value: TextureKind::Grid, label: "Grid", tooltip: "Lines" },
+    Segment { value: TextureKind::Polar, label: "Polar", tooltip: "Circles and rays about the interior point x₁" },
+    Segment { value: TextureKind::Image, label: "Image", tooltip: "Your own PNG or JPEG; drop one anywhere" },
+];
+
+/// Shows all groups.
+pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut Actions) {
+    group_heading(ui, "Map");
+    if let Some(direction) = segmented(ui, &DIRECTIONS, model.session().direction) {
+        actions.push(Action::Session(Command::SetDirection(direction)));
+    }
+    texture(ui, model, image_name, actions);
+    for side in SIDES {
+        ui.push_id(side, |ui| resolution(ui, side, model, actions));
+    }
+}
+
+fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut Actions) {
+    let session = model.session();
+    group_heading(ui, "Texture");
+    match segmented(ui, &TEXTURES, session.texture) {
+        // Without an image there is nothing to show: the dialog first.
+        Some(TextureKind::Image) if image_name.is_none() => actions.push(Action::OpenImage),
+        Some(texture) => actions.push(Action::Session(Command::SetTexture(texture))),
+        None => {}
+    }
+    if session.texture == TextureKind::Image {
+        ui.horizontal(|ui| {
+            let palette = Palette::of(ui.visuals());
+            if ui.button("Choose…").clicked() {
+                actions.push(Action::OpenImage);
+            }
+            ui.add(egui::Label::new(RichText::new(image_name.unwrap_or_default()).color(palette.weak)).truncate());
+        });
+    } else {
+        let shown = format!("{:.0} cells across", session.texture_scale);
+        if let Some(scale) = captioned_slider(ui, "Scale", &shown, session.texture_scale, CELLS, true) {
+            actions.push(Action::Session(Command::SetTextureScale(scale.round())));
+        }
+    }
+}
+
+fn resolution(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
+    let old = model.side(side).wanted().settings;
+    let there = model.domain(side).map_or(500, |domain| domain.samples.len());
+    group_heading(ui, &format!("Resolution · {}", words::side(side)));
+    let sampling = sampling(ui, old.sampling, there);
+    let sizing = sizing(ui, old.sizing);
+    let settings = PrepareSettings { sampling, sizing };
+    if settings != old {
+        actions.push(Action::Session(Command::SetSettings { side, settings }));
+    }
+}
+
+fn sampling(ui: &mut Ui, old: Sampling, there: usize) -> Sampling {
+    let (uniform, asked) = match old {
+        Sampling::Uniform { count, .. } => (true, Some(count)),
+        Sampling::Adaptive { target } => (false, target),
+    };
+    let mut new = old;
+    let kinds = [
+        Segment {
+            value: false,
+            label: "Adaptive",
+            tooltip: "Denser at corners, high curvature and in narrow channels: a smaller error for the same number",
+        },
+        Segment { value: true, label: "Uniform (paper)", tooltip: "Equally spaced in arc length, as in the paper" },
+    ];
+    let count = asked.unwrap_or(there as u32);
+    if let Some(to_uniform) = segmented(ui, &kinds, uniform) {
+        new = match to_uniform {
+            true => Sampling::Uniform { count, keep_corners: true },
+            false => Sampling::Adaptive { target: None },
+        };
+    }
+    let shown = if asked.is_some() { count.to_string() } else { format!("{there}, automatic") };
+    let moved = captioned_slider(ui, "Samples", &shown, f64::from(count), SAMPLES, true).map(|m| m.round() as u32);
+    match (&mut new, moved) {
+        (Sampling::Uniform { count, .. }, Some(m)) => *count = m,
+        (Sampling::Adaptive { target }, Some(m)) => *target = Some(m),
+        _ => {}
+    }
+    match &mut new {
+        Sampling::Uniform { keep_corners, .. } => {
+            ui.checkbox(keep_corners, "Keep corners").on_hover_text("The outline's corners are samples too");
+        }
+        Sampling::Adaptive { target } => {
+            let mut automatic = target.is_none();
+            let label = ui.checkbox(&mut automatic, "As many as the outline needs");
+            if label.on_hover_text("Spacing from curvature, corners and channel width alone").changed() {
+                *target = (!automatic).then_some(count);
+            }
+        }
+    }
+    new
+}
+
+fn sizing(ui: &mut Ui, old: Sizing) -> Sizing {
+    let grade = match old {
+        Sizing::Graded(grade) => Some(grade),
+        Sizing::Uniform => None,
+    };
+    let kinds = [
+        Segment {
+            value: true,
+            label: "Graded",
+            tooltip: "Triangles grow with the distance from the boundary: 4–15 % of the vertices at nearly the same error",
+        },
+        Segment { value: false, label: "Uniform mesh", tooltip: "Triangles of one size, as in the paper" },
+    ];
+    let mut new = old;
+    if let Some(graded) = segmented(ui, &kinds, grade.is_some()) {
+        new = if graded { Sizing::default() } else { Sizing::Uniform };
+    }
+    if let Sizing::Graded(grade) = new {
+        let shown = format!("{grade:.2} per distance");
+        if let Some(moved) = captioned_slider(ui, "Growth", &shown, grade, GRADES, false) {
+            new = Sizing::Graded((100.0 * moved).round() / 100.0);
+        }
+    }
+    new
+}

@@ -1,0 +1,126 @@
+//! The numbers on the screen as one plain record, for `window.riemap.stats()` and for tests.
+
+use super::model::{Model, SIDES, mapped_side, other};
+use crate::conformal::{FrameTimings, PrepareTimings, Side};
+use crate::geometry::DVec2;
+use serde::Serialize;
+
+/// The size of a prepared domain; zeros before there is one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct DomainSize {
+    /// Boundary samples.
+    pub m: usize,
+    /// Interior vertices.
+    pub n: usize,
+    /// Triangles.
+    pub triangles: usize,
+}
+
+/// Where the handles are, in CSS pixels of the page.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct HandlePositions {
+    /// The source's interior point.
+    pub x1: Option<[f32; 2]>,
+    /// The target's interior point.
+    pub x2: Option<[f32; 2]>,
+    /// The source's boundary point.
+    pub y1: Option<[f32; 2]>,
+    /// The target's boundary point.
+    pub y2: Option<[f32; 2]>,
+}
+
+/// What is on the screen now.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stats {
+    /// A first map is shown and nothing is being prepared.
+    pub ready: bool,
+    /// "WebGPU", "WebGL2", or what the desktop draws with.
+    pub backend: String,
+    /// How many times the map has changed.
+    pub generation: u64,
+    /// Whether each side is being prepared.
+    pub preparing: [bool; 2],
+    /// Ω₁.
+    pub source: DomainSize,
+    /// Ω₂.
+    pub target: DomainSize,
+    /// Area-weighted mean of the angle distortion Q.
+    pub q_mean: Option<f64>,
+    /// The largest Q.
+    pub q_max: Option<f64>,
+    /// Triangles that changed their orientation.
+    pub flipped: Option<u32>,
+    /// How long the stages of the preparation took, in ms.
+    pub prepare_ms: [PrepareTimings; 2],
+    /// What the last update of the map took, in ms.
+    pub frame_ms: FrameTimings,
+    /// The error messages on the screen.
+    pub errors: Vec<String>,
+    /// The notes on the screen.
+    pub notes: Vec<String>,
+    /// Where the handles are.
+    pub handles: HandlePositions,
+    /// The image of the mapped side's interior point under the piecewise linear map.
+    pub image_of_mapped_point: Option<[f64; 2]>,
+    /// Where it should be: the other side's interior point.
+    pub expected: Option<[f64; 2]>,
+    /// `Σ (k + 1)/m · (x_k + y_k)` over the images of the mapped side's boundary vertices.
+    pub boundary_checksum: f64,
+}
+
+/// What the screen knows and the model does not.
+#[derive(Debug, Clone, Default)]
+pub struct ScreenFacts {
+    /// What it draws with.
+    pub backend: String,
+    /// Where the handles are.
+    pub handles: HandlePositions,
+    /// The messages.
+    pub errors: Vec<String>,
+    /// The notes.
+    pub notes: Vec<String>,
+}
+
+/// Collects the record.
+pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
+    let quality = model.quality();
+    let mapped = mapped_side(model.session().direction);
+    Stats {
+        ready: model.is_ready(),
+        backend: screen.backend,
+        generation: model.generation(),
+        preparing: SIDES.map(|side| model.side(side).is_busy()),
+        source: size(model, Side::Source),
+        target: size(model, Side::Target),
+        q_mean: quality.map(|q| q.q_mean),
+        q_max: quality.map(|q| q.q_max),
+        flipped: quality.map(|q| q.flipped),
+        prepare_ms: SIDES.map(|side| model.domain(side).map(|domain| domain.timings).unwrap_or_default()),
+        frame_ms: model.map().map(|map| map.timings()).unwrap_or_default(),
+        errors: screen.errors,
+        notes: screen.notes,
+        handles: screen.handles,
+        image_of_mapped_point: image_of_point(model, mapped),
+        expected: model.interior(other(mapped)).map(|point| point.to_array()),
+        boundary_checksum: boundary_checksum(model),
+    }
+}
+
+fn size(model: &Model, side: Side) -> DomainSize {
+    model.domain(side).map_or_else(DomainSize::default, |domain| DomainSize {
+        m: domain.samples.len(),
+        n: domain.mesh.interior_count(),
+        triangles: domain.mesh.triangles.len(),
+    })
+}
+
+fn image_of_point(model: &Model, mapped: Side) -> Option<[f64; 2]> {
+    Some(model.map()?.image_of(model.interior(mapped)?)?.to_array())
+}
+
+fn boundary_checksum(model: &Model) -> f64 {
+    let Some(map) = model.map() else { return 0.0 };
+    let m = map.mapped_mesh().boundary_count as usize;
+    let weighted = |(k, image): (usize, &DVec2)| (k + 1) as f64 / m as f64 * (image.x + image.y);
+    map.images().iter().take(m).enumerate().map(weighted).sum()
+}

@@ -1,0 +1,67 @@
+//! The line along the bottom: quality, flipped triangles, times, what draws.
+
+use super::model::Model;
+use super::theme::Palette;
+use super::widgets::grouped;
+use super::words;
+use egui::{Align, Layout, RichText, Ui};
+
+/// Frames further apart than this are not counted for the frame rate: nothing moved.
+const PAUSE_SECONDS: f32 = 0.1;
+
+/// Frame times and what the backend says about itself.
+#[derive(Debug, Clone, Default)]
+pub struct FrameMeter {
+    frame_seconds: Option<f32>,
+    draw_ms: f64,
+}
+
+impl FrameMeter {
+    /// Takes in the time since the last frame and what that frame took on the processor.
+    pub fn tick(&mut self, since_last: f32, cpu_seconds: Option<f32>, compute_ms: f64) {
+        if since_last > 0.0 && since_last < PAUSE_SECONDS {
+            let old = self.frame_seconds.unwrap_or(since_last);
+            self.frame_seconds = Some(0.9 * old + 0.1 * since_last);
+        }
+        if let Some(seconds) = cpu_seconds {
+            let draw = (f64::from(seconds) * 1e3 - compute_ms).max(0.0);
+            self.draw_ms = if self.draw_ms == 0.0 { draw } else { 0.8 * self.draw_ms + 0.2 * draw };
+        }
+    }
+
+    fn frames_per_second(&self) -> Option<f32> {
+        self.frame_seconds.map(|seconds| 1.0 / seconds)
+    }
+}
+
+/// Shows the line.
+pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapter: &str, narrow: bool) {
+    let palette = Palette::of(ui.visuals());
+    let weak = |text: String| RichText::new(text).small().color(palette.weak);
+    ui.horizontal_centered(|ui| {
+        ui.spacing_mut().item_spacing.x = if narrow { 12.0 } else { 20.0 };
+        if let Some(quality) = model.quality() {
+            ui.label(weak(format!("Q̄ {:.3}", quality.q_mean)))
+                .on_hover_text(format!("{}\n\nlargest Q: {:.3}", words::QUALITY_TOOLTIP, quality.q_max));
+            let ink = if quality.flipped == 0 { palette.weak } else { palette.error_edge };
+            let flipped = RichText::new(format!("flipped {}", grouped(quality.flipped as usize))).small().color(ink);
+            ui.label(flipped).on_hover_text(words::FLIPPED_TOOLTIP);
+        }
+        if let Some(map) = model.map() {
+            let t = map.timings();
+            let compute = t.kernel + t.matching + t.extend;
+            let split = format!("kernel {:.2} ms + match {:.2} ms + extend {:.2} ms", t.kernel, t.matching, t.extend);
+            ui.label(weak(format!("frame {compute:.1} ms + draw {:.1} ms", meter.draw_ms)))
+                .on_hover_text(format!("{}\n\n{split}", words::FRAME_TOOLTIP));
+        }
+        if let (Some(rate), false) = (meter.frames_per_second(), narrow) {
+            ui.label(weak(format!("{rate:.0} fps"))).on_hover_text("While something moves; at rest nothing is drawn");
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if !narrow {
+                ui.label(weak(String::from("drag a dot · scroll to zoom · drop a file anywhere")));
+            }
+            ui.label(weak(String::from(backend))).on_hover_text(adapter);
+        });
+    });
+}

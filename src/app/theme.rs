@@ -1,0 +1,165 @@
+//! The look: two palettes (dark slate, light), spacing, rounding, text sizes.
+//!
+//! Widgets take their colours from egui's visuals, which are set from the
+//! [`Palette`] here; what is painted by hand asks [`Palette::of`].
+
+use egui::{Color32, CornerRadius, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme, Visuals};
+
+/// The height of buttons, segmented switches and rows.
+pub const ROW_HEIGHT: f32 = 28.0;
+/// The rounding of buttons and switches.
+pub const ROUNDING: u8 = 6;
+
+/// The interior handles: Okabe–Ito's bluish green, a little lighter for the dark ground.
+pub const INTERIOR_COLOUR: Color32 = Color32::from_rgb(22, 173, 121);
+/// The boundary handles.
+pub const BOUNDARY_COLOUR: Color32 = Color32::from_rgb(214, 58, 158);
+
+/// The colours of a theme.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Palette {
+    /// Behind the meshes.
+    pub canvas: Color32,
+    /// Panels and bars.
+    pub panel: Color32,
+    /// Menus and tooltips.
+    pub raised: Color32,
+    /// Buttons and the ground of switches.
+    pub control: Color32,
+    /// A button under the pointer.
+    pub control_hovered: Color32,
+    /// Edges of panels and controls.
+    pub border: Color32,
+    /// Text.
+    pub text: Color32,
+    /// Text of second rank.
+    pub weak: Color32,
+    /// Selected, filled, in progress.
+    pub accent: Color32,
+    /// The filled part of sliders, the progress line.
+    pub accent_soft: Color32,
+    /// Text on `accent`.
+    pub on_accent: Color32,
+    /// The ground of error messages.
+    pub error_ground: Color32,
+    /// The edge of error messages.
+    pub error_edge: Color32,
+}
+
+const DARK: Palette = Palette {
+    canvas: Color32::from_rgb(13, 17, 23),
+    panel: Color32::from_rgb(22, 27, 34),
+    raised: Color32::from_rgb(28, 34, 43),
+    control: Color32::from_rgb(33, 38, 45),
+    control_hovered: Color32::from_rgb(45, 52, 61),
+    border: Color32::from_rgb(48, 54, 61),
+    text: Color32::from_rgb(230, 237, 243),
+    weak: Color32::from_rgb(148, 157, 168),
+    accent: Color32::from_rgb(31, 111, 235),
+    accent_soft: Color32::from_rgb(88, 166, 255),
+    on_accent: Color32::WHITE,
+    error_ground: Color32::from_rgb(61, 24, 28),
+    error_edge: Color32::from_rgb(248, 81, 73),
+};
+
+const LIGHT: Palette = Palette {
+    canvas: Color32::from_rgb(255, 255, 255),
+    panel: Color32::from_rgb(246, 248, 250),
+    raised: Color32::from_rgb(255, 255, 255),
+    control: Color32::from_rgb(255, 255, 255),
+    control_hovered: Color32::from_rgb(234, 238, 242),
+    border: Color32::from_rgb(208, 215, 222),
+    text: Color32::from_rgb(31, 35, 40),
+    weak: Color32::from_rgb(89, 99, 110),
+    accent: Color32::from_rgb(9, 105, 218),
+    accent_soft: Color32::from_rgb(9, 105, 218),
+    on_accent: Color32::WHITE,
+    error_ground: Color32::from_rgb(255, 235, 233),
+    error_edge: Color32::from_rgb(207, 34, 46),
+};
+
+impl Palette {
+    /// The palette that goes with `visuals`.
+    pub fn of(visuals: &Visuals) -> Self {
+        if visuals.dark_mode { DARK } else { LIGHT }
+    }
+}
+
+/// Sets up both themes and begins with the dark one.
+pub fn install(context: &egui::Context) {
+    context.set_style_of(Theme::Dark, style(&DARK, Visuals::dark()));
+    context.set_style_of(Theme::Light, style(&LIGHT, Visuals::light()));
+    context.set_theme(Theme::Dark);
+}
+
+/// Goes from dark to light and back.
+pub fn toggle(context: &egui::Context) {
+    let next = match context.theme() {
+        Theme::Dark => Theme::Light,
+        Theme::Light => Theme::Dark,
+    };
+    context.set_theme(next);
+}
+
+fn style(palette: &Palette, visuals: Visuals) -> Style {
+    let mut style = Style { visuals: coloured(palette, visuals), ..Style::default() };
+    let sizes = [
+        (TextStyle::Heading, 16.0),
+        (TextStyle::Body, 13.5),
+        (TextStyle::Button, 13.5),
+        (TextStyle::Small, 12.0),
+    ];
+    for (name, size) in sizes {
+        style.text_styles.insert(name, FontId::new(size, FontFamily::Proportional));
+    }
+    style.spacing.item_spacing = egui::vec2(8.0, 6.0);
+    style.spacing.button_padding = egui::vec2(11.0, 5.0);
+    style.spacing.interact_size.y = ROW_HEIGHT;
+    style.spacing.menu_margin = Margin::same(8);
+    style.spacing.slider_rail_height = 4.0;
+    style.spacing.icon_width = 16.0;
+    style.spacing.icon_width_inner = 9.0;
+    style.spacing.icon_spacing = 8.0;
+    style.spacing.tooltip_width = 320.0;
+    style.interaction.tooltip_delay = 0.35;
+    style.interaction.selectable_labels = false;
+    style
+}
+
+fn coloured(palette: &Palette, mut visuals: Visuals) -> Visuals {
+    let rounding = CornerRadius::same(ROUNDING);
+    visuals.panel_fill = palette.panel;
+    visuals.window_fill = palette.raised;
+    visuals.window_stroke = Stroke::new(1.0, palette.border);
+    visuals.window_corner_radius = CornerRadius::same(10);
+    visuals.menu_corner_radius = CornerRadius::same(10);
+    visuals.extreme_bg_color = palette.canvas;
+    visuals.faint_bg_color = palette.control;
+    visuals.hyperlink_color = palette.accent_soft;
+    visuals.error_fg_color = palette.error_edge;
+    visuals.override_text_color = None;
+    visuals.weak_text_color = Some(palette.weak);
+    visuals.selection.bg_fill = palette.accent;
+    visuals.selection.stroke = Stroke::new(1.0, palette.on_accent);
+    visuals.slider_trailing_fill = true;
+    visuals.handle_shape = egui::style::HandleShape::Circle;
+    visuals.interact_cursor = Some(egui::CursorIcon::PointingHand);
+    let edge = Stroke::new(1.0, palette.border);
+    let ink = Stroke::new(1.0, palette.text);
+    let widgets = &mut visuals.widgets;
+    for (state, fill) in [
+        (&mut widgets.noninteractive, palette.panel),
+        (&mut widgets.inactive, palette.control),
+        (&mut widgets.hovered, palette.control_hovered),
+        (&mut widgets.active, palette.control_hovered),
+        (&mut widgets.open, palette.control_hovered),
+    ] {
+        state.bg_fill = fill;
+        state.weak_bg_fill = fill;
+        state.bg_stroke = edge;
+        state.fg_stroke = ink;
+        state.corner_radius = rounding;
+        state.expansion = 0.0;
+    }
+    visuals
+}

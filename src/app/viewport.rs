@@ -1,0 +1,208 @@
+//! One of the two pictures: its gestures, and what is painted over the mesh.
+//!
+//! A frame goes through a viewport twice: [`interact`] turns gestures into
+//! commands and camera moves; after the map has been brought up to date,
+//! [`paint`] draws mesh, dots and words, so that a dragged dot is never behind
+//! the pointer.
+
+use super::action::{Action, Actions};
+use super::gpu::ViewportCallback;
+use super::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, HandleState, hit};
+use super::model::{Model, bounds};
+use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
+use super::view::View;
+use super::widgets::caption_font;
+use crate::conformal::Side;
+use crate::geometry::DVec2;
+use crate::render::TextureStyle;
+use crate::session::Command;
+use egui::{Align2, Color32, CornerRadius, CursorIcon, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
+
+/// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
+const ZOOM_PER_POINT: f32 = 0.0025;
+
+/// Turns gestures over the viewport into commands and camera moves.
+pub fn interact(
+    ui: &mut Ui,
+    side: Side,
+    rect: Rect,
+    model: &Model,
+    view: &mut View,
+    handles: &mut HandleState,
+    actions: &mut Actions,
+) {
+    let extent = model.domain(side).map(|domain| bounds(&domain.samples.points));
+    view.place(rect, ui.pixels_per_point(), extent);
+    let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
+    if pinch(ui, &response, view, handles) {
+        return;
+    }
+    grab_and_release(ui, &response, side, model, view, handles);
+    drag_handle(ui, side, model, view, handles, actions);
+    move_camera(ui, &response, view, handles);
+}
+
+/// Two fingers: pans and zooms, and lets go of what one finger had. Returns whether there are two.
+fn pinch(ui: &Ui, response: &Response, view: &mut View, handles: &mut HandleState) -> bool {
+    let Some(touch) = ui.input(egui::InputState::multi_touch) else { return false };
+    if !response.rect.contains(touch.center_pos) {
+        return false;
+    }
+    handles.release();
+    view.pan(touch.translation_delta);
+    view.zoom(touch.zoom_delta, touch.center_pos);
+    true
+}
+
+fn grab_and_release(
+    ui: &Ui,
+    response: &Response,
+    side: Side,
+    model: &Model,
+    view: &View,
+    handles: &mut HandleState,
+) {
+    let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
+    let (pressed, down, pointer, now) = ui.input(|input| {
+        let pointer = &input.pointer;
+        (pointer.primary_pressed(), pointer.primary_down(), pointer.interact_pos(), input.time)
+    });
+    let under = pointer.filter(|_| response.contains_pointer()).and_then(|pointer| hit(side, places, pointer));
+    if let (true, Some(handle), Some(pointer)) = (pressed, under, pointer)
+        && let Some(place) = places[handle.kind as usize]
+    {
+        handles.grab(handle, place, pointer, now);
+    }
+    if !down && handles.grip.is_some_and(|grip| grip.handle.side == side) {
+        handles.release();
+    }
+    if handles.hovered.is_none_or(|hovered| hovered.side == side) {
+        handles.hovered = under;
+    }
+    if handles.grip.is_some() {
+        ui.set_cursor_icon(CursorIcon::Grabbing);
+    } else if under.is_some() {
+        ui.set_cursor_icon(CursorIcon::Grab);
+    }
+}
+
+fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState, actions: &mut Actions) {
+    let Some(grip) = handles.grip.filter(|grip| grip.handle.side == side) else { return };
+    let (moved, pointer) = ui.input(|input| (input.pointer.delta() != Vec2::ZERO, input.pointer.interact_pos()));
+    let Some(pointer) = pointer.filter(|_| moved) else { return };
+    let at = view.to_world(pointer + grip.offset);
+    let command = match grip.handle.kind {
+        HandleKind::Interior => model.interior_near(side, at).map(|point| Command::MoveInterior { side, point }),
+        HandleKind::Boundary => model.anchor_near(side, at).map(|fraction| Command::MoveAnchor { side, fraction }),
+    };
+    actions.extend(command.map(Action::Session));
+}
+
+fn move_camera(ui: &Ui, response: &Response, view: &mut View, handles: &HandleState) {
+    if response.dragged() && handles.grip.is_none() {
+        view.pan(response.drag_delta());
+        ui.set_cursor_icon(CursorIcon::Move);
+    }
+    if response.double_clicked() && handles.hovered.is_none() {
+        view.fit();
+    }
+    if let Some(pointer) = response.hover_pos() {
+        let (scroll, zoom) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+        view.zoom(zoom * (ZOOM_PER_POINT * scroll).exp(), pointer);
+    }
+}
+
+/// Draws the mesh and the dots.
+pub fn paint(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState, style: Option<&TextureStyle>) {
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(view.rect);
+    painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas);
+    if let Some(style) = style {
+        painter.add(egui_wgpu::Callback::new_paint_callback(
+            view.rect,
+            ViewportCallback {
+                side,
+                size_px: view.size_px(),
+                camera: view.camera(),
+                style: *style,
+                background: palette.canvas.to_normalized_gamma_f32(),
+            },
+        ));
+    }
+    let points = [(HandleKind::Boundary, model.anchor(side)), (HandleKind::Interior, model.interior(side))];
+    for (kind, point) in points {
+        if let Some(point) = point {
+            paint_dot(ui, &painter, Handle { side, kind }, point, view, handles);
+        }
+    }
+}
+
+fn paint_dot(ui: &Ui, painter: &egui::Painter, handle: Handle, point: DVec2, view: &View, handles: &HandleState) {
+    let place = view.to_screen(point);
+    let colour = match handle.kind {
+        HandleKind::Interior => INTERIOR_COLOUR,
+        HandleKind::Boundary => BOUNDARY_COLOUR,
+    };
+    let now = ui.input(|input| input.time);
+    if let Some(progress) = handles.pulse_of(handle, now) {
+        let radius = DOT_RADIUS + 24.0 * progress;
+        painter.circle_stroke(place, radius, Stroke::new(3.0 * (1.0 - progress), colour));
+        ui.request_repaint();
+    }
+    let raised = ui.ctx().animate_bool_with_time(ui.scope_id().with((handle.side, handle.symbol())), handles.is_raised(handle), 0.1);
+    let radius = DOT_RADIUS + 3.0 * raised;
+    painter.circle_filled(place + vec2(0.0, 1.0), radius + 3.0, Color32::from_black_alpha(70));
+    painter.circle_filled(place, radius + 1.0, Color32::WHITE);
+    painter.circle_filled(place, radius - 1.5, colour);
+    if handles.is_held(handle) {
+        paint_coordinates(ui, painter, handle, point, place);
+    }
+}
+
+fn paint_coordinates(ui: &Ui, painter: &egui::Painter, handle: Handle, point: DVec2, place: Pos2) {
+    let palette = Palette::of(ui.visuals());
+    let text = format!("{} = ({:.3}, {:.3})", handle.symbol(), point.x, point.y);
+    let galley = painter.layout_no_wrap(text, caption_font(ui), palette.text);
+    let size = galley.size() + vec2(16.0, 8.0);
+    let clip = painter.clip_rect().shrink(6.0);
+    let above = place.y - GRAB_RADIUS - size.y > clip.top();
+    let y = if above { place.y - GRAB_RADIUS - size.y } else { place.y + GRAB_RADIUS };
+    let x = (place.x - 0.5 * size.x).clamp(clip.left(), (clip.right() - size.x).max(clip.left()));
+    let label = Rect::from_min_size(Pos2::new(x, y), size);
+    painter.rect(label, CornerRadius::same(6), palette.raised, Stroke::new(1.0, palette.border), StrokeKind::Inside);
+    painter.galley(label.min + vec2(8.0, 4.0), galley, palette.text);
+}
+
+/// "drag a dot", until someone has.
+pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
+    let Some(place) = model.interior(Side::Source).map(|point| view.to_screen(point)) else { return };
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(view.rect);
+    let galley = painter.layout_no_wrap(String::from("drag a dot"), egui::TextStyle::Body.resolve(ui.style()), palette.on_accent);
+    let size = galley.size() + vec2(22.0, 12.0);
+    let label = Rect::from_center_size(place + vec2(0.0, DOT_RADIUS + 14.0 + 0.5 * size.y), size);
+    let tip = label.center_top() - vec2(0.0, 6.0);
+    let base = [label.center_top() + vec2(-6.0, 0.5), label.center_top() + vec2(6.0, 0.5)];
+    painter.rect_filled(label, CornerRadius::same(8), palette.accent);
+    painter.add(egui::Shape::convex_polygon(vec![tip, base[1], base[0]], palette.accent, Stroke::NONE));
+    painter.galley(label.center() - 0.5 * galley.size(), galley, palette.on_accent);
+}
+
+/// The thin line along the upper edge while something is prepared, with the stage's name.
+pub fn paint_progress(ui: &Ui, side: Side, model: &Model, view: &View) {
+    let state = model.side(side);
+    if !state.is_busy() {
+        return;
+    }
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(view.rect);
+    let (done, name) = super::words::stage(state.stage());
+    let done = ui.ctx().animate_value_with_time(ui.scope_id().with(("progress", side)), done, 0.15);
+    let line = Rect::from_min_size(view.rect.min, vec2(view.rect.width(), 3.0));
+    painter.rect_filled(line, CornerRadius::ZERO, palette.border);
+    let filled = Rect::from_min_size(line.min, vec2(line.width() * done, 3.0));
+    painter.rect_filled(filled, CornerRadius::ZERO, palette.accent_soft);
+    let place = view.rect.center_bottom() - vec2(0.0, 40.0);
+    painter.text(place, Align2::CENTER_CENTER, name, caption_font(ui), palette.weak);
+    ui.request_repaint();
+}

@@ -1,0 +1,182 @@
+//! The controls that egui does not have in this look: segmented switches,
+//! sliders with a caption above, headings of groups, messages.
+
+use super::theme::{Palette, ROUNDING, ROW_HEIGHT};
+use egui::{
+    Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Sense, Stroke, StrokeKind, TextStyle,
+    Ui, WidgetInfo, Role, vec2,
+};
+use std::ops::RangeInclusive;
+
+/// One choice of a [`segmented`] switch.
+#[derive(Debug, Clone, Copy)]
+pub struct Segment<T> {
+    /// What choosing it means.
+    pub value: T,
+    /// What is written on it.
+    pub label: &'static str,
+    /// What it means, in a sentence.
+    pub tooltip: &'static str,
+}
+
+/// A switch of several positions over the full width; returns the one that was clicked.
+pub fn segmented<T: Copy + PartialEq>(ui: &mut Ui, segments: &[Segment<T>], current: T) -> Option<T> {
+    let palette = Palette::of(ui.visuals());
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW_HEIGHT), Sense::hover());
+    let rounding = CornerRadius::same(ROUNDING);
+    ui.painter().rect(rect, rounding, palette.control, Stroke::new(1.0, palette.border), StrokeKind::Inside);
+    let width = rect.width() / segments.len() as f32;
+    let mut chosen = None;
+    for (k, segment) in segments.iter().enumerate() {
+        let cell = Rect::from_min_size(rect.min + vec2(k as f32 * width, 0.0), vec2(width, ROW_HEIGHT));
+        if segment_cell(ui, cell, segment, segment.value == current).clicked() && segment.value != current {
+            chosen = Some(segment.value);
+        }
+    }
+    chosen
+}
+
+fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool) -> Response {
+    let palette = Palette::of(ui.visuals());
+    let id = ui.scope_id().with(segment.label).with(segment.tooltip);
+    let response = ui.interact(cell, id, Sense::click()).on_hover_text(segment.tooltip);
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, selected, segment.label));
+    let (fill, ink) = match (selected, response.hovered()) {
+        (true, _) => (palette.accent, palette.on_accent),
+        (false, true) => (palette.control_hovered, palette.text),
+        (false, false) => (Color32::TRANSPARENT, palette.text),
+    };
+    ui.painter().rect_filled(cell.shrink(2.0), CornerRadius::same(ROUNDING - 2), fill);
+    if response.has_focus() {
+        let ring = Stroke::new(1.5, palette.accent_soft);
+        ui.painter().rect_stroke(cell.shrink(2.0), CornerRadius::same(ROUNDING - 2), ring, StrokeKind::Outside);
+    }
+    ui.painter().text(cell.center(), Align2::CENTER_CENTER, segment.label, TextStyle::Button.resolve(ui.style()), ink);
+    response
+}
+
+/// A slider under its caption and value; returns the new value while it is moved.
+pub fn captioned_slider(
+    ui: &mut Ui,
+    caption: &str,
+    shown: &str,
+    value: f64,
+    range: RangeInclusive<f64>,
+    logarithmic: bool,
+) -> Option<f64> {
+    let palette = Palette::of(ui.visuals());
+    ui.horizontal(|ui| {
+        ui.label(caption);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.label(RichText::new(shown).color(palette.weak));
+        });
+    });
+    let mut moved = value;
+    let response = ui
+        .scope(|ui| {
+            ui.spacing_mut().slider_width = ui.available_width();
+            ui.visuals_mut().selection.bg_fill = palette.accent_soft;
+            ui.visuals_mut().widgets.inactive.bg_fill = palette.border;
+            ui.spacing_mut().interact_size.y = 18.0;
+            let slider = egui::Slider::new(&mut moved, range).show_value(false).logarithmic(logarithmic);
+            ui.add(slider)
+        })
+        .inner;
+    response.widget_info(|| WidgetInfo::slider(true, moved, caption));
+    (response.changed() && moved != value).then_some(moved)
+}
+
+/// The heading of a group of controls, in small capitals.
+pub fn group_heading(ui: &mut Ui, text: &str) {
+    let palette = Palette::of(ui.visuals());
+    ui.add_space(6.0);
+    ui.label(RichText::new(text.to_uppercase()).size(11.0).strong().color(palette.weak).extra_letter_spacing(0.8));
+}
+
+/// What the person wants done about a message.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MessageAnswer {
+    /// It has been read.
+    Dismiss,
+    /// The same once more.
+    Retry,
+}
+
+/// An error in a box, with a cross to close it and, where that makes sense, a way to try again.
+pub fn message_box(ui: &mut Ui, text: &str, can_retry: bool) -> Option<MessageAnswer> {
+    let palette = Palette::of(ui.visuals());
+    let frame = Frame::new()
+        .fill(palette.error_ground)
+        .stroke(Stroke::new(1.0, palette.error_edge))
+        .corner_radius(CornerRadius::same(ROUNDING + 2))
+        .inner_margin(Margin::symmetric(12, 8));
+    frame
+        .show(ui, |ui| {
+            let mut answer = None;
+            ui.horizontal_top(|ui| {
+                let buttons = if can_retry { 120.0 } else { 34.0 };
+                ui.scope(|ui| {
+                    ui.set_max_width(ui.available_width() - buttons);
+                    ui.add(egui::Label::new(RichText::new(text).color(palette.text)).wrap());
+                });
+                if can_retry && ui.button("Try again").clicked() {
+                    answer = Some(MessageAnswer::Retry);
+                }
+                let cross = ui.add(egui::Button::new("✕").frame(false)).on_hover_text("Close this message");
+                cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close this message"));
+                if cross.clicked() {
+                    answer = Some(MessageAnswer::Dismiss);
+                }
+            });
+            answer
+        })
+        .inner
+}
+
+/// A dot as in the legend.
+pub fn dot(ui: &mut Ui, colour: Color32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
+    ui.painter().circle_filled(rect.center(), 5.0, colour);
+}
+
+/// A number with thin spaces between groups of three digits.
+pub fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) {
+            text.push('\u{2009}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// Milliseconds with as many digits as are worth reading.
+pub fn milliseconds(ms: f64) -> String {
+    if ms < 9.95 { format!("{ms:.1}\u{2009}ms") } else { format!("{ms:.0}\u{2009}ms") }
+}
+
+/// The font of captions in the viewports.
+pub fn caption_font(ui: &Ui) -> FontId {
+    TextStyle::Small.resolve(ui.style())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn large_numbers_are_grouped_by_three() {
+        assert_eq!(grouped(7), "7");
+        assert_eq!(grouped(700), "700");
+        assert_eq!(grouped(3912), "3\u{2009}912");
+        assert_eq!(grouped(1_234_567), "1\u{2009}234\u{2009}567");
+    }
+
+    #[test]
+    fn short_times_keep_a_digit_after_the_point() {
+        assert_eq!(milliseconds(0.64), "0.6\u{2009}ms");
+        assert_eq!(milliseconds(12.4), "12\u{2009}ms");
+    }
+}

@@ -1,0 +1,92 @@
+//! The words on the screen that are not beside their control: stages, shapes,
+//! patterns, and the field's own terms, each explained once.
+
+use crate::conformal::{PrepareTimings, Side, Stage};
+use crate::outline::{OutlineNote, Preset};
+use crate::session::OutlineSpec;
+
+/// How far a preparation is when `stage` begins (from 0 to 1), and what is being done.
+pub fn stage(stage: Option<Stage>) -> (f32, &'static str) {
+    match stage {
+        None => (0.03, "waiting for the worker…"),
+        Some(Stage::Sample) => (0.1, "sampling the boundary…"),
+        Some(Stage::Mesh) => (0.25, "triangulating…"),
+        Some(Stage::Assemble) => (0.6, "assembling the Laplacian…"),
+        Some(Stage::Order) => (0.7, "ordering…"),
+        Some(Stage::Factor) => (0.85, "factoring…"),
+    }
+}
+
+/// "Source", "Target".
+pub fn side(side: Side) -> &'static str {
+    match side {
+        Side::Source => "Source",
+        Side::Target => "Target",
+    }
+}
+
+/// A preset's name in a menu.
+pub fn preset(preset: Preset) -> &'static str {
+    match preset {
+        Preset::Disk => "Disk",
+        Preset::Square => "Square",
+        Preset::Gingerbread => "Gingerbread man",
+        Preset::Heart => "Heart",
+        Preset::Blob => "Blob",
+        Preset::VShape => "V-shape",
+        Preset::Cinquefoil => "Cinquefoil",
+        Preset::MapleLeaf => "Maple leaf",
+        Preset::Hand => "Hand",
+        Preset::Turkey => "Turkey",
+        Preset::LShape => "L-shape",
+        Preset::Star => "Star",
+        Preset::Spiral => "Spiral",
+    }
+}
+
+/// The name of an outline in a title.
+pub fn outline(outline: &OutlineSpec) -> &str {
+    match outline {
+        OutlineSpec::Preset(shape) => preset(*shape),
+        OutlineSpec::Points { name, .. } => name,
+    }
+}
+
+/// What was noticed when an outline was read.
+pub fn note(note: &OutlineNote) -> String {
+    match note {
+        OutlineNote::Reversed => String::from("the points ran clockwise and were reversed"),
+        OutlineNote::LargestOf { rings } => format!("the largest of {rings} rings was taken"),
+        OutlineNote::ClosingPointDropped => String::from("the closing point repeated the first one and was dropped"),
+    }
+}
+
+/// The preparation's stages with their times, a line each.
+pub fn timings(timings: &PrepareTimings) -> String {
+    let rows = [
+        ("sample", timings.sample),
+        ("mesh", timings.mesh),
+        ("assemble", timings.assemble),
+        ("order", timings.order),
+        ("factor", timings.factor),
+    ];
+    rows.iter().map(|(name, ms)| format!("{name}: {ms:.1} ms")).collect::<Vec<_>>().join("\n")
+}
+
+/// All of them together, in ms.
+pub fn total(timings: &PrepareTimings) -> f64 {
+    timings.sample + timings.mesh + timings.assemble + timings.order + timings.factor
+}
+
+/// m and n.
+pub const SIZE_TOOLTIP: &str = "m: boundary samples. n: interior vertices of the mesh.";
+/// Q̄.
+pub const QUALITY_TOOLTIP: &str = "Q is the ratio of the two singular values of the map on a triangle: 1 where angles are kept. \
+    Q̄ is its area-weighted mean over the mesh; the largest Q is shown here.";
+/// Flipped triangles.
+pub const FLIPPED_TOOLTIP: &str =
+    "Triangles whose orientation the map reversed. None for a good map; more boundary samples help where there are some.";
+/// The frame's time.
+pub const FRAME_TOOLTIP: &str = "What the last update of the map took: kernel (harmonic measure: the chance that a random walk \
+    from x leaves through a part of the boundary), match (the boundaries' measures are made equal), extend (to the inside), \
+    and what drawing took on the processor.";

@@ -1,0 +1,73 @@
+//! The desktop: a window, a thread per preparation, the system's dialogs.
+//!
+//! A thread cannot be stopped from outside: a superseded preparation runs on
+//! and its answers are dropped as stale. A panic in it is reported, not passed on.
+
+use super::{Event, FilePurpose, Mailbox, endings};
+use crate::app::RiemapApp;
+use crate::conformal::Side;
+use crate::worker::{self, Request};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::thread;
+
+/// Opens the window and runs the app until it is closed.
+pub fn start() -> Result<(), String> {
+    let options = eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default().with_inner_size([1440.0, 900.0]).with_min_inner_size([360.0, 480.0]),
+        ..Default::default()
+    };
+    eframe::run_native("riemap", options, Box::new(|creation| Ok(Box::new(RiemapApp::new(creation)?))))
+        .map_err(|error| format!("The window could not be opened: {error}"))
+}
+
+/// Runs preparations on threads.
+pub struct Preparer {
+    mailbox: Mailbox,
+}
+
+impl Preparer {
+    /// Answers go to `mailbox`.
+    pub fn new(mailbox: Mailbox) -> Self {
+        Self { mailbox }
+    }
+
+    /// Starts to carry out `request`.
+    pub fn request(&mut self, side: Side, request: Request) {
+        let mailbox = self.mailbox.clone();
+        let work = move || {
+            let mut emit = |generation, response| mailbox.post(Event::Worker { side, generation, response });
+            if catch_unwind(AssertUnwindSafe(|| worker::run(&request, &mut emit))).is_err() {
+                mailbox.post(Event::WorkerDied { side, reason: String::from("an internal error") });
+            }
+        };
+        if let Err(error) = thread::Builder::new().name(format!("prepare {side:?}")).spawn(work) {
+            self.mailbox.post(Event::WorkerDied { side, reason: error.to_string() });
+        }
+    }
+}
+
+/// Lets the person choose a file; its content is posted to `mailbox`.
+pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
+    let (label, extensions) = endings(purpose);
+    let dialog = rfd::AsyncFileDialog::new().add_filter(label, extensions).pick_file();
+    thread::spawn(move || {
+        if let Some(file) = pollster::block_on(dialog) {
+            let bytes = std::fs::read(file.path()).map_err(|error| error.to_string());
+            mailbox.post(Event::File { purpose, name: file.file_name(), bytes });
+        }
+    });
+}
+
+/// Reads a dropped file and posts its content to `mailbox`.
+pub fn read_dropped(file: &egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
+    let file = file.clone();
+    thread::spawn(move || {
+        let name = file.path().file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        mailbox.post(Event::File { purpose: FilePurpose::Dropped(side), name, bytes: file.bytes() });
+    });
+}
+
+/// Where the pointer is while a file is dragged over the window.
+pub fn drop_position(context: &egui::Context) -> Option<egui::Pos2> {
+    context.input(|input| input.pointer.latest_pos())
+}

@@ -1,0 +1,60 @@
+//! `window.riemap`: the numbers on the screen, for tests and for pages that embed the app.
+//!
+//! * `riemap.stats()` → [`Stats`](crate::app::Stats) as an object,
+//! * `riemap.session()` → the session as an object,
+//! * `riemap.load_outline("source" | "target", file_name, text)` → `true` if the side is known.
+//!
+//! After a panic the first two return `undefined`.
+
+use crate::app::RiemapApp;
+use crate::conformal::Side;
+use crate::platform::FilePurpose;
+use eframe::WebRunner;
+use js_sys::{Object, Reflect};
+use serde::Serialize;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::Closure;
+
+/// Puts the object into the page.
+pub fn install(runner: &WebRunner) {
+    let object = Object::new();
+    let app = runner.clone();
+    let stats = Closure::<dyn Fn() -> JsValue>::new(move || with_app(&app, |app| to_js(&app.stats())));
+    let app = runner.clone();
+    let session = Closure::<dyn Fn() -> JsValue>::new(move || with_app(&app, |app| to_js(app.session())));
+    let app = runner.clone();
+    let load = Closure::<dyn Fn(String, String, String) -> JsValue>::new(move |side: String, name, text: String| {
+        let Some(side) = side_named(&side) else { return JsValue::FALSE };
+        with_app(&app, |app| {
+            app.take_file(FilePurpose::Outline(side), name, Ok(text.into_bytes()));
+            JsValue::TRUE
+        })
+    });
+    put(&object, "stats", stats.into_js_value());
+    put(&object, "session", session.into_js_value());
+    put(&object, "load_outline", load.into_js_value());
+    put(&js_sys::global(), "riemap", object.into());
+}
+
+fn with_app(runner: &WebRunner, read: impl FnOnce(&mut RiemapApp) -> JsValue) -> JsValue {
+    runner.app_mut::<RiemapApp>().map_or(JsValue::UNDEFINED, |mut app| read(&mut app))
+}
+
+fn to_js(value: &impl Serialize) -> JsValue {
+    let text = serde_json::to_string(value).unwrap_or_default();
+    js_sys::JSON::parse(&text).unwrap_or(JsValue::UNDEFINED)
+}
+
+fn side_named(name: &str) -> Option<Side> {
+    match name {
+        "source" => Some(Side::Source),
+        "target" => Some(Side::Target),
+        _ => None,
+    }
+}
+
+fn put(object: &Object, key: &str, value: JsValue) {
+    // Setting a property of a plain object or of the window does not fail.
+    let _ = Reflect::set(object, &key.into(), &value);
+}
+

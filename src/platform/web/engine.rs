@@ -1,0 +1,29 @@
+//! The worker's side: requests in, answers out, one at a time.
+
+use super::messages;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::prelude::Closure;
+use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
+
+/// Answers every request that is posted to this worker, until it is terminated.
+pub fn listen(scope: DedicatedWorkerGlobalScope) {
+    console_error_panic_hook::set_once();
+    let answer = {
+        let scope = scope.clone();
+        Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
+            let Some(request) = messages::decode_request(&event.data()) else {
+                log::error!("a request of an unknown form was dropped");
+                return;
+            };
+            crate::worker::run(&request, &mut |generation, response| {
+                let (message, transfer) = messages::encode_response(generation, response);
+                if let Err(error) = scope.post_message_with_transfer(&message, &transfer) {
+                    // Thrown out of the message handler it reaches the page as the worker's error.
+                    wasm_bindgen::throw_val(error);
+                }
+            });
+        })
+    };
+    scope.set_onmessage(Some(answer.as_ref().unchecked_ref()));
+    answer.forget();
+}

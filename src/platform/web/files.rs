@@ -1,0 +1,55 @@
+//! Files from the dialog and from drag and drop.
+
+use crate::conformal::Side;
+use crate::platform::{Event, FilePurpose, Mailbox, endings};
+use std::cell::Cell;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::prelude::Closure;
+use web_sys::DragEvent;
+
+thread_local! {
+    static LAST_DRAG: Cell<Option<egui::Pos2>> = const { Cell::new(None) };
+}
+
+/// Lets the person choose a file; its content is posted to `mailbox`.
+pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
+    let (label, extensions) = endings(purpose);
+    let dialog = rfd::AsyncFileDialog::new().add_filter(label, extensions).pick_file();
+    wasm_bindgen_futures::spawn_local(async move {
+        if let Some(file) = dialog.await {
+            let bytes = Ok(file.read().await);
+            mailbox.post(Event::File { purpose, name: file.file_name(), bytes });
+        }
+    });
+}
+
+/// Reads a dropped file and posts its content to `mailbox`.
+pub fn read_dropped(file: &egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
+    let file = file.clone();
+    wasm_bindgen_futures::spawn_local(async move {
+        let name = file.path().to_string_lossy().into_owned();
+        let bytes = file.bytes_async().await;
+        mailbox.post(Event::File { purpose: FilePurpose::Dropped(side), name, bytes });
+    });
+}
+
+/// Where the pointer is while a file is dragged over the page.
+///
+/// The browser sends no pointer events during such a drag; [`follow_drags`] notes its drag events.
+pub fn drop_position(_context: &egui::Context) -> Option<egui::Pos2> {
+    LAST_DRAG.get()
+}
+
+/// Notes where files are dragged.
+pub fn follow_drags(document: &web_sys::Document) {
+    let note = Closure::<dyn FnMut(DragEvent)>::new(|event: DragEvent| {
+        LAST_DRAG.set(Some(egui::pos2(event.client_x() as f32, event.client_y() as f32)));
+        // Outside of the canvas the browser would open the file in place of the page.
+        event.prevent_default();
+    });
+    for name in ["dragover", "drop"] {
+        // In the capturing phase: the canvas stops these events from going up.
+        let _ = document.add_event_listener_with_callback_and_bool(name, note.as_ref().unchecked_ref(), true);
+    }
+    note.forget();
+}

@@ -1,0 +1,30 @@
+//! The browser: one wasm binary for the page and its two workers.
+//!
+//! [`start`] looks at where it runs. In the page it starts the app in the
+//! canvas and puts `window.riemap` there; in a worker it listens for requests.
+
+mod bridge;
+mod engine;
+mod files;
+mod messages;
+mod page;
+mod preparer;
+
+pub use files::{drop_position, pick_file, read_dropped};
+pub use preparer::Preparer;
+
+use wasm_bindgen::JsCast;
+use web_sys::DedicatedWorkerGlobalScope;
+
+/// Starts what belongs here: the app in a page, the engine in a worker.
+///
+/// Returns at once; what goes wrong later is shown in the page.
+#[allow(clippy::unnecessary_wraps, reason = "the desktop's start can fail")]
+pub fn start() -> Result<(), String> {
+    gemm_common::set_wasm_simd128(true);
+    match js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
+        Ok(scope) => engine::listen(scope),
+        Err(_) => page::start(),
+    }
+    Ok(())
+}

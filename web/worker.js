@@ -1,0 +1,20 @@
+// Starts the engine in a worker. The first message brings the address of the
+// page's glue and its compiled module; whatever comes before the engine listens
+// is kept and handed on in order.
+const early = [];
+const keep = (event) => early.push(event.data);
+
+async function boot({ data: { glue, module } }) {
+  self.addEventListener("message", keep);
+  const { default: init } = await import(glue);
+  await init({ module_or_path: module });
+  self.removeEventListener("message", keep);
+  for (const data of early) self.dispatchEvent(new MessageEvent("message", { data }));
+}
+
+self.addEventListener(
+  "message",
+  // A rejected promise would not reach the page; a thrown error does.
+  (event) => boot(event).catch((error) => setTimeout(() => { throw error; })),
+  { once: true },
+);
