@@ -39,7 +39,11 @@ pub(super) struct Station {
 
 /// The outline at equal steps.
 pub(super) struct Table {
-    pub points: Vec<DVec2>,
+    /// [`STEPS`] points from the end, then all of them, then as many from the start.
+    padded: Vec<DVec2>,
+    /// The number of steps around.
+    pub count: usize,
+    /// The arc length of a step.
     pub step: f64,
 }
 
@@ -50,41 +54,42 @@ impl Table {
         let count = stations as usize * STATION;
         let step = arc.length() / count as f64;
         let mut edge = 0;
-        let points = (0..count)
-            .map(|i| {
-                let s = i as f64 * step;
-                edge = arc.advance(edge, s);
-                arc.point_on(edge, s)
-            })
-            .collect();
-        Self { points, step }
-    }
-
-    pub fn at(&self, i: usize) -> DVec2 {
-        self.points[i % self.points.len()]
-    }
-
-    /// The largest distance from the chord over `2 half` steps around point `i`, at eight places.
-    fn deviation(&self, i: usize, half: usize) -> f64 {
-        let n = self.points.len();
-        let start = i + n - half;
-        let (a, b) = (self.at(start), self.at(i + half));
-        let chord = b - a;
-        let length = chord.length();
-        let each = (2 * half / 8).max(1);
-        let mut worst = 0.0f64;
-        for k in (each..2 * half).step_by(each) {
-            let offset = self.at(start + k) - a;
-            // beyond the ends of the chord the outline has folded back
-            let along = offset.dot(chord);
-            let d = if along < 0.0 || along > length * length {
-                offset.length().min((self.at(start + k) - b).length())
-            } else {
-                (offset.perp_dot(chord) / length).abs()
-            };
-            worst = worst.max(d);
+        let mut points = Vec::with_capacity(count);
+        for i in 0..count {
+            let s = i as f64 * step;
+            edge = arc.advance(edge, s);
+            points.push(arc.point_on(edge, s));
         }
-        worst
+        let around = (0..count + 2 * STEPS).map(|i| points[(i + count * STEPS - STEPS) % count]);
+        Self { padded: around.collect(), count, step }
+    }
+
+    /// The point at step `i`, up to [`STEPS`] beyond either end.
+    pub fn at(&self, i: isize) -> DVec2 {
+        self.padded[(i + STEPS as isize) as usize]
+    }
+
+    /// The largest distance from the chord over `2 half` steps around step `i`, at up to seven places.
+    fn deviation(&self, i: usize, half: usize) -> f64 {
+        let window = &self.padded[i + STEPS - half..=i + STEPS + half];
+        let (a, b) = (window[0], window[2 * half]);
+        let chord = b - a;
+        let length2 = chord.length_squared();
+        let stride = (half / 4).max(1);
+        let mut worst = 0.0f64;
+        for &p in window[1..2 * half].iter().skip(stride - 1).step_by(stride) {
+            let offset = p - a;
+            let along = offset.dot(chord);
+            // beyond the ends of the chord the outline has folded back
+            let d2 = if along < 0.0 || along > length2 {
+                offset.length_squared().min((p - b).length_squared())
+            } else {
+                let cross = offset.perp_dot(chord);
+                cross * cross / length2
+            };
+            worst = worst.max(d2);
+        }
+        worst.sqrt()
     }
 }
 
@@ -102,7 +107,7 @@ impl Spacing {
         let table = Table::new(arc, base);
         let floor = base / FLOOR;
         let mut at_stations: Vec<f64> =
-            (0..table.points.len()).step_by(STATION).map(|i| by_curvature(&table, i, base).max(floor)).collect();
+            (0..table.count).step_by(STATION).map(|i| by_curvature(&table, i, base).max(floor)).collect();
         limit_by_width(&table, STATION, base, floor, &mut at_stations);
         let corners = corners(arc, floor);
         let regular = at_stations.iter().enumerate().map(|(k, &h)| Station { s: (k * STATION) as f64 * table.step, h });
