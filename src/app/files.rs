@@ -1,6 +1,6 @@
 //! Files that came in: which are outlines, which are images, and what is wrong with the others.
 
-use crate::outline::{Outline, parse};
+use crate::outline::Outline;
 use crate::platform::FilePurpose;
 use crate::conformal::Side;
 
@@ -50,7 +50,15 @@ pub fn read(
         let pixels = decode(&bytes, max_image_side).map_err(failed)?;
         return Ok(Content::Image(Picture { name: name.to_owned(), pixels }));
     }
-    parse(name, &bytes).map(|outline| Content::Outline(side, outline)).map_err(|error| failed(error.to_string()))
+    parse(name, &bytes).map(|outline| Content::Outline(side, outline)).map_err(failed)
+}
+
+/// A JSON array of points, until the outline room's reader for all formats is there.
+fn parse(name: &str, bytes: &[u8]) -> Result<Outline, String> {
+    let points: Vec<[f64; 2]> = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
+    let points: Vec<glam::DVec2> = points.into_iter().map(glam::DVec2::from).collect();
+    let polygon = crate::geometry::SimplePolygon::try_from(points).map_err(|error| error.to_string())?;
+    Ok(Outline { name: name.to_owned(), polygon, notes: Vec::new() })
 }
 
 fn is_image_name(name: &str) -> bool {

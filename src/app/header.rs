@@ -5,7 +5,7 @@ use super::model::Model;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use super::view::View;
 use super::widgets::{self, MessageAnswer, grouped, message_box, milliseconds};
-use super::{shapes, words};
+use super::{shapes, theme, words};
 use crate::conformal::Side;
 use crate::session::Command;
 use egui::{Align, Layout, Rect, RichText, Ui, UiBuilder, vec2};
@@ -31,7 +31,7 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, narrow: bool, a
 fn title(ui: &mut Ui, side: Side, model: &Model) {
     let palette = Palette::of(ui.visuals());
     let name = words::outline(&model.session().domain(side).outline);
-    ui.label(RichText::new(format!("{} · {name}", words::side(side))).strong().size(14.0).color(palette.text));
+    ui.label(RichText::new(format!("{} · {name}", words::side(side))).font(theme::bold(14.0)).color(palette.text));
     let Some(domain) = model.domain(side) else { return };
     let sizes = format!(
         "m {} · n {} · prepared in {}",

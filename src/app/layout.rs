@@ -3,7 +3,7 @@
 
 use super::action::{Action, Actions};
 use super::theme::Palette;
-use super::widgets::message_box;
+use super::widgets::{chevron, message_box};
 use super::{PHONE_WIDTH, RiemapApp, SIDES, header, side_panel, status, top_bar, viewport};
 use egui::{Frame, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
 
@@ -55,9 +55,10 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     let height = 0.45 * ui.ctx().content_rect().height();
     Panel::bottom("sheet").resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
-        let label = if app.sheet_open { "Controls  ⏷" } else { "Controls  ⏶" };
-        let button = egui::Button::new(RichText::new(label).color(palette.text)).frame(false);
-        if ui.add_sized(vec2(ui.available_width(), 40.0), button).clicked() {
+        let button = egui::Button::new(RichText::new("Controls").color(palette.text)).frame(false);
+        let response = ui.add_sized(vec2(ui.available_width(), 40.0), button);
+        chevron(ui, response.rect, !app.sheet_open);
+        if response.clicked() {
             app.sheet_open = !app.sheet_open;
         }
         if app.sheet_open {

@@ -3,10 +3,12 @@
 use super::action::{Action, Actions};
 use super::model::bounds;
 use super::theme::{Palette, ROUNDING};
+use super::widgets::chevron;
 use super::words;
 use crate::conformal::Side;
 use crate::outline::Preset;
 use crate::session::{Command, OutlineSpec};
+use egui::containers::menu::MenuButton;
 use egui::{
     Align2, Color32, CornerRadius, Id, Pos2, Rect, Response, Sense, Shape, Stroke, TextStyle, Ui, WidgetInfo, Role,
     vec2,
@@ -20,8 +22,11 @@ const PICTURE_POINTS: usize = 160;
 
 /// A button that opens the menu of a side's outlines.
 pub fn menu_button(ui: &mut Ui, label: &str, side: Side, current: &OutlineSpec, actions: &mut Actions) {
-    let button = egui::Button::new(format!("{label}  ⏷"));
-    egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| menu(ui, side, current, actions));
+    // The spaces make room for the chevron.
+    let button = egui::Button::new(format!("{label}     "));
+    let (response, _) = MenuButton::from_button(button).ui(ui, |ui| menu(ui, side, current, actions));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
+    chevron(ui, response.rect, false);
 }
 
 fn menu(ui: &mut Ui, side: Side, current: &OutlineSpec, actions: &mut Actions) {

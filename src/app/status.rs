@@ -9,11 +9,15 @@ use egui::{Align, Layout, RichText, Ui};
 /// Frames further apart than this are not counted for the frame rate: nothing moved.
 const PAUSE_SECONDS: f32 = 0.1;
 
+/// The first frames build the fonts and the pipelines.
+const WARM_UP_FRAMES: u32 = 4;
+
 /// Frame times and what the backend says about itself.
 #[derive(Debug, Clone, Default)]
 pub struct FrameMeter {
     frame_seconds: Option<f32>,
     draw_ms: f64,
+    frames: u32,
 }
 
 impl FrameMeter {
@@ -23,7 +27,8 @@ impl FrameMeter {
             let old = self.frame_seconds.unwrap_or(since_last);
             self.frame_seconds = Some(0.9 * old + 0.1 * since_last);
         }
-        if let Some(seconds) = cpu_seconds {
+        self.frames = self.frames.saturating_add(1);
+        if let Some(seconds) = cpu_seconds.filter(|_| self.frames > WARM_UP_FRAMES) {
             let draw = (f64::from(seconds) * 1e3 - compute_ms).max(0.0);
             self.draw_ms = if self.draw_ms == 0.0 { draw } else { 0.8 * self.draw_ms + 0.2 * draw };
         }

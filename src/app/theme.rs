@@ -3,12 +3,17 @@
 //! Widgets take their colours from egui's visuals, which are set from the
 //! [`Palette`] here; what is painted by hand asks [`Palette::of`].
 
-use egui::{Color32, CornerRadius, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme, Visuals};
+use egui::{
+    Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme, Visuals,
+};
+use std::sync::Arc;
 
 /// The height of buttons, segmented switches and rows.
 pub const ROW_HEIGHT: f32 = 28.0;
 /// The rounding of buttons and switches.
 pub const ROUNDING: u8 = 6;
+
+const SEMIBOLD: &str = "Inter SemiBold";
 
 /// The interior handles: Okabe–Ito's bluish green, a little lighter for the dark ground.
 pub const INTERIOR_COLOUR: Color32 = Color32::from_rgb(22, 173, 121);
@@ -85,8 +90,30 @@ impl Palette {
     }
 }
 
-/// Sets up both themes and begins with the dark one.
+/// The font of titles.
+pub fn bold(size: f32) -> FontId {
+    FontId::new(size, FontFamily::Name(SEMIBOLD.into()))
+}
+
+/// Inter, with egui's own fonts for what it lacks (symbols).
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    let fallback = fonts.families.get(&FontFamily::Proportional).cloned().unwrap_or_default();
+    let files: [(&str, &'static [u8], FontFamily); 2] = [
+        ("Inter", include_bytes!("fonts/Inter-Regular.otf"), FontFamily::Proportional),
+        (SEMIBOLD, include_bytes!("fonts/Inter-SemiBold.otf"), FontFamily::Name(SEMIBOLD.into())),
+    ];
+    for (name, bytes, family) in files {
+        fonts.font_data.insert(String::from(name), Arc::new(FontData::from_static(bytes)));
+        let names = std::iter::once(String::from(name)).chain(fallback.iter().cloned()).collect();
+        fonts.families.insert(family, names);
+    }
+    fonts
+}
+
+/// Sets up fonts and both themes and begins with the dark one.
 pub fn install(context: &egui::Context) {
+    context.set_fonts(fonts());
     context.set_style_of(Theme::Dark, style(&DARK, Visuals::dark()));
     context.set_style_of(Theme::Light, style(&LIGHT, Visuals::light()));
     context.set_theme(Theme::Dark);
@@ -105,8 +132,8 @@ fn style(palette: &Palette, visuals: Visuals) -> Style {
     let mut style = Style { visuals: coloured(palette, visuals), ..Style::default() };
     let sizes = [
         (TextStyle::Heading, 16.0),
-        (TextStyle::Body, 13.5),
-        (TextStyle::Button, 13.5),
+        (TextStyle::Body, 13.0),
+        (TextStyle::Button, 13.0),
         (TextStyle::Small, 12.0),
     ];
     for (name, size) in sizes {

@@ -3,14 +3,14 @@
 use super::action::{Action, Actions};
 use super::model::{Model, SIDES};
 use super::theme::Palette;
-use super::{shapes, words};
+use super::{shapes, theme, words};
 use egui::{Align, Layout, RichText, Ui};
 
 /// Shows the bar.
 pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
     ui.horizontal_centered(|ui| {
         let palette = Palette::of(ui.visuals());
-        ui.label(RichText::new("riemap").strong().size(18.0).color(palette.text))
+        ui.label(RichText::new("riemap").font(theme::bold(18.0)).color(palette.text))
             .on_hover_text("The conformal map between two outlines, by matching harmonic measure");
         ui.add_space(if narrow { 2.0 } else { 10.0 });
         for side in SIDES {

@@ -1,7 +1,7 @@
 //! The controls that egui does not have in this look: segmented switches,
 //! sliders with a caption above, headings of groups, messages.
 
-use super::theme::{Palette, ROUNDING, ROW_HEIGHT};
+use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold};
 use egui::{
     Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Sense, Stroke, StrokeKind, TextStyle,
     Ui, WidgetInfo, Role, vec2,
@@ -64,8 +64,21 @@ pub fn captioned_slider(
     range: RangeInclusive<f64>,
     logarithmic: bool,
 ) -> Option<f64> {
+    ui.scope(|ui| slider_rows(ui, caption, shown, value, range, logarithmic)).inner
+}
+
+fn slider_rows(
+    ui: &mut Ui,
+    caption: &str,
+    shown: &str,
+    value: f64,
+    range: RangeInclusive<f64>,
+    logarithmic: bool,
+) -> Option<f64> {
     let palette = Palette::of(ui.visuals());
+    ui.spacing_mut().item_spacing.y = 2.0;
     ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = 20.0;
         ui.label(caption);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.label(RichText::new(shown).color(palette.weak));
@@ -90,7 +103,7 @@ pub fn captioned_slider(
 pub fn group_heading(ui: &mut Ui, text: &str) {
     let palette = Palette::of(ui.visuals());
     ui.add_space(6.0);
-    ui.label(RichText::new(text.to_uppercase()).size(11.0).strong().color(palette.weak).extra_letter_spacing(0.8));
+    ui.label(RichText::new(text.to_uppercase()).font(bold(11.0)).color(palette.weak).extra_letter_spacing(0.8));
 }
 
 /// What the person wants done about a message.
@@ -131,6 +144,14 @@ pub fn message_box(ui: &mut Ui, text: &str, can_retry: bool) -> Option<MessageAn
             answer
         })
         .inner
+}
+
+/// A chevron at the right end of a button that opens something, down or up.
+pub fn chevron(ui: &Ui, button: Rect, up: bool) {
+    let center = button.right_center() - vec2(13.0, 0.0);
+    let (half, rise) = (4.0, if up { -2.0 } else { 2.0 });
+    let points = vec![center + vec2(-half, -rise), center + vec2(0.0, rise), center + vec2(half, -rise)];
+    ui.painter().line(points, Stroke::new(1.5, Palette::of(ui.visuals()).weak));
 }
 
 /// A dot as in the legend.
