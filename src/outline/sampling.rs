@@ -134,10 +134,10 @@ impl BoundarySamples {
 /// The largest number of samples.
 pub const MAX_SAMPLES: u32 = 200_000;
 
-/// A vertex that turns by more than this is a corner (30°). Hand-drawn outlines of
+/// A vertex is a corner if it turns by more than 30°; this is the cosine. Hand-drawn outlines of
 /// 200 points turn by up to 20° where they are meant to be smooth; a regular
 /// octagon, the least cornered thing that is still drawn with corners, by 45°.
-pub(super) const CORNER_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
+const CORNER_COSINE: f64 = 0.866_025_403_784_438_6;
 
 /// Samples the boundary of `polygon`. The first sample is the polygon's first vertex.
 ///

@@ -6,10 +6,12 @@
 //! the outline are added as samples until they do not; in the limit the chords are
 //! the outline itself.
 
+use super::CORNER_COSINE;
 use super::arc::Arc;
 use super::chords::first_vertices_to_add;
 use super::spacing::{Spacing, Station, samples_between};
 use super::uniform::apportion;
+use std::ops::RangeInclusive;
 
 /// Without a target, H starts at the perimeter divided by this: what a circle gets.
 const BASE_SAMPLES: f64 = 250.0;
@@ -21,6 +23,15 @@ const ENOUGH_SAMPLES: f64 = 700.0;
 /// Spacings are computed for at most this many samples, and scaled beyond.
 const LARGEST_FIELD: f64 = 1500.0;
 
+/// The number of samples that the spacing asks for may differ this much from the wanted one.
+const TOLERANCE: f64 = 0.1;
+
+/// Steps of the search for H: three suffice for every outline tried.
+const STEPS: usize = 5;
+
+/// The first guess at d ln(number) / d ln(H): spiky outlines have −0.5, round ones −1.
+const FIRST_SLOPE: f64 = -0.7;
+
 /// H never exceeds the perimeter divided by this.
 const LEAST_BASE_SAMPLES: f64 = 8.0;
 
@@ -30,21 +41,18 @@ const ROUNDS: usize = 24;
 
 /// The arc lengths of the samples.
 pub(super) fn positions(arc: &Arc, target: Option<u32>) -> Vec<f64> {
-    let length = arc.length();
+    let (length, sharp) = (arc.length(), arc.sharp_vertices(CORNER_COSINE));
+    let search = |base: f64, most: f64, least: f64| spacing_between(arc, &sharp, base, least..=most);
     let (spacing, count) = match target {
         None => {
-            let spacing = Spacing::new(arc, length / BASE_SAMPLES);
-            let count = spacing.count(length);
-            if count > ENOUGH_SAMPLES {
-                (spacing_for(arc, ENOUGH_SAMPLES, spacing), ENOUGH_SAMPLES)
-            } else {
-                (spacing, count.max(BASE_SAMPLES))
-            }
+            let spacing = search(length / BASE_SAMPLES, ENOUGH_SAMPLES, 0.0);
+            let count = spacing.count(length).clamp(BASE_SAMPLES, ENOUGH_SAMPLES);
+            (spacing, count)
         }
         Some(target) => {
             let wanted = f64::from(target).min(LARGEST_FIELD);
-            let start = Spacing::new(arc, length / wanted.max(LEAST_BASE_SAMPLES));
-            (spacing_for(arc, wanted, start), f64::from(target))
+            let base = length / wanted.max(LEAST_BASE_SAMPLES);
+            (search(base, (1.0 + TOLERANCE) * wanted, (1.0 - TOLERANCE) * wanted), f64::from(target))
         }
     };
     let mut positions = place(&spacing, length, count.round() as usize);
@@ -60,25 +68,28 @@ pub(super) fn positions(arc: &Arc, target: Option<u32>) -> Vec<f64> {
     positions
 }
 
-/// Adjusts H, from the spacing `start` on, until the spacing asks for about `wanted` samples.
+/// Adjusts H, from `base` on, until the spacing asks for a number of samples in `wanted`.
 ///
-/// The number is nearly α/H + β, with β for the corners, so a step in proportion falls
-/// short: it is repeated. What is left, [`place`] makes up for by scaling.
-fn spacing_for(arc: &Arc, wanted: f64, start: Spacing) -> Spacing {
+/// ln(number) is nearly linear in ln H, with a slope between −1 (smooth) and
+/// nearly 0 (corners only), so this is the secant method on it. What is left of
+/// the difference, [`place`] makes up for by scaling.
+fn spacing_between(arc: &Arc, sharp: &[usize], mut base: f64, wanted: RangeInclusive<f64>) -> Spacing {
     let length = arc.length();
-    let mut spacing = start;
-    let mut base = length / wanted.max(LEAST_BASE_SAMPLES);
-    for _ in 0..5 {
-        let ratio = spacing.count(length) / wanted;
-        if (0.9..1.1).contains(&ratio) {
+    let mut spacing = Spacing::new(arc, sharp, base);
+    let mut slope = FIRST_SLOPE;
+    for _ in 0..STEPS {
+        let count = spacing.count(length);
+        if wanted.contains(&count) {
             break;
         }
-        let next = (base * ratio.clamp(0.3, 4.0)).min(length / LEAST_BASE_SAMPLES);
+        let aim = if count > *wanted.end() { 0.95 * wanted.end() } else { 1.05 * wanted.start() };
+        let next = (base * (aim / count).powf(1.0 / slope)).min(length / LEAST_BASE_SAMPLES);
         if next == base {
             break;
         }
+        spacing = Spacing::new(arc, sharp, next);
+        slope = ((spacing.count(length) / count).ln() / (next / base).ln()).clamp(-1.0, -0.2);
         base = next;
-        spacing = Spacing::new(arc, base);
     }
     spacing
 }

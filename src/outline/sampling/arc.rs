@@ -60,10 +60,17 @@ impl<'a> Arc<'a> {
         self.vertices[k].lerp(self.vertices[(k + 1) % self.vertices.len()], t)
     }
 
-    /// The exterior angle at vertex `k`: positive at convex corners.
-    pub fn turn(&self, k: usize) -> f64 {
+    /// Whether the outline turns at vertex `k` by more than the angle (at most 90°) with this cosine.
+    pub fn turns_beyond(&self, k: usize, cosine: f64) -> bool {
         let n = self.vertices.len();
         let (a, b, c) = (self.vertices[(k + n - 1) % n], self.vertices[k], self.vertices[(k + 1) % n]);
-        (b - a).angle_to(c - b)
+        let (before, after) = (b - a, c - b);
+        let dot = before.dot(after);
+        dot <= 0.0 || dot * dot < cosine * cosine * before.length_squared() * after.length_squared()
+    }
+
+    /// The vertices after the first one that turn beyond the angle with this cosine.
+    pub fn sharp_vertices(&self, cosine: f64) -> Vec<usize> {
+        (1..self.vertices.len()).filter(|&k| self.turns_beyond(k, cosine)).collect()
     }
 }

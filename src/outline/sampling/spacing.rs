@@ -8,7 +8,7 @@
 //! the spacing do not count and wiggles of its size do.
 //! Cost O(L/H), whatever the number of polygon vertices.
 
-use super::CORNER_ANGLE;
+use super::CORNER_COSINE;
 use super::arc::Arc;
 use super::width::limit_by_width;
 use crate::geometry::DVec2;
@@ -102,14 +102,14 @@ pub(super) struct Spacing {
 }
 
 impl Spacing {
-    /// The spacing with base spacing `base`.
-    pub fn new(arc: &Arc, base: f64) -> Self {
+    /// The spacing with base spacing `base`; `sharp` are the vertices that may be corners.
+    pub fn new(arc: &Arc, sharp: &[usize], base: f64) -> Self {
         let table = Table::new(arc, base);
         let floor = base / FLOOR;
         let mut at_stations: Vec<f64> =
             (0..table.count).step_by(STATION).map(|i| by_curvature(&table, i, base).max(floor)).collect();
         limit_by_width(&table, STATION, base, floor, &mut at_stations);
-        let corners = corners(arc, floor);
+        let corners = corners(arc, sharp, floor);
         let regular = at_stations.iter().enumerate().map(|(k, &h)| Station { s: (k * STATION) as f64 * table.step, h });
         let mut stations: Vec<Station> = regular.chain(corners.iter().map(|&(s, _)| Station { s, h: floor })).collect();
         stations.sort_by(|a, b| a.s.total_cmp(&b.s));
@@ -158,16 +158,16 @@ fn by_curvature(table: &Table, i: usize, base: f64) -> f64 {
 /// Where the outline turns sharply both at a vertex and over twice the floor
 /// around it (so sharp wiggles below the floor are no corners). Of corners nearer
 /// to each other than a quarter of the floor the first is taken.
-fn corners(arc: &Arc, floor: f64) -> Vec<(f64, f64)> {
+fn corners(arc: &Arc, sharp: &[usize], floor: f64) -> Vec<(f64, f64)> {
     let length = arc.length();
     let mut corners: Vec<(f64, f64)> = Vec::new();
-    for k in (1..arc.vertices().len()).filter(|&k| arc.turn(k).abs() > CORNER_ANGLE) {
+    for &k in sharp {
         let (s, p) = (arc.at_vertex(k), arc.vertices()[k]);
         let before = arc.point((s - floor).rem_euclid(length));
         let after = arc.point((s + floor).rem_euclid(length));
         let turn = (p - before).angle_to(after - p).abs();
         let last = corners.last().map_or(0.0, |c| c.0);
-        if turn > CORNER_ANGLE && s - last > 0.25 * floor && length - s > 0.25 * floor {
+        if turn.cos() < CORNER_COSINE && s - last > 0.25 * floor && length - s > 0.25 * floor {
             corners.push((s, turn));
         }
     }

@@ -1,7 +1,7 @@
 //! Samples equally spaced in arc length, with or without the outline's corners.
 
 use super::arc::Arc;
-use super::{CORNER_ANGLE, SamplingError};
+use super::{CORNER_COSINE, SamplingError};
 
 /// The arc lengths `k L / count`.
 pub(super) fn equal(arc: &Arc, count: u32) -> Vec<f64> {
@@ -12,7 +12,8 @@ pub(super) fn equal(arc: &Arc, count: u32) -> Vec<f64> {
 /// pieces between corners are divided equally, each into nearly
 /// `count · length / L` parts.
 pub(super) fn with_corners(arc: &Arc, count: u32) -> Result<Vec<f64>, SamplingError> {
-    let corners = corners(arc);
+    let mut corners = arc.sharp_vertices(CORNER_COSINE);
+    corners.insert(0, 0);
     if corners.len() > count as usize {
         return Err(SamplingError::MoreCornersThanSamples { corners: corners.len(), count });
     }
@@ -24,11 +25,6 @@ pub(super) fn with_corners(arc: &Arc, count: u32) -> Result<Vec<f64>, SamplingEr
         (0..parts).map(move |j| start + (end(i) - start) * (j as f64 / parts as f64))
     };
     Ok((0..corners.len()).flat_map(piece).collect())
-}
-
-/// The first vertex, and the vertices that turn by more than [`CORNER_ANGLE`].
-pub(super) fn corners(arc: &Arc) -> Vec<usize> {
-    (0..arc.vertices().len()).filter(|&k| k == 0 || arc.turn(k).abs() > CORNER_ANGLE).collect()
 }
 
 /// Divides `count` seats among pieces, at least one each, nearly in proportion
