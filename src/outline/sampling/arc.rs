@@ -40,6 +40,14 @@ impl<'a> Arc<'a> {
         (self.cumulative.partition_point(|&c| c <= s).max(1) - 1).min(self.vertices.len() - 1)
     }
 
+    /// The edge that contains arc length `s`, searched from `edge` on.
+    pub fn advance(&self, mut edge: usize, s: f64) -> usize {
+        while edge + 1 < self.vertices.len() && self.cumulative[edge + 1] <= s {
+            edge += 1;
+        }
+        edge
+    }
+
     /// The point at arc length `s`, for `0 ≤ s < length`; a vertex exactly where `s` is its arc length.
     pub fn point(&self, s: f64) -> DVec2 {
         self.point_on(self.edge_at(s), s)

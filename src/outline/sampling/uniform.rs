@@ -33,8 +33,8 @@ pub(super) fn corners(arc: &Arc) -> Vec<usize> {
 
 /// Divides `count` seats among pieces, at least one each, nearly in proportion
 /// to their lengths (largest remainder; the first of equals wins).
-fn apportion(lengths: &[f64], count: usize) -> Vec<usize> {
-    let free = count - lengths.len();
+pub(super) fn apportion(lengths: &[f64], count: usize) -> Vec<usize> {
+    let free = count.saturating_sub(lengths.len());
     let total: f64 = lengths.iter().sum();
     // a piece needs `quota` parts, one of which it has already
     let quota = |length: f64| (length / total * count as f64 - 1.0).max(0.0);
