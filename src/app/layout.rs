@@ -99,7 +99,8 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     }
     let palette = Palette::of(ui.visuals());
     let [a, b] = rects;
-    let divider = if a.bottom() <= b.top() { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
+    let divider =
+        if a.bottom() <= b.top() { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
     ui.painter().line_segment(divider, Stroke::new(1.0, palette.border));
     image_message(app, ui, &mut actions);
     app.carry_out(&context, actions);

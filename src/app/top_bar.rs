@@ -24,7 +24,8 @@ pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
             if ui.button(icon).on_hover_text(tooltip).clicked() {
                 actions.push(Action::ToggleTheme);
             }
-            if !narrow && ui.button("Panels").on_hover_text("Fold the panels away, or bring them back (Tab)").clicked() {
+            if !narrow && ui.button("Panels").on_hover_text("Fold the panels away, or bring them back (Tab)").clicked()
+            {
                 actions.push(Action::TogglePanels);
             }
         });
