@@ -19,6 +19,8 @@ pub mod worker;
 
 #[cfg(feature = "app")]
 pub mod app;
+#[cfg(all(feature = "app", not(target_arch = "wasm32")))]
+pub mod cli;
 #[cfg(feature = "app")]
 pub mod platform;
 #[cfg(feature = "app")]

@@ -1,1 +1,8 @@
 //! Closed forms used as truth.
+
+pub mod blob;
+mod complex;
+pub mod disk;
+pub mod vshape;
+
+pub use complex::Complex;

@@ -42,11 +42,12 @@ pub struct RootPaths {
 }
 
 impl RootPaths {
+    /// Empties the set and makes room for the chunks of another factor.
     fn clear(&mut self, count: usize) {
-        self.seen.resize(count, false);
         for c in self.chunks.drain(..) {
             self.seen[c as usize] = false;
         }
+        self.seen.resize(count, false);
     }
 }
 

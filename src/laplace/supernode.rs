@@ -74,7 +74,9 @@ impl Chunks {
         let first_row = self.rows.len();
         self.rows.extend((start..start + columns).map(|c| c as u32));
         self.rows.extend_from_slice(supernode.pattern());
-        let block = supernode.val();
+        let rows_in_all = supernode.val().nrows();
+        let start_of_values = factor.symbolic().col_ptr_for_val()[s] as usize;
+        let block = &factor.values()[start_of_values..][..rows_in_all * columns];
         let mut offset = 0;
         while offset < columns {
             let width = WIDTHS.into_iter().find(|&w| offset + w as usize <= columns).unwrap_or(1) as usize;
@@ -85,14 +87,27 @@ impl Chunks {
                 row_count: (self.rows.len() - first_row - offset - width) as u32,
                 values: self.values.len() as u32,
             });
-            for row in offset..block.nrows() {
-                self.values.extend((offset..offset + width).map(|column| match row.cmp(&column) {
-                    std::cmp::Ordering::Less => 0.0,
-                    std::cmp::Ordering::Equal => block[(row, column)].recip(),
-                    std::cmp::Ordering::Greater => block[(row, column)],
-                }));
+            match width {
+                8 => self.push_rows::<8>(block, rows_in_all, offset),
+                4 => self.push_rows::<4>(block, rows_in_all, offset),
+                2 => self.push_rows::<2>(block, rows_in_all, offset),
+                _ => self.push_rows::<1>(block, rows_in_all, offset),
             }
             offset += width;
+        }
+    }
+
+    /// Appends W columns of a column-major block (of `rows` rows), from row and column `offset` on, row by row.
+    fn push_rows<const W: usize>(&mut self, block: &[f64], rows: usize, offset: usize) {
+        let first = self.values.len();
+        let columns: [&[f64]; W] =
+            std::array::from_fn(|j| &block[(offset + j) * rows + offset..(offset + j + 1) * rows]);
+        for row in 0..rows - offset {
+            self.values.extend(columns.map(|column| column[row]));
+        }
+        for (i, row) in self.values[first..][..W * W].chunks_exact_mut(W).enumerate() {
+            row[i] = row[i].recip();
+            row[i + 1..].fill(0.0);
         }
     }
 }

@@ -30,6 +30,9 @@ const BOUNDARY_GROWTH: f64 = 0.5;
 /// The next layer is `cos 30°` of an edge away, but proposals come along edges.
 const PATH_FACTOR: f64 = 0.93;
 
+/// A rotation by 60°.
+const SIXTH: DVec2 = DVec2::new(0.5, 0.866_025_403_784_438_6);
+
 /// Points whose spacing is the boundary's plus `growth` times the distance to it.
 pub(super) fn seeds(boundary: &[DVec2], growth: f64) -> Result<Vec<DVec2>, MeshError> {
     let mut front = Front::new(boundary, growth);
@@ -38,7 +41,7 @@ pub(super) fn seeds(boundary: &[DVec2], growth: f64) -> Result<Vec<DVec2>, MeshE
         let (a, b) = (boundary[k], boundary[(k + 1) % m]);
         let size = 0.5 * (front.grid.size(k as u32) + front.grid.size(((k + 1) % m) as u32));
         let apex = 0.5 * (a + b) + (b - a).normalize_or_zero().perp() * (APEX * size.min(a.distance(b)));
-        front.propose(apex, size * (1.0 + APEX * growth), (b - a).to_angle());
+        front.propose(apex, size * (1.0 + APEX * growth), (b - a).normalize_or(DVec2::X));
     }
     let mut next = 0;
     while next < front.directions.len() {
@@ -55,8 +58,8 @@ struct Front<'a> {
     grid: LevelGrid,
     /// The grid's points before this are on the boundary.
     fixed: usize,
-    /// The orientation of the hexagon around each interior point.
-    directions: Vec<f64>,
+    /// A corner of the hexagon around each interior point.
+    directions: Vec<DVec2>,
     growth: f64,
 }
 
@@ -78,14 +81,14 @@ impl<'a> Front<'a> {
     fn grow(&mut self, k: usize) {
         let id = (self.fixed + k) as u32;
         let (centre, size) = (self.grid.positions()[id as usize], self.grid.size(id));
-        for sixth in 0..6 {
-            let angle = self.directions[k] + f64::from(sixth) * std::f64::consts::FRAC_PI_3;
-            let p = centre + size * DVec2::from_angle(angle);
-            self.propose(p, size * (1.0 + PATH_FACTOR * self.growth), angle);
+        let mut direction = self.directions[k];
+        for _ in 0..6 {
+            self.propose(centre + size * direction, size * (1.0 + PATH_FACTOR * self.growth), direction);
+            direction = SIXTH.rotate(direction);
         }
     }
 
-    fn propose(&mut self, p: DVec2, size: f64, direction: f64) {
+    fn propose(&mut self, p: DVec2, size: f64, direction: DVec2) {
         let growth = self.growth;
         let mut local = size;
         let near = self.grid.any_within(p, size, |distance, other| {

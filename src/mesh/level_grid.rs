@@ -34,8 +34,8 @@ impl LevelGrid {
         self.positions.push(p);
         self.sizes.push(size);
         self.next.push([NONE; 3]);
-        if 2 * self.positions.len() > self.heads.len() {
-            self.heads = vec![NONE; (4 * self.heads.len()).max(4096)];
+        if 4 * self.positions.len() > self.heads.len() {
+            self.heads = vec![NONE; (4 * self.heads.len()).max(16_384)];
             (0..self.positions.len()).for_each(|k| self.enter(k));
         } else {
             self.enter(self.positions.len() - 1);
@@ -47,7 +47,7 @@ impl LevelGrid {
         for slot in 0..3 {
             let at = own + slot - 1;
             let cell = self.positions[k] * cells_per_unit(at);
-            let bucket = self.bucket(at, cell.x.floor() as i64, cell.y.floor() as i64);
+            let bucket = self.bucket(at, floor(cell.x), floor(cell.y));
             self.next[k][slot as usize] = self.heads[bucket];
             self.heads[bucket] = 3 * k as u32 + slot as u32;
         }
@@ -64,21 +64,26 @@ impl LevelGrid {
     pub fn any_within(&self, p: DVec2, radius: f64, mut test: impl FnMut(f64, f64) -> bool) -> bool {
         let level = level(radius);
         let scale = cells_per_unit(level);
-        let (low, high) = ((p - radius) * scale, (p + radius) * scale);
-        for y in low.y.floor() as i64..=high.y.floor() as i64 {
-            for x in low.x.floor() as i64..=high.x.floor() as i64 {
-                let mut entry = self.heads[self.bucket(level, x, y)];
-                while entry != NONE {
-                    let (k, slot) = (entry as usize / 3, entry as usize % 3);
-                    let distance = self.positions[k].distance_squared(p);
-                    if distance < radius * radius && test(distance.sqrt(), self.sizes[k]) {
-                        return true;
-                    }
-                    entry = self.next[k][slot];
+        let (own, low, high) = (p * scale, (p - radius) * scale, (p + radius) * scale);
+        let own = (floor(own.x), floor(own.y));
+        let mut in_cell = |x: i64, y: i64| {
+            let mut entry = self.heads[self.bucket(level, x, y)];
+            while entry != NONE {
+                let (k, slot) = (entry as usize / 3, entry as usize % 3);
+                let distance = self.positions[k].distance_squared(p);
+                if distance < radius * radius && test(distance.sqrt(), self.sizes[k]) {
+                    return true;
                 }
+                entry = self.next[k][slot];
             }
+            false
+        };
+        // most answers are yes, because of a point in the same cell
+        if in_cell(own.0, own.1) {
+            return true;
         }
-        false
+        let (columns, rows) = (floor(low.x)..=floor(high.x), floor(low.y)..=floor(high.y));
+        rows.flat_map(|y| columns.clone().map(move |x| (x, y))).any(|(x, y)| (x, y) != own && in_cell(x, y))
     }
 }
 
@@ -90,4 +95,10 @@ fn level(size: f64) -> i32 {
 /// The cells of level `l` are `2^(l+1)` wide: at least as wide as the sizes in it.
 fn cells_per_unit(level: i32) -> f64 {
     f64::from_bits(((1022 - level).clamp(1, 2046) as u64) << 52)
+}
+
+/// `⌊x⌋`, inline where the target has no instruction for it.
+fn floor(x: f64) -> i64 {
+    let towards_zero = x as i64;
+    towards_zero - i64::from(towards_zero as f64 > x)
 }

@@ -3,11 +3,13 @@
 //! `parse` and [`Preset::outline`] give an [`Outline`]; [`sample`] turns its
 //! polygon into the [`BoundarySamples`] on which everything else is computed.
 
+mod pen;
 mod preset;
 mod sampling;
+mod shapes;
 
 use crate::geometry::SimplePolygon;
-pub use preset::Preset;
+pub use preset::{Preset, UnknownPreset};
 pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};
 
 /// A named, valid outline with what was said about it on the way in.

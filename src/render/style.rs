@@ -61,10 +61,11 @@ pub struct StrokeStyle {
 
 impl StrokeStyle {
     /// The stroke of the dark or light theme at a device pixel ratio of
-    /// `pixels_per_point`: 1.75 points wide.
+    /// `pixels_per_point`: 1.75 points wide, and 2 where it is dark on light,
+    /// which blends to a thinner look.
     pub fn themed(dark: bool, pixels_per_point: f32) -> Self {
-        let colour = if dark { [0.93, 0.945, 0.96, 1.0] } else { [0.14, 0.17, 0.21, 1.0] };
-        Self { colour, width_px: 1.75 * pixels_per_point }
+        let (colour, width) = if dark { ([0.93, 0.945, 0.96, 1.0], 1.75) } else { ([0.14, 0.17, 0.21, 1.0], 2.0) };
+        Self { colour, width_px: width * pixels_per_point }
     }
 }
 

@@ -39,7 +39,7 @@ export class App {
   /** Lets `act` use the app, closes it, and fails if anything went wrong in front of or behind the scenes. */
   async during(act) {
     try {
-      await this.settled();
+      await this.until('a first map is shown', (stats) => stats.ready);
       await act(this);
     } catch (error) {
       throw this.#faults.length === 0 ? error : new Error(this.#faults.join('\n'), { cause: error });
@@ -70,11 +70,6 @@ export class App {
       const last = await this.#page.evaluate(() => JSON.stringify(window.riemap?.stats?.())).catch(String);
       throw new Error(`not reached: ${state}\nlast stats: ${last}`, { cause: error });
     }
-  }
-
-  /** Waits until both domains are prepared and the map of the newest state has been drawn. */
-  settled() {
-    return this.until('nothing is being prepared', (stats) => stats.ready && !stats.preparing.some(Boolean));
   }
 
   /** Two animation frames: the app has seen what was done, and drawn it. */

@@ -47,7 +47,7 @@ for (const backend of BACKENDS) {
       withApp('desktop', async (app) => {
         const stats = await app.stats();
         assert.equal(stats.backend, backend);
-        assert.deepEqual(stats.errors.filter(Boolean), []);
+        assert.deepEqual(stats.errors, []);
         assert.ok(stats.source.triangles > 1000 && stats.target.triangles > 1000, 'both domains are meshed');
         assert.equal(stats.flipped, 0);
         assert.ok(stats.q_mean >= 1 && stats.q_mean < 1.5, `nearly conformal: mean Q = ${stats.q_mean}`);
@@ -67,8 +67,8 @@ for (const backend of BACKENDS) {
       'a finger drags an interior point on a phone',
       withApp('phone', async (app) => {
         const { handles } = await app.stats();
-        const handle = handles.x1 ? 'x1' : 'x2';
-        await dragChangesMap(app, handle, DRAGS[handle], (from, to) => app.touchDrag(from, to));
+        assert.ok(handles.x1, 'the source is on the screen');
+        await dragChangesMap(app, 'x1', DRAGS.x1, (from, to) => app.touchDrag(from, to));
         assertShowsSomething(await app.picture(`${backend}-phone`));
       }),
     );
@@ -78,16 +78,16 @@ for (const backend of BACKENDS) {
       withApp('desktop', async (app) => {
         const before = await app.stats();
         await app.loadOutline('source', 'forty.csv', POLYGON);
-        await assertOutlineReplaced(app, before);
+        await assertReplaced(app, 'source', before);
       }),
     );
 
     test(
-      'an outline dropped on the source replaces it',
+      'an outline dropped on the target replaces it',
       withApp('desktop', async (app) => {
         const before = await app.stats();
-        await app.dropFile(before.handles.x1, 'forty.csv', POLYGON);
-        await assertOutlineReplaced(app, before);
+        await app.dropFile(before.handles.x2, 'forty.csv', POLYGON);
+        await assertReplaced(app, 'target', before);
       }),
     );
 
@@ -96,7 +96,7 @@ for (const backend of BACKENDS) {
       withApp('desktop', async (app) => {
         const before = await app.stats();
         await app.loadOutline('source', 'bow-tie.csv', BOW_TIE);
-        const after = await app.until('an error is shown', (stats) => stats.errors.some(Boolean));
+        const after = await app.until('an error is shown', (stats) => stats.errors.length > 0);
         assert.match(after.errors.join(' '), /cross/i);
         assert.deepEqual(after.source, before.source);
         assert.equal(after.boundary_checksum, before.boundary_checksum);
@@ -113,8 +113,11 @@ async function dragChangesMap(app, handle, [dx, dy], drag) {
   const [x, y] = before.handles[handle];
   await drag([x, y], [x + dx, y + dy]);
   const after = await app.until(
-    'the map has changed',
-    (stats, last) => stats.generation > last.generation && stats.boundary_checksum !== last.boundary_checksum,
+    'the map has changed, and its quality is known',
+    (stats, last) =>
+      stats.generation > last.generation &&
+      stats.boundary_checksum !== last.boundary_checksum &&
+      stats.flipped !== null,
     { generation: before.generation, boundary_checksum: before.boundary_checksum },
   );
   assert.notDeepEqual(await app.session(), session, 'the session holds the new point');
@@ -123,14 +126,16 @@ async function dragChangesMap(app, handle, [dx, dy], drag) {
   assertMapsInteriorPoint(after);
 }
 
-async function assertOutlineReplaced(app, before) {
+/** The outline of `side` has become another one, is prepared and mapped; the other side is untouched. */
+async function assertReplaced(app, side, before) {
+  const other = side === 'source' ? 'target' : 'source';
   const replaced = await app.until(
     'the new outline is prepared and mapped',
-    (stats, last) => !stats.preparing.some(Boolean) && stats.generation > last.generation && stats.source.m !== last.m,
-    { generation: before.generation, m: before.source.m },
+    (stats, last) => stats.ready && stats.generation > last.generation && stats[last.side].m !== last.m,
+    { side, generation: before.generation, m: before[side].m },
   );
-  assert.deepEqual(replaced.errors.filter(Boolean), []);
-  assert.deepEqual(replaced.target, before.target, 'the target is untouched');
+  assert.deepEqual(replaced.errors, []);
+  assert.deepEqual(replaced[other], before[other], `the ${other} is untouched`);
   assertMapsInteriorPoint(replaced);
 }
 

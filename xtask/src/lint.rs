@@ -56,7 +56,7 @@ fn deny(places: &Places) -> Result<(), Failure> {
     };
     let path = path_with(&[tool.ensure(places)?])?;
     let deny = |arguments: &[&str]| {
-        let mut command = cargo(places, &["deny", "--all-features"]);
+        let mut command = cargo(places, &["deny"]);
         command.args(arguments).env("PATH", &path);
         command
     };

@@ -40,6 +40,14 @@ impl<'a> Arc<'a> {
         (self.cumulative.partition_point(|&c| c <= s).max(1) - 1).min(self.vertices.len() - 1)
     }
 
+    /// The edge that contains arc length `s`, searched from `edge` on.
+    pub fn advance(&self, mut edge: usize, s: f64) -> usize {
+        while edge + 1 < self.vertices.len() && self.cumulative[edge + 1] <= s {
+            edge += 1;
+        }
+        edge
+    }
+
     /// The point at arc length `s`, for `0 ≤ s < length`; a vertex exactly where `s` is its arc length.
     pub fn point(&self, s: f64) -> DVec2 {
         self.point_on(self.edge_at(s), s)
@@ -52,10 +60,17 @@ impl<'a> Arc<'a> {
         self.vertices[k].lerp(self.vertices[(k + 1) % self.vertices.len()], t)
     }
 
-    /// The exterior angle at vertex `k`: positive at convex corners.
-    pub fn turn(&self, k: usize) -> f64 {
+    /// Whether the outline turns at vertex `k` by more than the angle (at most 90°) with this cosine.
+    pub fn turns_beyond(&self, k: usize, cosine: f64) -> bool {
         let n = self.vertices.len();
         let (a, b, c) = (self.vertices[(k + n - 1) % n], self.vertices[k], self.vertices[(k + 1) % n]);
-        (b - a).angle_to(c - b)
+        let (before, after) = (b - a, c - b);
+        let dot = before.dot(after);
+        dot <= 0.0 || dot * dot < cosine * cosine * before.length_squared() * after.length_squared()
+    }
+
+    /// The vertices after the first one that turn beyond the angle with this cosine.
+    pub fn sharp_vertices(&self, cosine: f64) -> Vec<usize> {
+        (1..self.vertices.len()).filter(|&k| self.turns_beyond(k, cosine)).collect()
     }
 }

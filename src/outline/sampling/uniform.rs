@@ -1,7 +1,7 @@
 //! Samples equally spaced in arc length, with or without the outline's corners.
 
 use super::arc::Arc;
-use super::{CORNER_ANGLE, SamplingError};
+use super::{CORNER_COSINE, SamplingError};
 
 /// The arc lengths `k L / count`.
 pub(super) fn equal(arc: &Arc, count: u32) -> Vec<f64> {
@@ -12,7 +12,8 @@ pub(super) fn equal(arc: &Arc, count: u32) -> Vec<f64> {
 /// pieces between corners are divided equally, each into nearly
 /// `count · length / L` parts.
 pub(super) fn with_corners(arc: &Arc, count: u32) -> Result<Vec<f64>, SamplingError> {
-    let corners = corners(arc);
+    let mut corners = arc.sharp_vertices(CORNER_COSINE);
+    corners.insert(0, 0);
     if corners.len() > count as usize {
         return Err(SamplingError::MoreCornersThanSamples { corners: corners.len(), count });
     }
@@ -26,15 +27,10 @@ pub(super) fn with_corners(arc: &Arc, count: u32) -> Result<Vec<f64>, SamplingEr
     Ok((0..corners.len()).flat_map(piece).collect())
 }
 
-/// The first vertex, and the vertices that turn by more than [`CORNER_ANGLE`].
-pub(super) fn corners(arc: &Arc) -> Vec<usize> {
-    (0..arc.vertices().len()).filter(|&k| k == 0 || arc.turn(k).abs() > CORNER_ANGLE).collect()
-}
-
 /// Divides `count` seats among pieces, at least one each, nearly in proportion
 /// to their lengths (largest remainder; the first of equals wins).
-fn apportion(lengths: &[f64], count: usize) -> Vec<usize> {
-    let free = count - lengths.len();
+pub(super) fn apportion(lengths: &[f64], count: usize) -> Vec<usize> {
+    let free = count.saturating_sub(lengths.len());
     let total: f64 = lengths.iter().sum();
     // a piece needs `quota` parts, one of which it has already
     let quota = |length: f64| (length / total * count as f64 - 1.0).max(0.0);

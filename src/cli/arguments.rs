@@ -1,0 +1,240 @@
+//! What can be said on the command line, and its translation into the core's types.
+
+use super::CliError;
+use crate::conformal::PrepareSettings;
+use crate::geometry::DVec2;
+use crate::mesh::Sizing;
+use crate::outline::{self, BoundarySamples, Outline, Preset, Sampling};
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Real-time conformal maps between two outlines.
+///
+/// Without a subcommand, opens the app in a window.
+#[derive(Debug, clap::Parser)]
+#[command(version, about)]
+pub struct Arguments {
+    /// What to do headless.
+    #[command(subcommand)]
+    pub command: Option<Subcommand>,
+}
+
+/// The headless commands.
+#[derive(Debug, clap::Subcommand)]
+pub enum Subcommand {
+    /// Computes a conformal map between two outlines and writes it.
+    Map(MapArguments),
+    /// Prepares one outline; prints counts and timings.
+    Prepare(PrepareArguments),
+}
+
+/// `riemap map SOURCE TARGET`.
+#[derive(Debug, clap::Args)]
+pub struct MapArguments {
+    /// The source outline: a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`.
+    pub source: String,
+    /// The target outline, likewise.
+    pub target: String,
+    /// x₁, inside the source [default: its pole of inaccessibility].
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    pub source_point: Option<Point>,
+    /// x₂, inside the target, the image of x₁ [default: its pole of inaccessibility].
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    pub target_point: Option<Point>,
+    /// y₁: the boundary point nearest to X,Y, or at fraction S of the arc length from the first point.
+    #[arg(long, value_name = "X,Y|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub source_anchor: Anchor,
+    /// y₂, the image of y₁, likewise on the target.
+    #[arg(long, value_name = "X,Y|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub target_anchor: Anchor,
+    /// Boundary samples of the source.
+    #[arg(long, value_name = "N", conflicts_with = "samples")]
+    pub source_samples: Option<u32>,
+    /// Boundary samples of the target.
+    #[arg(long, value_name = "N", conflicts_with = "samples")]
+    pub target_samples: Option<u32>,
+    /// How the domains are discretised.
+    #[command(flatten)]
+    pub discretisation: Discretisation,
+    /// Which mesh is mapped: the source's, or the target's back into the source.
+    #[arg(long, default_value = "backward")]
+    pub direction: DirectionArgument,
+    /// Write the map; repeatable; the format follows the extension: json, csv, obj, svg, png.
+    #[arg(long, value_name = "FILE")]
+    pub out: Vec<PathBuf>,
+    /// Size of a .png in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1600x900")]
+    pub size: Size,
+    /// Print quality, timings and counts as JSON on stdout.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `riemap prepare DOMAIN`.
+#[derive(Debug, clap::Args)]
+pub struct PrepareArguments {
+    /// The outline: a file or `preset:NAME`.
+    pub domain: String,
+    /// How the domain is discretised.
+    #[command(flatten)]
+    pub discretisation: Discretisation,
+    /// Prepare this many times and report the median of each stage.
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub repeat: u32,
+    /// Print counts and timings as JSON on stdout.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options that both commands share.
+#[derive(Debug, clap::Args)]
+pub struct Discretisation {
+    /// Boundary samples [default: what an adaptive sampling needs; the paper's number for a uniform one, else 500].
+    #[arg(long, value_name = "N")]
+    pub samples: Option<u32>,
+    /// Uniform in arc length, or denser where the outline needs it.
+    #[arg(long, default_value = "adaptive")]
+    pub sampling: SamplingArgument,
+    /// Makes the outline's corners samples (adaptive sampling always does).
+    #[arg(long)]
+    pub keep_corners: bool,
+    /// Triangle size: uniform, or growing by G per distance from the boundary [default: graded].
+    #[arg(long, value_name = "uniform|graded:G")]
+    pub sizing: Option<SizingArgument>,
+}
+
+/// Which mesh is mapped.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum DirectionArgument {
+    Forward,
+    Backward,
+}
+
+/// How the boundary is sampled.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum SamplingArgument {
+    Uniform,
+    Adaptive,
+}
+
+/// `X,Y`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point(pub DVec2);
+
+impl FromStr for Point {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (x, y) = text.split_once(',').ok_or("expected X,Y, such as 0.5,-0.2")?;
+        let number = |s: &str| s.trim().parse::<f64>().ok().filter(|v| v.is_finite());
+        match (number(x), number(y)) {
+            (Some(x), Some(y)) => Ok(Self(DVec2::new(x, y))),
+            _ => Err("expected two finite numbers X,Y, such as 0.5,-0.2".to_owned()),
+        }
+    }
+}
+
+/// A boundary point: `X,Y` or `@S`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Anchor {
+    /// The boundary point nearest to this.
+    Nearest(DVec2),
+    /// At this fraction of the arc length from the outline's first point.
+    Fraction(f64),
+}
+
+impl FromStr for Anchor {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let Some(fraction) = text.strip_prefix('@') else { return Ok(Self::Nearest(text.parse::<Point>()?.0)) };
+        match fraction.parse::<f64>() {
+            Ok(s) if s.is_finite() => Ok(Self::Fraction(s)),
+            _ => Err("expected @S with a finite fraction S of the arc length, such as @0.25".to_owned()),
+        }
+    }
+}
+
+impl Anchor {
+    /// The fraction of the outline's arc length that is meant.
+    pub fn fraction(self, samples: &BoundarySamples) -> f64 {
+        match self {
+            Self::Nearest(x) => samples.fraction_at(samples.nearest(x)),
+            Self::Fraction(s) => s.rem_euclid(1.0),
+        }
+    }
+}
+
+/// `uniform` or `graded:G`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SizingArgument(pub Sizing);
+
+impl FromStr for SizingArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "uniform" {
+            return Ok(Self(Sizing::Uniform));
+        }
+        match text.strip_prefix("graded:").and_then(|g| g.parse::<f64>().ok()) {
+            Some(g) if g.is_finite() && g > 0.0 && g <= 1.0 => Ok(Self(Sizing::Graded(g))),
+            _ if text == "graded" => Ok(Self(Sizing::default())),
+            _ => Err("expected uniform or graded:G with 0 < G ≤ 1, such as graded:0.15".to_owned()),
+        }
+    }
+}
+
+/// `WxH` in pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Size(pub [u32; 2]);
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+        match sides {
+            Some(size) if size.iter().all(|s| (16..=8192).contains(s)) => Ok(Self(size)),
+            _ => Err("expected WIDTHxHEIGHT, each from 16 to 8192, such as 1600x900".to_owned()),
+        }
+    }
+}
+
+/// An outline named on the command line.
+pub struct NamedOutline {
+    /// The outline.
+    pub outline: Outline,
+    /// The paper's number of samples, for presets that it uses.
+    paper_samples: Option<u32>,
+}
+
+/// Reads `preset:NAME` or a file; says on stderr what was accepted but should be known.
+pub fn read_outline(name: &str) -> Result<NamedOutline, CliError> {
+    if let Some(preset) = name.strip_prefix("preset:") {
+        let preset = Preset::from_str(preset).map_err(|error| CliError::Input(error.to_string()))?;
+        return Ok(NamedOutline { outline: preset.outline(), paper_samples: preset.paper_samples() });
+    }
+    let bytes = std::fs::read(name).map_err(|error| CliError::Input(format!("cannot read {name}: {error}")))?;
+    let outline = outline::parse(name, &bytes).map_err(|error| CliError::Input(format!("{name}: {error}")))?;
+    for note in &outline.notes {
+        eprintln!("riemap: {name}: {note}");
+    }
+    Ok(NamedOutline { outline, paper_samples: None })
+}
+
+impl Discretisation {
+    /// The settings for one outline; `samples` overrides the shared number.
+    pub fn settings(&self, outline: &NamedOutline, samples: Option<u32>) -> PrepareSettings {
+        let samples = samples.or(self.samples);
+        let sampling = match self.sampling {
+            SamplingArgument::Uniform => Sampling::Uniform {
+                count: samples.or(outline.paper_samples).unwrap_or(500),
+                keep_corners: self.keep_corners,
+            },
+            SamplingArgument::Adaptive => Sampling::Adaptive { target: samples },
+        };
+        PrepareSettings { sampling, sizing: self.sizing.map_or_else(Sizing::default, |sizing| sizing.0) }
+    }
+}

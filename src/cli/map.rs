@@ -1,0 +1,108 @@
+//! `riemap map`: prepares both domains, computes the map, writes it.
+
+use super::CliError;
+use super::arguments::{DirectionArgument, MapArguments, NamedOutline, read_outline};
+use super::contours::{self, Panel};
+use super::output::{Format, write_all};
+use super::picture;
+use super::tables::{self, Summary};
+use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side, prepare};
+use std::sync::Arc;
+
+/// Cells of the drawn patterns across the source's larger side.
+const GRID_CELLS: f64 = 12.0;
+
+/// Computes the map and writes what is asked for.
+pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
+    let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
+    let (map, constraints) = compute(arguments)?;
+    let summary = Summary::of(&map);
+    let scene = Scene { map: &map, constraints };
+    let mut files = Vec::new();
+    for (path, format) in arguments.out.iter().zip(formats) {
+        files.push((path.clone(), scene.encode(format, summary, arguments.size.0)?));
+    }
+    write_all(&files)?;
+    if arguments.json {
+        let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
+        println!("{text}");
+    } else {
+        let Summary { quality, counts, .. } = summary;
+        println!("m = {}, n = {}, {} triangles", counts.m, counts.n, counts.triangles);
+        println!("mean Q = {:.4}, {} flipped, {} collapsed", quality.q_mean, quality.flipped, quality.collapsed);
+    }
+    Ok(())
+}
+
+fn compute(arguments: &MapArguments) -> Result<(ConformalMap, Constraints), CliError> {
+    let source = read_outline(&arguments.source)?;
+    let target = read_outline(&arguments.target)?;
+    let prepared = |name: &str, outline: &NamedOutline, samples| -> Result<Arc<PreparedDomain>, CliError> {
+        let settings = arguments.discretisation.settings(outline, samples);
+        let domain = prepare(&outline.outline.polygon, &settings, &mut |_| ());
+        domain.map(Arc::new).map_err(|error| CliError::Input(format!("{name}: {error}")))
+    };
+    let source = prepared(&arguments.source, &source, arguments.source_samples)?;
+    let target = prepared(&arguments.target, &target, arguments.target_samples)?;
+    let constraints = Constraints {
+        source_point: arguments.source_point.map_or(source.pole, |p| p.0),
+        target_point: arguments.target_point.map_or(target.pole, |p| p.0),
+        source_anchor: arguments.source_anchor.fraction(&source.samples),
+        target_anchor: arguments.target_anchor.fraction(&target.samples),
+    };
+    let direction = match arguments.direction {
+        DirectionArgument::Forward => Direction::Forward,
+        DirectionArgument::Backward => Direction::Backward,
+    };
+    let map = ConformalMap::new(source, target, &constraints, direction)
+        .map_err(|error| CliError::Input(error.to_string()))?;
+    Ok((map, constraints))
+}
+
+/// A map with its constraints, ready to be drawn.
+struct Scene<'a> {
+    map: &'a ConformalMap,
+    constraints: Constraints,
+}
+
+impl Scene<'_> {
+    fn encode(&self, format: Format, summary: Summary, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
+        let [_, target] = self.panels();
+        match format {
+            Format::Json => tables::json(self.map, summary).map_err(|error| CliError::Input(error.to_string())),
+            Format::Csv => Ok(tables::csv(self.map).into_bytes()),
+            Format::Obj => Ok(tables::obj(target.positions, target.coordinates, target.triangles).into_bytes()),
+            Format::Svg => Ok(contours::svg(&self.panels(), GRID_CELLS).into_bytes()),
+            Format::Png => picture::png(&self.panels(), GRID_CELLS, size),
+        }
+    }
+
+    /// Source and target as drawn: the target's surface carries source coordinates.
+    fn panels(&self) -> [Panel<'_>; 2] {
+        let [source, target] = Side::BOTH.map(|side| self.map.domain(side));
+        let handles = |side: Side, domain: &PreparedDomain| {
+            let anchor = domain.samples.at_fraction(self.constraints.anchor(side));
+            [self.constraints.point(side), domain.samples.position(anchor)]
+        };
+        let (positions, coordinates) = match self.map.direction() {
+            Direction::Forward => (self.map.images(), source.mesh.vertices.as_slice()),
+            Direction::Backward => (target.mesh.vertices.as_slice(), self.map.images()),
+        };
+        [
+            Panel {
+                positions: &source.mesh.vertices,
+                coordinates: &source.mesh.vertices,
+                triangles: &source.mesh.triangles,
+                boundary: &source.samples.points,
+                handles: handles(Side::Source, source),
+            },
+            Panel {
+                positions,
+                coordinates,
+                triangles: &self.map.mapped_mesh().triangles,
+                boundary: &target.samples.points,
+                handles: handles(Side::Target, target),
+            },
+        ]
+    }
+}

@@ -1,0 +1,49 @@
+//! The command line: `riemap map`, `riemap prepare`; headless and native only.
+//!
+//! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
+//! are written whole or not at all.
+
+mod arguments;
+mod contours;
+mod map;
+mod output;
+mod picture;
+mod prepare;
+mod tables;
+
+pub use arguments::{Arguments, Subcommand};
+use std::process::ExitCode;
+
+/// Why a command failed.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// The arguments do not make sense: exit status 2.
+    #[error("{0}")]
+    Usage(String),
+    /// An input cannot be used: exit status 1.
+    #[error("{0}")]
+    Input(String),
+    /// An output cannot be written: exit status 1.
+    #[error("cannot write {path}: {source}")]
+    Write {
+        /// The file.
+        path: String,
+        /// The cause.
+        source: std::io::Error,
+    },
+}
+
+/// Carries out a subcommand and reports.
+pub fn run(command: &Subcommand) -> ExitCode {
+    let result = match command {
+        Subcommand::Map(arguments) => map::run(arguments),
+        Subcommand::Prepare(arguments) => prepare::run(arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("riemap: {error}");
+            ExitCode::from(if matches!(error, CliError::Usage(_)) { 2 } else { 1 })
+        }
+    }
+}

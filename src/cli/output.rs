@@ -1,0 +1,65 @@
+//! Writing files whole or not at all.
+
+use super::CliError;
+use std::path::{Path, PathBuf};
+
+/// The formats of `riemap map --out`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the variants are the extensions")]
+pub enum Format {
+    Json,
+    Csv,
+    Obj,
+    Svg,
+    Png,
+}
+
+impl Format {
+    /// By the file's extension.
+    pub fn of(path: &Path) -> Result<Self, CliError> {
+        let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
+        match extension.as_str() {
+            "json" => Ok(Self::Json),
+            "csv" => Ok(Self::Csv),
+            "obj" => Ok(Self::Obj),
+            "svg" => Ok(Self::Svg),
+            "png" => Ok(Self::Png),
+            _ => Err(CliError::Usage(format!(
+                "--out {}: the extension must be json, csv, obj, svg or png",
+                path.display()
+            ))),
+        }
+    }
+}
+
+/// Writes all files, each first under a temporary name beside its place. If one
+/// cannot be written, none of the others appears.
+pub fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), CliError> {
+    let mut written: Vec<PathBuf> = Vec::new();
+    let result = files.iter().try_for_each(|(path, bytes)| {
+        let temporary = temporary_name(path);
+        written.push(temporary.clone());
+        std::fs::write(&temporary, bytes).map_err(|source| write_error(path, source))
+    });
+    let result = result.and_then(|()| {
+        files.iter().zip(&written).try_for_each(|((path, _), temporary)| {
+            std::fs::rename(temporary, path).map_err(|source| write_error(path, source))
+        })
+    });
+    if result.is_err() {
+        for temporary in &written {
+            let _ = std::fs::remove_file(temporary); // best effort: it may never have existed
+        }
+    }
+    result
+}
+
+fn write_error(path: &Path, source: std::io::Error) -> CliError {
+    CliError::Write { path: path.display().to_string(), source }
+}
+
+fn temporary_name(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_os_string();
+    name.push(format!(".{}.part", std::process::id()));
+    path.with_file_name(name)
+}

@@ -1,0 +1,48 @@
+//! `riemap prepare`: counts and timings of one domain.
+
+use super::CliError;
+use super::arguments::{PrepareArguments, read_outline};
+use super::tables::Counts;
+use crate::conformal::{PrepareTimings, prepare};
+
+/// Prepares the domain `repeat` times and prints the medians.
+pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
+    let named = read_outline(&arguments.domain)?;
+    let settings = arguments.discretisation.settings(&named, None);
+    let mut runs = Vec::new();
+    let mut counts = Counts::default();
+    for _ in 0..arguments.repeat {
+        let domain = prepare(&named.outline.polygon, &settings, &mut |_| ())
+            .map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
+        counts = Counts::of(&domain.mesh);
+        runs.push(domain.timings);
+    }
+    let timings = medians(&runs);
+    if arguments.json {
+        let report = serde_json::json!({ "counts": counts, "timing_ms": timings, "total_ms": timings.total() });
+        println!("{report:#}");
+    } else {
+        println!("{}: m = {}, n = {}, {} triangles", named.outline.name, counts.m, counts.n, counts.triangles);
+        let PrepareTimings { sample, mesh, assemble, order, factor } = timings;
+        println!(
+            "{:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}",
+            timings.total()
+        );
+    }
+    Ok(())
+}
+
+fn medians(runs: &[PrepareTimings]) -> PrepareTimings {
+    let median = |stage: fn(&PrepareTimings) -> f64| {
+        let mut values: Vec<f64> = runs.iter().map(stage).collect();
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied().unwrap_or(0.0)
+    };
+    PrepareTimings {
+        sample: median(|t| t.sample),
+        mesh: median(|t| t.mesh),
+        assemble: median(|t| t.assemble),
+        order: median(|t| t.order),
+        factor: median(|t| t.factor),
+    }
+}

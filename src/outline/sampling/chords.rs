@@ -1,0 +1,72 @@
+//! Do the chords between samples cross, and which vertices would part them?
+
+use super::arc::Arc;
+use crate::geometry::DVec2;
+
+/// For each chord that meets another one, the arc length of the polygon vertex
+/// nearest to its middle, if there is any vertex inside. Exact tests, on the
+/// pairs of chords whose bounding boxes overlap. Cost O(m c) with c chords over the same x.
+pub(super) fn first_vertices_to_add(arc: &Arc, positions: &[f64]) -> Vec<f64> {
+    let points: Vec<DVec2> = positions.iter().map(|&s| arc.point(s)).collect();
+    let mut crossing = vec![false; points.len()];
+    for [i, j] in candidate_pairs(&points) {
+        if !(crossing[i as usize] && crossing[j as usize]) && meet(&points, i as usize, j as usize) {
+            crossing[i as usize] = true;
+            crossing[j as usize] = true;
+        }
+    }
+    let crossing = crossing.iter().enumerate().filter(|&(_, &crossing)| crossing);
+    crossing.filter_map(|(k, _)| middle_vertex(arc, positions, k)).collect()
+}
+
+/// The vertex strictly between samples `k` and `k+1` that is nearest to the middle.
+fn middle_vertex(arc: &Arc, positions: &[f64], k: usize) -> Option<f64> {
+    let (start, end) = (positions[k], positions.get(k + 1).copied().unwrap_or(arc.length()));
+    let middle = 0.5 * (start + end);
+    let edge = arc.edge_at(middle);
+    let candidates = [edge, edge + 1].map(|v| arc.at_vertex(v));
+    let inside = candidates.into_iter().filter(|&s| start < s && s < end);
+    inside.min_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs()))
+}
+
+/// Whether chords `i` and `j` meet, other than at the sample that they share.
+fn meet(points: &[DVec2], i: usize, j: usize) -> bool {
+    let m = points.len();
+    let (a, b, c, d) = (points[i], points[(i + 1) % m], points[j], points[(j + 1) % m]);
+    if (i + 1) % m == j {
+        return side(a, b, d) == 0.0 && (a - b).dot(d - b) > 0.0;
+    }
+    if (j + 1) % m == i {
+        return side(c, d, b) == 0.0 && (c - d).dot(b - d) > 0.0;
+    }
+    let (sc, sd, sa, sb) = (side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b));
+    if sc == 0.0 && sd == 0.0 {
+        return (c - a).dot(c - b) <= 0.0 || (d - a).dot(d - b) <= 0.0 || (a - c).dot(a - d) <= 0.0;
+    }
+    sc * sd <= 0.0 && sa * sb <= 0.0
+}
+
+/// On which side of `ab` the point `c` is: −1, 0 or 1, exactly.
+fn side(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    let coord = |p: DVec2| robust::Coord { x: p.x, y: p.y };
+    let area = robust::orient2d(coord(a), coord(b), coord(c));
+    if area == 0.0 { 0.0 } else { area.signum() }
+}
+
+/// Pairs of chords whose bounding boxes overlap, by a sweep over x.
+fn candidate_pairs(points: &[DVec2]) -> Vec<[u32; 2]> {
+    let m = points.len();
+    let low = |k: u32| points[k as usize].min(points[(k as usize + 1) % m]);
+    let high = |k: u32| points[k as usize].max(points[(k as usize + 1) % m]);
+    let mut order: Vec<u32> = (0..m as u32).collect();
+    order.sort_unstable_by(|&i, &j| low(i).x.total_cmp(&low(j).x).then(i.cmp(&j)));
+    let (mut active, mut pairs): (Vec<u32>, Vec<[u32; 2]>) = (Vec::new(), Vec::new());
+    for k in order {
+        let (from, to) = (low(k), high(k));
+        active.retain(|&j| high(j).x >= from.x);
+        let overlaps = |&j: &u32| low(j).y <= to.y && high(j).y >= from.y;
+        pairs.extend(active.iter().copied().filter(overlaps).map(|j| [j, k]));
+        active.push(k);
+    }
+    pairs
+}

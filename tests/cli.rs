@@ -1,0 +1,175 @@
+//! The command line as a person meets it: outputs, exit status, one clear line on bad input.
+
+#![cfg(feature = "app")]
+#![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
+
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn riemap(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_riemap")).args(arguments).output().unwrap()
+}
+
+/// An empty folder for one test.
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn file(folder: &Path, name: &str, text: &str) -> String {
+    let path = folder.join(name);
+    std::fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// Runs, expects `status`, and a single line on stderr that contains every word.
+fn fails(arguments: &[&str], status: i32, words: &[&str]) {
+    let output = riemap(arguments);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
+    assert!(!stderr.contains("panicked"), "{arguments:?}: {stderr}");
+    if status == 1 {
+        assert_eq!(stderr.trim_end().lines().count(), 1, "{arguments:?}: {stderr}");
+    }
+    for word in words {
+        assert!(stderr.contains(word), "{arguments:?}: no {word:?} in: {stderr}");
+    }
+}
+
+#[test]
+fn map_writes_every_format() {
+    let folder = folder("formats");
+    let out = |name: &str| folder.join(name).display().to_string();
+    let files = ["map.json", "map.csv", "map.obj", "map.svg"].map(out);
+    let mut arguments = vec!["map", "preset:square", "preset:heart", "--json", "--samples", "200"];
+    for file in &files {
+        arguments.extend(["--out", file]);
+    }
+    let output = riemap(&arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let document: Value = serde_json::from_str(&std::fs::read_to_string(&files[0]).unwrap()).unwrap();
+    for key in ["quality", "timing_ms", "counts"] {
+        assert_eq!(summary[key], document[key], "{key}");
+    }
+    for stage in ["sample", "mesh", "assemble", "order", "factor", "kernel", "match", "extend"] {
+        assert!(summary["timing_ms"][stage].as_f64().unwrap() >= 0.0, "{stage}");
+    }
+    let counts = &summary["counts"];
+    let (m, n) = (counts["m"].as_u64().unwrap(), counts["n"].as_u64().unwrap());
+    assert_eq!(counts["triangles"].as_u64().unwrap(), m + 2 * n - 2);
+    let length = |key: &str| document[key].as_array().unwrap().len() as u64;
+    assert_eq!((length("vertices"), length("images")), (m + n, m + n));
+    assert_eq!((length("boundary_map"), length("harmonic_measure")), (m, m));
+    assert_eq!(document["target"]["boundary"].as_array().unwrap().len() as u64, m);
+    let csv = std::fs::read_to_string(&files[1]).unwrap();
+    assert_eq!(csv.lines().count() as u64, m + 1);
+    let obj = std::fs::read_to_string(&files[2]).unwrap();
+    assert_eq!(obj.lines().filter(|line| line.starts_with("vt ")).count() as u64, m + n);
+    assert!(std::fs::read_to_string(&files[3]).unwrap().starts_with("<svg"));
+}
+
+#[test]
+fn forward_maps_the_source_and_the_interior_point_lands_on_its_image() {
+    let folder = folder("forward");
+    let out = folder.join("map.json").display().to_string();
+    let arguments = [
+        "map",
+        "preset:disk",
+        "preset:disk",
+        "--direction",
+        "forward",
+        "--source-point",
+        "0.3,-0.2",
+        "--target-point",
+        "-0.1,0.4",
+        "--source-anchor",
+        "1,0",
+        "--target-anchor",
+        "@0.25",
+        "--out",
+        &out,
+    ];
+    let output = riemap(&arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let document: Value = serde_json::from_str(&std::fs::read_to_string(&out).unwrap()).unwrap();
+    let point = |v: &Value| [v[0].as_f64().unwrap(), v[1].as_f64().unwrap()];
+    let nearest = |p: [f64; 2]| {
+        let vertices = document["vertices"].as_array().unwrap().iter().map(&point).enumerate();
+        vertices.min_by(|a, b| distance(a.1, p).total_cmp(&distance(b.1, p))).unwrap().0
+    };
+    let image = point(&document["images"][nearest([0.3, -0.2])]);
+    assert!(distance(image, [-0.1, 0.4]) < 0.1, "the image of x₁ is near {image:?}");
+    let image = point(&document["images"][nearest([1.0, 0.0])]);
+    assert!(distance(image, [0.0, 1.0]) < 1e-2, "the image of y₁ is {image:?}");
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+#[test]
+fn prepare_prints_counts_and_timings() {
+    let output = riemap(&["prepare", "preset:l-shape", "--sampling", "uniform", "--samples", "120", "--json"]);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["counts"]["m"], 120);
+    assert!(report["timing_ms"]["factor"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn bad_input_exits_1_with_one_line() {
+    let folder = folder("bad");
+    let crossing = file(&folder, "crossing.json", "[[0,0],[2,2],[2,0],[0,2]]");
+    let nan = file(&folder, "nan.csv", "0,0\n1,nan\n1,1\n");
+    let short = file(&folder, "short.txt", "0 0\n1 1\n");
+    let prose = file(&folder, "prose.json", "this is no outline");
+    let flat = file(&folder, "flat.json", "[[0,0],[1,1],[2,2]]");
+    fails(&["prepare", &crossing], 1, &["cross"]);
+    fails(&["prepare", &nan], 1, &["nan.csv"]);
+    fails(&["prepare", &short], 1, &["3"]);
+    fails(&["prepare", &prose], 1, &["line 1", "column"]);
+    fails(&["prepare", &flat], 1, &[]);
+    fails(&["prepare", "absent.json"], 1, &["absent.json"]);
+    fails(&["prepare", "preset:kitten"], 1, &["kitten", "gingerbread"]);
+    fails(&["map", "preset:disk", "preset:square", "--source-point", "3,0"], 1, &["source point", "3"]);
+}
+
+#[test]
+fn bad_usage_exits_2() {
+    fails(&["map", "preset:disk"], 2, &["TARGET"]);
+    fails(&["map", "preset:disk", "preset:disk", "--out", "map.docx"], 2, &["extension"]);
+    fails(&["map", "preset:disk", "preset:disk", "--source-point", "here"], 2, &["X,Y"]);
+    fails(&["prepare", "preset:disk", "--sizing", "graded:-1"], 2, &["graded"]);
+    fails(&["prepare", "preset:disk", "--samples", "many"], 2, &["samples"]);
+    fails(&["paint"], 2, &["paint"]);
+}
+
+#[test]
+fn nothing_is_left_behind_when_an_output_cannot_be_written() {
+    let folder = folder("partial");
+    let good = folder.join("map.csv").display().to_string();
+    let bad = folder.join("no/such/folder/map.json").display().to_string();
+    fails(&["map", "preset:disk", "preset:square", "--samples", "50", "--out", &good, "--out", &bad], 1, &["no/such"]);
+    assert_eq!(names(&folder), Vec::<String>::new());
+    fails(&["map", "preset:disk", "preset:square", "--source-point", "9,9", "--out", &good], 1, &[]);
+    assert_eq!(names(&folder), Vec::<String>::new());
+}
+
+#[test]
+fn clockwise_outline_is_accepted_and_said() {
+    let folder = folder("clockwise");
+    let path = file(&folder, "square.json", "[[0,0],[0,1],[1,1],[1,0]]");
+    let output = riemap(&["prepare", &path, "--json"]);
+    assert!(output.status.success());
+    assert!(String::from_utf8(output.stderr).unwrap().contains("clockwise"));
+}

@@ -1,0 +1,133 @@
+//! Properties of the map on random star-shaped and spiky polygons.
+//!
+//! Seeds are fixed by proptest's deterministic runner, so a failure repeats.
+
+#![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use riemap::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, PreparedDomain, Side, prepare};
+use riemap::geometry::{DVec2, SimplePolygon};
+use riemap::mesh::Sizing;
+use riemap::outline::{BoundarySamples, Sampling};
+use std::sync::Arc;
+
+fn runner(cases: u32) -> TestRunner {
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
+}
+
+/// Star-shaped about 0, radii up to 1:300 between neighbours.
+fn star() -> impl Strategy<Value = SimplePolygon> {
+    prop::collection::vec((-2.5_f64..0.0, 0.05_f64..0.95), 5..40).prop_map(|corners| {
+        let step = std::f64::consts::TAU / corners.len() as f64;
+        let corner = |(k, (exponent, turn)): (usize, &(f64, f64))| {
+            10_f64.powf(*exponent) * DVec2::from_angle(step * (k as f64 + turn))
+        };
+        SimplePolygon::try_from(corners.iter().enumerate().map(corner).collect::<Vec<_>>()).unwrap()
+    })
+}
+
+fn settings() -> impl Strategy<Value = PrepareSettings> {
+    let uniform =
+        (60_u32..300, any::<bool>()).prop_map(|(count, keep_corners)| Sampling::Uniform { count, keep_corners });
+    let sampling = prop_oneof![Just(Sampling::default()), uniform];
+    let sizing = prop_oneof![Just(Sizing::default()), Just(Sizing::Uniform), (0.05_f64..0.5).prop_map(Sizing::Graded)];
+    (sampling, sizing).prop_map(|(sampling, sizing)| PrepareSettings { sampling, sizing })
+}
+
+/// A domain, or `None` where uniform samples are too few for the spikes: that is a typed error.
+fn prepared(polygon: &SimplePolygon, settings: PrepareSettings) -> Option<Arc<PreparedDomain>> {
+    match prepare(polygon, &settings, &mut |_| ()) {
+        Ok(domain) => Some(Arc::new(domain)),
+        Err(error) => {
+            assert!(matches!(settings.sampling, Sampling::Uniform { .. }), "adaptive sampling failed: {error}");
+            None
+        }
+    }
+}
+
+/// How far along the other boundary, from `anchor`, each vertex goes, in the order of the mapped one.
+fn progress(map: &ConformalMap, constraints: &Constraints) -> Vec<f64> {
+    let (side, other) = (map.direction().mapped_side(), map.direction().mapped_side().other());
+    let samples = |side: Side| -> &BoundarySamples { &map.domain(side).samples };
+    let start = samples(side).at_fraction(constraints.anchor(side)).edge as usize;
+    let anchor = samples(other).at_fraction(constraints.anchor(other));
+    let (m, count) = (samples(side).len(), samples(other).len() as f64);
+    let along = |k: usize| {
+        let vertex = (start + 1 + k) % m;
+        if map.measure(side).at_vertex(vertex) == 1.0 {
+            return count; // all the way round: the anchor again, which would read as 0
+        }
+        let point = map.correspondence().points[vertex];
+        (f64::from(point.edge) + point.fraction - f64::from(anchor.edge) - anchor.fraction).rem_euclid(count)
+    };
+    // without the last vertex: it may be the anchor itself
+    (0..m - 1).map(along).collect()
+}
+
+#[test]
+fn boundary_correspondence_keeps_the_order() {
+    let inputs = (star(), star(), settings(), settings(), 0.0..1.0, 0.0..1.0, any::<bool>());
+    let result = runner(48).run(&inputs, |(a, b, sa, sb, source_anchor, target_anchor, forward)| {
+        let (Some(source), Some(target)) = (prepared(&a, sa), prepared(&b, sb)) else { return Ok(()) };
+        let constraints =
+            Constraints { source_point: source.pole, target_point: target.pole, source_anchor, target_anchor };
+        let direction = if forward { Direction::Forward } else { Direction::Backward };
+        let map = ConformalMap::new(source, target, &constraints, direction).unwrap();
+        prop_assert!(map.images().iter().all(|w| w.is_finite()));
+        for side in Side::BOTH {
+            let knots = map.measure(side).at_knots();
+            prop_assert!(knots.windows(2).all(|w| w[0] <= w[1]), "ω decreases on the {} side", side);
+            prop_assert!(knots[0] == 0.0 && knots[knots.len() - 1] == 1.0);
+            prop_assert!(map.kernel(side).iter().all(|&value| value >= 0.0));
+        }
+        let along = progress(&map, &constraints);
+        let backwards = along.windows(2).position(|w| w[0] > w[1]);
+        prop_assert!(backwards.is_none(), "out of order at {:?}", backwards);
+        Ok(())
+    });
+    result.unwrap();
+}
+
+#[test]
+fn mesh_boundary_is_exactly_the_samples() {
+    runner(48)
+        .run(&(star(), settings()), |(polygon, settings)| {
+            let Some(domain) = prepared(&polygon, settings) else { return Ok(()) };
+            let m = domain.samples.len();
+            prop_assert_eq!(domain.mesh.boundary_count as usize, m);
+            prop_assert_eq!(&domain.mesh.vertices[..m], domain.samples.points.as_slice());
+            prop_assert_eq!(domain.mesh.triangles.len(), m + 2 * domain.mesh.interior_count() - 2);
+            prop_assert!(domain.mesh.check_invariants().is_ok());
+            Ok(())
+        })
+        .unwrap();
+}
+
+#[test]
+fn domain_survives_the_trip_through_flat_arrays() {
+    runner(12)
+        .run(&(star(), settings()), |(polygon, settings)| {
+            let Some(domain) = prepared(&polygon, settings) else { return Ok(()) };
+            let copy = PreparedDomain::from_buffers(domain.to_buffers()).unwrap();
+            prop_assert_eq!(copy.to_buffers(), domain.to_buffers());
+            Ok(())
+        })
+        .unwrap();
+}
+
+#[test]
+fn handle_slides_along_the_boundary_and_stays_inside() {
+    let inputs = (star(), prop::collection::vec((-1.5_f64..1.5, -1.5_f64..1.5), 20));
+    runner(24)
+        .run(&inputs, |(polygon, pointers)| {
+            let Some(domain) = prepared(&polygon, PrepareSettings::default()) else { return Ok(()) };
+            for (x, y) in pointers {
+                let inside = domain.nearest_inside(DVec2::new(x, y), 1e-3);
+                prop_assert!(riemap::mesh::locate(&domain.mesh, inside, 0).is_some(), "{} is outside", inside);
+            }
+            Ok(())
+        })
+        .unwrap();
+}

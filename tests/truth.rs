@@ -1,0 +1,305 @@
+//! The map against exact solutions: the disk, Möbius maps, the V-shape → blob tables.
+//!
+//! The tables (60 digits, shared/data/truth) lie outside the repository; the
+//! tests that need them skip with a message where they are absent.
+
+#![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
+
+use riemap::conformal::{
+    ConformalMap, Constraints, Direction, KernelScratch, PrepareSettings, PreparedDomain, Side, harmonic_coordinates,
+    prepare,
+};
+use riemap::geometry::{DVec2, SimplePolygon};
+use riemap::laplace::DirichletLaplacian;
+use riemap::mesh::{Sizing, locate};
+use riemap::outline::{Preset, Sampling};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+fn uniform(count: u32) -> PrepareSettings {
+    PrepareSettings { sampling: Sampling::Uniform { count, keep_corners: false }, sizing: Sizing::Uniform }
+}
+
+fn domain(preset: Preset, settings: PrepareSettings) -> Arc<PreparedDomain> {
+    Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
+}
+
+/// The rows of a table, or `None` (with a message) where it is absent.
+fn table(name: &str) -> Option<Vec<Vec<f64>>> {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data/truth").join(name);
+    let Ok(text) = std::fs::read_to_string(&path) else {
+        println!("skipped: {} is absent", path.display());
+        return None;
+    };
+    let rows = text.lines().filter(|line| !line.starts_with('#'));
+    Some(rows.map(|line| line.split_whitespace().map(|word| word.parse().unwrap()).collect()).collect())
+}
+
+const BLOB_CENTRE: DVec2 = DVec2::new(2.677_813_229_026_218, 2.466_851_711_366_240_7);
+const V_POINT: DVec2 = DVec2::new(0.96, 0.8432);
+
+fn v_to_blob(source: PrepareSettings, target: PrepareSettings) -> ConformalMap {
+    let constraints =
+        Constraints { source_point: V_POINT, target_point: BLOB_CENTRE, source_anchor: 0.0, target_anchor: 0.0 };
+    let (source, target) = (domain(Preset::VShape, source), domain(Preset::Blob, target));
+    ConformalMap::new(source, target, &constraints, Direction::Forward).unwrap()
+}
+
+/// Maximum and mean distance of the boundary images from the table's.
+fn image_errors(map: &ConformalMap, rows: &[Vec<f64>]) -> (f64, f64) {
+    let errors: Vec<f64> =
+        rows.iter().zip(map.images()).map(|(row, image)| image.distance(DVec2::new(row[3], row[4]))).collect();
+    (errors.iter().copied().fold(0.0, f64::max), errors.iter().sum::<f64>() / errors.len() as f64)
+}
+
+fn v_shape_to_blob_matches_the_table(m: u32, largest: f64) {
+    let Some(rows) = table(&format!("vshape_to_blob_m{m}.txt")) else { return };
+    let map = v_to_blob(uniform(m), uniform(1000));
+    let samples = &map.domain(Side::Source).samples;
+    let boundary = samples.points.iter().zip(&rows).map(|(p, row)| p.distance(DVec2::new(row[0], row[1])));
+    let offset = boundary.fold(0.0, f64::max);
+    assert!(offset < 1e-5, "m = {m}: the samples are {offset:e} off the table's");
+    let (max, mean) = image_errors(&map, &rows);
+    println!("V → blob, m = {m}: image error max {max:.2e}, mean {mean:.2e}");
+    assert!(mean <= 2e-3, "m = {m}: mean image error {mean:e}");
+    assert!(max <= largest, "m = {m}: largest image error {max:e}");
+    let measure = map.measure(Side::Source);
+    let omega: Vec<f64> = (0..m as usize).map(|k| measure.at_vertex(k)).collect();
+    assert!(omega.windows(2).all(|w| w[0] <= w[1]), "m = {m}: ω decreases");
+    let error = rows.iter().zip(&omega).map(|(row, w)| (row[2] - w).abs()).fold(0.0, f64::max);
+    println!("V → blob, m = {m}: harmonic measure error {error:.2e}");
+    assert!(error < 2e-3, "m = {m}: harmonic measure error {error:e}");
+}
+
+#[test]
+fn v_shape_to_blob_m500() {
+    v_shape_to_blob_matches_the_table(500, 7e-2);
+}
+
+#[test]
+fn v_shape_to_blob_m1000() {
+    v_shape_to_blob_matches_the_table(1000, 2.5e-2);
+}
+
+#[test]
+fn v_shape_to_blob_m2000() {
+    v_shape_to_blob_matches_the_table(2000, 1.5e-2);
+}
+
+/// The default settings, against the finest table interpolated along the boundary.
+#[test]
+fn v_shape_to_blob_holds_under_the_default_settings() {
+    let Some(rows) = table("vshape_to_blob_m2000.txt") else { return };
+    let map = v_to_blob(PrepareSettings::default(), PrepareSettings::default());
+    let samples = &map.domain(Side::Source).samples;
+    let m = rows.len();
+    let exact = |s: f64| {
+        let (k, t) = ((s * m as f64).floor(), (s * m as f64).fract());
+        let at = |k: usize| DVec2::new(rows[k % m][3], rows[k % m][4]);
+        at(k as usize).lerp(at(k as usize + 1), t)
+    };
+    let errors: Vec<f64> = samples.fractions.iter().zip(map.images()).map(|(&s, w)| w.distance(exact(s))).collect();
+    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+    println!("V → blob, default (m = {}): mean {mean:.2e}", samples.len());
+    assert!(mean <= 4e-3, "mean image error {mean:e}");
+}
+
+#[test]
+fn disk_kernel_and_measure_match_the_closed_form() {
+    let disk = domain(Preset::Disk, uniform(400));
+    let x = DVec2::new(0.6, 0.2);
+    let constraints =
+        Constraints { source_point: x, target_point: DVec2::ZERO, source_anchor: 0.0, target_anchor: 0.0 };
+    let map = ConformalMap::new(disk.clone(), disk.clone(), &constraints, Direction::Forward).unwrap();
+    let z = riemap::exact::Complex::new(x.x, x.y);
+    for (k, p) in disk.samples.points.iter().enumerate() {
+        let t = p.to_angle().rem_euclid(std::f64::consts::TAU);
+        let t = if k == 0 { 0.0 } else { t };
+        let (kernel, exact) = (map.kernel(Side::Source)[k], riemap::exact::disk::poisson_kernel(z, t));
+        assert!((kernel - exact).abs() < 0.02 * exact.max(0.1), "ψ({t}) = {kernel}, exact {exact}");
+        let (measure, exact) = (map.measure(Side::Source).at_vertex(k), riemap::exact::disk::harmonic_measure(z, t));
+        assert!((measure - exact).abs() < 5e-4, "ω({t}) = {measure}, exact {exact}");
+    }
+}
+
+fn figure_7_error(m: u32, direction: Direction) -> f64 {
+    let disk = domain(Preset::Disk, uniform(m));
+    let constraints = Constraints {
+        source_point: DVec2::new(0.6, 0.2),
+        target_point: DVec2::new(0.0, -0.5),
+        source_anchor: 0.0,
+        target_anchor: 0.0,
+    };
+    let map = ConformalMap::new(disk.clone(), disk, &constraints, direction).unwrap();
+    let vertices = &map.mapped_mesh().vertices;
+    let error = |(v, w): (&DVec2, &DVec2)| {
+        let (from, to) = match direction {
+            Direction::Forward => (v, w),
+            Direction::Backward => (w, v),
+        };
+        let exact = riemap::exact::disk::figure_7(riemap::exact::Complex::new(from.x, from.y));
+        DVec2::new(exact.re, exact.im).distance(*to)
+    };
+    vertices.iter().zip(map.images()).map(error).sum::<f64>() / vertices.len() as f64
+}
+
+#[test]
+fn moebius_map_of_figure_7_converges() {
+    for direction in [Direction::Forward, Direction::Backward] {
+        let errors: Vec<f64> = [50, 100, 200, 400].into_iter().map(|m| figure_7_error(m, direction)).collect();
+        println!("Figure 7, {direction:?}: mean errors {errors:.2e?}");
+        // inscribed polygons and linear elements: second order, less what the coarsest mesh hides
+        assert!(errors[3] < errors[0] / 8.0, "{direction:?}: {errors:e?}");
+        assert!(errors[3] < 2e-3, "{direction:?}: {errors:e?}");
+    }
+}
+
+#[test]
+fn adjoint_kernel_equals_the_dense_table() {
+    let square = domain(Preset::LShape, uniform(60));
+    let laplacian = DirichletLaplacian::assemble(&square.mesh).unwrap();
+    let (m, n) = (square.samples.len(), square.mesh.interior_count());
+    // Φ column by column: L̂ Φ̂ = −L̄
+    let mut table = vec![vec![0.0; n]; m];
+    for (column, coordinates) in laplacian.coupling.outer_iterator().zip(&mut table) {
+        let mut x = vec![[0.0]; n];
+        for (i, &entry) in column.iter() {
+            x[square.factor.position(i as u32)] = [-entry];
+        }
+        square.factor.solve(square.factor.everything(), square.factor.everything(), &mut x);
+        for (i, value) in coordinates.iter_mut().enumerate() {
+            *value = x[square.factor.position(i as u32)][0];
+        }
+    }
+    let (mut scratch, mut phi) = (KernelScratch::default(), Vec::new());
+    for t in 0..square.mesh.triangles.len() as u32 {
+        let weights = [0.2, 0.3, 0.5];
+        let x = riemap::mesh::BarycentricPoint { triangle: t, weights };
+        harmonic_coordinates(&square, x, &mut scratch, &mut phi);
+        for (k, &value) in phi.iter().enumerate() {
+            let corner = |v: u32| match (v as usize).checked_sub(m) {
+                Some(i) => table[k][i],
+                None => f64::from(u8::from(v as usize == k)),
+            };
+            let corners = square.mesh.triangles[t as usize];
+            let expected: f64 = corners.iter().zip(weights).map(|(&v, w)| w * corner(v)).sum();
+            assert!((value - expected).abs() <= 1e-12, "triangle {t}, k = {k}: {value} and {expected}");
+        }
+    }
+}
+
+#[test]
+fn harmonic_coordinates_sum_to_one_and_reproduce_the_point() {
+    for preset in Preset::ALL {
+        let prepared = domain(preset, PrepareSettings::default());
+        let x = locate(&prepared.mesh, prepared.pole, 0).unwrap();
+        let (mut scratch, mut phi) = (KernelScratch::default(), Vec::new());
+        harmonic_coordinates(&prepared, x, &mut scratch, &mut phi);
+        let sum: f64 = phi.iter().sum();
+        let mean: DVec2 = phi.iter().zip(&prepared.samples.points).map(|(&w, &v)| w * v).sum();
+        assert!((sum - 1.0).abs() < 1e-11, "{}: Σφ = {sum}", preset.name());
+        assert!(mean.distance(prepared.pole) < 1e-10, "{}: Σφ v = {mean}, x = {}", preset.name(), prepared.pole);
+        assert!(phi.iter().all(|&w| w >= 0.0), "{}: a harmonic coordinate is negative", preset.name());
+    }
+}
+
+#[test]
+fn identity_map_is_identity() {
+    let heart = domain(Preset::Heart, PrepareSettings::default());
+    for direction in [Direction::Forward, Direction::Backward] {
+        let constraints =
+            Constraints { source_point: heart.pole, target_point: heart.pole, source_anchor: 0.3, target_anchor: 0.3 };
+        let map = ConformalMap::new(heart.clone(), heart.clone(), &constraints, direction).unwrap();
+        let error = map.images().iter().zip(&heart.mesh.vertices).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
+        assert!(error < 1e-7, "{direction:?}: {error:e}");
+    }
+}
+
+/// Moving both anchors to points that the map already matches must not change it.
+#[test]
+fn map_does_not_depend_on_which_matched_pair_anchors_it() {
+    let (source, target) =
+        (domain(Preset::Star, PrepareSettings::default()), domain(Preset::Blob, PrepareSettings::default()));
+    let mut constraints =
+        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
+    let mut map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward).unwrap();
+    let before = map.images().to_vec();
+    let k = source.samples.len() / 3;
+    constraints.source_anchor = source.samples.fractions[k];
+    constraints.target_anchor = target.samples.fraction_at(map.correspondence().points[k]);
+    map.update(&constraints, Direction::Forward).unwrap();
+    let change = map.images().iter().zip(&before).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
+    // the anchor's image inside a target edge is a root of the quadratic: equal up to rounding over ψ
+    assert!(change < 1e-6, "the images moved by {change:e}");
+}
+
+#[test]
+fn there_and_back_is_the_identity_up_to_the_mesh() {
+    let (source, target) =
+        (domain(Preset::Gingerbread, PrepareSettings::default()), domain(Preset::Heart, PrepareSettings::default()));
+    let constraints =
+        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
+    let there = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward).unwrap();
+    let back = ConformalMap::new(source.clone(), target, &constraints, Direction::Backward).unwrap();
+    let mut errors: Vec<f64> = Vec::new();
+    for v in &source.mesh.vertices[source.samples.len()..] {
+        if let Some(z) = there.image_of(*v).and_then(|w| back.image_of(w)) {
+            errors.push(z.distance(*v));
+        }
+    }
+    errors.sort_by(f64::total_cmp);
+    let median = errors[errors.len() / 2];
+    assert!(errors.len() * 10 > source.mesh.interior_count() * 9, "only {} images lie inside", errors.len());
+    assert!(median < 5e-3, "median error {median:e}");
+}
+
+/// x in the tip of the V: measures down to 1e-30 and below stay positive, in order.
+#[test]
+fn measures_of_the_far_arm_stay_positive_and_in_order() {
+    let map = v_to_blob(uniform(1000), PrepareSettings::default());
+    let kernel = map.kernel(Side::Source);
+    let smallest = kernel.iter().copied().filter(|&v| v > 0.0).fold(f64::INFINITY, f64::min);
+    println!("smallest ψ = {smallest:e}");
+    assert!(kernel.iter().all(|&v| v >= 0.0));
+    let mut tip = Constraints {
+        source_point: DVec2::new(0.992, 0.985),
+        target_point: BLOB_CENTRE,
+        source_anchor: 0.5,
+        target_anchor: 0.25,
+    };
+    let v = map.domain(Side::Source).clone();
+    tip.source_point = v.nearest_inside(tip.source_point, 1e-3);
+    let map = ConformalMap::new(v, map.domain(Side::Target).clone(), &tip, Direction::Forward).unwrap();
+    let smallest = map.kernel(Side::Source).iter().copied().fold(f64::INFINITY, f64::min);
+    println!("smallest ψ from the tip = {smallest:e}");
+    assert!(smallest < 1e-30, "the tip should crowd: {smallest:e}");
+    assert!(map.images().iter().all(|w| w.is_finite()));
+    let points = &map.correspondence().points;
+    let start = map.domain(Side::Source).samples.at_fraction(0.5).edge as usize + 1;
+    let (target_start, count) = (map.domain(Side::Target).samples.at_fraction(0.25), points.len());
+    let mt = map.domain(Side::Target).samples.len() as f64;
+    let along = |k: usize| {
+        let p = points[(start + k) % count];
+        let turn = f64::from(p.edge) + p.fraction - f64::from(target_start.edge) - target_start.fraction;
+        turn.rem_euclid(mt)
+    };
+    for k in 1..count - 1 {
+        assert!(along(k) >= along(k - 1), "images out of order at sample {k}: {} after {}", along(k), along(k - 1));
+    }
+}
+
+#[test]
+fn coarse_samplings_work() {
+    let polygon = SimplePolygon::try_from(vec![DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y]).unwrap();
+    for count in [3, 4, 5, 8] {
+        let coarse = Arc::new(prepare(&polygon, &uniform(count), &mut |_| ()).unwrap());
+        let constraints = Constraints {
+            source_point: coarse.pole,
+            target_point: coarse.pole,
+            source_anchor: 0.1,
+            target_anchor: 0.6,
+        };
+        let map = ConformalMap::new(coarse.clone(), coarse, &constraints, Direction::Backward).unwrap();
+        assert!(map.images().iter().all(|w| w.is_finite()), "m = {count}");
+    }
+}
