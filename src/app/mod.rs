@@ -274,3 +274,7 @@ impl eframe::App for RiemapApp {
         Some(self)
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;
