@@ -8,7 +8,7 @@ use super::widgets::{self, MessageAnswer, grouped, message_box, milliseconds};
 use super::{shapes, theme, words};
 use crate::conformal::Side;
 use crate::session::Command;
-use egui::{Align, Layout, Rect, RichText, Ui, UiBuilder, vec2};
+use egui::{Align, Label, Layout, Rect, RichText, Ui, UiBuilder, vec2};
 
 /// What the dialog takes.
 pub const OPEN_TOOLTIP: &str = "An outline from a file: JSON, GeoJSON, SVG, CSV or text with one point per line";
@@ -17,12 +17,12 @@ pub const OPEN_TOOLTIP: &str = "An outline from a file: JSON, GeoJSON, SVG, CSV 
 pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, narrow: bool, actions: &mut Actions) {
     let area = view.rect.shrink2(vec2(14.0, 10.0));
     ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
-        ui.horizontal_top(|ui| {
-            ui.vertical(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+            buttons(ui, side, model, view, narrow, actions);
+            ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
                 title(ui, side, model);
             });
-            ui.with_layout(Layout::right_to_left(Align::Min), |ui| buttons(ui, side, model, view, narrow, actions));
         });
         messages(ui, side, model, actions);
     });
@@ -31,7 +31,8 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, narrow: bool, a
 fn title(ui: &mut Ui, side: Side, model: &Model) {
     let palette = Palette::of(ui.visuals());
     let name = words::outline(&model.session().domain(side).outline);
-    ui.label(RichText::new(format!("{} · {name}", words::side(side))).font(theme::bold(14.0)).color(palette.text));
+    let title = RichText::new(format!("{} · {name}", words::side(side))).font(theme::bold(14.0)).color(palette.text);
+    ui.add(Label::new(title).truncate());
     let Some(domain) = model.domain(side) else { return };
     let sizes = format!(
         "m {} · n {} · prepared in {}",
@@ -39,13 +40,10 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
         grouped(domain.mesh.interior_count()),
         milliseconds(words::total(&domain.timings)),
     );
-    ui.label(RichText::new(sizes).small().color(palette.weak)).on_hover_text(format!(
-        "{}\n\n{}",
-        words::SIZE_TOOLTIP,
-        words::timings(&domain.timings)
-    ));
+    ui.add(Label::new(RichText::new(sizes).small().color(palette.weak)).truncate())
+        .on_hover_text(format!("{}\n\n{}", words::SIZE_TOOLTIP, words::timings(&domain.timings)));
     for note in &model.side(side).notes {
-        ui.label(RichText::new(words::note(note)).small().italics().color(palette.weak));
+        ui.add(Label::new(RichText::new(words::note(note)).small().color(palette.weak)).truncate());
     }
 }
 
@@ -87,8 +85,7 @@ fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
 /// What the dots mean.
 pub fn legend(ui: &mut Ui, side: Side, view: &View) {
     let palette = Palette::of(ui.visuals());
-    let place =
-        Rect::from_min_max(view.rect.left_bottom() + vec2(14.0, -30.0), view.rect.right_bottom() - vec2(14.0, 8.0));
+    let place = Rect::from_min_max(view.rect.left_bottom() + vec2(14.0, -30.0), view.rect.right_bottom() - vec2(14.0, 8.0));
     let (interior, boundary) = match side {
         Side::Source => ("interior point x₁", "boundary point y₁"),
         Side::Target => ("x₂ = f(x₁)", "y₂ = f(y₁)"),

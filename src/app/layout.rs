@@ -3,12 +3,18 @@
 
 use super::action::{Action, Actions};
 use super::theme::Palette;
+use super::view::{DESK_MARGINS, PHONE_MARGINS};
 use super::widgets::{chevron, message_box};
 use super::{PHONE_WIDTH, RiemapApp, SIDES, header, side_panel, status, top_bar, viewport};
-use egui::{Frame, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
 
 /// The width of the side panel.
 const PANEL_WIDTH: f32 = 250.0;
+
+/// The height of the sheet's handle, enough for a thumb.
+const SHEET_HANDLE: f32 = 44.0;
+/// How much of the screen the open sheet takes besides.
+const SHEET_SHARE: f32 = 0.42;
 
 /// One frame: panels, then what they ask for, then the pictures.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
@@ -53,16 +59,17 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
 
 fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
-    let height = 0.45 * ui.ctx().content_rect().height();
-    Panel::bottom("sheet").resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
+    let open = ui.ctx().animate_bool(Id::unique("sheet open"), app.sheet_open);
+    let height = SHEET_HANDLE + open * SHEET_SHARE * ui.ctx().content_rect().height();
+    Panel::bottom("sheet").exact_size(height).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
         let button = egui::Button::new(RichText::new("Controls").color(palette.text)).frame(false);
-        let response = ui.add_sized(vec2(ui.available_width(), 40.0), button);
+        let response = ui.add_sized(vec2(ui.available_width(), SHEET_HANDLE), button);
         chevron(ui, response.rect, !app.sheet_open);
         if response.clicked() {
             app.sheet_open = !app.sheet_open;
         }
-        if app.sheet_open {
-            ScrollArea::vertical().max_height(height).show(ui, |ui| {
+        if open > 0.0 {
+            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 side_panel::show(ui, &app.model, app.image_name.as_deref(), actions);
                 ui.add_space(10.0);
             });
@@ -75,7 +82,8 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     let rects = divide(ui.max_rect(), narrow || ui.max_rect().width() < ui.max_rect().height());
     for side in SIDES {
         let (view, rect) = (&mut app.views[side as usize], rects[side as usize]);
-        viewport::interact(ui, side, rect, &app.model, view, &mut app.handles, &mut actions);
+        view.place(rect, ui.pixels_per_point(), if narrow { PHONE_MARGINS } else { DESK_MARGINS }, app.model.extent(side));
+        viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions);
     }
     let context = ui.ctx().clone();
     app.carry_out(&context, std::mem::take(&mut actions));

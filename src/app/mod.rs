@@ -219,7 +219,6 @@ impl RiemapApp {
 
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {
         let session = self.model.session();
-        let source = self.model.domain(Side::Source)?;
         let pattern = match session.texture {
             TextureKind::Grid => Pattern::Grid,
             TextureKind::Polar => Pattern::Polar,
@@ -229,7 +228,7 @@ impl RiemapApp {
         Some(TextureStyle {
             pattern,
             cells: session.texture_scale,
-            bounds: model::bounds(&source.samples.points),
+            bounds: self.model.extent(Side::Source)?,
             pole: self.model.interior(Side::Source)?,
             dark,
         })
@@ -275,3 +274,7 @@ impl eframe::App for RiemapApp {
         Some(self)
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

@@ -121,6 +121,11 @@ impl Model {
         self.map.is_some() && !self.sides.iter().any(Preparation::is_busy)
     }
 
+    /// Lower left and upper right corner of a side's domain.
+    pub fn extent(&self, side: Side) -> Option<(DVec2, DVec2)> {
+        self.domain(side).map(|domain| bounds(&domain.samples.points))
+    }
+
     /// The interior point of a side, where its handle is.
     pub fn interior(&self, side: Side) -> Option<DVec2> {
         let domain = self.domain(side)?;
@@ -136,7 +141,7 @@ impl Model {
     /// Where the interior handle goes when the pointer is at `x`: there, or along the boundary.
     pub fn interior_near(&self, side: Side, x: DVec2) -> Option<DVec2> {
         let domain = self.domain(side)?;
-        let (low, high) = bounds(&domain.samples.points);
+        let (low, high) = self.extent(side)?;
         Some(domain.nearest_inside(x, INSET * (high - low).max_element()))
     }
 

@@ -7,8 +7,22 @@ use crate::geometry::DVec2;
 use crate::render::Camera;
 use egui::{Pos2, Rect, Vec2, vec2};
 
-/// Free space around a fitted outline: sides, top (title and buttons), bottom (legend), in points.
-const MARGINS: [f32; 3] = [28.0, 66.0, 46.0];
+/// Free space around a fitted outline, in points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margins {
+    /// Left and right.
+    pub sides: f32,
+    /// Above: title and buttons.
+    pub top: f32,
+    /// Below: the legend.
+    pub bottom: f32,
+}
+
+/// With a legend.
+pub const DESK_MARGINS: Margins = Margins { sides: 30.0, top: 66.0, bottom: 46.0 };
+/// Without.
+pub const PHONE_MARGINS: Margins = Margins { sides: 20.0, top: 54.0, bottom: 18.0 };
+
 /// How far one can zoom in from the fitted view: f32 steps show up at about 10⁵.
 const MAX_ZOOM: f64 = 2e4;
 /// How far one can zoom out.
@@ -39,7 +53,7 @@ impl Default for View {
 
 impl View {
     /// Puts the view at `rect` and, unless it was panned or zoomed, shows all of `bounds`.
-    pub fn place(&mut self, rect: Rect, pixels_per_point: f32, bounds: Option<(DVec2, DVec2)>) {
+    pub fn place(&mut self, rect: Rect, pixels_per_point: f32, margins: Margins, bounds: Option<(DVec2, DVec2)>) {
         let snap = |v: f32| (v * pixels_per_point).round() / pixels_per_point;
         let corner = |p: Pos2| Pos2::new(snap(p.x), snap(p.y));
         let old = self.pixels_per_point;
@@ -47,7 +61,7 @@ impl View {
         self.pixels_per_point = pixels_per_point;
         self.camera.units_per_pixel *= f64::from(old / pixels_per_point);
         if let Some(bounds) = bounds {
-            let fitted = self.fitted(bounds);
+            let fitted = self.fitted(bounds, margins);
             self.fitted_units_per_pixel = fitted.units_per_pixel;
             if self.follows_outline {
                 self.camera = fitted;
@@ -112,8 +126,9 @@ impl View {
         [self.rect.width() * self.pixels_per_point, self.rect.height() * self.pixels_per_point]
     }
 
-    fn fitted(&self, bounds: (DVec2, DVec2)) -> Camera {
-        let [sides, top, bottom] = MARGINS.map(|margin| margin * self.pixels_per_point);
+    fn fitted(&self, bounds: (DVec2, DVec2), margins: Margins) -> Camera {
+        let [sides, top, bottom] =
+            [margins.sides, margins.top, margins.bottom].map(|margin| margin * self.pixels_per_point);
         let [width, height] = self.size();
         let free = [(width - 2.0 * sides).max(1.0), (height - top - bottom).max(1.0)];
         let mut camera = Camera::fit(bounds, free, 0.0);
@@ -130,7 +145,7 @@ mod tests {
     fn view() -> View {
         let mut view = View::default();
         let rect = Rect::from_min_size(pos2(250.0, 46.0), vec2(560.0, 600.0));
-        view.place(rect, 2.0, Some((DVec2::new(-1.0, -1.0), DVec2::new(1.0, 1.0))));
+        view.place(rect, 2.0, DESK_MARGINS, Some((DVec2::new(-1.0, -1.0), DVec2::new(1.0, 1.0))));
         view
     }
 
@@ -138,8 +153,8 @@ mod tests {
     fn a_fitted_outline_lies_between_the_margins() {
         let view = view();
         let (low, high) = (view.to_screen(DVec2::new(-1.0, -1.0)), view.to_screen(DVec2::new(1.0, 1.0)));
-        assert!(high.y >= view.rect.top() + MARGINS[1] - 0.01 && low.y <= view.rect.bottom() - MARGINS[2] + 0.01);
-        assert!(low.x >= view.rect.left() + MARGINS[0] - 0.01 && high.x <= view.rect.right() - MARGINS[0] + 0.01);
+        assert!(high.y >= view.rect.top() + DESK_MARGINS.top - 0.01 && low.y <= view.rect.bottom() - DESK_MARGINS.bottom + 0.01);
+        assert!(low.x >= view.rect.left() + DESK_MARGINS.sides - 0.01 && high.x <= view.rect.right() - DESK_MARGINS.sides + 0.01);
     }
 
     #[test]
@@ -177,7 +192,7 @@ mod tests {
         }
         assert!(view.camera().units_per_pixel >= fitted.units_per_pixel / MAX_ZOOM * 0.999);
         view.fit();
-        view.place(view.rect, 2.0, Some((DVec2::new(-1.0, -1.0), DVec2::new(1.0, 1.0))));
+        view.place(view.rect, 2.0, DESK_MARGINS, Some((DVec2::new(-1.0, -1.0), DVec2::new(1.0, 1.0))));
         assert_eq!(view.camera(), fitted);
     }
 }

@@ -8,7 +8,7 @@
 use super::action::{Action, Actions};
 use super::gpu::ViewportCallback;
 use super::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, HandleState, hit};
-use super::model::{Model, bounds};
+use super::model::Model;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use super::view::View;
 use super::widgets::caption_font;
@@ -27,14 +27,11 @@ const ZOOM_PER_POINT: f32 = 0.0025;
 pub fn interact(
     ui: &mut Ui,
     side: Side,
-    rect: Rect,
     model: &Model,
     view: &mut View,
     handles: &mut HandleState,
     actions: &mut Actions,
 ) {
-    let extent = model.domain(side).map(|domain| bounds(&domain.samples.points));
-    view.place(rect, ui.pixels_per_point(), extent);
     let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
     if pinch(ui, &response, view, handles) {
         return;

@@ -51,7 +51,7 @@ fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool) ->
         let ring = Stroke::new(1.5, palette.accent_soft);
         ui.painter().rect_stroke(cell.shrink(2.0), CornerRadius::same(ROUNDING - 2), ring, StrokeKind::Outside);
     }
-    ui.painter().text(cell.center(), Align2::CENTER_CENTER, segment.label, TextStyle::Button.resolve(ui.style()), ink);
+    ui.painter().text(cell.center(), Align2::CENTER_CENTER, segment.label, FontId::proportional(12.5), ink);
     response
 }
 

@@ -1,0 +1,188 @@
+//! The panels and the whole app, driven by clicks as a person would.
+
+use super::*;
+use crate::conformal::{Direction, PrepareSettings};
+use crate::mesh::Sizing;
+use crate::outline::{Preset, Sampling};
+use crate::session::OutlineSpec;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+
+/// A model with both domains prepared, coarsely.
+fn prepared_model() -> Model {
+    let mut session = Session::default();
+    let sampling = Sampling::Uniform { count: 120, keep_corners: false };
+    for side in SIDES {
+        session.apply(Command::SetSettings { side, settings: PrepareSettings { sampling, sizing: Sizing::Graded(0.3) } });
+    }
+    let mut model = Model::new(session);
+    finish_preparations(&mut model);
+    model
+}
+
+fn finish_preparations(model: &mut Model) {
+    for (side, request) in model.take_requests(f64::INFINITY) {
+        crate::worker::run(&request, &mut |generation, response| model.accept(side, generation, response));
+    }
+    model.refresh();
+}
+
+/// Runs a click on `label` in the side panel and returns what was asked for.
+fn click_in_panel(model: &Model, label: &str) -> Actions {
+    let mut actions = Actions::new();
+    let mut harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
+        side_panel::show(ui, model, None, &mut actions);
+    });
+    harness.get_by_label(label).click();
+    harness.run();
+    drop(harness);
+    actions
+}
+
+#[test]
+fn the_map_is_there_once_both_sides_are() {
+    let model = prepared_model();
+    assert!(model.is_ready() && model.generation() == 1);
+    let quality = model.quality().unwrap();
+    assert!(quality.q_mean >= 1.0 && quality.q_mean.is_finite(), "Q {}", quality.q_mean);
+}
+
+#[test]
+fn forward_is_one_click_away() {
+    let model = prepared_model();
+    assert_eq!(click_in_panel(&model, "Forward"), [Action::Session(Command::SetDirection(Direction::Forward))]);
+}
+
+#[test]
+fn a_click_on_what_is_chosen_asks_for_nothing() {
+    let model = prepared_model();
+    assert_eq!(click_in_panel(&model, "Backward"), []);
+}
+
+#[test]
+fn textures_are_chosen_by_name_and_the_image_asks_for_a_file_first() {
+    let model = prepared_model();
+    assert_eq!(click_in_panel(&model, "Polar"), [Action::Session(Command::SetTexture(TextureKind::Polar))]);
+    assert_eq!(click_in_panel(&model, "Image"), [Action::OpenImage]);
+}
+
+#[test]
+fn corners_can_be_kept_on_either_side() {
+    let model = prepared_model();
+    let mut actions = Actions::new();
+    let mut harness = Harness::builder().with_size([260.0, 1000.0]).with_context_setup(theme::install).build_ui(|ui| {
+        side_panel::show(ui, &model, None, &mut actions);
+    });
+    let target = harness.get_all_by_label("Keep corners").last().unwrap();
+    target.click();
+    harness.run();
+    drop(harness);
+    let settings = PrepareSettings {
+        sampling: Sampling::Uniform { count: 120, keep_corners: true },
+        sizing: Sizing::Graded(0.3),
+    };
+    assert_eq!(actions, [Action::Session(Command::SetSettings { side: Side::Target, settings })]);
+}
+
+#[test]
+fn the_selected_segment_says_so_to_assistive_technology() {
+    let model = prepared_model();
+    let mut actions = Actions::new();
+    let harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
+        side_panel::show(ui, &model, None, &mut actions);
+    });
+    let toggled = |label| harness.get_by_label(label).accesskit_node().toggled();
+    assert_eq!(toggled("Checker"), Some(egui::accesskit::Toggled::True));
+    assert_eq!(toggled("Grid"), Some(egui::accesskit::Toggled::False));
+}
+
+#[test]
+fn while_a_side_is_prepared_the_last_map_stays_and_its_handles_work() {
+    let mut model = prepared_model();
+    model.dispatch(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Preset(Preset::Star) }, 1.0);
+    assert!(!model.is_ready() && model.map().is_some());
+    assert_eq!(model.session().source.outline, OutlineSpec::Preset(Preset::Gingerbread));
+    let point = model.interior(Side::Target).unwrap() + glam::DVec2::new(0.05, 0.0);
+    model.dispatch(Command::MoveInterior { side: Side::Target, point }, 1.0);
+    assert!(model.refresh().images);
+    finish_preparations(&mut model);
+    assert_eq!(model.session().source.outline, OutlineSpec::Preset(Preset::Star));
+    assert_eq!(model.interior(Side::Target), Some(point));
+    assert!(model.is_ready());
+}
+
+#[test]
+fn a_point_outside_is_refused_and_the_map_stays() {
+    let mut model = prepared_model();
+    let before = model.interior(Side::Source);
+    let generation = model.generation();
+    let point = glam::DVec2::new(1e3, 0.0);
+    model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
+    model.refresh();
+    assert_eq!(model.interior(Side::Source), before);
+    assert_eq!(model.generation(), generation);
+    assert_eq!(model.map_error().unwrap().0, Side::Source);
+}
+
+#[test]
+fn the_handle_of_a_pointer_outside_is_inside() {
+    let model = prepared_model();
+    for angle in 0..16 {
+        let far = 10.0 * glam::DVec2::from_angle(std::f64::consts::TAU * f64::from(angle) / 16.0);
+        let near = model.interior_near(Side::Source, far).unwrap();
+        let mut moved = prepared_model();
+        moved.dispatch(Command::MoveInterior { side: Side::Source, point: near }, 0.0);
+        assert!(moved.refresh().images, "no map at {near}: {:?}", moved.map_error());
+    }
+}
+
+#[test]
+fn swapping_exchanges_the_prepared_domains_without_preparing_again() {
+    let mut model = prepared_model();
+    let source = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
+    model.dispatch(Command::Swap, 0.0);
+    assert!(model.refresh().meshes && model.is_ready());
+    assert!(std::sync::Arc::ptr_eq(&source, model.domain(Side::Target).unwrap()));
+}
+
+#[test]
+fn the_mapped_point_goes_to_the_other_sides_point() {
+    for direction in [Direction::Forward, Direction::Backward] {
+        let mut model = prepared_model();
+        model.dispatch(Command::SetDirection(direction), 0.0);
+        model.refresh();
+        let stats = stats::collect(&model, ScreenFacts::default());
+        let (image, expected) = (stats.image_of_mapped_point.unwrap(), stats.expected.unwrap());
+        let error = glam::DVec2::from(image).distance(expected.into());
+        // 120 samples: the paper's figure 7 has errors of a per cent at this resolution.
+        assert!(error < 0.02, "{direction:?}: f(x) = {image:?}, expected {expected:?}, error {error:e}");
+    }
+}
+
+#[test]
+fn the_app_prepares_shows_and_answers_to_a_drag() {
+    let mut harness = Harness::builder().with_size([1200.0, 800.0]).build_eframe(|creation| {
+        RiemapApp::new(creation).unwrap()
+    });
+    for _ in 0..600 {
+        harness.step();
+        if harness.state().stats().ready {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let before = harness.state().stats();
+    assert!(before.ready, "{before:?}");
+    harness.get_by_label("drag a dot · scroll to zoom · drop a file anywhere");
+    let [x, y] = before.handles.x1.unwrap();
+    harness.drag_at(egui::pos2(x, y));
+    harness.step();
+    harness.hover_at(egui::pos2(x + 12.0, y + 9.0));
+    harness.step();
+    harness.drop_at(egui::pos2(x + 12.0, y + 9.0));
+    harness.step();
+    let after = harness.state().stats();
+    assert!(after.generation > before.generation);
+    let [u, v] = after.handles.x1.unwrap();
+    assert!((u - x - 12.0).abs() < 0.6 && (v - y - 9.0).abs() < 0.6, "from {x}, {y} to {u}, {v}");
+}

@@ -1,0 +1,69 @@
+//! What the commands do to a session.
+
+use super::*;
+use crate::outline::Sampling;
+
+fn preset(preset: Preset) -> OutlineSpec {
+    OutlineSpec::Preset(preset)
+}
+
+#[test]
+fn a_new_outline_resets_the_points_of_its_side_only() {
+    let mut session = Session::default();
+    for (side, x) in [(Side::Source, 0.1), (Side::Target, 0.2)] {
+        session.apply(Command::MoveInterior { side, point: DVec2::new(x, 0.0) });
+        session.apply(Command::MoveAnchor { side, fraction: x });
+    }
+    session.apply(Command::SetOutline { side: Side::Source, outline: preset(Preset::Star) });
+    assert_eq!(session.source.outline, preset(Preset::Star));
+    assert_eq!((session.interior[0], session.anchor[0]), (None, 0.0));
+    assert_eq!((session.interior[1], session.anchor[1]), (Some(DVec2::new(0.2, 0.0)), 0.2));
+}
+
+#[test]
+fn another_resolution_keeps_the_points() {
+    let mut session = Session::default();
+    session.apply(Command::MoveAnchor { side: Side::Target, fraction: 0.3 });
+    let settings = PrepareSettings { sampling: Sampling::Adaptive { target: Some(99) }, ..Default::default() };
+    session.apply(Command::SetSettings { side: Side::Target, settings });
+    assert_eq!(session.target.settings, settings);
+    assert_eq!(session.anchor[1], 0.3);
+}
+
+#[test]
+fn anchors_are_taken_modulo_one() {
+    let mut session = Session::default();
+    session.apply(Command::MoveAnchor { side: Side::Source, fraction: -0.25 });
+    assert_eq!(session.anchor[0], 0.75);
+}
+
+#[test]
+fn swapping_twice_changes_nothing() {
+    let mut session = Session::default();
+    session.apply(Command::MoveInterior { side: Side::Source, point: DVec2::new(1.0, 2.0) });
+    session.apply(Command::MoveAnchor { side: Side::Target, fraction: 0.5 });
+    let before = session.clone();
+    session.apply(Command::Swap);
+    assert_eq!(session.source.outline, before.target.outline);
+    assert_eq!(session.interior, [None, Some(DVec2::new(1.0, 2.0))]);
+    session.apply(Command::Swap);
+    assert_eq!(session, before);
+}
+
+#[test]
+fn points_that_were_not_set_are_the_poles() {
+    let session = Session::default();
+    let poles = [DVec2::new(1.0, 0.0), DVec2::new(0.0, 1.0)];
+    let constraints = session.constraints(poles);
+    assert_eq!((constraints.source_point, constraints.target_point), (poles[0], poles[1]));
+}
+
+#[test]
+fn a_session_survives_json() {
+    let mut session = Session::default();
+    session.apply(Command::SetTexture(TextureKind::Polar));
+    session.apply(Command::SetDirection(Direction::Forward));
+    session.apply(Command::MoveInterior { side: Side::Target, point: DVec2::new(0.1, -1.0 / 3.0) });
+    let text = serde_json::to_string(&session).unwrap();
+    assert_eq!(serde_json::from_str::<Session>(&text).unwrap(), session, "{text}");
+}
