@@ -9,7 +9,7 @@ use super::{PHONE_WIDTH, RiemapApp, SIDES, header, side_panel, status, top_bar, 
 use egui::{Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
 
 /// The width of the side panel.
-const PANEL_WIDTH: f32 = 250.0;
+const PANEL_WIDTH: f32 = 268.0;
 
 /// The height of the sheet's handle, enough for a thumb.
 const SHEET_HANDLE: f32 = 44.0;
