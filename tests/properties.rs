@@ -56,11 +56,11 @@ fn progress(map: &ConformalMap, constraints: &Constraints) -> Vec<f64> {
     let (m, count) = (samples(side).len(), samples(other).len() as f64);
     let along = |k: usize| {
         let vertex = (start + 1 + k) % m;
-        if map.measure(side).at_vertex(vertex) == 1.0 {
+        let point = map.correspondence().points[vertex];
+        if point == anchor && map.measure(side).at_vertex(vertex) > 0.5 {
             return count; // all the way round: the anchor again, which would read as 0
         }
-        let point = map.correspondence().points[vertex];
-        (f64::from(point.edge) + point.fraction - f64::from(anchor.edge) - anchor.fraction).rem_euclid(count)
+        (f64::from(point.edge) - f64::from(anchor.edge) + (point.fraction - anchor.fraction)).rem_euclid(count)
     };
     // without the last vertex: it may be the anchor itself
     (0..m - 1).map(along).collect()
@@ -84,7 +84,13 @@ fn boundary_correspondence_keeps_the_order() {
         }
         let along = progress(&map, &constraints);
         let backwards = along.windows(2).position(|w| w[0] > w[1]);
-        prop_assert!(backwards.is_none(), "out of order at {:?}", backwards);
+        prop_assert!(
+            backwards.is_none(),
+            "out of order at {:?} of {}: {:?}",
+            backwards,
+            along.len(),
+            backwards.map(|k| &along[k..k + 2])
+        );
         Ok(())
     });
     result.unwrap();

@@ -1,8 +1,8 @@
 //! Files that came in: which are outlines, which are images, and what is wrong with the others.
 
+use crate::conformal::Side;
 use crate::outline::Outline;
 use crate::platform::FilePurpose;
-use crate::conformal::Side;
 
 /// A decoded image.
 pub struct Picture {
@@ -106,7 +106,9 @@ mod tests {
 
     #[test]
     fn what_is_no_image_is_told_with_the_files_name() {
-        let Err(FileError::Image(message)) = read(FilePurpose::Image, "x.png", Ok(b"text".to_vec()), 32) else { panic!() };
+        let Err(FileError::Image(message)) = read(FilePurpose::Image, "x.png", Ok(b"text".to_vec()), 32) else {
+            panic!()
+        };
         assert!(message.starts_with("x.png: "), "{message}");
     }
 
@@ -118,7 +120,8 @@ mod tests {
 
     #[test]
     fn a_broken_outline_says_what_is_wrong() {
-        let Err(FileError::Outline(side, message)) = read(FilePurpose::Outline(Side::Source), "a.json", Ok(b"{".to_vec()), 32)
+        let Err(FileError::Outline(side, message)) =
+            read(FilePurpose::Outline(Side::Source), "a.json", Ok(b"{".to_vec()), 32)
         else {
             panic!("was read")
         };

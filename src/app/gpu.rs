@@ -140,12 +140,26 @@ impl CallbackTrait for ViewportCallback {
     ) -> Vec<wgpu::CommandBuffer> {
         if let Some(renderer) = resources.get_mut::<ViewportRenderer>() {
             let viewport = self.side as usize;
-            renderer.prepare(device, queue, encoder, viewport, self.size_px, &self.camera, &self.style, self.background);
+            renderer.prepare(
+                device,
+                queue,
+                encoder,
+                viewport,
+                self.size_px,
+                &self.camera,
+                &self.style,
+                self.background,
+            );
         }
         Vec::new()
     }
 
-    fn paint(&self, _info: egui::PaintCallbackInfo, pass: &mut wgpu::RenderPass<'static>, resources: &CallbackResources) {
+    fn paint(
+        &self,
+        _info: egui::PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
         if let Some(renderer) = resources.get::<ViewportRenderer>() {
             renderer.paint(pass, self.side as usize);
         }

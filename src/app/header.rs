@@ -40,8 +40,11 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
         grouped(domain.mesh.interior_count()),
         milliseconds(words::total(&domain.timings)),
     );
-    ui.add(Label::new(RichText::new(sizes).small().color(palette.weak)).truncate())
-        .on_hover_text(format!("{}\n\n{}", words::SIZE_TOOLTIP, words::timings(&domain.timings)));
+    ui.add(Label::new(RichText::new(sizes).small().color(palette.weak)).truncate()).on_hover_text(format!(
+        "{}\n\n{}",
+        words::SIZE_TOOLTIP,
+        words::timings(&domain.timings)
+    ));
     for note in &model.side(side).notes {
         ui.add(Label::new(RichText::new(words::note(note)).small().color(palette.weak)).truncate());
     }
@@ -85,7 +88,8 @@ fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
 /// What the dots mean.
 pub fn legend(ui: &mut Ui, side: Side, view: &View) {
     let palette = Palette::of(ui.visuals());
-    let place = Rect::from_min_max(view.rect.left_bottom() + vec2(14.0, -30.0), view.rect.right_bottom() - vec2(14.0, 8.0));
+    let place =
+        Rect::from_min_max(view.rect.left_bottom() + vec2(14.0, -30.0), view.rect.right_bottom() - vec2(14.0, 8.0));
     let (interior, boundary) = match side {
         Side::Source => ("interior point x₁", "boundary point y₁"),
         Side::Target => ("x₂ = f(x₁)", "y₂ = f(y₁)"),

@@ -82,7 +82,12 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     let rects = divide(ui.max_rect(), narrow || ui.max_rect().width() < ui.max_rect().height());
     for side in SIDES {
         let (view, rect) = (&mut app.views[side as usize], rects[side as usize]);
-        view.place(rect, ui.pixels_per_point(), if narrow { PHONE_MARGINS } else { DESK_MARGINS }, app.model.extent(side));
+        view.place(
+            rect,
+            ui.pixels_per_point(),
+            if narrow { PHONE_MARGINS } else { DESK_MARGINS },
+            app.model.extent(side),
+        );
         viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions);
     }
     let context = ui.ctx().clone();
@@ -107,7 +112,8 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     }
     let palette = Palette::of(ui.visuals());
     let [a, b] = rects;
-    let divider = if a.bottom() <= b.top() { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
+    let divider =
+        if a.bottom() <= b.top() { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
     ui.painter().line_segment(divider, Stroke::new(1.0, palette.border));
     image_message(app, ui, &mut actions);
     app.carry_out(&context, actions);

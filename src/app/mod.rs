@@ -28,10 +28,10 @@ pub use action::{Action, Actions};
 pub use model::Model;
 pub use stats::Stats;
 
+use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose, Mailbox, Preparer};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{Command, Session, TextureKind};
-use crate::conformal::Side;
 use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;

@@ -305,9 +305,7 @@ impl Model {
 
 /// Lower left and upper right corner of the points.
 pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
-    points
-        .iter()
-        .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &point| (low.min(point), high.max(point)))
+    points.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &point| (low.min(point), high.max(point)))
 }
 
 /// The side whose vertices the map moves.

@@ -177,7 +177,8 @@ impl Preparation {
     /// The worker is gone; what it was doing is lost, nothing else.
     pub fn worker_died(&mut self, reason: &str) {
         if self.running.take().is_some() {
-            self.error = Some(format!("The preparation stopped unexpectedly ({reason}). The map shown is the last one."));
+            self.error =
+                Some(format!("The preparation stopped unexpectedly ({reason}). The map shown is the last one."));
         }
     }
 
@@ -208,7 +209,9 @@ fn polygon_of(outline: &OutlineSpec) -> Result<SimplePolygon, String> {
             let Outline { polygon, .. } = preset.outline();
             Ok(polygon)
         }
-        OutlineSpec::Points { points, .. } => SimplePolygon::try_from(points.clone()).map_err(|error| error.to_string()),
+        OutlineSpec::Points { points, .. } => {
+            SimplePolygon::try_from(points.clone()).map_err(|error| error.to_string())
+        }
     }
 }
 

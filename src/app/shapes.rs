@@ -10,7 +10,7 @@ use crate::outline::Preset;
 use crate::session::{Command, OutlineSpec};
 use egui::containers::menu::MenuButton;
 use egui::{
-    Align2, Color32, CornerRadius, Id, Pos2, Rect, Response, Sense, Shape, Stroke, TextStyle, Ui, WidgetInfo, Role,
+    Align2, Color32, CornerRadius, Id, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextStyle, Ui, WidgetInfo,
     vec2,
 };
 use std::sync::Arc;

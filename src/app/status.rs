@@ -46,8 +46,11 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = if narrow { 12.0 } else { 20.0 };
         if let Some(quality) = model.quality() {
-            ui.label(weak(format!("Q̄ {:.3}", quality.q_mean)))
-                .on_hover_text(format!("{}\n\nlargest Q: {:.3}", words::QUALITY_TOOLTIP, quality.q_max));
+            ui.label(weak(format!("Q̄ {:.3}", quality.q_mean))).on_hover_text(format!(
+                "{}\n\nlargest Q: {:.3}",
+                words::QUALITY_TOOLTIP,
+                quality.q_max
+            ));
             let ink = if quality.flipped == 0 { palette.weak } else { palette.error_edge };
             let flipped = RichText::new(format!("flipped {}", grouped(quality.flipped as usize))).small().color(ink);
             ui.label(flipped).on_hover_text(words::FLIPPED_TOOLTIP);

@@ -13,7 +13,8 @@ fn prepared_model() -> Model {
     let mut session = Session::default();
     let sampling = Sampling::Uniform { count: 120, keep_corners: false };
     for side in SIDES {
-        session.apply(Command::SetSettings { side, settings: PrepareSettings { sampling, sizing: Sizing::Graded(0.3) } });
+        session
+            .apply(Command::SetSettings { side, settings: PrepareSettings { sampling, sizing: Sizing::Graded(0.3) } });
     }
     let mut model = Model::new(session);
     finish_preparations(&mut model);
@@ -77,10 +78,8 @@ fn corners_can_be_kept_on_either_side() {
     target.click();
     harness.run();
     drop(harness);
-    let settings = PrepareSettings {
-        sampling: Sampling::Uniform { count: 120, keep_corners: true },
-        sizing: Sizing::Graded(0.3),
-    };
+    let settings =
+        PrepareSettings { sampling: Sampling::Uniform { count: 120, keep_corners: true }, sizing: Sizing::Graded(0.3) };
     assert_eq!(actions, [Action::Session(Command::SetSettings { side: Side::Target, settings })]);
 }
 
@@ -161,9 +160,8 @@ fn the_mapped_point_goes_to_the_other_sides_point() {
 
 #[test]
 fn the_app_prepares_shows_and_answers_to_a_drag() {
-    let mut harness = Harness::builder().with_size([1200.0, 800.0]).build_eframe(|creation| {
-        RiemapApp::new(creation).unwrap()
-    });
+    let mut harness =
+        Harness::builder().with_size([1200.0, 800.0]).build_eframe(|creation| RiemapApp::new(creation).unwrap());
     for _ in 0..600 {
         harness.step();
         if harness.state().stats().ready {

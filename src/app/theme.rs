@@ -4,7 +4,8 @@
 //! [`Palette`] here; what is painted by hand asks [`Palette::of`].
 
 use egui::{
-    Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme, Visuals,
+    Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Theme,
+    Visuals,
 };
 use std::sync::Arc;
 
@@ -130,12 +131,8 @@ pub fn toggle(context: &egui::Context) {
 
 fn style(palette: &Palette, visuals: Visuals) -> Style {
     let mut style = Style { visuals: coloured(palette, visuals), ..Style::default() };
-    let sizes = [
-        (TextStyle::Heading, 16.0),
-        (TextStyle::Body, 13.0),
-        (TextStyle::Button, 13.0),
-        (TextStyle::Small, 12.0),
-    ];
+    let sizes =
+        [(TextStyle::Heading, 16.0), (TextStyle::Body, 13.0), (TextStyle::Button, 13.0), (TextStyle::Small, 12.0)];
     for (name, size) in sizes {
         style.text_styles.insert(name, FontId::new(size, FontFamily::Proportional));
     }

@@ -23,7 +23,8 @@ pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
             if theme_button(ui).clicked() {
                 actions.push(Action::ToggleTheme);
             }
-            if !narrow && ui.button("Panels").on_hover_text("Fold the panels away, or bring them back (Tab)").clicked() {
+            if !narrow && ui.button("Panels").on_hover_text("Fold the panels away, or bring them back (Tab)").clicked()
+            {
                 actions.push(Action::TogglePanels);
             }
         });

@@ -153,8 +153,14 @@ mod tests {
     fn a_fitted_outline_lies_between_the_margins() {
         let view = view();
         let (low, high) = (view.to_screen(DVec2::new(-1.0, -1.0)), view.to_screen(DVec2::new(1.0, 1.0)));
-        assert!(high.y >= view.rect.top() + DESK_MARGINS.top - 0.01 && low.y <= view.rect.bottom() - DESK_MARGINS.bottom + 0.01);
-        assert!(low.x >= view.rect.left() + DESK_MARGINS.sides - 0.01 && high.x <= view.rect.right() - DESK_MARGINS.sides + 0.01);
+        assert!(
+            high.y >= view.rect.top() + DESK_MARGINS.top - 0.01
+                && low.y <= view.rect.bottom() - DESK_MARGINS.bottom + 0.01
+        );
+        assert!(
+            low.x >= view.rect.left() + DESK_MARGINS.sides - 0.01
+                && high.x <= view.rect.right() - DESK_MARGINS.sides + 0.01
+        );
     }
 
     #[test]

@@ -16,7 +16,9 @@ use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::render::TextureStyle;
 use crate::session::Command;
-use egui::{Align2, Color32, CornerRadius, CursorIcon, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
+use egui::{
+    Align2, Color32, CornerRadius, CursorIcon, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2,
+};
 
 /// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
 const ZOOM_PER_POINT: f32 = 0.0025;
@@ -51,14 +53,7 @@ fn pinch(ui: &Ui, response: &Response, view: &mut View, handles: &mut HandleStat
     true
 }
 
-fn grab_and_release(
-    ui: &Ui,
-    response: &Response,
-    side: Side,
-    model: &Model,
-    view: &View,
-    handles: &mut HandleState,
-) {
+fn grab_and_release(ui: &Ui, response: &Response, side: Side, model: &Model, view: &View, handles: &mut HandleState) {
     let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
     let (pressed, down, pointer, now) = ui.input(|input| {
         let pointer = &input.pointer;
@@ -146,7 +141,11 @@ fn paint_dot(ui: &Ui, painter: &egui::Painter, handle: Handle, point: DVec2, vie
         painter.circle_stroke(place, radius, Stroke::new(3.0 * (1.0 - progress), colour));
         ui.request_repaint();
     }
-    let raised = ui.ctx().animate_bool_with_time(ui.scope_id().with((handle.side, handle.symbol())), handles.is_raised(handle), 0.1);
+    let raised = ui.ctx().animate_bool_with_time(
+        ui.scope_id().with((handle.side, handle.symbol())),
+        handles.is_raised(handle),
+        0.1,
+    );
     let radius = DOT_RADIUS + 3.0 * raised;
     painter.circle_filled(place + vec2(0.0, 1.0), radius + 3.0, Color32::from_black_alpha(70));
     painter.circle_filled(place, radius + 1.0, Color32::WHITE);
@@ -175,7 +174,11 @@ pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
     let Some(place) = model.interior(Side::Source).map(|point| view.to_screen(point)) else { return };
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
-    let galley = painter.layout_no_wrap(String::from("drag a dot"), egui::TextStyle::Body.resolve(ui.style()), palette.on_accent);
+    let galley = painter.layout_no_wrap(
+        String::from("drag a dot"),
+        egui::TextStyle::Body.resolve(ui.style()),
+        palette.on_accent,
+    );
     let size = galley.size() + vec2(22.0, 12.0);
     let label = Rect::from_center_size(place + vec2(0.0, DOT_RADIUS + 14.0 + 0.5 * size.y), size);
     let tip = label.center_top() - vec2(0.0, 6.0);

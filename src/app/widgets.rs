@@ -3,8 +3,8 @@
 
 use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold};
 use egui::{
-    Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Sense, Stroke, StrokeKind, TextStyle,
-    Ui, WidgetInfo, Role, vec2,
+    Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
+    TextStyle, Ui, WidgetInfo, vec2,
 };
 use std::ops::RangeInclusive;
 

@@ -84,8 +84,7 @@ pub const SIZE_TOOLTIP: &str = "m: boundary samples. n: interior vertices of the
 pub const QUALITY_TOOLTIP: &str = "Q is the ratio of the two singular values of the map on a triangle: 1 where angles are kept. \
     Q̄ is its area-weighted mean over the mesh; the largest Q is shown here.";
 /// Flipped triangles.
-pub const FLIPPED_TOOLTIP: &str =
-    "Triangles whose orientation the map reversed. None for a good map; more boundary samples help where there are some.";
+pub const FLIPPED_TOOLTIP: &str = "Triangles whose orientation the map reversed. None for a good map; more boundary samples help where there are some.";
 /// The frame's time.
 pub const FRAME_TOOLTIP: &str = "What the last update of the map took: kernel (harmonic measure: the chance that a random walk \
     from x leaves through a part of the boundary), match (the boundaries' measures are made equal), extend (to the inside), \

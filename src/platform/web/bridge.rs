@@ -57,4 +57,3 @@ fn put(object: &Object, key: &str, value: JsValue) {
     // Setting a property of a plain object or of the window does not fail.
     let _ = Reflect::set(object, &key.into(), &value);
 }
-

@@ -37,7 +37,9 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
     let transfer = Array::new();
     let number = ("generation", JsValue::from(generation.to_string()));
     let message = match response {
-        Response::Progress(stage) => object(&[number, ("stage", serde_json::to_string(&stage).unwrap_or_default().into())]),
+        Response::Progress(stage) => {
+            object(&[number, ("stage", serde_json::to_string(&stage).unwrap_or_default().into())])
+        }
         Response::Failed(reason) => object(&[number, ("failed", reason.into())]),
         Response::Prepared(domain) => {
             let buffers = domain.to_buffers();
