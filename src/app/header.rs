@@ -8,7 +8,7 @@ use super::widgets::{self, MessageAnswer, grouped, message_box, milliseconds};
 use super::{shapes, theme, words};
 use crate::conformal::Side;
 use crate::session::Command;
-use egui::{Align, Label, Layout, Rect, RichText, Ui, UiBuilder, vec2};
+use egui::{Align, CornerRadius, Label, Layout, Rect, RichText, Shape, Ui, UiBuilder, vec2};
 
 /// What the dialog takes.
 pub const OPEN_TOOLTIP: &str = "An outline from a file: JSON, GeoJSON, SVG, CSV or text with one point per line";
@@ -21,7 +21,7 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, narrow: bool, a
             buttons(ui, side, model, view, narrow, actions);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
-                title(ui, side, model);
+                over_the_mesh(ui, |ui| title(ui, side, model));
             });
         });
         messages(ui, side, model, actions);
@@ -95,10 +95,20 @@ pub fn legend(ui: &mut Ui, side: Side, view: &View) {
         Side::Target => ("x₂ = f(x₁)", "y₂ = f(y₁)"),
     };
     ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
-        for (colour, text) in [(INTERIOR_COLOUR, interior), (BOUNDARY_COLOUR, boundary)] {
-            widgets::dot(ui, colour);
-            ui.label(RichText::new(text).small().color(palette.weak));
-            ui.add_space(6.0);
-        }
+        over_the_mesh(ui, |ui| {
+            for (colour, text) in [(INTERIOR_COLOUR, interior), (BOUNDARY_COLOUR, boundary)] {
+                widgets::dot(ui, colour);
+                ui.label(RichText::new(text).small().color(palette.weak));
+                ui.add_space(2.0);
+            }
+        });
     });
+}
+
+/// Words stay readable over a mesh that was zoomed under them.
+fn over_the_mesh(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+    let ground = ui.painter().add(Shape::Noop);
+    let rect = ui.scope(content).response.rect;
+    let colour = Palette::of(ui.visuals()).canvas.gamma_multiply(0.82);
+    ui.painter().set(ground, Shape::rect_filled(rect.expand2(vec2(6.0, 3.0)), CornerRadius::same(6), colour));
 }

@@ -9,8 +9,10 @@ use super::{PHONE_WIDTH, RiemapApp, SIDES, header, side_panel, status, top_bar, 
 use egui::{Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
 
 /// The width of the side panel.
-const PANEL_WIDTH: f32 = 250.0;
+const PANEL_WIDTH: f32 = 268.0;
 
+/// Room for the scroll bar beside the controls.
+const SCROLL_BAR: f32 = 8.0;
 /// The height of the sheet's handle, enough for a thumb.
 const SHEET_HANDLE: f32 = 44.0;
 /// How much of the screen the open sheet takes besides.
@@ -51,7 +53,7 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let frame = Frame::new().fill(palette.panel).inner_margin(Margin { left: 14, right: 6, top: 4, bottom: 8 });
     Panel::left("controls").exact_size(PANEL_WIDTH).resizable(false).frame(frame).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            ui.set_max_width(ui.available_width() - 8.0);
+            ui.set_max_width(ui.available_width() - SCROLL_BAR);
             side_panel::show(ui, &app.model, app.image_name.as_deref(), actions);
         });
     });
@@ -70,6 +72,7 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         }
         if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                ui.set_max_width(ui.available_width() - SCROLL_BAR);
                 side_panel::show(ui, &app.model, app.image_name.as_deref(), actions);
                 ui.add_space(10.0);
             });
@@ -100,11 +103,12 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in SIDES {
         let view = &app.views[side as usize];
-        viewport::paint(ui, side, &app.model, view, &app.handles, style.as_ref());
+        viewport::paint_mesh(ui, side, view, style.as_ref());
         header::show(ui, side, &app.model, view, narrow, &mut actions);
         if !narrow {
             header::legend(ui, side, view);
         }
+        viewport::paint_dots(ui, side, &app.model, view, &app.handles);
         viewport::paint_progress(ui, side, &app.model, view);
     }
     if !app.handles.ever_dragged && app.model.map().is_some() {

@@ -15,7 +15,7 @@ use egui::{
 };
 use std::sync::Arc;
 
-const CELL: egui::Vec2 = vec2(86.0, 84.0);
+const CELL: egui::Vec2 = vec2(100.0, 84.0);
 const COLUMNS: usize = 4;
 /// Points of a picture: its 50 points across need no more.
 const PICTURE_POINTS: usize = 160;

@@ -2,9 +2,9 @@
 
 use super::action::{Action, Actions};
 use super::model::{Model, SIDES};
-use super::theme::Palette;
+use super::theme::{Palette, ROW_HEIGHT};
 use super::{shapes, theme, words};
-use egui::{Align, Layout, RichText, Ui};
+use egui::{Align, Layout, Response, RichText, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 
 /// Shows the bar.
 pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
@@ -20,8 +20,7 @@ pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
             actions.push(Action::OpenImage);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let (icon, tooltip) = if ui.visuals().dark_mode { ("☀", "Light theme") } else { ("🌙", "Dark theme") };
-            if ui.button(icon).on_hover_text(tooltip).clicked() {
+            if theme_button(ui).clicked() {
                 actions.push(Action::ToggleTheme);
             }
             if !narrow && ui.button("Panels").on_hover_text("Fold the panels away, or bring them back (Tab)").clicked()
@@ -30,4 +29,20 @@ pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
             }
         });
     });
+}
+
+/// A disc, half light and half dark.
+fn theme_button(ui: &mut Ui) -> Response {
+    let palette = Palette::of(ui.visuals());
+    let tooltip = if ui.visuals().dark_mode { "Light theme" } else { "Dark theme" };
+    let response = ui.add(egui::Button::new("").min_size(vec2(34.0, ROW_HEIGHT))).on_hover_text(tooltip);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tooltip));
+    let center = response.rect.center();
+    let half = (0..=16).map(|k| {
+        let angle = std::f32::consts::PI * (k as f32 / 16.0 - 0.5);
+        center + 6.0 * vec2(angle.cos(), angle.sin())
+    });
+    ui.painter().add(Shape::convex_polygon(half.collect(), palette.text, Stroke::NONE));
+    ui.painter().circle_stroke(center, 6.0, Stroke::new(1.5, palette.text));
+    response
 }

@@ -21,7 +21,7 @@ pub struct Margins {
 /// With a legend.
 pub const DESK_MARGINS: Margins = Margins { sides: 30.0, top: 66.0, bottom: 46.0 };
 /// Without.
-pub const PHONE_MARGINS: Margins = Margins { sides: 20.0, top: 54.0, bottom: 18.0 };
+pub const PHONE_MARGINS: Margins = Margins { sides: 20.0, top: 62.0, bottom: 18.0 };
 
 /// How far one can zoom in from the fitted view: f32 steps show up at about 10⁵.
 const MAX_ZOOM: f64 = 2e4;

@@ -104,8 +104,8 @@ fn move_camera(ui: &Ui, response: &Response, view: &mut View, handles: &HandleSt
     }
 }
 
-/// Draws the mesh and the dots.
-pub fn paint(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState, style: Option<&TextureStyle>) {
+/// Draws the textured mesh.
+pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
     painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas);
@@ -121,6 +121,11 @@ pub fn paint(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleSt
             },
         ));
     }
+}
+
+/// Draws the dots, over everything else in the viewport.
+pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState) {
+    let painter = ui.painter_at(view.rect);
     let points = [(HandleKind::Boundary, model.anchor(side)), (HandleKind::Interior, model.interior(side))];
     for (kind, point) in points {
         if let Some(point) = point {
@@ -130,7 +135,8 @@ pub fn paint(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleSt
 }
 
 fn paint_dot(ui: &Ui, painter: &egui::Painter, handle: Handle, point: DVec2, view: &View, handles: &HandleState) {
-    let place = view.to_screen(point);
+    // On whole pixels: small discs come from a texture and are moved there, large ones would not be.
+    let place = view.to_screen(point).round_to_pixels(ui.pixels_per_point());
     let colour = match handle.kind {
         HandleKind::Interior => INTERIOR_COLOUR,
         HandleKind::Boundary => BOUNDARY_COLOUR,

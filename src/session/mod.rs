@@ -5,7 +5,8 @@
 
 use crate::conformal::{Constraints, Direction, PrepareSettings, Side};
 use crate::geometry::DVec2;
-use crate::outline::Preset;
+use crate::mesh::Sizing;
+use crate::outline::{Preset, Sampling};
 
 /// Where a domain's outline comes from.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -97,9 +98,18 @@ pub enum Command {
     Swap,
 }
 
+/// Boundary samples of the first map: enough for the checkerboard's lines to look smooth on a screen.
+const DEFAULT_SAMPLES: u32 = 700;
+/// Growth of its triangles per distance from the boundary, for the same reason.
+const DEFAULT_GROWTH: f64 = 0.1;
+
 impl Default for Session {
     fn default() -> Self {
-        let domain = |preset| DomainSpec { outline: OutlineSpec::Preset(preset), settings: PrepareSettings::default() };
+        let settings = PrepareSettings {
+            sampling: Sampling::Adaptive { target: Some(DEFAULT_SAMPLES) },
+            sizing: Sizing::Graded(DEFAULT_GROWTH),
+        };
+        let domain = |preset| DomainSpec { outline: OutlineSpec::Preset(preset), settings };
         Self {
             version: 1,
             source: domain(Preset::Gingerbread),

@@ -1,7 +1,6 @@
 //! What the commands do to a session.
 
 use super::*;
-use crate::outline::Sampling;
 
 fn preset(preset: Preset) -> OutlineSpec {
     OutlineSpec::Preset(preset)
