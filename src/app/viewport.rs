@@ -16,6 +16,7 @@ use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::render::TextureStyle;
 use crate::session::Command;
+use egui::emath::GuiRounding;
 use egui::{
     Align2, Color32, CornerRadius, CursorIcon, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2,
 };
