@@ -102,9 +102,10 @@ fn sampling(ui: &mut Ui, old: Sampling, there: usize) -> Sampling {
     ];
     let count = asked.unwrap_or(there as u32);
     if let Some(to_uniform) = segmented(ui, &kinds, uniform) {
-        new = match to_uniform {
-            true => Sampling::Uniform { count, keep_corners: true },
-            false => Sampling::Adaptive { target: None },
+        new = if to_uniform {
+            Sampling::Uniform { count, keep_corners: true }
+        } else {
+            Sampling::Adaptive { target: Some(count) }
         };
     }
     let shown = if asked.is_some() { count.to_string() } else { format!("{there}, automatic") };

@@ -1,7 +1,7 @@
 //! The numbers on the screen as one plain record, for `window.riemap.stats()` and for tests.
 
 use super::model::{Model, SIDES, mapped_side, other};
-use crate::conformal::{FrameTimings, PrepareTimings, Side};
+use crate::conformal::{ConformalMap, FrameTimings, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use serde::Serialize;
 
@@ -96,7 +96,7 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         q_max: quality.map(|q| q.q_max),
         flipped: quality.map(|q| q.flipped),
         prepare_ms: SIDES.map(|side| model.domain(side).map(|domain| domain.timings).unwrap_or_default()),
-        frame_ms: model.map().map(|map| map.timings()).unwrap_or_default(),
+        frame_ms: model.map().map(ConformalMap::timings).unwrap_or_default(),
         errors: screen.errors,
         notes: screen.notes,
         handles: screen.handles,

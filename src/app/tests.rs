@@ -153,8 +153,8 @@ fn the_mapped_point_goes_to_the_other_sides_point() {
         let stats = stats::collect(&model, ScreenFacts::default());
         let (image, expected) = (stats.image_of_mapped_point.unwrap(), stats.expected.unwrap());
         let error = glam::DVec2::from(image).distance(expected.into());
-        // 120 samples: the paper's figure 7 has errors of a per cent at this resolution.
-        assert!(error < 0.02, "{direction:?}: f(x) = {image:?}, expected {expected:?}, error {error:e}");
+        // With 120 samples and triangles that grow by 0.3 the triangle around x is about 0.1 across.
+        assert!(error < 0.05, "{direction:?}: f(x) = {image:?}, expected {expected:?}, error {error:e}");
     }
 }
 

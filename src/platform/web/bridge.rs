@@ -30,10 +30,10 @@ pub fn install(runner: &WebRunner) {
             JsValue::TRUE
         })
     });
-    put(&object, "stats", stats.into_js_value());
-    put(&object, "session", session.into_js_value());
-    put(&object, "load_outline", load.into_js_value());
-    put(&js_sys::global(), "riemap", object.into());
+    put(&object, "stats", &stats.into_js_value());
+    put(&object, "session", &session.into_js_value());
+    put(&object, "load_outline", &load.into_js_value());
+    put(&js_sys::global(), "riemap", &object.into());
 }
 
 fn with_app(runner: &WebRunner, read: impl FnOnce(&mut RiemapApp) -> JsValue) -> JsValue {
@@ -53,7 +53,7 @@ fn side_named(name: &str) -> Option<Side> {
     }
 }
 
-fn put(object: &Object, key: &str, value: JsValue) {
+fn put(object: &Object, key: &str, value: &JsValue) {
     // Setting a property of a plain object or of the window does not fail.
-    let _ = Reflect::set(object, &key.into(), &value);
+    let _ = Reflect::set(object, &key.into(), value);
 }

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::Closure;
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
 /// Answers every request that is posted to this worker, until it is terminated.
-pub fn listen(scope: DedicatedWorkerGlobalScope) {
+pub fn listen(scope: &DedicatedWorkerGlobalScope) {
     console_error_panic_hook::set_once();
     let answer = {
         let scope = scope.clone();

@@ -12,7 +12,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 /// What a worker is sent.
 pub fn encode_request(request: &Request) -> JsValue {
-    let flat: Vec<f64> = request.polygon.vertices().iter().flat_map(|point| point.to_array()).collect();
+    let flat: Vec<f64> = request.polygon.vertices().iter().flat_map(DVec2::to_array).collect();
     let settings = serde_json::to_string(&request.settings).unwrap_or_default();
     object(&[
         ("generation", request.generation.to_string().into()),

@@ -23,7 +23,7 @@ use web_sys::DedicatedWorkerGlobalScope;
 pub fn start() -> Result<(), String> {
     gemm_common::set_wasm_simd128(true);
     match js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
-        Ok(scope) => engine::listen(scope),
+        Ok(scope) => engine::listen(&scope),
         Err(_) => page::start(),
     }
     Ok(())

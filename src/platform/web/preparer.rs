@@ -53,6 +53,7 @@ impl Preparer {
     }
 
     /// Starts to carry out `request`, in place of what the side's worker may be doing.
+    #[allow(clippy::needless_pass_by_value, reason = "on the desktop it goes into a thread")]
     pub fn request(&mut self, side: Side, request: Request) {
         let Some(engine) = self.ensure_idle(side) else { return };
         engine.state.set(State::Busy);
@@ -93,17 +94,16 @@ impl Engine {
 }
 
 fn listen(side: Side, mailbox: Mailbox, state: Rc<Cell<State>>) -> Closure<dyn FnMut(MessageEvent)> {
-    Closure::new(move |event: MessageEvent| match messages::decode_response(&event.data()) {
-        Some((generation, response)) => {
-            if !matches!(response, Response::Progress(_)) {
-                state.set(State::Idle);
-            }
-            mailbox.post(Event::Worker { side, generation, response });
-        }
-        None => {
+    Closure::new(move |event: MessageEvent| {
+        let Some((generation, response)) = messages::decode_response(&event.data()) else {
             state.set(State::Dead);
             mailbox.post(Event::WorkerDied { side, reason: String::from("its answer could not be read") });
+            return;
+        };
+        if !matches!(response, Response::Progress(_)) {
+            state.set(State::Idle);
         }
+        mailbox.post(Event::Worker { side, generation, response });
     })
 }
 
