@@ -1,1 +1,7 @@
 //! Closed forms used as truth.
+
+pub mod blob;
+mod complex;
+pub mod vshape;
+
+pub use complex::Complex;

@@ -3,7 +3,17 @@
 //! Points are [`glam::DVec2`]; polygons are closed without repeating the first
 //! point, and counter-clockwise. Nothing here knows about meshes or maps.
 
+mod edge_tree;
+mod error;
+mod pole;
 mod polygon;
+mod predicates;
+mod status;
+mod sweep;
+mod validate;
 
+pub use error::PolygonError;
 pub use glam::DVec2;
-pub use polygon::{PolygonError, SimplePolygon};
+pub use polygon::{Bounds, SimplePolygon};
+pub use predicates::{Side, on_segment, orientation, side};
+pub use validate::{MAX_COORDINATE, MAX_POINTS, MIN_EXTENT};

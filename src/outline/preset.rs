@@ -1,7 +1,11 @@
-//! Built-in outlines.
+//! Built-in outlines: their names, captions and polygons.
 
-use super::Outline;
-use crate::geometry::{DVec2, SimplePolygon};
+use std::fmt;
+use std::str::FromStr;
+
+use super::pen::fitted;
+use super::{Outline, shapes};
+use crate::geometry::SimplePolygon;
 
 /// A built-in outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -84,15 +88,94 @@ impl Preset {
         }
     }
 
-    /// The outline itself: a dense polygon.
+    /// The name for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Disk => "Disk",
+            Self::Square => "Square",
+            Self::Gingerbread => "Gingerbread man",
+            Self::Heart => "Heart",
+            Self::Blob => "Blob",
+            Self::VShape => "V-shape",
+            Self::Cinquefoil => "Cinquefoil",
+            Self::MapleLeaf => "Maple leaf",
+            Self::Hand => "Hand",
+            Self::Turkey => "Turkey",
+            Self::LShape => "L-shape",
+            Self::Star => "Star",
+            Self::Spiral => "Spiral",
+        }
+    }
+
+    /// One line about what the outline shows.
+    pub fn caption(self) -> &'static str {
+        match self {
+            Self::Disk => "Where every conformal map can begin",
+            Self::Square => "Four convex corners, where a map slows down",
+            Self::Gingerbread => "Round limbs on a round body",
+            Self::Heart => "One cusp and one tip",
+            Self::Blob => "The exact image of the disk under a known function",
+            Self::VShape => "The tips lie 10\u{207b}\u{b9}\u{2077} apart in the disk: crowding at its worst",
+            Self::Cinquefoil => "Five round lobes that meet in sharp cusps",
+            Self::MapleLeaf => "Sharp lobes and deep notches",
+            Self::Hand => "Five fingers, each a crowded channel",
+            Self::Turkey => "Beak, feet and a fan of feathers",
+            Self::LShape => "One re-entrant corner: the textbook singularity",
+            Self::Star => "Five points and five notches",
+            Self::Spiral => "One long corridor, wound up",
+        }
+    }
+
+    /// The outline itself: a dense polygon, with edges short against the radius
+    /// of curvature. The first vertex is a sensible boundary anchor.
+    ///
+    /// The V and the blob follow the paper's formulas; the others are drawn for
+    /// riemap, within `[−1, 1]²`.
     pub fn outline(self) -> Outline {
-        // skeleton: every preset is a disk
-        let points: Vec<DVec2> =
-            (0..2000).map(|k| DVec2::from_angle(std::f64::consts::TAU * k as f64 / 2000.0)).collect();
-        let polygon = match SimplePolygon::try_from(points) {
-            Ok(polygon) => polygon,
-            Err(_) => unreachable!(),
+        let points = match self {
+            Self::Disk => shapes::disk(),
+            Self::Square => shapes::square(),
+            Self::Gingerbread => fitted(shapes::gingerbread()),
+            Self::Heart => shapes::heart(),
+            Self::Blob => shapes::blob(),
+            Self::VShape => shapes::v_shape(),
+            Self::Cinquefoil => shapes::cinquefoil(),
+            Self::MapleLeaf => fitted(shapes::maple_leaf()),
+            Self::Hand => fitted(shapes::hand()),
+            Self::Turkey => fitted(shapes::turkey()),
+            Self::LShape => shapes::l_shape(),
+            Self::Star => shapes::star(),
+            Self::Spiral => shapes::spiral(),
         };
+        let polygon = SimplePolygon::known_simple(points);
         Outline { name: self.name().to_owned(), polygon, notes: Vec::new() }
     }
 }
+
+/// No preset has this name.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("there is no preset \"{name}\"; the presets are {}", Preset::ALL.map(Preset::name).join(", "))]
+pub struct UnknownPreset {
+    /// The name that was asked for.
+    pub name: String,
+}
+
+impl FromStr for Preset {
+    type Err = UnknownPreset;
+
+    /// Reads [`Preset::name`].
+    fn from_str(name: &str) -> Result<Self, UnknownPreset> {
+        Self::ALL.into_iter().find(|p| p.name() == name).ok_or_else(|| UnknownPreset { name: name.to_owned() })
+    }
+}
+
+impl fmt::Display for Preset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+#[path = "preset_tests.rs"]
+mod tests;

@@ -1,0 +1,119 @@
+//! The V of the paper's section 1.2, on which crowding is extreme.
+//!
+//! g = h₁ ∘ h₂ maps it to the unit disk, with h₂(z) = (i/4)(1 − √(8iz − 7)),
+//! h₁(u) = tanh(u artanh r)/r and r = 1 − e^{−12.5π}; g(−i) = 0, g(1 + i) = 1.
+//! Near the tips |g| differs from 1 by 1e-17, so everything here is computed in
+//! the strip coordinate c = a + ib = h₂(z) artanh r, where nothing is crowded:
+//! |g| = 1 means cos 2b = κ cosh 2a with κ = (1 − r²)/(1 + r²).
+
+use std::f64::consts::{PI, TAU};
+
+use glam::DVec2;
+
+use super::Complex;
+
+/// ε = 1 − r = e^{−12.5π}.
+fn epsilon() -> f64 {
+    (-12.5 * PI).exp()
+}
+
+/// artanh r = ½ ln((2 − ε)/ε), half the length of the strip.
+fn half_length() -> f64 {
+    let epsilon = epsilon();
+    0.5 * ((2.0 - epsilon) / epsilon).ln()
+}
+
+/// The strip coordinate c = h₂(z) artanh r.
+fn strip(z: Complex) -> Complex {
+    let root = (8.0 * (Complex::I * z) - Complex::from(7.0)).sqrt();
+    (0.25 * half_length()) * (Complex::I * (Complex::ONE - root))
+}
+
+/// z = ((1 + 4iu)² + 7)/(8i), the inverse of h₂.
+fn from_half_plane(u: Complex) -> Complex {
+    let root = Complex::ONE + 4.0 * (Complex::I * u);
+    -0.125 * (Complex::I * (root.square() + Complex::from(7.0)))
+}
+
+/// g(z), the conformal map of the V onto the unit disk.
+///
+/// In the tips the result is only known to lie next to the circle; use
+/// [`harmonic_measure`] there.
+pub fn to_disk(z: Complex) -> Complex {
+    (1.0 / (1.0 - epsilon())) * strip(z).tanh()
+}
+
+/// The boundary point with parameter `t`, taken modulo 4; counter-clockwise.
+///
+/// `t = 0` is the tip 1 + i and `t = 2` the other tip, −1 + i; the speed is
+/// bounded away from 0. With d = artanh r − |a| = s², the equation of the boundary reads
+/// sin² b = sinh d (e^{−d} − (1 − T) cosh d), T = tanh(2 artanh r), where nothing cancels.
+pub fn boundary(t: f64) -> DVec2 {
+    let t = t.rem_euclid(4.0);
+    let half_length = half_length();
+    // The distance along the quarter, from its tip.
+    let from_tip = if t <= 2.0 { t.min(2.0 - t) } else { (t - 2.0).min(4.0 - t) };
+    let d = from_tip * from_tip * half_length;
+    let r = 1.0 - epsilon();
+    let one_minus_t = epsilon().powi(2) / (1.0 + r * r);
+    let b = (d.sinh() * ((-d).exp() - one_minus_t * d.cosh())).max(0.0).sqrt().asin();
+    let right = !(1.0..3.0).contains(&t);
+    let a = if right { 1.0 - d / half_length } else { d / half_length - 1.0 };
+    let b = if t <= 2.0 { b } else { -b } / half_length;
+    from_half_plane(Complex::new(a, b)).into()
+}
+
+/// The harmonic measure, seen from the interior point `x`, of the boundary from
+/// 1 + i counter-clockwise to the boundary point `y`; in `[0, 1)`.
+///
+/// The disk's measure is (2 arg(g(y) − g(x)) − arg g(y))/2π up to a constant;
+/// in the strip that is `(2 arg sinh(c − c_x) − arg sinh 2c)/2π`. Absolute error
+/// about 1e-15 as long as `y` and `x` are known to that.
+pub fn harmonic_measure(x: DVec2, y: DVec2) -> f64 {
+    let (from, to) = (strip(x.into()), strip(y.into()));
+    let tip = Complex::from(half_length());
+    let turn = |end: f64, start: f64| {
+        let turn = (end - start).rem_euclid(TAU);
+        // A rounding error below the start is the start, not a full turn.
+        if TAU - turn < 1e-13 { 0.0 } else { turn }
+    };
+    let around_x = turn((to - from).arg_sinh(), (tip - from).arg_sinh());
+    let around_middle = turn((2.0 * to).arg_sinh(), (2.0 * tip).arg_sinh());
+    (2.0 * around_x - around_middle) / TAU
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_constraints_of_the_paper_hold() {
+        assert!(to_disk(-Complex::I).abs() < 1e-15);
+        assert!((to_disk(Complex::new(1.0, 1.0)) - Complex::ONE).abs() < 1e-15);
+        assert_eq!(boundary(0.0), DVec2::new(1.0, 1.0));
+        assert!(boundary(2.0).distance(DVec2::new(-1.0, 1.0)) < 1e-15);
+    }
+
+    #[test]
+    fn the_boundary_is_the_preimage_of_the_circle() {
+        for k in 0..4000 {
+            let z = boundary(f64::from(k) / 1000.0);
+            let radius = to_disk(z.into()).abs();
+            // tanh amplifies an error of b by at most 1; h₂ and its inverse add a few roundings.
+            assert!((radius - 1.0).abs() < 2e-14, "t = {k}/1000: |g| − 1 = {:e}", radius - 1.0);
+        }
+    }
+
+    #[test]
+    fn harmonic_measure_from_the_centre_is_the_angle() {
+        let center = DVec2::new(0.0, -1.0);
+        for k in 1..400 {
+            let y = boundary(f64::from(k) / 100.0);
+            let angle = to_disk(y.into()).arg().rem_euclid(TAU) / TAU;
+            let omega = harmonic_measure(center, y);
+            // The angle is next to 0 or 1 on the whole right arm, where either may round.
+            let error = (omega - angle + 0.5).rem_euclid(1.0) - 0.5;
+            assert!(error.abs() < 1e-14, "t = {k}/100: {omega} against {angle}");
+        }
+    }
+}

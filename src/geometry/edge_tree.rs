@@ -1,0 +1,154 @@
+//! Signed distance to a closed chain in O(log k) for usual shapes.
+//!
+//! Boxes over runs of consecutive edges, four to one at each level. A box
+//! wholly to the right of a point settles the parity of its run by the run's
+//! two ends alone, so the side is as cheap as the distance; it is exact.
+
+use glam::DVec2;
+
+use super::Bounds;
+use super::predicates::orientation;
+
+const LEAF: usize = 8;
+const FAN: usize = 4;
+
+/// Boxes over the edges of a closed chain.
+#[derive(Debug)]
+pub(super) struct EdgeTree<'a> {
+    points: &'a [DVec2],
+    /// `levels[0]` bounds runs of [`LEAF`] edges; the last level is one box.
+    levels: Vec<Vec<Bounds>>,
+}
+
+#[derive(Clone, Copy)]
+struct Node {
+    level: usize,
+    index: usize,
+}
+
+impl<'a> EdgeTree<'a> {
+    pub fn new(points: &'a [DVec2]) -> Self {
+        let n = points.len();
+        let run = |start: usize| Bounds::of((start..=(start + LEAF).min(n)).map(|k| points[k % n]));
+        let mut levels = vec![(0..n).step_by(LEAF).map(run).collect::<Vec<_>>()];
+        while let Some(below) = levels.last()
+            && below.len() > 1
+        {
+            let merged = below.chunks(FAN).map(|c| Bounds::of(c.iter().flat_map(|b| [b.min, b.max]))).collect();
+            levels.push(merged);
+        }
+        Self { points, levels }
+    }
+
+    pub fn bounds(&self) -> Bounds {
+        self.bounds_of(self.root())
+    }
+
+    /// The distance from `p` to the chain, positive strictly inside, else not positive.
+    pub fn signed_distance(&self, p: DVec2) -> f64 {
+        let mut squared = f64::INFINITY;
+        self.nearest(self.root(), p, &mut squared);
+        let distance = squared.sqrt();
+        if self.winds_around(self.root(), p) { distance } else { -distance }
+    }
+
+    fn root(&self) -> Node {
+        Node { level: self.levels.len() - 1, index: 0 }
+    }
+
+    fn bounds_of(&self, node: Node) -> Bounds {
+        self.levels[node.level][node.index]
+    }
+
+    /// The edges of a node, as indices.
+    fn edges(&self, node: Node) -> std::ops::Range<usize> {
+        let length = LEAF * FAN.pow(node.level as u32);
+        node.index * length..((node.index + 1) * length).min(self.points.len())
+    }
+
+    fn children(&self, node: Node) -> impl Iterator<Item = Node> + use<> {
+        let level = node.level - 1;
+        let end = ((node.index + 1) * FAN).min(self.levels[level].len());
+        (node.index * FAN..end).map(move |index| Node { level, index })
+    }
+
+    fn point(&self, k: usize) -> DVec2 {
+        self.points[if k == self.points.len() { 0 } else { k }]
+    }
+
+    fn nearest(&self, node: Node, p: DVec2, best: &mut f64) {
+        if node.level == 0 {
+            for k in self.edges(node) {
+                *best = best.min(squared_distance(self.point(k), self.point(k + 1), p));
+            }
+            return;
+        }
+        let mut queue = [(f64::INFINITY, node); FAN];
+        for (slot, child) in queue.iter_mut().zip(self.children(node)) {
+            let b = self.bounds_of(child);
+            *slot = (p.clamp(b.min, b.max).distance_squared(p), child);
+        }
+        queue.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        for (lower_bound, child) in queue {
+            if lower_bound < *best {
+                self.nearest(child, p, best);
+            }
+        }
+    }
+
+    /// Whether the run crosses the ray from `p` to the right an odd number of times.
+    fn winds_around(&self, node: Node, p: DVec2) -> bool {
+        let b = self.bounds_of(node);
+        if b.max.y <= p.y || b.min.y > p.y || b.max.x < p.x {
+            return false;
+        }
+        let above = |k: usize| self.point(k).y > p.y;
+        let edges = self.edges(node);
+        if b.min.x > p.x {
+            return above(edges.start) != above(edges.end);
+        }
+        if node.level > 0 {
+            return self.children(node).fold(false, |odd, child| odd ^ self.winds_around(child, p));
+        }
+        edges.fold(false, |odd, k| {
+            let crossed =
+                above(k) != above(k + 1) && (orientation(self.point(k), self.point(k + 1), p) > 0.0) == above(k + 1);
+            odd ^ crossed
+        })
+    }
+}
+
+fn squared_distance(a: DVec2, b: DVec2, p: DVec2) -> f64 {
+    let d = b - a;
+    let t = ((p - a).dot(d) / d.length_squared()).clamp(0.0, 1.0);
+    (a + t * d).distance_squared(p)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signed_distance_agrees_with_the_direct_sum_over_all_edges() {
+        let n = 997;
+        let points: Vec<DVec2> = (0..n)
+            .map(|k| {
+                let t = std::f64::consts::TAU * f64::from(k) / f64::from(n);
+                (1.0 + 0.6 * (9.0 * t).cos()) * DVec2::from_angle(t)
+            })
+            .collect();
+        let tree = EdgeTree::new(&points);
+        for i in -12..=12 {
+            for j in -12..=12 {
+                let p = DVec2::new(f64::from(i), f64::from(j)) / 7.0;
+                let inside = p.length() < 1.0 + 0.6 * (9.0 * p.to_angle()).cos();
+                let direct = (0..points.len())
+                    .map(|k| squared_distance(points[k], points[(k + 1) % points.len()], p))
+                    .fold(f64::INFINITY, f64::min)
+                    .sqrt();
+                let expected = if inside { direct } else { -direct };
+                assert!(direct < 1e-4 || tree.signed_distance(p) == expected, "p = {p}");
+            }
+        }
+    }
+}

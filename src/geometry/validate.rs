@@ -1,0 +1,116 @@
+//! The checks that turn a list of points into a [`super::SimplePolygon`].
+//!
+//! They run from cheap to dear, and each error names the place. Coordinates
+//! within ±[`MAX_COORDINATE`] and a shape at least [`MIN_EXTENT`] across make
+//! every product in the exact predicates representable: nothing over- or
+//! underflows here or, with squared lengths and areas, further on.
+
+use glam::DVec2;
+
+use super::PolygonError;
+use super::predicates::{Side, side};
+use super::sweep::check_simple;
+
+/// The largest number of points that an outline may have.
+pub const MAX_POINTS: usize = 200_000;
+
+/// The largest magnitude of a coordinate.
+pub const MAX_COORDINATE: f64 = 1e30;
+
+/// The smallest length of the longer side of an outline's bounding box.
+pub const MIN_EXTENT: f64 = 1e-30;
+
+/// Coordinates smaller than this are taken as 0. With them, differences would
+/// be multiples of less than 2⁻¹⁹², and the mesher's predicates refuse what is
+/// below 2⁻¹⁴²; an outline at least 1e-30 across is not changed visibly.
+const NEGLIGIBLE: f64 = 1.0 / (1u128 << 126) as f64 / (1 << 14) as f64;
+
+/// What is known of a valid list of points.
+#[derive(Debug)]
+pub(super) struct Checked {
+    /// The points, with negligible coordinates and negative zeros replaced by 0.
+    pub points: Vec<DVec2>,
+    /// Whether they run clockwise.
+    pub clockwise: bool,
+}
+
+/// Checks everything that a simple polygon promises but its orientation, which is reported.
+pub(super) fn check(mut points: Vec<DVec2>) -> Result<Checked, PolygonError> {
+    check_count(points.len())?;
+    check_range(&points)?;
+    for p in &mut points {
+        // Adding 0 turns −0 into 0, so that equal coordinates have equal bits.
+        *p = DVec2::select(p.abs().cmplt(DVec2::splat(NEGLIGIBLE)), DVec2::ZERO, *p) + DVec2::ZERO;
+    }
+    let order = lexicographic_order(&points);
+    check_distinct(&points, &order)?;
+    check_not_flat(&points)?;
+    check_no_folds(&points)?;
+    check_simple(&points, &order)?;
+    let clockwise = is_clockwise(&points, order[0] as usize);
+    Ok(Checked { points, clockwise })
+}
+
+fn check_count(count: usize) -> Result<(), PolygonError> {
+    match count {
+        0..3 => Err(PolygonError::TooFewPoints { count }),
+        3..=MAX_POINTS => Ok(()),
+        _ => Err(PolygonError::TooManyPoints { count }),
+    }
+}
+
+fn check_range(points: &[DVec2]) -> Result<(), PolygonError> {
+    let (mut low, mut high) = (points[0], points[0]);
+    for (index, &at) in points.iter().enumerate() {
+        if !at.is_finite() {
+            return Err(PolygonError::NotFinite { index, at });
+        }
+        if at.abs().max_element() > MAX_COORDINATE {
+            return Err(PolygonError::TooFarOut { index, at });
+        }
+        (low, high) = (low.min(at), high.max(at));
+    }
+    let extent = (high - low).max_element();
+    // All points in one place is better told as a repeated point.
+    if extent > 0.0 && extent < MIN_EXTENT { Err(PolygonError::TooSmall { extent }) } else { Ok(()) }
+}
+
+/// Point indices sorted by x, then y, then index.
+fn lexicographic_order(points: &[DVec2]) -> Vec<u32> {
+    let mut keyed: Vec<(DVec2, u32)> = points.iter().copied().zip(0..).collect();
+    keyed.sort_unstable_by(|(p, i), (q, j)| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(i.cmp(j)));
+    keyed.into_iter().map(|(_, k)| k).collect()
+}
+
+fn check_distinct(points: &[DVec2], order: &[u32]) -> Result<(), PolygonError> {
+    let repeated = order.windows(2).filter(|w| points[w[0] as usize] == points[w[1] as usize]).min_by_key(|w| w[1]);
+    match repeated {
+        None => Ok(()),
+        Some(w) => {
+            let (first, second) = (w[0] as usize, w[1] as usize);
+            Err(PolygonError::RepeatedPoint { first, second, at: points[first] })
+        }
+    }
+}
+
+fn check_not_flat(points: &[DVec2]) -> Result<(), PolygonError> {
+    let (a, b) = (points[0], points[1]);
+    if points[2..].iter().all(|&p| side(a, b, p) == Side::On) { Err(PolygonError::ZeroArea) } else { Ok(()) }
+}
+
+/// A fold is found by the sweep too, but often first as a touch, which says less.
+fn check_no_folds(points: &[DVec2]) -> Result<(), PolygonError> {
+    let n = points.len();
+    let folds = |&index: &usize| {
+        let (a, at, b) = (points[(index + n - 1) % n], points[index], points[(index + 1) % n]);
+        (a - at).dot(b - at) > 0.0 && side(a, at, b) == Side::On
+    };
+    (0..n).find(folds).map_or(Ok(()), |index| Err(PolygonError::FoldsBack { index, at: points[index] }))
+}
+
+/// Orientation of a simple polygon: its turn at the lexicographically first vertex.
+fn is_clockwise(points: &[DVec2], first: usize) -> bool {
+    let n = points.len();
+    let (a, b) = (points[(first + n - 1) % n], points[(first + 1) % n]);
+    side(a, points[first], b) == Side::Right
+}

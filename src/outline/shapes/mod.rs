@@ -1,0 +1,102 @@
+//! The built-in outlines as dense polygons, counter-clockwise, within [−1, 1]²
+//! (the V and the blob as in the paper). Each starts where its default boundary
+//! anchor should be, mostly at the top.
+
+mod figures;
+mod leaf;
+mod turkey;
+
+use std::f64::consts::{PI, TAU};
+
+use super::pen::{Fineness, Pen, SMOOTH, circle, closed_curve, polar};
+use crate::exact;
+use crate::geometry::DVec2;
+pub(super) use figures::{gingerbread, hand, heart};
+pub(super) use leaf::maple_leaf;
+pub(super) use turkey::turkey;
+
+pub(super) fn disk() -> Vec<DVec2> {
+    circle(1.0, 1440)
+}
+
+/// Four corners, and the middle of the top as the first point.
+pub(super) fn square() -> Vec<DVec2> {
+    [(0.0, 0.9), (-0.9, 0.9), (-0.9, -0.9), (0.9, -0.9), (0.9, 0.9)].map(DVec2::from).to_vec()
+}
+
+/// Three quarters of a square; the first point is the middle of the upper end.
+pub(super) fn l_shape() -> Vec<DVec2> {
+    [(-0.45, 0.9), (-0.9, 0.9), (-0.9, -0.9), (0.9, -0.9), (0.9, 0.0), (0.0, 0.0), (0.0, 0.9)].map(DVec2::from).to_vec()
+}
+
+/// The pentagram's outline: the notches lie on the lines between the points.
+pub(super) fn star() -> Vec<DVec2> {
+    let notch = (PI / 10.0).sin() / (3.0 * PI / 10.0).sin();
+    (0..10).map(|k| polar(if k % 2 == 0 { 1.0 } else { notch }, 90.0 + 36.0 * f64::from(k))).collect()
+}
+
+/// Five round lobes that meet in cusps, as in tracery.
+pub(super) fn cinquefoil() -> Vec<DVec2> {
+    let cusp = 0.58;
+    let (start, end) = (polar(cusp, 54.0), polar(cusp, 126.0));
+    let center = DVec2::new(0.0, 0.62);
+    // From the top of the first lobe to its cusp; then four whole lobes, then the rest.
+    let half = (DVec2::Y).angle_to(end - center).rem_euclid(TAU);
+    let whole = (start - center).angle_to(end - center).rem_euclid(TAU);
+    let radius = center.distance(end);
+    let mut pen = Pen::at(center + radius * DVec2::Y);
+    pen.turn_around(center, half);
+    for k in 1..5 {
+        let spoke = DVec2::from_angle(TAU * f64::from(k) / 5.0);
+        pen.turn_around(spoke.rotate(center), whole);
+    }
+    pen.turn_around(center, half);
+    pen.close()
+}
+
+/// A corridor of constant width along r = 0.16 + 0.105 θ (θ in turns of 1/2π),
+/// with round ends; the first point is the middle of the outer end.
+pub(super) fn spiral() -> Vec<DVec2> {
+    const HALF_WIDTH: f64 = 0.072;
+    const TURNS: f64 = 2.75;
+    let pitch = 0.78 / TURNS;
+    let angle = |s: f64| TAU * s + PI / 2.0 - TAU * TURNS;
+    let center = |s: f64| (0.14 + pitch * s) * DVec2::from_angle(angle(s));
+    let normal = |s: f64| {
+        let along = pitch * DVec2::from_angle(angle(s)) + TAU * (0.14 + pitch * s) * DVec2::from_angle(angle(s)).perp();
+        -along.normalize().perp()
+    };
+    let side = |s: f64, sign: f64| center(s) + sign * HALF_WIDTH * normal(s);
+    let end = center(TURNS);
+    let mut pen = Pen::at(end + HALF_WIDTH * normal(TURNS).perp());
+    pen.turn_around(end, PI / 2.0);
+    let piece = |k: u32| TURNS * f64::from(k) / 11.0;
+    for k in (0..11).rev() {
+        pen.curve(piece(k + 1), piece(k), SMOOTH, |s| side(s, -1.0));
+    }
+    pen.turn_around(center(0.0), PI);
+    for k in 0..11 {
+        pen.curve(piece(k), piece(k + 1), SMOOTH, |s| side(s, 1.0));
+    }
+    pen.turn_around(end, PI / 2.0);
+    pen.close()
+}
+
+/// For the paper's two outlines, whose exact harmonic measure is known: arc
+/// lengths are right to 1e-5.
+const FINE: Fineness = Fineness { turn: 0.012, deficit: 1.4e-7 };
+
+pub(super) fn blob() -> Vec<DVec2> {
+    closed_curve(FINE, exact::blob::boundary)
+}
+
+pub(super) fn v_shape() -> Vec<DVec2> {
+    closed_curve(FINE, |s| exact::vshape::boundary(4.0 * s))
+}
+
+/// The outline whose left half, from the top down, is `half`: (x, y, radius)
+/// corners for [`super::pen::rounded`], those on the axis once.
+fn mirrored(half: &[(f64, f64, f64)]) -> Vec<(f64, f64, f64)> {
+    let right = half.iter().rev().filter(|c| c.0 != 0.0).map(|&(x, y, r)| (-x, y, r));
+    half.iter().copied().chain(right).collect()
+}
