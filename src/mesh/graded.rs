@@ -13,8 +13,7 @@ use super::MeshError;
 use super::hex_lattice::bounds;
 use super::level_grid::LevelGrid;
 use super::planar::check_count;
-use super::tri_mesh::orient;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, orientation};
 
 /// The least distance between two points, in sizes. 1 would accept perfect
 /// hexagons only and leave gaps where layers meet; at 0.6 the seams are crowded.
@@ -178,7 +177,7 @@ impl Slabs {
         for &k in &self.edges[self.start[slab] as usize..self.start[slab + 1] as usize] {
             let (a, b) = (boundary[k as usize], boundary[(k as usize + 1) % boundary.len()]);
             if (a.y <= p.y) != (b.y <= p.y) {
-                let side = orient(a, b, p);
+                let side = orientation(a, b, p);
                 if side == 0.0 {
                     return false;
                 }

@@ -1,7 +1,7 @@
 //! Do the chords between samples cross, and which vertices would part them?
 
 use super::arc::Arc;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, on_segment, side};
 
 /// For each chord that meets another one, the arc length of the polygon vertex
 /// nearest to its middle, if there is any vertex inside. Exact tests, on the
@@ -34,23 +34,14 @@ fn meet(points: &[DVec2], i: usize, j: usize) -> bool {
     let m = points.len();
     let (a, b, c, d) = (points[i], points[(i + 1) % m], points[j], points[(j + 1) % m]);
     if (i + 1) % m == j {
-        return side(a, b, d) == 0.0 && (a - b).dot(d - b) > 0.0;
+        return on_segment(a, b, d) || on_segment(c, d, a);
     }
     if (j + 1) % m == i {
-        return side(c, d, b) == 0.0 && (c - d).dot(b - d) > 0.0;
+        return on_segment(c, d, b) || on_segment(a, b, c);
     }
-    let (sc, sd, sa, sb) = (side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b));
-    if sc == 0.0 && sd == 0.0 {
-        return (c - a).dot(c - b) <= 0.0 || (d - a).dot(d - b) <= 0.0 || (a - c).dot(a - d) <= 0.0;
-    }
-    sc * sd <= 0.0 && sa * sb <= 0.0
-}
-
-/// On which side of `ab` the point `c` is: −1, 0 or 1, exactly.
-fn side(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    let coord = |p: DVec2| robust::Coord { x: p.x, y: p.y };
-    let area = robust::orient2d(coord(a), coord(b), coord(c));
-    if area == 0.0 { 0.0 } else { area.signum() }
+    let touch = on_segment(a, b, c) || on_segment(a, b, d) || on_segment(c, d, a) || on_segment(c, d, b);
+    let parted = |a: DVec2, b: DVec2, c: DVec2, d: DVec2| side(a, b, c) != side(a, b, d);
+    touch || (parted(a, b, c, d) && parted(c, d, a, b))
 }
 
 /// Pairs of chords whose bounding boxes overlap, by a sweep over x.
