@@ -38,7 +38,7 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
         "m {} · n {} · prepared in {}",
         grouped(domain.samples.len()),
         grouped(domain.mesh.interior_count()),
-        milliseconds(words::total(&domain.timings)),
+        milliseconds(domain.timings.total()),
     );
     ui.add(Label::new(RichText::new(sizes).small().color(palette.weak)).truncate()).on_hover_text(format!(
         "{}\n\n{}",
@@ -46,7 +46,7 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
         words::timings(&domain.timings)
     ));
     for note in &model.side(side).notes {
-        ui.add(Label::new(RichText::new(words::note(note)).small().color(palette.weak)).truncate());
+        ui.add(Label::new(RichText::new(note.to_string()).small().color(palette.weak)).truncate());
     }
 }
 

@@ -118,7 +118,7 @@ impl RiemapApp {
     }
 
     fn notes(&self) -> Vec<String> {
-        SIDES.into_iter().flat_map(|side| &self.model.side(side).notes).map(words::note).collect()
+        SIDES.into_iter().flat_map(|side| &self.model.side(side).notes).map(ToString::to_string).collect()
     }
 
     /// What happened since the last frame.

@@ -2,7 +2,7 @@
 //! patterns, and the field's own terms, each explained once.
 
 use crate::conformal::{PrepareTimings, Side, Stage};
-use crate::outline::{OutlineNote, Preset};
+use crate::outline::Preset;
 use crate::session::OutlineSpec;
 
 /// How far a preparation is when `stage` begins (from 0 to 1), and what is being done.
@@ -52,15 +52,6 @@ pub fn outline(outline: &OutlineSpec) -> &str {
     }
 }
 
-/// What was noticed when an outline was read.
-pub fn note(note: &OutlineNote) -> String {
-    match note {
-        OutlineNote::Reversed => String::from("the points ran clockwise and were reversed"),
-        OutlineNote::LargestOf { rings } => format!("the largest of {rings} rings was taken"),
-        OutlineNote::ClosingPointDropped => String::from("the closing point repeated the first one and was dropped"),
-    }
-}
-
 /// The preparation's stages with their times, a line each.
 pub fn timings(timings: &PrepareTimings) -> String {
     let rows = [
@@ -71,11 +62,6 @@ pub fn timings(timings: &PrepareTimings) -> String {
         ("factor", timings.factor),
     ];
     rows.iter().map(|(name, ms)| format!("{name}: {ms:.1} ms")).collect::<Vec<_>>().join("\n")
-}
-
-/// All of them together, in ms.
-pub fn total(timings: &PrepareTimings) -> f64 {
-    timings.sample + timings.mesh + timings.assemble + timings.order + timings.factor
 }
 
 /// m and n.

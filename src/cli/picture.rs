@@ -23,7 +23,19 @@ pub fn png(panels: &[Panel<'_>; 2], cells: f64, size: [u32; 2]) -> Result<Vec<u8
         let both = panel.handles.iter().zip(HANDLE_COLOURS);
         both.map(|(&position, colour)| Handle { position, colour, radius_px }).collect::<Vec<_>>()
     });
-    let viewport = |panel: &Panel<'_>, handles| SceneViewport {
+    let viewports = [viewport(&panels[0], &handles[0], style), viewport(&panels[1], &handles[1], style)];
+    let margin_px = 0.06 * size[1] as f32;
+    let scene = SceneDescription { viewports: &viewports, background: BACKGROUND, image: None, margin_px };
+    let picture = render_scene(&scene, size).map_err(|error| CliError::Input(error.to_string()))?;
+    let mut bytes = Cursor::new(Vec::new());
+    picture
+        .write_to(&mut bytes, image::ImageFormat::Png)
+        .map_err(|error| CliError::Input(format!("cannot encode the picture: {error}")))?;
+    Ok(bytes.into_inner())
+}
+
+fn viewport<'a>(panel: &Panel<'a>, handles: &'a [Handle], style: TextureStyle) -> SceneViewport<'a> {
+    SceneViewport {
         geometry: MeshGeometry {
             positions: panel.positions,
             texture_coordinates: panel.coordinates,
@@ -34,14 +46,5 @@ pub fn png(panels: &[Panel<'_>; 2], cells: f64, size: [u32; 2]) -> Result<Vec<u8
         camera: None,
         style,
         handles,
-    };
-    let viewports = [viewport(&panels[0], &handles[0]), viewport(&panels[1], &handles[1])];
-    let margin_px = 0.06 * size[1] as f32;
-    let scene = SceneDescription { viewports: &viewports, background: BACKGROUND, image: None, margin_px };
-    let picture = render_scene(&scene, size).map_err(|error| CliError::Input(error.to_string()))?;
-    let mut bytes = Cursor::new(Vec::new());
-    picture
-        .write_to(&mut bytes, image::ImageFormat::Png)
-        .map_err(|error| CliError::Input(format!("cannot encode the picture: {error}")))?;
-    Ok(bytes.into_inner())
+    }
 }

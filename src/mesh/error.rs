@@ -37,10 +37,10 @@ pub enum MeshError {
     #[error("the boundary is clockwise, or encloses no area")]
     NotCounterClockwise,
     /// All coordinates are 0, or they are too large or too small to compute with.
-    #[error("the boundary's coordinates are all zero, or beyond 2^±1000")]
+    #[error("the boundary's coordinates are all zero, or beyond 2^±300")]
     OutOfRange,
-    /// The growth of the triangles is not in `[0, 1]`.
-    #[error("the growth of the triangle size has to be between 0 and 1, not {grading}")]
+    /// The growth of the triangles is not in `[0.01, 1]`.
+    #[error("the growth of the triangle size has to be between 0.01 and 1, not {grading}")]
     Grading {
         /// What was asked for.
         grading: f64,

@@ -100,5 +100,5 @@ fn cells_per_unit(level: i32) -> f64 {
 /// `⌊x⌋`, inline where the target has no instruction for it.
 fn floor(x: f64) -> i64 {
     let towards_zero = x as i64;
-    towards_zero - i64::from(towards_zero as f64 > x)
+    towards_zero.saturating_sub(i64::from(towards_zero as f64 > x))
 }

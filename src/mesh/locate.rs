@@ -33,9 +33,14 @@ pub fn locate(mesh: &TriMesh, x: DVec2, hint: u32) -> Option<BarycentricPoint> {
     if !x.is_finite() {
         return None;
     }
-    let start = if (hint as usize) < mesh.triangles.len() { hint } else { 0 };
-    let found = walk(mesh, x, start).or_else(|| search(mesh, x));
+    let found = containing(mesh, x, hint);
     found.map(|t| barycentric(mesh, x, t)).or_else(|| at_boundary(mesh, x))
+}
+
+/// A triangle that contains the finite point `x`, exactly.
+pub(super) fn containing(mesh: &TriMesh, x: DVec2, hint: u32) -> Option<u32> {
+    let start = if (hint as usize) < mesh.triangles.len() { hint } else { 0 };
+    walk(mesh, x, start).or_else(|| search(mesh, x))
 }
 
 /// Walks until the triangle contains `x`; `None` when the boundary is in the way.

@@ -1,34 +1,44 @@
 //! The interior point that a handle goes to when the pointer leaves the domain.
 
-use super::locate::{locate, nearest_on_boundary, triangle_at_edge};
+use super::locate::{containing, nearest_on_boundary, triangle_at_edge};
 use super::tri_mesh::{NO_TRIANGLE, TriMesh};
 use crate::geometry::DVec2;
 
 /// Halvings of the inset before the fallback: 2⁻⁴⁰ of a sensible inset is less than any channel that can be seen.
 const HALVINGS: usize = 40;
 
+/// Projections tried per inset: in a corner the first leads to one side, the second to the other.
+const PROJECTIONS: usize = 4;
+
 /// The point strictly inside the mesh that is near `x` and keeps the distance `inset` from the boundary.
 ///
-/// An `x` far enough inside is returned as it is. Else the nearest point of the
-/// boundary is moved inward along the normal (the bisector at a vertex) by `inset`, or by
-/// `inset/2, inset/4, …` where the domain is narrower; if nothing fits, it is
-/// the centroid of the triangle at the nearest edge. In a convex corner the
-/// distance to the other side may be less than `inset`, but not zero.
-/// Cost O(m) in meshes of [`super::mesh_domain`].
+/// An `x` far enough inside is returned as it is. Else it is moved to the
+/// nearest point of the boundary and inward from there along the normal (the
+/// bisector at a vertex), again if another side is too near then. Where the
+/// domain is too narrow the inset is halved until something fits, or else
+/// the centroid of a triangle near by is taken. Cost O(m) in meshes of
+/// [`super::mesh_domain`].
 pub fn nearest_inside(mesh: &TriMesh, x: DVec2, inset: f64) -> DVec2 {
     let x = if x.is_finite() { x } else { DVec2::ZERO };
-    let (edge, foot, distance) = nearest_on_boundary(mesh, x);
+    let (edge, foot, _) = nearest_on_boundary(mesh, x);
     let Some(triangle) = triangle_at_edge(mesh, edge) else { return foot };
-    if distance >= inset && distance > 0.0 && locate(mesh, x, triangle).is_some() {
-        return x;
+    let insets = (0..HALVINGS).map(|k| inset.abs() * 0.5f64.powi(k as i32));
+    let mut fitting = insets.filter_map(|inset| project(mesh, x, inset, triangle));
+    fitting.next().unwrap_or_else(|| centroid(mesh, triangle))
+}
+
+/// Moves `x` inward until it is `inset` away from every edge, if a few steps do.
+fn project(mesh: &TriMesh, x: DVec2, inset: f64, hint: u32) -> Option<DVec2> {
+    let mut p = x;
+    for _ in 0..PROJECTIONS {
+        let (edge, foot, distance) = nearest_on_boundary(mesh, p);
+        // the moved point's distance is the inset up to rounding
+        if distance > 0.999 * inset && distance > 0.0 && containing(mesh, p, hint).is_some() {
+            return Some(p);
+        }
+        p = foot + inset * inward_direction(mesh, edge, foot);
     }
-    let inward = inward_direction(mesh, edge, foot);
-    let step = |halvings: usize| inset * 0.5f64.powi(halvings as i32);
-    // half the step: between two walls of a channel the other wall is that near
-    let clear =
-        |p: &DVec2, step: f64| nearest_on_boundary(mesh, *p).2 > 0.5 * step && locate(mesh, *p, triangle).is_some();
-    let moved = (0..HALVINGS).map(|k| (foot + step(k) * inward, step(k))).find(|(p, step)| clear(p, *step));
-    moved.map_or_else(|| centroid(mesh, triangle), |(p, _)| p)
+    None
 }
 
 /// The inner normal of the edge, or the mean of two where `foot` is a vertex.

@@ -3,12 +3,16 @@
 //! `parse` and [`Preset::outline`] give an [`Outline`]; [`sample`] turns its
 //! polygon into the [`BoundarySamples`] on which everything else is computed.
 
+mod parse;
 mod pen;
 mod preset;
 mod sampling;
 mod shapes;
 
+use std::fmt;
+
 use crate::geometry::SimplePolygon;
+pub use parse::{MAX_BYTES, OutlineError, parse, parse_repaired};
 pub use preset::{Preset, UnknownPreset};
 pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};
 
@@ -35,4 +39,28 @@ pub enum OutlineNote {
     },
     /// The last point repeated the first one and was dropped.
     ClosingPointDropped,
+    /// The polygon had holes, which were left out.
+    HolesIgnored {
+        /// How many.
+        holes: usize,
+    },
+    /// Points where the outline met itself or folded back were cut off.
+    Repaired {
+        /// How many points were dropped.
+        dropped: usize,
+    },
+}
+
+impl fmt::Display for OutlineNote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Reversed => f.write_str("The points ran clockwise and were reversed."),
+            Self::LargestOf { rings } => write!(f, "Of {rings} closed rings, the largest was taken."),
+            Self::ClosingPointDropped => f.write_str("The last point repeated the first one and was dropped."),
+            Self::Repaired { dropped: 1 } => f.write_str("A repeated point or spike was cut off."),
+            Self::Repaired { dropped } => write!(f, "{dropped} points of loops and spikes were cut off."),
+            Self::HolesIgnored { holes: 1 } => f.write_str("A hole was left out."),
+            Self::HolesIgnored { holes } => write!(f, "{holes} holes were left out."),
+        }
+    }
 }

@@ -4,8 +4,6 @@
 //! polygon's own turning angles are a good estimate of curvature, and a corner
 //! stands out from it by a factor of ten.
 
-use std::f64::consts::{PI, TAU};
-
 use crate::geometry::{Bounds, DVec2};
 
 /// The turn from edge to edge on smooth curves, in radians.
@@ -167,9 +165,4 @@ pub(super) fn fitted(points: Vec<DVec2>) -> Vec<DVec2> {
 /// The point at `degrees` on the circle around the origin with `radius`.
 pub(super) fn polar(radius: f64, degrees: f64) -> DVec2 {
     radius * DVec2::from_angle(degrees.to_radians())
-}
-
-/// A circle around the origin, from its top.
-pub(super) fn circle(radius: f64, count: u32) -> Vec<DVec2> {
-    (0..count).map(|k| radius * DVec2::from_angle(PI / 2.0 + TAU * f64::from(k) / f64::from(count))).collect()
 }

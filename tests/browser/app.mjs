@@ -8,8 +8,8 @@ const DESKTOP = { viewport: { width: 1440, height: 900 } };
 const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 export const DEVICES = { desktop: DESKTOP, phone: PHONE };
 
-/** Software drawing on two cores; a state that takes longer is not reached at all. */
-const PATIENCE_MS = 90_000;
+/** Software drawing on two busy cores; a state that takes longer is not reached at all. */
+const PATIENCE_MS = 60_000;
 
 /** The app on one page. Errors that nobody caught are kept, and `during` fails on them. */
 export class App {
@@ -28,12 +28,18 @@ export class App {
     this.#context = context;
     this.#page = page;
     page.setDefaultTimeout(PATIENCE_MS);
-    page.on('pageerror', (error) => this.#faults.push(`uncaught: ${error.stack ?? error}`));
-    page.on('crash', () => this.#faults.push('the page crashed'));
+    page.on('pageerror', (error) => this.#giveUp(`uncaught: ${error.stack ?? error}`));
+    page.on('crash', () => this.#giveUp('the page crashed'));
+    page.on('requestfailed', (request) => this.#faults.push(`not loaded: ${request.url()}`));
     page.on('console', (message) => {
       if (message.type() === 'error') this.#faults.push(`console: ${message.text()} (${message.location().url})`);
     });
-    page.on('requestfailed', (request) => this.#faults.push(`not loaded: ${request.url()}`));
+  }
+
+  /** After an uncaught error no state is reached any more: closing the page ends every wait. */
+  #giveUp(fault) {
+    this.#faults.push(fault);
+    return this.#page.close();
   }
 
   /** Lets `act` use the app, closes it, and fails if anything went wrong in front of or behind the scenes. */

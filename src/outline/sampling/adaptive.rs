@@ -14,11 +14,11 @@ use super::uniform::apportion;
 use std::ops::RangeInclusive;
 
 /// Without a target, H starts at the perimeter divided by this: what a circle gets.
-const BASE_SAMPLES: f64 = 250.0;
+const BASE_SAMPLES: f64 = 500.0;
 
 /// Without a target, H is enlarged until no more than this many are needed: the
 /// mesh of a spiky leaf then has about 5,000 vertices, prepared in 30 ms.
-const ENOUGH_SAMPLES: f64 = 700.0;
+const ENOUGH_SAMPLES: f64 = 900.0;
 
 /// Spacings are computed for at most this many samples, and scaled beyond.
 const LARGEST_FIELD: f64 = 1500.0;

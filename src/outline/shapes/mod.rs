@@ -8,15 +8,17 @@ mod turkey;
 
 use std::f64::consts::{PI, TAU};
 
-use super::pen::{Fineness, Pen, SMOOTH, circle, closed_curve, polar};
+use super::pen::{Fineness, Pen, SMOOTH, closed_curve, polar};
 use crate::exact;
 use crate::geometry::DVec2;
 pub(super) use figures::{gingerbread, hand, heart};
 pub(super) use leaf::maple_leaf;
 pub(super) use turkey::turkey;
 
+/// The unit circle e^{it} from t = 0, as in the paper's Figures 6 and 7.
 pub(super) fn disk() -> Vec<DVec2> {
-    circle(1.0, 1440)
+    const COUNT: u32 = 1440;
+    (0..COUNT).map(|k| DVec2::from_angle(TAU * f64::from(k) / f64::from(COUNT))).collect()
 }
 
 /// Four corners, and the middle of the top as the first point.

@@ -1,0 +1,92 @@
+//! `GeoJSON` (RFC 7946): the outer ring of largest area among all polygons.
+//!
+//! Longitude and latitude are taken as plane coordinates, without projection;
+//! altitudes and holes are left out.
+
+use serde_json::Value;
+
+use super::json::{kind, position};
+use super::ring::{Ring, largest};
+use super::{OutlineError, OutlineNote};
+use crate::geometry::DVec2;
+
+/// What was collected on the way through the tree.
+#[derive(Debug, Default)]
+struct Collected<'a> {
+    outer_rings: Vec<Vec<DVec2>>,
+    /// How many holes each ring has.
+    holes: Vec<usize>,
+    /// The `properties.name` of the feature around each ring.
+    names: Vec<Option<&'a str>>,
+}
+
+pub(super) fn read(value: &Value) -> Result<Ring, OutlineError> {
+    let mut found = Collected::default();
+    collect(value, None, &mut found)?;
+    let Collected { outer_rings, holes, names } = found;
+    let none = || OutlineError::NoPolygon { kind: text(value, "type").unwrap_or("not given").to_owned() };
+    let index = largest(&outer_rings).ok_or_else(none)?;
+    let mut ring = Ring::largest_of(outer_rings).ok_or_else(none)?;
+    if holes[index] > 0 {
+        ring.notes.push(OutlineNote::HolesIgnored { holes: holes[index] });
+    }
+    ring.name = names[index].map(str::to_owned);
+    Ok(ring)
+}
+
+fn text<'a>(value: &'a Value, key: &str) -> Option<&'a str> {
+    value.get(key).and_then(Value::as_str)
+}
+
+fn list<'a>(value: &'a Value, key: &str) -> Result<&'a [Value], OutlineError> {
+    let malformed = |found: String| OutlineError::GeoJson { message: format!("\"{key}\" {found}") };
+    match value.get(key) {
+        Some(Value::Array(list)) => Ok(list),
+        Some(other) => Err(malformed(format!("is {}, not a list", kind(other)))),
+        None => Err(malformed("is missing".to_owned())),
+    }
+}
+
+/// Walks features and collections; the nesting is bounded by the JSON reader.
+fn collect<'a>(value: &'a Value, name: Option<&'a str>, found: &mut Collected<'a>) -> Result<(), OutlineError> {
+    match text(value, "type") {
+        Some("FeatureCollection") => list(value, "features")?.iter().try_for_each(|f| collect(f, name, found)),
+        Some("GeometryCollection") => list(value, "geometries")?.iter().try_for_each(|g| collect(g, name, found)),
+        Some("Feature") => match value.get("geometry") {
+            None | Some(Value::Null) => Ok(()),
+            Some(geometry) => {
+                let own = value.get("properties").and_then(|p| text(p, "name").or_else(|| text(p, "NAME")));
+                collect(geometry, own.or(name), found)
+            }
+        },
+        Some("Polygon") => polygon(list(value, "coordinates")?, name, found),
+        Some("MultiPolygon") => list(value, "coordinates")?.iter().try_for_each(|rings| match rings {
+            Value::Array(rings) => polygon(rings, name, found),
+            other => Err(OutlineError::GeoJson { message: format!("a polygon is {}, not a list", kind(other)) }),
+        }),
+        Some("Point" | "MultiPoint" | "LineString" | "MultiLineString") => Ok(()),
+        Some(other) => Err(OutlineError::GeoJson { message: format!("\"{other}\" is no GeoJSON type") }),
+        None => Err(OutlineError::GeoJson { message: "an object has no \"type\"".to_owned() }),
+    }
+}
+
+fn polygon<'a>(rings: &'a [Value], name: Option<&'a str>, found: &mut Collected<'a>) -> Result<(), OutlineError> {
+    let Some((outer, holes)) = rings.split_first() else { return Ok(()) };
+    let Value::Array(positions) = outer else {
+        return Err(OutlineError::GeoJson { message: format!("a ring is {}, not a list", kind(outer)) });
+    };
+    let ring = found.outer_rings.len() + 1;
+    let mut points = Vec::with_capacity(positions.len());
+    for (value, point) in positions.iter().zip(1..) {
+        points.push(position(value, true).map_err(|found| OutlineError::NotAPoint { point, found })?);
+    }
+    match (points.first().copied(), points.pop()) {
+        (Some(first), Some(last)) if first == last && !points.is_empty() => {}
+        (Some(first), Some(last)) => return Err(OutlineError::RingNotClosed { ring, first, last }),
+        _ => return Err(OutlineError::GeoJson { message: format!("ring {ring} has no points") }),
+    }
+    found.outer_rings.push(points);
+    found.holes.push(holes.len());
+    found.names.push(name);
+    Ok(())
+}

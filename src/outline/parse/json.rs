@@ -1,0 +1,70 @@
+//! `[[x, y], …]` and `{"name": …, "points": [[x, y], …]}`; `GeoJSON` is handed on.
+
+use serde_json::Value;
+
+use super::ring::Ring;
+use super::{OutlineError, geojson};
+use crate::geometry::DVec2;
+
+pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
+    let value: Value = serde_json::from_str(text).map_err(|e| syntax_error(&e))?;
+    match &value {
+        Value::Array(points) => Ok(Ring::implicitly_closed(read_points(points)?)),
+        Value::Object(object) => match (object.get("points"), object.get("type")) {
+            (Some(Value::Array(points)), _) => {
+                let name = object.get("name").and_then(Value::as_str).map(str::to_owned);
+                Ok(Ring { name, ..Ring::implicitly_closed(read_points(points)?) })
+            }
+            (Some(other), _) => Err(OutlineError::NotAnOutline { found: format!("\"points\" is {}", kind(other)) }),
+            (None, Some(Value::String(_))) => geojson::read(&value),
+            (None, _) => Err(OutlineError::NotAnOutline { found: "an object without \"points\"".to_owned() }),
+        },
+        other => Err(OutlineError::NotAnOutline { found: kind(other) }),
+    }
+}
+
+fn syntax_error(error: &serde_json::Error) -> OutlineError {
+    let (line, column) = (error.line(), error.column());
+    let message = error.to_string();
+    let message = message.split(" at line ").next().unwrap_or_default().to_owned();
+    if message == "number out of range" {
+        OutlineError::NumberOutOfRange { line, column }
+    } else {
+        OutlineError::Json { line, column, message }
+    }
+}
+
+fn read_points(points: &[Value]) -> Result<Vec<DVec2>, OutlineError> {
+    points
+        .iter()
+        .zip(1..)
+        .map(|(value, point)| position(value, false).map_err(|found| OutlineError::NotAPoint { point, found }))
+        .collect()
+}
+
+/// The point `[x, y]`, with further numbers only if `more_allowed`; or what it is instead.
+pub(super) fn position(value: &Value, more_allowed: bool) -> Result<DVec2, String> {
+    let Value::Array(numbers) = value else { return Err(format!("is {}", kind(value))) };
+    match numbers.as_slice() {
+        [x, y, rest @ ..] if rest.is_empty() || more_allowed => match (x.as_f64(), y.as_f64()) {
+            (Some(x), Some(y)) => Ok(DVec2::new(x, y)),
+            (None, _) => Err(format!("has {} where a number should be", kind(x))),
+            (_, None) => Err(format!("has {} where a number should be", kind(y))),
+        },
+        [_] => Err("has 1 number".to_owned()),
+        other => Err(format!("has {} numbers", other.len())),
+    }
+}
+
+/// A value's kind, in words.
+pub(super) fn kind(value: &Value) -> String {
+    match value {
+        Value::Null => "null",
+        Value::Bool(_) => "a truth value",
+        Value::Number(_) => "a number",
+        Value::String(_) => "a text",
+        Value::Array(_) => "a list",
+        Value::Object(_) => "an object",
+    }
+    .to_owned()
+}

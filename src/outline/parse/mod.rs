@@ -1,0 +1,120 @@
+//! Outlines from files: JSON, `GeoJSON`, SVG, and tables of numbers.
+//!
+//! Every reader yields one closed chain of points, which then becomes a
+//! [`SimplePolygon`]; nothing is repaired silently: what was left out or turned
+//! round is a note, what cannot be an outline is an error with its place.
+//! No bytes make a reader panic, and none reads anything but these bytes.
+
+mod error;
+mod geojson;
+mod json;
+mod repair;
+mod ring;
+mod svg;
+mod svg_path;
+mod table;
+
+use super::{Outline, OutlineNote};
+use crate::geometry::SimplePolygon;
+pub use error::OutlineError;
+use ring::Ring;
+
+/// The largest file that is read.
+pub const MAX_BYTES: usize = 64 << 20;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Json,
+    Svg,
+    /// The `d` attribute of an SVG path, on its own.
+    SvgPathData,
+    Table,
+}
+
+/// Reads an outline from a file's name and bytes.
+///
+/// The extension decides the format (`json`, `geojson`, `svg`, `csv`, `tsv`);
+/// with any other, the first character does. The outline's name is the one in
+/// the file, or else the file's stem.
+///
+/// - JSON: `[[x, y], …]` or `{"name": …, "points": [[x, y], …]}`;
+/// - `GeoJSON`: the outer ring of largest area; holes are left out;
+/// - SVG: the first closed path in document order, transformed and flattened,
+///   with y upwards; of several closed subpaths the largest;
+/// - tables: two numbers on a line, between them spaces, a tab, a comma or a
+///   semicolon; `#` begins a comment; the first line may be a header.
+///
+/// A last point equal to the first is dropped. Files may have up to
+/// [`MAX_BYTES`], and outlines up to 200,000 points.
+pub fn parse(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineError> {
+    let ring = read(file_name, bytes)?;
+    outline(ring, stem_and_extension(file_name).0)
+}
+
+/// Like [`parse`], but points where the outline meets itself in a vertex or
+/// folds back are cut off, and said in a note; what crosses stays an error.
+pub fn parse_repaired(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineError> {
+    let mut ring = read(file_name, bytes)?;
+    let dropped = repair::cut_loops_and_spikes(&mut ring.points);
+    if dropped > 0 {
+        ring.notes.push(OutlineNote::Repaired { dropped });
+    }
+    outline(ring, stem_and_extension(file_name).0)
+}
+
+fn read(file_name: &str, bytes: &[u8]) -> Result<Ring, OutlineError> {
+    if bytes.len() > MAX_BYTES {
+        return Err(OutlineError::TooLarge { bytes: bytes.len() });
+    }
+    let text = std::str::from_utf8(bytes).map_err(|e| OutlineError::NotUtf8 { offset: e.valid_up_to() })?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    if text.trim().is_empty() {
+        return Err(OutlineError::Empty);
+    }
+    match format_of(stem_and_extension(file_name).1, text) {
+        Format::Json => json::read(text),
+        Format::Svg => svg::read(text),
+        Format::SvgPathData => svg::read_path_data(text),
+        Format::Table => table::read(text),
+    }
+}
+
+fn outline(ring: Ring, stem: &str) -> Result<Outline, OutlineError> {
+    let Ring { name, points, mut notes } = ring;
+    let polygon = SimplePolygon::try_from(points)?;
+    if polygon.was_clockwise() {
+        notes.push(OutlineNote::Reversed);
+    }
+    let name = name.filter(|n| !n.trim().is_empty()).unwrap_or_else(|| stem.to_owned());
+    Ok(Outline { name, polygon, notes })
+}
+
+/// `("leaf", "json")` from `some/folder/leaf.json`.
+fn stem_and_extension(file_name: &str) -> (&str, &str) {
+    let base = file_name.rsplit(['/', '\\']).next().unwrap_or(file_name);
+    match base.rsplit_once('.') {
+        Some((stem, extension)) if !stem.is_empty() => (stem, extension),
+        _ => (base, ""),
+    }
+}
+
+fn format_of(extension: &str, text: &str) -> Format {
+    match extension.to_ascii_lowercase().as_str() {
+        "json" | "geojson" => Format::Json,
+        "svg" => Format::Svg,
+        "csv" | "tsv" => Format::Table,
+        _ => match text.trim_start().chars().next() {
+            Some('[' | '{') => Format::Json,
+            Some('<') => Format::Svg,
+            Some('M' | 'm') if text.chars().all(|c| "MmLlHhVvCcSsQqTtAaZz0123456789eE+-., \t\r\n".contains(c)) => {
+                Format::SvgPathData
+            }
+            _ => Format::Table,
+        },
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+#[path = "tests.rs"]
+mod tests;

@@ -1,0 +1,48 @@
+//! A closed chain of points, before it is checked.
+
+use super::OutlineNote;
+use crate::geometry::DVec2;
+
+/// What a reader found.
+#[derive(Debug, Default)]
+pub(super) struct Ring {
+    /// The name inside the file.
+    pub name: Option<String>,
+    pub points: Vec<DVec2>,
+    pub notes: Vec<OutlineNote>,
+}
+
+impl Ring {
+    /// A chain from a format in which closing is implicit: a last point equal
+    /// to the first is dropped, with a note.
+    pub fn implicitly_closed(mut points: Vec<DVec2>) -> Self {
+        let mut notes = Vec::new();
+        if points.len() > 3 && points.first() == points.last() {
+            points.pop();
+            notes.push(OutlineNote::ClosingPointDropped);
+        }
+        Self { name: None, points, notes }
+    }
+
+    /// The candidate of largest area, with a note if there were several.
+    pub fn largest_of(candidates: Vec<Vec<DVec2>>) -> Option<Self> {
+        let rings = candidates.len();
+        let index = largest(&candidates)?;
+        let points = candidates.into_iter().nth(index)?;
+        let notes = if rings > 1 { vec![OutlineNote::LargestOf { rings }] } else { Vec::new() };
+        Some(Self { name: None, points, notes })
+    }
+}
+
+/// The index of the chain of largest area, the first among equals.
+pub(super) fn largest(candidates: &[Vec<DVec2>]) -> Option<usize> {
+    let areas: Vec<f64> = candidates.iter().map(|c| area(c)).collect();
+    (0..areas.len()).rev().max_by(|&i, &j| areas[i].total_cmp(&areas[j]))
+}
+
+/// The area inside a chain, as far as it is representable; only compared.
+pub(super) fn area(points: &[DVec2]) -> f64 {
+    let Some(&origin) = points.first() else { return 0.0 };
+    let wrapped = points.iter().zip(points.iter().cycle().skip(1));
+    wrapped.map(|(&a, &b)| (a - origin).perp_dot(b - origin)).sum::<f64>().abs()
+}

@@ -1,0 +1,356 @@
+use std::path::Path;
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::geometry::{DVec2, MAX_POINTS, PolygonError};
+
+fn read(file_name: &str, text: &str) -> Result<Outline, OutlineError> {
+    parse(file_name, text.as_bytes())
+}
+
+fn vertices(outline: &Outline) -> Vec<(f64, f64)> {
+    outline.polygon.vertices().iter().map(|p| (p.x, p.y)).collect()
+}
+
+fn message(file_name: &str, text: &str) -> String {
+    read(file_name, text).unwrap_err().to_string()
+}
+
+/// An SVG of 100 × 100 with this content.
+fn svg(content: &str) -> String {
+    format!(r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">{content}</svg>"#)
+}
+
+const TRIANGLE: [(f64, f64); 3] = [(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)];
+
+#[test]
+fn the_same_triangle_in_every_format() {
+    let files = [
+        ("t.json", "[[0,0],[4,0],[0,3]]"),
+        ("t.json", r#"{"points": [[0, 0], [4, 0], [0, 3.0]], "source": null}"#),
+        ("t.json", r#"{"type":"Polygon","coordinates":[[[0,0],[4,0],[0,3],[0,0]]]}"#),
+        ("t.csv", "x,y\n0,0\n4,0\n0,3\n"),
+        ("t.csv", "0;0\r\n4;0\r\n0;3"),
+        ("t.tsv", "\"x\"\t\"y\"\n0\t0\n4\t0\n0\t3"),
+        ("t.txt", "# a triangle\n\n  0 0\n4.0e0   0 # right\n0 , 3\n"),
+        ("t", "\u{feff}0 0\n4 0\n0 3"),
+        ("t.txt", "[[0,0],[4,0],[0,3]]"),
+        ("t.d", "M 0 0 L 4 0 0 -3 Z"),
+        ("t.SVG", r#"<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 h4 L0 -3 z"/></svg>"#),
+    ];
+    for (name, text) in files {
+        let outline = read(name, text).unwrap_or_else(|e| panic!("{name}: {text}: {e}"));
+        assert_eq!(vertices(&outline), TRIANGLE, "{text}");
+        assert_eq!(outline.name, "t");
+        assert_eq!(outline.notes, [], "{text}");
+    }
+}
+
+#[test]
+fn a_name_in_the_file_goes_before_the_files_own() {
+    let outline = read("folder/a.b.json", r#"{"name": "Leaf", "points": [[0,0],[1,0],[0,1]]}"#).unwrap();
+    assert_eq!(outline.name, "Leaf");
+    assert_eq!(read(r"C:\folder\a.b.json", "[[0,0],[1,0],[0,1]]").unwrap().name, "a.b");
+    assert_eq!(read(".json", "[[0,0],[1,0],[0,1]]").unwrap().name, ".json");
+    let feature = r#"{"type":"Feature","properties":{"name":"Isle"},
+        "geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]}}"#;
+    assert_eq!(read("x.geojson", feature).unwrap().name, "Isle");
+}
+
+#[test]
+fn what_was_changed_is_said() {
+    let clockwise = read("c.csv", "0 0\n0 1\n1 1\n1 0\n0 0").unwrap();
+    assert_eq!(clockwise.notes, [OutlineNote::ClosingPointDropped, OutlineNote::Reversed]);
+    assert_eq!(vertices(&clockwise), [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
+    let said: Vec<String> = clockwise.notes.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        said,
+        ["The last point repeated the first one and was dropped.", "The points ran clockwise and were reversed."]
+    );
+}
+
+#[test]
+fn geojson_gives_the_largest_outer_ring_of_all_features() {
+    let text = r#"{"type":"FeatureCollection","features":[
+        {"type":"Feature","properties":null,"geometry":null},
+        {"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[1,2]}},
+        {"type":"Feature","properties":{"name":"two"},"geometry":{"type":"GeometryCollection","geometries":[
+            {"type":"MultiPolygon","coordinates":[
+                [[[0,0],[1,0],[1,1],[0,0]]],
+                [[[0,0,5],[9,0,5],[9,9,5],[0,0,5]],[[5,1],[6,1],[6,2],[5,1]]]]}]}},
+        {"type":"Feature","properties":{"name":"three"},
+            "geometry":{"type":"Polygon","coordinates":[[[0,0],[2,0],[2,2],[0,0]]]}}]}"#;
+    let outline = read("world.geojson", text).unwrap();
+    assert_eq!(vertices(&outline), [(0.0, 0.0), (9.0, 0.0), (9.0, 9.0)]);
+    assert_eq!(outline.notes, [OutlineNote::LargestOf { rings: 3 }, OutlineNote::HolesIgnored { holes: 1 }]);
+    assert_eq!(outline.name, "two");
+}
+
+#[test]
+fn faults_of_geojson_are_named() {
+    let open = r#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1]]]}"#;
+    assert_eq!(message("x.json", open), "ring 1 is not closed: it starts at (0, 0) and ends at (1, 1)");
+    let single = r#"{"type":"Polygon","coordinates":[[[0,0]]]}"#;
+    assert!(matches!(read("x.json", single), Err(OutlineError::RingNotClosed { .. })));
+    let line = r#"{"type":"LineString","coordinates":[[0,0],[1,0]]}"#;
+    assert_eq!(message("x.json", line), "this GeoJSON holds no polygon (its type is LineString)");
+    for (text, fault) in [
+        (r#"{"type":"Polygon"}"#, "\"coordinates\" is missing"),
+        (r#"{"type":"Polygon","coordinates":7}"#, "\"coordinates\" is a number, not a list"),
+        (r#"{"type":"Polygon","coordinates":[[]]}"#, "ring 1 has no points"),
+        (r#"{"type":"Polygon","coordinates":[{}]}"#, "a ring is an object, not a list"),
+        (r#"{"type":"Topology"}"#, "\"Topology\" is no GeoJSON type"),
+        (r#"{"type":"Polygon","coordinates":[[[0,0],[1],[0,0]]]}"#, "point 2 has 1 number"),
+    ] {
+        assert!(message("x.json", text).contains(fault), "{}", message("x.json", text));
+    }
+}
+
+#[test]
+fn faults_of_json_are_named_with_line_and_column() {
+    assert_eq!(
+        read("x.json", "[[0, 0],\n [1, 0],\n [0, oops]]"),
+        Err(OutlineError::Json { line: 3, column: 6, message: "expected value".to_owned() })
+    );
+    let huge = read("x.json", "[[0,0],\n[1e999,0],[0,1]]").unwrap_err();
+    assert!(matches!(huge, OutlineError::NumberOutOfRange { line: 2, .. }), "{huge}");
+    assert_eq!(message("x.json", "[[0,0],[1,0],[1,2,3]]"), "point 3 has 3 numbers; a point is [x, y]");
+    assert_eq!(message("x.json", "[[0,0],7]"), "point 2 is a number; a point is [x, y]");
+    assert_eq!(
+        message("x.json", "[[0,0],[1,\"2\"]]"),
+        "point 2 has a text where a number should be; a point is [x, y]"
+    );
+    assert!(message("x.json", "{\"points\": 1}").contains("\"points\" is a number"));
+    assert!(message("x.json", "{}").contains("an object without \"points\""));
+    assert!(message("x.json", "null").contains("null"));
+    assert!(message("x.json", &"[".repeat(100_000)).contains("recursion limit"));
+}
+
+#[test]
+fn faults_of_tables_are_named_with_line_and_column() {
+    let fault = |text: &str| message("x.csv", text);
+    assert_eq!(fault("x,y\n1,2\n3,é4"), "\"é4\" at line 3, column 3 is not a number");
+    assert_eq!(fault("1,2\n3"), "line 2 has 1 number; a point is two");
+    assert_eq!(fault("1,2\n3,4,5"), "line 2 has 3 numbers; a point is two");
+    assert_eq!(fault("1,2\n\n  1e999 3"), "the number at line 3, column 3 is out of range");
+    assert_eq!(fault("1,NaN"), "the number at line 1, column 3 is out of range");
+    assert_eq!(fault("1,,2"), "a number is missing at line 1, column 3");
+    assert_eq!(fault("1,2,"), "a number is missing at line 1, column 5");
+    assert_eq!(fault(",2"), "a number is missing at line 1, column 1");
+    assert_eq!(fault("1,2\nx,y"), "\"x\" at line 2, column 1 is not a number");
+    assert_eq!(fault("width 3"), "\"width\" at line 1, column 1 is not a number");
+    assert_eq!(fault("# nothing\n"), "the file is empty");
+}
+
+#[test]
+fn bytes_that_are_no_text_are_refused() {
+    assert_eq!(parse("x.json", b""), Err(OutlineError::Empty));
+    assert_eq!(parse("x.svg", b" \n\t"), Err(OutlineError::Empty));
+    assert_eq!(parse("x.csv", b"0 0\n1 \xff"), Err(OutlineError::NotUtf8 { offset: 6 }));
+    let large = vec![b' '; MAX_BYTES + 1];
+    assert_eq!(parse("x.csv", &large), Err(OutlineError::TooLarge { bytes: MAX_BYTES + 1 }));
+    assert!(OutlineError::TooLarge { bytes: 1 }.to_string().contains("64 MiB"));
+}
+
+#[test]
+fn faults_of_the_polygon_come_through() {
+    let crossing = read("x.json", "[[0,0],[2,2],[2,0],[0,2]]");
+    assert!(matches!(crossing, Err(OutlineError::Polygon(PolygonError::EdgesCross { .. }))));
+    let many: String = (0..=MAX_POINTS).map(|k| format!("{k} {}\n", k * k)).collect();
+    assert!(message("x.csv", &many).contains("at most 200000 points"));
+    for text in ["1e150 0\n0 1e150\n0 0", "1e-150 0\n0 1e-150\n0 0", "1e308 0\n0 -1e308\n-1e308 0"] {
+        let error = read("x.csv", text).unwrap_err();
+        let polygon =
+            matches!(error, OutlineError::Polygon(PolygonError::TooFarOut { .. } | PolygonError::TooSmall { .. }));
+        assert!(polygon, "{error}");
+    }
+}
+
+#[test]
+fn svg_shapes_are_outlines_too() {
+    let rectangle = read("r.svg", &svg(r#"<rect x="10" y="20" width="30" height="40"/>"#)).unwrap();
+    let bounds = rectangle.polygon.bounds();
+    assert_eq!((bounds.min, bounds.max), (DVec2::new(10.0, -60.0), DVec2::new(40.0, -20.0)));
+    assert_eq!(rectangle.polygon.vertices().len(), 4);
+    let circle = read("c.svg", &svg(r#"<circle cx="50" cy="50" r="40"/>"#)).unwrap().polygon;
+    let radii = circle.vertices().iter().map(|p| p.distance(DVec2::new(50.0, -50.0)));
+    let error = radii.map(|r| (r / 40.0 - 1.0).abs()).fold(0.0, f64::max);
+    // The cubic arcs of a circle are off by 2.7e-4, single precision by 1e-7.
+    assert!(error < 3e-4, "{error}");
+    assert!(circle.vertices().len() > 100);
+}
+
+#[test]
+fn every_path_command_ends_where_it_should() {
+    let text = "M10 10 l10 0 L30 20 h10 H50 v10 V40 c0 5 5 10 10 10 C70 50 70 60 70 60 s5 5 5 10 S60 80 60 80 \
+                q-10 5 -10 0 Q40 90 30 80 t-10 -5 T10 60 a5 5 0 0 1 0 -10 A5 5 0 0 0 10 40 z";
+    let outline = read("p.svg", &svg(&format!(r#"<path d="{text}"/>"#))).unwrap();
+    for corner in
+        [(10.0, -10.0), (50.0, -40.0), (60.0, -50.0), (70.0, -60.0), (60.0, -80.0), (20.0, -75.0), (10.0, -40.0)]
+    {
+        let nearest = outline.polygon.vertices().iter().map(|p| p.distance(corner.into())).fold(f64::MAX, f64::min);
+        assert!(nearest < 1e-4, "{corner:?} is {nearest} away");
+    }
+}
+
+#[test]
+fn svg_transforms_styles_and_uses_are_resolved() {
+    let text = svg(r##"<style>.a { fill: url(#g) }</style>
+        <defs><linearGradient id="g"><stop offset="0"/></linearGradient>
+        <path id="t" d="M0 0 L4 0 L0 -3 Z"/></defs>
+        <g transform="translate(10 5) scale(2)"><use class="a" href="#t" x="1"/></g>"##);
+    assert_eq!(vertices(&read("t.svg", &text).unwrap()), [(12.0, -5.0), (20.0, -5.0), (12.0, 1.0)]);
+    let mirrored = svg(r#"<path transform="scale(-1 1)" fill="none" stroke="red" d="M0 0 L4 0 L0 -3 Z"/>"#);
+    let mirrored = read("t.svg", &mirrored).unwrap();
+    assert_eq!(vertices(&mirrored), [(0.0, 0.0), (0.0, 3.0), (-4.0, 0.0)]);
+    assert_eq!(mirrored.notes, [OutlineNote::Reversed]);
+}
+
+#[test]
+fn the_first_closed_path_and_its_largest_subpath_are_taken() {
+    let text = svg(r#"<path d="M0 0 L50 50"/>
+        <path id="rings" d="M0 0 h1 v1 z M10 10 h20 v-9 h-20 z M5 5 h1 v1 z M0 90 L1 91"/>
+        <path d="M0 0 h90 v90 z"/>"#);
+    let outline = read("x.svg", &text).unwrap();
+    assert_eq!(outline.polygon.area(), 180.0);
+    assert_eq!(outline.notes, [OutlineNote::LargestOf { rings: 3 }]);
+    assert_eq!(outline.name, "rings");
+    let back_at_start = read("x.svg", &svg(r#"<path d="M0 0 L4 0 L0 -3 L0 0"/>"#)).unwrap();
+    assert_eq!(vertices(&back_at_start), TRIANGLE);
+}
+
+#[test]
+fn faults_of_svg_are_named() {
+    assert_eq!(message("x.svg", &svg("")), "this SVG has no path");
+    assert_eq!(message("x.svg", &svg(r#"<path d="M0 0 L4 0 L0 3"/>"#)), "no path of this SVG is closed (1 open)");
+    let broken = message("x.svg", "<svg xmlns='http://www.w3.org/2000/svg'>\n<path</svg>");
+    assert!(broken.starts_with("this SVG cannot be read") && broken.contains("2:"), "{broken}");
+    assert!(message("x.svg", "<html/>").starts_with("this SVG cannot be read"));
+    let deep = svg(&format!("{}{}", "<g>".repeat(50_000), "</g>".repeat(50_000)));
+    assert!(message("x.svg", &deep).contains("nested too deeply"));
+    let chain: String = (1..2000).map(|k| format!(r##"<g id="a{k}"><use href="#a{}"/></g>"##, k + 1)).collect();
+    assert!(message("x.svg", &svg(&chain)).contains("nested too deeply"));
+}
+
+#[test]
+fn nesting_within_the_limits_does_not_exhaust_a_small_stack() {
+    let level = |k: usize, inner: &str| {
+        format!(r#"<g id="a{k}">{}{inner}{}</g>"#, "<g opacity=\"0.5\">".repeat(60), "</g>".repeat(60))
+    };
+    let mut content = level(0, r#"<path d="M0 0 L4 0 L0 -3 Z"/>"#);
+    for k in 1..4 {
+        content += &level(k, &format!(r##"<use href="#a{}"/>"##, k - 1));
+    }
+    let text = svg(&format!("<defs>{content}</defs><use href=\"#a3\"/>"));
+    let worker = std::thread::Builder::new().stack_size(1 << 20).spawn(move || read("x.svg", &text)).unwrap();
+    assert_eq!(vertices(&worker.join().unwrap().unwrap()), TRIANGLE);
+}
+
+#[test]
+fn icons_and_coast_lines_are_read() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/outlines");
+    let Ok(entries) = std::fs::read_dir(&folder) else {
+        println!("skipped: {} is not there", folder.display());
+        return;
+    };
+    let mut paths: Vec<_> = entries.map(|e| e.unwrap().path()).collect();
+    paths.sort();
+    for path in paths.iter().filter(|p| p.extension().is_some_and(|e| e == "json")) {
+        let (name, bytes) = (path.to_string_lossy(), std::fs::read(path).unwrap());
+        // The hand has small loops, 2 % of its size, which meet themselves.
+        let touches = matches!(parse(&name, &bytes), Err(OutlineError::Polygon(PolygonError::RepeatedPoint { .. })));
+        assert_eq!(touches, name.ends_with("noto_hand-with-fingers-splayed.json"), "{name}");
+        let outline = parse_repaired(&name, &bytes).unwrap();
+        let expected: &[OutlineNote] = if touches { &[OutlineNote::Repaired { dropped: 11 }] } else { &[] };
+        assert!(outline.notes.starts_with(expected), "{name}: {:?}", outline.notes);
+        println!("{}: {} points, notes {:?}", outline.name, outline.polygon.vertices().len(), outline.notes);
+        let pole = outline.polygon.pole_of_inaccessibility(1e-3);
+        assert!(outline.polygon.contains(pole));
+    }
+}
+
+#[test]
+fn loops_and_spikes_are_cut_off_when_asked() {
+    let repaired = |text: &str| parse_repaired("x.csv", text.as_bytes()).unwrap();
+    // A doubled point; a small loop at (4, 0); a spike at (0, 3).
+    let outline = repaired("0 0\n0 0\n4 0\n5 0\n5 1\n4 0\n0 3\n0 9\n");
+    assert_eq!(vertices(&outline), [(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)]);
+    assert_eq!(outline.notes, [OutlineNote::Repaired { dropped: 5 }]);
+    let first_is_in_the_small_loop = repaired("1 1\n0 0\n9 0\n0 9\n0 0\n0 1\n");
+    assert_eq!(first_is_in_the_small_loop.polygon.area(), 40.5);
+    let crossing = parse_repaired("x.csv", b"0 0\n2 2\n2 0\n0 2");
+    assert!(matches!(crossing, Err(OutlineError::Polygon(PolygonError::EdgesCross { .. }))));
+    assert_eq!(repaired("0 0\n4 0\n0 3").notes, []);
+}
+
+const EXTENSIONS: [&str; 5] = ["json", "svg", "csv", "geojson", ""];
+
+/// A small valid file of each format, to be mutated.
+fn valid_files() -> [String; 5] {
+    [
+        r#"{"name":"a","points":[[0,0],[4,0.5],[1e-3,3],[-1,1]]}"#.to_owned(),
+        svg(
+            r##"<g transform="rotate(30 1 2)"><path id="p" d="M1 2 C3 4 5 6 7 9 q1 1 2 -3 A 3 4 10 1 0 5 1 Z"/><use href="#p"/></g>"##,
+        ),
+        "x,y\n0,0\n4;0.5 # c\n1e-3\t3\n".to_owned(),
+        r#"{"type":"MultiPolygon","coordinates":[[[[0,0],[4,0],[0,3],[0,0]]],[[[0,0],[1,0],[0,1],[0,0]]]]}"#.to_owned(),
+        "M0 0 L4 0 0 -3 Z".to_owned(),
+    ]
+}
+
+proptest! {
+    #[test]
+    fn no_bytes_make_a_reader_panic(bytes in prop::collection::vec(any::<u8>(), 0..300), kind in 0..5usize) {
+        let _ = parse(&format!("x.{}", EXTENSIONS[kind]), &bytes);
+    }
+
+    #[test]
+    fn no_text_makes_a_reader_panic(text in "[\\[\\]{}<>/=\"a-zM0-9eE+.,; \n#:-]{0,200}", kind in 0..5usize) {
+        let _ = read(&format!("x.{}", EXTENSIONS[kind]), &text);
+    }
+
+    #[test]
+    fn no_mutation_of_a_valid_file_makes_a_reader_panic(
+        kind in 0..5usize,
+        edits in prop::collection::vec((any::<prop::sample::Index>(), 0..4u8, any::<u8>()), 1..6),
+    ) {
+        let mut bytes = valid_files()[kind].clone().into_bytes();
+        let file_name = format!("x.{}", EXTENSIONS[kind]);
+        prop_assert!(parse(&file_name, &bytes).is_ok());
+        for (at, edit, byte) in edits {
+            let at = at.index(bytes.len());
+            let digits = b"0123456789eE.-+[]{},\" #Mz";
+            match edit {
+                0 => bytes[at] = byte,
+                1 => bytes[at] = digits[byte as usize % digits.len()],
+                2 => bytes.insert(at, digits[byte as usize % digits.len()]),
+                _ => drop(bytes.drain(at..(at + byte as usize % 8).min(bytes.len()))),
+            }
+            if bytes.is_empty() {
+                break;
+            }
+        }
+        let _ = parse_repaired(&file_name, &bytes);
+        if let Ok(outline) = parse(&file_name, &bytes) {
+            prop_assert!(outline.polygon.area() >= 0.0);
+        }
+    }
+
+    #[test]
+    fn points_written_are_points_read(radii in prop::collection::vec(0.1..1e6f64, 3..50)) {
+        let n = radii.len() as f64;
+        let points: Vec<DVec2> = radii.iter().enumerate()
+            .map(|(k, r)| *r * DVec2::from_angle(std::f64::consts::TAU * k as f64 / n))
+            .collect();
+        prop_assume!(SimplePolygon::try_from(points.clone()).is_ok());
+        let json: Vec<[f64; 2]> = points.iter().map(|p| [p.x, p.y]).collect();
+        let csv: String = points.iter().map(|p| format!("{},{}\n", p.x, p.y)).collect();
+        for outline in [read("x.json", &serde_json::to_string(&json).unwrap()), read("x.csv", &csv)] {
+            let read_back = outline.unwrap();
+            // serde_json's fast float reader may be off by one unit in the last place.
+            let error = read_back.polygon.vertices().iter().zip(&points).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+            prop_assert!(error < 1e-9, "{error}");
+        }
+    }
+}
