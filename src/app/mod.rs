@@ -106,9 +106,10 @@ impl RiemapApp {
         stats::collect(&self.model, ScreenFacts { backend, handles, errors: self.errors(), notes: self.notes() })
     }
 
-    /// Takes in a file: an outline or an image, by its purpose.
-    pub fn take_file(&mut self, purpose: FilePurpose, name: String, bytes: Result<Vec<u8>, String>) {
-        self.mailbox.post(Event::File { purpose, name, bytes });
+    /// Takes in an outline as if its file had been opened.
+    pub fn load_outline(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
+        self.read_file(FilePurpose::Outline(side), name, Ok(bytes));
+        self.mailbox.wake();
     }
 
     fn errors(&self) -> Vec<String> {

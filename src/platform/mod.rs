@@ -77,8 +77,13 @@ impl Mailbox {
     /// Posts `event`. When the app is gone, nobody is left to read it.
     pub fn post(&self, event: Event) {
         if self.sender.send(event).is_ok() {
-            self.context.request_repaint();
+            self.wake();
         }
+    }
+
+    /// Asks for a frame.
+    pub fn wake(&self) {
+        self.context.request_repaint();
     }
 }
 

@@ -8,7 +8,6 @@
 
 use crate::app::RiemapApp;
 use crate::conformal::Side;
-use crate::platform::FilePurpose;
 use eframe::WebRunner;
 use js_sys::{Object, Reflect};
 use serde::Serialize;
@@ -23,10 +22,10 @@ pub fn install(runner: &WebRunner) {
     let app = runner.clone();
     let session = Closure::<dyn Fn() -> JsValue>::new(move || with_app(&app, |app| to_js(app.session())));
     let app = runner.clone();
-    let load = Closure::<dyn Fn(String, String, String) -> JsValue>::new(move |side: String, name, text: String| {
+    let load = Closure::<dyn Fn(String, String, String) -> JsValue>::new(move |side: String, name: String, text: String| {
         let Some(side) = side_named(&side) else { return JsValue::FALSE };
         with_app(&app, |app| {
-            app.take_file(FilePurpose::Outline(side), name, Ok(text.into_bytes()));
+            app.load_outline(side, &name, text.into_bytes());
             JsValue::TRUE
         })
     });

@@ -7,7 +7,13 @@ use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
 /// Answers every request that is posted to this worker, until it is terminated.
 pub fn listen(scope: &DedicatedWorkerGlobalScope) {
-    console_error_panic_hook::set_once();
+    std::panic::set_hook(Box::new(|info| {
+        console_error_panic_hook::hook(info);
+        if let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
+            // The page also hears of the trap that follows, but not of its cause.
+            let _ = scope.post_message(&messages::encode_death(&info.to_string()));
+        }
+    }));
     let answer = {
         let scope = scope.clone();
         Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {

@@ -1,8 +1,8 @@
 //! Requests and answers as JavaScript values: flat arrays, transferred, not copied.
 //!
 //! A request is `{ generation, points, settings }`, an answer `{ generation }`
-//! with one of `stage`, `failed`, or `floats` and `indices`. Small enums travel
-//! as JSON text in the form that serde gives them.
+//! with one of `stage`, `failed`, or `floats` and `indices`; a panic's last word
+//! is `{ died }`. Small enums travel as JSON text in the form that serde gives them.
 
 use crate::conformal::{DomainBuffers, PreparedDomain};
 use crate::geometry::{DVec2, SimplePolygon};
@@ -59,6 +59,16 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
         }
     };
     (message, transfer)
+}
+
+/// What a worker says when it panics.
+pub fn encode_death(reason: &str) -> JsValue {
+    object(&[("died", reason.into())])
+}
+
+/// Why the worker died, if this message says so.
+pub fn decode_death(message: &JsValue) -> Option<String> {
+    get(message, "died")?.as_string()
 }
 
 /// What the page reads; `None` if it is not what [`encode_response`] makes.

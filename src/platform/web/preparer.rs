@@ -95,9 +95,12 @@ impl Engine {
 
 fn listen(side: Side, mailbox: Mailbox, state: Rc<Cell<State>>) -> Closure<dyn FnMut(MessageEvent)> {
     Closure::new(move |event: MessageEvent| {
-        let Some((generation, response)) = messages::decode_response(&event.data()) else {
+        let message = event.data();
+        let Some((generation, response)) = messages::decode_response(&message) else {
+            let unreadable = || String::from("its answer could not be read");
             state.set(State::Dead);
-            mailbox.post(Event::WorkerDied { side, reason: String::from("its answer could not be read") });
+            let reason = messages::decode_death(&message).unwrap_or_else(unreadable);
+            mailbox.post(Event::WorkerDied { side, reason });
             return;
         };
         if !matches!(response, Response::Progress(_)) {
