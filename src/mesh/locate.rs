@@ -11,7 +11,7 @@
 //! Cost: a few steps from a near hint; O(m) when blocked; O(n) at the very worst.
 
 use super::tri_mesh::{NO_TRIANGLE, TriMesh};
-use crate::geometry::{DVec2, on_segment, orientation};
+use crate::geometry::{DVec2, MAX_COORDINATE, on_segment, orientation};
 
 /// A point inside a triangle: weights are non-negative and sum to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +30,8 @@ pub(super) const BOUNDARY_TOLERANCE: f64 = 1e-12;
 ///
 /// Any `hint` gives a correct answer; the last answer's triangle is the best one.
 pub fn locate(mesh: &TriMesh, x: DVec2, hint: u32) -> Option<BarycentricPoint> {
-    if !x.is_finite() {
+    // farther out than any outline the predicates would overflow; NaN is not ≤ either
+    if !(x.abs().max_element() <= MAX_COORDINATE && x.is_finite()) {
         return None;
     }
     let found = containing(mesh, x, hint);
