@@ -14,7 +14,7 @@ use super::uniform::apportion;
 use std::ops::RangeInclusive;
 
 /// Without a target, H starts at the perimeter divided by this: what a circle gets.
-const BASE_SAMPLES: f64 = 250.0;
+const BASE_SAMPLES: f64 = 350.0;
 
 /// Without a target, H is enlarged until no more than this many are needed: the
 /// mesh of a spiky leaf then has about 5,000 vertices, prepared in 30 ms.
