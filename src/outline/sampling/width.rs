@@ -73,7 +73,9 @@ impl<'a> Grid<'a> {
         let mut grid =
             Self { table, stride, low, cell, columns, rows, start: vec![0; columns * rows + 2], pieces: Vec::new() };
         let cells: Vec<usize> = (0..count).map(|k| grid.cell_of(middle(k))).collect();
-        cells.iter().for_each(|&c| grid.start[c + 2] += 1);
+        for &c in &cells {
+            grid.start[c + 2] += 1;
+        }
         (2..grid.start.len()).for_each(|c| grid.start[c] += grid.start[c - 1]);
         grid.pieces = vec![Piece::default(); count];
         for (k, c) in cells.into_iter().enumerate() {
