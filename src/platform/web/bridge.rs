@@ -22,13 +22,14 @@ pub fn install(runner: &WebRunner) {
     let app = runner.clone();
     let session = Closure::<dyn Fn() -> JsValue>::new(move || with_app(&app, |app| to_js(app.session())));
     let app = runner.clone();
-    let load = Closure::<dyn Fn(String, String, String) -> JsValue>::new(move |side: String, name: String, text: String| {
-        let Some(side) = side_named(&side) else { return JsValue::FALSE };
-        with_app(&app, |app| {
-            app.load_outline(side, &name, text.into_bytes());
-            JsValue::TRUE
-        })
-    });
+    let load =
+        Closure::<dyn Fn(String, String, String) -> JsValue>::new(move |side: String, name: String, text: String| {
+            let Some(side) = side_named(&side) else { return JsValue::FALSE };
+            with_app(&app, |app| {
+                app.load_outline(side, &name, text.into_bytes());
+                JsValue::TRUE
+            })
+        });
     put(&object, "stats", &stats.into_js_value());
     put(&object, "session", &session.into_js_value());
     put(&object, "load_outline", &load.into_js_value());
