@@ -141,7 +141,22 @@ fn bad_input_exits_1_with_one_line() {
     fails(&["prepare", &flat], 1, &[]);
     fails(&["prepare", "absent.json"], 1, &["absent.json"]);
     fails(&["prepare", "preset:kitten"], 1, &["kitten", "gingerbread"]);
-    fails(&["map", "preset:disk", "preset:square", "--source-point", "3,0"], 1, &["source point", "3"]);
+    for outside in ["3,0", "1e200,1e200", "1,0", "1.000001,0"] {
+        fails(&["map", "preset:disk", "preset:square", "--source-point", outside], 1, &["source point"]);
+    }
+    fails(&["map", "preset:square", "preset:disk", "--source-point", "0.9,0"], 1, &["source point"]);
+    let clockwise = file(&folder, "clockwise.json", "[[0,0],[0,1],[1,1],[1,0]]");
+    fails(&["map", &clockwise, "preset:disk", "--source-point", "3,0"], 1, &["source point"]);
+}
+
+#[test]
+fn repair_cuts_off_what_meets_itself_and_says_so() {
+    let folder = folder("repair");
+    let path = file(&folder, "spike.json", "[[0,0],[2,0],[1,0],[1,1],[0,1]]");
+    fails(&["prepare", &path], 1, &["back"]);
+    let output = riemap(&["prepare", &path, "--repair"]);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && stderr.contains("cut off"), "{stderr}");
 }
 
 #[test]
@@ -162,6 +177,14 @@ fn nothing_is_left_behind_when_an_output_cannot_be_written() {
     fails(&["map", "preset:disk", "preset:square", "--samples", "50", "--out", &good, "--out", &bad], 1, &["no/such"]);
     assert_eq!(names(&folder), Vec::<String>::new());
     fails(&["map", "preset:disk", "preset:square", "--source-point", "9,9", "--out", &good], 1, &[]);
+    assert_eq!(names(&folder), Vec::<String>::new());
+    fails(&["map", "preset:disk", "preset:square", "--out", &good, "--out", &good], 2, &["twice"]);
+    assert_eq!(names(&folder), Vec::<String>::new());
+    let occupied = folder.join("folder.json");
+    std::fs::create_dir(&occupied).unwrap();
+    let occupied_name = occupied.display().to_string();
+    fails(&["map", "preset:disk", "preset:square", "--out", &good, "--out", &occupied_name], 1, &["folder"]);
+    std::fs::remove_dir(&occupied).unwrap();
     assert_eq!(names(&folder), Vec::<String>::new());
 }
 

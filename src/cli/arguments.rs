@@ -5,6 +5,7 @@ use crate::conformal::PrepareSettings;
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::outline::{self, BoundarySamples, Outline, Preset, Sampling};
+use std::io::Read as _;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -53,6 +54,9 @@ pub struct MapArguments {
     /// Boundary samples of the target.
     #[arg(long, value_name = "N", conflicts_with = "samples")]
     pub target_samples: Option<u32>,
+    /// Cut off small loops and spikes of a file's outline instead of refusing it.
+    #[arg(long)]
+    pub repair: bool,
     /// How the domains are discretised.
     #[command(flatten)]
     pub discretisation: Discretisation,
@@ -75,6 +79,9 @@ pub struct MapArguments {
 pub struct PrepareArguments {
     /// The outline: a file or `preset:NAME`.
     pub domain: String,
+    /// Cut off small loops and spikes of a file's outline instead of refusing it.
+    #[arg(long)]
+    pub repair: bool,
     /// How the domain is discretised.
     #[command(flatten)]
     pub discretisation: Discretisation,
@@ -210,17 +217,31 @@ pub struct NamedOutline {
     paper_samples: Option<u32>,
 }
 
-/// Reads `preset:NAME` or a file; says on stderr what was accepted but should be known.
-pub fn read_outline(name: &str) -> Result<NamedOutline, CliError> {
+impl NamedOutline {
+    /// Says on stderr what was accepted but should be known.
+    pub fn say_notes(&self, name: &str) {
+        for note in &self.outline.notes {
+            eprintln!("riemap: {name}: {note}");
+        }
+    }
+}
+
+/// The bytes of a file, up to one more than a reader of outlines takes.
+fn read_file(name: &str) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    std::fs::File::open(name)?.take(outline::MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Reads `preset:NAME` or a file; with `repair`, what meets itself in a vertex is cut off, and said.
+pub fn read_outline(name: &str, repair: bool) -> Result<NamedOutline, CliError> {
     if let Some(preset) = name.strip_prefix("preset:") {
         let preset = Preset::from_str(preset).map_err(|error| CliError::Input(error.to_string()))?;
         return Ok(NamedOutline { outline: preset.outline(), paper_samples: preset.paper_samples() });
     }
-    let bytes = std::fs::read(name).map_err(|error| CliError::Input(format!("cannot read {name}: {error}")))?;
-    let outline = outline::parse(name, &bytes).map_err(|error| CliError::Input(format!("{name}: {error}")))?;
-    for note in &outline.notes {
-        eprintln!("riemap: {name}: {note}");
-    }
+    let bytes = read_file(name).map_err(|error| CliError::Input(format!("cannot read {name}: {error}")))?;
+    let parse = if repair { outline::parse_repaired } else { outline::parse };
+    let outline = parse(name, &bytes).map_err(|error| CliError::Input(format!("{name}: {error}")))?;
     Ok(NamedOutline { outline, paper_samples: None })
 }
 

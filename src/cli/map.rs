@@ -3,7 +3,7 @@
 use super::CliError;
 use super::arguments::{DirectionArgument, MapArguments, NamedOutline, read_outline};
 use super::contours::{self, Panel};
-use super::output::{Format, write_all};
+use super::output::{Format, check_paths, print, warn_if_coarse, write_all};
 use super::picture;
 use super::tables::{self, Summary};
 use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side, prepare};
@@ -15,6 +15,7 @@ const GRID_CELLS: f64 = 12.0;
 /// Computes the map and writes what is asked for.
 pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
+    check_paths(&arguments.out)?;
     let (map, constraints) = compute(arguments)?;
     let summary = Summary::of(&map);
     let scene = Scene { map: &map, constraints };
@@ -25,25 +26,26 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     write_all(&files)?;
     if arguments.json {
         let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
-        println!("{text}");
-    } else {
-        let Summary { quality, counts, .. } = summary;
-        println!("m = {}, n = {}, {} triangles", counts.m, counts.n, counts.triangles);
-        println!("mean Q = {:.4}, {} flipped, {} collapsed", quality.q_mean, quality.flipped, quality.collapsed);
+        return print(&text);
     }
-    Ok(())
+    let Summary { quality, counts, .. } = summary;
+    print(&format!(
+        "m = {}, n = {}, {} triangles\nmean Q = {:.4}, {} flipped, {} collapsed",
+        counts.m, counts.n, counts.triangles, quality.q_mean, quality.flipped, quality.collapsed
+    ))
 }
 
 fn compute(arguments: &MapArguments) -> Result<(ConformalMap, Constraints), CliError> {
-    let source = read_outline(&arguments.source)?;
-    let target = read_outline(&arguments.target)?;
+    let outlines = [&arguments.source, &arguments.target].map(|name| read_outline(name, arguments.repair));
+    let [source, target] = outlines;
+    let outlines = [source?, target?];
     let prepared = |name: &str, outline: &NamedOutline, samples| -> Result<Arc<PreparedDomain>, CliError> {
         let settings = arguments.discretisation.settings(outline, samples);
         let domain = prepare(&outline.outline.polygon, &settings, &mut |_| ());
         domain.map(Arc::new).map_err(|error| CliError::Input(format!("{name}: {error}")))
     };
-    let source = prepared(&arguments.source, &source, arguments.source_samples)?;
-    let target = prepared(&arguments.target, &target, arguments.target_samples)?;
+    let source = prepared(&arguments.source, &outlines[0], arguments.source_samples)?;
+    let target = prepared(&arguments.target, &outlines[1], arguments.target_samples)?;
     let constraints = Constraints {
         source_point: arguments.source_point.map_or(source.pole, |p| p.0),
         target_point: arguments.target_point.map_or(target.pole, |p| p.0),
@@ -56,6 +58,10 @@ fn compute(arguments: &MapArguments) -> Result<(ConformalMap, Constraints), CliE
     };
     let map = ConformalMap::new(source, target, &constraints, direction)
         .map_err(|error| CliError::Input(error.to_string()))?;
+    for ((outline, name), side) in outlines.iter().zip([&arguments.source, &arguments.target]).zip(Side::BOTH) {
+        outline.say_notes(name);
+        warn_if_coarse(name, map.domain(side).refinement);
+    }
     Ok((map, constraints))
 }
 

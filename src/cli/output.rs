@@ -1,6 +1,8 @@
 //! Writing files whole or not at all.
 
 use super::CliError;
+use crate::mesh::RefineReport;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 /// The formats of `riemap map --out`.
@@ -29,6 +31,36 @@ impl Format {
                 path.display()
             ))),
         }
+    }
+}
+
+/// Refuses to write twice to one place, or onto a folder.
+pub fn check_paths(paths: &[PathBuf]) -> Result<(), CliError> {
+    for (k, path) in paths.iter().enumerate() {
+        if paths[..k].contains(path) {
+            return Err(CliError::Usage(format!("--out {} is given twice", path.display())));
+        }
+        if path.is_dir() {
+            return Err(CliError::Input(format!("cannot write {}: it is a folder", path.display())));
+        }
+    }
+    Ok(())
+}
+
+/// Prints to stdout. A reader that has gone away (`| head`) is no error.
+pub fn print(text: &str) -> Result<(), CliError> {
+    match writeln!(std::io::stdout().lock(), "{text}") {
+        Err(source) if source.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(CliError::Write { path: "to stdout".to_owned(), source })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Says on stderr that a mesh is coarser than it should be.
+pub fn warn_if_coarse(name: &str, report: RefineReport) {
+    if !report.complete {
+        eprintln!("riemap: {name}: the mesh was not refined to the end; some angles are below 20°");
     }
 }
 

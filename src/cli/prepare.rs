@@ -2,12 +2,13 @@
 
 use super::CliError;
 use super::arguments::{PrepareArguments, read_outline};
+use super::output::{print, warn_if_coarse};
 use super::tables::Counts;
 use crate::conformal::{PrepareTimings, prepare};
 
 /// Prepares the domain `repeat` times and prints the medians.
 pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
-    let named = read_outline(&arguments.domain)?;
+    let named = read_outline(&arguments.domain, arguments.repair)?;
     let settings = arguments.discretisation.settings(&named, None);
     let mut runs = Vec::new();
     let mut counts = Counts::default();
@@ -15,21 +16,25 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
         let domain = prepare(&named.outline.polygon, &settings, &mut |_| ())
             .map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
         counts = Counts::of(&domain.mesh);
+        warn_if_coarse(&arguments.domain, domain.refinement);
         runs.push(domain.timings);
     }
     let timings = medians(&runs);
+    named.say_notes(&arguments.domain);
     if arguments.json {
         let report = serde_json::json!({ "counts": counts, "timing_ms": timings, "total_ms": timings.total() });
-        println!("{report:#}");
-    } else {
-        println!("{}: m = {}, n = {}, {} triangles", named.outline.name, counts.m, counts.n, counts.triangles);
-        let PrepareTimings { sample, mesh, assemble, order, factor } = timings;
-        println!(
-            "{:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}",
-            timings.total()
-        );
+        return print(&format!("{report:#}"));
     }
-    Ok(())
+    let PrepareTimings { sample, mesh, assemble, order, factor } = timings;
+    print(&format!(
+        "{}: m = {}, n = {}, {} triangles\n\
+         {:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}",
+        named.outline.name,
+        counts.m,
+        counts.n,
+        counts.triangles,
+        timings.total()
+    ))
 }
 
 fn medians(runs: &[PrepareTimings]) -> PrepareTimings {

@@ -3,7 +3,7 @@
 use super::{PrepareTimings, PreparedDomain};
 use crate::geometry::DVec2;
 use crate::laplace::{Factor, FactorBuffers};
-use crate::mesh::{RefineReport, TriMesh};
+use crate::mesh::{NO_TRIANGLE, RefineReport, TriMesh};
 use crate::outline::BoundarySamples;
 use sprs::CsMatI;
 
@@ -58,7 +58,8 @@ impl PreparedDomain {
         let mesh = mesh_from(&vertices, edge_lengths.len(), &triangles, &neighbours)?;
         let m = edge_lengths.len();
         let samples = BoundarySamples { points: mesh.vertices[..m].to_vec(), edge_lengths, fractions };
-        if samples.fractions.len() != m || forward.len() != mesh.interior_count() {
+        let ordered = samples.fractions.windows(2).all(|pair| pair[0] < pair[1]);
+        if samples.fractions.len() != m || !ordered || forward.len() != mesh.interior_count() {
             return None;
         }
         let factor = Factor::from_buffers(FactorBuffers { forward, chunks, rows, values })?;
@@ -84,7 +85,8 @@ fn mesh_from(vertices: &[f64], boundary: usize, triangles: &[u32], neighbours: &
         && rest.is_empty()
         && (3..=count).contains(&boundary)
         && triangles.len() == neighbours.len()
-        && triangles.as_flattened().iter().all(|&v| (v as usize) < count);
+        && triangles.as_flattened().iter().all(|&v| (v as usize) < count)
+        && neighbours.as_flattened().iter().all(|&t| t == NO_TRIANGLE || (t as usize) < triangles.len());
     sound.then(|| TriMesh {
         vertices: pairs.iter().map(|&p| DVec2::from_array(p)).collect(),
         boundary_count: boundary as u32,

@@ -132,7 +132,7 @@ impl PreparedDomain {
 /// The pole of inaccessibility of the polygon. On a very coarse sampling it may lie outside
 /// the mesh; then the centroid of the largest triangle serves.
 fn default_point(polygon: &SimplePolygon, mesh: &TriMesh) -> DVec2 {
-    let pole = polygon.pole_of_inaccessibility(1e-3 * polygon.perimeter());
+    let pole = polygon.pole_of_inaccessibility(1e-3 * polygon.bounds().size().max_element());
     if crate::mesh::locate(mesh, pole, 0).is_some() {
         return pole;
     }

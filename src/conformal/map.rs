@@ -10,7 +10,7 @@ use super::{
 };
 use crate::geometry::DVec2;
 use crate::laplace::Lanes;
-use crate::mesh::{BarycentricPoint, TriMesh, locate};
+use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, locate};
 use std::sync::Arc;
 use web_time::Instant;
 
@@ -111,8 +111,8 @@ pub struct FrameTimings {
 /// Why there is no map.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MapError {
-    /// An interior point is not inside its domain.
-    #[error("the {side} point ({x}, {y}) is not inside the {side} outline")]
+    /// An interior point is not inside its (sampled) domain.
+    #[error("the {side} point ({x}, {y}) is not inside the {side} outline as it is sampled")]
     PointOutside {
         /// Which domain.
         side: Side,
@@ -177,7 +177,8 @@ impl Half {
             return Ok(Change { located: None, re_anchor });
         }
         let found = if x.is_finite() { locate(&self.domain.mesh, x, self.located.triangle) } else { None };
-        let located = found.ok_or(MapError::PointOutside { side, x: x.x, y: x.y })?;
+        let inside = found.filter(|found| !on_boundary(&self.domain.mesh, *found));
+        let located = inside.ok_or(MapError::PointOutside { side, x: x.x, y: x.y })?;
         Ok(Change { located: Some(located), re_anchor })
     }
 
@@ -193,6 +194,14 @@ impl Half {
             self.measure.set(&self.domain.samples, &self.kernel, anchor);
         }
     }
+}
+
+/// Whether a located point lies on a boundary edge, where harmonic measure is a point mass.
+fn on_boundary(mesh: &TriMesh, point: BarycentricPoint) -> bool {
+    let corners = mesh.triangles[point.triangle as usize];
+    let neighbours = mesh.neighbours[point.triangle as usize];
+    let vertex = (0..3).any(|i| point.weights[i] == 1.0 && corners[i] < mesh.boundary_count);
+    vertex || (0..3).any(|i| point.weights[i] == 0.0 && neighbours[i] == NO_TRIANGLE)
 }
 
 impl ConformalMap {

@@ -94,7 +94,8 @@ impl HarmonicMeasure {
     /// The point in interval `j` at `lambda` of its length.
     pub(super) fn point(&self, j: usize, lambda: f64) -> BoundaryPoint {
         let (from, to) = self.span(j);
-        BoundaryPoint { edge: self.vertex_at(j) as u32, fraction: (from + lambda * (to - from)).clamp(from, to) }
+        let fraction = (from + lambda * (to - from)).clamp(from, to).min(1.0 - f64::EPSILON);
+        BoundaryPoint { edge: self.vertex_at(j) as u32, fraction }
     }
 
     /// Which part of its edge interval `j` is.

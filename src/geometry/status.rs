@@ -1,8 +1,8 @@
 //! The ordered list of edges that the sweep line of [`super::sweep`] meets.
 //!
-//! Kept as chunks of bounded length, so that insertion costs O(√n) moves of
-//! small integers and search O(log n) orientation tests; a tree would be no
-//! faster at 200,000 edges.
+//! Kept as chunks of bounded length: insertion moves a few hundred small
+//! integers at most, and search takes O(log n) orientation tests. A balanced tree
+//! would gain nothing at 200,000 edges.
 
 const MAX_CHUNK: usize = 512;
 
@@ -69,8 +69,7 @@ impl Status {
         }
     }
 
-    /// Removes the edge there; the place then holds the edge that was above,
-    /// or is the end of its chunk: use [`Self::normalize`] before reading on.
+    /// Removes the edge there and returns the place of the edge that was above it.
     pub fn remove(&mut self, p: Place) -> Place {
         if let Some(list) = self.chunks.get_mut(p.chunk)
             && p.index < list.len()

@@ -2,7 +2,9 @@
 //!
 //! Off-diagonal entries are −½(cot α + cot β), α and β the angles opposite to the
 //! edge; the diagonal makes the rows of [L̂ L̄] sum to zero. On a Delaunay mesh
-//! every off-diagonal entry is ≤ 0: L̂ is an M-matrix.
+//! every off-diagonal entry is ≤ 0: L̂ is an M-matrix. The edges of a planar mesh
+//! are Delaunay by exact predicates, so a weight that comes out negative is the
+//! rounding of a needle's cotangent, and is taken as 0.
 
 use super::LaplaceError;
 use crate::geometry::DVec2;
@@ -27,6 +29,10 @@ impl DirichletLaplacian {
     /// Assembles L̂ and L̄ of `mesh`. Cost O(triangles).
     pub fn assemble(mesh: &TriMesh) -> Result<Self, LaplaceError> {
         let edges = weighted_edges(mesh);
+        if let Some(&(a, _, _)) = edges.iter().find(|(_, _, weight)| !weight.is_finite()) {
+            let DVec2 { x, y } = mesh.vertices[a as usize];
+            return Err(LaplaceError::Degenerate { x, y });
+        }
         let (m, n) = (mesh.boundary_count as usize, mesh.interior_count());
         let mut diagonal = vec![0.0; n];
         let (mut interior, mut coupling) = (Vec::with_capacity(edges.len() + n), Vec::new());
@@ -62,7 +68,8 @@ fn weighted_edges(mesh: &TriMesh) -> Vec<(u32, u32, f64)> {
                 None => 0.0,
             };
             let sum = here + there;
-            let weight = if sum.abs() <= COCIRCULAR * (here.abs() + there.abs()) { 0.0 } else { 0.5 * sum };
+            let cancelled = sum.abs() <= COCIRCULAR * (here.abs() + there.abs()) && sum.is_finite();
+            let weight = if cancelled || sum < 0.0 && sum.is_finite() { 0.0 } else { 0.5 * sum };
             edges.push((a.min(b), a.max(b), weight));
         }
     }

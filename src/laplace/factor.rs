@@ -48,6 +48,7 @@ impl RootPaths {
             self.seen[c as usize] = false;
         }
         self.seen.resize(count, false);
+        self.chunks.reserve(count); // the longest paths there can be: no allocation later
     }
 }
 
@@ -118,11 +119,6 @@ impl Factor {
     /// Whether there are no unknowns.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
-    }
-
-    /// The number of stored entries of L.
-    pub fn entry_count(&self) -> usize {
-        self.chunks.values.len()
     }
 
     /// Where an unknown stands in the vectors that [`Self::solve`] works on.

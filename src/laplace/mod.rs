@@ -18,11 +18,19 @@ pub use ordering::Ordering;
 pub use sweep::Lanes;
 
 /// Why the Laplacian of a mesh could not be assembled or factored.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LaplaceError {
     /// The assembled pattern is not a valid sparse matrix: the mesh is inconsistent.
     #[error("the mesh is inconsistent: {0}")]
     Structure(String),
+    /// A triangle so thin that it has no angles.
+    #[error("a triangle near ({x}, {y}) is too thin to have angles: use more samples, or a less narrow outline")]
+    Degenerate {
+        /// Where.
+        x: f64,
+        /// Where.
+        y: f64,
+    },
     /// A pivot of the Cholesky factorisation is not positive.
     #[error("the Laplacian is not positive definite at interior vertex {vertex}: a triangle there is degenerate")]
     NotPositiveDefinite {

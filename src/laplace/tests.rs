@@ -115,8 +115,13 @@ fn pruned_solve_equals_the_full_one_where_it_is_asked() {
 fn factor_survives_the_trip_through_flat_arrays() {
     let (_, factor) = factored(&grid(9));
     assert_eq!(Factor::from_buffers(factor.to_buffers()).as_ref(), Some(&factor));
-    let mut broken = factor.to_buffers();
-    broken.rows[0] = u32::MAX;
-    broken.forward[0] = broken.forward[1];
-    assert_eq!(Factor::from_buffers(broken), None);
+    let broken = |damage: fn(&mut FactorBuffers)| {
+        let mut buffers = factor.to_buffers();
+        damage(&mut buffers);
+        Factor::from_buffers(buffers)
+    };
+    assert_eq!(broken(|b| b.forward[0] = b.forward[1]), None, "not a permutation");
+    assert_eq!(broken(|b| b.rows.fill(u32::MAX)), None, "rows outside the matrix");
+    assert_eq!(broken(|b| b.values.truncate(3)), None, "values missing");
+    assert_eq!(broken(|b| b.chunks.truncate(5)), None, "columns missing");
 }

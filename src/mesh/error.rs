@@ -1,6 +1,6 @@
 //! Why a boundary could not be meshed, and where.
 
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, orientation};
 
 /// Why a boundary could not be meshed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -102,12 +102,8 @@ impl MeshError {
 
 /// Where the closed segments `pq` and `ab` meet, approximately.
 fn crossing(p: DVec2, q: DVec2, a: DVec2, b: DVec2) -> Option<DVec2> {
-    let side = |a: DVec2, b: DVec2, c: DVec2| {
-        let coord = |v: DVec2| robust::Coord { x: v.x, y: v.y };
-        robust::orient2d(coord(a), coord(b), coord(c))
-    };
-    let (sa, sb) = (side(p, q, a), side(p, q, b));
-    let (sp, sq) = (side(a, b, p), side(a, b, q));
+    let (sa, sb) = (orientation(p, q, a), orientation(p, q, b));
+    let (sp, sq) = (orientation(a, b, p), orientation(a, b, q));
     if sa == 0.0 && sb == 0.0 {
         let within = |x: DVec2| (x - p).dot(x - q) <= 0.0;
         return [a, b].into_iter().find(|&x| within(x));

@@ -10,8 +10,8 @@
 //! than rounding ([`BOUNDARY_TOLERANCE`]) are moved onto the boundary.
 //! Cost: a few steps from a near hint; O(m) when blocked; O(n) at the very worst.
 
-use super::tri_mesh::{NO_TRIANGLE, TriMesh, orient};
-use crate::geometry::DVec2;
+use super::tri_mesh::{NO_TRIANGLE, TriMesh};
+use crate::geometry::{DVec2, MAX_COORDINATE, on_segment, orientation};
 
 /// A point inside a triangle: weights are non-negative and sum to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +30,8 @@ pub(super) const BOUNDARY_TOLERANCE: f64 = 1e-12;
 ///
 /// Any `hint` gives a correct answer; the last answer's triangle is the best one.
 pub fn locate(mesh: &TriMesh, x: DVec2, hint: u32) -> Option<BarycentricPoint> {
-    if !x.is_finite() {
+    // farther out than any outline the predicates would overflow; NaN is not ≤ either
+    if !(x.abs().max_element() <= MAX_COORDINATE && x.is_finite()) {
         return None;
     }
     let found = containing(mesh, x, hint);
@@ -69,7 +70,7 @@ fn walk(mesh: &TriMesh, x: DVec2, start: u32) -> Option<u32> {
 fn is_beyond(mesh: &TriMesh, x: DVec2, t: u32, i: usize) -> bool {
     let triangle = mesh.triangles[t as usize];
     let (a, b) = (mesh.vertices[triangle[(i + 1) % 3] as usize], mesh.vertices[triangle[(i + 2) % 3] as usize]);
-    orient(a, b, x) < 0.0
+    orientation(a, b, x) < 0.0
 }
 
 /// Finds the triangle of an `x` that the walk could not reach.
@@ -86,13 +87,13 @@ fn edge_on_the_left(mesh: &TriMesh, x: DVec2) -> Option<u32> {
     let (mut inside, mut nearest) = (false, None);
     for k in 0..m {
         let (a, b) = (mesh.vertices[k], mesh.vertices[(k + 1) % m]);
-        if is_on_segment(a, b, x) {
+        if on_segment(a, b, x) {
             return Some(k as u32);
         }
         if (a.y <= x.y) == (b.y <= x.y) {
             continue;
         }
-        let to_the_left = (orient(a, b, x) > 0.0) == (b.y <= a.y);
+        let to_the_left = (orientation(a, b, x) > 0.0) == (b.y <= a.y);
         if to_the_left {
             inside = !inside;
             let at = a.x + (b.x - a.x) * ((x.y - a.y) / (b.y - a.y));
@@ -102,11 +103,6 @@ fn edge_on_the_left(mesh: &TriMesh, x: DVec2) -> Option<u32> {
         }
     }
     nearest.filter(|_| inside).map(|(_, k)| k)
-}
-
-fn is_on_segment(a: DVec2, b: DVec2, x: DVec2) -> bool {
-    let between = |a: f64, b: f64, x: f64| (a <= x && x <= b) || (b <= x && x <= a);
-    between(a.x, b.x, x.x) && between(a.y, b.y, x.y) && orient(a, b, x) == 0.0
 }
 
 /// The triangle at the boundary edge `k → k+1`.
@@ -147,7 +143,7 @@ fn at_boundary(mesh: &TriMesh, x: DVec2) -> Option<BarycentricPoint> {
 /// The weights of `x`, which is in triangle `t` up to rounding.
 fn barycentric(mesh: &TriMesh, x: DVec2, t: u32) -> BarycentricPoint {
     let [a, b, c] = mesh.triangles[t as usize].map(|v| mesh.vertices[v as usize]);
-    let areas = [orient(b, c, x), orient(c, a, x), orient(a, b, x)].map(|area| area.max(0.0));
+    let areas = [orientation(b, c, x), orientation(c, a, x), orientation(a, b, x)].map(|area| area.max(0.0));
     let total = areas[0] + areas[1] + areas[2];
     BarycentricPoint { triangle: t, weights: areas.map(|area| area / total) }
 }

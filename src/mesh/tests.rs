@@ -1,8 +1,7 @@
 //! What the planar mesher promises, on the shapes that break meshers.
 
-use super::tri_mesh::orient;
 use super::*;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, orientation};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 use web_time::Instant;
@@ -204,7 +203,7 @@ fn bad_boundaries_are_named() {
 fn is_inside(mesh: &TriMesh, x: DVec2) -> bool {
     mesh.triangles.iter().any(|t| {
         let [a, b, c] = t.map(|v| mesh.vertices[v as usize]);
-        orient(a, b, x) >= 0.0 && orient(b, c, x) >= 0.0 && orient(c, a, x) >= 0.0
+        orientation(a, b, x) >= 0.0 && orientation(b, c, x) >= 0.0 && orientation(c, a, x) >= 0.0
     })
 }
 

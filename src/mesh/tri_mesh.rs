@@ -1,6 +1,6 @@
 //! The triangle mesh: boundary vertices first, counter-clockwise triangles, neighbours.
 
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, orientation};
 
 /// No neighbour: the edge is a boundary edge.
 pub const NO_TRIANGLE: u32 = u32::MAX;
@@ -60,7 +60,7 @@ impl TriMesh<DVec2> {
     /// Twice the triangle's signed area; the sign is exact.
     pub fn orientation(&self, triangle: [u32; 3]) -> f64 {
         let [a, b, c] = triangle.map(|v| self.vertices[v as usize]);
-        orient(a, b, c)
+        orientation(a, b, c)
     }
 
     /// Checks everything that [`super::mesh_domain`] guarantees. Cost O(n).
@@ -122,9 +122,3 @@ impl TriMesh<DVec2> {
 /// a triangle with an aspect ratio of 1e3 reach 1e-13, an edge that should be
 /// flipped by a visible angle exceeds 1e-6.
 const COTANGENT_TOLERANCE: f64 = 1e-9;
-
-/// Twice the signed area of `abc`; the sign is exact.
-pub(super) fn orient(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    let coord = |v: DVec2| robust::Coord { x: v.x, y: v.y };
-    robust::orient2d(coord(a), coord(b), coord(c))
-}

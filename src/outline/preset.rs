@@ -176,6 +176,6 @@ impl fmt::Display for Preset {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 #[path = "preset_tests.rs"]
 mod tests;

@@ -142,7 +142,11 @@ impl Session {
             }
             Command::SetSettings { side, settings } => self.domain_mut(side).settings = settings,
             Command::MoveInterior { side, point } => self.interior[side as usize] = Some(point),
-            Command::MoveAnchor { side, fraction } => self.anchor[side as usize] = fraction.rem_euclid(1.0),
+            Command::MoveAnchor { side, fraction } => {
+                if fraction.is_finite() {
+                    self.anchor[side as usize] = fraction.rem_euclid(1.0);
+                }
+            }
             Command::SetDirection(direction) => self.direction = direction,
             Command::SetTexture(texture) => self.texture = texture,
             Command::SetTextureScale(scale) => self.texture_scale = scale,

@@ -115,6 +115,6 @@ fn format_of(extension: &str, text: &str) -> Format {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
+#[allow(clippy::unwrap_used, clippy::panic, clippy::format_collect, reason = "tests")]
 #[path = "tests.rs"]
 mod tests;
