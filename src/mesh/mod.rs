@@ -1,6 +1,7 @@
 //! Triangle meshes of a domain: made by [`mesh_domain`], searched by [`locate`].
 
 mod assemble;
+mod ears;
 mod error;
 mod graded;
 mod hex_lattice;

@@ -12,6 +12,7 @@
 //! size and position are meshed alike.
 
 use super::assemble::assemble;
+use super::ears::split_ears;
 use super::graded;
 use super::hex_lattice::{HexLattice, bounds};
 use super::triangulate::{Input, Output, triangulate};
@@ -58,7 +59,8 @@ const GROWTH: std::ops::RangeInclusive<f64> = 0.01..=1.0;
 /// Meshes the inside of the counter-clockwise polygon `boundary`.
 ///
 /// The mesh's boundary vertices are exactly `boundary`, in order; the interior
-/// ones are numbered along rows (uniform) or a Hilbert curve (graded). There are
+/// ones are numbered along rows (uniform) or a Hilbert curve (graded), but for the
+/// few that give sharp corners an interior neighbour: these come last. There are
 /// `m + 2n − 2` triangles. Cost O(m + n log n) for n interior vertices.
 pub fn mesh_domain(boundary: &[DVec2], sizing: Sizing) -> Result<(TriMesh, RefineReport), MeshError> {
     let scale = normalising_scale(boundary)?;
@@ -71,7 +73,8 @@ pub fn mesh_domain(boundary: &[DVec2], sizing: Sizing) -> Result<(TriMesh, Refin
     let mut interior = interior.map_err(|error| error.unscaled(scale))?;
     interior.points.iter_mut().for_each(|p| *p /= scale);
     let report = interior.report;
-    let mesh = assemble(boundary, interior)?;
+    let mut mesh = assemble(boundary, interior)?;
+    split_ears(&mut mesh);
     debug_assert_eq!(mesh.check_invariants(), Ok(()));
     Ok((mesh, report))
 }
