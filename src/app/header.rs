@@ -11,15 +11,26 @@ use crate::conformal::Side;
 use crate::session::Command;
 use egui::{Align, CornerRadius, Label, Layout, Rect, RichText, Shape, Ui, UiBuilder, vec2};
 
+/// What folds the panels.
+pub const PANELS_TOOLTIP: &str = "Fold the panels away, or bring them back (Tab)";
 /// What the dialog takes.
 pub const OPEN_TOOLTIP: &str = "An outline from a file: JSON, GeoJSON, SVG, CSV or text with one point per line";
 
+/// What else is on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Surroundings {
+    /// Little room: the bar along the top has the shapes.
+    pub narrow: bool,
+    /// The panels are folded away: here is the way back for those without a Tab key.
+    pub folded: bool,
+}
+
 /// Shows the title line, the buttons and the messages of a viewport.
-pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, narrow: bool, actions: &mut Actions) {
+pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, around: Surroundings, actions: &mut Actions) {
     let area = view.rect.shrink2(vec2(14.0, 10.0));
     ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
         ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-            buttons(ui, side, model, view, narrow, actions);
+            buttons(ui, side, model, view, around, actions);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
                 over_the_mesh(ui, |ui| title(ui, side, model));
@@ -51,14 +62,18 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
     }
 }
 
-fn buttons(ui: &mut Ui, side: Side, model: &Model, view: &View, narrow: bool, actions: &mut Actions) {
+fn buttons(ui: &mut Ui, side: Side, model: &Model, view: &View, around: Surroundings, actions: &mut Actions) {
     ui.spacing_mut().button_padding = vec2(9.0, 4.0);
     ui.spacing_mut().interact_size.y = 26.0;
+    let panels = (around.folded && side == Side::Target).then(|| ui.button("Panels").on_hover_text(PANELS_TOOLTIP));
+    if panels.is_some_and(|button| button.clicked()) {
+        actions.push(Action::TogglePanels);
+    }
     let fit = ui.add_enabled(!view.is_fitted(), egui::Button::new("Fit"));
     if fit.on_hover_text("Show the whole outline (double-click)").clicked() {
         actions.push(Action::Fit(side));
     }
-    if !narrow {
+    if !around.narrow {
         if ui.button("Open…").on_hover_text(OPEN_TOOLTIP).clicked() {
             actions.push(Action::OpenOutline(side));
         }

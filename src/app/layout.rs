@@ -2,6 +2,7 @@
 //! side; on a phone the viewports one above the other and a sheet of controls.
 
 use super::action::{Action, Actions};
+use super::header::Surroundings;
 use super::theme::Palette;
 use super::view::{DESK_MARGINS, PHONE_MARGINS};
 use super::widgets::{chevron, message_box};
@@ -83,44 +84,45 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
 /// Both viewports; here the frame's actions are carried out and the map is updated.
 fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions) {
     let rects = divide(ui.max_rect(), narrow || ui.max_rect().width() < ui.max_rect().height());
+    let margins = if narrow { PHONE_MARGINS } else { DESK_MARGINS };
     for side in SIDES {
-        let (view, rect) = (&mut app.views[side as usize], rects[side as usize]);
-        view.place(
-            rect,
-            ui.pixels_per_point(),
-            if narrow { PHONE_MARGINS } else { DESK_MARGINS },
-            app.model.extent(side),
-        );
+        let view = &mut app.views[side as usize];
+        view.place(rects[side as usize], ui.pixels_per_point(), margins, app.model.extent(side));
         viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions);
     }
     let context = ui.ctx().clone();
     app.carry_out(&context, std::mem::take(&mut actions));
     app.advance(&context);
+    paint(app, ui, narrow, &mut actions);
+    image_message(app, ui, &mut actions);
+    app.carry_out(&context, actions);
+}
+
+fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let dark = ui.visuals().dark_mode;
     if let Some(gpu) = &app.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
+    let around = Surroundings { narrow, folded: !app.panels_open };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in SIDES {
         let view = &app.views[side as usize];
         viewport::paint_mesh(ui, side, view, style.as_ref());
-        header::show(ui, side, &app.model, view, narrow, &mut actions);
+        header::show(ui, side, &app.model, view, around, actions);
         if !narrow {
             header::legend(ui, side, view);
         }
         viewport::paint_dots(ui, side, &app.model, view, &app.handles);
         viewport::paint_progress(ui, side, &app.model, view);
+        viewport::paint_drop_target(ui, view);
     }
     if !app.handles.ever_dragged && app.model.map().is_some() {
         viewport::paint_hint(ui, &app.model, &app.views[0]);
     }
-    let palette = Palette::of(ui.visuals());
-    let [a, b] = rects;
-    let divider =
-        if a.bottom() <= b.top() { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
-    ui.painter().line_segment(divider, Stroke::new(1.0, palette.border));
-    image_message(app, ui, &mut actions);
-    app.carry_out(&context, actions);
+    let [a, b] = app.views.each_ref().map(|view| view.rect);
+    let stacked = a.bottom() <= b.top();
+    let edge = if stacked { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
+    ui.painter().line_segment(edge, Stroke::new(1.0, Palette::of(ui.visuals()).border));
 }
 
 fn divide(rect: Rect, stacked: bool) -> [Rect; 2] {

@@ -2,7 +2,7 @@
 //!
 //! A frame: take in what happened outside of it (workers, files), show the
 //! panels and collect what the person wants as [`Action`]s, carry those out in
-//! one place ([`RiemapApp::carry_out`]), bring the map up to date, upload what
+//! one place (`carry_out`), bring the map up to date, upload what
 //! changed, paint. At rest nothing is computed and nothing drawn.
 
 mod action;

@@ -1,6 +1,7 @@
 //! The bar along the top: the name, outlines for both sides, the image, the theme.
 
 use super::action::{Action, Actions};
+use super::header::PANELS_TOOLTIP;
 use super::model::{Model, SIDES};
 use super::theme::{Palette, ROW_HEIGHT};
 use super::{shapes, theme, words};
@@ -23,8 +24,7 @@ pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
             if theme_button(ui).clicked() {
                 actions.push(Action::ToggleTheme);
             }
-            if !narrow && ui.button("Panels").on_hover_text("Fold the panels away, or bring them back (Tab)").clicked()
-            {
+            if !narrow && ui.button("Panels").on_hover_text(PANELS_TOOLTIP).clicked() {
                 actions.push(Action::TogglePanels);
             }
         });

@@ -211,5 +211,23 @@ pub fn paint_progress(ui: &Ui, side: Side, model: &Model, view: &View) {
     painter.rect_filled(filled, CornerRadius::ZERO, palette.accent_soft);
     let place = view.rect.center_bottom() - vec2(0.0, 40.0);
     painter.text(place, Align2::CENTER_CENTER, name, caption_font(ui), palette.weak);
-    ui.request_repaint();
+}
+
+/// While a file is dragged over the viewport: what will happen to it here.
+pub fn paint_drop_target(ui: &Ui, view: &View) {
+    let over = crate::platform::drop_position(ui.ctx()).is_some_and(|place| view.rect.contains(place));
+    if !over || ui.input(|input| input.raw.hovered_files.is_empty()) {
+        return;
+    }
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(view.rect);
+    let ground = palette.accent.gamma_multiply(0.25);
+    let edge = Stroke::new(2.0, palette.accent_soft);
+    painter.rect(view.rect.shrink(6.0), CornerRadius::same(10), ground, edge, StrokeKind::Inside);
+    let words = "Drop an outline for this side, or an image as the texture";
+    let galley =
+        painter.layout(words.into(), egui::TextStyle::Body.resolve(ui.style()), palette.text, view.rect.width() - 60.0);
+    let label = Rect::from_center_size(view.rect.center(), galley.size() + vec2(24.0, 16.0));
+    painter.rect_filled(label, CornerRadius::same(8), palette.raised);
+    painter.galley(label.min + vec2(12.0, 8.0), galley, palette.text);
 }

@@ -126,7 +126,7 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&str>) -> Option<Mess
     frame
         .show(ui, |ui| {
             let mut answer = None;
-            ui.horizontal_top(|ui| {
+            ui.horizontal(|ui| {
                 let buttons = if remedy.is_some() { 150.0 } else { 34.0 };
                 ui.scope(|ui| {
                     ui.set_max_width(ui.available_width() - buttons);
