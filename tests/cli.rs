@@ -50,8 +50,8 @@ fn fails(arguments: &[&str], status: i32, words: &[&str]) {
 fn map_writes_every_format() {
     let folder = folder("formats");
     let out = |name: &str| folder.join(name).display().to_string();
-    let files = ["map.json", "map.csv", "map.obj", "map.svg"].map(out);
-    let mut arguments = vec!["map", "preset:square", "preset:heart", "--json", "--samples", "200"];
+    let files = ["map.json", "map.csv", "map.obj", "map.svg", "map.png"].map(out);
+    let mut arguments = vec!["map", "preset:square", "preset:heart", "--json", "--samples", "200", "--size", "320x160"];
     for file in &files {
         arguments.extend(["--out", file]);
     }
@@ -77,6 +77,10 @@ fn map_writes_every_format() {
     let obj = std::fs::read_to_string(&files[2]).unwrap();
     assert_eq!(obj.lines().filter(|line| line.starts_with("vt ")).count() as u64, m + n);
     assert!(std::fs::read_to_string(&files[3]).unwrap().starts_with("<svg"));
+    let picture = image::open(&files[4]).unwrap().to_rgb8();
+    assert_eq!(picture.dimensions(), (320, 160));
+    let colours: std::collections::BTreeSet<[u8; 3]> = picture.pixels().map(|pixel| pixel.0).collect();
+    assert!(colours.len() > 50, "only {} colours", colours.len());
 }
 
 #[test]

@@ -1,5 +1,6 @@
 // Shows how far the download is, and says so if it fails.
 export default function loading() {
+  distrustEmulatedPixels();
   const bar = document.getElementById("loading-bar");
   const text = document.getElementById("loading-text");
   const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
@@ -24,4 +25,19 @@ export default function loading() {
       failure.hidden = false;
     },
   };
+}
+
+// In Chromium's device emulation an element's size in device pixels lacks the
+// emulated pixel ratio: the app would be drawn too large and touched in the
+// wrong places. Without that property, size and ratio are used instead.
+function distrustEmulatedPixels() {
+  const name = "devicePixelContentBoxSize";
+  if (!(globalThis.ResizeObserverEntry && name in ResizeObserverEntry.prototype)) return;
+  const observer = new ResizeObserver(([entry]) => {
+    observer.disconnect();
+    const reported = entry[name][0].inlineSize;
+    const expected = entry.contentBoxSize[0].inlineSize * devicePixelRatio;
+    if (Math.abs(reported - expected) > 2) delete ResizeObserverEntry.prototype[name];
+  });
+  observer.observe(document.documentElement, { box: "device-pixel-content-box" });
 }

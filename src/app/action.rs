@@ -14,8 +14,8 @@ pub enum Action {
     OpenImage,
     /// Show all of a side's outline.
     Fit(Side),
-    /// Ask for a side's preparation once more.
-    Retry(Side),
+    /// Do what a side's message offers.
+    Remedy(Side),
     /// Close a side's message.
     Dismiss(Side),
     /// Close the message about the image.

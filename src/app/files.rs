@@ -1,7 +1,8 @@
 //! Files that came in: which are outlines, which are images, and what is wrong with the others.
 
+use super::trouble::{Remedy, Trouble};
 use crate::conformal::Side;
-use crate::outline::Outline;
+use crate::outline::{Outline, parse, parse_repaired};
 use crate::platform::FilePurpose;
 
 /// A decoded image.
@@ -21,10 +22,10 @@ pub enum Content {
 }
 
 /// Why a file cannot be used, and beside what to say so.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum FileError {
     /// Meant as an outline of this side.
-    Outline(Side, String),
+    Outline(Side, Trouble),
     /// Meant as the texture.
     Image(String),
 }
@@ -43,22 +44,20 @@ pub fn read(
     };
     let failed = |why: String| {
         let message = format!("{name}: {why}");
-        if image { FileError::Image(message) } else { FileError::Outline(side, message) }
+        if image { FileError::Image(message) } else { FileError::Outline(side, Trouble::new(message)) }
     };
     let bytes = bytes.map_err(failed)?;
     if image {
         let pixels = decode(&bytes, max_image_side).map_err(failed)?;
         return Ok(Content::Image(Picture { name: name.to_owned(), pixels }));
     }
-    parse(name, &bytes).map(|outline| Content::Outline(side, outline)).map_err(failed)
-}
-
-/// A JSON array of points, until the outline room's reader for all formats is there.
-fn parse(name: &str, bytes: &[u8]) -> Result<Outline, String> {
-    let points: Vec<[f64; 2]> = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
-    let points: Vec<glam::DVec2> = points.into_iter().map(glam::DVec2::from).collect();
-    let polygon = crate::geometry::SimplePolygon::try_from(points).map_err(|error| error.to_string())?;
-    Ok(Outline { name: name.to_owned(), polygon, notes: Vec::new() })
+    match parse(name, &bytes) {
+        Ok(outline) => Ok(Content::Outline(side, outline)),
+        Err(error) => {
+            let remedy = parse_repaired(name, &bytes).ok().map(|outline| Remedy::Repaired(Box::new(outline)));
+            Err(FileError::Outline(side, Trouble { text: format!("{name}: {error}"), remedy }))
+        }
+    }
 }
 
 fn is_image_name(name: &str) -> bool {
@@ -115,17 +114,28 @@ mod tests {
     #[test]
     fn an_unreadable_outline_is_told_beside_its_side() {
         let error = read(FilePurpose::Dropped(Side::Target), "shape.csv", Err("permission denied".into()), 32).err();
-        assert_eq!(error, Some(FileError::Outline(Side::Target, "shape.csv: permission denied".into())));
+        assert_eq!(error, Some(FileError::Outline(Side::Target, Trouble::new("shape.csv: permission denied".into()))));
+    }
+
+    fn trouble_with(text: &str) -> Trouble {
+        match read(FilePurpose::Outline(Side::Source), "a.json", Ok(text.into()), 32) {
+            Err(FileError::Outline(Side::Source, trouble)) => trouble,
+            _ => panic!("was read"),
+        }
     }
 
     #[test]
-    fn a_broken_outline_says_what_is_wrong() {
-        let Err(FileError::Outline(side, message)) =
-            read(FilePurpose::Outline(Side::Source), "a.json", Ok(b"{".to_vec()), 32)
-        else {
-            panic!("was read")
-        };
-        assert_eq!(side, Side::Source);
-        assert!(message.len() > "a.json: ".len(), "{message}");
+    fn a_broken_outline_says_what_is_wrong_and_has_no_remedy() {
+        let trouble = trouble_with("{");
+        assert!(trouble.text.len() > "a.json: ".len() && trouble.remedy.is_none(), "{trouble:?}");
+        // Crossing edges: which part is meant is not for a machine to say.
+        assert!(trouble_with("[[0,0],[2,2],[2,0],[0,3]]").remedy.is_none());
+    }
+
+    #[test]
+    fn a_spike_can_be_cut_off() {
+        let trouble = trouble_with("[[0,0],[2,0],[2,1],[3,1],[2,1],[2,2],[0,2]]");
+        let Some(Remedy::Repaired(outline)) = trouble.remedy else { panic!("no remedy: {}", trouble.text) };
+        assert_eq!(outline.name, "a");
     }
 }

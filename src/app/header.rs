@@ -3,6 +3,7 @@
 use super::action::{Action, Actions};
 use super::model::Model;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
+use super::trouble::Remedy;
 use super::view::View;
 use super::widgets::{self, MessageAnswer, grouped, message_box, milliseconds};
 use super::{shapes, theme, words};
@@ -73,13 +74,15 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, view: &View, narrow: bool, ac
 }
 
 fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
-    let state = model.side(side);
-    if let Some(error) = &state.error {
+    let trouble = model.side(side).error.as_ref();
+    let of_map = model.map_error().filter(|(at, _)| *at == side).map(|(_, text)| (text, None));
+    for (text, remedy) in
+        trouble.map(|trouble| (trouble.text.as_str(), trouble.remedy.as_ref())).into_iter().chain(of_map)
+    {
         ui.add_space(4.0);
-        let can_retry = !state.is_busy() && model.domain(side).is_none() || error.contains("stopped unexpectedly");
-        match message_box(ui, error, can_retry) {
+        match message_box(ui, text, remedy.map(Remedy::label)) {
             Some(MessageAnswer::Dismiss) => actions.push(Action::Dismiss(side)),
-            Some(MessageAnswer::Retry) => actions.push(Action::Retry(side)),
+            Some(MessageAnswer::Remedy) => actions.push(Action::Remedy(side)),
             None => {}
         }
     }

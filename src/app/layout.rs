@@ -140,7 +140,7 @@ fn image_message(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let width = (area.width() - 32.0).min(460.0);
     let place = Rect::from_min_size(pos2(area.center().x - 0.5 * width, area.bottom() - 110.0), vec2(width, 100.0));
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
-        if message_box(ui, message, false).is_some() {
+        if message_box(ui, message, None).is_some() {
             actions.push(Action::DismissImageError);
         }
     });

@@ -19,6 +19,7 @@ mod stats;
 mod status;
 mod theme;
 mod top_bar;
+mod trouble;
 mod view;
 mod viewport;
 mod widgets;
@@ -113,8 +114,9 @@ impl RiemapApp {
     }
 
     fn errors(&self) -> Vec<String> {
-        let sides = SIDES.into_iter().filter_map(|side| self.model.side(side).error.clone());
-        sides.chain(self.image_error.clone()).collect()
+        let sides = SIDES.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
+        let map = self.model.map_error().map(|(_, text)| text.to_owned());
+        sides.chain(map).chain(self.image_error.clone()).collect()
     }
 
     fn notes(&self) -> Vec<String> {
@@ -137,7 +139,7 @@ impl RiemapApp {
         match files::read(purpose, name, bytes, limit) {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
             Ok(Content::Image(picture)) => self.use_image(&picture),
-            Err(FileError::Outline(side, message)) => self.model.side_mut(side).error = Some(message),
+            Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
             Err(FileError::Image(message)) => self.image_error = Some(message),
         }
     }
@@ -175,8 +177,8 @@ impl RiemapApp {
                 Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
                 Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
                 Action::Fit(side) => self.views[side as usize].fit(),
-                Action::Retry(side) => self.model.side_mut(side).retry(),
-                Action::Dismiss(side) => self.model.side_mut(side).error = None,
+                Action::Remedy(side) => self.model.remedy(side),
+                Action::Dismiss(side) => self.model.dismiss(side),
                 Action::DismissImageError => self.image_error = None,
                 Action::ToggleTheme => theme::toggle(context),
                 Action::TogglePanels => self.panels_open = !self.panels_open,

@@ -6,6 +6,7 @@
 //! the last good map stays and follows its handles.
 
 use super::prepare_state::{Preparation, Progress};
+use super::trouble::Remedy;
 use crate::conformal::{ConformalMap, Constraints, Direction, MapError, PreparedDomain, Quality, Side};
 use crate::geometry::DVec2;
 use crate::outline::{Outline, OutlineNote};
@@ -175,6 +176,21 @@ impl Model {
         let Outline { name, polygon, notes } = outline;
         let points = polygon.vertices().to_vec();
         self.want_outline(side, OutlineSpec::Points { name, points }, notes);
+    }
+
+    /// Does what a side's message offers.
+    pub fn remedy(&mut self, side: Side) {
+        match self.side_mut(side).error.take().and_then(|trouble| trouble.remedy) {
+            Some(Remedy::Retry) => self.side_mut(side).retry(),
+            Some(Remedy::Repaired(outline)) => self.want_loaded(side, *outline),
+            None => {}
+        }
+    }
+
+    /// Closes a side's messages.
+    pub fn dismiss(&mut self, side: Side) {
+        self.side_mut(side).error = None;
+        self.map_error = self.map_error.take().filter(|(at, _)| *at != side);
     }
 
     /// The requests that are due.

@@ -5,6 +5,7 @@
 //! higher, and [`Preparation::accept`] is the one place where stale answers are
 //! dropped. After a failure the last good domain stays and the message says why.
 
+use super::trouble::{Remedy, Trouble};
 use crate::conformal::{PreparedDomain, Stage};
 use crate::geometry::SimplePolygon;
 use crate::outline::{Outline, OutlineNote};
@@ -50,7 +51,7 @@ pub struct Preparation {
     running: Option<Running>,
     domain: Option<Arc<PreparedDomain>>,
     /// What to say about the last wish, if it failed.
-    pub error: Option<String>,
+    pub error: Option<Trouble>,
     /// What was noticed when the outline was read.
     pub notes: Vec<OutlineNote>,
     incoming_notes: Vec<OutlineNote>,
@@ -177,8 +178,8 @@ impl Preparation {
     /// The worker is gone; what it was doing is lost, nothing else.
     pub fn worker_died(&mut self, reason: &str) {
         if self.running.take().is_some() {
-            self.error =
-                Some(format!("The preparation stopped unexpectedly ({reason}). The map shown is the last one."));
+            let text = format!("The preparation stopped unexpectedly ({reason}). The map shown is the last one.");
+            self.error = Some(Trouble { text, remedy: Some(Remedy::Retry) });
         }
     }
 
@@ -196,7 +197,7 @@ impl Preparation {
 
     /// Goes back to the last good outline; the settings stay as the person left them.
     fn fail(&mut self, message: String) {
-        self.error = Some(message);
+        self.error = Some(Trouble::new(message));
         if let Some(good) = &self.prepared_from {
             self.wanted.outline = good.outline.clone();
         }
@@ -294,7 +295,7 @@ mod tests {
         let mut side = coarse();
         side.take_request(0.0).unwrap();
         side.worker_died("out of memory");
-        assert!(side.error.as_ref().unwrap().contains("out of memory") && !side.is_busy());
+        assert!(side.error.as_ref().unwrap().text.contains("out of memory") && !side.is_busy());
         side.retry();
         assert!(side.take_request(1.0).is_some() && side.error.is_none());
     }

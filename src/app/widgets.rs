@@ -111,12 +111,12 @@ pub fn group_heading(ui: &mut Ui, text: &str) {
 pub enum MessageAnswer {
     /// It has been read.
     Dismiss,
-    /// The same once more.
-    Retry,
+    /// What its other button says.
+    Remedy,
 }
 
-/// An error in a box, with a cross to close it and, where that makes sense, a way to try again.
-pub fn message_box(ui: &mut Ui, text: &str, can_retry: bool) -> Option<MessageAnswer> {
+/// An error in a box, with a cross to close it and, where there is one, its remedy.
+pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&str>) -> Option<MessageAnswer> {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new()
         .fill(palette.error_ground)
@@ -127,13 +127,13 @@ pub fn message_box(ui: &mut Ui, text: &str, can_retry: bool) -> Option<MessageAn
         .show(ui, |ui| {
             let mut answer = None;
             ui.horizontal_top(|ui| {
-                let buttons = if can_retry { 120.0 } else { 34.0 };
+                let buttons = if remedy.is_some() { 150.0 } else { 34.0 };
                 ui.scope(|ui| {
                     ui.set_max_width(ui.available_width() - buttons);
                     ui.add(egui::Label::new(RichText::new(text).color(palette.text)).wrap());
                 });
-                if can_retry && ui.button("Try again").clicked() {
-                    answer = Some(MessageAnswer::Retry);
+                if remedy.is_some_and(|label| ui.button(label).clicked()) {
+                    answer = Some(MessageAnswer::Remedy);
                 }
                 let cross = ui.add(egui::Button::new("✕").frame(false)).on_hover_text("Close this message");
                 cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close this message"));

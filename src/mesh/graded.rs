@@ -139,14 +139,13 @@ struct Slabs {
 impl Slabs {
     fn new(boundary: &[DVec2]) -> Self {
         let (low, high) = bounds(boundary);
-        let count = boundary.len().clamp(16, 4096);
-        let mut slabs = Self {
-            low: low.y,
-            per_height: count as f64 / (high.y - low.y),
-            start: vec![0; count + 2],
-            edges: Vec::new(),
-        };
-        let m = boundary.len();
+        let (m, height) = (boundary.len(), high.y - low.y);
+        let rises: f64 = (0..m).map(|k| (boundary[(k + 1) % m].y - boundary[k].y).abs()).sum();
+        // an edge stands in one slab and in one more for every slab it crosses: 32 m entries in all
+        let fitting = (31.0 * m as f64 * height / rises) as usize;
+        let count = m.min(fitting).clamp(16, 4096);
+        let mut slabs =
+            Self { low: low.y, per_height: count as f64 / height, start: vec![0; count + 2], edges: Vec::new() };
         let ranges: Vec<_> = (0..m).map(|k| slabs.range(boundary[k].y, boundary[(k + 1) % m].y)).collect();
         for range in &ranges {
             range.clone().for_each(|s| slabs.start[s + 2] += 1);

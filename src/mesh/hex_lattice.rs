@@ -141,10 +141,10 @@ impl HexLattice {
             ((r + 1, c - 1), (r, c - 1), (r + 1, c)),
         ];
         for (end, left, right) in candidates {
-            if core(end.0, end.1) && core(left.0, left.1) != core(right.0, right.1) {
-                if let (Some(a), Some(b)) = (self.points.index(r, c), self.points.index(end.0, end.1)) {
-                    edges.push([a, b]);
-                }
+            let is_rim = core(end.0, end.1) && core(left.0, left.1) != core(right.0, right.1);
+            let ends = (self.points.index(r, c), self.points.index(end.0, end.1));
+            if let (true, (Some(a), Some(b))) = (is_rim, ends) {
+                edges.push([a, b]);
             }
         }
     }

@@ -158,7 +158,9 @@ fn uniform(boundary: &[DVec2]) -> Result<Interior, MeshError> {
         Some(Ok(lattice_point)) => m + lattice_point,
         Some(Err(k)) => m + lattice.len() as u32 + (k - band.len() as u32),
     };
-    triangles.iter_mut().for_each(|t| *t = t.map(global));
+    for t in &mut triangles {
+        *t = t.map(global);
+    }
     triangles.extend(lattice.core_triangles().into_iter().map(|t| t.map(|v| v + m)));
     let order = merge_rows(&lattice, &points, &added);
     points.extend(&added);

@@ -47,12 +47,9 @@ pub struct SceneDescription<'a> {
 /// It is asked for no more than WebGL2 has, but for the adapter's largest
 /// textures, so what renders here also renders in a browser.
 pub fn headless_device() -> Result<(wgpu::Device, wgpu::Queue, wgpu::AdapterInfo), RenderError> {
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-    let options = wgpu::RequestAdapterOptions {
-        power_preference: wgpu::PowerPreference::HighPerformance,
-        ..wgpu::RequestAdapterOptions::default()
-    };
-    let adapter = pollster::block_on(instance.request_adapter(&options))
+    // OpenGL only where nothing else is: without a display, its libraries complain on stderr
+    let adapter = adapter_on(wgpu::Backends::PRIMARY)
+        .or_else(|_| adapter_on(wgpu::Backends::all()))
         .map_err(|error| RenderError::NoAdapter { cause: error.to_string() })?;
     let info = adapter.get_info();
     let descriptor = wgpu::DeviceDescriptor {
@@ -63,6 +60,17 @@ pub fn headless_device() -> Result<(wgpu::Device, wgpu::Queue, wgpu::AdapterInfo
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
         .map_err(|error| RenderError::NoDevice { adapter: info.name.clone(), cause: error.to_string() })?;
     Ok((device, queue, info))
+}
+
+/// An adapter on one of `backends`, or on those that `WGPU_BACKEND` names.
+fn adapter_on(backends: wgpu::Backends) -> Result<wgpu::Adapter, wgpu::RequestAdapterError> {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = backends;
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        ..wgpu::RequestAdapterOptions::default()
+    };
+    pollster::block_on(wgpu::Instance::new(descriptor.with_env()).request_adapter(&options))
 }
 
 /// [`render_scene_with`] on a device of its own.

@@ -14,11 +14,12 @@ use super::uniform::apportion;
 use std::ops::RangeInclusive;
 
 /// Without a target, H starts at the perimeter divided by this: what a circle gets.
+/// V-shape → blob has a mean image error of 9e-3 with 250, 1.5e-3 with 500.
 const BASE_SAMPLES: f64 = 500.0;
 
 /// Without a target, H is enlarged until no more than this many are needed: the
-/// mesh of a spiky leaf then has about 5,000 vertices, prepared in 30 ms.
-const ENOUGH_SAMPLES: f64 = 900.0;
+/// mesh of a spiky leaf then has about 5,000 vertices, prepared in 20 ms.
+const ENOUGH_SAMPLES: f64 = 800.0;
 
 /// Spacings are computed for at most this many samples, and scaled beyond.
 const LARGEST_FIELD: f64 = 1500.0;

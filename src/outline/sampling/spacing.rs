@@ -2,8 +2,8 @@
 //!
 //! h(s) is the least of: the base spacing H; the longest chord that the outline
 //! leaves by at most 3.75 % of its length ([`SAGITTA`]; on a circle of radius R
-//! that is h = 0.3 R, at a corner the floor H/50); half the width of the domain
-//! across s; and then whatever keeps |dh/ds| ≤ 0.3. Deviations are measured on
+//! that is h = 0.3 R, at a corner the floor H/50); a quarter of the width of the
+//! domain across s; and then whatever keeps |dh/ds| ≤ 0.3. Deviations are measured on
 //! windows as long as the spacing in question, so that wiggles much smaller than
 //! the spacing do not count and wiggles of its size do.
 //! Cost O(L/H), whatever the number of polygon vertices.

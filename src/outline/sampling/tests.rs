@@ -1,72 +1,182 @@
-//! What sampling promises, on formulas and on outlines that people use.
+//! What sampling promises, on formulas, presets and outlines that people use.
 
 use super::*;
 use crate::mesh::{Sizing, mesh_domain};
+use crate::outline::{Preset, parse};
+use proptest::prelude::*;
 use std::f64::consts::TAU;
-use web_time::Instant;
 
 fn polygon(points: Vec<DVec2>) -> SimplePolygon {
     SimplePolygon::try_from(points).unwrap()
 }
 
-fn disk(n: usize) -> SimplePolygon {
-    polygon((0..n).map(|k| DVec2::from_angle(TAU * k as f64 / n as f64)).collect())
+fn circle(n: usize, radius: impl Fn(usize) -> f64) -> SimplePolygon {
+    polygon((0..n).map(|k| DVec2::from_angle(TAU * k as f64 / n as f64) * radius(k)).collect())
 }
 
 fn square() -> SimplePolygon {
     polygon([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(DVec2::from).to_vec())
 }
 
-/// The outlines of the test data, if they are there.
+fn adaptive(polygon: &SimplePolygon, target: Option<u32>) -> BoundarySamples {
+    let samples = sample(polygon, Sampling::Adaptive { target }).unwrap();
+    assert_eq!(samples.check_invariants(), Ok(()));
+    samples
+}
+
+fn uniform(polygon: &SimplePolygon, count: u32, keep_corners: bool) -> Result<BoundarySamples, SamplingError> {
+    sample(polygon, Sampling::Uniform { count, keep_corners })
+}
+
+fn distance(polygon: &SimplePolygon, x: DVec2) -> f64 {
+    let to_edge = |(a, b): (DVec2, DVec2)| {
+        (a + ((x - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0) * (b - a)).distance(x)
+    };
+    polygon.edges().map(to_edge).fold(f64::INFINITY, f64::min)
+}
+
+/// The presets, and the outlines of the test data that are simple, if they are there.
 fn outlines() -> Vec<(String, SimplePolygon)> {
+    let presets = Preset::ALL.into_iter().map(|p| (p.name().to_owned(), p.outline().polygon));
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/outlines");
     let Ok(entries) = std::fs::read_dir(&folder) else {
         println!("skipped: no outlines in {}", folder.display());
-        return Vec::new();
+        return presets.collect();
     };
     let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
     paths.sort();
-    paths
-        .iter()
-        .map(|path| {
-            let json: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
-            let mut points: Vec<DVec2> = serde_json::from_value::<Vec<[f64; 2]>>(json["points"].clone())
-                .unwrap()
-                .into_iter()
-                .map(DVec2::from)
-                .collect();
-            let area: f64 = (0..points.len()).map(|k| points[k].perp_dot(points[(k + 1) % points.len()])).sum();
-            if area < 0.0 {
-                points[1..].reverse();
+    let read = |path: &std::path::PathBuf| {
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        match parse(&name, &std::fs::read(path).unwrap()) {
+            Ok(outline) => Some((name, outline.polygon)),
+            Err(error) => {
+                println!("skipped: {name}: {error}");
+                None
             }
-            (path.file_stem().unwrap().to_string_lossy().into_owned(), polygon(points))
-        })
-        .collect()
+        }
+    };
+    presets.chain(paths.iter().filter_map(read)).collect()
 }
 
 #[test]
-fn adaptive_samples_of_all_outlines_can_be_meshed() {
-    let mut shapes = outlines();
-    shapes.push(("disk".into(), disk(6000)));
-    shapes.push(("square".into(), square()));
-    for (name, shape) in shapes {
-        for target in [None, Some(60), Some(300), Some(1000), Some(3000)] {
-            let start = Instant::now();
-            let samples = sample(&shape, Sampling::Adaptive { target }).unwrap();
-            let time = start.elapsed();
-            assert_eq!(samples.check_invariants(), Ok(()));
-            let start = Instant::now();
-            match mesh_domain(&samples.points, Sizing::default()) {
-                Ok((mesh, report)) => println!(
-                    "{name} ({}) {target:?}: m {} n {} +{} sample {time:.1?} mesh {:.1?}",
-                    shape.vertices().len(),
-                    samples.len(),
-                    mesh.interior_count(),
-                    report.added,
-                    start.elapsed()
-                ),
-                Err(error) => println!("{name} {target:?} {}: {error}", samples.len()),
+fn uniform_samples_are_equally_spaced_from_the_first_vertex() {
+    let samples = uniform(&square(), 64, false).unwrap();
+    assert_eq!(samples.check_invariants(), Ok(()));
+    assert_eq!(samples.points[0], DVec2::new(-1.0, -1.0));
+    for (k, &s) in samples.fractions.iter().enumerate() {
+        assert_eq!(s, k as f64 / 64.0);
+    }
+    assert!(samples.edge_lengths.iter().all(|e| (e - 0.125).abs() < 1e-15));
+}
+
+#[test]
+fn kept_corners_are_samples_and_the_count_holds() {
+    for count in [4, 5, 11, 97] {
+        let samples = uniform(&square(), count, true).unwrap();
+        assert_eq!(samples.check_invariants(), Ok(()));
+        assert_eq!(samples.len(), count as usize);
+        assert!(square().vertices().iter().all(|v| samples.points.contains(v)), "{count} samples");
+    }
+    assert_eq!(uniform(&square(), 3, true), Err(SamplingError::MoreCornersThanSamples { corners: 4, count: 3 }));
+    let (kept, equal) = (uniform(&circle(5000, |_| 1.0), 77, true), uniform(&circle(5000, |_| 1.0), 77, false));
+    let differences = kept.unwrap().points.into_iter().zip(equal.unwrap().points).map(|(a, b)| a.distance(b));
+    assert!(differences.fold(0.0, f64::max) < 1e-12, "a dense circle has no corners");
+}
+
+#[test]
+fn impossible_counts_are_refused() {
+    assert_eq!(uniform(&square(), 2, false), Err(SamplingError::TooFew { count: 2 }));
+    let too_many = SamplingError::TooMany { count: MAX_SAMPLES + 1, limit: MAX_SAMPLES };
+    assert_eq!(uniform(&square(), MAX_SAMPLES + 1, false), Err(too_many));
+    assert!(sample(&square(), Sampling::Adaptive { target: Some(0) }).is_err());
+}
+
+#[test]
+fn a_circle_is_sampled_evenly_and_wiggles_below_the_spacing_do_not_matter() {
+    let smooth = adaptive(&circle(6000, |_| 1.0), None);
+    let range = smooth.edge_lengths.iter().fold((f64::INFINITY, 0.0f64), |(low, high), &e| (low.min(e), high.max(e)));
+    assert!(range.1 / range.0 < 1.01, "{range:?}");
+    // 2·10⁻⁴ off the circle at every other one of 6000 vertices: they turn by 40° each
+    let noisy = adaptive(&circle(6000, |k| 1.0 + 2e-4 * (k % 2) as f64), None);
+    assert!(noisy.len().abs_diff(smooth.len()) * 20 < smooth.len(), "{} and {}", noisy.len(), smooth.len());
+}
+
+#[test]
+fn adaptive_spacing_is_graded_towards_corners() {
+    let samples = adaptive(&square(), None);
+    assert!(square().vertices().iter().all(|v| samples.points.contains(v)));
+    let longest = samples.edge_lengths.iter().copied().fold(0.0, f64::max);
+    let at_corner = samples.edge_lengths[0];
+    println!("m {}, edges {at_corner:.2e} … {longest:.2e}", samples.len());
+    assert!((30.0..60.0).contains(&(longest / at_corner)));
+    let m = samples.len();
+    for k in 0..m {
+        let ratio = samples.edge_lengths[k] / samples.edge_lengths[(k + 1) % m];
+        assert!((0.7..1.43).contains(&ratio), "edges {k} and {} have the ratio {ratio}", k + 1);
+    }
+}
+
+#[test]
+fn curvature_and_channels_limit_the_spacing() {
+    let tip: f64 = 0.02;
+    let ellipse = polygon(
+        (0..8000).map(|k| DVec2::from_angle(TAU * f64::from(k) / 8000.0) * DVec2::new(1.0, tip.sqrt())).collect(),
+    );
+    // the radius of curvature at the tip is b²/a = 0.02
+    let edge = adaptive(&ellipse, None).edge_lengths[0];
+    assert!(edge < 0.36 * tip && edge > 0.1 * tip, "edge {edge} at a tip of radius {tip}");
+    let width = 0.02;
+    let half = [(-1.0, -1.0), (-0.2, -1.0), (-0.2, -width / 2.0), (0.2, -width / 2.0), (0.2, -1.0), (1.0, -1.0)];
+    let dumbbell = half.into_iter().chain(half.map(|(x, y)| (-x, -y)));
+    let samples = adaptive(&polygon(dumbbell.map(DVec2::from).collect()), None);
+    let in_channel = |k: &usize| samples.points[*k].x.abs() < 0.19 && samples.points[*k].y.abs() < 0.011;
+    let longest = (0..samples.len()).filter(in_channel).map(|k| samples.edge_lengths[k]).fold(0.0, f64::max);
+    assert!(longest < 0.36 * width && longest > 0.1 * width, "edge {longest} in a channel of width {width}");
+}
+
+#[test]
+fn targets_are_met_and_samples_lie_on_the_outline() {
+    for (name, shape) in outlines() {
+        for target in [100, 400, 2500] {
+            let samples = adaptive(&shape, Some(target));
+            let m = samples.len() as f64;
+            assert!((m / f64::from(target) - 1.0).abs() < 0.05, "{name}: {m} samples for {target}");
+            assert_eq!(samples.points[0], shape.vertices()[0]);
+            let off = samples.points.iter().map(|&p| distance(&shape, p)).fold(0.0, f64::max);
+            assert!(off < 1e-14 * shape.perimeter(), "{name}: a sample is {off:e} off the outline");
+        }
+    }
+}
+
+#[test]
+fn samples_of_all_outlines_form_simple_polygons_that_can_be_meshed() {
+    for (name, shape) in outlines() {
+        for target in [None, Some(12), Some(60), Some(1000)] {
+            let samples = adaptive(&shape, target);
+            let (mesh, report) = mesh_domain(&samples.points, Sizing::default()).unwrap();
+            println!("{name} {target:?}: m {}, n {} ({} added)", samples.len(), mesh.interior_count(), report.added);
+            assert_eq!(mesh.check_invariants(), Ok(()));
+            assert!(report.complete, "{name} {target:?}");
+            if target.is_none() {
+                assert!((250..=735).contains(&samples.len()), "{name}: {} samples", samples.len());
+                assert!(mesh.interior_count() < 8000, "{name}: {} vertices", mesh.interior_count());
             }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, rng_seed: proptest::test_runner::RngSeed::Fixed(5), ..ProptestConfig::default() })]
+
+    /// Stars with radii between 10⁻² and 1: thin spikes beside thin notches.
+    #[test]
+    fn samples_of_random_stars_are_simple(radii in prop::collection::vec(-2.0f64..0.0, 5..80), target in 3u32..600, turn in 0.0f64..6.0) {
+        let m = radii.len() as f64;
+        let star: Vec<DVec2> = radii.iter().enumerate().map(|(k, r)| DVec2::from_angle(turn + TAU * k as f64 / m) * 10f64.powf(*r)).collect();
+        let star = polygon(star);
+        for target in [None, Some(target)] {
+            let samples = adaptive(&star, target);
+            prop_assert!(SimplePolygon::try_from(samples.points).is_ok());
         }
     }
 }
