@@ -42,11 +42,11 @@ export class App {
     return this.#page.close();
   }
 
-  /** Lets `act` use the app, closes it, and fails if anything went wrong in front of or behind the scenes. */
+  /** Lets `act` use the app, then closes it; fails if anything went wrong in front of or behind the scenes. */
   async during(act) {
     try {
       await this.until('a first map is shown', (stats) => stats.ready);
-      await act(this);
+      await act();
     } catch (error) {
       throw this.#faults.length === 0 ? error : new Error(this.#faults.join('\n'), { cause: error });
     } finally {
@@ -84,7 +84,7 @@ export class App {
   }
 
   /** Drags with the mouse, one step a frame, as a hand would. */
-  async drag(from, to, steps = 6) {
+  async drag(from, to, steps = 4) {
     const { mouse } = this.#page;
     await mouse.move(...from);
     await this.#frames();
@@ -99,7 +99,7 @@ export class App {
   }
 
   /** Drags with one finger. */
-  async touchDrag(from, to, steps = 6) {
+  async touchDrag(from, to, steps = 4) {
     const protocol = await this.#context.newCDPSession(this.#page);
     const touch = async (type, touchPoints) => {
       await protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
