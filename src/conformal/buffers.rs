@@ -72,7 +72,7 @@ impl PreparedDomain {
 }
 
 fn flat(points: &[DVec2]) -> Vec<f64> {
-    points.iter().flat_map(|p| p.to_array()).collect()
+    points.iter().flat_map(DVec2::to_array).collect()
 }
 
 fn mesh_from(vertices: &[f64], boundary: usize, triangles: &[u32], neighbours: &[u32]) -> Option<TriMesh> {

@@ -30,14 +30,14 @@ pub fn match_measures(source: &HarmonicMeasure, target: &HarmonicMeasure, result
     result.points.clear();
     result.points.resize(m, target.point(0, 0.0));
     let mut l = 0;
-    for j in 1..=m {
-        while l < last && a[j] >= b[l + 1] {
+    for (j, &omega) in a.iter().enumerate().take(m + 1).skip(1) {
+        while l < last && omega >= b[l + 1] {
             l += 1;
         }
         let vertex = source.vertex_at(j);
-        let lambda = inverse_quadratic(a[j] - b[l], b[l + 1] - b[l], density[l], density[l + 1]);
+        let lambda = inverse_quadratic(omega - b[l], b[l + 1] - b[l], density[l], density[l + 1]);
         // the anchor's own vertex stands at knot m; its image is the other anchor
-        let at_anchor = j == m && source.at_vertex(vertex) == 0.0 && a[j] == 1.0;
+        let at_anchor = j == m && source.at_vertex(vertex) == 0.0 && omega == 1.0;
         result.points[vertex] = if at_anchor { target.point(0, 0.0) } else { target.point(l, lambda) };
     }
 }

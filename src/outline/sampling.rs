@@ -105,7 +105,7 @@ impl BoundarySamples {
 
     /// The point at fraction `s` of the outline's arc length (taken modulo 1).
     ///
-    /// A point within [`SNAP`] of a sample is that sample, so that
+    /// A point within 1e-9 of an edge from a sample is that sample, so that
     /// `at_fraction(fraction_at(p))` finds a sample again in spite of rounding.
     pub fn at_fraction(&self, s: f64) -> BoundaryPoint {
         let s = s.rem_euclid(1.0);
