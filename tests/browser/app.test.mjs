@@ -137,8 +137,8 @@ async function assertReplaced(app, side, before) {
   const other = side === 'source' ? 'target' : 'source';
   const replaced = await app.until(
     'the new outline is prepared and mapped',
-    (stats, last) => stats.ready && stats.generation > last.generation && stats[last.side].m !== last.m,
-    { side, generation: before.generation, m: before[side].m },
+    (stats, last) => stats.ready && stats.generation > last.generation && stats[last.side].n !== last.n,
+    { side, generation: before.generation, n: before[side].n },
   );
   assert.deepEqual(replaced.errors, []);
   assert.deepEqual(replaced[other], before[other], `the ${other} is untouched`);
