@@ -9,11 +9,11 @@ use super::supernode::{Chunk, Chunks};
 use super::{DirichletLaplacian, Lanes, LaplaceError, Ordering, multifrontal};
 use faer::Side;
 use faer::perm::PermRef;
+use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
-use faer::sparse::SymbolicSparseColMatRef;
 
 /// The root of the elimination tree has no parent.
 const NO_PARENT: u32 = u32::MAX;

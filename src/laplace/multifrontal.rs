@@ -32,18 +32,18 @@ pub(super) fn factor(
     let matrix = LowerColumns::permuted(matrix, ordering);
     let mut front = Front::default();
     let mut updates: Vec<Update> = vec![Update::default(); structure.n_supernodes()];
-    let mut spare: Vec<Vec<f64>> = Vec::new();
+    let mut pool = Pool::new();
     let mut place = vec![0; ordering.forward.len()];
     let mut chunks = Chunks::with_capacity(structure.len_val());
     for s in 0..structure.n_supernodes() {
         let supernode = structure.supernode(s);
         let columns = structure.supernode_begin()[s]..structure.supernode_end()[s];
-        front.begin(columns.clone(), supernode.pattern(), &mut place, spare.pop().unwrap_or_default());
+        front.begin(columns.clone(), supernode.pattern(), &mut place, &mut pool);
         front.add_matrix(columns.clone(), &matrix, &place);
         for child in children.of(s) {
             let update = std::mem::take(&mut updates[child]);
             front.add_update(&update, structure.supernode(child).pattern(), &place);
-            spare.push(update.values);
+            pool.give_back(update.values);
         }
         front.factor().map_err(|pivot| LaplaceError::NotPositiveDefinite {
             vertex: ordering.forward[columns.start as usize + pivot] as usize,
@@ -124,7 +124,42 @@ impl Children {
 #[derive(Debug, Clone, Default)]
 struct Update {
     stride: usize,
+    /// At least stride² of them; above the diagonal tiles they mean nothing.
     values: Vec<f64>,
+}
+
+impl Update {
+    fn columns(&self) -> impl Iterator<Item = &[f64]> {
+        self.values.chunks_exact(self.stride.max(1)).take(self.stride)
+    }
+
+    fn columns_mut(&mut self) -> impl Iterator<Item = &mut [f64]> {
+        self.values.chunks_exact_mut(self.stride.max(1)).take(self.stride)
+    }
+}
+
+/// Storage of finished update matrices, by powers of two: fresh memory is slow to touch.
+#[derive(Debug)]
+struct Pool {
+    spare: [Vec<Vec<f64>>; usize::BITS as usize],
+}
+
+impl Pool {
+    fn new() -> Self {
+        Self { spare: std::array::from_fn(|_| Vec::new()) }
+    }
+
+    /// At least `size` values, whatever they are.
+    fn take(&mut self, size: usize) -> Vec<f64> {
+        let class = size.next_power_of_two();
+        self.spare[class.ilog2() as usize].pop().unwrap_or_else(|| vec![0.0; class])
+    }
+
+    fn give_back(&mut self, values: Vec<f64>) {
+        if !values.is_empty() {
+            self.spare[values.len().ilog2() as usize].push(values);
+        }
+    }
 }
 
 /// A supernode being factored.
@@ -139,7 +174,7 @@ struct Front {
 
 impl Front {
     /// An empty front over the given columns and rows; notes in `place` where each row stands.
-    fn begin(&mut self, columns: std::ops::Range<u32>, rows: &[u32], place: &mut [u32], storage: Vec<f64>) {
+    fn begin(&mut self, columns: std::ops::Range<u32>, rows: &[u32], place: &mut [u32], pool: &mut Pool) {
         let padded = columns.len().next_multiple_of(TILE);
         self.width = columns.len();
         let stride = rows.len().next_multiple_of(TILE);
@@ -151,9 +186,10 @@ impl Front {
         }
         self.tiles.clear();
         self.tiles.resize((padded + stride) / TILE * self.width, [0.0; TILE]);
-        self.update = Update { stride, values: storage };
-        self.update.values.clear();
-        self.update.values.resize(stride * stride, 0.0);
+        self.update = Update { stride, values: pool.take(stride * stride) };
+        for (j, column) in self.update.columns_mut().enumerate() {
+            column[j - j % TILE..].fill(0.0);
+        }
     }
 
     /// Adds the entries of the matrix.
@@ -169,7 +205,7 @@ impl Front {
     /// Adds a child's update matrix over `rows`.
     fn add_update(&mut self, child: &Update, rows: &[u32], place: &[u32]) {
         let padded = self.width.next_multiple_of(TILE);
-        for (j, (&row_of_column, values)) in rows.iter().zip(child.values.chunks_exact(child.stride)).enumerate() {
+        for (j, (&row_of_column, values)) in rows.iter().zip(child.columns()).enumerate() {
             let column = place[row_of_column as usize] as usize;
             let entries = rows[j..].iter().map(|&row| place[row as usize] as usize).zip(&values[j..]);
             if column < self.width {
