@@ -48,6 +48,26 @@ pub const PHONE_WIDTH: f32 = 700.0;
 /// How long the map must rest before an expensive quality is computed, in seconds.
 const REST_SECONDS: f64 = 0.15;
 
+/// What needs no screen: the session's state and the workers.
+pub struct Groundwork {
+    model: Model,
+    preparer: Preparer,
+    mailbox: Mailbox,
+    events: mpsc::Receiver<Event>,
+}
+
+impl Groundwork {
+    /// Begins with the preparations of `session`: they run while the graphics start.
+    pub fn start(session: Session) -> Self {
+        let (mailbox, events) = Mailbox::new();
+        let (mut model, mut preparer) = (Model::new(session), Preparer::new(mailbox.clone()));
+        for (side, request) in model.take_requests(0.0) {
+            preparer.request(side, request);
+        }
+        Self { model, preparer, mailbox, events }
+    }
+}
+
 /// The app.
 pub struct RiemapApp {
     model: Model,
@@ -66,13 +86,17 @@ pub struct RiemapApp {
 }
 
 impl RiemapApp {
-    /// Starts preparing the default session.
-    pub fn new(creation: &eframe::CreationContext<'_>) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
+    /// Goes on from `groundwork` on a screen.
+    pub fn new(
+        creation: &eframe::CreationContext<'_>,
+        groundwork: Groundwork,
+    ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let (mailbox, events) = Mailbox::new(creation.egui_ctx.clone());
+        let Groundwork { model, preparer, mailbox, events } = groundwork;
+        mailbox.attach(&creation.egui_ctx);
         Ok(Self {
-            model: Model::new(Session::default()),
-            preparer: Preparer::new(mailbox.clone()),
+            model,
+            preparer,
             mailbox,
             events,
             gpu: creation.wgpu_render_state.clone().map(Gpu::new),

@@ -160,8 +160,9 @@ fn the_mapped_point_goes_to_the_other_sides_point() {
 
 #[test]
 fn the_app_prepares_shows_and_answers_to_a_drag() {
-    let mut harness =
-        Harness::builder().with_size([1200.0, 800.0]).build_eframe(|creation| RiemapApp::new(creation).unwrap());
+    let mut harness = Harness::builder()
+        .with_size([1200.0, 800.0])
+        .build_eframe(|creation| RiemapApp::new(creation, Groundwork::start(Session::default())).unwrap());
     for _ in 0..600 {
         harness.step();
         if harness.state().stats().ready {

@@ -1,4 +1,4 @@
-//! The Cholesky factor L̂ = Pᵀ L Lᵀ P, made by faer, kept as flat arrays.
+//! The Cholesky factor L̂ = Pᵀ L Lᵀ P as flat arrays: structure by faer, numbers by `multifrontal`.
 //!
 //! [`Factor::solve`] is pruned: its forward sweep visits only the root paths of
 //! the right-hand side in the elimination tree, its backward sweep only the root
@@ -6,17 +6,14 @@
 //! boundary's neighbours wanted, that is a small part of L.
 
 use super::supernode::{Chunk, Chunks};
-use super::{DirichletLaplacian, Lanes, LaplaceError, Ordering};
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::LltError;
+use super::{DirichletLaplacian, Lanes, LaplaceError, Ordering, multifrontal};
+use faer::Side;
 use faer::perm::PermRef;
+use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
-    supernodal::SupernodalLltRef,
+    CholeskySymbolicParams, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Par, Side, Spec};
 
 /// The root of the elimination tree has no parent.
 const NO_PARENT: u32 = u32::MAX;
@@ -75,7 +72,6 @@ impl Factor {
         let too_large = || LaplaceError::TooLarge { unknowns: n };
         let pointers = laplacian.interior.proper_indptr();
         let pattern = SymbolicSparseColMatRef::new_checked(n, n, &pointers, None, laplacian.interior.indices());
-        let matrix = SparseColMatRef::new(pattern, laplacian.interior.data());
         let symbolic = factorize_symbolic_cholesky(
             pattern,
             Side::Upper,
@@ -86,9 +82,11 @@ impl Factor {
             },
         )
         .map_err(|_| too_large())?;
-        let values = numeric(&symbolic, matrix, &ordering)?;
         let SymbolicCholeskyRaw::Supernodal(structure) = symbolic.raw() else { return Err(too_large()) };
-        let chunks = Chunks::from_supernodes(SupernodalLltRef::new(structure, &values), &ordering)?;
+        if u32::try_from(structure.len_val() * 9 / 8 + 8 * structure.n_supernodes()).is_err() {
+            return Err(too_large()); // offsets are u32
+        }
+        let chunks = multifrontal::factor(structure, &laplacian.interior, &ordering)?;
         Ok(Self::from_chunks(ordering, chunks))
     }
 
@@ -184,31 +182,5 @@ impl Factor {
         let permuted = inverse.iter().all(|&new| new != u32::MAX);
         (rest.is_empty() && permuted && chunks.check_invariants(n))
             .then(|| Self::from_chunks(Ordering { forward: buffers.forward, inverse }, chunks))
-    }
-}
-
-fn numeric(
-    symbolic: &SymbolicCholesky<u32>,
-    matrix: SparseColMatRef<'_, u32, f64>,
-    ordering: &Ordering,
-) -> Result<Vec<f64>, LaplaceError> {
-    let mut values = vec![0.0; symbolic.len_val()];
-    let request = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default());
-    let mut memory =
-        MemBuffer::try_new(request).map_err(|_| LaplaceError::TooLarge { unknowns: ordering.forward.len() })?;
-    let result = symbolic.factorize_numeric_llt(
-        &mut values,
-        matrix,
-        Side::Upper,
-        faer::linalg::cholesky::llt::factor::LltRegularization::default(),
-        Par::Seq,
-        MemStack::new(&mut memory),
-        Spec::default(),
-    );
-    match result {
-        Ok(_) => Ok(values),
-        Err(LltError::NonPositivePivot { index }) => Err(LaplaceError::NotPositiveDefinite {
-            vertex: ordering.forward.get(index).map_or(index, |&v| v as usize),
-        }),
     }
 }

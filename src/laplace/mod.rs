@@ -6,6 +6,7 @@
 
 mod cotangent;
 mod factor;
+mod multifrontal;
 mod ordering;
 mod supernode;
 mod sweep;

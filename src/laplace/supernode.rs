@@ -5,8 +5,7 @@
 //! other, so that a sweep reads L once, in order, whatever the number of
 //! right-hand sides. All chunks of a supernode share one list of row indices.
 
-use super::{LaplaceError, Ordering};
-use faer::sparse::linalg::cholesky::supernodal::SupernodalLltRef;
+use super::multifrontal::TILE;
 
 /// The widths that the sweeps are compiled for, largest first.
 pub(super) const WIDTHS: [u32; 4] = [8, 4, 2, 1];
@@ -36,19 +35,9 @@ pub(super) struct Chunks {
 }
 
 impl Chunks {
-    /// Copies faer's supernodal factor.
-    pub fn from_supernodes(factor: SupernodalLltRef<'_, u32, f64>, ordering: &Ordering) -> Result<Self, LaplaceError> {
-        let too_large = || LaplaceError::TooLarge { unknowns: ordering.forward.len() };
-        let count = factor.symbolic().n_supernodes();
-        if u32::try_from(factor.values().len() * 9 / 8 + 8 * count).is_err() {
-            return Err(too_large()); // offsets are u32
-        }
-        let mut chunks = Self::default();
-        chunks.values.reserve(factor.values().len());
-        for s in 0..count {
-            chunks.push_supernode(factor, s);
-        }
-        Ok(chunks)
+    /// None yet, with room for about `values` entries.
+    pub fn with_capacity(values: usize) -> Self {
+        Self { values: Vec::with_capacity(values), ..Self::default() }
     }
 
     /// Whether the chunks tile the columns `0..n` and stay inside their arrays, rows below columns.
@@ -68,46 +57,61 @@ impl Chunks {
         sound && next == n
     }
 
-    fn push_supernode(&mut self, factor: SupernodalLltRef<'_, u32, f64>, s: usize) {
-        let supernode = factor.supernode(s);
-        let (start, columns) = (supernode.start(), supernode.val().ncols());
+    /// Appends the columns of a supernode: in tiles of four rows, each with all its
+    /// columns; the first `pivot_tiles` hold the diagonal block, the others the `rows` below.
+    pub fn push_supernode(
+        &mut self,
+        columns: std::ops::Range<u32>,
+        rows: &[u32],
+        tiles: &[[f64; TILE]],
+        pivot_tiles: usize,
+    ) {
+        let block = Block { tiles, pivot_tiles, columns: columns.len(), rows: rows.len() };
         let first_row = self.rows.len();
-        self.rows.extend((start..start + columns).map(|c| c as u32));
-        self.rows.extend_from_slice(supernode.pattern());
-        let rows_in_all = supernode.val().nrows();
-        let start_of_values = factor.symbolic().col_ptr_for_val()[s] as usize;
-        let block = &factor.values()[start_of_values..][..rows_in_all * columns];
+        self.rows.extend(columns.clone());
+        self.rows.extend_from_slice(rows);
         let mut offset = 0;
-        while offset < columns {
-            let width = WIDTHS.into_iter().find(|&w| offset + w as usize <= columns).unwrap_or(1) as usize;
+        while offset < columns.len() {
+            let width = WIDTHS.into_iter().find(|&w| offset + w as usize <= columns.len()).unwrap_or(1) as usize;
             self.list.push(Chunk {
-                column: (start + offset) as u32,
+                column: columns.start + offset as u32,
                 width: width as u32,
                 rows: (first_row + offset + width) as u32,
                 row_count: (self.rows.len() - first_row - offset - width) as u32,
                 values: self.values.len() as u32,
             });
             match width {
-                8 => self.push_rows::<8>(block, rows_in_all, offset),
-                4 => self.push_rows::<4>(block, rows_in_all, offset),
-                2 => self.push_rows::<2>(block, rows_in_all, offset),
-                _ => self.push_rows::<1>(block, rows_in_all, offset),
+                8 => self.push_rows::<8>(block, offset),
+                4 => self.push_rows::<4>(block, offset),
+                2 => self.push_rows::<2>(block, offset),
+                _ => self.push_rows::<1>(block, offset),
             }
             offset += width;
         }
     }
 
-    /// Appends W columns of a column-major block (of `rows` rows), from row and column `offset` on, row by row.
-    fn push_rows<const W: usize>(&mut self, block: &[f64], rows: usize, offset: usize) {
+    /// Appends W columns of a block, from row and column `offset` on, row by row.
+    fn push_rows<const W: usize>(&mut self, block: Block<'_>, offset: usize) {
         let first = self.values.len();
-        let columns: [&[f64]; W] =
-            std::array::from_fn(|j| &block[(offset + j) * rows + offset..(offset + j + 1) * rows]);
-        for row in 0..rows - offset {
-            self.values.extend(columns.map(|column| column[row]));
+        let (pivots, below) = block.tiles.split_at(block.pivot_tiles * block.columns);
+        for (tiles, rows) in [(pivots, offset..block.columns), (below, 0..block.rows)] {
+            for row in rows {
+                let tile = &tiles[row / TILE * block.columns + offset..][..W];
+                self.values.extend(tile.iter().map(|column| column[row % TILE]));
+            }
         }
         for (i, row) in self.values[first..][..W * W].chunks_exact_mut(W).enumerate() {
             row[i] = row[i].recip();
             row[i + 1..].fill(0.0);
         }
     }
+}
+
+/// The columns of a supernode in tiles.
+#[derive(Clone, Copy)]
+struct Block<'a> {
+    tiles: &'a [[f64; TILE]],
+    pivot_tiles: usize,
+    columns: usize,
+    rows: usize,
 }

@@ -17,7 +17,7 @@ pub use native::{Preparer, drop_position, pick_file, read_dropped, start};
 
 use crate::conformal::Side;
 use crate::worker::Response;
-use std::sync::mpsc;
+use std::sync::{Arc, OnceLock, mpsc};
 
 /// What a file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,14 +64,19 @@ pub enum Event {
 #[derive(Clone)]
 pub struct Mailbox {
     sender: mpsc::Sender<Event>,
-    context: egui::Context,
+    context: Arc<OnceLock<egui::Context>>,
 }
 
 impl Mailbox {
-    /// A mailbox and its reading end; posting wakes `context`.
-    pub fn new(context: egui::Context) -> (Self, mpsc::Receiver<Event>) {
+    /// A mailbox and its reading end.
+    pub fn new() -> (Self, mpsc::Receiver<Event>) {
         let (sender, receiver) = mpsc::channel();
-        (Self { sender, context }, receiver)
+        (Self { sender, context: Arc::default() }, receiver)
+    }
+
+    /// From now on posting wakes `context`; what came earlier waits in the mailbox.
+    pub fn attach(&self, context: &egui::Context) {
+        self.context.get_or_init(|| context.clone());
     }
 
     /// Posts `event`. When the app is gone, nobody is left to read it.
@@ -83,7 +88,9 @@ impl Mailbox {
 
     /// Asks for a frame.
     pub fn wake(&self) {
-        self.context.request_repaint();
+        if let Some(context) = self.context.get() {
+            context.request_repaint();
+        }
     }
 }
 

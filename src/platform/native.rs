@@ -4,8 +4,9 @@
 //! and its answers are dropped as stale. A panic in it is reported, not passed on.
 
 use super::{Event, FilePurpose, Mailbox, endings};
-use crate::app::RiemapApp;
+use crate::app::{Groundwork, RiemapApp};
 use crate::conformal::Side;
+use crate::session::Session;
 use crate::worker::{self, Request};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::thread;
@@ -16,8 +17,9 @@ pub fn start() -> Result<(), String> {
         viewport: egui::ViewportBuilder::default().with_inner_size([1440.0, 900.0]).with_min_inner_size([360.0, 480.0]),
         ..Default::default()
     };
-    eframe::run_native("riemap", options, Box::new(|creation| Ok(Box::new(RiemapApp::new(creation)?))))
-        .map_err(|error| format!("The window could not be opened: {error}"))
+    let groundwork = Groundwork::start(Session::default());
+    let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
+    eframe::run_native("riemap", options, creator).map_err(|error| format!("The window could not be opened: {error}"))
 }
 
 /// Runs preparations on threads.

@@ -21,7 +21,6 @@ use web_sys::DedicatedWorkerGlobalScope;
 /// Returns at once; what goes wrong later is shown in the page.
 #[allow(clippy::unnecessary_wraps, reason = "the desktop's start can fail")]
 pub fn start() -> Result<(), String> {
-    gemm_common::set_wasm_simd128(true);
     match js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
         Ok(scope) => engine::listen(&scope),
         Err(_) => page::start(),

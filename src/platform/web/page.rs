@@ -1,7 +1,8 @@
 //! The page: canvas, loading indicator, messages when nothing can be drawn.
 
 use super::{bridge, files};
-use crate::app::RiemapApp;
+use crate::app::{Groundwork, RiemapApp};
+use crate::session::Session;
 use wasm_bindgen::JsCast;
 use web_sys::{Document, HtmlCanvasElement};
 
@@ -29,7 +30,8 @@ async fn run() -> Result<(), String> {
         .ok_or("The page has no canvas.")?;
     files::follow_drags(&document);
     let runner = eframe::WebRunner::new();
-    let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation)?)));
+    let groundwork = Groundwork::start(Session::default());
+    let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
     runner.start(canvas, web_options(), creator).await.map_err(|error| {
         log::error!("{error:?}");
         format!("{NO_GRAPHICS} ({})", error.as_string().unwrap_or_default())
