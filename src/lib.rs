@@ -16,6 +16,7 @@ pub mod mesh;
 pub mod outline;
 pub mod session;
 pub mod worker;
+pub mod zipper;
 
 #[cfg(feature = "app")]
 pub mod app;
