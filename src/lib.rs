@@ -6,6 +6,7 @@
 //!
 //! Dependencies between the modules run one way:
 //! `geometry → outline, mesh → laplace → conformal → session, worker → render → app`.
+//! `zipper`, a map through the disk for comparison, stands beside `conformal` and uses no mesh.
 //! Without the default feature `app` only the numerical core is built.
 
 pub mod conformal;

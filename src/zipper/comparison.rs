@@ -15,9 +15,10 @@ use crate::geometry::DVec2;
 use crate::outline::BoundaryPoint;
 use std::f64::consts::TAU;
 
-/// A step back by less than this is rounding, or noise of the same origin; by more, it is
-/// a step forward by nearly the whole circle. In the crowded V the
-/// noise of neighbours stays below 1e-8; one edge has more than 1 − 1e-6/2π of the measure only where x all but touches it.
+/// A step back by less than this is taken for rounding; by more, for a step forward by nearly
+/// the whole circle. Where nothing crowds rounding gives 1e-14; an edge takes more
+/// than 1 − 2e-7 of the measure only where x all but touches it. Collapsed images can be off by any
+/// angle, and then count as either.
 const STEP_BACK: f64 = 1e-6;
 
 /// The harmonic measure of a boundary as the disk has it, from an anchor y counter-clockwise.

@@ -225,7 +225,10 @@ mod tests {
             let recentre = Recentre::at(published(Complex::I)).unwrap();
             for z in samples() {
                 let (actual, expected) = (map.map(z), recentre.quotient(published(z), Complex::ONE));
-                assert!((actual - expected).abs() < 1e-11 * (1.0 + expected.abs()), "{a:?}, {z:?}: {actual:?}, {expected:?}");
+                assert!(
+                    (actual - expected).abs() < 1e-11 * (1.0 + expected.abs()),
+                    "{a:?}, {z:?}: {actual:?}, {expected:?}"
+                );
                 assert!(actual.im > 0.0, "{z:?} leaves the half-plane: {actual:?}");
             }
             assert!((map.map(Complex::I) - Complex::I).abs() < 1e-14, "x moves");
