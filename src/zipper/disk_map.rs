@@ -70,7 +70,7 @@ impl DiskMap {
     /// them, no two neighbours equal), with `x` going to 0.
     ///
     /// A boundary point that can't be told from its neighbours as seen from `x` is left out of the
-    /// curve and counted in [`Self::collapsed`]; its harmonic measure is below 1e-13.
+    /// curve and counted in [`Self::collapsed`]; its harmonic measure is of the order of 1e-13 or less.
     pub fn new(points: &[DVec2], x: DVec2) -> Result<Self, ZipperError> {
         check(points)?;
         let outside = ZipperError::PointOutside { x: x.x, y: x.y };
@@ -83,8 +83,12 @@ impl DiskMap {
         for next in 0..remaining.len() {
             match Geodesic::to(remaining[next]) {
                 Ok(geodesic) => {
-                    line.iter_mut().for_each(|t| *t = geodesic.map_line(*t));
-                    remaining[next + 1..].iter_mut().for_each(|z| *z = geodesic.map(*z));
+                    for t in &mut line {
+                        *t = geodesic.map_line(*t);
+                    }
+                    for z in &mut remaining[next + 1..] {
+                        *z = geodesic.map(*z);
+                    }
                     geodesics.push(geodesic);
                 }
                 Err(NoGeodesic::Collapsed) => (),

@@ -19,14 +19,14 @@
 //! which is f_a/(1 + f_a im a/(|a| b)), keeps ∞ and is nearly the identity far from a small arc
 //! (f_a moves everything there to −b). Then the interior point is brought back to i, the tip
 //! staying at 0. So harmonic measure from x is always an angle, arctan t/π, that
-//! shrinks as the curve grows: no digit is lost that the measure does not lose.
+//! shrinks as the curve grows: crowding costs digits only of what x hardly sees.
 
 use crate::exact::Complex;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Below this, im a/|a| is rounding error. A point that is seen at such an angle has a
-/// harmonic measure below it. A spike as thin as 1e-6 of the samples' distance gives
-/// 1e-6; 2,000 maps leave an error of 1e-13.
+/// harmonic measure of that order. Rounding: 1e-14 after 400 maps of a circle; signal: a
+/// spike as thin as 1e-6 of the samples' distance, about 1e-6.
 const FLAT: f64 = 1e-13;
 
 /// Squares of smaller numbers underflow.
@@ -207,7 +207,7 @@ mod tests {
     fn samples() -> impl Iterator<Item = Complex> {
         (0..60).map(|k| {
             let k = f64::from(k);
-            Complex::new((0.7 * k).sin() * 3.0, 0.05 + 0.04 * k)
+            Complex::new((0.7 * k + 0.3).sin() * 3.0, 0.05 + 0.04 * k)
         })
     }
 
