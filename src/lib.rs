@@ -6,6 +6,7 @@
 //!
 //! Dependencies between the modules run one way:
 //! `geometry → outline, mesh → laplace → conformal → session, worker → render → app`.
+//! `zipper`, a map through the disk for comparison, stands beside `conformal` and uses no mesh.
 //! Without the default feature `app` only the numerical core is built.
 
 pub mod conformal;
@@ -16,6 +17,7 @@ pub mod mesh;
 pub mod outline;
 pub mod session;
 pub mod worker;
+pub mod zipper;
 
 #[cfg(feature = "app")]
 pub mod app;

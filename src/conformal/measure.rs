@@ -70,6 +70,27 @@ impl HarmonicMeasure {
         }
     }
 
+    /// The anchor.
+    pub fn anchor(&self) -> BoundaryPoint {
+        self.anchor
+    }
+
+    /// ω̃ from the anchor to the boundary point `point`, in `[0, 1]`.
+    pub fn at(&self, point: BoundaryPoint) -> f64 {
+        let m = self.vertex_count();
+        let before_anchor = point.edge == self.anchor.edge && point.fraction < self.anchor.fraction;
+        let j = if before_anchor { m } else { (point.edge as usize + m - self.anchor.edge as usize) % m };
+        let (from, to) = self.span(j);
+        self.within(j, if to > from { (point.fraction - from) / (to - from) } else { 0.0 })
+    }
+
+    /// ω̃ in interval `j` at `lambda` of its length: the integral of a linear density.
+    pub(super) fn within(&self, j: usize, lambda: f64) -> f64 {
+        let (p, q) = (self.density[j], self.density[j + 1]);
+        let share = if p + q > 0.0 { lambda * (2.0 * p + (q - p) * lambda) / (p + q) } else { lambda };
+        self.cumulative[j] + (self.cumulative[j + 1] - self.cumulative[j]) * share.clamp(0.0, 1.0)
+    }
+
     /// The knot of boundary vertex `k`, in `1 ..= m`.
     pub(super) fn knot_of(&self, k: usize) -> usize {
         let m = self.vertex_count();

@@ -10,22 +10,28 @@
 //! | boundary correspondence | `matching` | section 3.2, C.4, in a form that does not cancel |
 //! | images of the vertices | `extension` | (14) |
 //! | angle distortion | `distortion` | section 5.1 |
+//!
+//! [`Walker`] and [`HitCounts`] show what harmonic measure is: where random walks hit the boundary.
 
 mod buffers;
 mod distortion;
 mod domain;
 mod extension;
+mod hit_counts;
 mod kernel;
 mod map;
 mod matching;
 mod measure;
+mod random_walk;
 mod stencil;
 
 pub use buffers::DomainBuffers;
 pub use distortion::Quality;
 pub use domain::{PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare};
 pub use extension::harmonic_extension;
+pub use hit_counts::HitCounts;
 pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};
 pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, Side};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
+pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};

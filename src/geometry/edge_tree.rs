@@ -1,4 +1,4 @@
-//! Signed distance to a closed chain in O(log k) for usual shapes.
+//! Signed distance to a closed chain, and its nearest point, in O(log k) for usual shapes.
 //!
 //! Boxes over runs of consecutive edges, four to one at each level. A box
 //! wholly to the right of a point settles the parity of its run by the run's
@@ -12,12 +12,29 @@ use super::predicates::orientation;
 const LEAF: usize = 8;
 const FAN: usize = 4;
 
-/// Boxes over the edges of a closed chain.
-#[derive(Debug)]
-pub(super) struct EdgeTree<'a> {
-    points: &'a [DVec2],
+/// Boxes over the edges of a closed chain, borrowed (`&[DVec2]`) or owned (`Vec<DVec2>`).
+#[derive(Debug, Clone)]
+pub struct EdgeTree<P> {
+    points: P,
     /// `levels[0]` bounds runs of [`LEAF`] edges; the last level is one box.
     levels: Vec<Vec<Bounds>>,
+}
+
+/// The point of a closed chain nearest to some other point: `(1 − fraction) v_edge + fraction v_{edge+1}`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearestPoint {
+    /// The edge.
+    pub edge: usize,
+    /// The position on it, in `[0, 1]`.
+    pub fraction: f64,
+    /// The distance to it.
+    pub distance: f64,
+}
+
+/// The nearest edge so far.
+struct Nearest {
+    squared: f64,
+    edge: usize,
 }
 
 #[derive(Clone, Copy)]
@@ -26,10 +43,12 @@ struct Node {
     index: usize,
 }
 
-impl<'a> EdgeTree<'a> {
-    pub fn new(points: &'a [DVec2]) -> Self {
-        let n = points.len();
-        let run = |start: usize| Bounds::of((start..=(start + LEAF).min(n)).map(|k| points[k % n]));
+impl<P: AsRef<[DVec2]>> EdgeTree<P> {
+    /// The tree over the edges `(v_k, v_{k+1})`, cyclic; there must be points. Cost O(k).
+    pub fn new(points: P) -> Self {
+        let chain = points.as_ref();
+        let n = chain.len();
+        let run = |start: usize| Bounds::of((start..=(start + LEAF).min(n)).map(|k| chain[k % n]));
         let mut levels = vec![(0..n).step_by(LEAF).map(run).collect::<Vec<_>>()];
         while let Some(below) = levels.last()
             && below.len() > 1
@@ -40,16 +59,33 @@ impl<'a> EdgeTree<'a> {
         Self { points, levels }
     }
 
+    /// The vertices.
+    pub fn points(&self) -> &[DVec2] {
+        self.points.as_ref()
+    }
+
+    /// The smallest box around the chain.
     pub fn bounds(&self) -> Bounds {
         self.bounds_of(self.root())
     }
 
     /// The distance from `p` to the chain, positive strictly inside, else not positive.
     pub fn signed_distance(&self, p: DVec2) -> f64 {
-        let mut squared = f64::INFINITY;
-        self.nearest(self.root(), p, &mut squared);
-        let distance = squared.sqrt();
+        let distance = self.nearest_edge(p).squared.sqrt();
         if self.winds_around(self.root(), p) { distance } else { -distance }
+    }
+
+    /// The point of the chain nearest to `p`.
+    pub fn nearest_point(&self, p: DVec2) -> NearestPoint {
+        let Nearest { squared, edge } = self.nearest_edge(p);
+        let fraction = nearest_fraction(self.point(edge), self.point(edge + 1), p);
+        NearestPoint { edge, fraction, distance: squared.sqrt() }
+    }
+
+    fn nearest_edge(&self, p: DVec2) -> Nearest {
+        let mut best = Nearest { squared: f64::INFINITY, edge: 0 };
+        self.nearest(self.root(), p, &mut best);
+        best
     }
 
     fn root(&self) -> Node {
@@ -63,23 +99,27 @@ impl<'a> EdgeTree<'a> {
     /// The edges of a node, as indices.
     fn edges(&self, node: Node) -> std::ops::Range<usize> {
         let length = LEAF * FAN.pow(node.level as u32);
-        node.index * length..((node.index + 1) * length).min(self.points.len())
+        node.index * length..((node.index + 1) * length).min(self.points().len())
     }
 
-    fn children(&self, node: Node) -> impl Iterator<Item = Node> + use<> {
+    fn children(&self, node: Node) -> impl Iterator<Item = Node> + use<P> {
         let level = node.level - 1;
         let end = ((node.index + 1) * FAN).min(self.levels[level].len());
         (node.index * FAN..end).map(move |index| Node { level, index })
     }
 
     fn point(&self, k: usize) -> DVec2 {
-        self.points[if k == self.points.len() { 0 } else { k }]
+        let points = self.points();
+        points[if k == points.len() { 0 } else { k }]
     }
 
-    fn nearest(&self, node: Node, p: DVec2, best: &mut f64) {
+    fn nearest(&self, node: Node, p: DVec2, best: &mut Nearest) {
         if node.level == 0 {
-            for k in self.edges(node) {
-                *best = best.min(squared_distance(self.point(k), self.point(k + 1), p));
+            for edge in self.edges(node) {
+                let squared = squared_distance(self.point(edge), self.point(edge + 1), p);
+                if squared < best.squared {
+                    *best = Nearest { squared, edge };
+                }
             }
             return;
         }
@@ -90,7 +130,7 @@ impl<'a> EdgeTree<'a> {
         }
         queue.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
         for (lower_bound, child) in queue {
-            if lower_bound < *best {
+            if lower_bound < best.squared {
                 self.nearest(child, p, best);
             }
         }
@@ -119,9 +159,13 @@ impl<'a> EdgeTree<'a> {
 }
 
 fn squared_distance(a: DVec2, b: DVec2, p: DVec2) -> f64 {
+    (a + nearest_fraction(a, b, p) * (b - a)).distance_squared(p)
+}
+
+/// Where on the segment from `a` to `b` the point nearest to `p` lies.
+fn nearest_fraction(a: DVec2, b: DVec2, p: DVec2) -> f64 {
     let d = b - a;
-    let t = ((p - a).dot(d) / d.length_squared()).clamp(0.0, 1.0);
-    (a + t * d).distance_squared(p)
+    ((p - a).dot(d) / d.length_squared()).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]
@@ -137,7 +181,7 @@ mod tests {
                 (1.0 + 0.6 * (9.0 * t).cos()) * DVec2::from_angle(t)
             })
             .collect();
-        let tree = EdgeTree::new(&points);
+        let tree = EdgeTree::new(points.as_slice());
         for i in -12..=12 {
             for j in -12..=12 {
                 let p = DVec2::new(f64::from(i), f64::from(j)) / 7.0;
@@ -148,6 +192,10 @@ mod tests {
                     .sqrt();
                 let expected = if inside { direct } else { -direct };
                 assert!(direct < 1e-4 || tree.signed_distance(p) == expected, "p = {p}");
+                let nearest = tree.nearest_point(p);
+                let (a, b) = (points[nearest.edge], points[(nearest.edge + 1) % points.len()]);
+                let found = (a + nearest.fraction * (b - a)).distance(p);
+                assert!(nearest.distance == direct && found == direct, "p = {p}: {nearest:?}");
             }
         }
     }

@@ -12,6 +12,7 @@ mod status;
 mod sweep;
 mod validate;
 
+pub use edge_tree::{EdgeTree, NearestPoint};
 pub use error::PolygonError;
 pub use glam::DVec2;
 pub use polygon::{Bounds, SimplePolygon};

@@ -27,7 +27,7 @@ struct Cell {
 }
 
 impl Cell {
-    fn new(center: DVec2, half_width: f64, tree: &EdgeTree) -> Self {
+    fn new(center: DVec2, half_width: f64, tree: &EdgeTree<&[DVec2]>) -> Self {
         Self { center, half_width, distance: tree.signed_distance(center) }
     }
 
@@ -89,7 +89,7 @@ pub(super) fn pole_of_inaccessibility(polygon: &SimplePolygon, tolerance: f64) -
 
 /// Compass search for a greater distance: ends the search of a corridor, where
 /// cells run out, on its middle line.
-fn climb(tree: &EdgeTree, (mut point, mut distance): (DVec2, f64), tolerance: f64) -> DVec2 {
+fn climb(tree: &EdgeTree<&[DVec2]>, (mut point, mut distance): (DVec2, f64), tolerance: f64) -> DVec2 {
     let mut step = 0.25 * distance;
     // Each halving allows a few moves; the bound only guards against crawling.
     for _ in 0..200 {
@@ -108,7 +108,7 @@ fn climb(tree: &EdgeTree, (mut point, mut distance): (DVec2, f64), tolerance: f6
 
 /// A point strictly inside, with its distance: the best middle of a widest
 /// interior interval on a few scan lines.
-fn start(polygon: &SimplePolygon, tree: &EdgeTree) -> (DVec2, f64) {
+fn start(polygon: &SimplePolygon, tree: &EdgeTree<&[DVec2]>) -> (DVec2, f64) {
     let bounds = tree.bounds();
     let evenly = (0..8).map(|k| bounds.min.y + bounds.size().y * (f64::from(k) + 0.5) / 8.0);
     let best = best_middle(polygon, tree, evenly);
@@ -123,7 +123,7 @@ fn start(polygon: &SimplePolygon, tree: &EdgeTree) -> (DVec2, f64) {
     best_middle(polygon, tree, gaps.into_iter().take(64).map(|(_, y)| y))
 }
 
-fn best_middle(polygon: &SimplePolygon, tree: &EdgeTree, heights: impl Iterator<Item = f64>) -> (DVec2, f64) {
+fn best_middle(polygon: &SimplePolygon, tree: &EdgeTree<&[DVec2]>, heights: impl Iterator<Item = f64>) -> (DVec2, f64) {
     let middles = heights.filter_map(|y| widest_middle(polygon, y)).map(|p| (p, tree.signed_distance(p)));
     middles.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((tree.bounds().center(), f64::NEG_INFINITY))
 }
