@@ -49,5 +49,6 @@ fn medians(runs: &[PrepareTimings]) -> PrepareTimings {
         assemble: median(|t| t.assemble),
         order: median(|t| t.order),
         factor: median(|t| t.factor),
+        table: median(|t| t.table),
     }
 }

@@ -24,14 +24,18 @@ mod matching;
 mod measure;
 mod random_walk;
 mod stencil;
+mod table;
 
 pub use buffers::DomainBuffers;
 pub use distortion::Quality;
-pub use domain::{PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare};
+pub use domain::{
+    KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare, prepare_within,
+};
 pub use extension::harmonic_extension;
 pub use hit_counts::HitCounts;
 pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};
 pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, Side};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
+pub use table::{HarmonicTable, TableError};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};

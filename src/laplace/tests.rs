@@ -41,7 +41,7 @@ fn grid(k: u32) -> TriMesh {
 fn factored(mesh: &TriMesh) -> (DirichletLaplacian, Factor) {
     let laplacian = DirichletLaplacian::assemble(mesh).unwrap();
     let ordering = Ordering::minimum_degree(&laplacian).unwrap();
-    let factor = Factor::new(&laplacian, ordering).unwrap();
+    let factor = Factor::new(&laplacian, ordering, u64::MAX).unwrap();
     (laplacian, factor)
 }
 
