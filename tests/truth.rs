@@ -6,8 +6,8 @@
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, KernelScratch, PrepareSettings, PreparedDomain, Side, harmonic_coordinates,
-    prepare,
+    ConformalMap, Constraints, Direction, Extension, KernelScratch, MapSettings, PrepareSettings, PreparedDomain, Side,
+    harmonic_coordinates, prepare,
 };
 use riemap::geometry::{DVec2, SimplePolygon};
 use riemap::laplace::DirichletLaplacian;
@@ -42,7 +42,26 @@ fn v_to_blob(source: PrepareSettings, target: PrepareSettings) -> ConformalMap {
     let constraints =
         Constraints { source_point: V_POINT, target_point: BLOB_CENTRE, source_anchor: 0.0, target_anchor: 0.0 };
     let (source, target) = (domain(Preset::VShape, source), domain(Preset::Blob, target));
-    ConformalMap::new(source, target, &constraints, Direction::Forward).unwrap()
+    ConformalMap::new(source, target, &constraints, Direction::Forward.into()).unwrap()
+}
+
+/// The mappings of the paper's Figure 8.
+const FOUR_MAPPINGS: [MapSettings; 4] = [
+    MapSettings { direction: Direction::Forward, extension: Extension::Harmonic },
+    MapSettings { direction: Direction::Forward, extension: Extension::CauchyGreen },
+    MapSettings { direction: Direction::Backward, extension: Extension::Harmonic },
+    MapSettings { direction: Direction::Backward, extension: Extension::CauchyGreen },
+];
+
+fn complete_map(
+    source: &Arc<PreparedDomain>,
+    target: &Arc<PreparedDomain>,
+    constraints: &Constraints,
+    settings: MapSettings,
+) -> ConformalMap {
+    let mut map = ConformalMap::new(source.clone(), target.clone(), constraints, settings).unwrap();
+    assert!(map.refine(f64::INFINITY) && map.extension_progress() == 1.0);
+    map
 }
 
 /// Maximum and mean distance of the boundary images from the table's.
@@ -111,7 +130,7 @@ fn disk_kernel_and_measure_match_the_closed_form() {
     let anchor = anchor_at(&disk, DVec2::X);
     let constraints =
         Constraints { source_point: x, target_point: DVec2::ZERO, source_anchor: anchor, target_anchor: anchor };
-    let map = ConformalMap::new(disk.clone(), disk.clone(), &constraints, Direction::Forward).unwrap();
+    let map = ConformalMap::new(disk.clone(), disk.clone(), &constraints, Direction::Forward.into()).unwrap();
     let z = riemap::exact::Complex::new(x.x, x.y);
     for (k, p) in disk.samples.points.iter().enumerate() {
         let t = p.to_angle();
@@ -128,7 +147,7 @@ fn anchor_at(domain: &PreparedDomain, p: DVec2) -> f64 {
     domain.samples.fraction_at(domain.samples.nearest(p))
 }
 
-fn figure_7_error(m: u32, direction: Direction) -> f64 {
+fn figure_7_error(m: u32, settings: MapSettings) -> f64 {
     let disk = domain(Preset::Disk, uniform(m));
     let constraints = Constraints {
         source_point: DVec2::new(0.6, 0.2),
@@ -136,10 +155,10 @@ fn figure_7_error(m: u32, direction: Direction) -> f64 {
         source_anchor: anchor_at(&disk, DVec2::X),
         target_anchor: anchor_at(&disk, DVec2::X),
     };
-    let map = ConformalMap::new(disk.clone(), disk, &constraints, direction).unwrap();
+    let map = complete_map(&disk, &disk, &constraints, settings);
     let vertices = &map.mapped_mesh().vertices;
     let error = |(v, w): (&DVec2, &DVec2)| {
-        let (from, to) = match direction {
+        let (from, to) = match settings.direction {
             Direction::Forward => (v, w),
             Direction::Backward => (w, v),
         };
@@ -151,12 +170,12 @@ fn figure_7_error(m: u32, direction: Direction) -> f64 {
 
 #[test]
 fn moebius_map_of_figure_7_converges() {
-    for direction in [Direction::Forward, Direction::Backward] {
-        let errors: Vec<f64> = [50, 100, 200, 400].into_iter().map(|m| figure_7_error(m, direction)).collect();
-        println!("Figure 7, {direction:?}: mean errors {errors:.2?}");
+    for settings in FOUR_MAPPINGS {
+        let errors: Vec<f64> = [50, 100, 200, 400].into_iter().map(|m| figure_7_error(m, settings)).collect();
+        println!("Figure 7, {settings:?}: mean errors {errors:.2?}");
         // inscribed polygons and linear elements: second order, less what the coarsest mesh hides
-        assert!(errors[3] < errors[0] / 8.0, "{direction:?}: {errors:?}");
-        assert!(errors[3] < 2e-3, "{direction:?}: {errors:?}");
+        assert!(errors[3] < errors[0] / 8.0, "{settings:?}: {errors:?}");
+        assert!(errors[3] < 2e-3, "{settings:?}: {errors:?}");
     }
 }
 
@@ -215,7 +234,7 @@ fn identity_map_is_identity() {
     for direction in [Direction::Forward, Direction::Backward] {
         let constraints =
             Constraints { source_point: heart.pole, target_point: heart.pole, source_anchor: 0.3, target_anchor: 0.3 };
-        let map = ConformalMap::new(heart.clone(), heart.clone(), &constraints, direction).unwrap();
+        let map = ConformalMap::new(heart.clone(), heart.clone(), &constraints, direction.into()).unwrap();
         let error = map.images().iter().zip(&heart.mesh.vertices).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
         assert!(error < 1e-7, "{direction:?}: {error:e}");
     }
@@ -228,12 +247,12 @@ fn map_does_not_depend_on_which_matched_pair_anchors_it() {
         (domain(Preset::Star, PrepareSettings::default()), domain(Preset::Blob, PrepareSettings::default()));
     let mut constraints =
         Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
-    let mut map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward).unwrap();
+    let mut map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
     let before = map.images().to_vec();
     let k = source.samples.len() / 3;
     constraints.source_anchor = source.samples.fractions[k];
     constraints.target_anchor = target.samples.fraction_at(map.correspondence().points[k]);
-    map.update(&constraints, Direction::Forward).unwrap();
+    map.update(&constraints, Direction::Forward.into()).unwrap();
     let change = map.images().iter().zip(&before).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
     // the anchor's image inside a target edge is a root of the quadratic: equal up to rounding over ψ
     assert!(change < 1e-6, "the images moved by {change:e}");
@@ -245,8 +264,8 @@ fn there_and_back_is_the_identity_up_to_the_mesh() {
         (domain(Preset::Gingerbread, PrepareSettings::default()), domain(Preset::Heart, PrepareSettings::default()));
     let constraints =
         Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
-    let there = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward).unwrap();
-    let back = ConformalMap::new(source.clone(), target, &constraints, Direction::Backward).unwrap();
+    let there = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
+    let back = ConformalMap::new(source.clone(), target, &constraints, Direction::Backward.into()).unwrap();
     let mut errors: Vec<f64> = Vec::new();
     for v in &source.mesh.vertices[source.samples.len()..] {
         if let Some(z) = there.image_of(*v).and_then(|w| back.image_of(w)) {
@@ -275,7 +294,7 @@ fn measures_of_the_far_arm_stay_positive_and_in_order() {
     };
     let v = map.domain(Side::Source).clone();
     tip.source_point = v.nearest_inside(tip.source_point, 1e-3);
-    let map = ConformalMap::new(v, map.domain(Side::Target).clone(), &tip, Direction::Forward).unwrap();
+    let map = ConformalMap::new(v, map.domain(Side::Target).clone(), &tip, Direction::Forward.into()).unwrap();
     let smallest = map.kernel(Side::Source).iter().copied().fold(f64::INFINITY, f64::min);
     println!("smallest ψ from the tip = {smallest:e}");
     assert!(smallest < 1e-30, "the tip should crowd: {smallest:e}");
@@ -308,7 +327,138 @@ fn coarse_samplings_work() {
             source_anchor: 0.1,
             target_anchor: 0.6,
         };
-        let map = ConformalMap::new(coarse.clone(), coarse, &constraints, Direction::Backward).unwrap();
+        let map = ConformalMap::new(coarse.clone(), coarse, &constraints, Direction::Backward.into()).unwrap();
         assert!(map.images().iter().all(|w| w.is_finite()), "m = {count}");
     }
+}
+
+/// The median and the largest of 95 % of the distances, in extents of the target.
+fn spread(mut distances: Vec<f64>, extent: f64) -> (f64, f64) {
+    distances.sort_by(f64::total_cmp);
+    (distances[distances.len() / 2] / extent, distances[distances.len() * 95 / 100] / extent)
+}
+
+/// Figure 8: at low resolution the four mappings differ, at high resolution they do not.
+#[test]
+fn four_mappings_of_figure_8_agree_at_fine_resolution() {
+    let mut coarse = Vec::new();
+    for (m, largest) in [(150, 0.1), (1200, 4e-3)] {
+        let settings = PrepareSettings {
+            sampling: Sampling::Uniform { count: m, keep_corners: true },
+            sizing: Sizing::Graded(15.0 / f64::from(m)),
+        };
+        let (source, target) = (domain(Preset::Gingerbread, settings), domain(Preset::Blob, settings));
+        let constraints = Constraints {
+            source_point: source.pole,
+            target_point: target.pole,
+            source_anchor: 0.0,
+            target_anchor: 0.0,
+        };
+        let [forward, forward_cauchy, backward, backward_cauchy] =
+            FOUR_MAPPINGS.map(|settings| complete_map(&source, &target, &constraints, settings));
+        let extent = |p: &PreparedDomain| {
+            let far = p.samples.points.iter().map(|v| v.distance(p.samples.points[0])).fold(0.0, f64::max);
+            far
+        };
+        let between = |a: &ConformalMap, b: &ConformalMap, extent| {
+            spread(a.images().iter().zip(b.images()).map(|(v, w)| v.distance(*w)).collect(), extent)
+        };
+        let there_and_back = |there: &ConformalMap, back: &ConformalMap| {
+            let vertices = &source.mesh.vertices[source.samples.len()..];
+            let returned = |v: &DVec2| Some(there.image_of(*v).and_then(|w| back.image_of(w))?.distance(*v));
+            spread(vertices.iter().filter_map(returned).collect(), extent(&source))
+        };
+        let errors = [
+            between(&forward, &forward_cauchy, extent(&target)),
+            between(&backward, &backward_cauchy, extent(&source)),
+            there_and_back(&forward, &backward),
+            there_and_back(&forward_cauchy, &backward_cauchy),
+        ];
+        println!("m = {m}: median and 95 % of |forward f̃ − f̂|, |backward f̃ − f̂|, back after f̃, after f̂: {errors:.1e?}");
+        assert!(errors.iter().all(|e| e.1 < largest), "m = {m}: {errors:?}");
+        if m == 150 {
+            coarse.extend(errors);
+        } else {
+            assert!(errors.iter().zip(&coarse).all(|(fine, coarse)| fine.0 < coarse.0 / 4.0), "{coarse:?}, {errors:?}");
+        }
+    }
+}
+
+/// In chunks or at once, the images are the same; until then those that are not done are harmonic.
+#[test]
+fn refinement_replaces_harmonic_images_by_cauchy_green_ones() {
+    let heart = domain(Preset::Heart, PrepareSettings::default());
+    let disk = domain(Preset::Disk, PrepareSettings::default());
+    let mut constraints = Constraints {
+        source_point: heart.pole,
+        target_point: DVec2::new(0.2, 0.1),
+        source_anchor: 0.0,
+        target_anchor: 0.3,
+    };
+    let [harmonic, complete] =
+        [FOUR_MAPPINGS[0], FOUR_MAPPINGS[1]].map(|s| complete_map(&heart, &disk, &constraints, s));
+    let mut map = ConformalMap::new(heart.clone(), disk.clone(), &constraints, FOUR_MAPPINGS[1]).unwrap();
+    assert_eq!((map.extension_progress(), map.images()), (0.0, harmonic.images()));
+    let (mut steps, mut before) = (0, 0.0);
+    while !map.refine(0.0) {
+        let progress = map.extension_progress();
+        assert!(progress > before && progress < 1.0, "{progress} after {before}");
+        let done = (progress * map.images().len() as f64).round() as usize;
+        assert_eq!(map.images()[..done], complete.images()[..done]);
+        assert_eq!(map.images()[done..], harmonic.images()[done..]);
+        (steps, before) = (steps + 1, progress);
+    }
+    assert!(steps > 2, "{steps} steps");
+    assert_eq!(map.images(), complete.images());
+    assert_eq!(map.correspondence(), harmonic.correspondence());
+    // the same again changes nothing; another point begins again; harmonic is complete at once
+    map.update(&constraints, FOUR_MAPPINGS[1]).unwrap();
+    assert_eq!(map.extension_progress(), 1.0);
+    constraints.target_point = DVec2::new(0.1, 0.1);
+    map.update(&constraints, FOUR_MAPPINGS[1]).unwrap();
+    assert_eq!(map.extension_progress(), 0.0);
+    map.update(&constraints, FOUR_MAPPINGS[0]).unwrap();
+    assert!(map.extension_progress() == 1.0 && map.refine(0.0));
+    let expected = complete_map(&heart, &disk, &constraints, FOUR_MAPPINGS[0]);
+    assert_eq!(map.images(), expected.images());
+}
+
+/// f̂ of the V with the exact boundary images: how much of the error is the extension's, how much the boundary's.
+#[test]
+fn cauchy_green_images_of_the_v_are_no_worse_than_harmonic_ones() {
+    for m in [500, 1000] {
+        let Some(rows) = table(&format!("vshape_to_blob_m{m}.txt")) else { return };
+        let errors = [Extension::Harmonic, Extension::CauchyGreen].map(|extension| {
+            let mut map = v_to_blob(uniform(m), uniform(1000));
+            let constraints = Constraints {
+                source_point: V_POINT,
+                target_point: BLOB_CENTRE,
+                source_anchor: 0.0,
+                target_anchor: 0.0,
+            };
+            map.update(&constraints, MapSettings { direction: Direction::Forward, extension }).unwrap();
+            map.refine(f64::INFINITY);
+            (image_errors(&map, &rows), interior_errors(&map))
+        });
+        println!(
+            "V → blob, m = {m}: harmonic and Cauchy–Green, boundary (max, mean), inside (max, mean): {errors:.2e?}"
+        );
+        let [harmonic, cauchy] = errors.map(|e| e.1.1);
+        assert!(cauchy < 1.5 * harmonic + 1e-4, "m = {m}: mean error inside {cauchy:e}, harmonic {harmonic:e}");
+    }
+}
+
+/// Maximum and mean distance of the interior images from the exact ones: V → disk, turned to x₁ → 0, → blob.
+fn interior_errors(map: &ConformalMap) -> (f64, f64) {
+    use riemap::exact::{Complex, blob, disk, vshape};
+    let exact = |z: DVec2| {
+        let turned = disk::moebius(vshape::to_disk(V_POINT.into()), Complex::ONE, vshape::to_disk(z.into()));
+        DVec2::from(blob::from_disk(turned))
+    };
+    let mesh = map.mapped_mesh();
+    let pairs = mesh.vertices.iter().zip(map.images()).skip(mesh.boundary_count as usize);
+    // in the tips of the V the closed form itself loses its digits
+    let known = pairs.filter(|(z, _)| vshape::to_disk((**z).into()).abs() < 1.0 - 1e-6);
+    let errors: Vec<f64> = known.map(|(z, w)| exact(*z).distance(*w)).collect();
+    (errors.iter().copied().fold(0.0, f64::max), errors.iter().sum::<f64>() / errors.len() as f64)
 }

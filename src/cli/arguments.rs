@@ -63,6 +63,9 @@ pub struct MapArguments {
     /// Which mesh is mapped: the source's, or the target's back into the source.
     #[arg(long, default_value = "backward")]
     pub direction: DirectionArgument,
+    /// How the boundary map is extended into that mesh.
+    #[arg(long, default_value = "harmonic")]
+    pub extension: ExtensionArgument,
     /// Write the map; repeatable; the format follows the extension: json, csv, obj, svg, png.
     #[arg(long, value_name = "FILE")]
     pub out: Vec<PathBuf>,
@@ -116,6 +119,14 @@ pub struct Discretisation {
 pub enum DirectionArgument {
     Forward,
     Backward,
+}
+
+/// How the boundary map is extended.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum ExtensionArgument {
+    Harmonic,
+    CauchyGreen,
 }
 
 /// How the boundary is sampled.

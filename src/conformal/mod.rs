@@ -9,9 +9,11 @@
 //! | harmonic measure ω̃ from y | `measure` | (11), (12) |
 //! | boundary correspondence | `matching` | section 3.2, C.4, in a form that does not cancel |
 //! | images of the vertices | `extension` | (14) |
+//! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
 //! | angle distortion | `distortion` | section 5.1 |
 
 mod buffers;
+mod cauchy_green;
 mod distortion;
 mod domain;
 mod extension;
@@ -19,13 +21,15 @@ mod kernel;
 mod map;
 mod matching;
 mod measure;
+mod refinement;
 mod stencil;
 
 pub use buffers::DomainBuffers;
+pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use distortion::Quality;
 pub use domain::{PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare};
-pub use extension::harmonic_extension;
+pub use extension::{Extension, harmonic_extension};
 pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};
-pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, Side};
+pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, MapSettings, Side};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
