@@ -101,7 +101,7 @@ fn boundary_correspondence_keeps_the_order() {
 /// Σγ = 1 and Σγ_k v_k = z at every vertex of the mesh, the boundary's included, and next to it.
 #[test]
 fn cauchy_green_coordinates_reproduce_the_point() {
-    let mut worst = 0.0_f64;
+    let worst = std::cell::Cell::new(0.0_f64);
     runner(24)
         .run(&(star(), settings()), |(polygon, settings)| {
             let Some(domain) = prepared(&polygon, settings) else { return Ok(()) };
@@ -120,14 +120,14 @@ fn cauchy_green_coordinates_reproduce_the_point() {
                 let times = |g: DVec2, v: DVec2| DVec2::new(g.x * v.x - g.y * v.y, g.x * v.y + g.y * v.x);
                 let point: DVec2 = gamma.iter().zip(boundary).map(|(&g, &v)| times(g, v)).sum();
                 let error = sum.distance(DVec2::X).max(point.distance(z));
-                worst = worst.max(error);
+                worst.set(worst.get().max(error));
                 // up to 4000 terms (the spikes' samples) of size ≤ 4, in coordinates ≤ 1
-                prop_assert!(error < 1e-12, "z = {}: Σγ = {}, Σγv = {}, m = {}", z, sum, point, boundary.len());
+                prop_assert!(error < 1e-13, "z = {}: Σγ = {}, Σγv = {}, m = {}", z, sum, point, boundary.len());
             }
             Ok(())
         })
         .unwrap();
-    println!("worst error {worst:.1e}");
+    println!("worst error {:.1e}", worst.get());
 }
 
 #[test]

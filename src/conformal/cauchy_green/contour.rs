@@ -104,7 +104,9 @@ impl Contour {
                 gamma[(first + k + 1) % m] += half - rest;
             }
         });
-        gamma.iter_mut().for_each(|value| *value = over_two_pi_i(*value));
+        for value in gamma {
+            *value = over_two_pi_i(*value);
+        }
     }
 
     /// Calls `take(first, logs, count)` with L and E of the edges `first … first + count − 1`, in order.

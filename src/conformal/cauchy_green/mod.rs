@@ -33,7 +33,7 @@ use std::sync::Arc;
 pub const STORED_BYTES: usize = if usize::BITS > 32 { 512 << 20 } else { 256 << 20 };
 
 /// Terms (vertex × sample) between two looks at the clock: about 4 ms of building on one
-/// thread, 0.2 ms of applying.
+/// thread, 0.5 ms of applying.
 const CHUNK_TERMS: usize = 1 << 18;
 
 /// Fewer terms than this (about 10 µs) are not worth a task of their own.

@@ -10,8 +10,8 @@ use crate::geometry::DVec2;
 /// Sums side by side: a 256-bit register, or two of 128 bits.
 const LANES: usize = 8;
 
-/// Terms that a lane adds in f32 before it is emptied: their rounding is 16 · 6e-8 of a sixteenth each.
-const RUN: usize = 16;
+/// Terms that a lane adds in f32 before it is emptied: their rounding is random, below 3e-7 of what the lane holds.
+const RUN: usize = 32;
 
 /// m rounded up to whole lanes.
 pub(super) fn padded(m: usize) -> usize {

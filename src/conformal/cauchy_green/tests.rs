@@ -155,7 +155,7 @@ fn holomorphic_functions_are_reproduced_to_second_order() {
     let square = |z: Complex| z.square();
     for (name, f) in [("z²", &square as &dyn Fn(Complex) -> Complex), ("Möbius", &disk::figure_7)] {
         let errors = [100, 200, 400, 800, 1600].map(|m| largest_error(m, f));
-        println!("{name}: {errors:.2e?}");
+        println!("{name}: {errors:?}");
         for pair in errors.windows(2) {
             // linear interpolation of f on edges of length h: h² f''/8
             assert!((3.8..4.2).contains(&(pair[0] / pair[1])), "{name}: {errors:?}");
