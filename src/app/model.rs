@@ -26,6 +26,10 @@ const INSET: f64 = 0.004;
 /// The quality is computed with every update when it takes less than this, else when the drag rests.
 const CHEAP_QUALITY_MS: f64 = 1.0;
 
+/// What a frame spends on an extension that is not complete: half of a frame at 60 Hz. The app
+/// asks for another frame whenever images changed, and so goes on until it is.
+const REFINE_MS: f64 = 8.0;
+
 /// What a refresh changed, for the upload.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Changes {
@@ -158,7 +162,10 @@ impl Model {
             Command::SetOutline { side, outline } => self.want_outline(side, outline, Vec::new()),
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
-            Command::MoveInterior { .. } | Command::MoveAnchor { .. } | Command::SetDirection(_) => {
+            Command::MoveInterior { .. }
+            | Command::MoveAnchor { .. }
+            | Command::SetDirection(_)
+            | Command::SetExtension(_) => {
                 self.session.apply(command);
                 self.points_changed = true;
             }
@@ -228,6 +235,7 @@ impl Model {
             changes.meshes |= self.map.as_ref().is_some_and(|map| map.direction() != self.session.direction);
             changes.images |= self.update();
         }
+        changes.images |= self.refine();
         if changes.images {
             self.generation += 1;
             self.quality_stale = true;
@@ -282,8 +290,11 @@ impl Model {
     fn rebuild(&mut self) -> bool {
         let (Some(source), Some(target)) = (self.domain(Side::Source), self.domain(Side::Target)) else { return false };
         let Some(constraints) = self.constraints() else { return false };
-        match ConformalMap::new(Arc::clone(source), Arc::clone(target), &constraints, self.session.direction) {
-            Ok(map) => {
+        match ConformalMap::new(Arc::clone(source), Arc::clone(target), &constraints, self.session.map_settings()) {
+            Ok(mut map) => {
+                if let Some(old) = self.map.take() {
+                    map.adopt(old);
+                }
                 self.map = Some(map);
                 self.settle(None);
                 true
@@ -298,7 +309,7 @@ impl Model {
     fn update(&mut self) -> bool {
         let Some(constraints) = self.constraints() else { return false };
         let Some(map) = &mut self.map else { return false };
-        match map.update(&constraints, self.session.direction) {
+        match map.update(&constraints, self.session.map_settings()) {
             Ok(()) => {
                 self.settle(None);
                 true
@@ -309,6 +320,16 @@ impl Model {
                 false
             }
         }
+    }
+
+    /// Goes on with an extension that is not complete; whether images changed.
+    fn refine(&mut self) -> bool {
+        let Some(map) = &mut self.map else { return false };
+        let incomplete = map.extension_progress() < 1.0;
+        if incomplete {
+            map.refine(REFINE_MS);
+        }
+        incomplete
     }
 
     fn settle(&mut self, error: Option<MapError>) {
@@ -334,7 +355,9 @@ pub fn mapped_side(direction: Direction) -> Side {
 
 fn side_of(error: &MapError) -> Side {
     match error {
-        MapError::PointOutside { side, .. } | MapError::AnchorNotFinite { side } => *side,
+        MapError::PointOutside { side, .. }
+        | MapError::AnchorNotFinite { side }
+        | MapError::NotConverged { side, .. } => *side,
     }
 }
 

@@ -81,7 +81,7 @@ fn resolution(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     group_heading(ui, &format!("Resolution · {}", words::side(side)));
     let sampling = sampling(ui, old.sampling, there);
     let sizing = sizing(ui, old.sizing);
-    let settings = PrepareSettings { sampling, sizing };
+    let settings = PrepareSettings { sampling, sizing, ..old };
     if settings != old {
         actions.push(Action::Session(Command::SetSettings { side, settings }));
     }

@@ -1,7 +1,7 @@
 //! The panels and the whole app, driven by clicks as a person would.
 
 use super::*;
-use crate::conformal::{Direction, PrepareSettings};
+use crate::conformal::{Direction, Extension, PrepareSettings};
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
 use crate::session::OutlineSpec;
@@ -13,8 +13,10 @@ fn prepared_model() -> Model {
     let mut session = Session::default();
     let sampling = Sampling::Uniform { count: 120, keep_corners: false };
     for side in SIDES {
-        session
-            .apply(Command::SetSettings { side, settings: PrepareSettings { sampling, sizing: Sizing::Graded(0.3) } });
+        session.apply(Command::SetSettings {
+            side,
+            settings: PrepareSettings { sampling, sizing: Sizing::Graded(0.3), ..PrepareSettings::default() },
+        });
     }
     let mut model = Model::new(session);
     finish_preparations(&mut model);
@@ -78,8 +80,11 @@ fn corners_can_be_kept_on_either_side() {
     target.click();
     harness.run();
     drop(harness);
-    let settings =
-        PrepareSettings { sampling: Sampling::Uniform { count: 120, keep_corners: true }, sizing: Sizing::Graded(0.3) };
+    let settings = PrepareSettings {
+        sampling: Sampling::Uniform { count: 120, keep_corners: true },
+        sizing: Sizing::Graded(0.3),
+        ..PrepareSettings::default()
+    };
     assert_eq!(actions, [Action::Session(Command::SetSettings { side: Side::Target, settings })]);
 }
 
@@ -142,6 +147,24 @@ fn swapping_exchanges_the_prepared_domains_without_preparing_again() {
     model.dispatch(Command::Swap, 0.0);
     assert!(model.refresh().meshes && model.is_ready());
     assert!(std::sync::Arc::ptr_eq(&source, model.domain(Side::Target).unwrap()));
+}
+
+#[test]
+fn cauchy_green_images_are_filled_in_frame_by_frame() {
+    let mut model = prepared_model();
+    let harmonic = model.map().unwrap().images().to_vec();
+    model.dispatch(Command::SetExtension(Extension::CauchyGreen), 0.0);
+    let mut frames = 0;
+    while model.refresh().images {
+        frames += 1;
+        assert!(frames < 1000, "the extension never ends");
+    }
+    let map = model.map().unwrap();
+    assert!(frames > 0 && map.extension_progress() == 1.0);
+    assert_ne!(map.images(), harmonic);
+    model.dispatch(Command::SetExtension(Extension::Harmonic), 0.0);
+    assert!(model.refresh().images && !model.refresh().images);
+    assert_eq!(model.map().unwrap().images(), harmonic);
 }
 
 #[test]

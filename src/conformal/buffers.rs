@@ -1,8 +1,8 @@
 //! A prepared domain as flat arrays, so that it crosses a worker boundary by transfer.
 
+use super::HarmonicTable;
 use super::{PrepareTimings, PreparedDomain};
 use crate::geometry::DVec2;
-use super::HarmonicTable;
 use crate::laplace::{Factor, FactorBuffers, Pcg, PcgBuffers, Solver};
 use crate::mesh::{NO_TRIANGLE, RefineReport, TriMesh};
 use crate::outline::BoundarySamples;

@@ -1,7 +1,7 @@
 //! Everything about one domain that does not depend on the constraints.
 
-use crate::geometry::{DVec2, SimplePolygon};
 use super::{HarmonicTable, TableError};
+use crate::geometry::{DVec2, SimplePolygon};
 use crate::laplace::{DirichletLaplacian, LaplaceError, Ordering, RootPaths, Solver, SolverKind};
 use crate::mesh::{MeshError, RefineReport, Sizing, TriMesh, mesh_domain};
 use crate::outline::{BoundarySamples, Sampling, SamplingError, sample};

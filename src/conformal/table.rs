@@ -64,11 +64,7 @@ impl HarmonicTable {
     /// Solves for all coordinates; `progress` is told the per cent that are done. Call [`Self::check`] first.
     ///
     /// Cost: m/8 sweeps of eight lanes.
-    pub fn new(
-        solver: &Solver,
-        coupling: &CsMatI<f64, u32>,
-        progress: &mut dyn FnMut(u8),
-    ) -> Result<Self, TableError> {
+    pub fn new(solver: &Solver, coupling: &CsMatI<f64, u32>, progress: &mut dyn FnMut(u8)) -> Result<Self, TableError> {
         let (n, m) = (solver.len(), coupling.cols());
         let mut values = vec![0.0; n * m];
         let mut block = vec![[0.0; BLOCK]; n];

@@ -31,11 +31,7 @@ pub enum Solver {
 
 impl Solver {
     /// The direct one.
-    pub fn direct(
-        laplacian: &DirichletLaplacian,
-        ordering: Ordering,
-        budget_bytes: u64,
-    ) -> Result<Self, LaplaceError> {
+    pub fn direct(laplacian: &DirichletLaplacian, ordering: Ordering, budget_bytes: u64) -> Result<Self, LaplaceError> {
         Factor::new(laplacian, ordering, budget_bytes).map(Self::Direct)
     }
 

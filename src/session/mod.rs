@@ -3,7 +3,7 @@
 //! The UI emits [`Command`]s; [`Session::apply`] is the only door to a change.
 //! A session is small and plain: it is what links and files carry.
 
-use crate::conformal::{Constraints, Direction, PrepareSettings, Side};
+use crate::conformal::{Constraints, Direction, Extension, MapSettings, PrepareSettings, Side};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
@@ -65,6 +65,8 @@ pub struct Session {
     pub anchor: [f64; 2],
     /// Which mesh is mapped.
     pub direction: Direction,
+    /// How the boundary map is extended into it.
+    pub extension: Extension,
     /// The pattern.
     pub texture: TextureKind,
     /// Cells of the pattern across the source.
@@ -92,6 +94,7 @@ pub enum Command {
         fraction: f64,
     },
     SetDirection(Direction),
+    SetExtension(Extension),
     SetTexture(TextureKind),
     SetTextureScale(f64),
     /// Exchanges source and target.
@@ -108,6 +111,7 @@ impl Default for Session {
         let settings = PrepareSettings {
             sampling: Sampling::Adaptive { target: Some(DEFAULT_SAMPLES) },
             sizing: Sizing::Graded(DEFAULT_GROWTH),
+            ..PrepareSettings::default()
         };
         let domain = |preset| DomainSpec { outline: OutlineSpec::Preset(preset), settings };
         Self {
@@ -117,6 +121,7 @@ impl Default for Session {
             interior: [None, None],
             anchor: [0.0, 0.0],
             direction: Direction::default(),
+            extension: Extension::default(),
             texture: TextureKind::default(),
             texture_scale: 8.0,
         }
@@ -148,6 +153,7 @@ impl Session {
                 }
             }
             Command::SetDirection(direction) => self.direction = direction,
+            Command::SetExtension(extension) => self.extension = extension,
             Command::SetTexture(texture) => self.texture = texture,
             Command::SetTextureScale(scale) => self.texture_scale = scale,
             Command::Swap => {
@@ -166,6 +172,11 @@ impl Session {
             source_anchor: self.anchor[0],
             target_anchor: self.anchor[1],
         }
+    }
+
+    /// How the map is made from the constraints.
+    pub fn map_settings(&self) -> MapSettings {
+        MapSettings { direction: self.direction, extension: self.extension }
     }
 
     fn domain_mut(&mut self, side: Side) -> &mut DomainSpec {

@@ -62,6 +62,7 @@ fn a_session_survives_json() {
     let mut session = Session::default();
     session.apply(Command::SetTexture(TextureKind::Polar));
     session.apply(Command::SetDirection(Direction::Forward));
+    session.apply(Command::SetExtension(Extension::CauchyGreen));
     session.apply(Command::MoveInterior { side: Side::Target, point: DVec2::new(0.1, -1.0 / 3.0) });
     let text = serde_json::to_string(&session).unwrap();
     assert_eq!(serde_json::from_str::<Session>(&text).unwrap(), session, "{text}");
