@@ -13,7 +13,7 @@ use crate::session::Colouring;
 const ANGLE_TOP: f64 = 1.5;
 
 /// Ranges of log₂ of the area's factor, either way.
-const AREA_RANGES: [f64; 6] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
+const AREA_RANGES: [f64; 9] = [1.0, 2.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0];
 /// A range serves while no more than this share of the area lies beyond it, …
 const AREA_BEYOND: f64 = 0.02;
 /// … and is too wide when less than this share lies beyond a smaller one.
@@ -117,17 +117,18 @@ pub fn codes(scale: Option<&ColourScale>, triangles: &[TriangleDistortion], code
 }
 
 fn area_range(triangles: &[TriangleDistortion], before: Option<f64>) -> f64 {
-    let beyond = |range: f64, allowed: f64| {
-        let (mut outside, mut total) = (0.0, 0.0);
-        for triangle in triangles.iter().filter(|t| !t.collapsed) {
-            total += triangle.area;
-            outside += if triangle.area_log2.abs() > range { triangle.area } else { 0.0 };
-        }
-        outside > allowed * total
-    };
-    let smallest = |allowed| AREA_RANGES.into_iter().find(|&range| !beyond(range, allowed)).unwrap_or(32.0);
-    match before {
-        Some(range) if !beyond(range, AREA_BEYOND) => range.min(smallest(AREA_SPARE)),
+    // the area beyond range k − 1 but not beyond range k; last, that beyond all
+    let mut between = [0.0; AREA_RANGES.len() + 1];
+    for triangle in triangles.iter().filter(|t| !t.collapsed) {
+        let size = triangle.area_log2.abs();
+        between[AREA_RANGES.iter().position(|&range| size <= range).unwrap_or(AREA_RANGES.len())] += triangle.area;
+    }
+    let total: f64 = between.iter().sum();
+    let serves = |k: usize, share: f64| between[k + 1..].iter().sum::<f64>() <= share * total;
+    let last = AREA_RANGES.len() - 1;
+    let smallest = |share| AREA_RANGES[(0..last).find(|&k| serves(k, share)).unwrap_or(last)];
+    match before.and_then(|range| AREA_RANGES.iter().position(|&r| r == range)) {
+        Some(k) if serves(k, AREA_BEYOND) => AREA_RANGES[k].min(smallest(AREA_SPARE)),
         _ => smallest(AREA_BEYOND),
     }
 }

@@ -5,16 +5,18 @@
 use super::action::{Action, Actions};
 use super::header::Surroundings;
 use super::theme::Palette;
-use super::view::{DESK_MARGINS, PHONE_MARGINS};
+use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box};
 use super::{PHONE_WIDTH, RiemapApp, SIDES, header, legend, plots, side_panel, status, top_bar, viewport};
 use crate::conformal::Side;
 use crate::session::Command;
-use egui::{Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Event, Frame, Id, Key, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
 
 /// The width of the side panel.
 const PANEL_WIDTH: f32 = 268.0;
 
+/// The viewport that has the legend of the colours.
+const LEGEND_SIDE: Side = Side::Target;
 /// Room for the scroll bar beside the controls.
 const SCROLL_BAR: f32 = 8.0;
 /// The height of the sheet's handle, enough for a thumb.
@@ -27,6 +29,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     let narrow = ui.available_width() < PHONE_WIDTH;
     let mut actions = Actions::new();
     app.plots.begin_frame();
+    keys(app, ui, &mut actions);
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
@@ -39,6 +42,18 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
         dock(app, ui);
     }
     egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow, actions));
+}
+
+/// P opens the plots or closes them, unless a control has the keyboard.
+fn keys(app: &RiemapApp, ui: &Ui, actions: &mut Actions) {
+    let is_p = |event: &Event| {
+        let Event::Key { key, pressed, repeat, modifiers, .. } = event else { return false };
+        *key == Key::P && *pressed && !*repeat && !modifiers.any()
+    };
+    let free = ui.memory(|memory| memory.focused().is_none());
+    if free && ui.input(|input| input.events.iter().any(is_p)) {
+        actions.push(Action::Session(Command::SetPlots(!app.model.session().plots)));
+    }
 }
 
 fn bar_frame(palette: &Palette) -> Frame {
@@ -126,7 +141,11 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     let mut pointed = None;
     for side in SIDES {
         let view = &mut app.views[side as usize];
-        view.place(rects[side as usize], ui.pixels_per_point(), margins, app.model.extent(side));
+        let rect = rects[side as usize];
+        let below =
+            if narrow && side == LEGEND_SIDE && app.cells.scale().is_some() { legend::height(rect, true) } else { 0.0 };
+        let margins = Margins { bottom: margins.bottom + below, ..margins };
+        view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
         let boundary = viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions);
         pointed = pointed.or(boundary.map(|fraction| (side, fraction)));
     }
@@ -156,7 +175,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         if !narrow {
             header::legend(ui, side, view);
         }
-        if let (Some(scale), Side::Target) = (app.cells.scale(), side) {
+        if let Some(scale) = app.cells.scale().filter(|_| side == LEGEND_SIDE) {
             legend::paint(ui, view.rect, scale, narrow);
         }
         if let Some(marked) = app.plots.marked() {

@@ -12,7 +12,11 @@ struct Size {
 }
 
 const DESK: Size = Size { width: 220.0, histogram: 30.0 };
-const PHONE: Size = Size { width: 150.0, histogram: 14.0 };
+const PHONE: Size = Size { width: 170.0, histogram: 18.0 };
+/// While the sheet is open.
+const TINY: Size = Size { width: 170.0, histogram: 2.0 };
+/// A viewport lower than this has room for the tiny one only.
+const TINY_BELOW: f32 = 220.0;
 
 /// The height of the bar.
 const BAR: f32 = 9.0;
@@ -22,10 +26,23 @@ const TICKS: f32 = 15.0;
 /// From the ground's edge to what is on it.
 const PADDING: f32 = 10.0;
 
+/// The height that the legend takes at the bottom of `area`.
+pub fn height(area: Rect, narrow: bool) -> f32 {
+    TITLE + size_in(area, narrow).histogram + BAR + TICKS + PADDING
+}
+
+fn size_in(area: Rect, narrow: bool) -> Size {
+    match narrow {
+        false => DESK,
+        true if area.height() < TINY_BELOW => TINY,
+        true => PHONE,
+    }
+}
+
 /// Paints the legend into the lower right corner of `area`.
 pub fn paint(ui: &Ui, area: Rect, scale: &ColourScale, narrow: bool) {
     let palette = Palette::of(ui.visuals());
-    let size = if narrow { PHONE } else { DESK };
+    let size = size_in(area, narrow);
     let painter = ui.painter_at(area);
     let whole = vec2(size.width, TITLE + size.histogram + BAR + TICKS);
     let corner = area.right_bottom() - vec2(12.0, 10.0) - 2.0 * vec2(PADDING, 0.5 * PADDING) - whole;
@@ -37,7 +54,9 @@ pub fn paint(ui: &Ui, area: Rect, scale: &ColourScale, narrow: bool) {
     );
     let bar = Rect::from_min_size(inner.min + vec2(0.0, TITLE + size.histogram), vec2(size.width, BAR));
     paint_title(&painter, inner, scale, &palette, narrow);
-    paint_histogram(&painter, bar, size.histogram - 3.0, scale, &palette);
+    if size.histogram > 5.0 {
+        paint_histogram(&painter, bar, size.histogram - 3.0, scale, &palette);
+    }
     paint_bar(&painter, bar, scale);
     paint_ticks(&painter, bar, scale, &palette, narrow);
     paint_mean(&painter, bar, size.histogram, scale, &palette);

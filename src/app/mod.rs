@@ -270,23 +270,18 @@ impl eframe::App for RiemapApp {
         layout::show(self, ui);
     }
 
-    /// Tab folds the panels and P the plots, unless a control has the keyboard.
+    /// Tab folds the panels, unless a control has the keyboard.
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
         if context.memory(|memory| memory.focused().is_some()) {
             return;
         }
         input.events.retain(|event| {
-            let egui::Event::Key { key, pressed, repeat, modifiers, .. } = event else { return true };
-            if modifiers.any() || !matches!(key, egui::Key::Tab | egui::Key::P) {
+            let egui::Event::Key { key: egui::Key::Tab, pressed, modifiers, .. } = event else { return true };
+            if modifiers.any() {
                 return true;
             }
-            match key {
-                _ if !*pressed || *repeat => {}
-                egui::Key::P => {
-                    let open = !self.model.session().plots;
-                    self.model.dispatch(Command::SetPlots(open), 0.0);
-                }
-                _ => self.panels_open = !self.panels_open,
+            if *pressed {
+                self.panels_open = !self.panels_open;
             }
             false
         });

@@ -35,9 +35,9 @@ const DIVERGING: [[u8; 3]; 7] =
     [[82, 25, 108], [139, 95, 165], [201, 179, 213], [245, 244, 242], [168, 202, 170], [66, 130, 82], [2, 68, 30]];
 
 /// What a triangle's colour says that is no number: Okabe–Ito's vermillion for
-/// flipped ones, a neutral grey for those whose image is a point.
+/// flipped ones, a dark grey for those whose image is a point.
 const FLIPPED_COLOUR: [u8; 3] = [213, 94, 0];
-const COLLAPSED_COLOUR: [u8; 3] = [128, 128, 128];
+const COLLAPSED_COLOUR: [u8; 3] = [64, 64, 64];
 
 /// How a triangle is coloured: a place in a palette of 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]

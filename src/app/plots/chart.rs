@@ -118,7 +118,8 @@ impl<'a> Chart<'a> {
             Kind::Reparameterisation => format!("{}", self.mapped.other()),
         };
         let axis = axis(AxisHints::new_y(), palette, label).label_spacing(14.0..=20.0).min_thickness(30.0);
-        if self.logarithmic { axis.formatter(|mark, _| power_of_ten(mark.value)) } else { axis }
+        let logarithmic = self.logarithmic;
+        axis.formatter(move |mark, _| if logarithmic { power_of_ten(mark.value) } else { decimal(mark) })
     }
 
     /// From a curve's value to the axis.
@@ -191,16 +192,37 @@ fn axis<'a>(hints: AxisHints<'a>, palette: &Palette, label: String) -> AxisHints
         .tick_label_font(FontId::proportional(10.5))
 }
 
-/// From 0 or the smallest positive value (as its logarithm) to the largest one.
+/// The linear axis of the kernel ends above what this share of the boundary has, times `HEADROOM`:
+/// beside a re-entrant corner ψ grows without bound, and all the rest would lie on the axis.
+const SHOWN_SHARE: f64 = 0.98;
+const HEADROOM: f64 = 1.5;
+
+/// From 0 to what nearly the whole boundary has, or, as logarithms, from the smallest
+/// positive value to the largest one.
 fn kernel_range(curves: &[Curve; 2], logarithmic: bool) -> (f64, f64) {
     let values = || curves.iter().flat_map(|curve| &curve.points).map(|p| p[1]);
     let high = values().fold(f64::MIN_POSITIVE, f64::max);
     if !logarithmic {
-        return (0.0, high);
+        let usual = curves.iter().map(|curve| quantile(&curve.points, SHOWN_SHARE)).fold(0.0, f64::max);
+        return (0.0, high.min((HEADROOM * usual).max(f64::MIN_POSITIVE)));
     }
     let low = values().filter(|&y| y > 0.0).fold(high, f64::min);
     let (low, high) = (low.log10().floor(), high.log10().ceil());
     (low.max(high - MOST_DECADES), high.max(low + 1.0))
+}
+
+/// The value that a curve stays below on `share` of its length.
+fn quantile(points: &[[f64; 2]], share: f64) -> f64 {
+    let mut pieces: Vec<(f64, f64)> =
+        points.windows(2).map(|pair| (pair[0][1].max(pair[1][1]), pair[1][0] - pair[0][0])).collect();
+    pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let total: f64 = pieces.iter().map(|piece| piece.1).sum();
+    let mut sum = 0.0;
+    let reached = |(_, length): &&(f64, f64)| {
+        sum += length;
+        sum >= share * total
+    };
+    pieces.iter().find(reached).map_or(0.0, |piece| piece.0)
 }
 
 fn fifths() -> Vec<GridMark> {
@@ -210,7 +232,7 @@ fn fifths() -> Vec<GridMark> {
 /// Steps of 1, 2 or 5 times a power of ten, three to seven of them.
 fn even_steps(input: &GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;
-    let raw = (high - low) / 5.0;
+    let raw = (high - low) / 6.0;
     let power = 10_f64.powf(raw.log10().floor());
     let step_size = [1.0, 2.0, 5.0, 10.0].map(|k| k * power).into_iter().find(|&step| step >= raw).unwrap_or(raw);
     marks(low.max(0.0), high, step_size)
@@ -225,6 +247,12 @@ fn decades(input: &GridInput) -> Vec<GridMark> {
 fn marks(low: f64, high: f64, step_size: f64) -> Vec<GridMark> {
     let (first, last) = ((low / step_size).ceil() as i64, (high / step_size).floor() as i64);
     (first..=last).map(|k| GridMark { value: k as f64 * step_size, step_size }).collect()
+}
+
+/// As many digits as the step has.
+fn decimal(mark: GridMark) -> String {
+    let digits = (-mark.step_size.log10().floor()).max(0.0) as usize;
+    format!("{:.digits$}", mark.value)
 }
 
 /// "10⁻³".
@@ -251,6 +279,8 @@ mod tests {
     fn the_kernels_axis_holds_both_curves() {
         let curves = [curve(&[0.5, 1.0, 0.0]), curve(&[3.0, 2e-7])];
         assert_eq!(kernel_range(&curves, false), (0.0, 3.0));
+        let flat_with_a_spike: Vec<f64> = (0..1000).map(|k| if k == 500 { 400.0 } else { 2.0 }).collect();
+        assert_eq!(kernel_range(&[curve(&flat_with_a_spike), curve(&[1.0, 1.0])], false), (0.0, 3.0));
         assert_eq!(kernel_range(&curves, true), (-7.0, 1.0));
         let crowded = [curve(&[1e-200, 20.0]), curve(&[1.0])];
         assert_eq!(kernel_range(&crowded, true), (2.0 - MOST_DECADES, 2.0));
@@ -260,8 +290,10 @@ mod tests {
     fn grid_lines_lie_at_round_values() {
         let input = |low, high| GridInput { bounds: (low, high), base_step_size: 0.01 };
         let values = |marks: Vec<GridMark>| marks.iter().map(|mark| mark.value).collect::<Vec<_>>();
-        assert_eq!(values(even_steps(&input(-0.1, 3.3))), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(values(even_steps(&input(-0.1, 3.9))), [0.0, 1.0, 2.0, 3.0]);
         assert_eq!(values(decades(&input(-14.2, 2.1))), [-12.0, -9.0, -6.0, -3.0, 0.0]);
+        assert_eq!(decimal(GridMark { value: 0.4, step_size: 0.2 }), "0.4");
+        assert_eq!(decimal(GridMark { value: 40.0, step_size: 20.0 }), "40");
         assert_eq!((power_of_ten(-12.0), power_of_ten(3.0)), (String::from("10⁻¹²"), String::from("10³")));
     }
 }

@@ -125,7 +125,7 @@ impl Plots {
         ui.spacing_mut().item_spacing.x = 18.0;
         ui.columns_const(|columns: &mut [Ui; KINDS.len()]| {
             for (ui, kind) in columns.iter_mut().zip(&KINDS) {
-                self.show_plot(ui, kind, true);
+                self.show_plot(ui, kind);
             }
         });
     }
@@ -139,15 +139,13 @@ impl Plots {
             self.shown = kind;
         }
         if let Some(kind) = KINDS.iter().find(|kind| kind.value == self.shown) {
-            self.show_plot(ui, kind, true);
+            self.show_plot(ui, kind);
         }
     }
 
-    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<Kind>, titled: bool) {
+    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<Kind>) {
         let marked = self.marked_from_anchor();
-        if titled {
-            self.header(ui, kind, marked);
-        }
+        self.header(ui, kind, marked);
         let Some((_, curves)) = &self.curves else { return };
         let chart = chart::Chart::of(kind.value, curves, ui.visuals().dark_mode, self.logarithmic);
         if let Some((side, x)) = chart.show(ui, marked) {
@@ -181,7 +179,8 @@ impl Plots {
         let tooltip = "A logarithmic axis: shows how deep the kernel falls where the domain is crowded";
         let label = RichText::new("log").small();
         ui.spacing_mut().button_padding = egui::vec2(6.0, 1.0);
-        if ui.selectable_label(self.logarithmic, label).on_hover_text(tooltip).clicked() {
+        let button = egui::Button::selectable(self.logarithmic, label).frame_when_inactive(true);
+        if ui.add(button).on_hover_text(tooltip).clicked() {
             self.logarithmic = !self.logarithmic;
         }
     }
