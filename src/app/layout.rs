@@ -143,7 +143,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
         let view = &mut app.views[side as usize];
         let rect = rects[side as usize];
         let below =
-            if narrow && side == LEGEND_SIDE && app.cells.scale().is_some() { legend::height(rect, true) } else { 0.0 };
+            if narrow && side == LEGEND_SIDE && app.cells.scale().is_some() { legend::height(rect) } else { 0.0 };
         let margins = Margins { bottom: margins.bottom + below, ..margins };
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
         let boundary = viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions);

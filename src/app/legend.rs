@@ -13,8 +13,8 @@ struct Size {
 
 const DESK: Size = Size { width: 220.0, histogram: 30.0 };
 const PHONE: Size = Size { width: 170.0, histogram: 18.0 };
-/// While the sheet is open.
-const TINY: Size = Size { width: 170.0, histogram: 2.0 };
+/// Beside the picture, while the sheet is open.
+const TINY: Size = Size { width: 104.0, histogram: 2.0 };
 /// A viewport lower than this has room for the tiny one only.
 const TINY_BELOW: f32 = 220.0;
 
@@ -26,9 +26,9 @@ const TICKS: f32 = 15.0;
 /// From the ground's edge to what is on it.
 const PADDING: f32 = 10.0;
 
-/// The height that the legend takes at the bottom of `area`.
-pub fn height(area: Rect, narrow: bool) -> f32 {
-    TITLE + size_in(area, narrow).histogram + BAR + TICKS + PADDING
+/// The height that a picture leaves free for the legend at the bottom of a narrow screen's `area`.
+pub fn height(area: Rect) -> f32 {
+    if area.height() < TINY_BELOW { 0.0 } else { TITLE + PHONE.histogram + BAR + TICKS + PADDING }
 }
 
 fn size_in(area: Rect, narrow: bool) -> Size {

@@ -80,11 +80,11 @@ impl Curves {
     }
 
     /// From a fraction of the outline's arc length to the part of it from the anchor.
-    pub fn from_anchor(&self, side: Side, fraction: f64) -> f64 {
+    pub fn along(&self, side: Side, fraction: f64) -> f64 {
         (fraction - self.anchors[side as usize]).rem_euclid(1.0)
     }
 
-    /// The inverse of [`Self::from_anchor`].
+    /// The inverse of [`Self::along`].
     pub fn fraction(&self, side: Side, x: f64) -> f64 {
         (x + self.anchors[side as usize]).rem_euclid(1.0)
     }

@@ -97,7 +97,7 @@ fn partners_have_the_same_measure_and_are_mutual() {
         let back = curves.partner(Side::Target, there);
         assert!((back - x).abs() < 1e-9, "{x} → {there} → {back}");
         let fraction = curves.fraction(Side::Source, x);
-        assert!((curves.from_anchor(Side::Source, fraction) - x).abs() < 1e-12, "{x} at {fraction}");
+        assert!((curves.along(Side::Source, fraction) - x).abs() < 1e-12, "{x} at {fraction}");
     }
 }
 

@@ -63,14 +63,17 @@ pub struct Plots {
     logarithmic: bool,
     /// The one on a phone.
     shown: Kind,
+    /// Where the pointer was in the plots in the last frame, and is in this one: plots
+    /// that are drawn before the one under the pointer are marked too.
     in_plot: Option<BoundaryPlace>,
+    found: Option<BoundaryPlace>,
     in_view: Option<BoundaryPlace>,
 }
 
 impl Plots {
-    /// Forgets where the pointer was in the plots.
+    /// Looks for the pointer in the plots anew.
     pub fn begin_frame(&mut self) {
-        self.in_plot = None;
+        self.in_plot = self.found.take();
     }
 
     /// Takes in where the pointer is on a boundary in a viewport; whether that is new.
@@ -108,13 +111,13 @@ impl Plots {
     }
 
     fn pointed(&self) -> Option<BoundaryPlace> {
-        self.in_plot.or(self.in_view)
+        self.found.or(self.in_plot).or(self.in_view)
     }
 
     /// As [`Self::marked`], from the anchors.
     fn marked_from_anchor(&self) -> Option<[f64; 2]> {
         let (curves, place) = (self.curves()?, self.pointed()?);
-        let x = curves.from_anchor(place.side, place.fraction);
+        let x = curves.along(place.side, place.fraction);
         let there = curves.partner(place.side, x);
         Some(if place.side == Side::Source { [x, there] } else { [there, x] })
     }
@@ -128,6 +131,7 @@ impl Plots {
                 self.show_plot(ui, kind);
             }
         });
+        self.settle(ui);
     }
 
     /// One of them, under a switch.
@@ -141,6 +145,14 @@ impl Plots {
         if let Some(kind) = KINDS.iter().find(|kind| kind.value == self.shown) {
             self.show_plot(ui, kind);
         }
+        self.settle(ui);
+    }
+
+    /// What was drawn before the pointer was found is drawn once more.
+    fn settle(&self, ui: &Ui) {
+        if self.found != self.in_plot {
+            ui.request_repaint();
+        }
     }
 
     fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<Kind>) {
@@ -149,7 +161,7 @@ impl Plots {
         let Some((_, curves)) = &self.curves else { return };
         let chart = chart::Chart::of(kind.value, curves, ui.visuals().dark_mode, self.logarithmic);
         if let Some((side, x)) = chart.show(ui, marked) {
-            self.in_plot = Some(BoundaryPlace { side, fraction: curves.fraction(side, x) });
+            self.found = Some(BoundaryPlace { side, fraction: curves.fraction(side, x) });
         }
     }
 
