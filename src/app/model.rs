@@ -7,7 +7,10 @@
 
 use super::prepare_state::{Preparation, Progress};
 use super::trouble::Remedy;
-use crate::conformal::{ConformalMap, Constraints, Direction, MapError, PreparedDomain, Quality, Side};
+use crate::conformal::{
+    ConformalMap, Constraints, Direction, MapError, PreparedDomain, Quality, Side, TriangleDistortion,
+    triangle_distortions,
+};
 use crate::geometry::DVec2;
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, OutlineSpec, Session};
@@ -46,12 +49,15 @@ pub struct Model {
     sides: [Preparation; 2],
     map: Option<ConformalMap>,
     quality: Option<Quality>,
+    triangles: Vec<TriangleDistortion>,
+    measured: u64,
     quality_ms: f64,
     quality_stale: bool,
     points_changed: bool,
     domains_changed: bool,
     last_good_points: ([Option<DVec2>; 2], [f64; 2]),
     generation: u64,
+    mesh_generation: u64,
     map_error: Option<(Side, String)>,
     refit: [bool; 2],
 }
@@ -66,11 +72,14 @@ impl Model {
             sides,
             map: None,
             quality: None,
+            triangles: Vec::new(),
+            measured: 0,
             quality_ms: 0.0,
             quality_stale: false,
             points_changed: false,
             domains_changed: false,
             generation: 0,
+            mesh_generation: 0,
             map_error: None,
             refit: [true; 2],
         }
@@ -106,9 +115,24 @@ impl Model {
         self.quality
     }
 
+    /// The distortion of every triangle of the mapped mesh, when [`Self::quality`] was measured.
+    pub fn triangles(&self) -> &[TriangleDistortion] {
+        &self.triangles
+    }
+
+    /// The [`Self::generation`] of the map whose [`Self::triangles`] these are.
+    pub fn measured_generation(&self) -> u64 {
+        self.measured
+    }
+
     /// How many times the map has changed.
     pub fn generation(&self) -> u64 {
         self.generation
+    }
+
+    /// How many times another mesh was mapped.
+    pub fn mesh_generation(&self) -> u64 {
+        self.mesh_generation
     }
 
     /// What the map said about a constraint that it could not take.
@@ -169,7 +193,11 @@ impl Model {
                 self.session.apply(command);
                 self.points_changed = true;
             }
-            Command::SetTexture(_) | Command::SetTextureScale(_) => self.session.apply(command),
+            Command::SetTexture(_)
+            | Command::SetTextureScale(_)
+            | Command::SetColouring(_)
+            | Command::SetWireframe(_)
+            | Command::SetPlots(_) => self.session.apply(command),
         }
     }
 
@@ -238,8 +266,10 @@ impl Model {
         changes.images |= self.refine();
         if changes.images {
             self.generation += 1;
+            self.mesh_generation += u64::from(changes.meshes);
             self.quality_stale = true;
-            if self.quality.is_none() || self.quality_ms < CHEAP_QUALITY_MS {
+            // Another mesh has other triangles: the old ones' distortions fit nothing any more.
+            if changes.meshes || self.quality_ms < CHEAP_QUALITY_MS {
                 self.measure();
             }
         }
@@ -251,10 +281,15 @@ impl Model {
         self.quality_stale
     }
 
-    /// Measures the map's angle distortion.
+    /// Measures the map's distortion.
     pub fn measure(&mut self) {
         let start = Instant::now();
-        self.quality = self.map.as_ref().map(ConformalMap::quality);
+        self.triangles.clear();
+        self.quality = self.map.as_ref().map(|map| {
+            triangle_distortions(map.mapped_mesh(), map.images(), &mut self.triangles);
+            Quality::summary(&self.triangles)
+        });
+        self.measured = self.generation;
         self.quality_ms = start.elapsed().as_secs_f64() * 1e3;
         self.quality_stale = false;
     }

@@ -10,7 +10,7 @@
 //! | boundary correspondence | `matching` | section 3.2, C.4, in a form that does not cancel |
 //! | images of the vertices | `extension` | (14) |
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
-//! | angle distortion | `distortion` | section 5.1 |
+//! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
 //!
 //! [`Walker`] and [`HitCounts`] show what harmonic measure is: where random walks hit the boundary.
 
@@ -19,6 +19,7 @@ mod cauchy_green;
 mod distortion;
 mod domain;
 mod extension;
+mod histogram;
 mod hit_counts;
 mod kernel;
 mod map;
@@ -31,11 +32,12 @@ mod table;
 
 pub use buffers::DomainBuffers;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
-pub use distortion::Quality;
+pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
 pub use domain::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare, prepare_within,
 };
 pub use extension::{Extension, harmonic_extension};
+pub use histogram::Histogram;
 pub use hit_counts::HitCounts;
 pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};
 pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, MapSettings, Side};

@@ -47,6 +47,19 @@ pub enum TextureKind {
     Image,
 }
 
+/// What the meshes are painted with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Colouring {
+    /// The pattern that the map carries.
+    #[default]
+    Texture,
+    /// The angle distortion Q = σ₁/σ₂ of every triangle.
+    Angle,
+    /// The area distortion log₂(σ₁σ₂) of every triangle.
+    Area,
+}
+
 /// The state of the app that a link or a file carries.
 ///
 /// `interior` and `anchor` are `None` until they are set: the pole of
@@ -71,6 +84,15 @@ pub struct Session {
     pub texture: TextureKind,
     /// Cells of the pattern across the source.
     pub texture_scale: f64,
+    /// What the meshes are painted with.
+    #[serde(default)]
+    pub colouring: Colouring,
+    /// Whether the mapped mesh's edges are drawn, on both sides.
+    #[serde(default)]
+    pub wireframe: bool,
+    /// Whether the plots are open.
+    #[serde(default)]
+    pub plots: bool,
 }
 
 /// A change that a person makes.
@@ -97,6 +119,9 @@ pub enum Command {
     SetExtension(Extension),
     SetTexture(TextureKind),
     SetTextureScale(f64),
+    SetColouring(Colouring),
+    SetWireframe(bool),
+    SetPlots(bool),
     /// Exchanges source and target.
     Swap,
 }
@@ -124,6 +149,9 @@ impl Default for Session {
             extension: Extension::default(),
             texture: TextureKind::default(),
             texture_scale: 8.0,
+            colouring: Colouring::default(),
+            wireframe: false,
+            plots: false,
         }
     }
 }
@@ -156,6 +184,9 @@ impl Session {
             Command::SetExtension(extension) => self.extension = extension,
             Command::SetTexture(texture) => self.texture = texture,
             Command::SetTextureScale(scale) => self.texture_scale = scale,
+            Command::SetColouring(colouring) => self.colouring = colouring,
+            Command::SetWireframe(shown) => self.wireframe = shown,
+            Command::SetPlots(open) => self.plots = open,
             Command::Swap => {
                 std::mem::swap(&mut self.source, &mut self.target);
                 self.interior.swap(0, 1);
