@@ -13,6 +13,7 @@ use crate::conformal::{
     triangle_distortions,
 };
 use crate::geometry::DVec2;
+use crate::laplace::SolverKind;
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, OutlineSpec, Session};
 use crate::worker::{Request, Response};
@@ -61,7 +62,8 @@ pub struct Model {
     sides: [Preparation; 2],
     map: Option<ConformalMap>,
     draft: Draft,
-    update_ms: f64,
+    /// How many updates in a row were too slow for a drag.
+    slow_updates: u32,
     pub(super) slow_update_ms: f64,
     quality: Option<Quality>,
     triangles: Vec<TriangleDistortion>,
@@ -87,7 +89,7 @@ impl Model {
             sides,
             map: None,
             draft: Draft::default(),
-            update_ms: 0.0,
+            slow_updates: 0,
             slow_update_ms: SLOW_UPDATE_MS,
             quality: None,
             triangles: Vec::new(),
@@ -286,7 +288,7 @@ impl Model {
         }
         if std::mem::take(&mut self.points_changed) {
             let full = self.draft.map().is_none();
-            if dragging && self.update_ms > self.slow_update_ms && self.follow_coarsely() {
+            if dragging && self.is_slow() && self.follow_coarsely() {
                 (changes.meshes, changes.images) = (full, true);
             } else {
                 changes |= self.update();
@@ -355,6 +357,18 @@ impl Model {
         }
     }
 
+    fn note_duration(&mut self, start: Instant) {
+        let slow = start.elapsed().as_secs_f64() * 1e3 > self.slow_update_ms;
+        self.slow_updates = if slow { self.slow_updates + 1 } else { 0 };
+    }
+
+    /// Whether the full map is too slow for a drag. One slow update says so of the iterative
+    /// solver only: a browser compiles what it runs for the first time.
+    fn is_slow(&self) -> bool {
+        let is_iterative = |side| self.domain(side).is_some_and(|domain| domain.solver.kind() == SolverKind::Pcg);
+        self.slow_updates > u32::from(!SIDES.into_iter().any(is_iterative))
+    }
+
     /// Lets the coarse map follow the points; whether it could.
     fn follow_coarsely(&mut self) -> bool {
         let Some(constraints) = self.constraints() else { return false };
@@ -368,7 +382,7 @@ impl Model {
         let (source, target) = (Arc::clone(source), Arc::clone(target));
         let start = Instant::now();
         let map = ConformalMap::new(source, target, &constraints, self.session.map_settings());
-        self.update_ms = start.elapsed().as_secs_f64() * 1e3;
+        self.note_duration(start);
         match map {
             Ok(mut map) => {
                 if let Some(old) = self.map.take() {
@@ -391,7 +405,7 @@ impl Model {
         let meshes = self.draft.retire() || map.direction() != self.session.direction;
         let start = Instant::now();
         let result = map.update(&constraints, self.session.map_settings());
-        self.update_ms = start.elapsed().as_secs_f64() * 1e3;
+        self.note_duration(start);
         let images = result.is_ok();
         if !images {
             (self.session.interior, self.session.anchor) = self.last_good_points;
