@@ -106,7 +106,7 @@ pub struct Discretisation {
     /// Uniform in arc length, or denser where the outline needs it.
     #[arg(long, default_value = "adaptive")]
     pub sampling: SamplingArgument,
-    /// Makes the outline's corners samples (adaptive sampling always does).
+    /// Makes the outline's corners samples (adaptive sampling does so unless they are more than half of its samples).
     #[arg(long)]
     pub keep_corners: bool,
     /// Triangle size: uniform, or growing by G per distance from the boundary [default: graded].
