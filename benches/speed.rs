@@ -1,21 +1,30 @@
-//! Preparation and frame times, one thread, for the paper's settings and the defaults.
+//! Preparation and frame times, one thread, for the paper's settings and the defaults;
+//! Cauchy–Green per term (vertex × sample), as many threads as `RAYON_NUM_THREADS` says.
 //!
 //! `cargo bench` prints a criterion figure per preset and setting; the targets are
 //! in the README's table.
 
 #![allow(missing_docs, clippy::unwrap_used, reason = "a benchmark")]
 
-use criterion::{Criterion, criterion_group, criterion_main};
-use riemap::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, PreparedDomain, prepare};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use riemap::conformal::{
+    BoundaryValues, CauchyGreen, ConformalMap, Constraints, Contour, MapSettings, PrepareSettings, PreparedDomain,
+    prepare,
+};
 use riemap::geometry::DVec2;
 use riemap::mesh::Sizing;
 use riemap::outline::{Preset, Sampling};
 use std::hint::black_box;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 fn paper(preset: Preset) -> Option<PrepareSettings> {
     let count = preset.paper_samples()?;
-    Some(PrepareSettings { sampling: Sampling::Uniform { count, keep_corners: false }, sizing: Sizing::Uniform })
+    Some(PrepareSettings {
+        sampling: Sampling::Uniform { count, keep_corners: false },
+        sizing: Sizing::Uniform,
+        ..PrepareSettings::default()
+    })
 }
 
 fn preparation(criterion: &mut Criterion) {
@@ -48,12 +57,12 @@ fn frame(criterion: &mut Criterion) {
                 source_anchor: 0.0,
                 target_anchor: 0.0,
             };
-            let mut map = ConformalMap::new(disk.clone(), target.clone(), &at(0.0), Direction::Backward).unwrap();
+            let mut map = ConformalMap::new(disk.clone(), target.clone(), &at(0.0), MapSettings::default()).unwrap();
             let mut step = 0.0;
             group.bench_function(format!("{}/{name}", preset.name()), |bencher| {
                 bencher.iter(|| {
                     step = 1e-3 - step;
-                    map.update(&at(step), Direction::Backward).unwrap();
+                    map.update(&at(step), MapSettings::default()).unwrap();
                 });
             });
         }
@@ -61,9 +70,30 @@ fn frame(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Elements are terms: a thread that maps 1 Gelem/s takes 1 ns a term.
+fn cauchy_green(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("cauchy-green");
+    group.sample_size(10);
+    let domain = prepared(Preset::Heart, PrepareSettings::default());
+    let (m, count) = (domain.samples.len(), domain.mesh.vertices.len());
+    group.throughput(Throughput::Elements((m * count) as u64));
+    let values = BoundaryValues::new(domain.samples.points.iter().map(|v| v.perp()));
+    let mut images = vec![DVec2::ZERO; count];
+    for (name, budget) in [("stored", usize::MAX), ("on-the-fly", 0)] {
+        let mut coordinates = CauchyGreen::new(domain.clone(), budget);
+        coordinates.advance(0, &values, &mut images, &mut |_| ControlFlow::Continue(()));
+        group.bench_function(name, |bencher| bencher.iter(|| coordinates.apply(0..count, &values, &mut images)));
+    }
+    let (contour, mut gamma) = (Contour::new(&domain.samples.points), Vec::new());
+    group.bench_function("coordinates", |bencher| {
+        bencher.iter(|| domain.mesh.vertices.iter().for_each(|&z| contour.coordinates(black_box(z), &mut gamma)));
+    });
+    group.finish();
+}
+
 fn prepared(preset: Preset, settings: PrepareSettings) -> Arc<PreparedDomain> {
     Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
 }
 
-criterion_group!(benches, preparation, frame);
+criterion_group!(benches, preparation, frame, cauchy_green);
 criterion_main!(benches);

@@ -122,6 +122,37 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
+/// The same document, other images: also of the boundary, where f̂ does not interpolate.
+#[test]
+fn cauchy_green_extension_maps_the_boundary_too() {
+    let folder = folder("cauchy-green");
+    let [harmonic, cauchy] = ["harmonic", "cauchy-green"].map(|extension| {
+        let out = folder.join(format!("{extension}.json")).display().to_string();
+        let arguments =
+            ["map", "preset:star", "preset:disk", "--samples", "300", "--extension", extension, "--out", out.as_str()];
+        let output = riemap(&arguments);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_str::<Value>(&std::fs::read_to_string(&out).unwrap()).unwrap()
+    });
+    let keys = |document: &Value| document.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    assert_eq!(keys(&harmonic), keys(&cauchy));
+    for key in ["vertices", "triangles", "harmonic_measure"] {
+        assert_eq!(harmonic[key], cauchy[key], "{key}");
+    }
+    let images = |document: &Value| -> Vec<[f64; 2]> {
+        let images = document["images"].as_array().unwrap().iter();
+        images.map(|p| [p[0].as_f64().unwrap(), p[1].as_f64().unwrap()]).collect()
+    };
+    let (a, b) = (images(&harmonic), images(&cauchy));
+    let m = cauchy["counts"]["m"].as_u64().unwrap() as usize;
+    let distances: Vec<f64> = a.iter().zip(&b).map(|(p, q)| distance(*p, *q)).collect();
+    let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+    assert!(mean > 1e-7 && mean < 2e-2, "mean difference {mean:e}");
+    let boundary = cauchy["boundary_map"].as_array().unwrap();
+    assert!((0..m).all(|k| boundary[k][2].as_f64() == Some(b[k][0])), "the boundary's images are f̂(v_k)");
+    assert!(distances[..m].iter().any(|&d| d > 1e-6), "f̂ does not interpolate");
+}
+
 #[test]
 fn prepare_prints_counts_and_timings() {
     let output = riemap(&["prepare", "preset:l-shape", "--sampling", "uniform", "--samples", "120", "--json"]);
@@ -169,6 +200,7 @@ fn bad_usage_exits_2() {
     fails(&["map", "preset:disk", "preset:disk", "--out", "map.docx"], 2, &["extension"]);
     fails(&["map", "preset:disk", "preset:disk", "--source-point", "here"], 2, &["X,Y"]);
     fails(&["prepare", "preset:disk", "--sizing", "graded:-1"], 2, &["graded"]);
+    fails(&["map", "preset:disk", "preset:disk", "--extension", "conic"], 2, &["conic", "cauchy-green"]);
     fails(&["prepare", "preset:disk", "--samples", "many"], 2, &["samples"]);
     fails(&["paint"], 2, &["paint"]);
 }

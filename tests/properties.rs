@@ -6,7 +6,9 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use riemap::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, PreparedDomain, Side, prepare};
+use riemap::conformal::{
+    ConformalMap, Constraints, Contour, Direction, PrepareSettings, PreparedDomain, Side, prepare,
+};
 use riemap::geometry::{DVec2, SimplePolygon};
 use riemap::mesh::Sizing;
 use riemap::outline::{BoundarySamples, Sampling};
@@ -33,7 +35,7 @@ fn settings() -> impl Strategy<Value = PrepareSettings> {
         (60_u32..300, any::<bool>()).prop_map(|(count, keep_corners)| Sampling::Uniform { count, keep_corners });
     let sampling = prop_oneof![Just(Sampling::default()), uniform];
     let sizing = prop_oneof![Just(Sizing::default()), Just(Sizing::Uniform), (0.05_f64..0.5).prop_map(Sizing::Graded)];
-    (sampling, sizing).prop_map(|(sampling, sizing)| PrepareSettings { sampling, sizing })
+    (sampling, sizing).prop_map(|(sampling, sizing)| PrepareSettings { sampling, sizing, ..PrepareSettings::default() })
 }
 
 /// A domain, or `None` where uniform samples are too few for the spikes: that is a typed error.
@@ -74,7 +76,7 @@ fn boundary_correspondence_keeps_the_order() {
         let constraints =
             Constraints { source_point: source.pole, target_point: target.pole, source_anchor, target_anchor };
         let direction = if forward { Direction::Forward } else { Direction::Backward };
-        let map = ConformalMap::new(source, target, &constraints, direction).unwrap();
+        let map = ConformalMap::new(source, target, &constraints, direction.into()).unwrap();
         prop_assert!(map.images().iter().all(|w| w.is_finite()));
         for side in Side::BOTH {
             let knots = map.measure(side).at_knots();
@@ -94,6 +96,38 @@ fn boundary_correspondence_keeps_the_order() {
         Ok(())
     });
     result.unwrap();
+}
+
+/// Σγ = 1 and Σγ_k v_k = z at every vertex of the mesh, the boundary's included, and next to it.
+#[test]
+fn cauchy_green_coordinates_reproduce_the_point() {
+    let worst = std::cell::Cell::new(0.0_f64);
+    runner(24)
+        .run(&(star(), settings()), |(polygon, settings)| {
+            let Some(domain) = prepared(&polygon, settings) else { return Ok(()) };
+            let boundary = &domain.samples.points;
+            let (contour, mut gamma) = (Contour::new(boundary), Vec::new());
+            // towards the middle of the domain's triangle at each boundary edge, by 1e-9 of its way
+            let near = domain.mesh.triangles.iter().filter(|t| t.iter().any(|&v| v < domain.mesh.boundary_count));
+            let near = near.flat_map(|t| {
+                let corners = t.map(|v| domain.mesh.vertices[v as usize]);
+                let middle = corners.iter().sum::<DVec2>() / 3.0;
+                corners.map(|corner| corner.lerp(middle, 1e-9))
+            });
+            for z in near.take(400).chain(domain.mesh.vertices.iter().copied().step_by(7)) {
+                contour.coordinates(z, &mut gamma);
+                let sum: DVec2 = gamma.iter().sum();
+                let times = |g: DVec2, v: DVec2| DVec2::new(g.x * v.x - g.y * v.y, g.x * v.y + g.y * v.x);
+                let point: DVec2 = gamma.iter().zip(boundary).map(|(&g, &v)| times(g, v)).sum();
+                let error = sum.distance(DVec2::X).max(point.distance(z));
+                worst.set(worst.get().max(error));
+                // up to 4000 terms (the spikes' samples) of size ≤ 4, in coordinates ≤ 1
+                prop_assert!(error < 1e-13, "z = {}: Σγ = {}, Σγv = {}, m = {}", z, sum, point, boundary.len());
+            }
+            Ok(())
+        })
+        .unwrap();
+    println!("worst error {:.1e}", worst.get());
 }
 
 #[test]

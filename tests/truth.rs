@@ -6,8 +6,8 @@
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, KernelScratch, PrepareSettings, PreparedDomain, Side, harmonic_coordinates,
-    prepare,
+    BoundaryValues, ConformalMap, Constraints, Contour, Direction, Extension, KernelScratch, MapSettings,
+    PrepareSettings, PreparedDomain, Side, harmonic_coordinates, prepare,
 };
 use riemap::geometry::{DVec2, SimplePolygon};
 use riemap::laplace::DirichletLaplacian;
@@ -17,7 +17,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 fn uniform(count: u32) -> PrepareSettings {
-    PrepareSettings { sampling: Sampling::Uniform { count, keep_corners: false }, sizing: Sizing::Uniform }
+    PrepareSettings {
+        sampling: Sampling::Uniform { count, keep_corners: false },
+        sizing: Sizing::Uniform,
+        ..PrepareSettings::default()
+    }
 }
 
 fn domain(preset: Preset, settings: PrepareSettings) -> Arc<PreparedDomain> {
@@ -42,7 +46,26 @@ fn v_to_blob(source: PrepareSettings, target: PrepareSettings) -> ConformalMap {
     let constraints =
         Constraints { source_point: V_POINT, target_point: BLOB_CENTRE, source_anchor: 0.0, target_anchor: 0.0 };
     let (source, target) = (domain(Preset::VShape, source), domain(Preset::Blob, target));
-    ConformalMap::new(source, target, &constraints, Direction::Forward).unwrap()
+    ConformalMap::new(source, target, &constraints, Direction::Forward.into()).unwrap()
+}
+
+/// The mappings of the paper's Figure 8.
+const FOUR_MAPPINGS: [MapSettings; 4] = [
+    MapSettings { direction: Direction::Forward, extension: Extension::Harmonic },
+    MapSettings { direction: Direction::Forward, extension: Extension::CauchyGreen },
+    MapSettings { direction: Direction::Backward, extension: Extension::Harmonic },
+    MapSettings { direction: Direction::Backward, extension: Extension::CauchyGreen },
+];
+
+fn complete_map(
+    source: &Arc<PreparedDomain>,
+    target: &Arc<PreparedDomain>,
+    constraints: &Constraints,
+    settings: MapSettings,
+) -> ConformalMap {
+    let mut map = ConformalMap::new(source.clone(), target.clone(), constraints, settings).unwrap();
+    assert!(map.refine(f64::INFINITY) && map.extension_progress() == 1.0);
+    map
 }
 
 /// Maximum and mean distance of the boundary images from the table's.
@@ -111,7 +134,7 @@ fn disk_kernel_and_measure_match_the_closed_form() {
     let anchor = anchor_at(&disk, DVec2::X);
     let constraints =
         Constraints { source_point: x, target_point: DVec2::ZERO, source_anchor: anchor, target_anchor: anchor };
-    let map = ConformalMap::new(disk.clone(), disk.clone(), &constraints, Direction::Forward).unwrap();
+    let map = ConformalMap::new(disk.clone(), disk.clone(), &constraints, Direction::Forward.into()).unwrap();
     let z = riemap::exact::Complex::new(x.x, x.y);
     for (k, p) in disk.samples.points.iter().enumerate() {
         let t = p.to_angle();
@@ -128,7 +151,7 @@ fn anchor_at(domain: &PreparedDomain, p: DVec2) -> f64 {
     domain.samples.fraction_at(domain.samples.nearest(p))
 }
 
-fn figure_7_error(m: u32, direction: Direction) -> f64 {
+fn figure_7_error(m: u32, settings: MapSettings) -> f64 {
     let disk = domain(Preset::Disk, uniform(m));
     let constraints = Constraints {
         source_point: DVec2::new(0.6, 0.2),
@@ -136,10 +159,10 @@ fn figure_7_error(m: u32, direction: Direction) -> f64 {
         source_anchor: anchor_at(&disk, DVec2::X),
         target_anchor: anchor_at(&disk, DVec2::X),
     };
-    let map = ConformalMap::new(disk.clone(), disk, &constraints, direction).unwrap();
+    let map = complete_map(&disk, &disk, &constraints, settings);
     let vertices = &map.mapped_mesh().vertices;
     let error = |(v, w): (&DVec2, &DVec2)| {
-        let (from, to) = match direction {
+        let (from, to) = match settings.direction {
             Direction::Forward => (v, w),
             Direction::Backward => (w, v),
         };
@@ -151,12 +174,12 @@ fn figure_7_error(m: u32, direction: Direction) -> f64 {
 
 #[test]
 fn moebius_map_of_figure_7_converges() {
-    for direction in [Direction::Forward, Direction::Backward] {
-        let errors: Vec<f64> = [50, 100, 200, 400].into_iter().map(|m| figure_7_error(m, direction)).collect();
-        println!("Figure 7, {direction:?}: mean errors {errors:.2?}");
+    for settings in FOUR_MAPPINGS {
+        let errors: Vec<f64> = [50, 100, 200, 400].into_iter().map(|m| figure_7_error(m, settings)).collect();
+        println!("Figure 7, {settings:?}: mean errors {errors:.6?}");
         // inscribed polygons and linear elements: second order, less what the coarsest mesh hides
-        assert!(errors[3] < errors[0] / 8.0, "{direction:?}: {errors:?}");
-        assert!(errors[3] < 2e-3, "{direction:?}: {errors:?}");
+        assert!(errors[3] < errors[0] / 8.0, "{settings:?}: {errors:?}");
+        assert!(errors[3] < 2e-3, "{settings:?}: {errors:?}");
     }
 }
 
@@ -170,18 +193,18 @@ fn adjoint_kernel_equals_the_dense_table() {
     for (column, coordinates) in laplacian.coupling.outer_iterator().zip(&mut table) {
         let mut x = vec![[0.0]; n];
         for (i, &entry) in column.iter() {
-            x[square.factor.position(i as u32)] = [-entry];
+            x[square.solver.position(i as u32)] = [-entry];
         }
-        square.factor.solve(square.factor.everything(), square.factor.everything(), &mut x);
+        square.solver.solve(square.solver.everything(), square.solver.everything(), &mut x).unwrap();
         for (i, value) in coordinates.iter_mut().enumerate() {
-            *value = x[square.factor.position(i as u32)][0];
+            *value = x[square.solver.position(i as u32)][0];
         }
     }
     let (mut scratch, mut phi) = (KernelScratch::default(), Vec::new());
     for t in 0..square.mesh.triangles.len() as u32 {
         let weights = [0.2, 0.3, 0.5];
         let x = riemap::mesh::BarycentricPoint { triangle: t, weights };
-        harmonic_coordinates(&square, x, &mut scratch, &mut phi);
+        harmonic_coordinates(&square, x, &mut scratch, &mut phi).unwrap();
         for (k, &value) in phi.iter().enumerate() {
             let corner = |v: u32| match (v as usize).checked_sub(m) {
                 Some(i) => table[k][i],
@@ -200,7 +223,7 @@ fn harmonic_coordinates_sum_to_one_and_reproduce_the_point() {
         let prepared = domain(preset, PrepareSettings::default());
         let x = locate(&prepared.mesh, prepared.pole, 0).unwrap();
         let (mut scratch, mut phi) = (KernelScratch::default(), Vec::new());
-        harmonic_coordinates(&prepared, x, &mut scratch, &mut phi);
+        harmonic_coordinates(&prepared, x, &mut scratch, &mut phi).unwrap();
         let sum: f64 = phi.iter().sum();
         let mean: DVec2 = phi.iter().zip(&prepared.samples.points).map(|(&w, &v)| w * v).sum();
         assert!((sum - 1.0).abs() < 1e-11, "{}: Σφ = {sum}", preset.name());
@@ -215,7 +238,7 @@ fn identity_map_is_identity() {
     for direction in [Direction::Forward, Direction::Backward] {
         let constraints =
             Constraints { source_point: heart.pole, target_point: heart.pole, source_anchor: 0.3, target_anchor: 0.3 };
-        let map = ConformalMap::new(heart.clone(), heart.clone(), &constraints, direction).unwrap();
+        let map = ConformalMap::new(heart.clone(), heart.clone(), &constraints, direction.into()).unwrap();
         let error = map.images().iter().zip(&heart.mesh.vertices).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
         assert!(error < 1e-7, "{direction:?}: {error:e}");
     }
@@ -228,12 +251,12 @@ fn map_does_not_depend_on_which_matched_pair_anchors_it() {
         (domain(Preset::Star, PrepareSettings::default()), domain(Preset::Blob, PrepareSettings::default()));
     let mut constraints =
         Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
-    let mut map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward).unwrap();
+    let mut map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
     let before = map.images().to_vec();
     let k = source.samples.len() / 3;
     constraints.source_anchor = source.samples.fractions[k];
     constraints.target_anchor = target.samples.fraction_at(map.correspondence().points[k]);
-    map.update(&constraints, Direction::Forward).unwrap();
+    map.update(&constraints, Direction::Forward.into()).unwrap();
     let change = map.images().iter().zip(&before).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
     // the anchor's image inside a target edge is a root of the quadratic: equal up to rounding over ψ
     assert!(change < 1e-6, "the images moved by {change:e}");
@@ -245,8 +268,8 @@ fn there_and_back_is_the_identity_up_to_the_mesh() {
         (domain(Preset::Gingerbread, PrepareSettings::default()), domain(Preset::Heart, PrepareSettings::default()));
     let constraints =
         Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
-    let there = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward).unwrap();
-    let back = ConformalMap::new(source.clone(), target, &constraints, Direction::Backward).unwrap();
+    let there = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
+    let back = ConformalMap::new(source.clone(), target, &constraints, Direction::Backward.into()).unwrap();
     let mut errors: Vec<f64> = Vec::new();
     for v in &source.mesh.vertices[source.samples.len()..] {
         if let Some(z) = there.image_of(*v).and_then(|w| back.image_of(w)) {
@@ -275,7 +298,7 @@ fn measures_of_the_far_arm_stay_positive_and_in_order() {
     };
     let v = map.domain(Side::Source).clone();
     tip.source_point = v.nearest_inside(tip.source_point, 1e-3);
-    let map = ConformalMap::new(v, map.domain(Side::Target).clone(), &tip, Direction::Forward).unwrap();
+    let map = ConformalMap::new(v, map.domain(Side::Target).clone(), &tip, Direction::Forward.into()).unwrap();
     let smallest = map.kernel(Side::Source).iter().copied().fold(f64::INFINITY, f64::min);
     println!("smallest ψ from the tip = {smallest:e}");
     assert!(smallest < 1e-30, "the tip should crowd: {smallest:e}");
@@ -308,7 +331,126 @@ fn coarse_samplings_work() {
             source_anchor: 0.1,
             target_anchor: 0.6,
         };
-        let map = ConformalMap::new(coarse.clone(), coarse, &constraints, Direction::Backward).unwrap();
+        let map = ConformalMap::new(coarse.clone(), coarse, &constraints, Direction::Backward.into()).unwrap();
         assert!(map.images().iter().all(|w| w.is_finite()), "m = {count}");
     }
+}
+
+/// Median and 95th percentile of distances, as parts of the extent of `samples`.
+fn spread(distances: impl Iterator<Item = f64>, samples: &[DVec2]) -> [f64; 2] {
+    let extent = samples.iter().map(|v| v.distance(samples[0])).fold(0.0, f64::max);
+    let mut distances: Vec<f64> = distances.map(|d| d / extent).collect();
+    distances.sort_by(f64::total_cmp);
+    [distances[distances.len() / 2], distances[distances.len() * 95 / 100]]
+}
+
+/// `[f̃ to f̂ forward, f̃ to f̂ backward, forward and back with f̃, with f̂]` at m samples.
+fn figure_8_differences(m: u32) -> [[f64; 2]; 4] {
+    let sampling = Sampling::Uniform { count: m, keep_corners: true };
+    let settings =
+        PrepareSettings { sampling, sizing: Sizing::Graded(15.0 / f64::from(m)), ..PrepareSettings::default() };
+    let (source, target) = (domain(Preset::Gingerbread, settings), domain(Preset::Blob, settings));
+    let constraints =
+        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
+    let [forward, forward_cauchy, backward, backward_cauchy] =
+        FOUR_MAPPINGS.map(|settings| complete_map(&source, &target, &constraints, settings));
+    let between = |a: &ConformalMap, b: &ConformalMap, samples: &[DVec2]| {
+        spread(a.images().iter().zip(b.images()).map(|(v, w)| v.distance(*w)), samples)
+    };
+    let there_and_back = |there: &ConformalMap, back: &ConformalMap| {
+        let vertices = &source.mesh.vertices[source.samples.len()..];
+        let returned = |v: &DVec2| Some(there.image_of(*v).and_then(|w| back.image_of(w))?.distance(*v));
+        spread(vertices.iter().filter_map(returned), &source.samples.points)
+    };
+    [
+        between(&forward, &forward_cauchy, &target.samples.points),
+        between(&backward, &backward_cauchy, &source.samples.points),
+        there_and_back(&forward, &backward),
+        there_and_back(&forward_cauchy, &backward_cauchy),
+    ]
+}
+
+/// Figure 8: at low resolution the four mappings differ, at high resolution they do not.
+#[test]
+fn four_mappings_of_figure_8_agree_at_fine_resolution() {
+    let (coarse, fine) = (figure_8_differences(150), figure_8_differences(1200));
+    println!("median and 95 % of f̃ − f̂ forward, backward, there and back with f̃, with f̂:\n{coarse:?}\n{fine:?}");
+    for (coarse, fine) in coarse.iter().zip(fine) {
+        // 8 times as fine, first to second order
+        assert!(fine[0] < coarse[0] / 8.0, "{coarse:?}, {fine:?}");
+        assert!(fine[0] < 5e-4, "{fine:?}");
+    }
+    // a thousandth of the extent is a pixel
+    assert!(fine[0][1] < 1e-3 && fine[1][1] < 1e-3, "f̃ − f̂: {fine:?}");
+    // the limbs' tips, whose images are crowded, do not come back well with either extension
+    assert!(fine[3][1] < 1.5 * fine[2][1] && fine[2][1] < 1e-2, "there and back: {fine:?}");
+}
+
+/// In chunks or at once, the images are the same; until then those that are not done are harmonic.
+#[test]
+fn refinement_replaces_harmonic_images_by_cauchy_green_ones() {
+    let heart = domain(Preset::Heart, PrepareSettings::default());
+    let disk = domain(Preset::Disk, PrepareSettings::default());
+    let mut constraints = Constraints {
+        source_point: heart.pole,
+        target_point: DVec2::new(0.2, 0.1),
+        source_anchor: 0.0,
+        target_anchor: 0.3,
+    };
+    let [harmonic, complete] =
+        [FOUR_MAPPINGS[0], FOUR_MAPPINGS[1]].map(|s| complete_map(&heart, &disk, &constraints, s));
+    let mut map = ConformalMap::new(heart.clone(), disk.clone(), &constraints, FOUR_MAPPINGS[1]).unwrap();
+    assert_eq!((map.extension_progress(), map.images()), (0.0, harmonic.images()));
+    let (mut steps, mut before) = (0, 0.0);
+    while !map.refine(0.0) {
+        let progress = map.extension_progress();
+        assert!(progress > before && progress < 1.0, "{progress} after {before}");
+        let done = (progress * map.images().len() as f64).round() as usize;
+        assert_eq!(map.images()[..done], complete.images()[..done]);
+        assert_eq!(map.images()[done..], harmonic.images()[done..]);
+        (steps, before) = (steps + 1, progress);
+    }
+    assert!(steps > 2, "{steps} steps");
+    assert_eq!(map.images(), complete.images());
+    assert_eq!(map.correspondence(), harmonic.correspondence());
+    // the same again changes nothing; another point begins again; harmonic is complete at once
+    map.update(&constraints, FOUR_MAPPINGS[1]).unwrap();
+    assert_eq!(map.extension_progress(), 1.0);
+    constraints.target_point = DVec2::new(0.1, 0.1);
+    map.update(&constraints, FOUR_MAPPINGS[1]).unwrap();
+    assert_eq!(map.extension_progress(), 0.0);
+    map.update(&constraints, FOUR_MAPPINGS[0]).unwrap();
+    assert!(map.extension_progress() == 1.0 && map.refine(0.0));
+    let expected = complete_map(&heart, &disk, &constraints, FOUR_MAPPINGS[0]);
+    assert_eq!(map.images(), expected.images());
+}
+
+/// The map that takes −i to the blob's centre has a closed form all over the V: g, then the blob's g⁻¹.
+///
+/// Mean errors inside with f̃, with f̂, and of f̂ with the exact images of the boundary.
+fn v_from_its_middle(m: u32) -> [f64; 3] {
+    let (v, blob) = (domain(Preset::VShape, uniform(m)), domain(Preset::Blob, uniform(1000)));
+    let constraints =
+        Constraints { source_point: DVec2::NEG_Y, target_point: BLOB_CENTRE, source_anchor: 0.0, target_anchor: 0.0 };
+    let exact = |z: &DVec2| DVec2::from(riemap::exact::blob::from_disk(riemap::exact::vshape::to_disk((*z).into())));
+    let inside = &v.mesh.vertices[v.samples.len()..];
+    let mean = |images: &mut dyn Iterator<Item = DVec2>| {
+        inside.iter().zip(images).map(|(z, w)| exact(z).distance(w)).sum::<f64>() / inside.len() as f64
+    };
+    let [harmonic, cauchy] = [FOUR_MAPPINGS[0], FOUR_MAPPINGS[1]].map(|settings| {
+        let map = complete_map(&v, &blob, &constraints, settings);
+        mean(&mut map.images()[v.samples.len()..].iter().copied())
+    });
+    let (contour, values) = (Contour::new(&v.samples.points), BoundaryValues::new(v.samples.points.iter().map(exact)));
+    [harmonic, cauchy, mean(&mut inside.iter().map(|&z| contour.evaluate(z, &values)))]
+}
+
+#[test]
+fn both_extensions_of_the_v_converge_to_the_closed_form() {
+    let errors = [250, 500, 1000].map(v_from_its_middle);
+    println!("V → blob from −i, inside, m = 250, 500, 1000: f̃, f̂, f̂ of the exact boundary: {errors:?}");
+    let [coarse, _, fine] = errors;
+    assert!((0..3).all(|i| fine[i] < coarse[i] / 4.0), "{errors:?}");
+    // f̂ has no maximum principle: the error of the boundary comes with its Hilbert transform
+    assert!(fine[0] < 1e-3 && fine[1] < 3.0 * fine[0] && fine[2] < fine[1], "{errors:?}");
 }

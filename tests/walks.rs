@@ -26,7 +26,7 @@ fn domain(preset: Preset) -> PreparedDomain {
 fn measure(domain: &PreparedDomain, x: DVec2, anchor: BoundaryPoint) -> HarmonicMeasure {
     let mut psi = Vec::new();
     let located = locate(&domain.mesh, x, 0).unwrap();
-    poisson_kernel(domain, located, &mut KernelScratch::default(), &mut psi);
+    poisson_kernel(domain, located, &mut KernelScratch::default(), &mut psi).unwrap();
     HarmonicMeasure::new(&domain.samples, &psi, anchor)
 }
 

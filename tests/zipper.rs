@@ -131,14 +131,17 @@ fn measure_does_not_depend_on_the_first_sample() {
 }
 
 fn prepared(preset: Preset) -> PreparedDomain {
-    let settings =
-        PrepareSettings { sampling: Sampling::Uniform { count: 800, keep_corners: true }, sizing: Sizing::Graded(0.1) };
+    let settings = PrepareSettings {
+        sampling: Sampling::Uniform { count: 800, keep_corners: true },
+        sizing: Sizing::Graded(0.1),
+        ..PrepareSettings::default()
+    };
     prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap()
 }
 
 fn kernel(domain: &PreparedDomain, x: DVec2) -> Vec<f64> {
     let mut psi = Vec::new();
-    poisson_kernel(domain, locate(&domain.mesh, x, 0).unwrap(), &mut KernelScratch::default(), &mut psi);
+    poisson_kernel(domain, locate(&domain.mesh, x, 0).unwrap(), &mut KernelScratch::default(), &mut psi).unwrap();
     psi
 }
 
@@ -199,6 +202,7 @@ fn precomputed_map_collapses_on_the_v_shape() {
     let settings = PrepareSettings {
         sampling: Sampling::Uniform { count: 1000, keep_corners: false },
         sizing: Sizing::Graded(0.1),
+        ..PrepareSettings::default()
     };
     let v = prepare(&Preset::VShape.outline().polygon, &settings, &mut |_| ()).unwrap();
     let psi = kernel(&v, V_POINT);
@@ -223,7 +227,7 @@ fn correspondence_through_the_disk_is_riemaps() {
     let (source, target) = (Arc::new(prepared(Preset::Heart)), Arc::new(prepared(Preset::Cinquefoil)));
     let (x1, x2) = (source.pole, target.pole);
     let constraints = Constraints { source_point: x1, target_point: x2, source_anchor: 0.123, target_anchor: 0.456 };
-    let map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward).unwrap();
+    let map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
     let (y1, y2) = (source.samples.at_fraction(0.123), target.samples.at_fraction(0.456));
     let measures = [(&source, x1, y1), (&target, x2, y2)];
     let [from, to] = measures.map(|(domain, x, y)| DiskMeasure::fresh(&domain.samples.points, x, y).unwrap());

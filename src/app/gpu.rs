@@ -7,7 +7,10 @@
 
 use super::model::{Changes, Model, SIDES};
 use crate::conformal::{ConformalMap, Direction, PreparedDomain, Side};
-use crate::render::{Camera, ImageError, MeshGeometry, StrokeStyle, TextureStyle, ViewportRenderer};
+use crate::geometry::DVec2;
+use crate::render::{
+    Camera, CellCode, CellStyle, ImageError, MeshGeometry, StrokeStyle, TextureStyle, ViewportRenderer,
+};
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
 
 /// The renderer and its device.
@@ -72,6 +75,31 @@ impl Gpu {
                 renderer.set_boundary_style(side as usize, Some(StrokeStyle::themed(dark, pixels_per_point)));
             }
         });
+    }
+
+    /// Replaces the triangles that one side shows with [`Self::set_cell_style`].
+    pub fn upload_cells(&self, side: Side, positions: &[DVec2], triangles: &[[u32; 3]]) {
+        let RenderState { device, queue, .. } = &self.state;
+        self.with_renderer(|renderer| renderer.set_cells(device, queue, side as usize, positions, triangles));
+    }
+
+    /// Moves the triangles of one side.
+    pub fn move_cells(&self, side: Side, positions: &[DVec2]) {
+        self.with_renderer(|renderer| renderer.set_cell_positions(&self.state.queue, side as usize, positions));
+    }
+
+    /// Colours the triangles on both sides.
+    pub fn colour_cells(&self, codes: &mut Vec<CellCode>) {
+        self.with_renderer(|renderer| {
+            for side in SIDES {
+                renderer.set_cell_codes(&self.state.queue, side as usize, codes);
+            }
+        });
+    }
+
+    /// How the triangles are shown on both sides; `None`: not at all.
+    pub fn set_cell_style(&self, style: Option<CellStyle>) {
+        self.with_renderer(|renderer| SIDES.map(|side| renderer.set_cell_style(side as usize, style)));
     }
 
     fn upload_boundary(&self, side: Side, domain: &PreparedDomain) {

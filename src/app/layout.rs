@@ -1,17 +1,22 @@
 //! How the screen is divided: on a desk bars, panel and two viewports side by
-//! side; on a phone the viewports one above the other and a sheet of controls.
+//! side with the plots below; on a phone the viewports one above the other and a
+//! sheet of controls or plots.
 
 use super::action::{Action, Actions};
 use super::header::Surroundings;
 use super::theme::Palette;
-use super::view::{DESK_MARGINS, PHONE_MARGINS};
+use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box};
-use super::{PHONE_WIDTH, RiemapApp, SIDES, header, side_panel, status, top_bar, viewport};
-use egui::{Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
+use super::{PHONE_WIDTH, RiemapApp, SIDES, header, legend, plots, side_panel, status, top_bar, viewport};
+use crate::conformal::Side;
+use crate::session::Command;
+use egui::{Event, Frame, Id, Key, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
 
 /// The width of the side panel.
 const PANEL_WIDTH: f32 = 268.0;
 
+/// The viewport that has the legend of the colours.
+const LEGEND_SIDE: Side = Side::Target;
 /// Room for the scroll bar beside the controls.
 const SCROLL_BAR: f32 = 8.0;
 /// The height of the sheet's handle, enough for a thumb.
@@ -23,6 +28,8 @@ const SHEET_SHARE: f32 = 0.42;
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     let narrow = ui.available_width() < PHONE_WIDTH;
     let mut actions = Actions::new();
+    app.plots.begin_frame();
+    keys(app, ui, &mut actions);
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
@@ -31,7 +38,22 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
             panel(app, ui, &mut actions);
         }
     }
+    if !narrow && app.model.session().plots {
+        dock(app, ui);
+    }
     egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow, actions));
+}
+
+/// P opens the plots or closes them, unless a control has the keyboard.
+fn keys(app: &RiemapApp, ui: &Ui, actions: &mut Actions) {
+    let is_p = |event: &Event| {
+        let Event::Key { key, pressed, repeat, modifiers, .. } = event else { return false };
+        *key == Key::P && *pressed && !*repeat && !modifiers.any()
+    };
+    let free = ui.memory(|memory| memory.focused().is_none());
+    if free && ui.input(|input| input.events.iter().any(is_p)) {
+        actions.push(Action::Session(Command::SetPlots(!app.model.session().plots)));
+    }
 }
 
 fn bar_frame(palette: &Palette) -> Frame {
@@ -60,18 +82,29 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     });
 }
 
+/// The plots below the viewports; they stay when the panels fold away.
+fn dock(app: &mut RiemapApp, ui: &mut Ui) {
+    let palette = Palette::of(ui.visuals());
+    let frame = Frame::new().fill(palette.panel).inner_margin(Margin { left: 14, right: 14, top: 6, bottom: 4 });
+    Panel::bottom("plots").exact_size(plots::DOCK_HEIGHT).resizable(false).frame(frame).show(ui, |ui| {
+        app.plots.show_row(ui, &app.model);
+    });
+}
+
 fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     let open = ui.ctx().animate_bool(Id::unique("sheet open"), app.sheet_open);
     let height = SHEET_HANDLE + open * SHEET_SHARE * ui.ctx().content_rect().height();
     Panel::bottom("sheet").exact_size(height).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
-        let button = egui::Button::new(RichText::new("Controls").color(palette.text)).frame(false);
-        let response = ui.add_sized(vec2(ui.available_width(), SHEET_HANDLE), button);
-        chevron(ui, response.rect, !app.sheet_open);
-        if response.clicked() {
-            app.sheet_open = !app.sheet_open;
+        let plots = app.model.session().plots;
+        if let Some(asked) = sheet_tabs(ui, app.sheet_open, plots) {
+            app.sheet_open = !(app.sheet_open && asked == plots);
+            actions.push(Action::Session(Command::SetPlots(asked)));
         }
-        if open > 0.0 {
+        if open > 0.0 && plots {
+            ui.take_available_width();
+            app.plots.show_one(ui, &app.model);
+        } else if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
                 side_panel::show(ui, &app.model, app.image_name.as_deref(), actions);
@@ -81,14 +114,44 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     });
 }
 
+/// The sheet's handle, in two halves; returns whether the plots were asked for, or the controls.
+fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
+    let palette = Palette::of(ui.visuals());
+    let mut asked = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.0;
+        let size = vec2(0.5 * ui.available_width(), SHEET_HANDLE);
+        for (label, is_plots) in [("Controls", false), ("Plots", true)] {
+            let shown = open && plots == is_plots;
+            let ink = if open && !shown { palette.weak } else { palette.text };
+            let response = ui.add_sized(size, egui::Button::new(RichText::new(label).color(ink)).frame(false));
+            chevron(ui, response.rect, !shown);
+            if response.clicked() {
+                asked = Some(is_plots);
+            }
+        }
+    });
+    asked
+}
+
 /// Both viewports; here the frame's actions are carried out and the map is updated.
 fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions) {
     let rects = divide(ui.max_rect(), narrow || ui.max_rect().width() < ui.max_rect().height());
     let margins = if narrow { PHONE_MARGINS } else { DESK_MARGINS };
+    let mut pointed = None;
     for side in SIDES {
         let view = &mut app.views[side as usize];
-        view.place(rects[side as usize], ui.pixels_per_point(), margins, app.model.extent(side));
-        viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions);
+        let rect = rects[side as usize];
+        let below =
+            if narrow && side == LEGEND_SIDE && app.cells.scale().is_some() { legend::height(rect) } else { 0.0 };
+        let margins = Margins { bottom: margins.bottom + below, ..margins };
+        view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
+        let boundary = viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions);
+        pointed = pointed.or(boundary.map(|fraction| (side, fraction)));
+    }
+    if app.plots.point_at(pointed) {
+        // The plots were laid out before.
+        ui.request_repaint();
     }
     let context = ui.ctx().clone();
     app.carry_out(&context, std::mem::take(&mut actions));
@@ -111,6 +174,12 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         header::show(ui, side, &app.model, view, around, actions);
         if !narrow {
             header::legend(ui, side, view);
+        }
+        if let Some(scale) = app.cells.scale().filter(|_| side == LEGEND_SIDE) {
+            legend::paint(ui, view.rect, scale, narrow);
+        }
+        if let Some(marked) = app.plots.marked() {
+            viewport::paint_boundary_mark(ui, side, &app.model, view, marked[side as usize]);
         }
         viewport::paint_dots(ui, side, &app.model, view, &app.handles);
         viewport::paint_progress(ui, side, &app.model, view);

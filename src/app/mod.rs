@@ -6,12 +6,16 @@
 //! changed, paint. At rest nothing is computed and nothing drawn.
 
 mod action;
+mod cells;
+mod colouring;
 mod files;
 mod gpu;
 mod handles;
 mod header;
 mod layout;
+mod legend;
 mod model;
+mod plots;
 mod prepare_state;
 mod shapes;
 mod side_panel;
@@ -33,10 +37,12 @@ use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose, Mailbox, Preparer};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{Command, Session, TextureKind};
+use cells::Cells;
 use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;
 use model::SIDES;
+use plots::Plots;
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::mpsc;
@@ -76,6 +82,8 @@ pub struct RiemapApp {
     events: mpsc::Receiver<Event>,
     gpu: Option<Gpu>,
     views: [View; 2],
+    cells: Cells,
+    plots: Plots,
     handles: HandleState,
     meter: FrameMeter,
     panels_open: bool,
@@ -101,6 +109,8 @@ impl RiemapApp {
             events,
             gpu: creation.wgpu_render_state.clone().map(Gpu::new),
             views: [View::default(), View::default()],
+            cells: Cells::default(),
+            plots: Plots::default(),
             handles: HandleState::default(),
             meter: FrameMeter::default(),
             panels_open: true,
@@ -128,7 +138,14 @@ impl RiemapApp {
             y2: place(Side::Target, self.model.anchor(Side::Target)),
         };
         let backend = self.gpu.as_ref().map(Gpu::backend).unwrap_or_default();
-        stats::collect(&self.model, ScreenFacts { backend, handles, errors: self.errors(), notes: self.notes() })
+        let screen = ScreenFacts {
+            backend,
+            handles,
+            errors: self.errors(),
+            notes: self.notes(),
+            marked_boundary: self.plots.marked(),
+        };
+        stats::collect(&self.model, screen)
     }
 
     /// Takes in an outline as if its file had been opened.
@@ -242,6 +259,8 @@ impl RiemapApp {
                 context.request_repaint_after_secs(REST_SECONDS as f32);
             }
         }
+        self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
+        self.plots.update(&self.model);
     }
 
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {

@@ -7,7 +7,10 @@
 
 use super::prepare_state::{Preparation, Progress};
 use super::trouble::Remedy;
-use crate::conformal::{ConformalMap, Constraints, Direction, MapError, PreparedDomain, Quality, Side};
+use crate::conformal::{
+    ConformalMap, Constraints, Direction, MapError, PreparedDomain, Quality, Side, TriangleDistortion,
+    triangle_distortions,
+};
 use crate::geometry::DVec2;
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, OutlineSpec, Session};
@@ -26,6 +29,10 @@ const INSET: f64 = 0.004;
 /// The quality is computed with every update when it takes less than this, else when the drag rests.
 const CHEAP_QUALITY_MS: f64 = 1.0;
 
+/// What a frame spends on an extension that is not complete: half of a frame at 60 Hz. The app
+/// asks for another frame whenever images changed, and so goes on until it is.
+const REFINE_MS: f64 = 8.0;
+
 /// What a refresh changed, for the upload.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Changes {
@@ -42,12 +49,15 @@ pub struct Model {
     sides: [Preparation; 2],
     map: Option<ConformalMap>,
     quality: Option<Quality>,
+    triangles: Vec<TriangleDistortion>,
+    measured: u64,
     quality_ms: f64,
     quality_stale: bool,
     points_changed: bool,
     domains_changed: bool,
     last_good_points: ([Option<DVec2>; 2], [f64; 2]),
     generation: u64,
+    mesh_generation: u64,
     map_error: Option<(Side, String)>,
     refit: [bool; 2],
 }
@@ -62,11 +72,14 @@ impl Model {
             sides,
             map: None,
             quality: None,
+            triangles: Vec::new(),
+            measured: 0,
             quality_ms: 0.0,
             quality_stale: false,
             points_changed: false,
             domains_changed: false,
             generation: 0,
+            mesh_generation: 0,
             map_error: None,
             refit: [true; 2],
         }
@@ -102,9 +115,24 @@ impl Model {
         self.quality
     }
 
+    /// The distortion of every triangle of the mapped mesh, when [`Self::quality`] was measured.
+    pub fn triangles(&self) -> &[TriangleDistortion] {
+        &self.triangles
+    }
+
+    /// The [`Self::generation`] of the map whose [`Self::triangles`] these are.
+    pub fn measured_generation(&self) -> u64 {
+        self.measured
+    }
+
     /// How many times the map has changed.
     pub fn generation(&self) -> u64 {
         self.generation
+    }
+
+    /// How many times another mesh was mapped.
+    pub fn mesh_generation(&self) -> u64 {
+        self.mesh_generation
     }
 
     /// What the map said about a constraint that it could not take.
@@ -158,11 +186,18 @@ impl Model {
             Command::SetOutline { side, outline } => self.want_outline(side, outline, Vec::new()),
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
-            Command::MoveInterior { .. } | Command::MoveAnchor { .. } | Command::SetDirection(_) => {
+            Command::MoveInterior { .. }
+            | Command::MoveAnchor { .. }
+            | Command::SetDirection(_)
+            | Command::SetExtension(_) => {
                 self.session.apply(command);
                 self.points_changed = true;
             }
-            Command::SetTexture(_) | Command::SetTextureScale(_) => self.session.apply(command),
+            Command::SetTexture(_)
+            | Command::SetTextureScale(_)
+            | Command::SetColouring(_)
+            | Command::SetWireframe(_)
+            | Command::SetPlots(_) => self.session.apply(command),
         }
     }
 
@@ -228,10 +263,13 @@ impl Model {
             changes.meshes |= self.map.as_ref().is_some_and(|map| map.direction() != self.session.direction);
             changes.images |= self.update();
         }
+        changes.images |= self.refine();
         if changes.images {
             self.generation += 1;
+            self.mesh_generation += u64::from(changes.meshes);
             self.quality_stale = true;
-            if self.quality.is_none() || self.quality_ms < CHEAP_QUALITY_MS {
+            // Another mesh has other triangles: the old ones' distortions fit nothing any more.
+            if changes.meshes || self.quality_ms < CHEAP_QUALITY_MS {
                 self.measure();
             }
         }
@@ -243,10 +281,15 @@ impl Model {
         self.quality_stale
     }
 
-    /// Measures the map's angle distortion.
+    /// Measures the map's distortion.
     pub fn measure(&mut self) {
         let start = Instant::now();
-        self.quality = self.map.as_ref().map(ConformalMap::quality);
+        self.triangles.clear();
+        self.quality = self.map.as_ref().map(|map| {
+            triangle_distortions(map.mapped_mesh(), map.images(), &mut self.triangles);
+            Quality::summary(&self.triangles)
+        });
+        self.measured = self.generation;
         self.quality_ms = start.elapsed().as_secs_f64() * 1e3;
         self.quality_stale = false;
     }
@@ -282,8 +325,11 @@ impl Model {
     fn rebuild(&mut self) -> bool {
         let (Some(source), Some(target)) = (self.domain(Side::Source), self.domain(Side::Target)) else { return false };
         let Some(constraints) = self.constraints() else { return false };
-        match ConformalMap::new(Arc::clone(source), Arc::clone(target), &constraints, self.session.direction) {
-            Ok(map) => {
+        match ConformalMap::new(Arc::clone(source), Arc::clone(target), &constraints, self.session.map_settings()) {
+            Ok(mut map) => {
+                if let Some(old) = self.map.take() {
+                    map.adopt(old);
+                }
                 self.map = Some(map);
                 self.settle(None);
                 true
@@ -298,7 +344,7 @@ impl Model {
     fn update(&mut self) -> bool {
         let Some(constraints) = self.constraints() else { return false };
         let Some(map) = &mut self.map else { return false };
-        match map.update(&constraints, self.session.direction) {
+        match map.update(&constraints, self.session.map_settings()) {
             Ok(()) => {
                 self.settle(None);
                 true
@@ -309,6 +355,16 @@ impl Model {
                 false
             }
         }
+    }
+
+    /// Goes on with an extension that is not complete; whether images changed.
+    fn refine(&mut self) -> bool {
+        let Some(map) = &mut self.map else { return false };
+        let incomplete = map.extension_progress() < 1.0;
+        if incomplete {
+            map.refine(REFINE_MS);
+        }
+        incomplete
     }
 
     fn settle(&mut self, error: Option<MapError>) {
@@ -334,7 +390,9 @@ pub fn mapped_side(direction: Direction) -> Side {
 
 fn side_of(error: &MapError) -> Side {
     match error {
-        MapError::PointOutside { side, .. } | MapError::AnchorNotFinite { side } => *side,
+        MapError::PointOutside { side, .. }
+        | MapError::AnchorNotFinite { side }
+        | MapError::NotConverged { side, .. } => *side,
     }
 }
 

@@ -1,4 +1,4 @@
-//! The controls: direction of the map, texture, resolution of both sides.
+//! The controls: direction of the map, what is shown, texture, resolution of both sides.
 //!
 //! Everything shown is what is *wanted*; a click becomes an [`Action`].
 
@@ -10,7 +10,7 @@ use super::words;
 use crate::conformal::{Direction, PrepareSettings, Side};
 use crate::mesh::Sizing;
 use crate::outline::Sampling;
-use crate::session::{Command, TextureKind};
+use crate::session::{Colouring, Command, TextureKind};
 use egui::{RichText, Ui};
 
 /// Boundary samples that can be asked for: fewer than 30 make a polygon of any
@@ -31,6 +31,20 @@ const DIRECTIONS: [Segment<Direction>; 2] = [
     },
 ];
 
+const COLOURINGS: [Segment<Colouring>; 3] = [
+    Segment { value: Colouring::Texture, label: "Texture", tooltip: "The pattern that the map carries" },
+    Segment {
+        value: Colouring::Angle,
+        label: "Angle",
+        tooltip: "Angle distortion Q = σ₁/σ₂ of every triangle: 1 where angles are kept",
+    },
+    Segment {
+        value: Colouring::Area,
+        label: "Area",
+        tooltip: "Area distortion log₂(σ₁σ₂) of every triangle, from source to target: +1 is twice the area, −1 half of it",
+    },
+];
+
 const TEXTURES: [Segment<TextureKind>; 4] = [
     Segment { value: TextureKind::Checker, label: "Checker", tooltip: "Squares; angles of 90° stay angles of 90°" },
     Segment { value: TextureKind::Grid, label: "Grid", tooltip: "Lines" },
@@ -44,9 +58,23 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut 
     if let Some(direction) = segmented(ui, &DIRECTIONS, model.session().direction) {
         actions.push(Action::Session(Command::SetDirection(direction)));
     }
+    shown(ui, model, actions);
     texture(ui, model, image_name, actions);
     for side in SIDES {
         ui.push_id(side, |ui| resolution(ui, side, model, actions));
+    }
+}
+
+fn shown(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    let session = model.session();
+    group_heading(ui, "Show");
+    if let Some(colouring) = segmented(ui, &COLOURINGS, session.colouring) {
+        actions.push(Action::Session(Command::SetColouring(colouring)));
+    }
+    let mut wireframe = session.wireframe;
+    let mesh = ui.checkbox(&mut wireframe, "Mesh");
+    if mesh.on_hover_text("The edges of the mapped mesh, and of its image on the other side").changed() {
+        actions.push(Action::Session(Command::SetWireframe(wireframe)));
     }
 }
 
@@ -81,7 +109,7 @@ fn resolution(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     group_heading(ui, &format!("Resolution · {}", words::side(side)));
     let sampling = sampling(ui, old.sampling, there);
     let sizing = sizing(ui, old.sizing);
-    let settings = PrepareSettings { sampling, sizing };
+    let settings = PrepareSettings { sampling, sizing, ..old };
     if settings != old {
         actions.push(Action::Session(Command::SetSettings { side, settings }));
     }

@@ -3,6 +3,7 @@
 use super::model::{Model, SIDES, mapped_side, other};
 use crate::conformal::{ConformalMap, FrameTimings, PrepareTimings, Side};
 use crate::geometry::DVec2;
+use crate::session::Colouring;
 use serde::Serialize;
 
 /// The size of a prepared domain; zeros before there is one.
@@ -58,6 +59,16 @@ pub struct Stats {
     pub errors: Vec<String>,
     /// The notes on the screen.
     pub notes: Vec<String>,
+    /// What the meshes are painted with.
+    pub colouring: Colouring,
+    /// Whether the mapped mesh's edges are drawn.
+    pub wireframe: bool,
+    /// Whether the plots are open.
+    pub plots: bool,
+    /// The [`Self::generation`] of the map whose distortion is shown.
+    pub measured_generation: u64,
+    /// The boundary point under the pointer and its partner: fractions of arc length of source and target.
+    pub marked_boundary: Option<[f64; 2]>,
     /// Where the handles are.
     pub handles: HandlePositions,
     /// The image of the mapped side's interior point under the piecewise linear map.
@@ -79,6 +90,8 @@ pub struct ScreenFacts {
     pub errors: Vec<String>,
     /// The notes.
     pub notes: Vec<String>,
+    /// The boundary point under the pointer and its partner.
+    pub marked_boundary: Option<[f64; 2]>,
 }
 
 /// Collects the record.
@@ -99,6 +112,11 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         frame_ms: model.map().map(ConformalMap::timings).unwrap_or_default(),
         errors: screen.errors,
         notes: screen.notes,
+        colouring: model.session().colouring,
+        wireframe: model.session().wireframe,
+        plots: model.session().plots,
+        measured_generation: model.measured_generation(),
+        marked_boundary: screen.marked_boundary,
         handles: screen.handles,
         image_of_mapped_point: image_of_point(model, mapped),
         expected: model.interior(other(mapped)).map(|point| point.to_array()),

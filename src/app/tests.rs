@@ -1,10 +1,10 @@
 //! The panels and the whole app, driven by clicks as a person would.
 
 use super::*;
-use crate::conformal::{Direction, PrepareSettings};
+use crate::conformal::{Direction, Extension, PrepareSettings};
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
-use crate::session::OutlineSpec;
+use crate::session::{Colouring, OutlineSpec};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
@@ -13,8 +13,10 @@ fn prepared_model() -> Model {
     let mut session = Session::default();
     let sampling = Sampling::Uniform { count: 120, keep_corners: false };
     for side in SIDES {
-        session
-            .apply(Command::SetSettings { side, settings: PrepareSettings { sampling, sizing: Sizing::Graded(0.3) } });
+        session.apply(Command::SetSettings {
+            side,
+            settings: PrepareSettings { sampling, sizing: Sizing::Graded(0.3), ..PrepareSettings::default() },
+        });
     }
     let mut model = Model::new(session);
     finish_preparations(&mut model);
@@ -78,8 +80,11 @@ fn corners_can_be_kept_on_either_side() {
     target.click();
     harness.run();
     drop(harness);
-    let settings =
-        PrepareSettings { sampling: Sampling::Uniform { count: 120, keep_corners: true }, sizing: Sizing::Graded(0.3) };
+    let settings = PrepareSettings {
+        sampling: Sampling::Uniform { count: 120, keep_corners: true },
+        sizing: Sizing::Graded(0.3),
+        ..PrepareSettings::default()
+    };
     assert_eq!(actions, [Action::Session(Command::SetSettings { side: Side::Target, settings })]);
 }
 
@@ -145,6 +150,24 @@ fn swapping_exchanges_the_prepared_domains_without_preparing_again() {
 }
 
 #[test]
+fn cauchy_green_images_are_filled_in_frame_by_frame() {
+    let mut model = prepared_model();
+    let harmonic = model.map().unwrap().images().to_vec();
+    model.dispatch(Command::SetExtension(Extension::CauchyGreen), 0.0);
+    let mut frames = 0;
+    while model.refresh().images {
+        frames += 1;
+        assert!(frames < 1000, "the extension never ends");
+    }
+    let map = model.map().unwrap();
+    assert!(frames > 0 && map.extension_progress() == 1.0);
+    assert_ne!(map.images(), harmonic);
+    model.dispatch(Command::SetExtension(Extension::Harmonic), 0.0);
+    assert!(model.refresh().images && !model.refresh().images);
+    assert_eq!(model.map().unwrap().images(), harmonic);
+}
+
+#[test]
 fn the_mapped_point_goes_to_the_other_sides_point() {
     for direction in [Direction::Forward, Direction::Backward] {
         let mut model = prepared_model();
@@ -158,10 +181,10 @@ fn the_mapped_point_goes_to_the_other_sides_point() {
     }
 }
 
-#[test]
-fn the_app_prepares_shows_and_answers_to_a_drag() {
+/// The app with its first map on the screen.
+fn ready_app(size: [f32; 2]) -> Harness<'static, RiemapApp> {
     let mut harness = Harness::builder()
-        .with_size([1200.0, 800.0])
+        .with_size(size)
         .build_eframe(|creation| RiemapApp::new(creation, Groundwork::start(Session::default())).unwrap());
     for _ in 0..600 {
         harness.step();
@@ -170,8 +193,118 @@ fn the_app_prepares_shows_and_answers_to_a_drag() {
         }
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
+    let stats = harness.state().stats();
+    assert!(stats.ready, "{stats:?}");
+    harness
+}
+
+#[test]
+fn colourings_and_the_mesh_are_one_click_away() {
+    let model = prepared_model();
+    for (label, command) in [
+        ("Angle", Command::SetColouring(Colouring::Angle)),
+        ("Area", Command::SetColouring(Colouring::Area)),
+        ("Mesh", Command::SetWireframe(true)),
+    ] {
+        assert_eq!(click_in_panel(&model, label), [Action::Session(command)]);
+    }
+}
+
+#[test]
+fn distortions_belong_to_the_map_on_the_screen() {
+    let mut model = prepared_model();
+    assert_eq!(model.measured_generation(), model.generation());
+    for direction in [Direction::Forward, Direction::Backward] {
+        model.dispatch(Command::SetDirection(direction), 0.0);
+        model.refresh();
+        assert_eq!(model.triangles().len(), model.map().unwrap().mapped_mesh().triangles.len());
+        assert_eq!(model.measured_generation(), model.generation(), "another mesh is measured at once");
+    }
+    let flipped = model.triangles().iter().filter(|triangle| triangle.flipped).count();
+    assert_eq!(flipped, model.quality().unwrap().flipped as usize);
+}
+
+#[test]
+fn the_key_p_opens_the_plots_and_closes_them() {
+    for size in [[1200.0, 800.0], [390.0, 844.0]] {
+        let mut harness = ready_app(size);
+        assert!(!harness.state().stats().plots && harness.query_by_label("Harmonic measure").is_none());
+        harness.key_press(egui::Key::P);
+        harness.step();
+        assert!(harness.state().stats().plots);
+        if size[0] > PHONE_WIDTH {
+            for title in ["Poisson kernel", "Harmonic measure", "Reparameterisation"] {
+                harness.get_by_label(title);
+            }
+        }
+        harness.key_press(egui::Key::P);
+        harness.step();
+        assert!(!harness.state().stats().plots && harness.query_by_label("Harmonic measure").is_none());
+    }
+}
+
+#[test]
+fn on_a_phone_the_sheet_has_one_plot_at_a_time() {
+    let mut harness = ready_app([390.0, 844.0]);
+    harness.get_by_label("Plots").click();
+    harness.run_steps(40);
+    harness.get_by_label("Poisson kernel");
+    harness.get_by_label("Measure").click();
+    harness.run_steps(4);
+    harness.get_by_label("Harmonic measure");
+    assert!(harness.query_by_label("Poisson kernel").is_none());
+    harness.get_by_label("Controls").click();
+    harness.run_steps(4);
+    assert!(harness.query_by_label("Harmonic measure").is_none() && !harness.state().stats().plots);
+}
+
+#[test]
+fn pointing_at_a_boundary_marks_it_and_its_partner() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    assert_eq!(harness.state().stats().marked_boundary, None);
+    let app = harness.state();
+    let samples = &app.model.domain(Side::Source).unwrap().samples;
+    let place = app.views[Side::Source as usize].to_screen(samples.position(samples.at_fraction(0.31)));
+    harness.hover_at(place);
+    harness.run_steps(3);
+    let [source, target] = harness.state().stats().marked_boundary.unwrap();
+    // A pixel is about 1/3000 of the outline's length.
+    assert!((source - 0.31).abs() < 2e-3, "pointed at 0.31, marked {source}");
+    let map = harness.state().model.map().unwrap();
+    let boundary =
+        |side: Side, fraction| map.domain(side).samples.position(map.domain(side).samples.at_fraction(fraction));
+    // Backward, the target's boundary vertex nearest to the mark goes to the source's mark.
+    let samples = &map.domain(Side::Target).samples;
+    let image = map.images()[samples.at_fraction(target).edge as usize];
+    let error = image.distance(boundary(Side::Source, source));
+    assert!(error < 0.03, "f⁻¹ of the partner is {error} away");
+    harness.hover_at(egui::pos2(600.0, 20.0));
+    harness.run_steps(3);
+    assert_eq!(harness.state().stats().marked_boundary, None);
+}
+
+#[test]
+fn pointing_at_a_plot_marks_the_boundary() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    harness.key_press(egui::Key::P);
+    harness.run_steps(2);
+    let title = harness.get_by_label("Reparameterisation").rect();
+    harness.hover_at(title.center_bottom() + egui::vec2(60.0, 60.0));
+    harness.run_steps(3);
+    let [_, target] = harness.state().stats().marked_boundary.unwrap();
+    assert!(target > 0.05 && target < 0.6, "a third of the way along the axis: {target}");
+    // All three headers have the values at the mark in place of the sides' names.
+    assert!(harness.query_by_label("source").is_none() && harness.query_by_label("target").is_none());
+    harness.hover_at(egui::pos2(600.0, 20.0));
+    harness.run_steps(3);
+    assert_eq!(harness.state().stats().marked_boundary, None);
+    assert_eq!(harness.query_all_by_label("source").count(), 3);
+}
+
+#[test]
+fn the_app_prepares_shows_and_answers_to_a_drag() {
+    let mut harness = ready_app([1200.0, 800.0]);
     let before = harness.state().stats();
-    assert!(before.ready, "{before:?}");
     harness.get_by_label("drag a dot · scroll to zoom · drop a file anywhere");
     let [x, y] = before.handles.x1.unwrap();
     harness.drag_at(egui::pos2(x, y));

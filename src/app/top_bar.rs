@@ -5,7 +5,11 @@ use super::header::PANELS_TOOLTIP;
 use super::model::{Model, SIDES};
 use super::theme::{Palette, ROW_HEIGHT};
 use super::{shapes, theme, words};
+use crate::session::Command;
 use egui::{Align, Layout, Response, RichText, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
+
+/// What opens the plots.
+const PLOTS_TOOLTIP: &str = "Poisson kernel, harmonic measure and reparameterisation along the boundaries (P)";
 
 /// Shows the bar.
 pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
@@ -26,6 +30,16 @@ pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
             }
             if !narrow && ui.button("Panels").on_hover_text(PANELS_TOOLTIP).clicked() {
                 actions.push(Action::TogglePanels);
+            }
+            if !narrow {
+                let open = model.session().plots;
+                if ui
+                    .add(egui::Button::selectable(open, "Plots").frame_when_inactive(true))
+                    .on_hover_text(PLOTS_TOOLTIP)
+                    .clicked()
+                {
+                    actions.push(Action::Session(Command::SetPlots(!open)));
+                }
             }
         });
     });

@@ -9,6 +9,7 @@ use super::action::{Action, Actions};
 use super::gpu::ViewportCallback;
 use super::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, HandleState, hit};
 use super::model::Model;
+use super::plots::Plots;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use super::view::View;
 use super::widgets::caption_font;
@@ -24,7 +25,11 @@ use egui::{
 /// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
 const ZOOM_PER_POINT: f32 = 0.0025;
 
-/// Turns gestures over the viewport into commands and camera moves.
+/// How near the boundary the pointer means it, in points.
+const BOUNDARY_REACH: f32 = 14.0;
+
+/// Turns gestures over the viewport into commands and camera moves. Returns the boundary
+/// point under the pointer, as a fraction of arc length.
 pub fn interact(
     ui: &mut Ui,
     side: Side,
@@ -32,14 +37,29 @@ pub fn interact(
     view: &mut View,
     handles: &mut HandleState,
     actions: &mut Actions,
-) {
+) -> Option<f64> {
     let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
     if pinch(ui, &response, view, handles) {
-        return;
+        return None;
     }
     grab_and_release(ui, &response, side, model, view, handles);
     drag_handle(ui, side, model, view, handles, actions);
     move_camera(ui, &response, view, handles);
+    boundary_under_pointer(&response, side, model, view, handles)
+}
+
+fn boundary_under_pointer(
+    response: &Response,
+    side: Side,
+    model: &Model,
+    view: &View,
+    handles: &HandleState,
+) -> Option<f64> {
+    let pointer = response.hover_pos().filter(|_| handles.grip.is_none() && handles.hovered.is_none())?;
+    let samples = &model.domain(side)?.samples;
+    let nearest = samples.nearest(view.to_world(pointer));
+    let near = view.to_screen(samples.position(nearest)).distance(pointer) <= BOUNDARY_REACH;
+    near.then(|| samples.fraction_at(nearest))
 }
 
 /// Two fingers: pans and zooms, and lets go of what one finger had. Returns whether there are two.
@@ -133,6 +153,17 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Han
             paint_dot(ui, &painter, Handle { side, kind }, point, view, handles);
         }
     }
+}
+
+/// Draws the mark at a fraction of the boundary's arc length.
+pub fn paint_boundary_mark(ui: &Ui, side: Side, model: &Model, view: &View, fraction: f64) {
+    let Some(domain) = model.domain(side) else { return };
+    let samples = &domain.samples;
+    let place = view.to_screen(samples.position(samples.at_fraction(fraction))).round_to_pixels(ui.pixels_per_point());
+    let painter = ui.painter_at(view.rect);
+    painter.circle_filled(place + vec2(0.0, 1.0), 8.0, Color32::from_black_alpha(70));
+    painter.circle_filled(place, 6.5, Color32::WHITE);
+    painter.circle_filled(place, 4.5, Plots::inks(ui.visuals().dark_mode)[side as usize]);
 }
 
 fn paint_dot(ui: &Ui, painter: &egui::Painter, handle: Handle, point: DVec2, view: &View, handles: &HandleState) {

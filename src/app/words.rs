@@ -4,17 +4,22 @@
 use crate::conformal::{PrepareTimings, Side, Stage};
 use crate::outline::Preset;
 use crate::session::OutlineSpec;
+use std::borrow::Cow;
 
 /// How far a preparation is when `stage` begins (from 0 to 1), and what is being done.
-pub fn stage(stage: Option<Stage>) -> (f32, &'static str) {
-    match stage {
+pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
+    if let Some(Stage::Table { percent }) = stage {
+        return (0.85 + 0.15 * f32::from(percent) / 100.0, format!("harmonic coordinates: {percent} %").into());
+    }
+    let (share, words) = match stage {
         None => (0.03, "waiting for the worker…"),
         Some(Stage::Sample) => (0.1, "sampling the boundary…"),
         Some(Stage::Mesh) => (0.25, "triangulating…"),
         Some(Stage::Assemble) => (0.6, "assembling the Laplacian…"),
         Some(Stage::Order) => (0.7, "ordering…"),
-        Some(Stage::Factor) => (0.85, "factoring…"),
-    }
+        Some(Stage::Factor | Stage::Table { .. }) => (0.85, "factoring…"),
+    };
+    (share, words.into())
 }
 
 /// "Source", "Target".
@@ -60,6 +65,7 @@ pub fn timings(timings: &PrepareTimings) -> String {
         ("assemble", timings.assemble),
         ("order", timings.order),
         ("factor", timings.factor),
+        ("table", timings.table),
     ];
     rows.iter().map(|(name, ms)| format!("{name}: {ms:.1} ms")).collect::<Vec<_>>().join("\n")
 }

@@ -1,9 +1,10 @@
 //! What can be said on the command line, and its translation into the core's types.
 
 use super::CliError;
-use crate::conformal::PrepareSettings;
+use crate::conformal::{KernelMode, PrepareSettings};
 use crate::figures::Figure;
 use crate::geometry::DVec2;
+use crate::laplace::SolverKind;
 use crate::mesh::Sizing;
 use crate::outline::{self, BoundarySamples, Outline, Preset, Sampling};
 use std::io::Read as _;
@@ -68,6 +69,9 @@ pub struct MapArguments {
     /// Which mesh is mapped: the source's, or the target's back into the source.
     #[arg(long, default_value = "backward")]
     pub direction: DirectionArgument,
+    /// How the boundary map is extended into that mesh.
+    #[arg(long, default_value = "harmonic")]
+    pub extension: ExtensionArgument,
     /// Write the map; repeatable; the format follows the extension: json, csv, obj, svg, png.
     #[arg(long, value_name = "FILE")]
     pub out: Vec<PathBuf>,
@@ -138,6 +142,28 @@ pub struct Discretisation {
     /// Triangle size: uniform, or growing by G per distance from the boundary [default: graded].
     #[arg(long, value_name = "uniform|graded:G")]
     pub sizing: Option<SizingArgument>,
+    /// How kernels are computed: by one adjoint solve each, or from the paper's table of all harmonic coordinates.
+    #[arg(long, default_value = "adjoint")]
+    pub kernel: KernelArgument,
+    /// How linear systems are solved: by a complete Cholesky factor, or iteratively with an incomplete one.
+    #[arg(long, default_value = "direct")]
+    pub solver: SolverArgument,
+}
+
+/// How kernels are computed.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum KernelArgument {
+    Adjoint,
+    Table,
+}
+
+/// How linear systems are solved.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum SolverArgument {
+    Direct,
+    Pcg,
 }
 
 /// Which mesh is mapped.
@@ -146,6 +172,14 @@ pub struct Discretisation {
 pub enum DirectionArgument {
     Forward,
     Backward,
+}
+
+/// How the boundary map is extended.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum ExtensionArgument {
+    Harmonic,
+    CauchyGreen,
 }
 
 /// How the boundary is sampled.
@@ -301,6 +335,22 @@ impl Discretisation {
             },
             SamplingArgument::Adaptive => Sampling::Adaptive { target: samples },
         };
-        PrepareSettings { sampling, sizing: self.sizing.map_or_else(Sizing::default, |sizing| sizing.0) }
+        PrepareSettings {
+            sampling,
+            sizing: self.sizing.map_or_else(Sizing::default, |sizing| sizing.0),
+            kernel: match self.kernel {
+                KernelArgument::Adjoint => KernelMode::Adjoint,
+                KernelArgument::Table => KernelMode::Table,
+            },
+            solver: self.solver_kind(),
+        }
+    }
+
+    /// The solver that is wanted.
+    pub fn solver_kind(&self) -> SolverKind {
+        match self.solver {
+            SolverArgument::Direct => SolverKind::Direct,
+            SolverArgument::Pcg => SolverKind::Pcg,
+        }
     }
 }

@@ -1,12 +1,12 @@
 //! `riemap map`: prepares both domains, computes the map, writes it.
 
 use super::CliError;
-use super::arguments::{DirectionArgument, MapArguments, NamedOutline, read_outline};
+use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments, NamedOutline, read_outline};
 use super::contours::{self, panels};
-use super::output::{Format, check_paths, print, warn_if_coarse, write_all};
+use super::output::{Format, check_paths, print, say_solver, warn_if_coarse, write_all};
 use super::picture;
 use super::tables::{self, Summary};
-use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side, prepare};
+use crate::conformal::{ConformalMap, Constraints, Direction, Extension, MapSettings, PreparedDomain, Side, prepare};
 use std::sync::Arc;
 
 /// Cells of the drawn patterns across the source's larger side.
@@ -56,11 +56,17 @@ fn compute(arguments: &MapArguments) -> Result<(ConformalMap, Constraints), CliE
         DirectionArgument::Forward => Direction::Forward,
         DirectionArgument::Backward => Direction::Backward,
     };
-    let map = ConformalMap::new(source, target, &constraints, direction)
+    let extension = match arguments.extension {
+        ExtensionArgument::Harmonic => Extension::Harmonic,
+        ExtensionArgument::CauchyGreen => Extension::CauchyGreen,
+    };
+    let mut map = ConformalMap::new(source, target, &constraints, MapSettings { direction, extension })
         .map_err(|error| CliError::Input(error.to_string()))?;
+    map.refine(f64::INFINITY);
     for ((outline, name), side) in outlines.iter().zip([&arguments.source, &arguments.target]).zip(Side::BOTH) {
         outline.say_notes(name);
         warn_if_coarse(name, map.domain(side).refinement);
+        say_solver(name, arguments.discretisation.solver_kind(), &map.domain(side).solver);
     }
     Ok((map, constraints))
 }

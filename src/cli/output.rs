@@ -1,6 +1,7 @@
 //! Writing files whole or not at all.
 
 use super::CliError;
+use crate::laplace::{Solver, SolverKind};
 use crate::mesh::RefineReport;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -94,4 +95,11 @@ fn temporary_name(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_os_string();
     name.push(format!(".{}.part", std::process::id()));
     path.with_file_name(name)
+}
+
+/// Says on stderr if the domain has another solver than the one that was asked for.
+pub fn say_solver(name: &str, wanted: SolverKind, solver: &Solver) {
+    if solver.kind() != wanted {
+        eprintln!("riemap: {name}: the Cholesky factor does not fit into memory: solved iteratively, more slowly");
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::arguments::{PrepareArguments, read_outline};
-use super::output::{print, warn_if_coarse};
+use super::output::{print, say_solver, warn_if_coarse};
 use super::tables::Counts;
 use crate::conformal::{PrepareTimings, prepare};
 
@@ -17,6 +17,7 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
             .map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
         counts = Counts::of(&domain.mesh);
         warn_if_coarse(&arguments.domain, domain.refinement);
+        say_solver(&arguments.domain, settings.solver, &domain.solver);
         runs.push(domain.timings);
     }
     let timings = medians(&runs);
@@ -25,15 +26,16 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
         let report = serde_json::json!({ "counts": counts, "timing_ms": timings, "total_ms": timings.total() });
         return print(&format!("{report:#}"));
     }
-    let PrepareTimings { sample, mesh, assemble, order, factor } = timings;
+    let PrepareTimings { sample, mesh, assemble, order, factor, table } = timings;
     print(&format!(
         "{}: m = {}, n = {}, {} triangles\n\
-         {:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}",
+         {:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}{}",
         named.outline.name,
         counts.m,
         counts.n,
         counts.triangles,
-        timings.total()
+        timings.total(),
+        if table > 0.0 { format!(", table {table:.1}") } else { String::new() },
     ))
 }
 
@@ -49,5 +51,6 @@ fn medians(runs: &[PrepareTimings]) -> PrepareTimings {
         assemble: median(|t| t.assemble),
         order: median(|t| t.order),
         factor: median(|t| t.factor),
+        table: median(|t| t.table),
     }
 }

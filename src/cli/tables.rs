@@ -53,6 +53,7 @@ impl Summary {
             assemble: a.assemble + b.assemble,
             order: a.order + b.order,
             factor: a.factor + b.factor,
+            table: a.table + b.table,
         };
         Self {
             quality: map.quality(),

@@ -1,8 +1,9 @@
-//! Angle distortion of a piecewise linear map (section 5.1): Q = σ₁/σ₂ per triangle.
+//! Distortion of a piecewise linear map (section 5.1): Q = σ₁/σ₂ and log₂(σ₁σ₂) per triangle.
 //!
 //! With the complex derivatives of the linear map on a triangle, σ₁,₂ = |f_z| ± |f_z̄|,
-//! and the triangle is flipped where |f_z| < |f_z̄|. Triangles whose image is a point
-//! up to rounding have no Q: they are counted as collapsed and left out of the mean.
+//! and the triangle is flipped where |f_z| < |f_z̄|; σ₁σ₂ is the ratio of the areas.
+//! Triangles whose image is a point up to rounding have no Q: they are counted as
+//! collapsed and left out of the mean.
 
 use crate::geometry::DVec2;
 use crate::mesh::TriMesh;
@@ -10,6 +11,13 @@ use crate::mesh::TriMesh;
 /// An image shorter than this part of the whole image's extent is rounding: the
 /// V's far arm has images of 1e-16, resolved triangles start at 1e-9.
 const COLLAPSED: f64 = 1e-13;
+
+/// The largest Q that is reported: a triangle flattened to a segment has Q = ∞.
+const Q_LIMIT: f64 = 1e9;
+
+/// The largest |log₂(σ₁σ₂)| that is reported: a triangle flattened to a segment has −∞.
+/// 2¹²⁸ is beyond the f64 resolution of any domain that the other triangles still fill.
+const AREA_LIMIT: f64 = 128.0;
 
 /// Angle distortion of the mapped mesh, `Q = σ₁/σ₂` per triangle.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -24,37 +32,81 @@ pub struct Quality {
     pub collapsed: u32,
 }
 
-/// The largest Q that is reported: a triangle flattened to a segment has Q = ∞.
-const Q_LIMIT: f64 = 1e9;
+/// What the map does to one triangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TriangleDistortion {
+    /// `Q = σ₁/σ₂ ≥ 1`, at most 1e9; 1 where the triangle is collapsed.
+    pub q: f64,
+    /// `log₂(σ₁σ₂)`, image area over area, within ±128.
+    pub area_log2: f64,
+    /// The area in the mapped mesh: its weight in means.
+    pub area: f64,
+    /// Its image has the other orientation.
+    pub flipped: bool,
+    /// Its image is a point up to rounding; it is in no mean.
+    pub collapsed: bool,
+}
+
+impl TriangleDistortion {
+    /// The distortion of the linear map that takes `corners` (counter-clockwise) to
+    /// `images`; collapsed where both images of the edges at the first corner are no
+    /// longer than `smallest`.
+    pub fn of([a, b, c]: [DVec2; 3], [fa, fb, fc]: [DVec2; 3], smallest: f64) -> Self {
+        let (u, v) = (b - a, c - a);
+        let (p, q) = (fb - fa, fc - fa);
+        let area = 0.5 * u.perp_dot(v);
+        if p.length() <= smallest && q.length() <= smallest {
+            return Self { q: 1.0, area_log2: -AREA_LIMIT, area, flipped: false, collapsed: true };
+        }
+        // f_z and f_z̄ times 4·area·i; the common factor drops out of Q
+        let conjugate = |z: DVec2| DVec2::new(z.x, -z.y);
+        let holomorphic = (times(p, conjugate(v)) - times(q, conjugate(u))).length();
+        let antiholomorphic = (times(q, u) - times(p, v)).length();
+        let (large, small) = (holomorphic + antiholomorphic, (holomorphic - antiholomorphic).abs());
+        let scale = 4.0 * area;
+        let area_log2 = ((large / scale) * (small / scale)).log2();
+        Self {
+            q: (large / small).min(Q_LIMIT),
+            area_log2: area_log2.clamp(-AREA_LIMIT, AREA_LIMIT),
+            area,
+            flipped: holomorphic < antiholomorphic,
+            collapsed: false,
+        }
+    }
+}
+
+/// The distortion of every triangle of `mesh` under the map that takes its vertices to
+/// `images`, in the order of the triangles, into `result`; reused, it allocates nothing.
+pub fn triangle_distortions(mesh: &TriMesh, images: &[DVec2], result: &mut Vec<TriangleDistortion>) {
+    let smallest = COLLAPSED * extent(images);
+    result.clear();
+    result.extend(mesh.triangles.iter().map(|triangle| {
+        let corners = triangle.map(|v| mesh.vertices[v as usize]);
+        TriangleDistortion::of(corners, triangle.map(|v| images[v as usize]), smallest)
+    }));
+}
 
 impl Quality {
     /// The distortion of the map that takes `mesh.vertices` to `images`.
     pub fn of(mesh: &TriMesh, images: &[DVec2]) -> Self {
-        let smallest = COLLAPSED * extent(images);
+        let mut triangles = Vec::new();
+        triangle_distortions(mesh, images, &mut triangles);
+        Self::summary(&triangles)
+    }
+
+    /// The figures of triangles that were measured before.
+    pub fn summary(triangles: &[TriangleDistortion]) -> Self {
         let (mut weighted, mut area_sum) = (0.0, 0.0);
         let mut quality = Self { q_mean: 1.0, q_max: 1.0, flipped: 0, collapsed: 0 };
-        for triangle in &mesh.triangles {
-            let [a, b, c] = triangle.map(|v| mesh.vertices[v as usize]);
-            let [fa, fb, fc] = triangle.map(|v| images[v as usize]);
-            if (fb - fa).length() <= smallest && (fc - fa).length() <= smallest {
+        for triangle in triangles {
+            if triangle.collapsed {
                 quality.collapsed += 1;
                 continue;
             }
-            let (u, v) = (b - a, c - a);
-            let area = u.perp_dot(v);
-            // f_z and f_z̄ times 2·area·i; the common factor drops out of Q
-            let (p, q) = (fb - fa, fc - fa);
-            let conjugate = |z: DVec2| DVec2::new(z.x, -z.y);
-            let holomorphic = (times(p, conjugate(v)) - times(q, conjugate(u))).length();
-            let antiholomorphic = (times(q, u) - times(p, v)).length();
-            if holomorphic < antiholomorphic {
-                quality.flipped += 1;
-            }
-            let shear = (holomorphic - antiholomorphic).abs();
-            let ratio = ((holomorphic + antiholomorphic) / shear).min(Q_LIMIT);
-            weighted += area * ratio;
-            area_sum += area;
-            quality.q_max = quality.q_max.max(ratio);
+            quality.flipped += u32::from(triangle.flipped);
+            weighted += triangle.area * triangle.q;
+            area_sum += triangle.area;
+            quality.q_max = quality.q_max.max(triangle.q);
         }
         if area_sum > 0.0 {
             quality.q_mean = weighted / area_sum;
@@ -111,5 +163,51 @@ mod tests {
     fn reflection_is_flipped_and_a_point_image_collapsed() {
         assert_eq!(quality_under(|v| DVec2::new(-v.x, v.y)).flipped, 1);
         assert_eq!(quality_under(|_| DVec2::ONE).collapsed, 1);
+    }
+
+    fn distortion_under(f: impl Fn(DVec2) -> DVec2) -> TriangleDistortion {
+        let mesh = triangle();
+        let images: Vec<_> = mesh.vertices.iter().map(|&v| f(v)).collect();
+        let mut distortions = Vec::new();
+        triangle_distortions(&mesh, &images, &mut distortions);
+        assert_eq!(distortions.len(), 1);
+        distortions[0]
+    }
+
+    #[test]
+    fn an_affine_map_has_the_singular_values_of_its_matrix() {
+        // the matrix (2 1; 0 1/2): σ² = (21 ± √377)/8, σ₁σ₂ = 1
+        let shear = distortion_under(|v| DVec2::new(2.0 * v.x + v.y, 0.5 * v.y));
+        let root = 377_f64.sqrt();
+        let expected = ((21.0 + root) / (21.0 - root)).sqrt();
+        assert!((shear.q - expected).abs() < 1e-13 * expected, "{} for {expected}", shear.q);
+        assert!(shear.area_log2.abs() < 1e-14, "{shear:?}");
+        assert!((shear.area - 0.35).abs() < 1e-15 && !shear.flipped && !shear.collapsed, "{shear:?}");
+    }
+
+    #[test]
+    fn scaling_by_s_multiplies_areas_by_s_squared() {
+        for exponent in [-20, -1, 0, 3] {
+            let s = f64::from(exponent).exp2();
+            let scaled = distortion_under(|v| s * v);
+            assert!((scaled.area_log2 - 2.0 * f64::from(exponent)).abs() < 1e-13, "{scaled:?}");
+        }
+    }
+
+    #[test]
+    fn a_reflection_is_flipped_and_keeps_angles_and_areas() {
+        let reflected = distortion_under(|v| DVec2::new(-v.x, v.y));
+        assert!(reflected.flipped && (reflected.q - 1.0).abs() < 1e-14 && reflected.area_log2.abs() < 1e-14);
+    }
+
+    #[test]
+    fn flat_and_collapsed_triangles_stay_within_the_limits() {
+        let flat = distortion_under(|v| DVec2::new(v.x + v.y, 0.0));
+        assert!(
+            flat.q > 1e8 && flat.q <= Q_LIMIT && flat.area_log2 < -20.0 && flat.area_log2 >= -AREA_LIMIT,
+            "{flat:?}"
+        );
+        let point = distortion_under(|_| DVec2::ONE);
+        assert!(point.collapsed && !point.flipped && point.area_log2 == -AREA_LIMIT);
     }
 }

@@ -1,25 +1,44 @@
-//! Extending the boundary map harmonically into the mesh, equation (14): L̂ ŵ = −L̄ w̄.
+//! Extending the boundary map into the mesh: the choice, and the harmonic one, equation (14): L̂ ŵ = −L̄ w̄.
 
 use super::PreparedDomain;
 use crate::geometry::DVec2;
-use crate::laplace::Lanes;
+use crate::laplace::{Lanes, NotConverged};
+
+/// How the boundary map is extended into the mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Extension {
+    /// f̃ of equation (14): discrete harmonic, interpolates the boundary. One solve.
+    #[default]
+    Harmonic,
+    /// f̂ of equation (15): Cauchy's integral of the boundary images, holomorphic inside;
+    /// replaces the images of the boundary vertices too. Cost O(m (m+n)).
+    CauchyGreen,
+}
 
 /// Replaces the interior part of `values` (length m+n) by the discrete harmonic
 /// extension of its boundary part `values[..m]`. Both coordinates are solved in
 /// one sweep; `scratch` is reused, so repeated calls allocate nothing.
-pub fn harmonic_extension(domain: &PreparedDomain, values: &mut [DVec2], scratch: &mut Vec<Lanes<2>>) {
+///
+/// Errors: [`NotConverged`], of an iterative solver only; the interior is then unchanged.
+pub fn harmonic_extension(
+    domain: &PreparedDomain,
+    values: &mut [DVec2],
+    scratch: &mut Vec<Lanes<2>>,
+) -> Result<(), NotConverged> {
     let (boundary, interior) = values.split_at_mut(domain.mesh.boundary_count as usize);
     scratch.clear();
-    scratch.resize(domain.factor.len(), [0.0; 2]);
+    scratch.resize(domain.solver.len(), [0.0; 2]);
     for (w, column) in boundary.iter().zip(domain.coupling.outer_iterator()) {
         for (unknown, &entry) in column.iter() {
-            let right = &mut scratch[domain.factor.position(unknown as u32)];
+            let right = &mut scratch[domain.solver.position(unknown as u32)];
             right[0] -= entry * w.x;
             right[1] -= entry * w.y;
         }
     }
-    domain.factor.solve(&domain.boundary_paths, domain.factor.everything(), scratch);
-    for (&[x, y], &unknown) in scratch.iter().zip(domain.factor.unknowns()) {
+    domain.solver.solve(&domain.boundary_paths, domain.solver.everything(), scratch)?;
+    for (&[x, y], &unknown) in scratch.iter().zip(domain.solver.unknowns()) {
         interior[unknown as usize] = DVec2::new(x, y);
     }
+    Ok(())
 }

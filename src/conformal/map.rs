@@ -3,13 +3,17 @@
 //! [`ConformalMap::update`] recomputes only what a change touches: moving x₁
 //! renews its kernel, the matching and the extension; moving y₁ re-anchors its
 //! measure instead. After the first update nothing is allocated.
+//!
+//! With [`Extension::CauchyGreen`] an update gives the harmonic images, at once;
+//! [`ConformalMap::refine`] then replaces them chunk by chunk, within the time that it is given.
 
+use super::refinement::Refinement;
 use super::{
-    BoundaryCorrespondence, HarmonicMeasure, KernelScratch, PreparedDomain, Quality, harmonic_extension,
-    match_measures, poisson_kernel,
+    BoundaryCorrespondence, CauchyGreenMode, Extension, HarmonicMeasure, KernelScratch, PreparedDomain, Quality,
+    harmonic_extension, match_measures, poisson_kernel,
 };
 use crate::geometry::DVec2;
-use crate::laplace::Lanes;
+use crate::laplace::{Lanes, NotConverged};
 use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, locate};
 use std::sync::Arc;
 use web_time::Instant;
@@ -65,6 +69,22 @@ impl Direction {
             Self::Forward => Side::Source,
             Self::Backward => Side::Target,
         }
+    }
+}
+
+/// Which mesh is mapped, and how its inside follows the boundary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub struct MapSettings {
+    /// Which mesh is mapped.
+    pub direction: Direction,
+    /// How the boundary map is extended into it.
+    pub extension: Extension,
+}
+
+impl From<Direction> for MapSettings {
+    /// With the default extension.
+    fn from(direction: Direction) -> Self {
+        Self { direction, extension: Extension::default() }
     }
 }
 
@@ -128,6 +148,14 @@ pub enum MapError {
         /// Which domain.
         side: Side,
     },
+    /// A domain's iterative solver did not converge; a domain with a complete factor has no such error.
+    #[error("{side}: {error}")]
+    NotConverged {
+        /// Which domain.
+        side: Side,
+        /// What the solver said.
+        error: NotConverged,
+    },
 }
 
 /// The conformal map between two prepared domains under the current constraints.
@@ -135,12 +163,13 @@ pub enum MapError {
 pub struct ConformalMap {
     source: Half,
     target: Half,
-    direction: Direction,
+    settings: MapSettings,
     correspondence: BoundaryCorrespondence,
     images: Vec<DVec2>,
     timings: FrameTimings,
     kernel_scratch: KernelScratch,
     extension_scratch: Vec<Lanes<2>>,
+    refinement: Refinement,
 }
 
 /// One side of the map.
@@ -184,16 +213,26 @@ impl Half {
     }
 
     /// Renews the kernel and the measure as planned.
-    fn apply(&mut self, side: Side, constraints: &Constraints, change: &Change, scratch: &mut KernelScratch) {
+    fn apply(
+        &mut self,
+        side: Side,
+        constraints: &Constraints,
+        change: &Change,
+        scratch: &mut KernelScratch,
+    ) -> Result<(), MapError> {
         if let Some(located) = change.located {
+            // only a kernel that is complete may be taken for that of its point
+            self.point = DVec2::NAN;
+            poisson_kernel(&self.domain, located, scratch, &mut self.kernel)
+                .map_err(|error| MapError::NotConverged { side, error })?;
             (self.located, self.point) = (located, constraints.point(side));
-            poisson_kernel(&self.domain, located, scratch, &mut self.kernel);
         }
         if change.located.is_some() || change.re_anchor {
             self.anchor = constraints.anchor(side);
             let anchor = self.domain.samples.at_fraction(self.anchor);
             self.measure.set(&self.domain.samples, &self.kernel, anchor);
         }
+        Ok(())
     }
 }
 
@@ -206,50 +245,54 @@ fn on_boundary(mesh: &TriMesh, point: BarycentricPoint) -> bool {
 }
 
 impl ConformalMap {
-    /// The map under `constraints`.
+    /// The map under `constraints`; with [`Extension::CauchyGreen`], see [`Self::update`].
     pub fn new(
         source: Arc<PreparedDomain>,
         target: Arc<PreparedDomain>,
         constraints: &Constraints,
-        direction: Direction,
+        settings: MapSettings,
     ) -> Result<Self, MapError> {
         let mut map = Self {
             source: Half::new(source),
             target: Half::new(target),
-            direction,
+            settings,
             correspondence: BoundaryCorrespondence::default(),
             images: Vec::new(),
             timings: FrameTimings::default(),
             kernel_scratch: KernelScratch::default(),
             extension_scratch: Vec::new(),
+            refinement: Refinement::default(),
         };
-        map.update(constraints, direction)?;
+        map.update(constraints, settings)?;
         Ok(map)
     }
 
-    /// Recomputes what the change of constraints or direction touches. After an
-    /// error the map is unchanged.
-    pub fn update(&mut self, constraints: &Constraints, direction: Direction) -> Result<(), MapError> {
+    /// Recomputes what the change of constraints or settings touches. After an
+    /// error the map is unchanged (after [`MapError::NotConverged`], what the solve would have given is not).
+    ///
+    /// With [`Extension::CauchyGreen`] the images are the harmonic ones after a change, until
+    /// [`Self::refine`] has replaced them all.
+    pub fn update(&mut self, constraints: &Constraints, settings: MapSettings) -> Result<(), MapError> {
         let changes = [self.source.plan(Side::Source, constraints)?, self.target.plan(Side::Target, constraints)?];
         let touched = changes.iter().any(|c| c.located.is_some() || c.re_anchor);
-        if !touched && direction == self.direction && !self.images.is_empty() {
+        if !touched && settings == self.settings && !self.images.is_empty() {
             return Ok(());
         }
-        self.direction = direction;
+        self.settings = settings;
         let mut timings = FrameTimings::default();
         let start = Instant::now();
-        self.source.apply(Side::Source, constraints, &changes[0], &mut self.kernel_scratch);
-        self.target.apply(Side::Target, constraints, &changes[1], &mut self.kernel_scratch);
+        self.source.apply(Side::Source, constraints, &changes[0], &mut self.kernel_scratch)?;
+        self.target.apply(Side::Target, constraints, &changes[1], &mut self.kernel_scratch)?;
         timings.kernel = start.elapsed().as_secs_f64() * 1e3;
         self.match_boundaries(&mut timings);
-        self.extend(&mut timings);
+        self.extend(&mut timings)?;
         self.timings = timings;
         Ok(())
     }
 
     fn match_boundaries(&mut self, timings: &mut FrameTimings) {
         let start = Instant::now();
-        let (mapped, other) = match self.direction {
+        let (mapped, other) = match self.settings.direction {
             Direction::Forward => (&self.source, &self.target),
             Direction::Backward => (&self.target, &self.source),
         };
@@ -257,17 +300,52 @@ impl ConformalMap {
         timings.matching = start.elapsed().as_secs_f64() * 1e3;
     }
 
-    fn extend(&mut self, timings: &mut FrameTimings) {
+    fn extend(&mut self, timings: &mut FrameTimings) -> Result<(), MapError> {
         let start = Instant::now();
-        let (mapped, other) = match self.direction {
+        let (mapped, other) = match self.settings.direction {
             Direction::Forward => (&self.source.domain, &self.target.domain),
             Direction::Backward => (&self.target.domain, &self.source.domain),
         };
         self.images.clear();
         self.images.extend(self.correspondence.images(&other.samples));
+        match self.settings.extension {
+            Extension::Harmonic => self.refinement.clear(),
+            Extension::CauchyGreen => self.refinement.restart(mapped, &self.images),
+        }
         self.images.resize(mapped.mesh.vertices.len(), DVec2::ZERO);
-        harmonic_extension(mapped, &mut self.images, &mut self.extension_scratch);
+        harmonic_extension(mapped, &mut self.images, &mut self.extension_scratch)
+            .map_err(|error| MapError::NotConverged { side: self.settings.direction.mapped_side(), error })?;
         timings.extend = start.elapsed().as_secs_f64() * 1e3;
+        Ok(())
+    }
+
+    /// Replaces harmonic images by Cauchy–Green ones for about `budget_ms` (the time is checked
+    /// every few milliseconds; at least one chunk is done; infinity does all). Returns whether
+    /// the extension is complete: at once, if it is [`Extension::Harmonic`].
+    ///
+    /// The coordinates of a mesh up to [`super::STORED_BYTES`] are kept while its domain is mapped.
+    pub fn refine(&mut self, budget_ms: f64) -> bool {
+        let start = Instant::now();
+        let complete = self.refinement.advance(&mut self.images, budget_ms);
+        self.timings.extend += start.elapsed().as_secs_f64() * 1e3;
+        complete
+    }
+
+    /// The fraction of the vertices whose images are those of the extension that was asked for, in `[0, 1]`.
+    pub fn extension_progress(&self) -> f64 {
+        self.refinement.progress(self.images.len())
+    }
+
+    /// Whether the Cauchy–Green coordinates are stored; `None` if they were never asked for.
+    pub fn cauchy_green_mode(&self) -> Option<CauchyGreenMode> {
+        self.refinement.mode()
+    }
+
+    /// Takes over from `old` what depends on the mapped domain alone, if it is the same domain:
+    /// the stored Cauchy–Green coordinates.
+    pub fn adopt(&mut self, old: Self) {
+        let mapped = Arc::clone(self.domain(self.settings.direction.mapped_side()));
+        self.refinement.adopt(&mapped, old.refinement);
     }
 
     fn half(&self, side: Side) -> &Half {
@@ -299,20 +377,26 @@ impl ConformalMap {
 
     /// Which mesh is mapped.
     pub fn direction(&self) -> Direction {
-        self.direction
+        self.settings.direction
+    }
+
+    /// How the boundary map is extended.
+    pub fn extension(&self) -> Extension {
+        self.settings.extension
     }
 
     /// The mesh whose vertices are mapped: the source's if forward, else the target's.
     pub fn mapped_mesh(&self) -> &TriMesh {
-        &self.domain(self.direction.mapped_side()).mesh
+        &self.domain(self.settings.direction.mapped_side()).mesh
     }
 
-    /// The images of the mapped mesh's vertices, in the other domain.
+    /// The images of the mapped mesh's vertices, in the other domain. Until [`Self::refine`] is
+    /// done, those of the harmonic extension in part.
     pub fn images(&self) -> &[DVec2] {
         &self.images
     }
 
-    /// What the last update took.
+    /// What the last update took, with the refinements since.
     pub fn timings(&self) -> FrameTimings {
         self.timings
     }
@@ -325,7 +409,7 @@ impl ConformalMap {
     /// The image of a point of the mapped mesh (piecewise linear); `None` outside it.
     pub fn image_of(&self, x: DVec2) -> Option<DVec2> {
         let mesh = self.mapped_mesh();
-        let hint = self.half(self.direction.mapped_side()).located.triangle;
+        let hint = self.half(self.settings.direction.mapped_side()).located.triangle;
         let found = locate(mesh, x, hint)?;
         let corners = mesh.triangles[found.triangle as usize];
         Some(corners.iter().zip(found.weights).map(|(&v, w)| w * self.images[v as usize]).sum())

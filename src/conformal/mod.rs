@@ -9,29 +9,39 @@
 //! | harmonic measure ω̃ from y | `measure` | (11), (12) |
 //! | boundary correspondence | `matching` | section 3.2, C.4, in a form that does not cancel |
 //! | images of the vertices | `extension` | (14) |
-//! | angle distortion | `distortion` | section 5.1 |
+//! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
+//! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
 //!
 //! [`Walker`] and [`HitCounts`] show what harmonic measure is: where random walks hit the boundary.
 
 mod buffers;
+mod cauchy_green;
 mod distortion;
 mod domain;
 mod extension;
+mod histogram;
 mod hit_counts;
 mod kernel;
 mod map;
 mod matching;
 mod measure;
 mod random_walk;
+mod refinement;
 mod stencil;
+mod table;
 
 pub use buffers::DomainBuffers;
-pub use distortion::Quality;
-pub use domain::{PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare};
-pub use extension::harmonic_extension;
+pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
+pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
+pub use domain::{
+    KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare, prepare_within,
+};
+pub use extension::{Extension, harmonic_extension};
+pub use histogram::Histogram;
 pub use hit_counts::HitCounts;
 pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};
-pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, Side};
+pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, MapSettings, Side};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
+pub use table::{HarmonicTable, TableError};

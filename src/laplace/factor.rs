@@ -63,13 +63,14 @@ pub struct FactorBuffers {
 }
 
 impl Factor {
-    /// Factors L̂ in the given ordering. Errors: [`LaplaceError::NotPositiveDefinite`], [`LaplaceError::TooLarge`].
-    pub fn new(laplacian: &DirichletLaplacian, ordering: Ordering) -> Result<Self, LaplaceError> {
+    /// Factors L̂ in the given ordering, in about `budget_bytes` of memory at most.
+    /// Errors: [`LaplaceError::NotPositiveDefinite`], [`LaplaceError::TooLarge`].
+    pub fn new(laplacian: &DirichletLaplacian, ordering: Ordering, budget_bytes: u64) -> Result<Self, LaplaceError> {
         let n = laplacian.interior.cols();
         if n == 0 {
             return Ok(Self::from_chunks(ordering, Chunks::default()));
         }
-        let too_large = || LaplaceError::TooLarge { unknowns: n };
+        let too_large = |bytes| LaplaceError::TooLarge { unknowns: n, bytes };
         let pointers = laplacian.interior.proper_indptr();
         let pattern = SymbolicSparseColMatRef::new_checked(n, n, &pointers, None, laplacian.interior.indices());
         let symbolic = factorize_symbolic_cholesky(
@@ -81,10 +82,12 @@ impl Factor {
                 ..CholeskySymbolicParams::default()
             },
         )
-        .map_err(|_| too_large())?;
-        let SymbolicCholeskyRaw::Supernodal(structure) = symbolic.raw() else { return Err(too_large()) };
-        if u32::try_from(structure.len_val() * 9 / 8 + 8 * structure.n_supernodes()).is_err() {
-            return Err(too_large()); // offsets are u32
+        .map_err(|_| too_large(0))?;
+        let SymbolicCholeskyRaw::Supernodal(structure) = symbolic.raw() else { return Err(too_large(0)) };
+        let bytes = size_of::<f64>() as u64 * structure.len_val() as u64;
+        // offsets are u32; a chunk's diagonal block is stored whole
+        if bytes > budget_bytes || u32::try_from(structure.len_val() * 9 / 8 + 8 * structure.n_supernodes()).is_err() {
+            return Err(too_large(bytes));
         }
         let chunks = multifrontal::factor(structure, &laplacian.interior, &ordering)?;
         Ok(Self::from_chunks(ordering, chunks))

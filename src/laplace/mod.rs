@@ -2,12 +2,15 @@
 //!
 //! [`DirichletLaplacian`] holds the blocks L̂ and L̄ of the paper's appendix A;
 //! [`Factor`] is the Cholesky factor of L̂ as flat arrays, with sweeps that visit
-//! only what a sparse right-hand side, or a sparse question, needs.
+//! only what a sparse right-hand side, or a sparse question, needs. [`Solver`] is
+//! that factor or, where it does not fit, conjugate gradients.
 
 mod cotangent;
 mod factor;
 mod multifrontal;
 mod ordering;
+mod pcg;
+mod solver;
 mod supernode;
 mod sweep;
 #[cfg(test)]
@@ -16,6 +19,8 @@ mod tests;
 pub use cotangent::DirichletLaplacian;
 pub use factor::{Factor, FactorBuffers, RootPaths};
 pub use ordering::Ordering;
+pub use pcg::{NotConverged, Pcg, PcgBuffers};
+pub use solver::{Solver, SolverKind};
 pub use sweep::Lanes;
 
 /// Why the Laplacian of a mesh could not be assembled or factored.
@@ -38,10 +43,15 @@ pub enum LaplaceError {
         /// The interior vertex, `0 … n−1`.
         vertex: usize,
     },
-    /// Not enough memory, or more entries than a 32-bit index counts.
-    #[error("the factor of {unknowns} unknowns does not fit into memory: use fewer samples or graded sizing")]
+    /// The factor does not fit into the memory that it may take, or has more entries than a 32-bit index counts.
+    #[error(
+        "the factor of {unknowns} unknowns takes {} MB, more than fits: use fewer samples, graded sizing, \
+         or the iterative solver", bytes / 1_000_000
+    )]
     TooLarge {
         /// The number of interior vertices, `n`.
         unknowns: usize,
+        /// What the factor would take; 0 if not even its structure could be found.
+        bytes: u64,
     },
 }

@@ -18,7 +18,7 @@ impl Ordering {
     /// The approximate minimum degree ordering of L̂.
     pub fn minimum_degree(laplacian: &DirichletLaplacian) -> Result<Self, LaplaceError> {
         let n = laplacian.interior.cols();
-        let too_large = || LaplaceError::TooLarge { unknowns: n };
+        let too_large = || LaplaceError::TooLarge { unknowns: n, bytes: 0 };
         let pointers = laplacian.interior.proper_indptr();
         let indices = laplacian.interior.indices();
         let pattern = SymbolicSparseColMatRef::<u32>::new_checked(n, n, &pointers, None, indices);

@@ -1,6 +1,6 @@
 //! The Laplacian and its factor on a grid whose matrix is known: the five-point stencil.
 
-#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use super::*;
 use crate::geometry::DVec2;
@@ -41,7 +41,7 @@ fn grid(k: u32) -> TriMesh {
 fn factored(mesh: &TriMesh) -> (DirichletLaplacian, Factor) {
     let laplacian = DirichletLaplacian::assemble(mesh).unwrap();
     let ordering = Ordering::minimum_degree(&laplacian).unwrap();
-    let factor = Factor::new(&laplacian, ordering).unwrap();
+    let factor = Factor::new(&laplacian, ordering, u64::MAX).unwrap();
     (laplacian, factor)
 }
 
@@ -124,4 +124,48 @@ fn factor_survives_the_trip_through_flat_arrays() {
     assert_eq!(broken(|b| b.rows.fill(u32::MAX)), None, "rows outside the matrix");
     assert_eq!(broken(|b| b.values.truncate(3)), None, "values missing");
     assert_eq!(broken(|b| b.chunks.truncate(5)), None, "columns missing");
+}
+
+#[test]
+fn conjugate_gradients_agree_with_the_factor() {
+    let (laplacian, factor) = factored(&grid(31));
+    let pcg = Pcg::new(&laplacian).unwrap();
+    assert!(pcg.check_invariants());
+    let n = factor.len();
+    let mut exact: Vec<[f64; 2]> = vec![[0.0; 2]; n];
+    let mut x = exact.clone();
+    for (unknown, lanes) in x.iter_mut().enumerate() {
+        *lanes = [(unknown as f64).cos(), f64::from(u8::from(unknown == 7))];
+        exact[factor.position(unknown as u32)] = *lanes;
+    }
+    factor.solve(factor.everything(), factor.everything(), &mut exact);
+    pcg.solve(&mut x).unwrap();
+    for (unknown, lanes) in x.iter().enumerate() {
+        for (value, exact) in lanes.iter().zip(exact[factor.position(unknown as u32)]) {
+            // the residual of 1e-12 times the condition of about 31² in the worst direction
+            assert!((value - exact).abs() < 1e-9, "unknown {unknown}: {value} and {exact}");
+        }
+    }
+}
+
+#[test]
+fn conjugate_gradients_say_that_they_did_not_converge() {
+    let (laplacian, _) = factored(&grid(5));
+    let pcg = Pcg::new(&laplacian).unwrap();
+    let mut x = vec![[f64::NAN]; pcg.len()];
+    assert!(pcg.solve(&mut x).unwrap_err().residual.is_nan());
+}
+
+#[test]
+fn a_factor_above_the_budget_is_refused_with_its_size() {
+    let (laplacian, factor) = factored(&grid(20));
+    let ordering = Ordering::minimum_degree(&laplacian).unwrap();
+    let entries = factor.to_buffers().values.len() as u64;
+    match Factor::new(&laplacian, ordering, 1000) {
+        Err(LaplaceError::TooLarge { unknowns, bytes }) => {
+            assert_eq!(unknowns, factor.len());
+            assert!(bytes > 1000 && bytes.abs_diff(8 * entries) < 4 * entries, "{bytes} bytes for {entries} entries");
+        }
+        other => panic!("{other:?}"),
+    }
 }

@@ -13,6 +13,8 @@
 
 mod blit_pass;
 mod camera;
+mod cell_pass;
+mod colour_map;
 mod disc_pass;
 mod error;
 mod gpu;
@@ -28,8 +30,9 @@ mod viewport;
 mod headless;
 
 pub use camera::Camera;
+pub use colour_map::{CellCode, ColourMap, flipped_colour};
 pub use error::{ImageError, RenderError};
 #[cfg(not(target_arch = "wasm32"))]
 pub use headless::{SceneDescription, SceneViewport, headless_device, render_scene, render_scene_with};
-pub use style::{Handle, Pattern, StrokeStyle, TextureStyle};
+pub use style::{CellStyle, Handle, Pattern, StrokeStyle, TextureStyle};
 pub use viewport::{MeshGeometry, ViewportRenderer};

@@ -3,6 +3,7 @@
 //! All colours are sRGB-encoded with straight alpha, components in 0..=1, as in
 //! a hex triple divided by 255.
 
+use super::ColourMap;
 use glam::DVec2;
 
 /// Control points, from top to bottom, of the quadratic Bézier curve that the
@@ -67,6 +68,26 @@ impl StrokeStyle {
         let (colour, width) = if dark { ([0.93, 0.945, 0.96, 1.0], 1.75) } else { ([0.14, 0.17, 0.21, 1.0], 2.0) };
         Self { colour, width_px: width * pixels_per_point }
     }
+
+    /// The mesh's edges: thin, and faint enough not to hide what they are drawn over,
+    /// light over dark colours or dark over light ones.
+    pub fn wire(light: bool, pixels_per_point: f32) -> Self {
+        let colour = if light { [1.0, 1.0, 1.0, 0.38] } else { [0.03, 0.05, 0.08, 0.6] };
+        Self { colour, width_px: 0.9 * pixels_per_point }
+    }
+}
+
+/// How the mapped mesh is shown triangle by triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CellStyle {
+    /// Colours by code, in place of the texture; `None` leaves the texture.
+    pub map: Option<ColourMap>,
+    /// The edges; they fade where cells get lower than a few points.
+    pub wire: Option<StrokeStyle>,
+    /// Whether flipped triangles are marked over everything else.
+    pub marks: bool,
+    /// The device pixel ratio.
+    pub pixels_per_point: f32,
 }
 
 /// A coloured disc with a white ring: a point that can be dragged.

@@ -1,20 +1,21 @@
 //! The renderer behind the viewports: uploads, off-screen rendering, the blit.
 //!
-//! A viewport is rendered in three passes (mesh, multisampled and resolved; the
-//! outline's coverage; outline and handles over the picture), then painted into
+//! A viewport is rendered in three passes (mesh and its triangles, multisampled and
+//! resolved; the outline's coverage; outline and handles over the picture), then painted into
 //! the caller's pass. Nothing is allocated per frame once the sizes are settled.
 //!
 //! A viewport index out of range, positions that do not fit the mesh and
 //! inconsistent meshes are refused: the methods answer `false`, nothing changes.
 
 use super::blit_pass::BlitPass;
+use super::cell_pass::{CellBuffers, CellPass};
 use super::disc_pass::{DiscBuffers, DiscPass};
 use super::image_texture::{ImageTexture, ImageTextures};
 use super::mesh_pass::{MeshBuffers, MeshFrame, MeshPass};
 use super::stroke_pass::{StrokeBuffers, StrokePass};
 use super::style::linear_colour;
 use super::targets::{Targets, attachment, clamped_size};
-use super::{Camera, Handle, ImageError, Pattern, StrokeStyle, TextureStyle, gpu};
+use super::{Camera, CellCode, CellStyle, Handle, ImageError, Pattern, StrokeStyle, TextureStyle, gpu};
 use glam::DVec2;
 
 /// Thin pattern lines relative to the outline's stroke.
@@ -51,6 +52,7 @@ impl MeshGeometry<'_> {
 pub struct ViewportRenderer {
     samples: u32,
     mesh: MeshPass,
+    cells: CellPass,
     stroke: StrokePass,
     disc: DiscPass,
     blit: BlitPass,
@@ -63,6 +65,8 @@ pub struct ViewportRenderer {
 #[derive(Debug)]
 struct Viewport {
     mesh: MeshBuffers,
+    cells: CellBuffers,
+    cell_style: Option<CellStyle>,
     stroke: StrokeBuffers,
     stroke_style: Option<StrokeStyle>,
     discs: DiscBuffers,
@@ -81,17 +85,20 @@ impl ViewportRenderer {
         let images = ImageTextures::new(device);
         let image = images.blank(device, queue);
         let mesh = MeshPass::new(device, &images.layout, samples);
+        let cells = CellPass::new(device, queue, samples);
         let (stroke, disc, blit) =
             (StrokePass::new(device), DiscPass::new(device), BlitPass::new(device, target_format));
         let empty = |_| Viewport {
             mesh: mesh.buffers(device),
+            cells: cells.buffers(device),
+            cell_style: None,
             stroke: stroke.buffers(device),
             stroke_style: None,
             discs: disc.buffers(device),
             targets: None,
         };
         let viewports = (0..viewports).map(empty).collect();
-        Self { samples, mesh, stroke, disc, blit, images, image, viewports, staging: Vec::new() }
+        Self { samples, mesh, cells, stroke, disc, blit, images, image, viewports, staging: Vec::new() }
     }
 
     /// Replaces a viewport's mesh; call it when the topology changes. Buffers
@@ -123,6 +130,48 @@ impl ViewportRenderer {
     pub fn set_texture_coordinates(&mut self, queue: &wgpu::Queue, viewport: usize, coordinates: &[DVec2]) -> bool {
         let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
         viewport.mesh.set_texture_coordinates(queue, &mut self.staging, coordinates)
+    }
+
+    /// Replaces the triangles that a [`CellStyle`] shows: the mapped mesh, or its image.
+    /// Their codes are to be set anew.
+    ///
+    /// False, and nothing changes, for an inconsistent mesh; false, and no triangles
+    /// are left, where they do not fit on the device.
+    pub fn set_cells(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        viewport: usize,
+        positions: &[DVec2],
+        triangles: &[[u32; 3]],
+    ) -> bool {
+        let geometry = MeshGeometry { positions, texture_coordinates: positions, triangles };
+        let Some(viewport) = self.viewports.get_mut(viewport).filter(|_| geometry.check().is_ok()) else {
+            return false;
+        };
+        self.cells.set(device, queue, &mut viewport.cells, &mut self.staging, positions, triangles)
+    }
+
+    /// Moves the vertices of the triangles of [`Self::set_cells`].
+    ///
+    /// False, and nothing changes, when the count is not the mesh's.
+    pub fn set_cell_positions(&mut self, queue: &wgpu::Queue, viewport: usize, positions: &[DVec2]) -> bool {
+        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        viewport.cells.set_positions(queue, &mut self.staging, positions)
+    }
+
+    /// Colours the triangles of [`Self::set_cells`]; `codes` is padded on the way.
+    ///
+    /// False, and nothing changes, when the count is not the mesh's.
+    pub fn set_cell_codes(&mut self, queue: &wgpu::Queue, viewport: usize, codes: &mut Vec<CellCode>) -> bool {
+        self.viewports.get(viewport).is_some_and(|viewport| viewport.cells.set_codes(queue, codes))
+    }
+
+    /// How the triangles of [`Self::set_cells`] are shown; `None`: not at all.
+    pub fn set_cell_style(&mut self, viewport: usize, style: Option<CellStyle>) {
+        if let Some(viewport) = self.viewports.get_mut(viewport) {
+            viewport.cell_style = style;
+        }
     }
 
     /// Replaces the closed outline stroke; fewer than two points remove it.
@@ -194,6 +243,9 @@ impl ViewportRenderer {
         let stroke_style = viewport.stroke_style.unwrap_or_else(|| StrokeStyle::themed(style.dark, 1.0));
         let (image_aspect, line_px) = (self.image.aspect, LINE_TO_STROKE * stroke_style.width_px);
         viewport.mesh.write_frame(queue, &MeshFrame { camera, size_px, style, image_aspect, line_px });
+        if let Some(cells) = &viewport.cell_style {
+            viewport.cells.write_frame(queue, camera, size_px, cells);
+        }
         viewport.stroke.write_frame(queue, camera, size_px, &stroke_style);
         viewport.discs.write_frame(queue, camera, size_px);
         if let Some(targets) = &viewport.targets {
@@ -230,7 +282,14 @@ impl ViewportRenderer {
     ) {
         let attachment = targets.mesh_attachment(clear_colour(background));
         let mut pass = begin_pass(encoder, "mesh", attachment);
-        self.mesh.draw(&mut pass, &viewport.mesh, pattern, &self.image.group);
+        let cells = viewport.cell_style.filter(|_| !viewport.cells.is_empty());
+        match cells.and_then(|style| style.map) {
+            Some(map) => self.cells.draw_colours(&mut pass, &viewport.cells, map),
+            None => self.mesh.draw(&mut pass, &viewport.mesh, pattern, &self.image.group),
+        }
+        if cells.is_some_and(|style| style.marks || style.wire.is_some()) {
+            self.cells.draw_overlay(&mut pass, &viewport.cells);
+        }
     }
 
     fn record_overlay(&self, encoder: &mut wgpu::CommandEncoder, viewport: &Viewport, targets: &Targets) {

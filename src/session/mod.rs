@@ -3,7 +3,7 @@
 //! The UI emits [`Command`]s; [`Session::apply`] is the only door to a change.
 //! A session is small and plain: it is what links and files carry.
 
-use crate::conformal::{Constraints, Direction, PrepareSettings, Side};
+use crate::conformal::{Constraints, Direction, Extension, MapSettings, PrepareSettings, Side};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
@@ -47,6 +47,19 @@ pub enum TextureKind {
     Image,
 }
 
+/// What the meshes are painted with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Colouring {
+    /// The pattern that the map carries.
+    #[default]
+    Texture,
+    /// The angle distortion Q = σ₁/σ₂ of every triangle.
+    Angle,
+    /// The area distortion log₂(σ₁σ₂) of every triangle.
+    Area,
+}
+
 /// The state of the app that a link or a file carries.
 ///
 /// `interior` and `anchor` are `None` until they are set: the pole of
@@ -65,10 +78,21 @@ pub struct Session {
     pub anchor: [f64; 2],
     /// Which mesh is mapped.
     pub direction: Direction,
+    /// How the boundary map is extended into it.
+    pub extension: Extension,
     /// The pattern.
     pub texture: TextureKind,
     /// Cells of the pattern across the source.
     pub texture_scale: f64,
+    /// What the meshes are painted with.
+    #[serde(default)]
+    pub colouring: Colouring,
+    /// Whether the mapped mesh's edges are drawn, on both sides.
+    #[serde(default)]
+    pub wireframe: bool,
+    /// Whether the plots are open.
+    #[serde(default)]
+    pub plots: bool,
 }
 
 /// A change that a person makes.
@@ -92,8 +116,12 @@ pub enum Command {
         fraction: f64,
     },
     SetDirection(Direction),
+    SetExtension(Extension),
     SetTexture(TextureKind),
     SetTextureScale(f64),
+    SetColouring(Colouring),
+    SetWireframe(bool),
+    SetPlots(bool),
     /// Exchanges source and target.
     Swap,
 }
@@ -108,6 +136,7 @@ impl Default for Session {
         let settings = PrepareSettings {
             sampling: Sampling::Adaptive { target: Some(DEFAULT_SAMPLES) },
             sizing: Sizing::Graded(DEFAULT_GROWTH),
+            ..PrepareSettings::default()
         };
         let domain = |preset| DomainSpec { outline: OutlineSpec::Preset(preset), settings };
         Self {
@@ -117,8 +146,12 @@ impl Default for Session {
             interior: [None, None],
             anchor: [0.0, 0.0],
             direction: Direction::default(),
+            extension: Extension::default(),
             texture: TextureKind::default(),
             texture_scale: 8.0,
+            colouring: Colouring::default(),
+            wireframe: false,
+            plots: false,
         }
     }
 }
@@ -148,8 +181,12 @@ impl Session {
                 }
             }
             Command::SetDirection(direction) => self.direction = direction,
+            Command::SetExtension(extension) => self.extension = extension,
             Command::SetTexture(texture) => self.texture = texture,
             Command::SetTextureScale(scale) => self.texture_scale = scale,
+            Command::SetColouring(colouring) => self.colouring = colouring,
+            Command::SetWireframe(shown) => self.wireframe = shown,
+            Command::SetPlots(open) => self.plots = open,
             Command::Swap => {
                 std::mem::swap(&mut self.source, &mut self.target);
                 self.interior.swap(0, 1);
@@ -166,6 +203,11 @@ impl Session {
             source_anchor: self.anchor[0],
             target_anchor: self.anchor[1],
         }
+    }
+
+    /// How the map is made from the constraints.
+    pub fn map_settings(&self) -> MapSettings {
+        MapSettings { direction: self.direction, extension: self.extension }
     }
 
     fn domain_mut(&mut self, side: Side) -> &mut DomainSpec {

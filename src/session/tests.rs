@@ -62,7 +62,20 @@ fn a_session_survives_json() {
     let mut session = Session::default();
     session.apply(Command::SetTexture(TextureKind::Polar));
     session.apply(Command::SetDirection(Direction::Forward));
+    session.apply(Command::SetExtension(Extension::CauchyGreen));
     session.apply(Command::MoveInterior { side: Side::Target, point: DVec2::new(0.1, -1.0 / 3.0) });
+    session.apply(Command::SetColouring(Colouring::Area));
+    session.apply(Command::SetWireframe(true));
+    session.apply(Command::SetPlots(true));
     let text = serde_json::to_string(&session).unwrap();
     assert_eq!(serde_json::from_str::<Session>(&text).unwrap(), session, "{text}");
+}
+
+#[test]
+fn a_session_from_before_the_colourings_shows_the_texture() {
+    let mut text = serde_json::to_value(Session::default()).unwrap();
+    for field in ["colouring", "wireframe", "plots"] {
+        assert!(text.as_object_mut().unwrap().remove(field).is_some(), "{field}");
+    }
+    assert_eq!(serde_json::from_value::<Session>(text).unwrap(), Session::default());
 }

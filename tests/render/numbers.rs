@@ -88,11 +88,6 @@ fn stroke_width(gpu: &Gpu, units_per_pixel: f64, points: &[DVec2], width_px: f32
     (0..40).map(|x| linear(image.get_pixel(x, 20).0[0])).sum()
 }
 
-fn linear(encoded: u8) -> f64 {
-    let value = f64::from(encoded) / 255.0;
-    if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
-}
-
 #[test]
 fn the_stroke_keeps_its_width_under_zoom_and_with_any_number_of_points() {
     let Some(gpu) = gpu() else { return };

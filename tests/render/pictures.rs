@@ -3,7 +3,10 @@
 use super::support::*;
 use glam::DVec2;
 use image::RgbaImage;
-use riemap::render::{Handle, MeshGeometry, Pattern, SceneViewport};
+use riemap::conformal::TriangleDistortion;
+use riemap::render::{
+    CellCode, CellStyle, ColourMap, Handle, MeshGeometry, Pattern, SceneViewport, StrokeStyle, ViewportRenderer,
+};
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -107,6 +110,35 @@ fn pictures_of_the_disk_under_a_moebius_map_are_as_committed() {
     ] {
         compare(name, &disk_pair(gpu, pattern));
     }
+}
+
+/// The disk under a Möbius map, its triangles in the colours of their area distortion within ±3, one
+/// marked as flipped.
+fn distorted_disk(gpu: &Gpu) -> RgbaImage {
+    let (device, queue, _) = gpu;
+    let disk = disk(8, 32);
+    let mapped: Vec<DVec2> = disk.points.iter().map(|&z| moebius(z, DVec2::new(0.45, 0.3), 0.4)).collect();
+    let area_log2 = |triangle: &[u32; 3]| {
+        let corners = |points: &[DVec2]| triangle.map(|v| points[v as usize]);
+        TriangleDistortion::of(corners(&disk.points), corners(&mapped), 0.0).area_log2
+    };
+    let mut codes: Vec<_> = disk.triangles.iter().map(|t| CellCode::at((area_log2(t) + 3.0) / 6.0)).collect();
+    codes[77] = CellCode::FLIPPED;
+    let format = wgpu::TextureFormat::Rgba8Unorm;
+    let mut renderer = ViewportRenderer::new(device, queue, format, 1);
+    let larger: Vec<DVec2> = mapped.iter().map(|&z| 1.8 * z).collect();
+    assert!(renderer.set_cells(device, queue, 0, &larger, &disk.triangles));
+    assert!(renderer.set_cell_codes(queue, 0, &mut codes));
+    let wire = Some(StrokeStyle::wire(false, 1.0));
+    let map = Some(ColourMap::Diverging);
+    renderer.set_cell_style(0, Some(CellStyle { map, wire, marks: true, pixels_per_point: 1.0 }));
+    painted(gpu, &mut renderer, format, &style(Pattern::Image, 1.0))
+}
+
+#[test]
+fn the_picture_of_the_disk_in_the_colours_of_its_area_distortion_is_as_committed() {
+    let Some(gpu) = gpu() else { return };
+    compare("disk-area", &distorted_disk(gpu));
 }
 
 #[test]

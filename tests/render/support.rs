@@ -3,7 +3,8 @@
 use glam::DVec2;
 use image::RgbaImage;
 use riemap::render::{
-    Camera, MeshGeometry, Pattern, SceneDescription, SceneViewport, TextureStyle, headless_device, render_scene_with,
+    Camera, MeshGeometry, Pattern, SceneDescription, SceneViewport, TextureStyle, ViewportRenderer, headless_device,
+    render_scene_with,
 };
 use std::sync::OnceLock;
 
@@ -60,4 +61,61 @@ pub fn square(style: TextureStyle) -> SceneViewport<'static> {
 pub fn render(gpu: &Gpu, viewports: &[SceneViewport], image: Option<&RgbaImage>, size: [u32; 2]) -> RgbaImage {
     let scene = SceneDescription { viewports, background: BACKGROUND, image, margin_px: 16.0 };
     render_scene_with(&gpu.0, &gpu.1, &scene, size).unwrap()
+}
+
+/// The width and height of a frame of the live renderer: 16 pixels per unit.
+const SIZE: u32 = 64;
+
+/// Prepares and paints viewport 0 into a target of `format`; the target's bytes.
+pub fn painted(
+    gpu: &Gpu,
+    renderer: &mut ViewportRenderer,
+    format: wgpu::TextureFormat,
+    style: &TextureStyle,
+) -> RgbaImage {
+    let (device, queue, _) = gpu;
+    let size = wgpu::Extent3d { width: SIZE, height: SIZE, depth_or_array_layers: 1 };
+    let target = device.create_texture(&wgpu::TextureDescriptor {
+        label: None,
+        size,
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let camera = Camera { center: DVec2::ZERO, units_per_pixel: 4.0 / f64::from(SIZE) };
+    renderer.prepare(device, queue, &mut encoder, 0, [SIZE, SIZE], &camera, style, BACKGROUND);
+    let view = target.create_view(&wgpu::TextureViewDescriptor::default());
+    let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view: &view,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations::default(),
+        })],
+        ..Default::default()
+    });
+    renderer.paint(&mut pass.forget_lifetime(), 0);
+    let row = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * SIZE), rows_per_image: None };
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: u64::from(4 * SIZE * SIZE),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let destination = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout: row };
+    encoder.copy_texture_to_buffer(target.as_image_copy(), destination, size);
+    queue.submit([encoder.finish()]);
+    buffer.map_async(wgpu::MapMode::Read, .., |result| result.unwrap());
+    device.poll(wgpu::PollType::wait_indefinitely()).unwrap();
+    RgbaImage::from_raw(SIZE, SIZE, buffer.get_mapped_range(..).unwrap().to_vec()).unwrap()
+}
+
+/// The linear intensity of an sRGB-encoded byte.
+pub fn linear(encoded: u8) -> f64 {
+    let value = f64::from(encoded) / 255.0;
+    if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
 }

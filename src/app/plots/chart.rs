@@ -1,0 +1,299 @@
+//! One plot, drawn with egui_plot: bounds, axes, lines, and what the pointer is at.
+
+use super::super::theme::Palette;
+use super::Kind;
+use super::curves::{Curve, Curves, decimate};
+use crate::conformal::Side;
+use egui::{Color32, FontId, Pos2, RichText, Ui};
+use egui_plot::{
+    AxisHints, GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi, Points, VLine,
+};
+
+/// Source and target on the dark and on the light theme: Okabe–Ito's blues, and oranges.
+pub const SIDE_INKS: [[Color32; 2]; 2] = [
+    [Color32::from_rgb(86, 180, 233), Color32::from_rgb(230, 159, 0)],
+    [Color32::from_rgb(0, 114, 178), Color32::from_rgb(196, 120, 0)],
+];
+
+/// The reparameterisation of the map on the screen, then those that it is compared with.
+const MAP_INKS: [[Color32; 4]; 2] = [
+    [
+        Color32::from_rgb(64, 196, 150),
+        Color32::from_rgb(204, 121, 167),
+        Color32::from_rgb(240, 228, 66),
+        Color32::from_rgb(213, 94, 0),
+    ],
+    [
+        Color32::from_rgb(0, 138, 100),
+        Color32::from_rgb(180, 80, 140),
+        Color32::from_rgb(150, 130, 0),
+        Color32::from_rgb(213, 94, 0),
+    ],
+];
+
+/// On the logarithmic axis: no more decades than f64 has digits either side of 1, or the curve's peak is a spike again.
+const MOST_DECADES: f64 = 32.0;
+
+/// Free space at the ends of the axes, as a part of their length.
+const MARGIN: f64 = 0.03;
+
+/// A plot that is ready to be shown.
+pub struct Chart<'a> {
+    kind: Kind,
+    lines: Vec<(&'a Curve, Color32)>,
+    mapped: Side,
+    logarithmic: bool,
+    /// The lowest and the highest value on the axis.
+    range: (f64, f64),
+}
+
+impl<'a> Chart<'a> {
+    /// The plot of a kind.
+    pub fn of(kind: Kind, curves: &'a Curves, dark: bool, logarithmic: bool) -> Self {
+        let theme = usize::from(!dark);
+        let lines: Vec<_> = match kind {
+            Kind::Kernel => curves.kernel.iter().zip(SIDE_INKS[theme]).collect(),
+            Kind::Measure => curves.measure.iter().zip(SIDE_INKS[theme]).collect(),
+            Kind::Reparameterisation => {
+                curves.reparameterisation.iter().zip(MAP_INKS[theme].into_iter().cycle()).collect()
+            }
+        };
+        let logarithmic = logarithmic && kind == Kind::Kernel;
+        let range = match kind {
+            Kind::Kernel => kernel_range(&curves.kernel, logarithmic),
+            _ => (0.0, 1.0),
+        };
+        Self { kind, lines, mapped: curves.mapped, logarithmic, range }
+    }
+
+    /// Draws the plot with the points at `marked` (by side, from the anchors); returns the
+    /// side and the arc length that the pointer is at.
+    pub fn show(&self, ui: &mut Ui, marked: Option<[f64; 2]>) -> Option<(Side, f64)> {
+        let palette = Palette::of(ui.visuals());
+        let columns = (ui.available_width() * ui.pixels_per_point()).max(1.0) as usize;
+        let logarithmic = self.logarithmic;
+        let plot = Plot::new(("plot", self.kind as usize))
+            .height(ui.available_height().max(80.0))
+            .allow_drag(false)
+            .allow_zoom(false)
+            .allow_scroll(false)
+            .allow_boxed_zoom(false)
+            .allow_axis_zoom_drag(false)
+            .allow_double_click_reset(false)
+            .show_x(false)
+            .show_y(false)
+            .show_crosshair(false)
+            .show_background(false)
+            .label_formatter(|_| None)
+            .grid_color(palette.border)
+            .grid_fade(0.5)
+            .x_grid_spacer(|_| fifths())
+            .y_grid_spacer(move |input| if logarithmic { decades(&input) } else { even_steps(&input) })
+            .custom_x_axes(vec![axis(AxisHints::new_x(), &palette, self.x_label()).label_spacing(30.0..=44.0)])
+            .custom_y_axes(vec![self.y_axis(&palette)]);
+        let response = plot.show(ui, |plot| {
+            let (low, high) = self.range;
+            let margin = MARGIN * (high - low);
+            plot.set_plot_bounds(PlotBounds::from_min_max([-MARGIN, low - margin], [1.0 + MARGIN, high + margin]));
+            self.add_lines(plot, columns);
+            if let Some(marked) = marked {
+                self.add_marks(plot, marked, &palette);
+            }
+        });
+        let pointer = response.response.hover_pos()?;
+        Some(self.pointed(&response.transform, pointer))
+    }
+
+    fn x_label(&self) -> String {
+        match self.kind {
+            Kind::Reparameterisation => format!("arc length from y / length, {}", self.mapped),
+            _ => String::from("arc length from y / length"),
+        }
+    }
+
+    fn y_axis(&self, palette: &Palette) -> AxisHints<'static> {
+        let label = match self.kind {
+            Kind::Kernel => String::from("ψ · length"),
+            Kind::Measure => String::from("ω"),
+            Kind::Reparameterisation => format!("{}", self.mapped.other()),
+        };
+        let axis = axis(AxisHints::new_y(), palette, label).label_spacing(14.0..=20.0).min_thickness(30.0);
+        let logarithmic = self.logarithmic;
+        axis.formatter(move |mark, _| if logarithmic { power_of_ten(mark.value) } else { decimal(mark) })
+    }
+
+    /// From a curve's value to the axis.
+    fn ordinate(&self, y: f64) -> f64 {
+        if self.logarithmic { y.max(f64::MIN_POSITIVE).log10().max(self.range.0) } else { y }
+    }
+
+    fn add_lines(&self, plot: &mut PlotUi, columns: usize) {
+        for (curve, ink) in &self.lines {
+            let points: Vec<[f64; 2]> =
+                decimate(&curve.points, columns).into_iter().map(|[x, y]| [x, self.ordinate(y)]).collect();
+            plot.line(Line::new(curve.name.clone(), points).color(*ink).width(1.6).allow_hover(false));
+        }
+    }
+
+    fn add_marks(&self, plot: &mut PlotUi, marked: [f64; 2], palette: &Palette) {
+        let [source, target] = marked;
+        if self.kind == Kind::Reparameterisation {
+            let (x, y) = if self.mapped == Side::Source { (source, target) } else { (target, source) };
+            plot.vline(VLine::new("", x).color(palette.weak).width(1.0).allow_hover(false));
+            add_dot(plot, [x, y], self.lines[0].1);
+            return;
+        }
+        for ((curve, ink), x) in self.lines.iter().zip(marked) {
+            plot.vline(VLine::new("", x).color(ink.gamma_multiply(0.6)).width(1.0).allow_hover(false));
+            add_dot(plot, [x, self.ordinate(curve.at(x))], *ink);
+        }
+    }
+
+    /// The side whose curve is nearest to the pointer, and the arc length there.
+    fn pointed(&self, transform: &PlotTransform, pointer: Pos2) -> (Side, f64) {
+        let x = transform.value_from_position(pointer).x.clamp(0.0, 1.0);
+        if self.kind == Kind::Reparameterisation {
+            return (self.mapped, x);
+        }
+        let distance = |side: &Side| {
+            let y = self.ordinate(self.lines[*side as usize].0.at(x));
+            (transform.position_from_point(&PlotPoint::new(x, y)).y - pointer.y).abs()
+        };
+        let nearest = Side::BOTH.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        (nearest.unwrap_or(Side::Source), x)
+    }
+}
+
+/// The curves' values at the marked points, in words, by side.
+pub fn values(kind: Kind, curves: &Curves, at: [f64; 2]) -> [String; 2] {
+    Side::BOTH.map(|side| {
+        let (k, x) = (side as usize, at[side as usize]);
+        match kind {
+            Kind::Kernel => short(curves.kernel[k].at(x)),
+            Kind::Measure => format!("{:.3}", curves.measure[k].at(x)),
+            Kind::Reparameterisation => format!("{x:.3}"),
+        }
+    })
+}
+
+fn short(value: f64) -> String {
+    if value == 0.0 || (0.01..1e4).contains(&value) { format!("{value:.2}") } else { format!("{value:.1e}") }
+}
+
+fn add_dot(plot: &mut PlotUi, at: [f64; 2], ink: Color32) {
+    plot.points(Points::new("", at).color(Color32::WHITE).radius(4.5).allow_hover(false));
+    plot.points(Points::new("", at).color(ink).radius(3.2).allow_hover(false));
+}
+
+fn axis<'a>(hints: AxisHints<'a>, palette: &Palette, label: String) -> AxisHints<'a> {
+    hints
+        .label(RichText::new(label).size(11.0).color(palette.weak))
+        .tick_label_color(palette.weak)
+        .tick_label_font(FontId::proportional(10.5))
+}
+
+/// The linear axis of the kernel ends above what this share of the boundary has, times `HEADROOM`:
+/// beside a re-entrant corner ψ grows without bound, and all the rest would lie on the axis.
+const SHOWN_SHARE: f64 = 0.98;
+const HEADROOM: f64 = 1.5;
+
+/// From 0 to what nearly the whole boundary has, or, as logarithms, from the smallest
+/// positive value to the largest one.
+fn kernel_range(curves: &[Curve; 2], logarithmic: bool) -> (f64, f64) {
+    let values = || curves.iter().flat_map(|curve| &curve.points).map(|p| p[1]);
+    let high = values().fold(f64::MIN_POSITIVE, f64::max);
+    if !logarithmic {
+        let usual = curves.iter().map(|curve| quantile(&curve.points, SHOWN_SHARE)).fold(0.0, f64::max);
+        return (0.0, high.min((HEADROOM * usual).max(f64::MIN_POSITIVE)));
+    }
+    let low = values().filter(|&y| y > 0.0).fold(high, f64::min);
+    let (low, high) = (low.log10().floor(), high.log10().ceil());
+    (low.max(high - MOST_DECADES), high.max(low + 1.0))
+}
+
+/// The value that a curve stays below on `share` of its length.
+fn quantile(points: &[[f64; 2]], share: f64) -> f64 {
+    let mut pieces: Vec<(f64, f64)> =
+        points.windows(2).map(|pair| (pair[0][1].max(pair[1][1]), pair[1][0] - pair[0][0])).collect();
+    pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let total: f64 = pieces.iter().map(|piece| piece.1).sum();
+    let mut sum = 0.0;
+    let reached = |(_, length): &&(f64, f64)| {
+        sum += length;
+        sum >= share * total
+    };
+    pieces.iter().find(reached).map_or(0.0, |piece| piece.0)
+}
+
+fn fifths() -> Vec<GridMark> {
+    (0..=5).map(|k| GridMark { value: f64::from(k) / 5.0, step_size: 0.2 }).collect()
+}
+
+/// Steps of 1, 2 or 5 times a power of ten, three to seven of them.
+fn even_steps(input: &GridInput) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    let raw = (high - low) / 6.0;
+    let power = 10_f64.powf(raw.log10().floor());
+    let step_size = [1.0, 2.0, 5.0, 10.0].map(|k| k * power).into_iter().find(|&step| step >= raw).unwrap_or(raw);
+    marks(low.max(0.0), high, step_size)
+}
+
+/// Whole decades, at most seven of them.
+fn decades(input: &GridInput) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    marks(low, high, ((high - low) / 6.0).ceil().max(1.0))
+}
+
+fn marks(low: f64, high: f64, step_size: f64) -> Vec<GridMark> {
+    let (first, last) = ((low / step_size).ceil() as i64, (high / step_size).floor() as i64);
+    (first..=last).map(|k| GridMark { value: k as f64 * step_size, step_size }).collect()
+}
+
+/// As many digits as the step has.
+fn decimal(mark: GridMark) -> String {
+    let digits = (-mark.step_size.log10().floor()).max(0.0) as usize;
+    format!("{:.digits$}", mark.value)
+}
+
+/// "10⁻³".
+fn power_of_ten(exponent: f64) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| match c.to_digit(10) {
+        Some(digit) => DIGITS[digit as usize],
+        None => '⁻',
+    };
+    let digits: String = (exponent.round() as i64).to_string().chars().map(raised).collect();
+    format!("10{digits}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(values: &[f64]) -> Curve {
+        let points = values.iter().enumerate().map(|(k, &y)| [k as f64, y]).collect();
+        Curve { name: String::new(), points }
+    }
+
+    #[test]
+    fn the_kernels_axis_holds_both_curves() {
+        let curves = [curve(&[0.5, 1.0, 0.0]), curve(&[3.0, 2e-7])];
+        assert_eq!(kernel_range(&curves, false), (0.0, 3.0));
+        let flat_with_a_spike: Vec<f64> = (0..1000).map(|k| if k == 500 { 400.0 } else { 2.0 }).collect();
+        assert_eq!(kernel_range(&[curve(&flat_with_a_spike), curve(&[1.0, 1.0])], false), (0.0, 3.0));
+        assert_eq!(kernel_range(&curves, true), (-7.0, 1.0));
+        let crowded = [curve(&[1e-200, 20.0]), curve(&[1.0])];
+        assert_eq!(kernel_range(&crowded, true), (2.0 - MOST_DECADES, 2.0));
+    }
+
+    #[test]
+    fn grid_lines_lie_at_round_values() {
+        let input = |low, high| GridInput { bounds: (low, high), base_step_size: 0.01 };
+        let values = |marks: Vec<GridMark>| marks.iter().map(|mark| mark.value).collect::<Vec<_>>();
+        assert_eq!(values(even_steps(&input(-0.1, 3.9))), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(values(decades(&input(-14.2, 2.1))), [-12.0, -9.0, -6.0, -3.0, 0.0]);
+        assert_eq!(decimal(GridMark { value: 0.4, step_size: 0.2 }), "0.4");
+        assert_eq!(decimal(GridMark { value: 40.0, step_size: 20.0 }), "40");
+        assert_eq!((power_of_ten(-12.0), power_of_ten(3.0)), (String::from("10⁻¹²"), String::from("10³")));
+    }
+}

@@ -1,0 +1,199 @@
+//! The plots: kernel, measure and reparameterisation over the arc length, live.
+//!
+//! In a dock below the viewports, three in a row; on a phone one at a time in the
+//! sheet. Pointing at a plot marks the boundary point and its partner in both
+//! viewports, pointing at a boundary marks both in the plots.
+
+mod chart;
+mod curves;
+
+pub use curves::Curves;
+
+use super::model::{Model, SIDES};
+use super::theme::{self, Palette};
+use super::widgets::{Segment, dot, segmented};
+use crate::conformal::Side;
+use egui::{Align, Color32, Layout, RichText, Ui};
+
+/// The height of the dock.
+pub const DOCK_HEIGHT: f32 = 212.0;
+
+/// Which plot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Kind {
+    #[default]
+    Kernel,
+    Measure,
+    Reparameterisation,
+}
+
+const KINDS: [Segment<Kind>; 3] = [
+    Segment {
+        value: Kind::Kernel,
+        label: "Poisson kernel",
+        tooltip: "ψ·ℓ: how likely a random walk from x is to leave through a piece of the boundary, per piece of its \
+            length; 1 where it is as likely as anywhere",
+    },
+    Segment {
+        value: Kind::Measure,
+        label: "Harmonic measure",
+        tooltip: "ω: the chance that a random walk from x leaves through the boundary between y and here, \
+            counter-clockwise. The map takes each point to the one with the same measure",
+    },
+    Segment {
+        value: Kind::Reparameterisation,
+        label: "Reparameterisation",
+        tooltip: "r: where the map takes a boundary point, in arc length from y; straight where lengths are kept in proportion",
+    },
+];
+
+/// A point of a boundary, by its fraction of the outline's arc length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct BoundaryPlace {
+    side: Side,
+    fraction: f64,
+}
+
+/// The plots' state on the screen.
+#[derive(Debug, Default)]
+pub struct Plots {
+    /// With the generation of the map that they are of.
+    curves: Option<(u64, Curves)>,
+    /// The kernel's axis.
+    logarithmic: bool,
+    /// The one on a phone.
+    shown: Kind,
+    /// Where the pointer was in the plots in the last frame, and is in this one: plots
+    /// that are drawn before the one under the pointer are marked too.
+    in_plot: Option<BoundaryPlace>,
+    found: Option<BoundaryPlace>,
+    in_view: Option<BoundaryPlace>,
+}
+
+impl Plots {
+    /// Looks for the pointer in the plots anew.
+    pub fn begin_frame(&mut self) {
+        self.in_plot = self.found.take();
+    }
+
+    /// Takes in where the pointer is on a boundary in a viewport; whether that is new.
+    pub fn point_at(&mut self, place: Option<(Side, f64)>) -> bool {
+        let place = place.map(|(side, fraction)| BoundaryPlace { side, fraction });
+        std::mem::replace(&mut self.in_view, place) != place
+    }
+
+    /// Renews the curves when the map has changed and somebody needs them.
+    pub fn update(&mut self, model: &Model) {
+        let needed = model.session().plots || self.pointed().is_some();
+        let generation = model.generation();
+        if let (true, Some(map)) = (needed && self.generation() != Some(generation), model.map()) {
+            self.curves = Some((generation, Curves::new(map, model.session().anchor)));
+        }
+    }
+
+    /// The marked point and its partner: fractions of arc length of source and target.
+    pub fn marked(&self) -> Option<[f64; 2]> {
+        let (curves, at) = (self.curves()?, self.marked_from_anchor()?);
+        Some(SIDES.map(|side| curves.fraction(side, at[side as usize])))
+    }
+
+    /// The colours of source and target.
+    pub fn inks(dark: bool) -> [Color32; 2] {
+        chart::SIDE_INKS[usize::from(!dark)]
+    }
+
+    fn generation(&self) -> Option<u64> {
+        self.curves.as_ref().map(|(generation, _)| *generation)
+    }
+
+    fn curves(&self) -> Option<&Curves> {
+        self.curves.as_ref().map(|(_, curves)| curves)
+    }
+
+    fn pointed(&self) -> Option<BoundaryPlace> {
+        self.found.or(self.in_plot).or(self.in_view)
+    }
+
+    /// As [`Self::marked`], from the anchors.
+    fn marked_from_anchor(&self) -> Option<[f64; 2]> {
+        let (curves, place) = (self.curves()?, self.pointed()?);
+        let x = curves.along(place.side, place.fraction);
+        let there = curves.partner(place.side, x);
+        Some(if place.side == Side::Source { [x, there] } else { [there, x] })
+    }
+
+    /// All three in a row.
+    pub fn show_row(&mut self, ui: &mut Ui, model: &Model) {
+        self.update(model);
+        ui.spacing_mut().item_spacing.x = 18.0;
+        ui.columns_const(|columns: &mut [Ui; KINDS.len()]| {
+            for (ui, kind) in columns.iter_mut().zip(&KINDS) {
+                self.show_plot(ui, kind);
+            }
+        });
+        self.settle(ui);
+    }
+
+    /// One of them, under a switch.
+    pub fn show_one(&mut self, ui: &mut Ui, model: &Model) {
+        self.update(model);
+        let short = [("Kernel", 0), ("Measure", 1), ("Reparam.", 2)];
+        let kinds = short.map(|(label, k): (&'static str, usize)| Segment { label, ..KINDS[k] });
+        if let Some(kind) = segmented(ui, &kinds, self.shown) {
+            self.shown = kind;
+        }
+        if let Some(kind) = KINDS.iter().find(|kind| kind.value == self.shown) {
+            self.show_plot(ui, kind);
+        }
+        self.settle(ui);
+    }
+
+    /// What was drawn before the pointer was found is drawn once more.
+    fn settle(&self, ui: &Ui) {
+        if self.found != self.in_plot {
+            ui.request_repaint();
+        }
+    }
+
+    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<Kind>) {
+        let marked = self.marked_from_anchor();
+        self.header(ui, kind, marked);
+        let Some((_, curves)) = &self.curves else { return };
+        let chart = chart::Chart::of(kind.value, curves, ui.visuals().dark_mode, self.logarithmic);
+        if let Some((side, x)) = chart.show(ui, marked) {
+            self.found = Some(BoundaryPlace { side, fraction: curves.fraction(side, x) });
+        }
+    }
+
+    /// The title, what the colours mean, and the values at the marked point.
+    fn header(&mut self, ui: &mut Ui, kind: &Segment<Kind>, marked: Option<[f64; 2]>) {
+        let palette = Palette::of(ui.visuals());
+        let inks = Self::inks(ui.visuals().dark_mode);
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.spacing_mut().interact_size.y = 20.0;
+            ui.label(RichText::new(kind.label).font(theme::bold(12.5)).color(palette.text)).on_hover_text(kind.tooltip);
+            if kind.value == Kind::Kernel {
+                self.scale_switch(ui);
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let values = marked.and_then(|at| Some(chart::values(kind.value, self.curves()?, at)));
+                for side in [Side::Target, Side::Source] {
+                    let text = values.as_ref().map_or_else(|| side.to_string(), |values| values[side as usize].clone());
+                    ui.label(RichText::new(text).small().color(palette.weak));
+                    dot(ui, inks[side as usize]);
+                }
+            });
+        });
+    }
+
+    fn scale_switch(&mut self, ui: &mut Ui) {
+        let tooltip = "A logarithmic axis: shows how deep the kernel falls where the domain is crowded";
+        let label = RichText::new("log").small();
+        ui.spacing_mut().button_padding = egui::vec2(6.0, 1.0);
+        let button = egui::Button::selectable(self.logarithmic, label).frame_when_inactive(true);
+        if ui.add(button).on_hover_text(tooltip).clicked() {
+            self.logarithmic = !self.logarithmic;
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! The Cauchy–Green images of a map, chunk by chunk, so that a large mesh never blocks a frame.
+
+use super::PreparedDomain;
+use super::cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, STORED_BYTES};
+use crate::geometry::DVec2;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use web_time::Instant;
+
+/// How far the harmonic images are replaced by Cauchy–Green ones.
+#[derive(Debug, Default)]
+pub(super) struct Refinement {
+    coordinates: Option<CauchyGreen>,
+    values: BoundaryValues,
+    /// The first vertex that is not replaced; `None` if nothing is to be replaced.
+    next: Option<usize>,
+}
+
+impl Refinement {
+    /// Nothing is to be replaced. The coordinates are kept.
+    pub(super) fn clear(&mut self) {
+        self.next = None;
+    }
+
+    /// Begins again with the boundary images `values` of `domain`. Coordinates of the same domain are kept.
+    pub(super) fn restart(&mut self, domain: &Arc<PreparedDomain>, values: &[DVec2]) {
+        if !self.coordinates.as_ref().is_some_and(|known| Arc::ptr_eq(known.domain(), domain)) {
+            self.coordinates = Some(CauchyGreen::new(Arc::clone(domain), STORED_BYTES));
+        }
+        self.values.set(values);
+        self.next = Some(0);
+    }
+
+    /// Replaces images for about `budget_ms` (at least one chunk); whether all are.
+    pub(super) fn advance(&mut self, images: &mut [DVec2], budget_ms: f64) -> bool {
+        let (Some(next), Some(coordinates)) = (&mut self.next, &mut self.coordinates) else { return true };
+        if *next < images.len() {
+            let start = Instant::now();
+            let mut go_on = |_| {
+                let in_time = start.elapsed().as_secs_f64() * 1e3 < budget_ms;
+                if in_time { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            };
+            *next = coordinates.advance(*next, &self.values, images, &mut go_on);
+        }
+        *next == images.len()
+    }
+
+    /// The fraction of the vertices that is replaced; 1 if nothing is to be replaced.
+    pub(super) fn progress(&self, vertices: usize) -> f64 {
+        self.next.map_or(1.0, |next| next as f64 / vertices as f64)
+    }
+
+    /// Where the coordinates come from, once they were needed.
+    pub(super) fn mode(&self) -> Option<CauchyGreenMode> {
+        self.coordinates.as_ref().map(CauchyGreen::mode)
+    }
+
+    /// Takes the coordinates of `old` if they are of the same domain.
+    pub(super) fn adopt(&mut self, domain: &Arc<PreparedDomain>, old: Self) {
+        if old.coordinates.as_ref().is_some_and(|known| Arc::ptr_eq(known.domain(), domain)) {
+            self.coordinates = old.coordinates;
+        }
+    }
+}

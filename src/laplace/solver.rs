@@ -1,0 +1,116 @@
+//! Solving L̂ x = b: directly by a complete factor, or iteratively where that does not fit.
+
+use super::{DirichletLaplacian, Factor, Lanes, LaplaceError, NotConverged, Ordering, Pcg, RootPaths};
+
+/// Which solver is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SolverKind {
+    /// The complete Cholesky factor; where it does not fit into memory, as [`Self::Pcg`].
+    #[default]
+    Direct,
+    /// Conjugate gradients with an incomplete Cholesky factor.
+    Pcg,
+}
+
+/// A way to solve L̂ x = b.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Solver {
+    /// By a complete factor.
+    Direct(Factor),
+    /// By conjugate gradients; every solve visits every unknown.
+    Pcg {
+        /// The matrix and its incomplete factor.
+        pcg: Pcg,
+        /// `0, 1, …, n−1`.
+        unknowns: Vec<u32>,
+        /// The empty set.
+        nothing: RootPaths,
+    },
+}
+
+impl Solver {
+    /// The direct one.
+    pub fn direct(laplacian: &DirichletLaplacian, ordering: Ordering, budget_bytes: u64) -> Result<Self, LaplaceError> {
+        Factor::new(laplacian, ordering, budget_bytes).map(Self::Direct)
+    }
+
+    /// The iterative one.
+    pub fn pcg(laplacian: &DirichletLaplacian) -> Result<Self, LaplaceError> {
+        Pcg::new(laplacian).map(Self::from)
+    }
+
+    /// Which one it is.
+    pub fn kind(&self) -> SolverKind {
+        match self {
+            Self::Direct(_) => SolverKind::Direct,
+            Self::Pcg { .. } => SolverKind::Pcg,
+        }
+    }
+
+    /// The number of unknowns, `n`.
+    pub fn len(&self) -> usize {
+        self.unknowns().len()
+    }
+
+    /// Whether there are no unknowns.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Where an unknown stands in the vectors that [`Self::solve`] works on.
+    pub fn position(&self, unknown: u32) -> usize {
+        match self {
+            Self::Direct(factor) => factor.position(unknown),
+            Self::Pcg { .. } => unknown as usize,
+        }
+    }
+
+    /// The unknown at each position.
+    pub fn unknowns(&self) -> &[u32] {
+        match self {
+            Self::Direct(factor) => factor.unknowns(),
+            Self::Pcg { unknowns, .. } => unknowns,
+        }
+    }
+
+    /// What [`Self::solve`] is asked for when every unknown is wanted.
+    pub fn everything(&self) -> &RootPaths {
+        match self {
+            Self::Direct(factor) => factor.everything(),
+            Self::Pcg { nothing, .. } => nothing,
+        }
+    }
+
+    /// Collects into `paths` what [`Self::solve`] visits for the `unknowns`.
+    pub fn root_paths(&self, unknowns: impl IntoIterator<Item = u32>, paths: &mut RootPaths) {
+        if let Self::Direct(factor) = self {
+            factor.root_paths(unknowns, paths);
+        }
+    }
+
+    /// Solves L̂ x = b in place, `x` ordered by [`Self::position`]. On entry it holds b,
+    /// zero outside the unknowns of `given`; on exit the solution at those of `wanted`.
+    /// Errors: [`NotConverged`], only of the iterative solver.
+    pub fn solve<const K: usize>(
+        &self,
+        given: &RootPaths,
+        wanted: &RootPaths,
+        x: &mut [Lanes<K>],
+    ) -> Result<(), NotConverged> {
+        match self {
+            Self::Direct(factor) => {
+                factor.solve(given, wanted, x);
+                Ok(())
+            }
+            Self::Pcg { pcg, .. } => pcg.solve(x),
+        }
+    }
+}
+
+impl From<Pcg> for Solver {
+    fn from(pcg: Pcg) -> Self {
+        let unknowns = (0..pcg.len() as u32).collect();
+        Self::Pcg { pcg, unknowns, nothing: RootPaths::default() }
+    }
+}

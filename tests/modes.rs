@@ -1,0 +1,139 @@
+//! The modes of the preparation give the same map: table and adjoint kernel, direct and iterative solver.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+use riemap::conformal::{
+    ConformalMap, Constraints, DomainBuffers, HarmonicTable, KernelMode, KernelScratch, MapSettings, Memory,
+    PrepareError, PrepareSettings, PreparedDomain, Stage, TableError, poisson_kernel, prepare, prepare_within,
+};
+use riemap::laplace::{Solver, SolverKind};
+use riemap::mesh::{Sizing, locate};
+use riemap::outline::{Preset, Sampling};
+use std::sync::Arc;
+
+const COARSE: PrepareSettings = PrepareSettings {
+    sampling: Sampling::Uniform { count: 150, keep_corners: true },
+    sizing: Sizing::Uniform,
+    kernel: KernelMode::Adjoint,
+    solver: SolverKind::Direct,
+};
+const TABLE: PrepareSettings = PrepareSettings { kernel: KernelMode::Table, ..COARSE };
+const PCG: PrepareSettings = PrepareSettings { solver: SolverKind::Pcg, ..COARSE };
+
+fn domain(preset: Preset, settings: PrepareSettings) -> PreparedDomain {
+    prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap()
+}
+
+/// The kernel at every `step`-th interior vertex, moved a little towards the pole.
+fn kernels(domain: &PreparedDomain, step: usize) -> Vec<Vec<f64>> {
+    let inside = domain.mesh.vertices[domain.samples.len()..].iter().step_by(step);
+    let mut scratch = KernelScratch::default();
+    let near = inside.filter_map(|v| locate(&domain.mesh, v.lerp(domain.pole, 0.01), 0));
+    near.map(|x| {
+        let mut psi = Vec::new();
+        poisson_kernel(domain, x, &mut scratch, &mut psi).unwrap();
+        psi
+    })
+    .collect()
+}
+
+/// The largest difference of two kernels, relative to the larger one's maximum.
+fn difference(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let worst = |(a, b): (&Vec<f64>, &Vec<f64>)| {
+        let scale = a.iter().fold(0.0_f64, |m, v| m.max(*v));
+        a.iter().zip(b).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs() / scale))
+    };
+    a.iter().zip(b).map(worst).fold(0.0, f64::max)
+}
+
+#[test]
+fn kernels_from_the_table_equal_the_adjoint_ones() {
+    for preset in [Preset::Disk, Preset::LShape, Preset::Cinquefoil, Preset::Star] {
+        let (adjoint, table) = (domain(preset, COARSE), domain(preset, TABLE));
+        assert!(adjoint.table.is_none() && table.table.is_some());
+        let error = difference(&kernels(&adjoint, 17), &kernels(&table, 17));
+        println!("{}: {error:.1e}", preset.name());
+        assert!(error <= 1e-12, "{}: {error:e}", preset.name());
+    }
+}
+
+#[test]
+fn table_is_made_with_progress_in_per_cent() {
+    let mut percents = Vec::new();
+    let progress =
+        &mut |stage| percents.extend(if let Stage::Table { percent } = stage { Some(percent) } else { None });
+    prepare(&Preset::Heart.outline().polygon, &TABLE, progress).unwrap();
+    assert!(percents.windows(2).all(|pair| pair[0] < pair[1]), "{percents:?}");
+    assert!(percents.first() == Some(&0) && percents.last().is_some_and(|&p| p > 90), "{percents:?}");
+}
+
+#[test]
+fn table_above_the_budget_is_refused_with_what_fits() {
+    let polygon = Preset::Heart.outline().polygon;
+    let whole = domain(Preset::Heart, TABLE);
+    let (n, m) = (whole.mesh.interior_count(), whole.samples.len());
+    let bytes = HarmonicTable::bytes(n, m);
+    let memory = Memory { table_bytes: bytes / 8, ..Memory::default() };
+    let error = prepare_within(memory, &polygon, &TABLE, &mut |_| ()).unwrap_err();
+    println!("{error}");
+    let PrepareError::Table(TableError::TooLarge { bytes: stated, fitting_samples, .. }) = error else {
+        panic!("{error}")
+    };
+    assert_eq!(stated, bytes);
+    // n·m = O(m³): an eighth of the memory holds the table of half the samples
+    let sampling = Sampling::Uniform { count: fitting_samples as u32, keep_corners: true };
+    let fitting = prepare_within(memory, &polygon, &PrepareSettings { sampling, ..TABLE }, &mut |_| ());
+    assert!(fitting.is_ok() && fitting_samples.abs_diff(m / 2) <= 1, "{fitting_samples} of {m}: {:?}", fitting.err());
+}
+
+#[test]
+fn iterative_solver_gives_the_same_kernels_and_maps() {
+    let both = [COARSE, PCG].map(|settings| {
+        let (source, target) = (domain(Preset::Cinquefoil, settings), domain(Preset::Heart, settings));
+        assert_eq!(source.solver.kind(), settings.solver);
+        let constraints = Constraints {
+            source_point: source.pole,
+            target_point: target.pole,
+            source_anchor: 0.1,
+            target_anchor: 0.7,
+        };
+        let kernels = kernels(&source, 97);
+        let map = ConformalMap::new(Arc::new(source), Arc::new(target), &constraints, MapSettings::default()).unwrap();
+        (kernels, map.images().to_vec())
+    });
+    // a residual of 1e-12 times the condition of L̂, about n = 2000
+    let kernel_error = difference(&both[0].0, &both[1].0);
+    let image_error = both[0].1.iter().zip(&both[1].1).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+    println!("kernels {kernel_error:.1e}, images {image_error:.1e}");
+    assert!(kernel_error < 1e-9, "{kernel_error:e}");
+    assert!(image_error < 1e-8, "{image_error:e}");
+}
+
+#[test]
+fn factor_above_the_budget_gives_way_to_the_iterative_solver() {
+    let polygon = Preset::Blob.outline().polygon;
+    let memory = Memory { factor_bytes: 10_000, ..Memory::default() };
+    let domain = prepare_within(memory, &polygon, &COARSE, &mut |_| ()).unwrap();
+    assert_eq!(domain.solver.kind(), SolverKind::Pcg);
+}
+
+#[test]
+fn every_mode_survives_the_trip_through_flat_arrays() {
+    for settings in [COARSE, TABLE, PCG] {
+        let domain = domain(Preset::Square, settings);
+        let back = PreparedDomain::from_buffers(domain.to_buffers()).unwrap();
+        assert_eq!(back.solver, domain.solver);
+        assert_eq!(back.table, domain.table);
+        assert_eq!(back.timings, domain.timings);
+        let broken = |damage: fn(&mut DomainBuffers)| {
+            let mut buffers = domain.to_buffers();
+            damage(&mut buffers);
+            PreparedDomain::from_buffers(buffers).is_none()
+        };
+        assert!(broken(|b| b.floats.truncate(5)), "arrays missing");
+        assert!(broken(|b| b.floats.push(Vec::new())), "an array too many");
+        assert!(broken(|b| b.floats[5].truncate(3)), "values of the solver missing");
+    }
+    assert!(matches!(domain(Preset::Square, PCG).solver, Solver::Pcg { .. }));
+}
