@@ -56,12 +56,20 @@ struct Measured<T, P> {
     paper: P,
 }
 
+/// A row of Table 1 with the time of the table of Ψ, where it was measured.
+#[derive(serde::Serialize)]
+struct Prepared {
+    #[serde(flatten)]
+    row: Measured<Preparation, PaperPreparation>,
+    psi_s: Option<f64>,
+}
+
 #[derive(serde::Serialize)]
 struct Report {
     machine: Machine,
     paper_machine: &'static str,
     runs: usize,
-    table_1: Vec<Measured<Preparation, PaperPreparation>>,
+    table_1: Vec<Prepared>,
     table_2: Vec<Measured<Frame, PaperFrame>>,
 }
 
@@ -71,14 +79,13 @@ pub fn run(arguments: &BenchArguments) -> Result<(), CliError> {
     let machine = Machine::this();
     let mut report = Report { machine, paper_machine: PAPER_MACHINE, runs, table_1: vec![], table_2: vec![] };
     for row in BenchRow::all() {
-        match (row, row.measure(runs)?) {
-            (BenchRow::Preparation { index, setting }, Some(Measurement::Preparation(here))) => {
-                report.table_1.push(Measured { setting, here, paper: TABLE_1[index] });
-            }
-            (BenchRow::Frame { index, setting }, Some(Measurement::Frame(here))) => {
-                report.table_2.push(Measured { setting, here, paper: TABLE_2[index] });
-            }
-            _ => (),
+        // the tables of Ψ take seconds each and riemap does not need them: once is enough
+        let runs = if matches!(row, BenchRow::PsiTable { .. }) { 1 } else { runs };
+        if arguments.quick && matches!(row, BenchRow::PsiTable { .. }) {
+            continue;
+        }
+        if let Some(measurement) = row.measure(runs)? {
+            report.add(row, measurement);
         }
     }
     if arguments.json {
@@ -89,6 +96,24 @@ pub fn run(arguments: &BenchArguments) -> Result<(), CliError> {
 }
 
 impl Report {
+    fn add(&mut self, row: BenchRow, measurement: Measurement) {
+        match (row, measurement) {
+            (BenchRow::Preparation { index, setting }, Measurement::Preparation(here)) => {
+                self.table_1.push(Prepared { row: Measured { setting, here, paper: TABLE_1[index] }, psi_s: None });
+            }
+            (BenchRow::PsiTable { index }, Measurement::PsiTable { psi_s }) => {
+                let same = |r: &&mut Prepared| r.row.setting == BenchSetting::Paper && r.row.paper == TABLE_1[index];
+                if let Some(prepared) = self.table_1.iter_mut().find(same) {
+                    prepared.psi_s = psi_s;
+                }
+            }
+            (BenchRow::Frame { index, setting }, Measurement::Frame(here)) => {
+                self.table_2.push(Measured { setting, here, paper: TABLE_2[index] });
+            }
+            _ => (),
+        }
+    }
+
     fn say(&self) -> String {
         let mut text = format!("here:  {}\npaper: {PAPER_MACHINE}\n", self.machine.say());
         let _ = writeln!(text, "median of {} run(s); outlines but V-shape and blob are riemap's own", self.runs);
@@ -105,15 +130,21 @@ impl Report {
         let _ = writeln!(text, "\nTable 1, preparation in seconds, {}", title(setting));
         let _ = writeln!(
             text,
-            "{:<12} {:>5} {:>7} {:>7} | {:>17} | {:>19} | {:>15} | {:>7} {:>7}",
-            "", "m", "n", "N", "mesh here  paper", "factor here  Ψ paper", "Zipper here  paper", "BFF", "SC"
+            "{:<12} {:>5} {:>7} {:>7} | {:>8} {:>7} | {:>8} {:>8} {:>8} | {:>8} {:>7} | {:>6} {:>6}",
+            "", "", "", "", "mesh", "", "factor", "with Ψ", "", "Zipper", "", "BFF", "SC"
         );
-        for row in self.table_1.iter().filter(|row| row.setting == setting) {
+        let _ = writeln!(
+            text,
+            "{:<12} {:>5} {:>7} {:>7} | {:>8} {:>7} | {:>8} {:>8} {:>8} | {:>8} {:>7} | {:>6} {:>6}",
+            "", "m", "n", "N", "here", "paper", "here", "here", "paper", "here", "paper", "paper", "paper"
+        );
+        for Prepared { row, psi_s } in self.table_1.iter().filter(|prepared| prepared.row.setting == setting) {
             let (here, paper) = (&row.here, &row.paper);
-            let sc = paper.sc_toolbox_s.map_or_else(|| "–".to_owned(), |s| format!("~{s}"));
+            let optional =
+                |s: &Option<f64>, digits: usize| s.map_or_else(|| "–".to_owned(), |s| format!("{s:.digits$}"));
             let _ = writeln!(
                 text,
-                "{:<12} {:>5} {:>7} {:>7} | {:>9.3} {:>7.3} | {:>11.3} {:>8.3} | {:>11.3} {:>6.3} | {:>7.3} {:>7}",
+                "{:<12} {:>5} {:>7} {:>7} | {:>8.4} {:>7.3} | {:>8.4} {:>8} {:>8.3} | {:>8.3} {:>7.3} | {:>6.3} {:>6}",
                 paper.domain.name(),
                 here.m,
                 here.n,
@@ -121,11 +152,12 @@ impl Report {
                 here.triangulation_s,
                 paper.triangulation_s,
                 here.factorisation_s,
+                optional(psi_s, 3),
                 paper.psi_s,
                 here.zipper_s,
                 paper.zipper_s,
                 paper.bff_s,
-                sc
+                optional(&paper.sc_toolbox_s, 0)
             );
         }
     }
@@ -134,16 +166,21 @@ impl Report {
         let _ = writeln!(text, "\nTable 2, a frame in milliseconds, {}", title(setting));
         let _ = writeln!(
             text,
-            "{:<36} {:>11} {:>7} | {:>26} | {:>16}",
-            "", "m₁, m₂", "N₁", "ψ + matching: x₁   x₂  paper", "extension  paper"
+            "{:<36} {:>10} {:>7} | {:>8} {:>8} {:>8} | {:>8} {:>8}",
+            "", "", "", "ψ+match", "", "", "extend", ""
+        );
+        let _ = writeln!(
+            text,
+            "{:<36} {:>10} {:>7} | {:>8} {:>8} {:>8} | {:>8} {:>8}",
+            "", "m₁, m₂", "N₁", "x₁ moves", "x₂ moves", "paper", "here", "paper"
         );
         for row in self.table_2.iter().filter(|row| row.setting == setting) {
             let (here, paper) = (&row.here, &row.paper);
             let name = format!("Figure {}, {} → {}", paper.figure, paper.source.name(), paper.target.name());
+            let samples = format!("{}, {}", here.m[0], here.m[1]);
             let _ = writeln!(
                 text,
-                "{name:<36} {:>11} {:>7} | {:>14.3} {:>6.3} {:>6.3} | {:>9.3} {:>6.3}",
-                format!("{}, {}", here.m[0], here.m[1]),
+                "{name:<36} {samples:>10} {:>7} | {:>8.3} {:>8.3} {:>8.3} | {:>8.3} {:>8.3}",
                 here.triangles,
                 here.source.matching_ms,
                 here.target.matching_ms,

@@ -7,7 +7,8 @@
 use super::scenes::{crowding_constraints, uniform};
 use super::{Figure, FigureError};
 use crate::conformal::{
-    ConformalMap, Constraints, Direction, PrepareSettings, PrepareTimings, PreparedDomain, Side, prepare,
+    ConformalMap, Constraints, Direction, KernelMode, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain,
+    Side, prepare,
 };
 use crate::geometry::DVec2;
 use crate::outline::Preset;
@@ -102,6 +103,12 @@ pub enum BenchRow {
         /// Under these settings.
         setting: BenchSetting,
     },
+    /// The table of Ψ of row `index` of [`TABLE_1`], which riemap does not need, under the
+    /// paper's settings: up to 1 GB, seconds.
+    PsiTable {
+        /// `0 … 5`.
+        index: usize,
+    },
     /// Row `index` of [`TABLE_2`].
     Frame {
         /// `0 … 2`.
@@ -156,6 +163,11 @@ pub struct FrameTimes {
 pub enum Measurement {
     /// Of Table 1.
     Preparation(Preparation),
+    /// The column Ψ of Table 1.
+    PsiTable {
+        /// Seconds, with the factorisation; `None` where the table would take too much memory.
+        psi_s: Option<f64>,
+    },
     /// Of Table 2.
     Frame(Frame),
 }
@@ -164,13 +176,14 @@ pub enum Measurement {
 const FRAMES_PER_RUN: usize = 5;
 
 impl BenchRow {
-    /// All rows, as in the tables, with the paper's settings first.
+    /// All rows, as in the tables, with the paper's settings first and the tables of Ψ last.
     pub fn all() -> Vec<Self> {
         let rows = |setting: BenchSetting| {
             let preparations = (0..TABLE_1.len()).map(move |index| Self::Preparation { index, setting });
             preparations.chain((0..TABLE_2.len()).map(move |index| Self::Frame { index, setting }))
         };
-        BenchSetting::ALL.into_iter().flat_map(rows).collect()
+        let tables = (0..TABLE_1.len()).map(|index| Self::PsiTable { index });
+        BenchSetting::ALL.into_iter().flat_map(rows).chain(tables).collect()
     }
 
     /// Measures it `runs` times (at least once); medians. `None` for an index beyond the table.
@@ -178,6 +191,10 @@ impl BenchRow {
         Ok(match self {
             Self::Preparation { index, setting } => match TABLE_1.get(index) {
                 Some(row) => Some(Measurement::Preparation(preparation(row.domain, setting, runs.max(1))?)),
+                None => None,
+            },
+            Self::PsiTable { index } => match TABLE_1.get(index) {
+                Some(row) => Some(Measurement::PsiTable { psi_s: psi_table(row.domain, runs.max(1))? }),
                 None => None,
             },
             Self::Frame { index, setting } => match TABLE_2.get(index) {
@@ -213,6 +230,23 @@ fn preparation(preset: Preset, setting: BenchSetting, runs: usize) -> Result<Pre
         factorisation_s: seconds(|t| t.assemble + t.order + t.factor),
         zipper_s: median(zipper),
     })
+}
+
+fn psi_table(preset: Preset, runs: usize) -> Result<Option<f64>, FigureError> {
+    let settings = PrepareSettings { kernel: KernelMode::Table, ..BenchSetting::Paper.settings(preset) };
+    let polygon = preset.outline().polygon;
+    let mut seconds = Vec::new();
+    for _ in 0..runs {
+        match prepare(&polygon, &settings, &mut |_| ()) {
+            Ok(domain) => {
+                let t = domain.timings;
+                seconds.push(1e-3 * (t.assemble + t.order + t.factor + t.table));
+            }
+            Err(PrepareError::Table(_)) => return Ok(None),
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(Some(median(seconds)))
 }
 
 fn frame(row: &PaperFrame, setting: BenchSetting, frames: usize) -> Result<Frame, FigureError> {

@@ -44,9 +44,9 @@ impl Method {
     pub fn title(self) -> &'static str {
         match self {
             Self::Exact => "exact",
-            Self::HarmonicMeasure => "riemap: harmonic measure",
+            Self::HarmonicMeasure => "riemap (harmonic measure)",
             Self::FreshZipper => "Zipper, run for x₁, x₂",
-            Self::PrecomputedZipper => "Zipper, precomputed + Möbius",
+            Self::PrecomputedZipper => "Zipper once, then Möbius",
         }
     }
 }
@@ -106,12 +106,12 @@ impl CrowdingStudy {
     }
 
     /// The images of all vertices of the V's mesh: the harmonic extension of one boundary map.
-    pub fn extended(&self, map: &BoundaryMap) -> Vec<DVec2> {
+    pub fn extended(&self, map: &BoundaryMap) -> Result<Vec<DVec2>, FigureError> {
         let domain = self.map.domain(Side::Source);
         let mut images = map.images.clone();
         images.resize(domain.mesh.vertices.len(), DVec2::ZERO);
-        harmonic_extension(domain, &mut images, &mut Vec::new());
-        images
+        harmonic_extension(domain, &mut images, &mut Vec::new())?;
+        Ok(images)
     }
 
     /// Where extended `images` put x₁; it should be x₂. Infinite if x₁ is not in the mesh.

@@ -29,7 +29,7 @@ impl DiskKernelStudy {
         let outside = MapError::PointOutside { side: Side::Source, x: point.x, y: point.y };
         let located = locate(&domain.mesh, point, 0).ok_or(outside)?;
         let mut kernel = Vec::new();
-        poisson_kernel(&domain, located, &mut KernelScratch::default(), &mut kernel);
+        poisson_kernel(&domain, located, &mut KernelScratch::default(), &mut kernel)?;
         let anchor = domain.samples.at_fraction(scene.session.anchor[0]);
         let measure = HarmonicMeasure::new(&domain.samples, &kernel, anchor);
         Ok(Self { domain, point, kernel, measure })

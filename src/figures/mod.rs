@@ -19,6 +19,7 @@ mod bench;
 mod convergence;
 mod crowding;
 mod disk_kernel;
+mod moebius;
 mod scenes;
 mod table;
 
@@ -30,10 +31,12 @@ pub use bench::{
 pub use convergence::{ConvergenceRow, ConvergenceStudy, SecondMap, fitted_order};
 pub use crowding::{BoundaryMap, CrowdingStudy, Method};
 pub use disk_kernel::DiskKernelStudy;
+pub use moebius::{GRID_CIRCLES, GRID_RAYS, MoebiusStudy, grid_point};
 pub use scenes::Scene;
 pub use table::{Cell, Table};
 
 use crate::conformal::{MapError, PrepareError, PreparedDomain, prepare};
+use crate::laplace::NotConverged;
 use crate::session::{DomainSpec, OutlineSpec};
 use crate::zipper::ZipperError;
 use std::sync::Arc;
@@ -91,6 +94,9 @@ pub enum FigureError {
     /// There is no map through the disk.
     #[error(transparent)]
     Zipper(#[from] ZipperError),
+    /// An iterative solver did not converge; scenes ask for none.
+    #[error(transparent)]
+    NotConverged(#[from] NotConverged),
     /// A session's outline is no valid one.
     #[error("the outline of a scene is not a simple polygon")]
     Outline,

@@ -1,11 +1,11 @@
 //! The domains, resolutions and constraints of the figures, as sessions.
 
 use super::{Detail, Figure};
-use crate::conformal::{Constraints, Direction, PrepareSettings};
+use crate::conformal::{Constraints, Direction, Extension, PrepareSettings};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
-use crate::session::{DomainSpec, OutlineSpec, Session, TextureKind};
+use crate::session::{Colouring, DomainSpec, OutlineSpec, Session, TextureKind};
 
 /// One map of a figure.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +34,8 @@ const DISK_POINTS: [DVec2; 2] = [DVec2::new(0.6, 0.2), DVec2::new(0.0, -0.5)];
 
 /// The paper's discretisation: `count` uniform samples, triangles of area h²/2.
 pub(super) fn uniform(count: u32) -> PrepareSettings {
-    PrepareSettings { sampling: Sampling::Uniform { count, keep_corners: false }, sizing: Sizing::Uniform }
+    let sampling = Sampling::Uniform { count, keep_corners: false };
+    PrepareSettings { sampling, sizing: Sizing::Uniform, ..PrepareSettings::default() }
 }
 
 /// x₁ = 0.96 + 0.8432i and y₁ = 1 + i on the V (Figure 3); x₂ = g⁻¹(0) and y₂ = g⁻¹(1) on the
@@ -76,16 +77,19 @@ fn disk(m: u32) -> Scene {
 fn options(samples: [u32; 2], detail: Detail) -> Vec<Scene> {
     let [m1, m2] = samples.map(|m| detail.samples(m));
     let directions = [(Direction::Forward, "forward"), (Direction::Backward, "backward")];
-    let scene = |(direction, name): (Direction, &str)| {
+    let extensions = [(Extension::Harmonic, "harmonic"), (Extension::CauchyGreen, "Cauchy–Green")];
+    let scene = |direction, extension| {
         let session = session([Preset::Hand, Preset::Blob], [m1, m2], direction);
-        Scene { label: format!("{name}, harmonic"), session }
+        Session { extension, texture_scale: 16.0, ..session }
     };
-    directions.into_iter().map(scene).collect()
+    let labelled = directions.into_iter().flat_map(|d| extensions.map(|e| (d, e)));
+    labelled.map(|((d, way), (e, how))| Scene { label: format!("{way}, {how}"), session: scene(d, e) }).collect()
 }
 
 fn distortion(m: u32, detail: Detail) -> Scene {
     let samples = [detail.samples(m), detail.samples(1000)];
-    let session = session([Preset::MapleLeaf, Preset::Cinquefoil], samples, Direction::Forward);
+    let mut session = session([Preset::MapleLeaf, Preset::Cinquefoil], samples, Direction::Forward);
+    session.colouring = Colouring::Angle;
     Scene { label: format!("m₁ = {}", samples[0]), session }
 }
 

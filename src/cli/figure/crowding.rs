@@ -28,7 +28,7 @@ pub fn figure_12(detail: Detail) -> Result<Drawing, CliError> {
     let scenes = Figure::Crowding.scenes(detail);
     let scene = scenes.first().ok_or_else(|| CliError::from(FigureError::Outline))?;
     let study = CrowdingStudy::new(scene)?;
-    let images: Vec<Vec<DVec2>> = study.maps.iter().map(|map| study.extended(map)).collect();
+    let images: Vec<Vec<DVec2>> = study.maps.iter().map(|map| study.extended(map)).collect::<Result<_, _>>()?;
     let strays: Vec<DVec2> = images.iter().map(|images| study.image_of_point(images)).collect();
     let row = rasterise(&study, scene, &images, &strays)?;
     let png = picture::encode(&row)?;
@@ -48,7 +48,7 @@ fn finding(study: &CrowdingStudy, map: &BoundaryMap, stray: DVec2) -> String {
     let (max, mean) = map.max_and_mean_error();
     let off = stray.distance(study.constraints.target_point);
     format!(
-        "{}: error max {max:.2e}, mean {mean:.2e}; f̃(x₁) is {off:.1e} from x₂; {} of {} samples collapse in the disk",
+        "{}: error max {max:.2e}, mean {mean:.2e}; the image of x₁ is {off:.1e} from x₂; {} of {} samples collapse in the disk",
         map.method.title(),
         map.collapsed,
         map.images.len()
@@ -98,11 +98,17 @@ fn label_panels(page: &mut Page, study: &CrowdingStudy, strays: &[DVec2]) {
         let off = stray.distance(study.constraints.target_point);
         let note = match map.method {
             Method::Exact => "boundary by the closed forms".to_owned(),
-            _ if map.collapsed > 0 => format!("f̃(x₁) (yellow) {off:.2} off; {} collapsed", map.collapsed),
-            _ => format!("mean error {:.1e}, f̃(x₁) {off:.0e} off", map.max_and_mean_error().1),
+            _ if off > VISIBLE => format!("all to y₂ but {} samples; x₁ to the yellow dot", moved(map)),
+            _ => format!("mean error {:.1e}; x₁ is {off:.0e} off", map.max_and_mean_error().1),
         };
         label(k + 1, map.method.title(), &note);
     }
+}
+
+/// How many samples are not mapped to y₂.
+fn moved(map: &BoundaryMap) -> usize {
+    let end = map.images.first().copied().unwrap_or_default();
+    map.images.iter().filter(|w| w.distance(end) > 0.0).count()
 }
 
 /// r over t; the exact curve widest, so that it shows under the others.
@@ -128,7 +134,7 @@ fn reparameterisations(study: &CrowdingStudy) -> Plot {
 
 /// |f − f̃| over t. Errors below rounding are left out.
 fn errors(study: &CrowdingStudy) -> Plot {
-    const LEAST: f64 = 1e-9;
+    const LEAST: f64 = 1e-6;
     let t = study.arc_lengths();
     let curve = |map: &BoundaryMap| Curve {
         name: map.method.title().to_owned(),
@@ -158,11 +164,11 @@ pub fn figure_15(detail: Detail) -> Result<Drawing, CliError> {
     let mut page = Page::new(1100.0, 480.0);
     let title = "Figure 15: error of the V-shape's boundary map, V-shape → blob";
     page.text(DVec2::new(LEFT, 30.0), Anchor::Start, TITLE, colour::INK, title);
-    convergence(&study, &rows, "largest error E_max", 0.0, |row| row.max).draw(&mut page);
-    convergence(&study, &rows, "mean error E_mean", 545.0, |row| row.mean).draw(&mut page);
+    convergence(&study, &rows, "largest error, max |f − f̃|", 0.0, |row| row.max).draw(&mut page);
+    convergence(&study, &rows, "mean error, mean |f − f̃|", 545.0, |row| row.mean).draw(&mut page);
     let findings = series(&study).map(|(method, second, name)| {
         let order = |value: fn(&ConvergenceRow) -> f64| order(&rows, method, second, value);
-        format!("{name}: order {} (max), {} (mean)", order(|r| r.max), order(|r| r.mean))
+        format!("{name}: fitted order {} (max), {} (mean)", order(|r| r.max), order(|r| r.mean))
     });
     Ok(Drawing { svg: page.finish(), png: None, table: ConvergenceStudy::table(&rows), findings: findings.to_vec() })
 }
@@ -196,7 +202,11 @@ fn convergence(
     value: fn(&ConvergenceRow) -> f64,
 ) -> Plot {
     let curve = |(method, second, name): (Method, SecondMap, String)| Curve {
-        name: format!("{name}: m^−{}", order(rows, method, second, value)),
+        // against the sampled blob the error levels off: it has no order
+        name: match second {
+            SecondMap::Exact => format!("{name}: order {}", order(rows, method, second, value)),
+            SecondMap::Sampled => name,
+        },
         points: of(rows, method, second).map(|row| DVec2::new(f64::from(row.m), value(row))).collect(),
         stroke: Stroke {
             colour: if method == Method::FreshZipper { colour::VERMILLION } else { colour::BLUE },

@@ -5,6 +5,8 @@
 
 mod crowding;
 mod disk_kernel;
+mod distortion;
+mod moebius;
 mod pictures;
 mod plot;
 mod raster;
@@ -74,8 +76,9 @@ fn report(figure: Figure, drawing: &Drawing, outputs: &[(PathBuf, Format)]) -> S
 fn draw(figure: Figure, detail: Detail) -> Result<Drawing, CliError> {
     match figure {
         Figure::DiskKernel => disk_kernel::draw(detail),
-        Figure::Moebius => disk_kernel::draw(detail),
-        Figure::Options | Figure::Distortion => pictures::reshaping(detail),
+        Figure::Moebius => moebius::draw(detail),
+        Figure::Options => pictures::options(detail),
+        Figure::Distortion => distortion::draw(detail),
         Figure::Reshaping => pictures::reshaping(detail),
         Figure::Crowding => crowding::figure_12(detail),
         Figure::Convergence => crowding::figure_15(detail),

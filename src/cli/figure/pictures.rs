@@ -1,18 +1,24 @@
-//! Figures 8, 9 and 10: textured or coloured meshes with labels.
+//! Figures 8 and 10, textured meshes with labels, and what Figure 9 shares with them.
 
 use super::Drawing;
-use super::raster::{ANCHOR, POINT, Raster, RasterPanel};
+use super::raster::{ANCHOR, POINT, Raster, RasterPanel, stacked};
 use super::svg::{Anchor, LABEL, Page, SMALL, TITLE, colour};
 use crate::cli::contours::{Panel, panels};
 use crate::cli::{CliError, picture};
-use crate::conformal::{ConformalMap, Constraints, Quality, Side};
+use crate::conformal::{ConformalMap, Constraints, Quality, Side, TriangleDistortion, triangle_distortions};
 use crate::figures::{Cell, Detail, Figure, FigureError, Scene, Table, prepare_spec};
 use crate::geometry::DVec2;
 use crate::render::{Pattern, TextureStyle};
-use crate::session::{Session, TextureKind};
+use crate::session::{DomainSpec, Session, TextureKind};
+use image::RgbaImage;
+use std::sync::Arc;
 
-const PANEL: f64 = 236.0;
-const LEFT: f64 = 24.0;
+/// Side of a panel on the page.
+pub const PANEL: f64 = 236.0;
+pub const LEFT: f64 = 24.0;
+const TOP: f64 = 66.0;
+/// From one row of panels to the next, with the note under a panel.
+const ROW: f64 = PANEL + 56.0;
 
 /// The session's texture on the source with this outline.
 pub fn style(session: &Session, outline: &[DVec2], pole: DVec2) -> TextureStyle {
@@ -26,13 +32,65 @@ pub fn style(session: &Session, outline: &[DVec2], pole: DVec2) -> TextureStyle 
     TextureStyle { pattern, cells: session.texture_scale, bounds: (low, high), pole, dark: false }
 }
 
-/// The map of a scene, complete.
-fn map_of(scene: &Scene) -> Result<(ConformalMap, Constraints), FigureError> {
-    let domains = [prepare_spec(&scene.session.source)?, prepare_spec(&scene.session.target)?];
-    let constraints = scene.session.constraints([domains[0].pole, domains[1].pole]);
-    let [source, target] = domains;
-    let map = ConformalMap::new(source, target, &constraints, scene.session.direction.into())?;
-    Ok((map, constraints))
+/// The map of a scene, complete, with its distortion.
+pub struct Shown {
+    pub label: String,
+    pub session: Session,
+    pub map: ConformalMap,
+    pub constraints: Constraints,
+    pub triangles: Vec<TriangleDistortion>,
+}
+
+/// The maps of a figure; every domain is prepared once.
+pub fn maps(figure: Figure, detail: Detail) -> Result<Vec<Shown>, FigureError> {
+    let mut prepared: Vec<(DomainSpec, Arc<_>)> = Vec::new();
+    let mut domain = |spec: &DomainSpec| -> Result<Arc<_>, FigureError> {
+        if let Some((_, domain)) = prepared.iter().find(|(known, _)| known == spec) {
+            return Ok(Arc::clone(domain));
+        }
+        prepared.push((spec.clone(), prepare_spec(spec)?));
+        Ok(Arc::clone(&prepared[prepared.len() - 1].1))
+    };
+    let shown = |Scene { label, session }: Scene| {
+        let (source, target) = (domain(&session.source)?, domain(&session.target)?);
+        let constraints = session.constraints([source.pole, target.pole]);
+        let mut map = ConformalMap::new(source, target, &constraints, session.map_settings())?;
+        map.refine(f64::INFINITY);
+        let mut triangles = Vec::new();
+        triangle_distortions(map.mapped_mesh(), map.images(), &mut triangles);
+        Ok(Shown { label, session, map, constraints, triangles })
+    };
+    figure.scenes(detail).into_iter().map(shown).collect()
+}
+
+impl Shown {
+    /// Source and target, textured.
+    fn textured(&self) -> [RasterPanel<'_>; 2] {
+        let panels = panels(&self.map, &self.constraints);
+        let style = style(&self.session, panels[0].boundary, self.constraints.source_point);
+        panels.map(|panel| textured(&panel, style))
+    }
+
+    /// Q_avg, and the median where a few degenerate triangles rule the mean.
+    pub fn note(&self) -> String {
+        let mean = Quality::summary(&self.triangles).q_mean;
+        if mean < 10.0 {
+            return format!("Q_avg = {mean:.4}");
+        }
+        format!("Q_avg = {mean:.0}, median {:.4}", median_q(&self.triangles))
+    }
+
+    /// Its row in the table.
+    pub fn row(&self) -> Vec<Cell> {
+        let mut row = vec![self.label.replace(',', "").as_str().into()];
+        for side in Side::BOTH {
+            let mesh = &self.map.domain(side).mesh;
+            row.extend([mesh.boundary_count.into(), mesh.triangles.len().into()]);
+        }
+        let Quality { q_mean, q_max, flipped, collapsed } = Quality::summary(&self.triangles);
+        row.extend([q_mean.into(), median_q(&self.triangles).into(), q_max.into(), flipped.into(), collapsed.into()]);
+        row
+    }
 }
 
 fn textured<'a>(panel: &Panel<'a>, style: TextureStyle) -> RasterPanel<'a> {
@@ -46,54 +104,113 @@ fn textured<'a>(panel: &Panel<'a>, style: TextureStyle) -> RasterPanel<'a> {
     }
 }
 
-/// Draws Figure 10.
-pub fn reshaping(detail: Detail) -> Result<Drawing, CliError> {
-    let scenes = Figure::Reshaping.scenes(detail);
-    let maps = scenes.iter().map(map_of).collect::<Result<Vec<_>, _>>()?;
-    let mut raster = Vec::new();
-    for (scene, (map, constraints)) in scenes.iter().zip(&maps) {
-        let [source, target] = panels(map, constraints);
-        let style = style(&scene.session, source.boundary, constraints.source_point);
-        if raster.is_empty() {
-            raster.push(textured(&source, style));
+/// Half the area has a lower Q, half a higher one.
+fn median_q(triangles: &[TriangleDistortion]) -> f64 {
+    let mut values: Vec<(f64, f64)> = triangles.iter().filter(|t| !t.collapsed).map(|t| (t.q, t.area)).collect();
+    values.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let half = 0.5 * values.iter().map(|v| v.1).sum::<f64>();
+    let mut sum = 0.0;
+    let middle = values.iter().find(|v| {
+        sum += v.1;
+        sum >= half
+    });
+    middle.map_or(1.0, |v| v.0)
+}
+
+/// The columns of the tables of Figures 8, 9 and 10.
+pub const COLUMNS: [&str; 10] =
+    ["scene", "m1", "triangles1", "m2", "triangles2", "q_mean", "q_median", "q_max", "flipped", "collapsed"];
+
+/// A table of the maps.
+pub fn table(maps: &[Shown]) -> Table {
+    let mut table = Table::new(&COLUMNS);
+    table.rows.extend(maps.iter().map(Shown::row));
+    table
+}
+
+/// Rows of pictures on a page with room for labels, and the bare pictures as PNG.
+pub struct Sheet {
+    pub page: Page,
+    pub png: Vec<u8>,
+}
+
+impl Sheet {
+    /// `extra` pixels are left free below.
+    pub fn new(title: &str, rows: &[RgbaImage], columns: usize, extra: f64) -> Result<Self, CliError> {
+        let width = PANEL * columns as f64;
+        let mut page = Page::new(2.0 * LEFT + width, TOP + ROW * rows.len() as f64 + extra);
+        page.text(DVec2::new(LEFT, 30.0), Anchor::Start, TITLE, colour::INK, title);
+        for (k, row) in rows.iter().enumerate() {
+            let corner = DVec2::new(LEFT, TOP + ROW * k as f64);
+            page.picture(corner, DVec2::new(width, PANEL), &picture::encode(row)?);
         }
-        raster.push(textured(&target, style));
+        Ok(Self { page, png: picture::encode(&stacked(rows))? })
     }
-    let png = picture::encode(&Raster::new()?.row(&raster, None)?)?;
-    let mut page = Page::new(2.0 * LEFT + PANEL * raster.len() as f64, 350.0);
-    page.text(
-        DVec2::new(LEFT, 30.0),
-        Anchor::Start,
-        TITLE,
-        colour::INK,
-        &format!("Figure 10: {}", Figure::Reshaping.title()),
-    );
-    page.picture(DVec2::new(LEFT, 66.0), DVec2::new(PANEL * raster.len() as f64, PANEL), &png);
-    let mut table = Table::new(&PANEL_COLUMNS);
-    label(&mut page, 0, "Gingerbread man", "x₁ green, y₁ magenta");
-    for (k, (scene, (map, _))) in scenes.iter().zip(&maps).enumerate() {
-        let quality = map.quality();
-        label(&mut page, k + 1, &scene.label, &format!("Q_avg = {:.4}", quality.q_mean));
-        table.rows.push(row(scene, map, quality));
+
+    /// Writes a name above a panel and a note below it.
+    pub fn label(&mut self, row: usize, column: usize, name: &str, note: &str) {
+        let at = DVec2::new(LEFT + PANEL * (column as f64 + 0.5), TOP - 8.0 + ROW * row as f64);
+        self.page.text(at, Anchor::Middle, LABEL, colour::INK, name);
+        self.page.text(at + DVec2::new(0.0, PANEL + 25.0), Anchor::Middle, SMALL, colour::GREY, note);
     }
-    Ok(Drawing { svg: page.finish(), png: Some(png), table, findings: Vec::new() })
+
+    /// The bottom of the last row.
+    pub fn bottom(rows: usize) -> f64 {
+        TOP + ROW * rows as f64
+    }
+
+    /// The drawing.
+    pub fn finish(self, maps: &[Shown]) -> Drawing {
+        let finding = |shown: &Shown| format!("{}: {}", shown.label, shown.note());
+        let findings = maps.iter().map(finding).collect();
+        Drawing { svg: self.page.finish(), png: Some(self.png), table: table(maps), findings }
+    }
 }
 
-const PANEL_COLUMNS: [&str; 9] =
-    ["scene", "m1", "triangles1", "m2", "triangles2", "q_mean", "q_max", "flipped", "collapsed"];
-
-fn row(scene: &Scene, map: &ConformalMap, quality: Quality) -> Vec<Cell> {
-    let mut row = vec![scene.label.replace(',', "").as_str().into()];
-    for side in Side::BOTH {
-        let mesh = &map.domain(side).mesh;
-        row.extend([mesh.boundary_count.into(), mesh.triangles.len().into()]);
-    }
-    row.extend([quality.q_mean.into(), quality.q_max.into(), quality.flipped.into(), quality.collapsed.into()]);
-    row
+fn heading(figure: Figure) -> String {
+    format!("Figure {}: {}", figure.number(), figure.title())
 }
 
-fn label(page: &mut Page, k: usize, name: &str, note: &str) {
-    let at = DVec2::new(LEFT + PANEL * (k as f64 + 0.5), 58.0);
-    page.text(at, Anchor::Middle, LABEL, colour::INK, name);
-    page.text(at + DVec2::new(0.0, PANEL + 26.0), Anchor::Middle, SMALL, colour::GREY, note);
+/// Draws Figure 10: the source and its images.
+pub fn reshaping(detail: Detail) -> Result<Drawing, CliError> {
+    let maps = maps(Figure::Reshaping, detail)?;
+    let panels = source_and_images(&maps);
+    let row = Raster::new()?.row(&panels, None)?;
+    let mut sheet = Sheet::new(&heading(Figure::Reshaping), &[row], panels.len(), 0.0)?;
+    sheet.label(0, 0, "Gingerbread man", "x₁ green, y₁ magenta");
+    for (k, shown) in maps.iter().enumerate() {
+        sheet.label(0, k + 1, &shown.label, &shown.note());
+    }
+    Ok(sheet.finish(&maps))
+}
+
+/// The first map's source, then every map's target.
+fn source_and_images(maps: &[Shown]) -> Vec<RasterPanel<'_>> {
+    let mut panels = Vec::new();
+    for shown in maps {
+        let [source, target] = shown.textured();
+        if panels.is_empty() {
+            panels.push(source);
+        }
+        panels.push(target);
+    }
+    panels
+}
+
+/// Draws Figure 8: for both resolutions the source and its four images.
+pub fn options(detail: Detail) -> Result<Drawing, CliError> {
+    const WAYS: usize = 4;
+    let maps = maps(Figure::Options, detail)?;
+    let raster = Raster::new()?;
+    let rows: Vec<_> = maps.chunks(WAYS).map(|maps| raster.row(&source_and_images(maps), None)).collect();
+    let rows = rows.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let mut sheet = Sheet::new(&heading(Figure::Options), &rows, WAYS + 1, 0.0)?;
+    for (row, maps) in maps.chunks(WAYS).enumerate() {
+        let [m1, m2] = Side::BOTH.map(|side| maps[0].map.domain(side).mesh.boundary_count);
+        sheet.label(row, 0, &format!("m₁ = {m1}, m₂ = {m2}"), "x₁ green, y₁ magenta");
+        for (k, shown) in maps.iter().enumerate() {
+            sheet.label(row, k + 1, &shown.label, &shown.note());
+        }
+    }
+    Ok(sheet.finish(&maps))
 }

@@ -102,6 +102,7 @@ pub enum Legend {
     TopLeft,
     TopRight,
     BottomLeft,
+    BottomRight,
 }
 
 /// A plot; `corner` and `size` are those of its frame, without ticks and labels.
@@ -172,6 +173,7 @@ impl Plot {
         let corner = match self.legend {
             Legend::None | Legend::TopLeft => self.corner + inset,
             Legend::TopRight => self.corner + DVec2::new(self.size.x - size.x - inset.x, inset.y),
+            Legend::BottomRight => self.corner + self.size - size - inset,
             Legend::BottomLeft => self.corner + DVec2::new(inset.x, self.size.y - size.y - inset.y),
         };
         page.fill(corner, size, "rgba(255,255,255,0.88)");
