@@ -98,17 +98,17 @@ fn label_panels(page: &mut Page, study: &CrowdingStudy, strays: &[DVec2]) {
         let off = stray.distance(study.constraints.target_point);
         let note = match map.method {
             Method::Exact => "boundary by the closed forms".to_owned(),
-            _ if off > VISIBLE => format!("all to y₂ but {} samples; x₁ to the yellow dot", moved(map)),
+            _ if off > VISIBLE => format!("{} of {} samples leave y₂; x₁ → yellow", moved(map), map.images.len()),
             _ => format!("mean error {:.1e}; x₁ is {off:.0e} off", map.max_and_mean_error().1),
         };
         label(k + 1, map.method.title(), &note);
     }
 }
 
-/// How many samples are not mapped to y₂.
+/// How many samples are visibly mapped elsewhere than to y₂.
 fn moved(map: &BoundaryMap) -> usize {
     let end = map.images.first().copied().unwrap_or_default();
-    map.images.iter().filter(|w| w.distance(end) > 0.0).count()
+    map.images.iter().filter(|w| w.distance(end) > VISIBLE).count()
 }
 
 /// r over t; the exact curve widest, so that it shows under the others.

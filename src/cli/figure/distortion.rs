@@ -14,9 +14,14 @@ use image::{Rgba, RgbaImage};
 /// Q from 1 to here has a colour of its own, as in the app: 1.5 is an angle of 90° seen as 67°.
 const TOP_Q: f64 = 1.5;
 
-/// Colours in the texture: the map, then flipped triangles.
+/// Colours in the texture: the map, then collapsed and flipped triangles.
 const COLOURS: u32 = 256;
 const FLIPPED: u32 = COLOURS - 1;
+const COLLAPSED: u32 = COLOURS - 2;
+/// The last colour of the map.
+const LAST: u32 = COLOURS - 3;
+/// The images of these triangles are points up to rounding.
+const COLLAPSED_COLOUR: [f32; 4] = [0.78, 0.78, 0.78, 1.0];
 
 /// Draws it.
 pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
@@ -47,9 +52,9 @@ fn legend(page: &mut Page, top: f64, columns: usize) {
     let left = LEFT + 0.5 * width;
     for k in 0..STEPS {
         let part = f64::from(k) / f64::from(STEPS);
-        let [r, g, b, _] = ColourMap::Cividis.at(part + 0.5 / f64::from(STEPS)).map(|c| (255.0 * c).round());
         let corner = DVec2::new(left + part * width, top);
-        page.fill(corner, DVec2::new(width / f64::from(STEPS) + 0.5, 14.0), &format!("rgb({r},{g},{b})"));
+        // each over the rest of the one before, so that no seams show
+        page.fill(corner, DVec2::new((1.0 - part) * width, 14.0), &rgb(ColourMap::Cividis.at(part)));
     }
     for k in 0..=5 {
         let q = 1.0 + 0.1 * f64::from(k);
@@ -58,6 +63,17 @@ fn legend(page: &mut Page, top: f64, columns: usize) {
         page.text(DVec2::new(x, top + 30.0), Anchor::Middle, SMALL, colour::INK, &name);
     }
     page.text(DVec2::new(left - 14.0, top + 12.0), Anchor::End, LABEL, colour::INK, "Q");
+    let others = [(flipped_colour(), "flipped"), (COLLAPSED_COLOUR, "collapsed to a point")];
+    for (k, (colour, name)) in others.into_iter().enumerate() {
+        let corner = DVec2::new(left + width + 34.0, top - 8.0 + 22.0 * k as f64);
+        page.fill(corner, DVec2::splat(14.0), &rgb(colour));
+        page.text(corner + DVec2::new(20.0, 11.5), Anchor::Start, SMALL, colour::INK, name);
+    }
+}
+
+fn rgb(colour: [f32; 4]) -> String {
+    let [r, g, b, _] = colour.map(|c| (255.0 * c).round());
+    format!("rgb({r},{g},{b})")
 }
 
 /// A texture with a colour for each place along x.
@@ -66,16 +82,17 @@ fn palette() -> RgbaImage {
     // square, so that it is not stretched
     RgbaImage::from_fn(COLOURS, COLOURS, |x, _| match x {
         FLIPPED => bytes(flipped_colour()),
-        _ => bytes(ColourMap::Cividis.at(f64::from(x) / f64::from(FLIPPED - 2))),
+        COLLAPSED => bytes(COLLAPSED_COLOUR),
+        _ => bytes(ColourMap::Cividis.at(f64::from(x) / f64::from(LAST))),
     })
 }
 
 /// Where a triangle finds its colour, at the middle of a column.
 fn place(triangle: &TriangleDistortion) -> DVec2 {
-    let column = if triangle.flipped {
-        FLIPPED
-    } else {
-        (f64::from(FLIPPED - 2) * ((triangle.q - 1.0) / (TOP_Q - 1.0)).clamp(0.0, 1.0)).round() as u32
+    let column = match triangle {
+        TriangleDistortion { flipped: true, .. } => FLIPPED,
+        TriangleDistortion { collapsed: true, .. } => COLLAPSED,
+        _ => (f64::from(LAST) * ((triangle.q - 1.0) / (TOP_Q - 1.0)).clamp(0.0, 1.0)).round() as u32,
     };
     DVec2::new((f64::from(column) + 0.5) / f64::from(COLOURS), 0.5)
 }

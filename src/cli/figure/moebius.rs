@@ -13,6 +13,9 @@ const FINE: u32 = 8;
 /// Samples of the exact curves.
 const CURVE: u32 = 400;
 
+/// Points of the polygon are moved inside by this part: rounded to the outside, Cauchy's integral is 0.
+const INSET: f64 = 1e-6;
+
 const DISK: f64 = 230.0;
 const ROW: f64 = 290.0;
 const TOP: f64 = 76.0;
@@ -26,7 +29,7 @@ pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
     let mut page = Page::new(1180.0, TOP + ROW * studies.len() as f64);
     let title = "Figure 7: a Möbius map of the disk, exact (blue) and approximate (black)";
     page.text(DVec2::new(24.0, 30.0), Anchor::Start, TITLE, colour::INK, title);
-    let names = ["", "", "harmonic extension f̃(G₁)", "Cauchy–Green extension f̂(G₁)"];
+    let names = ["", "", "G₁ by the harmonic extension", "G₁ by the Cauchy–Green extension"];
     for (name, left) in names.into_iter().zip(COLUMNS) {
         page.text(DVec2::new(left, 56.0), Anchor::Start, LABEL, colour::INK, name);
     }
@@ -80,7 +83,7 @@ fn draw_source(page: &mut Page, study: &MoebiusStudy, top: f64) {
     draw_grid(page, window, Stroke::solid(colour::INK, 0.7), &|x| Some(x));
     page.line(samples.iter().chain(samples.first()).map(|&p| window.place(p)), Stroke::solid(colour::INK, 1.2));
     for &p in samples {
-        page.dot(window.place(p), 2.4, colour::INK);
+        page.dot(window.place(p), 1.9, colour::INK);
     }
     page.dot(window.place(grid_point(0.0, 0.0)), 5.5, colour::GREEN);
     page.dot(window.place(DVec2::X), 5.5, colour::MAGENTA);
@@ -120,7 +123,7 @@ fn draw_image(page: &mut Page, study: &MoebiusStudy, left: f64, top: f64, map: &
     );
     let images = study.map.correspondence().images(&study.map.domain(crate::conformal::Side::Target).samples);
     for w in images {
-        page.dot(window.place(w), 2.4, colour::INK);
+        page.dot(window.place(w), 1.9, colour::INK);
     }
     page.dot(window.place(MoebiusStudy::exact(grid_point(0.0, 0.0))), 5.5, colour::ORANGE);
     page.dot(window.place(DVec2::X), 5.5, colour::MAGENTA);
@@ -135,7 +138,7 @@ fn mapped_boundary<'a>(
     let m = samples.len();
     let points = (0..m).flat_map(move |k| {
         let [a, b] = [samples[k], samples[(k + 1) % m]];
-        (0..FINE).map(move |i| a.lerp(b, f64::from(i) / f64::from(FINE)))
+        (0..FINE).map(move |i| (1.0 - INSET) * a.lerp(b, f64::from(i) / f64::from(FINE)))
     });
-    points.chain(samples.first().copied()).filter_map(map)
+    points.chain(samples.first().map(|&p| (1.0 - INSET) * p)).filter_map(map)
 }

@@ -83,13 +83,11 @@ impl Page {
         self.body.push_str("\"/>\n");
     }
 
-    /// A disc with a white ring.
+    /// A disc, with a white ring unless it is small.
     pub fn dot(&mut self, centre: DVec2, radius: f64, colour: &str) {
         let DVec2 { x, y } = centre;
-        let _ = writeln!(
-            self.body,
-            "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"{colour}\" stroke=\"white\" stroke-width=\"1.2\"/>"
-        );
+        let ring = if radius > 3.0 { " stroke=\"white\" stroke-width=\"1.2\"" } else { "" };
+        let _ = writeln!(self.body, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"{colour}\"{ring}/>");
     }
 
     /// A filled rectangle.
