@@ -1,5 +1,6 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
+use super::reports::Report;
 use crate::conformal::Side;
 use crate::session::Command;
 
@@ -18,6 +19,8 @@ pub enum Action {
     Remedy(Side),
     /// Close a side's message.
     Dismiss(Side),
+    /// Show a window of measurements, and begin them.
+    OpenReport(Report),
     /// Close the message about the image.
     DismissImageError,
     /// Dark to light and back.

@@ -158,6 +158,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     app.advance(&context);
     paint(app, ui, narrow, &mut actions);
     image_message(app, ui, &mut actions);
+    app.reports.show(&context);
     app.carry_out(&context, actions);
 }
 

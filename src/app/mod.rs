@@ -9,6 +9,7 @@ mod action;
 mod cells;
 mod colouring;
 mod draft;
+mod figures_menu;
 mod files;
 mod gpu;
 mod handles;
@@ -19,6 +20,7 @@ mod method;
 mod model;
 mod plots;
 mod prepare_state;
+mod reports;
 mod shapes;
 mod side_panel;
 mod stats;
@@ -36,7 +38,7 @@ pub use model::Model;
 pub use stats::Stats;
 
 use crate::conformal::Side;
-use crate::platform::{self, Event, FilePurpose, Mailbox, Preparer};
+use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{Command, Session, TextureKind};
 use cells::Cells;
@@ -45,6 +47,7 @@ use gpu::Gpu;
 use handles::HandleState;
 use model::SIDES;
 use plots::Plots;
+use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::mpsc;
@@ -90,6 +93,8 @@ pub struct RiemapApp {
     meter: FrameMeter,
     panels_open: bool,
     sheet_open: bool,
+    reports: Reports,
+    laboratory: Laboratory,
     image_name: Option<String>,
     image_error: Option<String>,
     last_change: f64,
@@ -104,6 +109,10 @@ impl RiemapApp {
         theme::install(&creation.egui_ctx);
         let Groundwork { model, preparer, mailbox, events } = groundwork;
         mailbox.attach(&creation.egui_ctx);
+        let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
+        if platform::asks_for_bench() {
+            reports.open(Report::Bench);
+        }
         Ok(Self {
             model,
             preparer,
@@ -117,6 +126,8 @@ impl RiemapApp {
             meter: FrameMeter::default(),
             panels_open: true,
             sheet_open: false,
+            reports,
+            laboratory,
             image_name: None,
             image_error: None,
             last_change: 0.0,
@@ -172,6 +183,7 @@ impl RiemapApp {
             match event {
                 Event::Worker { side, generation, response } => self.model.accept(side, generation, response),
                 Event::WorkerDied { side, reason } => self.model.side_mut(side).worker_died(&reason),
+                Event::Found { study, finding } => self.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
             }
         }
@@ -222,6 +234,7 @@ impl RiemapApp {
                 Action::Fit(side) => self.views[side as usize].fit(),
                 Action::Remedy(side) => self.model.remedy(side),
                 Action::Dismiss(side) => self.model.dismiss(side),
+                Action::OpenReport(report) => self.reports.open(report),
                 Action::DismissImageError => self.image_error = None,
                 Action::ToggleTheme => theme::toggle(context),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
@@ -237,6 +250,9 @@ impl RiemapApp {
         }
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
+        }
+        if let Some(study) = self.reports.take_study() {
+            self.laboratory.begin(study);
         }
         let changes = self.model.refresh(self.handles.grip.is_some());
         if changes != model::Changes::default() {

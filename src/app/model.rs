@@ -77,6 +77,8 @@ pub struct Model {
     mesh_generation: u64,
     map_error: Option<(Side, String)>,
     refit: [bool; 2],
+    /// The points of a session whose domains are being prepared.
+    incoming_points: [Option<(Option<DVec2>, f64)>; 2],
 }
 
 impl Model {
@@ -102,6 +104,7 @@ impl Model {
             mesh_generation: 0,
             map_error: None,
             refit: [true; 2],
+            incoming_points: [None; 2],
         }
     }
 
@@ -212,6 +215,7 @@ impl Model {
             Command::SetOutline { side, outline } => self.want_outline(side, outline, Vec::new()),
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
+            Command::Open(session) => self.open(&session),
             Command::MoveInterior { .. }
             | Command::MoveAnchor { .. }
             | Command::SetDirection(_)
@@ -227,7 +231,27 @@ impl Model {
         }
     }
 
+    /// Shows another session: at once but for its domains, which come with their points when they are prepared.
+    fn open(&mut self, session: &Session) {
+        let shown = self.session.clone();
+        for side in SIDES {
+            let k = side as usize;
+            self.incoming_points[k] = None;
+            let points = (session.interior[k], session.anchor[k]);
+            if self.side_mut(side).want_spec(session.domain(side)) {
+                self.incoming_points[k] = Some(points);
+            } else {
+                (self.session.interior[k], self.session.anchor[k]) = points;
+            }
+        }
+        let Session { interior, anchor, .. } = self.session;
+        self.session = Session { source: shown.source, target: shown.target, interior, anchor, ..session.clone() };
+        self.map_error = None;
+        self.points_changed = true;
+    }
+
     fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+        self.incoming_points[side as usize] = None;
         self.side_mut(side).error = None;
         self.side_mut(side).want_outline(outline, notes);
     }
@@ -266,11 +290,18 @@ impl Model {
 
     /// Takes in an answer of a worker.
     pub fn accept(&mut self, side: Side, generation: u64, response: Response) {
-        if let Progress::Ready { spec, new_outline } = self.side_mut(side).accept(generation, response) {
+        let progress = self.side_mut(side).accept(generation, response);
+        if matches!(progress, Progress::Failed) {
+            self.incoming_points[side as usize] = None;
+        }
+        if let Progress::Ready { spec, new_outline } = progress {
             if new_outline && spec.outline != self.session.domain(side).outline {
                 self.session.apply(Command::SetOutline { side, outline: spec.outline });
             }
             self.session.apply(Command::SetSettings { side, settings: spec.settings });
+            if let Some((interior, anchor)) = self.incoming_points[side as usize].take() {
+                (self.session.interior[side as usize], self.session.anchor[side as usize]) = (interior, anchor);
+            }
             self.refit[side as usize] |= new_outline;
             self.domains_changed = true;
         }

@@ -114,6 +114,18 @@ impl Preparation {
         self.due = Some(f64::NEG_INFINITY);
     }
 
+    /// Wants `spec`, at once; whether it has to be prepared.
+    pub fn want_spec(&mut self, spec: &DomainSpec) -> bool {
+        self.error = None;
+        if !self.is_busy() && self.prepared_from.as_ref() == Some(spec) {
+            return false;
+        }
+        self.wanted = spec.clone();
+        self.incoming_notes = Vec::new();
+        self.due = Some(f64::NEG_INFINITY);
+        true
+    }
+
     /// Wants another discretisation, once the wish has rested.
     pub fn want_settings(&mut self, settings: crate::conformal::PrepareSettings, now: f64) {
         if settings != self.wanted.settings {

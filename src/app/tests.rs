@@ -209,6 +209,25 @@ fn a_slow_map_lets_a_coarse_one_follow_the_drag() {
     assert_eq!(after_drag, direct.map().unwrap().images());
 }
 
+#[test]
+fn opening_a_session_brings_its_domains_points_and_looks() {
+    let mut model = prepared_model();
+    let scene = crate::figures::Figure::Moebius.scenes(crate::figures::Detail::Quick).remove(0);
+    model.dispatch(Command::Open(Box::new(scene.session.clone())), 0.0);
+    model.refresh(false);
+    assert!(model.map().is_some(), "the last good map stays meanwhile");
+    finish_preparations(&mut model);
+    assert_eq!(*model.session(), scene.session);
+    // the same domains with other points need no preparation
+    let mut moved = scene.session;
+    moved.interior[0] = Some(glam::DVec2::new(0.1, -0.3));
+    model.dispatch(Command::Open(Box::new(moved.clone())), 0.0);
+    assert!(model.take_requests(f64::INFINITY).is_empty());
+    assert!(model.refresh(false).images);
+    assert_eq!(*model.session(), moved);
+    assert!(model.map_error().is_none());
+}
+
 /// The app with its first map on the screen.
 fn ready_app(size: [f32; 2]) -> Harness<'static, RiemapApp> {
     let mut harness = Harness::builder()

@@ -163,13 +163,13 @@ pub struct FrameTimes {
 pub enum Measurement {
     /// Of Table 1.
     Preparation(Preparation),
-    /// The column Ψ of Table 1.
+    /// Of Table 2.
+    Frame(Frame),
+    /// The column Ψ of Table 1. Last: read from text, every map would pass for it.
     PsiTable {
         /// Seconds, with the factorisation; `None` where the table would take too much memory.
         psi_s: Option<f64>,
     },
-    /// Of Table 2.
-    Frame(Frame),
 }
 
 /// Frames per run: a single one is too short to be timed well.

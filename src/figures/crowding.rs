@@ -185,9 +185,9 @@ impl<'a> Boundaries<'a> {
         let matched = self.map.correspondence().points.clone();
         Ok([
             exact,
-            self.from_points(Method::HarmonicMeasure, &matched, 0),
-            self.from_points(Method::FreshZipper, &fresh.points, collapsed(&fresh)),
-            self.from_points(Method::PrecomputedZipper, &precomputed.points, collapsed(&precomputed)),
+            self.matched(Method::HarmonicMeasure, &matched, 0),
+            self.matched(Method::FreshZipper, &fresh.points, collapsed(&fresh)),
+            self.matched(Method::PrecomputedZipper, &precomputed.points, collapsed(&precomputed)),
         ])
     }
 
@@ -214,7 +214,7 @@ impl<'a> Boundaries<'a> {
         ))
     }
 
-    fn from_points(&self, method: Method, points: &[crate::outline::BoundaryPoint], collapsed: usize) -> BoundaryMap {
+    fn matched(&self, method: Method, points: &[crate::outline::BoundaryPoint], collapsed: usize) -> BoundaryMap {
         let samples = &self.target.samples;
         let images: Vec<DVec2> = points.iter().map(|&p| samples.position(p)).collect();
         let errors = images.iter().zip(&self.truth).map(|(w, &omega)| w.distance(blob::boundary(omega))).collect();

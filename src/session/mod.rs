@@ -134,6 +134,8 @@ pub enum Command {
     SetPlots(bool),
     /// Exchanges source and target.
     Swap,
+    /// Takes another session in place of this one.
+    Open(Box<Session>),
 }
 
 /// Boundary samples of the first map: enough for the checkerboard's lines to look smooth on a screen.
@@ -197,6 +199,7 @@ impl Session {
             Command::SetColouring(colouring) => self.colouring = colouring,
             Command::SetWireframe(shown) => self.wireframe = shown,
             Command::SetPlots(open) => self.plots = open,
+            Command::Open(session) => *self = *session,
             Command::Swap => {
                 std::mem::swap(&mut self.source, &mut self.target);
                 self.interior.swap(0, 1);
