@@ -45,11 +45,11 @@ impl Gpu {
     pub fn upload(&self, model: &Model, changes: Changes) {
         if changes.meshes {
             for side in SIDES {
-                if let Some(domain) = model.domain(side) {
+                if let Some(domain) = model.shown_domain(side) {
                     self.upload_boundary(side, domain);
                 }
             }
-            if let Some(source) = model.domain(Side::Source) {
+            if let Some(source) = model.shown_domain(Side::Source) {
                 self.upload_mesh(Side::Source, &still_geometry(source));
             }
             if let Some(map) = model.map() {

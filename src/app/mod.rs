@@ -8,12 +8,14 @@
 mod action;
 mod cells;
 mod colouring;
+mod draft;
 mod files;
 mod gpu;
 mod handles;
 mod header;
 mod layout;
 mod legend;
+mod method;
 mod model;
 mod plots;
 mod prepare_state;
@@ -236,7 +238,7 @@ impl RiemapApp {
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
         }
-        let changes = self.model.refresh();
+        let changes = self.model.refresh(self.handles.grip.is_some());
         if changes != model::Changes::default() {
             self.last_change = now;
             // The status line was laid out before the change.

@@ -5,6 +5,7 @@
 //! map up to date and says what has to be uploaded. While a side is prepared,
 //! the last good map stays and follows its handles.
 
+use super::draft::Draft;
 use super::prepare_state::{Preparation, Progress};
 use super::trouble::Remedy;
 use crate::conformal::{
@@ -12,6 +13,7 @@ use crate::conformal::{
     triangle_distortions,
 };
 use crate::geometry::DVec2;
+use crate::laplace::SolverKind;
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, OutlineSpec, Session};
 use crate::worker::{Request, Response};
@@ -25,6 +27,10 @@ pub const SIDES: [Side; 2] = [Side::Source, Side::Target];
 /// 0.004 is two pixels in a domain of 500, closer than a dot can be told from
 /// the edge, and still several boundary edges away from it.
 const INSET: f64 = 0.004;
+
+/// An update that takes longer, in ms, does not follow a drag: a coarse map stands in. With
+/// the drawing it stays below the 50 ms from which on a hand feels that something lags.
+const SLOW_UPDATE_MS: f64 = 30.0;
 
 /// The quality is computed with every update when it takes less than this, else when the drag rests.
 const CHEAP_QUALITY_MS: f64 = 1.0;
@@ -42,12 +48,23 @@ pub struct Changes {
     pub images: bool,
 }
 
+impl std::ops::BitOrAssign for Changes {
+    fn bitor_assign(&mut self, other: Self) {
+        self.meshes |= other.meshes;
+        self.images |= other.images;
+    }
+}
+
 /// Session, preparations and map.
 #[derive(Debug)]
 pub struct Model {
     session: Session,
     sides: [Preparation; 2],
     map: Option<ConformalMap>,
+    draft: Draft,
+    /// How many updates in a row were too slow for a drag.
+    slow_updates: u32,
+    pub(super) slow_update_ms: f64,
     quality: Option<Quality>,
     triangles: Vec<TriangleDistortion>,
     measured: u64,
@@ -71,6 +88,9 @@ impl Model {
             session,
             sides,
             map: None,
+            draft: Draft::default(),
+            slow_updates: 0,
+            slow_update_ms: SLOW_UPDATE_MS,
             quality: None,
             triangles: Vec::new(),
             measured: 0,
@@ -105,9 +125,15 @@ impl Model {
         self.side(side).domain()
     }
 
-    /// The map, as soon as both domains are there.
+    /// The map that is shown, as soon as both domains are there: the full one, or a coarse
+    /// one while a drag is under way that the full one is too slow for.
     pub fn map(&self) -> Option<&ConformalMap> {
-        self.map.as_ref()
+        self.draft.map().or(self.map.as_ref())
+    }
+
+    /// The domain of a side that is shown.
+    pub fn shown_domain(&self, side: Side) -> Option<&Arc<PreparedDomain>> {
+        self.draft.map().map_or_else(|| self.domain(side), |map| Some(map.domain(side)))
     }
 
     /// Angle distortion of the map; of the last one that was measured while a drag is under way.
@@ -250,18 +276,26 @@ impl Model {
         }
     }
 
-    /// Brings the map up to date with session and domains.
-    pub fn refresh(&mut self) -> Changes {
+    /// Brings the map up to date with session and domains; `dragging`: a dot is held.
+    pub fn refresh(&mut self, dragging: bool) -> Changes {
         let mut changes = Changes::default();
         if std::mem::take(&mut self.domains_changed) {
             changes.meshes = true;
+            self.draft.forget();
             self.keep_points_inside();
             changes.images |= self.rebuild();
             self.points_changed = false;
         }
         if std::mem::take(&mut self.points_changed) {
-            changes.meshes |= self.map.as_ref().is_some_and(|map| map.direction() != self.session.direction);
-            changes.images |= self.update();
+            let full = self.draft.map().is_none();
+            if dragging && self.is_slow() && self.follow_coarsely() {
+                (changes.meshes, changes.images) = (full, true);
+            } else {
+                changes |= self.update();
+            }
+        }
+        if !dragging && self.draft.map().is_some() {
+            changes |= self.update();
         }
         changes.images |= self.refine();
         if changes.images {
@@ -285,7 +319,8 @@ impl Model {
     pub fn measure(&mut self) {
         let start = Instant::now();
         self.triangles.clear();
-        self.quality = self.map.as_ref().map(|map| {
+        let shown = self.draft.map().or(self.map.as_ref());
+        self.quality = shown.map(|map| {
             triangle_distortions(map.mapped_mesh(), map.images(), &mut self.triangles);
             Quality::summary(&self.triangles)
         });
@@ -322,10 +357,33 @@ impl Model {
         }
     }
 
+    fn note_duration(&mut self, start: Instant) {
+        let slow = start.elapsed().as_secs_f64() * 1e3 > self.slow_update_ms;
+        self.slow_updates = if slow { self.slow_updates + 1 } else { 0 };
+    }
+
+    /// Whether the full map is too slow for a drag. One slow update says so of the iterative
+    /// solver only: a browser compiles what it runs for the first time.
+    fn is_slow(&self) -> bool {
+        let is_iterative = |side| self.domain(side).is_some_and(|domain| domain.solver.kind() == SolverKind::Pcg);
+        self.slow_updates > u32::from(!SIDES.into_iter().any(is_iterative))
+    }
+
+    /// Lets the coarse map follow the points; whether it could.
+    fn follow_coarsely(&mut self) -> bool {
+        let Some(constraints) = self.constraints() else { return false };
+        let outlines = SIDES.map(|side| &self.session.domain(side).outline);
+        self.draft.follow(outlines, &constraints, self.session.map_settings())
+    }
+
     fn rebuild(&mut self) -> bool {
         let (Some(source), Some(target)) = (self.domain(Side::Source), self.domain(Side::Target)) else { return false };
         let Some(constraints) = self.constraints() else { return false };
-        match ConformalMap::new(Arc::clone(source), Arc::clone(target), &constraints, self.session.map_settings()) {
+        let (source, target) = (Arc::clone(source), Arc::clone(target));
+        let start = Instant::now();
+        let map = ConformalMap::new(source, target, &constraints, self.session.map_settings());
+        self.note_duration(start);
+        match map {
             Ok(mut map) => {
                 if let Some(old) = self.map.take() {
                     map.adopt(old);
@@ -341,20 +399,19 @@ impl Model {
         }
     }
 
-    fn update(&mut self) -> bool {
-        let Some(constraints) = self.constraints() else { return false };
-        let Some(map) = &mut self.map else { return false };
-        match map.update(&constraints, self.session.map_settings()) {
-            Ok(()) => {
-                self.settle(None);
-                true
-            }
-            Err(error) => {
-                (self.session.interior, self.session.anchor) = self.last_good_points;
-                self.settle(Some(error));
-                false
-            }
+    /// Brings the full map up to date and shows it.
+    fn update(&mut self) -> Changes {
+        let (Some(constraints), Some(map)) = (self.constraints(), &mut self.map) else { return Changes::default() };
+        let meshes = self.draft.retire() || map.direction() != self.session.direction;
+        let start = Instant::now();
+        let result = map.update(&constraints, self.session.map_settings());
+        self.note_duration(start);
+        let images = result.is_ok();
+        if !images {
+            (self.session.interior, self.session.anchor) = self.last_good_points;
         }
+        self.settle(result.err());
+        Changes { meshes, images }
     }
 
     /// Goes on with an extension that is not complete; whether images changed.

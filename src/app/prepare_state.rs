@@ -7,8 +7,7 @@
 
 use super::trouble::{Remedy, Trouble};
 use crate::conformal::{PreparedDomain, Stage};
-use crate::geometry::SimplePolygon;
-use crate::outline::{Outline, OutlineNote};
+use crate::outline::OutlineNote;
 use crate::session::{DomainSpec, OutlineSpec};
 use crate::worker::{Request, Response};
 use std::sync::Arc;
@@ -139,7 +138,7 @@ impl Preparation {
         self.due.take_if(|due| *due <= now)?;
         self.generation += 1;
         self.running = None;
-        match polygon_of(&self.wanted.outline) {
+        match self.wanted.outline.polygon() {
             Ok(polygon) => {
                 self.running = Some(Running {
                     spec: self.wanted.clone(),
@@ -148,8 +147,8 @@ impl Preparation {
                 });
                 Some(Request { generation: self.generation, polygon, settings: self.wanted.settings })
             }
-            Err(message) => {
-                self.fail(message);
+            Err(error) => {
+                self.fail(error.to_string());
                 None
             }
         }
@@ -200,18 +199,6 @@ impl Preparation {
         self.error = Some(Trouble::new(message));
         if let Some(good) = &self.prepared_from {
             self.wanted.outline = good.outline.clone();
-        }
-    }
-}
-
-fn polygon_of(outline: &OutlineSpec) -> Result<SimplePolygon, String> {
-    match outline {
-        OutlineSpec::Preset(preset) => {
-            let Outline { polygon, .. } = preset.outline();
-            Ok(polygon)
-        }
-        OutlineSpec::Points { points, .. } => {
-            SimplePolygon::try_from(points.clone()).map_err(|error| error.to_string())
         }
     }
 }

@@ -27,7 +27,7 @@ fn finish_preparations(model: &mut Model) {
     for (side, request) in model.take_requests(f64::INFINITY) {
         crate::worker::run(&request, &mut |generation, response| model.accept(side, generation, response));
     }
-    model.refresh();
+    model.refresh(false);
 }
 
 /// Runs a click on `label` in the side panel and returns what was asked for.
@@ -108,7 +108,7 @@ fn while_a_side_is_prepared_the_last_map_stays_and_its_handles_work() {
     assert_eq!(model.session().source.outline, OutlineSpec::Preset(Preset::Gingerbread));
     let point = model.interior(Side::Target).unwrap() + glam::DVec2::new(0.05, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Target, point }, 1.0);
-    assert!(model.refresh().images);
+    assert!(model.refresh(false).images);
     finish_preparations(&mut model);
     assert_eq!(model.session().source.outline, OutlineSpec::Preset(Preset::Star));
     assert_eq!(model.interior(Side::Target), Some(point));
@@ -122,7 +122,7 @@ fn a_point_outside_is_refused_and_the_map_stays() {
     let generation = model.generation();
     let point = glam::DVec2::new(1e3, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
-    model.refresh();
+    model.refresh(false);
     assert_eq!(model.interior(Side::Source), before);
     assert_eq!(model.generation(), generation);
     assert_eq!(model.map_error().unwrap().0, Side::Source);
@@ -136,7 +136,7 @@ fn the_handle_of_a_pointer_outside_is_inside() {
         let near = model.interior_near(Side::Source, far).unwrap();
         let mut moved = prepared_model();
         moved.dispatch(Command::MoveInterior { side: Side::Source, point: near }, 0.0);
-        assert!(moved.refresh().images, "no map at {near}: {:?}", moved.map_error());
+        assert!(moved.refresh(false).images, "no map at {near}: {:?}", moved.map_error());
     }
 }
 
@@ -145,7 +145,7 @@ fn swapping_exchanges_the_prepared_domains_without_preparing_again() {
     let mut model = prepared_model();
     let source = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
     model.dispatch(Command::Swap, 0.0);
-    assert!(model.refresh().meshes && model.is_ready());
+    assert!(model.refresh(false).meshes && model.is_ready());
     assert!(std::sync::Arc::ptr_eq(&source, model.domain(Side::Target).unwrap()));
 }
 
@@ -155,7 +155,7 @@ fn cauchy_green_images_are_filled_in_frame_by_frame() {
     let harmonic = model.map().unwrap().images().to_vec();
     model.dispatch(Command::SetExtension(Extension::CauchyGreen), 0.0);
     let mut frames = 0;
-    while model.refresh().images {
+    while model.refresh(false).images {
         frames += 1;
         assert!(frames < 1000, "the extension never ends");
     }
@@ -163,7 +163,7 @@ fn cauchy_green_images_are_filled_in_frame_by_frame() {
     assert!(frames > 0 && map.extension_progress() == 1.0);
     assert_ne!(map.images(), harmonic);
     model.dispatch(Command::SetExtension(Extension::Harmonic), 0.0);
-    assert!(model.refresh().images && !model.refresh().images);
+    assert!(model.refresh(false).images && !model.refresh(false).images);
     assert_eq!(model.map().unwrap().images(), harmonic);
 }
 
@@ -172,13 +172,41 @@ fn the_mapped_point_goes_to_the_other_sides_point() {
     for direction in [Direction::Forward, Direction::Backward] {
         let mut model = prepared_model();
         model.dispatch(Command::SetDirection(direction), 0.0);
-        model.refresh();
+        model.refresh(false);
         let stats = stats::collect(&model, ScreenFacts::default());
         let (image, expected) = (stats.image_of_mapped_point.unwrap(), stats.expected.unwrap());
         let error = glam::DVec2::from(image).distance(expected.into());
         // With 120 samples and triangles that grow by 0.3 the triangle around x is about 0.1 across.
         assert!(error < 0.05, "{direction:?}: f(x) = {image:?}, expected {expected:?}, error {error:e}");
     }
+}
+
+#[test]
+fn a_slow_map_lets_a_coarse_one_follow_the_drag() {
+    let mut model = prepared_model();
+    model.slow_update_ms = -1.0;
+    for fraction in [0.1, 0.2] {
+        model.dispatch(Command::MoveAnchor { side: Side::Source, fraction }, 0.0);
+        model.refresh(false);
+    }
+    let full = model.map().unwrap().mapped_mesh().triangles.len();
+    let point = model.interior(Side::Source).unwrap() + glam::DVec2::splat(0.01);
+    let moved = Command::MoveInterior { side: Side::Source, point };
+    model.dispatch(moved.clone(), 0.0);
+    let changes = model.refresh(true);
+    assert!(changes.meshes && changes.images);
+    assert_ne!(model.map().unwrap().mapped_mesh().triangles.len(), full);
+    assert!(!model.refresh(true).images, "nothing moved");
+    // the pointer rests
+    let changes = model.refresh(false);
+    assert!(changes.meshes && changes.images);
+    assert_eq!(model.map().unwrap().mapped_mesh().triangles.len(), full);
+    let after_drag = model.map().unwrap().images().to_vec();
+    let mut direct = prepared_model();
+    direct.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.2 }, 0.0);
+    direct.dispatch(moved, 0.0);
+    direct.refresh(false);
+    assert_eq!(after_drag, direct.map().unwrap().images());
 }
 
 /// The app with its first map on the screen.
@@ -216,7 +244,7 @@ fn distortions_belong_to_the_map_on_the_screen() {
     assert_eq!(model.measured_generation(), model.generation());
     for direction in [Direction::Forward, Direction::Backward] {
         model.dispatch(Command::SetDirection(direction), 0.0);
-        model.refresh();
+        model.refresh(false);
         assert_eq!(model.triangles().len(), model.map().unwrap().mapped_mesh().triangles.len());
         assert_eq!(model.measured_generation(), model.generation(), "another mesh is measured at once");
     }

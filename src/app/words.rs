@@ -1,7 +1,8 @@
 //! The words on the screen that are not beside their control: stages, shapes,
 //! patterns, and the field's own terms, each explained once.
 
-use crate::conformal::{PrepareTimings, Side, Stage};
+use crate::conformal::{PrepareTimings, PreparedDomain, Side, Stage};
+use crate::laplace::SolverKind;
 use crate::outline::Preset;
 use crate::session::OutlineSpec;
 use std::borrow::Cow;
@@ -55,6 +56,15 @@ pub fn outline(outline: &OutlineSpec) -> &str {
         OutlineSpec::Preset(shape) => preset(*shape),
         OutlineSpec::Points { name, .. } => name,
     }
+}
+
+/// What should be known about a prepared domain that is not quite what was asked for.
+pub fn cautions(domain: &PreparedDomain, wanted: SolverKind) -> impl Iterator<Item = &'static str> {
+    let iterative = (domain.solver.kind() != wanted)
+        .then_some("The Cholesky factor does not fit into memory: solved iteratively, a coarse map follows your drags");
+    let coarse = (!domain.refinement.complete)
+        .then_some("The mesh is coarser than asked for: its refinement stopped at the limit");
+    iterative.into_iter().chain(coarse)
 }
 
 /// The preparation's stages with their times, a line each.
