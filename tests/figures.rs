@@ -1,9 +1,10 @@
 //! `riemap figure` and `riemap bench`: the numbers that they write, against closed forms and the paper.
 
+#![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
 use riemap::exact::{Complex, disk};
-use riemap::figures::{Detail, Figure, TABLE_1, TABLE_2};
+use riemap::figures::{BenchRow, BenchSetting, Detail, Figure, Measurement, TABLE_1, TABLE_2};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -134,9 +135,9 @@ fn figure_8_has_four_ways_that_agree_better_at_high_resolution() {
     assert_eq!(csv.rows.len(), 8);
     let scenes: Vec<String> = csv.rows.iter().take(4).map(|row| csv.word(row, "scene")).collect();
     assert_eq!(scenes, ["forward harmonic", "forward Cauchy–Green", "backward harmonic", "backward Cauchy–Green"]);
-    for way in 0..4 {
+    for (way, name) in scenes.iter().enumerate() {
         let q = |row: usize| csv.number(&csv.rows[row], "q_mean_resolved");
-        assert!(1.0 < q(way + 4) && q(way + 4) < q(way), "{}: {} and {}", scenes[way], q(way), q(way + 4));
+        assert!(1.0 < q(way + 4) && q(way + 4) < q(way), "{name}: {} and {}", q(way), q(way + 4));
     }
     let picture = image::open(folder.join("figure-8.png")).unwrap();
     assert_eq!((picture.width(), picture.height()), (5 * 480, 2 * 480));
@@ -270,6 +271,24 @@ fn bench_has_every_row_of_the_papers_tables() {
     }
     // the paper's N is m + 2n − 2 too
     assert!(TABLE_1.iter().all(|row| row.triangles == row.m + 2 * row.n - 2));
+}
+
+/// A worker's answers survive the way to the page.
+#[test]
+fn measured_rows_survive_json() {
+    for row in [
+        BenchRow::Preparation { index: 0, setting: BenchSetting::Default },
+        BenchRow::PsiTable { index: 0 },
+        BenchRow::Frame { index: 0, setting: BenchSetting::Default },
+    ] {
+        let text = serde_json::to_string(&row).unwrap();
+        assert_eq!(serde_json::from_str::<BenchRow>(&text).unwrap(), row, "{text}");
+        let measured = row.measure(1).unwrap().unwrap();
+        let text = serde_json::to_string(&measured).unwrap();
+        let read = serde_json::from_str::<Measurement>(&text).unwrap();
+        assert_eq!(std::mem::discriminant(&read), std::mem::discriminant(&measured), "{text}");
+    }
+    assert_eq!(BenchRow::Frame { index: 3, setting: BenchSetting::Paper }.measure(1), Ok(None));
 }
 
 #[test]

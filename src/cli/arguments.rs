@@ -107,7 +107,7 @@ pub struct PrepareArguments {
 pub struct FigureArguments {
     /// The figure's number in the paper: 6, 7, 8, 9, 10, 12 or 15.
     pub number: FigureNumber,
-    /// Write into this folder, or to this file (.svg, .csv, and .png where meshes are shown);
+    /// Write into this folder (made if absent), or to this file (.svg, .csv, and .png where meshes are shown);
     /// repeatable [default: the current folder, all formats].
     #[arg(long, value_name = "FOLDER|FILE")]
     pub out: Vec<PathBuf>,
@@ -122,7 +122,7 @@ pub struct BenchArguments {
     /// Print machine, times and the paper's times as JSON on stdout.
     #[arg(long)]
     pub json: bool,
-    /// Measure every row once instead of taking the median of five runs.
+    /// Measure every row once instead of taking the median of five runs, and no table of Ψ.
     #[arg(long)]
     pub quick: bool,
 }

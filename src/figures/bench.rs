@@ -159,7 +159,7 @@ pub struct FrameTimes {
 
 /// A measured row.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-#[serde(untagged)]
+#[serde(rename_all = "kebab-case")]
 pub enum Measurement {
     /// Of Table 1.
     Preparation(Preparation),

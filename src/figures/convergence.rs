@@ -4,7 +4,7 @@
 //! second maps: the exact one, so that only the V's measure is off, and the blob sampled
 //! at m₂ points, whose polygon and measure add an error that does not fall with m.
 
-use super::crowding::exact_measures;
+use super::crowding::{V_PERIOD, exact_measures, on_exact_v};
 use super::scenes::{crowding_constraints, uniform};
 use super::{ArcLength, Detail, FigureError, Method, Table};
 use crate::conformal::{ConformalMap, Direction, PreparedDomain, Side, prepare};
@@ -71,7 +71,7 @@ impl ConvergenceStudy {
             resolutions: [250, 500, 1000, 2000, 4000].map(|m| detail.samples(m)).to_vec(),
             blob,
             blob_measure,
-            v_arc: ArcLength::new(vshape::boundary, 4.0),
+            v_arc: ArcLength::new(vshape::boundary, V_PERIOD),
         })
     }
 
@@ -91,9 +91,9 @@ impl ConvergenceStudy {
         let source = Arc::new(prepare(&Preset::VShape.outline().polygon, &uniform(m), &mut |_| ())?);
         let constraints = crowding_constraints();
         let map = ConformalMap::new(source, self.blob.clone(), &constraints, Direction::Forward.into())?;
-        let (points, measure) = (&map.domain(Side::Source).samples.points, map.measure(Side::Source));
+        let (points, measure) = (on_exact_v(&map.domain(Side::Source).samples), map.measure(Side::Source));
         let measures: Vec<f64> = (0..points.len()).map(|k| measure.at_vertex(k)).collect();
-        Ok(self.compare(Method::HarmonicMeasure, points, &measures, &map.correspondence().points))
+        Ok(self.compare(Method::HarmonicMeasure, &points, &measures, &map.correspondence().points))
     }
 
     fn by_zipper(&self, m: u32) -> Result<[ConvergenceRow; 2], FigureError> {
@@ -104,7 +104,7 @@ impl ConvergenceStudy {
         Ok(self.compare(Method::FreshZipper, &points, &measures, &matched))
     }
 
-    /// The errors of images by `measures` and the exact second map, and of the `matched` ones.
+    /// The errors, at these points of the exact V, of images by `measures` and the exact second map, and of the `matched` ones.
     fn compare(
         &self,
         method: Method,

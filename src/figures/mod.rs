@@ -164,8 +164,8 @@ impl Figure {
             Self::Distortion => &[
                 "outlines: riemap's own of these names",
                 "the paper gives only the last m (3200): m₁ doubles from 400",
-                "the paper shows the constraints in Figure 1 only: both poles of inaccessibility, both first boundary points",
-                "Q_avg leaves out flattened triangles (Q > 10): the stem goes to one edge of the target; the table has both means",
+                "the paper shows the constraints in Figure 1 only: both poles of inaccessibility, the leaf's top to the first petal's 4 % of the way round, so that neither tip nor stem goes into a notch",
+                "Q_avg leaves out flattened triangles (Q > 10); the table has both means",
             ],
             Self::Reshaping => &[
                 "outlines: riemap's own of these names",
@@ -182,7 +182,7 @@ impl Figure {
             Self::Convergence => &[
                 "constraints as in Figure 12",
                 "with the exact second map only the V's error is left; with the blob sampled at m₂ = 1000, as in Figure 12, its own error bounds what can be reached",
-                "Zipper runs on points of the exact curve, riemap on its preset, within 1e-5 of the curve",
+                "Zipper runs on points of the exact curve; riemap on its preset, whose samples are compared with the nearest points of the curve",
             ],
         }
     }
