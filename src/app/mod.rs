@@ -10,6 +10,7 @@ mod cells;
 mod colouring;
 mod files;
 mod gpu;
+mod gpu_extension;
 mod handles;
 mod header;
 mod layout;
@@ -33,7 +34,7 @@ pub use action::{Action, Actions};
 pub use model::Model;
 pub use stats::Stats;
 
-use crate::conformal::Side;
+use crate::conformal::{Extension, Side};
 use crate::platform::{self, Event, FilePurpose, Mailbox, Preparer};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{Command, Session, TextureKind};
@@ -41,9 +42,9 @@ use cells::Cells;
 use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;
-use model::SIDES;
+use model::{Changes, SIDES};
 use plots::Plots;
-use stats::{HandlePositions, ScreenFacts};
+use stats::{HandlePositions, Processor, ScreenFacts};
 use status::FrameMeter;
 use std::sync::mpsc;
 use view::View;
@@ -144,6 +145,7 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             marked_boundary: self.plots.marked(),
+            cauchy_green: self.cauchy_green(),
         };
         stats::collect(&self.model, screen)
     }
@@ -237,12 +239,15 @@ impl RiemapApp {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
         }
         let changes = self.model.refresh();
-        if changes != model::Changes::default() {
+        if changes != Changes::default() {
             self.last_change = now;
-            // The status line was laid out before the change.
-            context.request_repaint();
-            if let Some(gpu) = &self.gpu {
-                gpu.upload(&self.model, changes);
+            self.show_changes(context, changes);
+        }
+        let resting = now - self.last_change >= REST_SECONDS;
+        if resting {
+            let refined = self.model.refine_at_rest();
+            if refined.images {
+                self.show_changes(context, refined);
             }
         }
         for side in SIDES {
@@ -251,8 +256,9 @@ impl RiemapApp {
                 context.request_repaint();
             }
         }
-        if self.model.is_quality_stale() {
-            if now - self.last_change >= REST_SECONDS {
+        let complete = self.model.extension_progress() == 1.0;
+        if self.model.is_quality_stale() || !complete {
+            if resting && complete {
                 self.model.measure();
                 context.request_repaint();
             } else {
@@ -261,6 +267,23 @@ impl RiemapApp {
         }
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
+    }
+
+    /// Uploads, and asks for another frame: the status line was laid out before the change.
+    fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
+        context.request_repaint();
+        if let Some(gpu) = &mut self.gpu {
+            gpu.upload(&self.model, changes);
+        }
+        let extended = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
+        self.model.set_refines_at_rest(extended);
+    }
+
+    /// Where the Cauchy–Green extension in the picture comes from, if it is asked for.
+    fn cauchy_green(&self) -> Option<Processor> {
+        let on_gpu = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
+        let asked = self.model.session().extension == Extension::CauchyGreen;
+        asked.then_some(if on_gpu { Processor::Gpu } else { Processor::Cpu })
     }
 
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {

@@ -38,7 +38,9 @@ const REFINE_MS: f64 = 8.0;
 pub struct Changes {
     /// A domain or the direction is another one: meshes and outlines.
     pub meshes: bool,
-    /// The mapped vertices moved.
+    /// The map is another one: the boundary moved.
+    pub map: bool,
+    /// Images of vertices moved: with the map, or because they were refined.
     pub images: bool,
 }
 
@@ -60,6 +62,7 @@ pub struct Model {
     mesh_generation: u64,
     map_error: Option<(Side, String)>,
     refit: [bool; 2],
+    refines_at_rest: bool,
 }
 
 impl Model {
@@ -82,6 +85,7 @@ impl Model {
             mesh_generation: 0,
             map_error: None,
             refit: [true; 2],
+            refines_at_rest: false,
         }
     }
 
@@ -256,24 +260,51 @@ impl Model {
         if std::mem::take(&mut self.domains_changed) {
             changes.meshes = true;
             self.keep_points_inside();
-            changes.images |= self.rebuild();
+            changes.map |= self.rebuild();
             self.points_changed = false;
         }
         if std::mem::take(&mut self.points_changed) {
             changes.meshes |= self.map.as_ref().is_some_and(|map| map.direction() != self.session.direction);
-            changes.images |= self.update();
+            changes.map |= self.update();
         }
-        changes.images |= self.refine();
+        let refined = !self.refines_at_rest && self.refine();
+        changes.images = changes.map || refined;
         if changes.images {
-            self.generation += 1;
             self.mesh_generation += u64::from(changes.meshes);
-            self.quality_stale = true;
-            // Another mesh has other triangles: the old ones' distortions fit nothing any more.
-            if changes.meshes || self.quality_ms < CHEAP_QUALITY_MS {
-                self.measure();
-            }
+            self.count_images(changes.meshes);
         }
         changes
+    }
+
+    /// Leaves the refinement of an extension to [`Self::refine_at_rest`]: the picture has it from elsewhere.
+    pub fn set_refines_at_rest(&mut self, at_rest: bool) {
+        self.refines_at_rest = at_rest;
+    }
+
+    /// Goes on with an extension that [`Self::refresh`] leaves alone.
+    pub fn refine_at_rest(&mut self) -> Changes {
+        let images = self.refines_at_rest && self.refine();
+        if images {
+            self.count_images(false);
+        }
+        Changes { images, ..Changes::default() }
+    }
+
+    /// How far the images are those of the extension that was asked for, from 0 to 1.
+    pub fn extension_progress(&self) -> f64 {
+        self.map.as_ref().map_or(1.0, ConformalMap::extension_progress)
+    }
+
+    /// Notes that images moved.
+    fn count_images(&mut self, another_mesh: bool) {
+        self.generation += 1;
+        self.quality_stale = true;
+        // what the picture does not show is not worth a number
+        let shown = !self.refines_at_rest || self.extension_progress() == 1.0;
+        // Another mesh has other triangles: the old ones' distortions fit nothing any more.
+        if another_mesh || (shown && self.quality_ms < CHEAP_QUALITY_MS) {
+            self.measure();
+        }
     }
 
     /// Whether [`Self::measure`] would tell something new.
