@@ -42,7 +42,7 @@ use cells::Cells;
 use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;
-use model::{Changes, SIDES};
+use model::{Changes, Refines, SIDES};
 use plots::Plots;
 use stats::{HandlePositions, Processor, ScreenFacts};
 use status::FrameMeter;
@@ -276,7 +276,7 @@ impl RiemapApp {
             gpu.upload(&self.model, changes);
         }
         let extended = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
-        self.model.set_refines_at_rest(extended);
+        self.model.set_refines(if extended { Refines::AtRest } else { Refines::InRefresh });
     }
 
     /// Where the Cauchy–Green extension in the picture comes from, if it is asked for.

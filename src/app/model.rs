@@ -44,6 +44,15 @@ pub struct Changes {
     pub images: bool,
 }
 
+/// When an extension that is not complete is gone on with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refines {
+    /// In every [`Model::refresh`].
+    InRefresh,
+    /// When [`Model::refine_at_rest`] is called.
+    AtRest,
+}
+
 /// Session, preparations and map.
 #[derive(Debug)]
 pub struct Model {
@@ -62,7 +71,7 @@ pub struct Model {
     mesh_generation: u64,
     map_error: Option<(Side, String)>,
     refit: [bool; 2],
-    refines_at_rest: bool,
+    refines: Refines,
 }
 
 impl Model {
@@ -85,7 +94,7 @@ impl Model {
             mesh_generation: 0,
             map_error: None,
             refit: [true; 2],
-            refines_at_rest: false,
+            refines: Refines::InRefresh,
         }
     }
 
@@ -267,7 +276,7 @@ impl Model {
             changes.meshes |= self.map.as_ref().is_some_and(|map| map.direction() != self.session.direction);
             changes.map |= self.update();
         }
-        let refined = !self.refines_at_rest && self.refine();
+        let refined = self.refines == Refines::InRefresh && self.refine();
         changes.images = changes.map || refined;
         if changes.images {
             self.mesh_generation += u64::from(changes.meshes);
@@ -276,14 +285,14 @@ impl Model {
         changes
     }
 
-    /// Leaves the refinement of an extension to [`Self::refine_at_rest`]: the picture has it from elsewhere.
-    pub fn set_refines_at_rest(&mut self, at_rest: bool) {
-        self.refines_at_rest = at_rest;
+    /// When to refine an extension: at rest, where the picture has it from elsewhere.
+    pub fn set_refines(&mut self, refines: Refines) {
+        self.refines = refines;
     }
 
     /// Goes on with an extension that [`Self::refresh`] leaves alone.
     pub fn refine_at_rest(&mut self) -> Changes {
-        let images = self.refines_at_rest && self.refine();
+        let images = self.refines == Refines::AtRest && self.refine();
         if images {
             self.count_images(false);
         }
@@ -300,7 +309,7 @@ impl Model {
         self.generation += 1;
         self.quality_stale = true;
         // what the picture does not show is not worth a number
-        let shown = !self.refines_at_rest || self.extension_progress() == 1.0;
+        let shown = self.refines == Refines::InRefresh || self.extension_progress() == 1.0;
         // Another mesh has other triangles: the old ones' distortions fit nothing any more.
         if another_mesh || (shown && self.quality_ms < CHEAP_QUALITY_MS) {
             self.measure();

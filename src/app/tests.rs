@@ -189,16 +189,16 @@ fn a_drag_shows_cauchy_green_at_once_and_refines_the_map_at_rest() {
         .with_size([1200.0, 800.0])
         .wgpu()
         .build_eframe(|creation| RiemapApp::new(creation, groundwork).unwrap());
-    let mut settle = |harness: &mut Harness<'_, RiemapApp>| {
-        for _ in 0..600 {
+    let settle = |harness: &mut Harness<'_, RiemapApp>| {
+        let mut steps = (0..600).map(|_| {
             harness.step();
-            let stats = harness.state().stats();
-            if stats.ready && stats.extension_progress == 1.0 && stats.measured_generation == stats.generation {
-                return stats;
-            }
             std::thread::sleep(std::time::Duration::from_millis(5));
-        }
-        panic!("never at rest: {:?}", harness.state().stats());
+            harness.state().stats()
+        });
+        let is_settled = |stats: &Stats| {
+            stats.ready && stats.extension_progress == 1.0 && stats.measured_generation == stats.generation
+        };
+        steps.find(is_settled).unwrap()
     };
     let before = settle(&mut harness);
     assert_eq!(before.cauchy_green, Some(Processor::Gpu));
