@@ -32,7 +32,7 @@ mod words;
 
 pub use action::{Action, Actions};
 pub use model::Model;
-pub use stats::Stats;
+pub use stats::{Processor, Stats};
 
 use crate::conformal::{Extension, Side};
 use crate::platform::{self, Event, FilePurpose, Mailbox, Preparer};
@@ -44,7 +44,7 @@ use gpu::Gpu;
 use handles::HandleState;
 use model::{Changes, Refines, SIDES};
 use plots::Plots;
-use stats::{HandlePositions, Processor, ScreenFacts};
+use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::mpsc;
 use view::View;
