@@ -4,9 +4,11 @@
 //! Forward, the target shows the source's mesh at its images, textured by its
 //! own positions; backward, the target shows its own mesh, textured by the
 //! images. The source always shows its own mesh, textured by its positions.
+//! The images are uploaded, or put there by a compute shader ([`GpuExtension`]).
 
+use super::gpu_extension::GpuExtension;
 use super::model::{Changes, Model, SIDES};
-use crate::conformal::{ConformalMap, Direction, PreparedDomain, Side};
+use crate::conformal::{ConformalMap, Direction, Extension, PreparedDomain, Side};
 use crate::geometry::DVec2;
 use crate::render::{
     Camera, CellCode, CellStyle, ImageError, MeshGeometry, StrokeStyle, TextureStyle, ViewportRenderer,
@@ -16,6 +18,7 @@ use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor}
 /// The renderer and its device.
 pub struct Gpu {
     state: RenderState,
+    extension: Option<GpuExtension>,
 }
 
 impl Gpu {
@@ -23,7 +26,8 @@ impl Gpu {
     pub fn new(state: RenderState) -> Self {
         let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, SIDES.len());
         state.renderer.write().callback_resources.insert(renderer);
-        Self { state }
+        let extension = GpuExtension::new(&state);
+        Self { state, extension }
     }
 
     /// What it draws with, in the words of the status line.
@@ -41,8 +45,14 @@ impl Gpu {
         self.state.device.limits().max_texture_dimension_2d
     }
 
+    /// Whether the picture of the model's map has its whole extension from a compute shader.
+    pub fn extends(&self, model: &Model) -> bool {
+        let map = model.map().filter(|map| map.extension() == Extension::CauchyGreen);
+        self.extension.as_ref().zip(map).is_some_and(|(extension, map)| extension.serves(map))
+    }
+
     /// Uploads what has changed.
-    pub fn upload(&self, model: &Model, changes: Changes) {
+    pub fn upload(&mut self, model: &Model, changes: Changes) {
         if changes.meshes {
             for side in SIDES {
                 if let Some(domain) = model.shown_domain(side) {
@@ -56,9 +66,24 @@ impl Gpu {
                 self.upload_mesh(Side::Target, &target_geometry(map));
             }
         } else if changes.images
+            && !self.extends(model)
             && let Some(map) = model.map()
         {
             self.upload_images(map);
+        }
+        if (changes.meshes || changes.map)
+            && let Some(map) = model.map()
+        {
+            self.extend(map);
+        }
+    }
+
+    /// Replaces the images in the target's picture by those of the compute shader, if it serves.
+    fn extend(&mut self, map: &ConformalMap) {
+        let Some(extension) = &mut self.extension else { return };
+        let mut renderer = self.state.renderer.write();
+        if let Some(renderer) = renderer.callback_resources.get_mut::<ViewportRenderer>() {
+            extension.apply(&self.state, renderer, map);
         }
     }
 

@@ -12,6 +12,7 @@ mod draft;
 mod figures_menu;
 mod files;
 mod gpu;
+mod gpu_extension;
 mod handles;
 mod header;
 mod layout;
@@ -35,9 +36,9 @@ mod words;
 
 pub use action::{Action, Actions};
 pub use model::Model;
-pub use stats::Stats;
+pub use stats::{Processor, Stats};
 
-use crate::conformal::Side;
+use crate::conformal::{Extension, Side};
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{Command, Session, TextureKind};
@@ -45,7 +46,7 @@ use cells::Cells;
 use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;
-use model::SIDES;
+use model::{Changes, Refines, SIDES};
 use plots::Plots;
 use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
@@ -157,6 +158,7 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             marked_boundary: self.plots.marked(),
+            cauchy_green: self.cauchy_green(),
         };
         stats::collect(&self.model, screen)
     }
@@ -255,12 +257,15 @@ impl RiemapApp {
             self.laboratory.begin(study);
         }
         let changes = self.model.refresh(self.handles.grip.is_some());
-        if changes != model::Changes::default() {
+        if changes != Changes::default() {
             self.last_change = now;
-            // The status line was laid out before the change.
-            context.request_repaint();
-            if let Some(gpu) = &self.gpu {
-                gpu.upload(&self.model, changes);
+            self.show_changes(context, changes);
+        }
+        let resting = now - self.last_change >= REST_SECONDS;
+        if resting {
+            let refined = self.model.refine_at_rest();
+            if refined.images {
+                self.show_changes(context, refined);
             }
         }
         for side in SIDES {
@@ -269,8 +274,9 @@ impl RiemapApp {
                 context.request_repaint();
             }
         }
-        if self.model.is_quality_stale() {
-            if now - self.last_change >= REST_SECONDS {
+        let complete = self.model.extension_progress() == 1.0;
+        if self.model.is_quality_stale() || !complete {
+            if resting && complete {
                 self.model.measure();
                 context.request_repaint();
             } else {
@@ -279,6 +285,23 @@ impl RiemapApp {
         }
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
+    }
+
+    /// Uploads, and asks for another frame: the status line was laid out before the change.
+    fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
+        context.request_repaint();
+        if let Some(gpu) = &mut self.gpu {
+            gpu.upload(&self.model, changes);
+        }
+        let extended = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
+        self.model.set_refines(if extended { Refines::AtRest } else { Refines::InRefresh });
+    }
+
+    /// Where the Cauchy–Green extension in the picture comes from, if it is asked for.
+    fn cauchy_green(&self) -> Option<Processor> {
+        let on_gpu = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
+        let asked = self.model.session().extension == Extension::CauchyGreen;
+        asked.then_some(if on_gpu { Processor::Gpu } else { Processor::Cpu })
     }
 
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {

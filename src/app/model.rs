@@ -44,15 +44,27 @@ const REFINE_MS: f64 = 8.0;
 pub struct Changes {
     /// A domain or the direction is another one: meshes and outlines.
     pub meshes: bool,
-    /// The mapped vertices moved.
+    /// The map is another one: the boundary moved.
+    pub map: bool,
+    /// Images of vertices moved: with the map, or because they were refined.
     pub images: bool,
 }
 
 impl std::ops::BitOrAssign for Changes {
     fn bitor_assign(&mut self, other: Self) {
         self.meshes |= other.meshes;
+        self.map |= other.map;
         self.images |= other.images;
     }
+}
+
+/// When an extension that is not complete is gone on with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refines {
+    /// In every [`Model::refresh`].
+    InRefresh,
+    /// When [`Model::refine_at_rest`] is called.
+    AtRest,
 }
 
 /// Session, preparations and map.
@@ -79,6 +91,7 @@ pub struct Model {
     refit: [bool; 2],
     /// The points of a session whose domains are being prepared.
     incoming_points: [Option<(Option<DVec2>, f64)>; 2],
+    refines: Refines,
 }
 
 impl Model {
@@ -105,6 +118,7 @@ impl Model {
             map_error: None,
             refit: [true; 2],
             incoming_points: [None; 2],
+            refines: Refines::InRefresh,
         }
     }
 
@@ -314,13 +328,13 @@ impl Model {
             changes.meshes = true;
             self.draft.forget();
             self.keep_points_inside();
-            changes.images |= self.rebuild();
+            changes.map |= self.rebuild();
             self.points_changed = false;
         }
         if std::mem::take(&mut self.points_changed) {
             let full = self.draft.map().is_none();
             if dragging && self.is_slow() && self.follow_coarsely() {
-                (changes.meshes, changes.images) = (full, true);
+                (changes.meshes, changes.map) = (full, true);
             } else {
                 changes |= self.update();
             }
@@ -328,17 +342,44 @@ impl Model {
         if !dragging && self.draft.map().is_some() {
             changes |= self.update();
         }
-        changes.images |= self.refine();
+        let refined = self.refines == Refines::InRefresh && self.refine();
+        changes.images = changes.map || refined;
         if changes.images {
-            self.generation += 1;
             self.mesh_generation += u64::from(changes.meshes);
-            self.quality_stale = true;
-            // Another mesh has other triangles: the old ones' distortions fit nothing any more.
-            if changes.meshes || self.quality_ms < CHEAP_QUALITY_MS {
-                self.measure();
-            }
+            self.count_images(changes.meshes);
         }
         changes
+    }
+
+    /// When to refine an extension: at rest, where the picture has it from elsewhere.
+    pub fn set_refines(&mut self, refines: Refines) {
+        self.refines = refines;
+    }
+
+    /// Goes on with an extension that [`Self::refresh`] leaves alone.
+    pub fn refine_at_rest(&mut self) -> Changes {
+        let images = self.refines == Refines::AtRest && self.refine();
+        if images {
+            self.count_images(false);
+        }
+        Changes { images, ..Changes::default() }
+    }
+
+    /// How far the images are those of the extension that was asked for, from 0 to 1.
+    pub fn extension_progress(&self) -> f64 {
+        self.map.as_ref().map_or(1.0, ConformalMap::extension_progress)
+    }
+
+    /// Notes that images moved.
+    fn count_images(&mut self, another_mesh: bool) {
+        self.generation += 1;
+        self.quality_stale = true;
+        // what the picture does not show is not worth a number
+        let shown = self.refines == Refines::InRefresh || self.extension_progress() == 1.0;
+        // Another mesh has other triangles: the old ones' distortions fit nothing any more.
+        if another_mesh || (shown && self.quality_ms < CHEAP_QUALITY_MS) {
+            self.measure();
+        }
     }
 
     /// Whether [`Self::measure`] would tell something new.
@@ -442,7 +483,7 @@ impl Model {
             (self.session.interior, self.session.anchor) = self.last_good_points;
         }
         self.settle(result.err());
-        Changes { meshes, images }
+        Changes { meshes, map: images, images }
     }
 
     /// Goes on with an extension that is not complete; whether images changed.

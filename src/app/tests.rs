@@ -167,6 +167,57 @@ fn cauchy_green_images_are_filled_in_frame_by_frame() {
     assert_eq!(model.map().unwrap().images(), harmonic);
 }
 
+/// Whether there is an adapter; where there is none (said aloud), there is in CI.
+pub fn has_adapter() -> bool {
+    let found = crate::render::headless_device();
+    if let Err(error) = &found {
+        assert!(std::env::var("CI").as_deref() != Ok("true"), "in CI an adapter is needed: {error}");
+        eprintln!("SKIPPED: {error}");
+    }
+    found.is_ok()
+}
+
+#[test]
+fn a_drag_shows_cauchy_green_at_once_and_refines_the_map_at_rest() {
+    if !has_adapter() {
+        return;
+    }
+    let mut session = prepared_model().session().clone();
+    session.apply(Command::SetExtension(Extension::CauchyGreen));
+    let groundwork = Groundwork::start(session);
+    let mut harness = Harness::builder()
+        .with_size([1200.0, 800.0])
+        .wgpu()
+        .build_eframe(|creation| RiemapApp::new(creation, groundwork).unwrap());
+    let settle = |harness: &mut Harness<'_, RiemapApp>| {
+        let mut steps = (0..600).map(|_| {
+            harness.step();
+            std::thread::sleep(std::time::Duration::from_millis(5));
+            harness.state().stats()
+        });
+        let is_settled = |stats: &Stats| {
+            stats.ready && stats.extension_progress == 1.0 && stats.measured_generation == stats.generation
+        };
+        steps.find(is_settled).unwrap()
+    };
+    let before = settle(&mut harness);
+    assert_eq!(before.cauchy_green, Some(Processor::Gpu));
+    let [x, y] = before.handles.x1.unwrap();
+    harness.drag_at(egui::pos2(x, y));
+    harness.step();
+    for step in 1..4 {
+        harness.hover_at(egui::pos2(x + 4.0 * step as f32, y));
+        harness.step();
+        let stats = harness.state().stats();
+        assert_eq!((stats.cauchy_green, stats.extension_progress), (Some(Processor::Gpu), 0.0), "step {step}");
+    }
+    harness.drop_at(egui::pos2(x + 12.0, y));
+    let after = settle(&mut harness);
+    assert!(after.generation > before.generation && after.q_mean != before.q_mean);
+    let words = words::cauchy_green(Processor::Gpu, 1.0);
+    assert!(harness.query_by_label_contains(&words).is_some(), "{words} is not on the screen");
+}
+
 #[test]
 fn the_mapped_point_goes_to_the_other_sides_point() {
     for direction in [Direction::Forward, Direction::Backward] {

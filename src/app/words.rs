@@ -1,6 +1,7 @@
 //! The words on the screen that are not beside their control: stages, shapes,
 //! patterns, and the field's own terms, each explained once.
 
+use super::stats::Processor;
 use crate::conformal::{PrepareTimings, PreparedDomain, Side, Stage};
 use crate::laplace::SolverKind;
 use crate::outline::Preset;
@@ -21,6 +22,15 @@ pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
         Some(Stage::Factor | Stage::Table { .. }) => (0.85, "factoring…"),
     };
     (share, words.into())
+}
+
+/// Where the Cauchy–Green extension comes from, and how far it is.
+pub fn cauchy_green(processor: Processor, progress: f64) -> String {
+    match processor {
+        Processor::Gpu => String::from("Cauchy–Green: GPU"),
+        Processor::Cpu if progress == 1.0 => String::from("Cauchy–Green: CPU"),
+        Processor::Cpu => format!("Cauchy–Green: CPU {:.0} %", (100.0 * progress).floor()),
+    }
 }
 
 /// "Source", "Target".
