@@ -1,5 +1,6 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
+use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
 use crate::session::Command;
 
@@ -20,6 +21,8 @@ pub enum Action {
     Dismiss(Side),
     /// Close the message about the image.
     DismissImageError,
+    /// Start, pause or clear the random walks, or change their speed.
+    Walks(WalkAction),
     /// Dark to light and back.
     ToggleTheme,
     /// Fold the panels away, or bring them back.

@@ -6,6 +6,9 @@
 //! the last good map stays and follows its handles.
 
 use super::prepare_state::{Preparation, Progress};
+use super::teaching::walks::WalkAction;
+use super::teaching::{Situation, Teaching};
+use super::textured;
 use super::trouble::Remedy;
 use crate::conformal::{
     ConformalMap, Constraints, Direction, MapError, PreparedDomain, Quality, Side, TriangleDistortion,
@@ -36,7 +39,7 @@ const REFINE_MS: f64 = 8.0;
 /// What a refresh changed, for the upload.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Changes {
-    /// A domain or the direction is another one: meshes and outlines.
+    /// A domain, the direction or the pattern's home is another one: meshes and outlines.
     pub meshes: bool,
     /// The mapped vertices moved.
     pub images: bool,
@@ -60,6 +63,9 @@ pub struct Model {
     mesh_generation: u64,
     map_error: Option<(Side, String)>,
     refit: [bool; 2],
+    /// Where the pattern lived at the last refresh.
+    pattern_home: Option<Side>,
+    teaching: Teaching,
 }
 
 impl Model {
@@ -68,6 +74,7 @@ impl Model {
         let sides = [Preparation::new(session.source.clone()), Preparation::new(session.target.clone())];
         Self {
             last_good_points: (session.interior, session.anchor),
+            pattern_home: textured::home(&session),
             session,
             sides,
             map: None,
@@ -82,6 +89,7 @@ impl Model {
             mesh_generation: 0,
             map_error: None,
             refit: [true; 2],
+            teaching: Teaching::default(),
         }
     }
 
@@ -194,10 +202,12 @@ impl Model {
                 self.points_changed = true;
             }
             Command::SetTexture(_)
+            | Command::SetTextureSide(_)
             | Command::SetTextureScale(_)
             | Command::SetColouring(_)
             | Command::SetWireframe(_)
-            | Command::SetPlots(_) => self.session.apply(command),
+            | Command::SetPlots(_)
+            | Command::SetComparison(_) => self.session.apply(command),
         }
     }
 
@@ -273,7 +283,28 @@ impl Model {
                 self.measure();
             }
         }
+        let home = textured::home(&self.session);
+        changes.meshes |= std::mem::replace(&mut self.pattern_home, home) != home;
+        if let (None, Some(map)) = (home, &self.map) {
+            self.teaching.grid.update(&situation(map, &self.session, self.generation));
+        }
         changes
+    }
+
+    /// What teaches.
+    pub fn teaching(&self) -> &Teaching {
+        &self.teaching
+    }
+
+    /// Does something with the random walks.
+    pub fn act_on_walks(&mut self, action: WalkAction) {
+        self.teaching.walks.act(action);
+    }
+
+    /// Brings what teaches up to date at the time `now` (seconds); in how many seconds to come back, if at all.
+    pub fn teach(&mut self, now: f64) -> Option<f64> {
+        let situation = situation(self.map.as_ref()?, &self.session, self.generation);
+        self.teaching.advance(&situation, self.session.comparison, now)
     }
 
     /// Whether [`Self::measure`] would tell something new.
@@ -373,6 +404,12 @@ impl Model {
         }
         self.map_error = error.map(|error| (side_of(&error), error.to_string()));
     }
+}
+
+fn situation<'a>(map: &'a ConformalMap, session: &Session, generation: u64) -> Situation<'a> {
+    let constraints = session.constraints(SIDES.map(|side| map.domain(side).pole));
+    let points = SIDES.map(|side| constraints.point(side));
+    Situation { map, generation, points, anchors: session.anchor }
 }
 
 /// Lower left and upper right corner of the points.

@@ -32,7 +32,7 @@ pub struct DomainSpec {
     pub settings: PrepareSettings,
 }
 
-/// The pattern drawn on the source and carried by the map.
+/// The pattern drawn on one side and carried by the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TextureKind {
@@ -41,8 +41,10 @@ pub enum TextureKind {
     Checker,
     /// Lines.
     Grid,
-    /// Circles and rays about the interior point x₁.
+    /// Circles and rays about the interior point.
     Polar,
+    /// The same in the disk: level sets of Green's function and of harmonic measure.
+    Conformal,
     /// The user's own image.
     Image,
 }
@@ -58,6 +60,19 @@ pub enum Colouring {
     Angle,
     /// The area distortion log₂(σ₁σ₂) of every triangle.
     Area,
+}
+
+/// The way that is shown beside the map: through the disk (sections 1.2 and 5.2).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Comparison {
+    /// None.
+    #[default]
+    Off,
+    /// Disk maps made for the present interior points.
+    Fresh,
+    /// Disk maps made for the poles of inaccessibility, then Möbius.
+    Precomputed,
 }
 
 /// The state of the app that a link or a file carries.
@@ -82,8 +97,11 @@ pub struct Session {
     pub extension: Extension,
     /// The pattern.
     pub texture: TextureKind,
-    /// Cells of the pattern across the source.
+    /// Cells of the pattern across its domain; a third of the rays of [`TextureKind::Conformal`].
     pub texture_scale: f64,
+    /// Where the pattern lives: it is pushed forward from the source or pulled back from the target.
+    #[serde(default = "source")]
+    pub texture_side: Side,
     /// What the meshes are painted with.
     #[serde(default)]
     pub colouring: Colouring,
@@ -93,6 +111,13 @@ pub struct Session {
     /// Whether the plots are open.
     #[serde(default)]
     pub plots: bool,
+    /// What the map is compared with.
+    #[serde(default)]
+    pub comparison: Comparison,
+}
+
+fn source() -> Side {
+    Side::Source
 }
 
 /// A change that a person makes.
@@ -119,9 +144,11 @@ pub enum Command {
     SetExtension(Extension),
     SetTexture(TextureKind),
     SetTextureScale(f64),
+    SetTextureSide(Side),
     SetColouring(Colouring),
     SetWireframe(bool),
     SetPlots(bool),
+    SetComparison(Comparison),
     /// Exchanges source and target.
     Swap,
 }
@@ -149,9 +176,11 @@ impl Default for Session {
             extension: Extension::default(),
             texture: TextureKind::default(),
             texture_scale: 8.0,
+            texture_side: source(),
             colouring: Colouring::default(),
             wireframe: false,
             plots: false,
+            comparison: Comparison::default(),
         }
     }
 }
@@ -184,9 +213,11 @@ impl Session {
             Command::SetExtension(extension) => self.extension = extension,
             Command::SetTexture(texture) => self.texture = texture,
             Command::SetTextureScale(scale) => self.texture_scale = scale,
+            Command::SetTextureSide(side) => self.texture_side = side,
             Command::SetColouring(colouring) => self.colouring = colouring,
             Command::SetWireframe(shown) => self.wireframe = shown,
             Command::SetPlots(open) => self.plots = open,
+            Command::SetComparison(comparison) => self.comparison = comparison,
             Command::Swap => {
                 std::mem::swap(&mut self.source, &mut self.target);
                 self.interior.swap(0, 1);

@@ -7,9 +7,10 @@
 mod chart;
 mod curves;
 
-pub use curves::Curves;
+pub use curves::{Curve, Curves};
 
 use super::model::{Model, SIDES};
+use super::teaching::overlay::{Origin, Overlays};
 use super::theme::{self, Palette};
 use super::widgets::{Segment, dot, segmented};
 use crate::conformal::Side;
@@ -102,6 +103,20 @@ impl Plots {
         chart::SIDE_INKS[usize::from(!dark)]
     }
 
+    /// The colour of the map's own reparameterisation.
+    pub fn map_ink(dark: bool) -> Color32 {
+        chart::MAP_INKS[usize::from(!dark)][0]
+    }
+
+    /// The colour of the curves of `origin`.
+    pub fn overlay_ink(origin: Origin, dark: bool) -> Color32 {
+        let theme = usize::from(!dark);
+        match origin {
+            Origin::Disk => chart::MAP_INKS[theme][1],
+            Origin::Walks => chart::WALK_INKS[theme],
+        }
+    }
+
     fn generation(&self) -> Option<u64> {
         self.curves.as_ref().map(|(generation, _)| *generation)
     }
@@ -128,7 +143,7 @@ impl Plots {
         ui.spacing_mut().item_spacing.x = 18.0;
         ui.columns_const(|columns: &mut [Ui; KINDS.len()]| {
             for (ui, kind) in columns.iter_mut().zip(&KINDS) {
-                self.show_plot(ui, kind);
+                self.show_plot(ui, kind, model.teaching().overlays());
             }
         });
         self.settle(ui);
@@ -143,7 +158,7 @@ impl Plots {
             self.shown = kind;
         }
         if let Some(kind) = KINDS.iter().find(|kind| kind.value == self.shown) {
-            self.show_plot(ui, kind);
+            self.show_plot(ui, kind, model.teaching().overlays());
         }
         self.settle(ui);
     }
@@ -155,11 +170,11 @@ impl Plots {
         }
     }
 
-    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<Kind>) {
+    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<Kind>, overlays: &Overlays) {
         let marked = self.marked_from_anchor();
         self.header(ui, kind, marked);
         let Some((_, curves)) = &self.curves else { return };
-        let chart = chart::Chart::of(kind.value, curves, ui.visuals().dark_mode, self.logarithmic);
+        let chart = chart::Chart::of(kind.value, curves, overlays, ui.visuals().dark_mode, self.logarithmic);
         if let Some((side, x)) = chart.show(ui, marked) {
             self.found = Some(BoundaryPlace { side, fraction: curves.fraction(side, x) });
         }
