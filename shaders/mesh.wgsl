@@ -142,6 +142,41 @@ fn fs_polar(in: Vertex) -> @location(0) vec4<f32> {
     return ruled(in.source, max(circle, ray), max(strong_circle, strong_ray));
 }
 
+// Circles and rays of the unit disk, in log-polar coordinates: the whole numbers of
+// −ln|g| · n/2π and arg g · n/2π. The square cells shrink towards the centre; lines fade
+// where cells are too small to be told apart, the strong ones at a fourth of the size.
+// The boundary is a circle of the grid too, but has a stroke of its own; and where the
+// domain crowds, all of it is that circle within f32, and one point of it.
+@fragment
+fn fs_conformal(in: Vertex) -> @location(0) vec4<f32> {
+    let g = in.source;
+    let dx = dpdx(g);
+    let dy = dpdy(g);
+    let radius = max(length(g), 1e-6);
+    let out = g / radius;
+    let around = vec2<f32>(-out.y, out.x);
+    let line = mesh.lookup.w;
+    let per_radian = 0.15915494 * 4.0 * round(1.5 * mesh.lookup.z);
+
+    let gradient = per_radian / radius * vec2<f32>(
+        length(vec2<f32>(dot(out, dx), dot(out, dy))),
+        length(vec2<f32>(dot(around, dx), dot(around, dy))),
+    );
+    let width = max(gradient, vec2<f32>(1e-6));
+    let cells = per_radian * vec2<f32>(-log(radius), atan2(g.y, g.x));
+    let seen = vec2<f32>(smoothstep(0.4, 0.6, cells.x), smoothstep(1e-6, 1e-4, gradient.y));
+    let thin = seen * vec2<f32>(line_share(cells.x, width.x, line), line_share(cells.y, width.y, line));
+    let strong = seen * vec2<f32>(
+        line_share(0.25 * cells.x, 0.25 * width.x, 1.7 * line),
+        line_share(0.25 * cells.y, 0.25 * width.y, 1.7 * line),
+    );
+    let size = max(width.x, width.y);
+    let fade = 1.0 - smoothstep(vec2<f32>(0.08), vec2<f32>(0.22), vec2<f32>(1.0, 0.25) * size);
+    // blue at the boundary, orange at the centre
+    let depth = vec2<f32>(0.0, mesh.source.x + (1.0 - min(radius, 1.0)) / mesh.source.y);
+    return ruled(depth, fade.x * max(thin.x, thin.y), fade.y * max(strong.x, strong.y));
+}
+
 @fragment
 fn fs_image(in: Vertex) -> @location(0) vec4<f32> {
     let uv = in.source * mesh.image.xy * vec2<f32>(1.0, -1.0) + 0.5;

@@ -1,6 +1,7 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
 use super::reports::Report;
+use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
 use crate::session::Command;
 
@@ -23,6 +24,8 @@ pub enum Action {
     OpenReport(Report),
     /// Close the message about the image.
     DismissImageError,
+    /// Start, pause or clear the random walks, or change their speed.
+    Walks(WalkAction),
     /// Dark to light and back.
     ToggleTheme,
     /// Fold the panels away, or bring them back.

@@ -1,18 +1,15 @@
 //! From the model to the GPU: uploads after a change, and the callbacks by
 //! which the viewports are drawn inside egui's pass.
 //!
-//! Forward, the target shows the source's mesh at its images, textured by its
-//! own positions; backward, the target shows its own mesh, textured by the
-//! images. The source always shows its own mesh, textured by its positions.
-//! The images are uploaded, or put there by a compute shader ([`GpuExtension`]).
+//! What is drawn on which side, and with which coordinates, is said in `textured`. The
+//! images are uploaded, or put there by a compute shader ([`GpuExtension`]).
 
 use super::gpu_extension::GpuExtension;
-use super::model::{Changes, Model, SIDES};
-use crate::conformal::{ConformalMap, Direction, Extension, PreparedDomain, Side};
+use super::model::{Changes, Model, SIDES, other};
+use super::textured::{self, Moved};
+use crate::conformal::{Extension, PreparedDomain, Side};
 use crate::geometry::DVec2;
-use crate::render::{
-    Camera, CellCode, CellStyle, ImageError, MeshGeometry, StrokeStyle, TextureStyle, ViewportRenderer,
-};
+use crate::render::{Camera, CellCode, CellStyle, ImageError, StrokeStyle, TextureStyle, ViewportRenderer};
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
 
 /// The renderer and its device.
@@ -47,7 +44,8 @@ impl Gpu {
 
     /// Whether the picture of the model's map has its whole extension from a compute shader.
     pub fn extends(&self, model: &Model) -> bool {
-        let map = model.map().filter(|map| map.extension() == Extension::CauchyGreen);
+        let in_the_plane = textured::home(model.session()).is_some();
+        let map = model.map().filter(|map| in_the_plane && map.extension() == Extension::CauchyGreen);
         self.extension.as_ref().zip(map).is_some_and(|(extension, map)| extension.serves(map))
     }
 
@@ -58,32 +56,25 @@ impl Gpu {
                 if let Some(domain) = model.shown_domain(side) {
                     self.upload_boundary(side, domain);
                 }
+                self.upload_mesh(side, model);
             }
-            if let Some(source) = model.shown_domain(Side::Source) {
-                self.upload_mesh(Side::Source, &still_geometry(source));
+        } else if changes.images && !self.extends(model) {
+            for side in SIDES {
+                self.upload_images(side, model);
             }
-            if let Some(map) = model.map() {
-                self.upload_mesh(Side::Target, &target_geometry(map));
-            }
-        } else if changes.images
-            && !self.extends(model)
-            && let Some(map) = model.map()
-        {
-            self.upload_images(map);
         }
-        if (changes.meshes || changes.map)
-            && let Some(map) = model.map()
-        {
-            self.extend(map);
+        if changes.meshes || changes.map {
+            self.extend(model);
         }
     }
 
-    /// Replaces the images in the target's picture by those of the compute shader, if it serves.
-    fn extend(&mut self, map: &ConformalMap) {
-        let Some(extension) = &mut self.extension else { return };
+    /// Replaces the images in the picture by those of the compute shader, if it serves.
+    fn extend(&mut self, model: &Model) {
+        let (Some(extension), Some(map)) = (&mut self.extension, model.map()) else { return };
+        let Some(home) = textured::home(model.session()) else { return };
         let mut renderer = self.state.renderer.write();
         if let Some(renderer) = renderer.callback_resources.get_mut::<ViewportRenderer>() {
-            extension.apply(&self.state, renderer, map);
+            extension.apply(&self.state, renderer, map, other(home));
         }
     }
 
@@ -132,40 +123,29 @@ impl Gpu {
         self.with_renderer(|renderer| renderer.set_boundary(device, queue, side as usize, &domain.samples.points));
     }
 
-    fn upload_mesh(&self, side: Side, geometry: &MeshGeometry) {
+    fn upload_mesh(&self, side: Side, model: &Model) {
         let RenderState { device, queue, .. } = &self.state;
-        self.with_renderer(|renderer| renderer.set_mesh(device, queue, side as usize, geometry));
+        if let Some(geometry) = textured::geometry(model, side) {
+            self.with_renderer(|renderer| renderer.set_mesh(device, queue, side as usize, &geometry));
+        }
     }
 
-    fn upload_images(&self, map: &ConformalMap) {
-        let queue = &self.state.queue;
-        let target = Side::Target as usize;
-        let fits = self.with_renderer(|renderer| match map.direction() {
-            Direction::Forward => renderer.set_positions(queue, target, map.images()),
-            Direction::Backward => renderer.set_texture_coordinates(queue, target, map.images()),
+    fn upload_images(&self, side: Side, model: &Model) {
+        let (queue, viewport) = (&self.state.queue, side as usize);
+        let fits = textured::moved(model, side).and_then(|moved| {
+            self.with_renderer(|renderer| match moved {
+                Moved::Positions(positions) => renderer.set_positions(queue, viewport, positions),
+                Moved::Coordinates(coordinates) => renderer.set_texture_coordinates(queue, viewport, coordinates),
+            })
         });
         if fits == Some(false) {
-            self.upload_mesh(Side::Target, &target_geometry(map));
+            self.upload_mesh(side, model);
         }
     }
 
     fn with_renderer<R>(&self, use_it: impl FnOnce(&mut ViewportRenderer) -> R) -> Option<R> {
         self.state.renderer.write().callback_resources.get_mut::<ViewportRenderer>().map(use_it)
     }
-}
-
-fn still_geometry(domain: &PreparedDomain) -> MeshGeometry<'_> {
-    let vertices = &domain.mesh.vertices;
-    MeshGeometry { positions: vertices, texture_coordinates: vertices, triangles: &domain.mesh.triangles }
-}
-
-fn target_geometry(map: &ConformalMap) -> MeshGeometry<'_> {
-    let mesh = map.mapped_mesh();
-    let (positions, texture_coordinates) = match map.direction() {
-        Direction::Forward => (map.images(), mesh.vertices.as_slice()),
-        Direction::Backward => (mesh.vertices.as_slice(), map.images()),
-    };
-    MeshGeometry { positions, texture_coordinates, triangles: &mesh.triangles }
 }
 
 /// Draws one viewport inside egui's pass.

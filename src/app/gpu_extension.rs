@@ -6,7 +6,7 @@
 //! from here, and the picture follows the map's own refinement.
 
 use super::model::other;
-use crate::conformal::{ConformalMap, Direction, Extension, PreparedDomain, Side};
+use crate::conformal::{ConformalMap, Extension, PreparedDomain, Side};
 use crate::render::{CauchyGreenBuffers, CauchyGreenPass, ViewportRenderer};
 use egui_wgpu::RenderState;
 use std::sync::Arc;
@@ -44,9 +44,16 @@ impl GpuExtension {
         known && map.extension() == Extension::CauchyGreen
     }
 
-    /// Puts the extension of the map's boundary into the mesh of the target's viewport.
-    /// False, and nothing changes, where it does not come from here.
-    pub fn apply(&mut self, state: &RenderState, renderer: &mut ViewportRenderer, map: &ConformalMap) -> bool {
+    /// Puts the extension of the map's boundary into the mapped mesh in the viewport of `side`: its
+    /// texture coordinates on its own side, its positions on the other. False, and nothing
+    /// changes, where it does not come from here.
+    pub fn apply(
+        &mut self,
+        state: &RenderState,
+        renderer: &mut ViewportRenderer,
+        map: &ConformalMap,
+        side: Side,
+    ) -> bool {
         if map.extension() != Extension::CauchyGreen || !self.provide(state, map) {
             return false;
         }
@@ -54,11 +61,11 @@ impl GpuExtension {
         let RenderState { device, queue, .. } = state;
         let samples = &map.domain(other(map.direction().mapped_side())).samples;
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("extension") });
-        let target = Side::Target as usize;
         let recorded = self.pass.evaluate(queue, &mut encoder, buffers, map.correspondence().images(samples))
-            && match map.direction() {
-                Direction::Forward => renderer.copy_positions(&mut encoder, target, buffers),
-                Direction::Backward => renderer.copy_texture_coordinates(&mut encoder, target, buffers),
+            && if side == map.direction().mapped_side() {
+                renderer.copy_texture_coordinates(&mut encoder, side as usize, buffers)
+            } else {
+                renderer.copy_positions(&mut encoder, side as usize, buffers)
             };
         if recorded {
             queue.submit([encoder.finish()]);
@@ -89,7 +96,7 @@ fn mapped_domain(map: &ConformalMap) -> &Arc<PreparedDomain> {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::conformal::{Constraints, MapSettings, PrepareSettings, prepare};
+    use crate::conformal::{Constraints, Direction, MapSettings, PrepareSettings, prepare};
     use crate::geometry::DVec2;
     use crate::mesh::Sizing;
     use crate::outline::{Preset, Sampling};
@@ -128,7 +135,7 @@ mod tests {
             target_anchor: 0.0,
         };
         let mut map = ConformalMap::new(source.clone(), target.clone(), &at(0.0), MapSettings::default()).unwrap();
-        assert!(!extension.apply(&state, &mut renderer, &map) && !extension.serves(&map), "harmonic");
+        assert!(!extension.apply(&state, &mut renderer, &map, Side::Target) && !extension.serves(&map), "harmonic");
         for direction in [Direction::Forward, Direction::Backward] {
             let mapped = MapSettings { direction, extension: Extension::CauchyGreen };
             map.update(&at(0.0), mapped).unwrap();
@@ -143,7 +150,7 @@ mod tests {
                 map.update(&at(x), mapped).unwrap();
                 // a refinement that has begun does not change what the shader is given
                 map.refine(0.0);
-                assert!(extension.apply(&state, &mut renderer, &map) && extension.serves(&map));
+                assert!(extension.apply(&state, &mut renderer, &map, Side::Target) && extension.serves(&map));
                 let computed = images(&state, &extension);
                 assert!(map.refine(f64::INFINITY));
                 let (low, high) = super::super::model::bounds(map.images());
@@ -156,6 +163,6 @@ mod tests {
         }
         extension.most_terms = 1000;
         map.update(&at(0.0), MapSettings { direction: Direction::Forward, extension: Extension::CauchyGreen }).unwrap();
-        assert!(!extension.apply(&state, &mut renderer, &map) && !extension.serves(&map), "too large");
+        assert!(!extension.apply(&state, &mut renderer, &map, Side::Target) && !extension.serves(&map), "too large");
     }
 }

@@ -6,7 +6,7 @@ use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use super::trouble::Remedy;
 use super::view::View;
 use super::widgets::{self, MessageAnswer, grouped, message_box, milliseconds};
-use super::{shapes, theme, words};
+use super::{shapes, teaching, theme, words};
 use crate::conformal::Side;
 use crate::session::Command;
 use egui::{Align, CornerRadius, Label, Layout, Rect, RichText, Shape, Ui, UiBuilder, vec2};
@@ -106,7 +106,7 @@ fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
 }
 
 /// What the dots mean.
-pub fn legend(ui: &mut Ui, side: Side, view: &View) {
+pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View) {
     let palette = Palette::of(ui.visuals());
     let place =
         Rect::from_min_max(view.rect.left_bottom() + vec2(14.0, -30.0), view.rect.right_bottom() - vec2(14.0, 8.0));
@@ -118,6 +118,11 @@ pub fn legend(ui: &mut Ui, side: Side, view: &View) {
         over_the_mesh(ui, |ui| {
             for (colour, text) in [(INTERIOR_COLOUR, interior), (BOUNDARY_COLOUR, boundary)] {
                 widgets::dot(ui, colour);
+                ui.label(RichText::new(text).small().color(palette.weak));
+                ui.add_space(2.0);
+            }
+            for (colour, text) in teaching::paint::legend(side, model, ui.visuals().dark_mode) {
+                widgets::dash(ui, colour);
                 ui.label(RichText::new(text).small().color(palette.weak));
                 ui.add_space(2.0);
             }

@@ -7,7 +7,9 @@ use super::header::Surroundings;
 use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box};
-use super::{PHONE_WIDTH, RiemapApp, SIDES, header, legend, plots, side_panel, status, top_bar, viewport, words};
+use super::{
+    PHONE_WIDTH, RiemapApp, SIDES, header, legend, plots, side_panel, status, teaching, top_bar, viewport, words,
+};
 use crate::conformal::Side;
 use crate::session::Command;
 use egui::{Event, Frame, Id, Key, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
@@ -176,8 +178,9 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         viewport::paint_mesh(ui, side, view, style.as_ref());
         header::show(ui, side, &app.model, view, around, actions);
         if !narrow {
-            header::legend(ui, side, view);
+            header::legend(ui, side, &app.model, view);
         }
+        teaching::paint::show(ui, side, &app.model, view);
         if let Some(scale) = app.cells.scale().filter(|_| side == LEGEND_SIDE) {
             legend::paint(ui, view.rect, scale, narrow);
         }

@@ -26,6 +26,8 @@ mod shapes;
 mod side_panel;
 mod stats;
 mod status;
+mod teaching;
+mod textured;
 mod theme;
 mod top_bar;
 mod trouble;
@@ -238,6 +240,7 @@ impl RiemapApp {
                 Action::Dismiss(side) => self.model.dismiss(side),
                 Action::OpenReport(report) => self.reports.open(report),
                 Action::DismissImageError => self.image_error = None,
+                Action::Walks(action) => self.model.act_on_walks(action),
                 Action::ToggleTheme => theme::toggle(context),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
             }
@@ -283,6 +286,9 @@ impl RiemapApp {
                 context.request_repaint_after_secs(REST_SECONDS as f32);
             }
         }
+        if let Some(delay) = self.model.teach(now) {
+            context.request_repaint_after_secs(delay as f32);
+        }
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
     }
@@ -309,16 +315,16 @@ impl RiemapApp {
         let pattern = match session.texture {
             TextureKind::Grid => Pattern::Grid,
             TextureKind::Polar => Pattern::Polar,
+            TextureKind::Conformal => Pattern::Conformal,
             TextureKind::Image if self.image_name.is_some() => Pattern::Image,
             TextureKind::Checker | TextureKind::Image => Pattern::Checker,
         };
-        Some(TextureStyle {
-            pattern,
-            cells: session.texture_scale,
-            bounds: self.model.extent(Side::Source)?,
-            pole: self.model.interior(Side::Source)?,
-            dark,
-        })
+        let home = session.texture_side;
+        let (bounds, pole) = match pattern {
+            Pattern::Conformal => (TextureStyle::DISK, glam::DVec2::ZERO),
+            _ => (self.model.extent(home)?, self.model.interior(home)?),
+        };
+        Some(TextureStyle { pattern, cells: session.texture_scale, bounds, pole, dark })
     }
 }
 

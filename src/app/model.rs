@@ -7,6 +7,9 @@
 
 use super::draft::Draft;
 use super::prepare_state::{Preparation, Progress};
+use super::teaching::walks::WalkAction;
+use super::teaching::{Situation, Teaching};
+use super::textured;
 use super::trouble::Remedy;
 use crate::conformal::{
     ConformalMap, Constraints, Direction, MapError, PreparedDomain, Quality, Side, TriangleDistortion,
@@ -42,7 +45,7 @@ const REFINE_MS: f64 = 8.0;
 /// What a refresh changed, for the upload.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Changes {
-    /// A domain or the direction is another one: meshes and outlines.
+    /// A domain, the direction or the pattern's home is another one: meshes and outlines.
     pub meshes: bool,
     /// The map is another one: the boundary moved.
     pub map: bool,
@@ -92,6 +95,9 @@ pub struct Model {
     /// The points of a session whose domains are being prepared.
     incoming_points: [Option<(Option<DVec2>, f64)>; 2],
     refines: Refines,
+    /// Where the pattern lived at the last refresh.
+    pattern_home: Option<Side>,
+    teaching: Teaching,
 }
 
 impl Model {
@@ -100,6 +106,7 @@ impl Model {
         let sides = [Preparation::new(session.source.clone()), Preparation::new(session.target.clone())];
         Self {
             last_good_points: (session.interior, session.anchor),
+            pattern_home: textured::home(&session),
             session,
             sides,
             map: None,
@@ -119,6 +126,7 @@ impl Model {
             refit: [true; 2],
             incoming_points: [None; 2],
             refines: Refines::InRefresh,
+            teaching: Teaching::default(),
         }
     }
 
@@ -238,10 +246,12 @@ impl Model {
                 self.points_changed = true;
             }
             Command::SetTexture(_)
+            | Command::SetTextureSide(_)
             | Command::SetTextureScale(_)
             | Command::SetColouring(_)
             | Command::SetWireframe(_)
-            | Command::SetPlots(_) => self.session.apply(command),
+            | Command::SetPlots(_)
+            | Command::SetComparison(_) => self.session.apply(command),
         }
     }
 
@@ -348,6 +358,12 @@ impl Model {
             self.mesh_generation += u64::from(changes.meshes);
             self.count_images(changes.meshes);
         }
+        let home = textured::home(&self.session);
+        changes.meshes |= std::mem::replace(&mut self.pattern_home, home) != home;
+        let shown = self.draft.map().or(self.map.as_ref());
+        if let (None, Some(map)) = (home, shown) {
+            self.teaching.grid.update(&situation(map, &self.session, self.generation));
+        }
         changes
     }
 
@@ -380,6 +396,22 @@ impl Model {
         if another_mesh || (shown && self.quality_ms < CHEAP_QUALITY_MS) {
             self.measure();
         }
+    }
+
+    /// What teaches.
+    pub fn teaching(&self) -> &Teaching {
+        &self.teaching
+    }
+
+    /// Does something with the random walks.
+    pub fn act_on_walks(&mut self, action: WalkAction) {
+        self.teaching.walks.act(action);
+    }
+
+    /// Brings what teaches up to date at the time `now` (seconds); in how many seconds to come back, if at all.
+    pub fn teach(&mut self, now: f64) -> Option<f64> {
+        let situation = situation(self.draft.map().or(self.map.as_ref())?, &self.session, self.generation);
+        self.teaching.advance(&situation, self.session.comparison, now)
     }
 
     /// Whether [`Self::measure`] would tell something new.
@@ -502,6 +534,12 @@ impl Model {
         }
         self.map_error = error.map(|error| (side_of(&error), error.to_string()));
     }
+}
+
+fn situation<'a>(map: &'a ConformalMap, session: &Session, generation: u64) -> Situation<'a> {
+    let constraints = session.constraints(SIDES.map(|side| map.domain(side).pole));
+    let points = SIDES.map(|side| constraints.point(side));
+    Situation { map, generation, points, anchors: session.anchor }
 }
 
 /// Lower left and upper right corner of the points.

@@ -7,7 +7,7 @@ use super::method;
 use super::model::{Model, SIDES};
 use super::theme::Palette;
 use super::widgets::{Segment, captioned_slider, group_heading, segmented};
-use super::words;
+use super::{teaching, words};
 use crate::conformal::{Direction, PrepareSettings, Side};
 use crate::mesh::Sizing;
 use crate::outline::Sampling;
@@ -49,7 +49,7 @@ const COLOURINGS: [Segment<Colouring>; 3] = [
 const TEXTURES: [Segment<TextureKind>; 4] = [
     Segment { value: TextureKind::Checker, label: "Checker", tooltip: "Squares; angles of 90° stay angles of 90°" },
     Segment { value: TextureKind::Grid, label: "Grid", tooltip: "Lines" },
-    Segment { value: TextureKind::Polar, label: "Polar", tooltip: "Circles and rays about the interior point x₁" },
+    Segment { value: TextureKind::Conformal, label: "Polar", tooltip: "Circles and rays about the interior point" },
     Segment { value: TextureKind::Image, label: "Image", tooltip: "Your own PNG or JPEG; drop one anywhere" },
 ];
 
@@ -62,6 +62,7 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut 
     shown(ui, model, actions);
     texture(ui, model, image_name, actions);
     method::show(ui, model, actions);
+    teaching::panel::show(ui, model, actions);
     for side in SIDES {
         ui.push_id(side, |ui| resolution(ui, side, model, actions));
     }
@@ -83,7 +84,7 @@ fn shown(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut Actions) {
     let session = model.session();
     group_heading(ui, "Texture");
-    match segmented(ui, &TEXTURES, session.texture) {
+    match segmented(ui, &TEXTURES, teaching::panel::family(session.texture)) {
         // Without an image there is nothing to show: the dialog first.
         Some(TextureKind::Image) if image_name.is_none() => actions.push(Action::OpenImage),
         Some(texture) => actions.push(Action::Session(Command::SetTexture(texture))),
@@ -98,11 +99,12 @@ fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut A
             ui.add(egui::Label::new(RichText::new(image_name.unwrap_or_default()).color(palette.weak)).truncate());
         });
     } else {
-        let shown = format!("{:.0} cells across", session.texture_scale);
+        let shown = teaching::panel::scale(session);
         if let Some(scale) = captioned_slider(ui, "Scale", &shown, session.texture_scale, CELLS, true) {
             actions.push(Action::Session(Command::SetTextureScale(scale.round())));
         }
     }
+    teaching::panel::pattern(ui, model, actions);
 }
 
 fn resolution(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {

@@ -40,6 +40,19 @@ pub enum Processor {
     Cpu,
 }
 
+/// The map through the disk, by source and target.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ComparisonStats {
+    /// Boundary samples.
+    pub samples: [usize; 2],
+    /// How many can't be told from the one before.
+    pub collapsed: [usize; 2],
+    /// How many came out before the one before.
+    pub disordered: [usize; 2],
+    /// The largest difference between the images, as a part of the boundary's length.
+    pub difference: f64,
+}
+
 /// What is on the screen now.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stats {
@@ -83,6 +96,10 @@ pub struct Stats {
     pub measured_generation: u64,
     /// The boundary point under the pointer and its partner: fractions of arc length of source and target.
     pub marked_boundary: Option<[f64; 2]>,
+    /// What the map is compared with.
+    pub comparison: Option<ComparisonStats>,
+    /// How many random walks were counted, and the largest deviation of their hits from the harmonic measure.
+    pub walks: (u64, Option<f64>),
     /// Where the handles are.
     pub handles: HandlePositions,
     /// The image of the mapped side's interior point under the piecewise linear map.
@@ -135,6 +152,13 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         plots: model.session().plots,
         measured_generation: model.measured_generation(),
         marked_boundary: screen.marked_boundary,
+        comparison: model.teaching().through_disk.found().map(|found| ComparisonStats {
+            samples: found.samples,
+            collapsed: found.collapsed,
+            disordered: found.disordered,
+            difference: found.difference,
+        }),
+        walks: (model.teaching().walks.count(), model.teaching().walks.deviation()),
         handles: screen.handles,
         image_of_mapped_point: image_of_point(model, mapped),
         expected: model.interior(other(mapped)).map(|point| point.to_array()),

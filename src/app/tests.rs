@@ -1,10 +1,11 @@
 //! The panels and the whole app, driven by clicks as a person would.
 
+use super::teaching::walks::WalkAction;
 use super::*;
 use crate::conformal::{Direction, Extension, PrepareSettings};
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
-use crate::session::{Colouring, OutlineSpec};
+use crate::session::{Colouring, Comparison, OutlineSpec};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
@@ -65,8 +66,48 @@ fn a_click_on_what_is_chosen_asks_for_nothing() {
 #[test]
 fn textures_are_chosen_by_name_and_the_image_asks_for_a_file_first() {
     let model = prepared_model();
-    assert_eq!(click_in_panel(&model, "Polar"), [Action::Session(Command::SetTexture(TextureKind::Polar))]);
+    assert_eq!(click_in_panel(&model, "Polar"), [Action::Session(Command::SetTexture(TextureKind::Conformal))]);
     assert_eq!(click_in_panel(&model, "Image"), [Action::OpenImage]);
+}
+
+#[test]
+fn what_teaches_is_one_click_away() {
+    let mut model = prepared_model();
+    for (label, action) in [
+        ("In the target", Action::Session(Command::SetTextureSide(Side::Target))),
+        ("Fresh", Action::Session(Command::SetComparison(Comparison::Fresh))),
+        ("Precomputed", Action::Session(Command::SetComparison(Comparison::Precomputed))),
+        ("Start", Action::Walks(WalkAction::Toggle)),
+    ] {
+        assert_eq!(click_in_panel(&model, label), [action]);
+    }
+    model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
+    assert_eq!(click_in_panel(&model, "Euclidean"), [Action::Session(Command::SetTexture(TextureKind::Polar))]);
+    model.dispatch(Command::SetTexture(TextureKind::Polar), 0.0);
+    assert_eq!(click_in_panel(&model, "Conformal"), [Action::Session(Command::SetTexture(TextureKind::Conformal))]);
+    assert_eq!(click_in_panel(&model, "Polar"), [], "a Euclidean polar grid is polar");
+}
+
+#[test]
+fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_run() {
+    let mut harness = ready_app([1200.0, 900.0]);
+    harness.key_press(egui::Key::P);
+    harness.get_by_label("Fresh").click();
+    harness.run_steps(30);
+    let stats = harness.state().stats();
+    let compared = stats.comparison.unwrap();
+    assert!(compared.difference < 0.05 && compared.disordered == [0, 0], "{compared:?}");
+    assert_eq!(stats.walks, (0, None));
+    harness.get_by_label("Start").click();
+    harness.run_steps(200);
+    let (walks, deviation) = harness.state().stats().walks;
+    assert!(walks > 0 && deviation.is_some(), "{walks} walks");
+    assert!(harness.try_run().is_err(), "walks go on");
+    harness.get_by_label("Pause").click();
+    harness.run_steps(2);
+    let (paused, _) = harness.state().stats().walks;
+    harness.try_run().unwrap();
+    assert_eq!(harness.state().stats().walks.0, paused);
 }
 
 #[test]

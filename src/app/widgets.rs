@@ -4,7 +4,7 @@
 use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold};
 use egui::{
     Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
-    TextStyle, Ui, WidgetInfo, vec2,
+    TextStyle, Ui, WidgetInfo, pos2, vec2,
 };
 use std::ops::RangeInclusive;
 
@@ -18,6 +18,11 @@ pub struct Segment<T> {
     /// What it means, in a sentence.
     pub tooltip: &'static str,
 }
+
+/// The size of the labels of a [`segmented`] switch.
+const SEGMENT_TEXT: f32 = 12.5;
+/// Free space on either side of them.
+const SEGMENT_PADDING: f32 = 6.0;
 
 /// A switch of several positions over the full width; returns the one that was clicked.
 pub fn segmented<T: Copy + PartialEq>(ui: &mut Ui, segments: &[Segment<T>], current: T) -> Option<T> {
@@ -35,10 +40,11 @@ pub fn segmented_where<T: Copy + PartialEq>(
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW_HEIGHT), Sense::hover());
     let rounding = CornerRadius::same(ROUNDING);
     ui.painter().rect(rect, rounding, palette.control, Stroke::new(1.0, palette.border), StrokeKind::Inside);
-    let width = rect.width() / segments.len() as f32;
     let mut chosen = None;
-    for (k, segment) in segments.iter().enumerate() {
-        let cell = Rect::from_min_size(rect.min + vec2(k as f32 * width, 0.0), vec2(width, ROW_HEIGHT));
+    let mut left = rect.left();
+    for (segment, width) in segments.iter().zip(segment_widths(ui, segments, rect.width())) {
+        let cell = Rect::from_min_size(pos2(left, rect.top()), vec2(width, ROW_HEIGHT));
+        left += width;
         let refused = refusal(segment.value);
         let response = segment_cell(ui, cell, segment, segment.value == current, refused.as_deref());
         if response.clicked() && refused.is_none() && segment.value != current {
@@ -46,6 +52,21 @@ pub fn segmented_where<T: Copy + PartialEq>(
         }
     }
     chosen
+}
+
+/// Equal widths where all labels fit, else the same space beside each.
+fn segment_widths<T>(ui: &Ui, segments: &[Segment<T>], whole: f32) -> Vec<f32> {
+    let equal = whole / segments.len() as f32;
+    let font = FontId::proportional(SEGMENT_TEXT);
+    let label = |segment: &Segment<T>| {
+        ui.painter().layout_no_wrap(segment.label.into(), font.clone(), Color32::PLACEHOLDER).size().x
+    };
+    let labels: Vec<f32> = segments.iter().map(label).collect();
+    if labels.iter().all(|width| width + 2.0 * SEGMENT_PADDING <= equal) {
+        return vec![equal; segments.len()];
+    }
+    let spare = (whole - labels.iter().sum::<f32>()) / segments.len() as f32;
+    labels.into_iter().map(|width| width + spare).collect()
 }
 
 fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool, refused: Option<&str>) -> Response {
@@ -65,7 +86,7 @@ fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool, re
         let ring = Stroke::new(1.5, palette.accent_soft);
         ui.painter().rect_stroke(cell.shrink(2.0), CornerRadius::same(ROUNDING - 2), ring, StrokeKind::Outside);
     }
-    ui.painter().text(cell.center(), Align2::CENTER_CENTER, segment.label, FontId::proportional(12.5), ink);
+    ui.painter().text(cell.center(), Align2::CENTER_CENTER, segment.label, FontId::proportional(SEGMENT_TEXT), ink);
     response
 }
 
@@ -172,6 +193,12 @@ pub fn chevron(ui: &Ui, button: Rect, up: bool) {
 pub fn dot(ui: &mut Ui, colour: Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
     ui.painter().circle_filled(rect.center(), 5.0, colour);
+}
+
+/// A short line as in the legend.
+pub fn dash(ui: &mut Ui, colour: Color32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(12.0, 10.0), Sense::hover());
+    ui.painter().line_segment([rect.left_center(), rect.right_center()], Stroke::new(2.5, colour));
 }
 
 /// A number with thin spaces between groups of three digits.

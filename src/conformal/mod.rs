@@ -10,12 +10,14 @@
 //! | boundary correspondence | `matching` | section 3.2, C.4, in a form that does not cancel |
 //! | images of the vertices | `extension` | (14) |
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
+//! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
 //! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
 //!
 //! [`Walker`] and [`HitCounts`] show what harmonic measure is: where random walks hit the boundary.
 
 mod buffers;
 mod cauchy_green;
+mod disk_coordinates;
 mod distortion;
 mod domain;
 mod extension;
@@ -32,6 +34,7 @@ mod table;
 
 pub use buffers::DomainBuffers;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
+pub use disk_coordinates::disk_coordinates;
 pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
 pub use domain::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare, prepare_within,

@@ -1,4 +1,4 @@
-//! The textured mesh: buffers, uniform block and the four pattern pipelines of
+//! The textured mesh: buffers, uniform block and the five pattern pipelines of
 //! `shaders/mesh.wgsl`.
 //!
 //! Vertex positions and texture coordinates live in two buffers, since each
@@ -25,7 +25,7 @@ struct MeshUniform {
 #[derive(Debug)]
 pub struct MeshPass {
     layout: wgpu::BindGroupLayout,
-    pipelines: [wgpu::RenderPipeline; 4],
+    pipelines: [wgpu::RenderPipeline; 5],
 }
 
 /// One viewport's mesh.
@@ -59,7 +59,7 @@ impl MeshPass {
         let position = wgpu::vertex_attr_array![0 => Float32x2];
         let texture_coordinate = wgpu::vertex_attr_array![1 => Float32x2];
         let buffers = [Some(points_of(&position)), Some(points_of(&texture_coordinate))];
-        let pipelines = ["fs_checker", "fs_grid", "fs_polar", "fs_image"].map(|fragment| {
+        let pipelines = ["fs_checker", "fs_grid", "fs_polar", "fs_image", "fs_conformal"].map(|fragment| {
             let spec = PipelineSpec {
                 label: fragment,
                 shader: &shader,
@@ -102,6 +102,7 @@ impl MeshPass {
             Pattern::Grid => &self.pipelines[1],
             Pattern::Polar => &self.pipelines[2],
             Pattern::Image => &self.pipelines[3],
+            Pattern::Conformal => &self.pipelines[4],
         };
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &mesh.uniform.group, &[]);

@@ -22,7 +22,7 @@ fn linear(encoded: f32) -> f32 {
     if encoded <= 0.040_45 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }
 
-/// What is drawn on the source domain and carried along by the map.
+/// What is drawn on one domain and carried along by the map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pattern {
     /// Squares, cream and the vertical hue change in turn.
@@ -32,20 +32,24 @@ pub enum Pattern {
     Grid,
     /// Circles and rays about [`TextureStyle::pole`].
     Polar,
+    /// The same in the unit disk, where the texture coordinates lie: 3 times [`TextureStyle::cells`]
+    /// rays (a multiple of 4) at equal steps of the angle, and circles at the same steps of −ln of
+    /// the radius, so that to a conformal map all cells are squares. Its bounds are [`TextureStyle::DISK`].
+    Conformal,
     /// The image given to `ViewportRenderer::set_image`.
     Image,
 }
 
-/// The texture of a viewport, described in the source domain.
+/// The texture of a viewport, described in the domain where it lives: mostly the source.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureStyle {
     /// Which pattern.
     pub pattern: Pattern,
     /// Cells across the larger extent of `bounds`, positive.
     pub cells: f64,
-    /// Lower left and upper right corner of the source domain.
+    /// Lower left and upper right corner of that domain.
     pub bounds: (DVec2, DVec2),
-    /// The centre of the polar grid: x₁.
+    /// The centre of the polar grid: that domain's interior point.
     pub pole: DVec2,
     /// Whether the surrounding theme is dark; decides the default stroke colour.
     pub dark: bool,
@@ -102,6 +106,9 @@ pub struct Handle {
 }
 
 impl TextureStyle {
+    /// The bounds of [`Pattern::Conformal`].
+    pub const DISK: (DVec2, DVec2) = (DVec2::NEG_ONE, DVec2::ONE);
+
     /// The colour of the hue change at height `y` of the source, sRGB-encoded.
     ///
     /// Quadratic Bézier in the height above the lower bound over the whole

@@ -42,7 +42,7 @@ pub struct DomainSpec {
     pub settings: PrepareSettings,
 }
 
-/// The pattern drawn on the source and carried by the map.
+/// The pattern drawn on one side and carried by the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TextureKind {
@@ -51,8 +51,10 @@ pub enum TextureKind {
     Checker,
     /// Lines.
     Grid,
-    /// Circles and rays about the interior point x₁.
+    /// Circles and rays about the interior point.
     Polar,
+    /// The same in the disk: level sets of Green's function and of harmonic measure.
+    Conformal,
     /// The user's own image.
     Image,
 }
@@ -68,6 +70,19 @@ pub enum Colouring {
     Angle,
     /// The area distortion log₂(σ₁σ₂) of every triangle.
     Area,
+}
+
+/// The way that is shown beside the map: through the disk (sections 1.2 and 5.2).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Comparison {
+    /// None.
+    #[default]
+    Off,
+    /// Disk maps made for the present interior points.
+    Fresh,
+    /// Disk maps made for the poles of inaccessibility, then Möbius.
+    Precomputed,
 }
 
 /// The state of the app that a link or a file carries.
@@ -92,8 +107,11 @@ pub struct Session {
     pub extension: Extension,
     /// The pattern.
     pub texture: TextureKind,
-    /// Cells of the pattern across the source.
+    /// Cells of the pattern across its domain; a third of the rays of [`TextureKind::Conformal`].
     pub texture_scale: f64,
+    /// Where the pattern lives: it is pushed forward from the source or pulled back from the target.
+    #[serde(default = "source")]
+    pub texture_side: Side,
     /// What the meshes are painted with.
     #[serde(default)]
     pub colouring: Colouring,
@@ -103,6 +121,13 @@ pub struct Session {
     /// Whether the plots are open.
     #[serde(default)]
     pub plots: bool,
+    /// What the map is compared with.
+    #[serde(default)]
+    pub comparison: Comparison,
+}
+
+fn source() -> Side {
+    Side::Source
 }
 
 /// A change that a person makes.
@@ -129,9 +154,11 @@ pub enum Command {
     SetExtension(Extension),
     SetTexture(TextureKind),
     SetTextureScale(f64),
+    SetTextureSide(Side),
     SetColouring(Colouring),
     SetWireframe(bool),
     SetPlots(bool),
+    SetComparison(Comparison),
     /// Exchanges source and target.
     Swap,
     /// Takes another session in place of this one.
@@ -161,9 +188,11 @@ impl Default for Session {
             extension: Extension::default(),
             texture: TextureKind::default(),
             texture_scale: 8.0,
+            texture_side: source(),
             colouring: Colouring::default(),
             wireframe: false,
             plots: false,
+            comparison: Comparison::default(),
         }
     }
 }
@@ -196,10 +225,12 @@ impl Session {
             Command::SetExtension(extension) => self.extension = extension,
             Command::SetTexture(texture) => self.texture = texture,
             Command::SetTextureScale(scale) => self.texture_scale = scale,
+            Command::SetTextureSide(side) => self.texture_side = side,
             Command::SetColouring(colouring) => self.colouring = colouring,
             Command::SetWireframe(shown) => self.wireframe = shown,
             Command::SetPlots(open) => self.plots = open,
             Command::Open(session) => *self = *session,
+            Command::SetComparison(comparison) => self.comparison = comparison,
             Command::Swap => {
                 std::mem::swap(&mut self.source, &mut self.target);
                 self.interior.swap(0, 1);

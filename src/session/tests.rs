@@ -67,14 +67,16 @@ fn a_session_survives_json() {
     session.apply(Command::SetColouring(Colouring::Area));
     session.apply(Command::SetWireframe(true));
     session.apply(Command::SetPlots(true));
+    session.apply(Command::SetTextureSide(Side::Target));
+    session.apply(Command::SetComparison(Comparison::Precomputed));
     let text = serde_json::to_string(&session).unwrap();
     assert_eq!(serde_json::from_str::<Session>(&text).unwrap(), session, "{text}");
 }
 
 #[test]
-fn a_session_from_before_the_colourings_shows_the_texture() {
+fn a_session_from_before_they_were_there_has_the_defaults() {
     let mut text = serde_json::to_value(Session::default()).unwrap();
-    for field in ["colouring", "wireframe", "plots"] {
+    for field in ["colouring", "wireframe", "plots", "texture_side", "comparison"] {
         assert!(text.as_object_mut().unwrap().remove(field).is_some(), "{field}");
     }
     assert_eq!(serde_json::from_value::<Session>(text).unwrap(), Session::default());

@@ -37,6 +37,65 @@ fn cells_below_a_pixel_fade_to_their_mean_without_moire() {
     }
 }
 
+/// Hue and paper mixed in linear light, as the lines of a grid are.
+fn lined(hue: [f32; 4], share: f64) -> [u8; 4] {
+    let mix = |hue: u8, paper: u8| (1.0 - share) * linear(hue) + share * linear(paper);
+    let (hue, paper) = (bytes(hue), bytes(TextureStyle::paper()));
+    let encode = |value: f64| {
+        let encoded = if value <= 0.003_130_8 { 12.92 * value } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 };
+        (255.0 * encoded).round() as u8
+    };
+    [0, 1, 2, 3].map(|c| if c == 3 { 255 } else { encode(mix(hue[c], paper[c])) })
+}
+
+/// 24 rays, and circles at the radii e^{−2πk/24}, every fourth of both strong; 320 pixels to the unit.
+#[test]
+fn the_conformal_grid_has_its_circles_where_green_s_function_has_its_steps() {
+    let Some(gpu) = gpu() else { return };
+    let mut viewport = square(style(Pattern::Conformal, 8.0));
+    viewport.camera = Some(Camera { center: DVec2::ZERO, units_per_pixel: 1.0 / 320.0 });
+    let image = render(gpu, &[viewport.clone()], None, [640, 640]);
+    let step = std::f64::consts::TAU / 24.0;
+    let mut seen = [0; 4];
+    for (x, y, pixel) in image.enumerate_pixels() {
+        let place = DVec2::new(f64::from(x) - 319.5, 319.5 - f64::from(y));
+        let radius = place.length() / 320.0;
+        let [depth, turns] = [-radius.ln() / step, place.to_angle() / step];
+        if !(0.6..6.4).contains(&depth) || (turns - turns.floor() - 0.5).abs() > 0.25 {
+            continue;
+        }
+        let from_circle = (depth - depth.round()).abs() * step * place.length();
+        let share = match depth.round() as u32 % 4 {
+            _ if from_circle > 3.0 => 0.0,
+            // A strong line is 2.1 pixels wide, a thin one 1.2.
+            0 if from_circle < 0.4 => 1.0,
+            1..4 if from_circle < 0.08 => 0.62,
+            _ => continue,
+        };
+        seen[(3.0 * share) as usize] += 1;
+        assert_pixel(&image, [x, y], lined(viewport.style.hue_at(1.0 - 2.0 * radius), share), 3, "grid");
+        assert_eq!(pixel.0[3], 255);
+    }
+    assert!(seen[0] > 10_000 && seen[1] > 100 && seen[3] > 100, "{seen:?}");
+    // The first ray goes to 1, where the anchor is.
+    for x in [500, 540, 600] {
+        assert_pixel(&image, [x, 320], bytes(TextureStyle::paper()), 2, "ray");
+    }
+}
+
+/// In a crowded part all vertices have the same coordinates, those of a boundary point.
+#[test]
+fn where_a_domain_crowds_the_conformal_grid_has_the_boundary_s_colour() {
+    let Some(gpu) = gpu() else { return };
+    for angle in [0.0, 0.1, 2.0] {
+        let mut viewport = square(style(Pattern::Conformal, 8.0));
+        let coordinates = [0.0, 1e-15, -1e-12, 3e-9].map(|shift| DVec2::from_angle(angle + shift));
+        viewport.geometry.texture_coordinates = &coordinates;
+        let image = render(gpu, &[viewport.clone()], None, [100, 100]);
+        assert_pixel(&image, [50, 50], bytes(viewport.style.hue_at(-1.0)), 2, "crowded");
+    }
+}
+
 #[test]
 fn a_flat_colour_arrives_as_asked() {
     let Some(gpu) = gpu() else { return };

@@ -106,6 +106,7 @@ fn pictures_of_the_disk_under_a_moebius_map_are_as_committed() {
         ("disk-checker", Pattern::Checker),
         ("disk-grid", Pattern::Grid),
         ("disk-polar", Pattern::Polar),
+        ("disk-conformal", Pattern::Conformal),
         ("disk-image", Pattern::Image),
     ] {
         compare(name, &disk_pair(gpu, pattern));

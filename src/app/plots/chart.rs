@@ -1,10 +1,11 @@
 //! One plot, drawn with egui_plot: bounds, axes, lines, and what the pointer is at.
 
+use super::super::teaching::overlay::{Overlay, Overlays};
 use super::super::theme::Palette;
-use super::Kind;
 use super::curves::{Curve, Curves, decimate};
+use super::{Kind, Plots};
 use crate::conformal::Side;
-use egui::{Color32, FontId, Pos2, RichText, Ui};
+use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, vec2};
 use egui_plot::{
     AxisHints, GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi, Points, VLine,
 };
@@ -16,7 +17,7 @@ pub const SIDE_INKS: [[Color32; 2]; 2] = [
 ];
 
 /// The reparameterisation of the map on the screen, then those that it is compared with.
-const MAP_INKS: [[Color32; 4]; 2] = [
+pub const MAP_INKS: [[Color32; 4]; 2] = [
     [
         Color32::from_rgb(64, 196, 150),
         Color32::from_rgb(204, 121, 167),
@@ -31,6 +32,9 @@ const MAP_INKS: [[Color32; 4]; 2] = [
     ],
 ];
 
+/// The hits of random walks: apart from the sides' inks and from the map's.
+pub const WALK_INKS: [Color32; 2] = [Color32::from_rgb(240, 228, 66), Color32::from_rgb(200, 40, 48)];
+
 /// On the logarithmic axis: no more decades than f64 has digits either side of 1, or the curve's peak is a spike again.
 const MOST_DECADES: f64 = 32.0;
 
@@ -41,6 +45,8 @@ const MARGIN: f64 = 0.03;
 pub struct Chart<'a> {
     kind: Kind,
     lines: Vec<(&'a Curve, Color32)>,
+    overlays: &'a [Overlay],
+    dark: bool,
     mapped: Side,
     logarithmic: bool,
     /// The lowest and the highest value on the axis.
@@ -49,7 +55,7 @@ pub struct Chart<'a> {
 
 impl<'a> Chart<'a> {
     /// The plot of a kind.
-    pub fn of(kind: Kind, curves: &'a Curves, dark: bool, logarithmic: bool) -> Self {
+    pub fn of(kind: Kind, curves: &'a Curves, overlays: &'a Overlays, dark: bool, logarithmic: bool) -> Self {
         let theme = usize::from(!dark);
         let lines: Vec<_> = match kind {
             Kind::Kernel => curves.kernel.iter().zip(SIDE_INKS[theme]).collect(),
@@ -58,12 +64,17 @@ impl<'a> Chart<'a> {
                 curves.reparameterisation.iter().zip(MAP_INKS[theme].into_iter().cycle()).collect()
             }
         };
+        let overlays = match kind {
+            Kind::Kernel => &[][..],
+            Kind::Measure => &overlays.measure,
+            Kind::Reparameterisation => &overlays.reparameterisation,
+        };
         let logarithmic = logarithmic && kind == Kind::Kernel;
         let range = match kind {
             Kind::Kernel => kernel_range(&curves.kernel, logarithmic),
             _ => (0.0, 1.0),
         };
-        Self { kind, lines, mapped: curves.mapped, logarithmic, range }
+        Self { kind, lines, overlays, dark, mapped: curves.mapped, logarithmic, range }
     }
 
     /// Draws the plot with the points at `marked` (by side, from the anchors); returns the
@@ -100,6 +111,7 @@ impl<'a> Chart<'a> {
                 self.add_marks(plot, marked, &palette);
             }
         });
+        self.legend(ui, response.response.rect);
         let pointer = response.response.hover_pos()?;
         Some(self.pointed(&response.transform, pointer))
     }
@@ -132,6 +144,29 @@ impl<'a> Chart<'a> {
             let points: Vec<[f64; 2]> =
                 decimate(&curve.points, columns).into_iter().map(|[x, y]| [x, self.ordinate(y)]).collect();
             plot.line(Line::new(curve.name.clone(), points).color(*ink).width(1.6).allow_hover(false));
+        }
+        for Overlay { origin, curve } in self.overlays {
+            let ink = Plots::overlay_ink(*origin, self.dark);
+            let points = decimate(&curve.points, columns);
+            plot.line(Line::new(origin.name(), points).color(ink).width(1.4).allow_hover(false));
+        }
+    }
+
+    /// What the curves over the map's own are, where those leave room: below the diagonal.
+    fn legend(&self, ui: &Ui, area: Rect) {
+        let palette = Palette::of(ui.visuals());
+        let mut names: Vec<_> =
+            self.overlays.iter().map(|o| (o.origin.name(), Plots::overlay_ink(o.origin, self.dark))).collect();
+        names.dedup();
+        if self.kind == Kind::Reparameterisation && !names.is_empty() {
+            names.insert(0, ("this map", self.lines[0].1));
+        }
+        let painter = ui.painter_at(area);
+        for (row, (name, ink)) in names.iter().rev().enumerate() {
+            let place = area.right_bottom() - vec2(10.0, 10.0 + 15.0 * row as f32);
+            let text = painter.text(place, Align2::RIGHT_CENTER, name, FontId::proportional(11.0), palette.weak);
+            let end = text.left_center() - vec2(5.0, 0.0);
+            painter.line_segment([end - vec2(14.0, 0.0), end], Stroke::new(2.0, *ink));
         }
     }
 

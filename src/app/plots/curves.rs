@@ -29,6 +29,28 @@ impl Curve {
     }
 }
 
+/// A boundary's samples and where it is cut open: its anchor, as a fraction of arc length.
+pub type Cut<'a> = (&'a BoundarySamples, f64);
+
+impl Curve {
+    /// ω̃ over the arc length from the anchor, of values at the m vertices after it.
+    pub fn measure((samples, anchor): Cut, from_anchor: &[f64]) -> Self {
+        let ordinates = std::iter::once(0.0).chain(from_anchor.iter().copied()).chain(std::iter::once(1.0));
+        let points = Anchored::new(samples, anchor).abscissae().zip(ordinates).map(|(x, y)| [x, y]).collect();
+        Self { name: String::from("measure"), points }
+    }
+
+    /// r̃ from `mapped` to `other`, of the images of the vertices.
+    pub fn reparameterisation(mapped: Cut, other: Cut, images: &[BoundaryPoint]) -> Self {
+        let [mapped, other] = [mapped, other].map(|(samples, anchor)| Anchored::new(samples, anchor));
+        let ordinates = reparameterisation(&mapped, &other, images);
+        Self {
+            name: String::from("reparameterisation"),
+            points: mapped.abscissae().zip(ordinates).map(|(x, y)| [x, y]).collect(),
+        }
+    }
+}
+
 /// Linear interpolation of `to` over the non-decreasing `from`.
 fn interpolate(points: &[[f64; 2]], at: f64, from: impl Fn(&[f64; 2]) -> f64, to: impl Fn(&[f64; 2]) -> f64) -> f64 {
     let next = points.partition_point(|p| from(p) < at);

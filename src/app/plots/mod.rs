@@ -8,11 +8,12 @@ mod chart;
 mod convergence;
 mod curves;
 
-pub use curves::Curves;
+pub use curves::{Curve, Curves};
 
 pub use convergence::convergence_chart;
 
 use super::model::{Model, SIDES};
+use super::teaching::overlay::{Origin, Overlays};
 use super::theme::{self, Palette};
 use super::widgets::{Segment, dot, segmented};
 use crate::conformal::Side;
@@ -105,6 +106,20 @@ impl Plots {
         chart::SIDE_INKS[usize::from(!dark)]
     }
 
+    /// The colour of the map's own reparameterisation.
+    pub fn map_ink(dark: bool) -> Color32 {
+        chart::MAP_INKS[usize::from(!dark)][0]
+    }
+
+    /// The colour of the curves of `origin`.
+    pub fn overlay_ink(origin: Origin, dark: bool) -> Color32 {
+        let theme = usize::from(!dark);
+        match origin {
+            Origin::Disk => chart::MAP_INKS[theme][1],
+            Origin::Walks => chart::WALK_INKS[theme],
+        }
+    }
+
     fn generation(&self) -> Option<u64> {
         self.curves.as_ref().map(|(generation, _)| *generation)
     }
@@ -131,7 +146,7 @@ impl Plots {
         ui.spacing_mut().item_spacing.x = 18.0;
         ui.columns_const(|columns: &mut [Ui; KINDS.len()]| {
             for (ui, kind) in columns.iter_mut().zip(&KINDS) {
-                self.show_plot(ui, kind);
+                self.show_plot(ui, kind, model.teaching().overlays());
             }
         });
         self.settle(ui);
@@ -146,7 +161,7 @@ impl Plots {
             self.shown = kind;
         }
         if let Some(kind) = KINDS.iter().find(|kind| kind.value == self.shown) {
-            self.show_plot(ui, kind);
+            self.show_plot(ui, kind, model.teaching().overlays());
         }
         self.settle(ui);
     }
@@ -158,11 +173,11 @@ impl Plots {
         }
     }
 
-    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<Kind>) {
+    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<Kind>, overlays: &Overlays) {
         let marked = self.marked_from_anchor();
         self.header(ui, kind, marked);
         let Some((_, curves)) = &self.curves else { return };
-        let chart = chart::Chart::of(kind.value, curves, ui.visuals().dark_mode, self.logarithmic);
+        let chart = chart::Chart::of(kind.value, curves, overlays, ui.visuals().dark_mode, self.logarithmic);
         if let Some((side, x)) = chart.show(ui, marked) {
             self.found = Some(BoundaryPlace { side, fraction: curves.fraction(side, x) });
         }

@@ -27,7 +27,8 @@ pub fn style(session: &Session, outline: &[DVec2], pole: DVec2) -> TextureStyle 
     let pattern = match session.texture {
         TextureKind::Checker | TextureKind::Image => Pattern::Checker,
         TextureKind::Grid => Pattern::Grid,
-        TextureKind::Polar => Pattern::Polar,
+        // no figure asks for the conformal grid, which would need disk coordinates
+        TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
     };
     TextureStyle { pattern, cells: session.texture_scale, bounds: (low, high), pole, dark: false }
 }

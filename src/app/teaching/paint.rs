@@ -1,0 +1,196 @@
+//! What teaches, painted over a viewport's mesh: ticks on the outline, walks, bars along the boundary.
+
+use super::super::model::Model;
+use super::super::plots::Plots;
+use super::super::theme::Palette;
+use super::super::view::View;
+use super::overlay::Origin;
+use super::through_disk::Found;
+use super::walks::{Bar, Walks};
+use crate::conformal::Side;
+use crate::outline::BoundarySamples;
+use egui::{Color32, CornerRadius, FontId, Painter, Pos2, Rect, Stroke, Ui, Vec2, vec2};
+
+/// The length of a tick on either side of the outline, in points.
+const TICK: f32 = 11.0;
+/// The height of the bar of the largest harmonic measure, in points.
+const BAR: f32 = 30.0;
+/// The highest bar: of few hits, one piece of the boundary may have many times its share.
+const HIGHEST_BAR: f32 = 1.5 * BAR;
+
+/// What a tick grows by with every further point in its place, up to a height; from some number on it is written beside it.
+const HEAP_STEP: f32 = 1.4;
+const HIGHEST_HEAP: f32 = 70.0;
+const COUNTED_HEAP: usize = 5;
+/// Nearer than this part of the length, points are in one place: a pixel of an outline of 2000.
+const SAME_PLACE: f64 = 5e-4;
+
+/// The lesser side of a viewport in which everything has its full size, and how small it gets in smaller ones.
+const FULL_SIZE: f32 = 440.0;
+const SMALLEST: f32 = 0.45;
+
+/// From the outline's middle to where ticks and bars begin.
+const CLEARANCE: f32 = 2.0;
+
+/// Paints it.
+pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
+    let Some(domain) = model.map().map(|map| map.domain(side)) else { return };
+    let size = (view.rect.size().min_elem() / FULL_SIZE).clamp(SMALLEST, 1.0);
+    let outline = Outline { samples: &domain.samples, view, size };
+    let painter = ui.painter_at(view.rect);
+    let dark = ui.visuals().dark_mode;
+    let teaching = model.teaching();
+    if side == Side::Source {
+        walks(&painter, &outline, &teaching.walks, dark, Palette::of(ui.visuals()).text);
+    }
+    if let (Some(found), Some(map)) = (teaching.through_disk.found(), model.map()) {
+        comparison(&painter, &outline, found, side == map.direction().mapped_side(), dark);
+    }
+}
+
+/// What the ticks and bars of a side mean.
+pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static str)> {
+    let teaching = model.teaching();
+    let mut entries = Vec::new();
+    if teaching.through_disk.found().is_some() {
+        let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
+        let direct = if is_mapped { "60 equal steps of ω" } else { "their images" };
+        entries.push((Plots::map_ink(dark), direct));
+        if !is_mapped {
+            entries.push((Plots::overlay_ink(Origin::Disk, dark), Origin::Disk.name()));
+        }
+    }
+    if side == Side::Source && teaching.walks.count() > 0 {
+        entries.push((Plots::overlay_ink(Origin::Walks, dark), "hits"));
+    }
+    entries
+}
+
+/// A side's boundary on the screen.
+struct Outline<'a> {
+    samples: &'a BoundarySamples,
+    view: &'a View,
+    /// Of what is drawn along it: 1, and less in a small viewport.
+    size: f32,
+}
+
+impl Outline<'_> {
+    /// The place at a fraction of arc length, and the direction out of the domain there.
+    fn at(&self, fraction: f64) -> (Pos2, Vec2) {
+        let point = self.samples.at_fraction(fraction);
+        let edge = point.edge as usize;
+        let [a, b] = [edge, (edge + 1) % self.samples.len()].map(|k| self.samples.points[k]);
+        let along = (b - a).normalize_or_zero();
+        // Counter-clockwise, the outside is on the right; on the screen y points down.
+        let out = Vec2::new(along.y as f32, along.x as f32);
+        (self.view.to_screen(self.samples.position(point)), out)
+    }
+
+    /// A line from `from` to `to` points outside the outline, in a viewport of full size.
+    fn spoke(&self, painter: &Painter, fraction: f64, [from, to]: [f32; 2], mut stroke: Stroke) {
+        let (place, out) = self.at(fraction);
+        stroke.width *= self.size;
+        painter.line_segment([place + from * self.size * out, place + to * self.size * out], stroke);
+    }
+}
+
+fn comparison(painter: &Painter, outline: &Outline, found: &Found, mapped: bool, dark: bool) {
+    let (direct, through) = (Plots::map_ink(dark), Plots::overlay_ink(Origin::Disk, dark));
+    let inwards = [-CLEARANCE, -TICK];
+    if mapped {
+        for mark in &found.marks {
+            outline.spoke(painter, mark.from, inwards, Stroke::new(2.0, direct));
+        }
+        return;
+    }
+    for &image in &found.images {
+        let (place, out) = outline.at(image);
+        painter.circle_filled(
+            place + outline.size * (TICK + 3.5) * out,
+            1.3 * outline.size,
+            through.gamma_multiply(0.5),
+        );
+    }
+    for mark in &found.marks {
+        outline.spoke(painter, mark.direct, inwards, Stroke::new(2.0, direct));
+    }
+    for (fraction, count) in heaps(found) {
+        let height = (TICK + HEAP_STEP * (count - 1) as f32).min(HIGHEST_HEAP);
+        outline.spoke(painter, fraction, [CLEARANCE, height], Stroke::new(2.0, through));
+        if count >= COUNTED_HEAP {
+            let (place, out) = outline.at(fraction);
+            let text = format!("{count} of {}", found.marks.len());
+            label(painter, place + (outline.size * height + 14.0) * out, &text, through);
+        }
+    }
+}
+
+/// A text on a ground of its own, within the viewport.
+fn label(painter: &Painter, center: Pos2, text: &str, ink: Color32) {
+    let galley = painter.layout_no_wrap(text.into(), FontId::proportional(12.0), Color32::WHITE);
+    let room = painter.clip_rect().shrink2(0.5 * galley.size() + vec2(10.0, 8.0));
+    let place = Rect::from_center_size(center.clamp(room.min, room.max), galley.size());
+    painter.rect_filled(place.expand2(vec2(5.0, 2.0)), CornerRadius::same(5), ink.lerp_to_gamma(Color32::BLACK, 0.45));
+    painter.galley(place.min, galley, Color32::WHITE);
+}
+
+/// The marks' images through the disk, those together that can't be told apart on the screen: place and count.
+fn heaps(found: &Found) -> Vec<(f64, usize)> {
+    let mut places: Vec<f64> = found.marks.iter().map(|mark| mark.through_disk).collect();
+    places.sort_by(f64::total_cmp);
+    places.chunk_by(|a, b| b - a < SAME_PLACE).map(|heap| (heap[heap.len() / 2], heap.len())).collect()
+}
+
+fn walks(painter: &Painter, outline: &Outline, walks: &Walks, dark: bool, text: Color32) {
+    let ink = Plots::overlay_ink(Origin::Walks, dark);
+    bars(painter, outline, &walks.bars(), ink, text);
+    let recent = walks.recent();
+    let count = recent.len();
+    for (k, hit) in recent.enumerate() {
+        let place = outline.view.to_screen(outline.samples.position(hit));
+        // the older the fainter
+        let strength = 0.15 + 0.75 * (k + 1) as f32 / count as f32;
+        painter.circle_filled(place, 2.2 * outline.size, ink.gamma_multiply(strength));
+    }
+    path(painter, outline, walks, ink, text);
+}
+
+/// A bar for the hits of each bin, and a cap where the harmonic measure says that it will end.
+fn bars(painter: &Painter, outline: &Outline, bars: &[Bar], ink: Color32, text: Color32) {
+    for bar in bars {
+        let height = (BAR * bar.hits as f32).min(HIGHEST_BAR);
+        if height > 0.5 {
+            outline.spoke(painter, bar.at, [CLEARANCE, CLEARANCE + height], Stroke::new(4.0, ink.gamma_multiply(0.8)));
+        }
+    }
+    for bar in bars.iter().filter(|bar| f64::from(BAR) * bar.expected > 1.0) {
+        let (place, out) = outline.at(bar.at);
+        let (middle, half) =
+            (place + outline.size * (CLEARANCE + BAR * bar.expected as f32) * out, 3.5 * outline.size * out.rot90());
+        painter.line_segment([middle - half, middle + half], Stroke::new(1.5 * outline.size, text));
+    }
+}
+
+fn path(painter: &Painter, outline: &Outline, walks: &Walks, ink: Color32, text: Color32) {
+    let (circles, hit) = walks.path();
+    let view = outline.view;
+    for circle in circles {
+        let place = view.to_screen(circle.centre);
+        let edge = view.to_screen(circle.centre + glam::DVec2::new(circle.radius, 0.0));
+        let radius = place.distance(edge);
+        // light and dark: seen on every cell of a pattern
+        painter.circle_stroke(place, radius, Stroke::new(2.5, Color32::from_black_alpha(60)));
+        painter.circle_stroke(place, radius, Stroke::new(1.0, text.gamma_multiply(0.5)));
+    }
+    let mut places: Vec<Pos2> = circles.iter().map(|circle| view.to_screen(circle.centre)).collect();
+    places.extend(hit.map(|hit| view.to_screen(outline.samples.position(hit))));
+    for pair in places.windows(2) {
+        painter.line_segment([pair[0], pair[1]], Stroke::new(4.0, Color32::from_black_alpha(120)));
+    }
+    for pair in places.windows(2) {
+        painter.line_segment([pair[0], pair[1]], Stroke::new(2.0, ink));
+    }
+    for place in &places[1.min(places.len())..] {
+        painter.circle_filled(*place, 2.5, ink);
+    }
+}

@@ -1,0 +1,191 @@
+//! The controls of what teaches: which polar grid, where the pattern lives, the way through the disk, random walks.
+
+use super::super::action::{Action, Actions};
+use super::super::model::{Model, SIDES};
+use super::super::theme::Palette;
+use super::super::widgets::{Segment, captioned_slider, group_heading, grouped, segmented};
+use super::through_disk::Found;
+use super::walks::{SPEEDS, WalkAction, Walks};
+use crate::conformal::Side;
+use crate::session::{Command, Comparison, Session, TextureKind};
+use egui::{Label, RichText, Ui};
+
+const POLAR: [Segment<TextureKind>; 2] = [
+    Segment {
+        value: TextureKind::Conformal,
+        label: "Conformal",
+        tooltip: "The polar grid of the disk, on both sides: the circles are level sets of Green's function about x, the \
+            rays leave equal harmonic measure between them, the first one ends at y. To a conformal map all cells are squares",
+    },
+    Segment {
+        value: TextureKind::Polar,
+        label: "Euclidean",
+        tooltip: "True circles and rays about the interior point of the side where the pattern lives",
+    },
+];
+
+const HOMES: [Segment<Side>; 2] = [
+    Segment {
+        value: Side::Source,
+        label: "In the source",
+        tooltip: "The pattern is drawn on the source and pushed forward to the target; goes best with Backward, which \
+            fills the whole target",
+    },
+    Segment {
+        value: Side::Target,
+        label: "In the target",
+        tooltip: "The pattern is drawn on the target and pulled back to the source; goes best with Forward, which fills \
+            the whole source",
+    },
+];
+
+const COMPARISONS: [Segment<Comparison>; 3] = [
+    Segment { value: Comparison::Off, label: "Off", tooltip: "This map alone" },
+    Segment {
+        value: Comparison::Fresh,
+        label: "Fresh",
+        tooltip: "Both domains are mapped to the disk anew for every place of x₁ and x₂, by the geodesic algorithm: right, \
+            but too slow to drag, so few boundary points are used until the dots rest",
+    },
+    Segment {
+        value: Comparison::Precomputed,
+        label: "Precomputed",
+        tooltip: "Each domain is mapped to the disk once, for its middle; moving x is then only a Möbius map. Fast, but in \
+            long arms the disk has no digits left: points fall together or change places, and no Möbius map gets them apart",
+    },
+];
+
+const THROUGH_DISK_TOOLTIP: &str = "Why not map both outlines to a disk and go through it? On the outline of the mapped side's \
+    partner, the ticks inwards are this map's images of 60 points of equal harmonic measure, the ticks outwards those \
+    through the disk: where both agree each makes one line. Every boundary point's image is a faint dot. A point is \
+    collapsed if no digits are left between it and the one before, and out of order if it comes out before that";
+
+const WALKS_TOOLTIP: &str = "Kakutani (1944): the harmonic measure of a part of the boundary is the chance that a random walk \
+    from x₁ leaves through it. Each jump goes to a random point of the largest circle that fits. Bars: the share of the hits \
+    in each piece of the boundary; line: the harmonic measure there";
+
+/// As many as a chance alone: the mean of Kolmogorov's distribution, √(π/2) ln 2, over √walks.
+const KOLMOGOROV_MEAN: f64 = 0.868_731;
+
+/// The texture's button for a kind: both polar grids have one.
+pub fn family(texture: TextureKind) -> TextureKind {
+    match texture {
+        TextureKind::Polar => TextureKind::Conformal,
+        other => other,
+    }
+}
+
+/// The pattern's scale, in words.
+pub fn scale(session: &Session) -> String {
+    match session.texture {
+        TextureKind::Conformal => format!("{:.0} rays", 4.0 * (0.75 * session.texture_scale).round()),
+        _ => format!("{:.0} cells across", session.texture_scale),
+    }
+}
+
+/// Which polar grid, and where the pattern lives.
+pub fn pattern(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    let session = model.session();
+    if family(session.texture) == TextureKind::Conformal
+        && let Some(kind) = segmented(ui, &POLAR, session.texture)
+    {
+        actions.push(Action::Session(Command::SetTexture(kind)));
+    }
+    if session.texture == TextureKind::Conformal {
+        // It lives in the disk.
+        problem(ui, model.teaching().grid.error());
+    } else if let Some(home) = segmented(ui, &HOMES, session.texture_side) {
+        actions.push(Action::Session(Command::SetTextureSide(home)));
+    }
+}
+
+/// The groups "Through the disk" and "Random walks".
+pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    group_heading(ui, "Through the disk");
+    let comparison = model.session().comparison;
+    if let Some(chosen) = segmented(ui, &COMPARISONS, comparison) {
+        actions.push(Action::Session(Command::SetComparison(chosen)));
+    }
+    let disk = &model.teaching().through_disk;
+    if let Some(found) = disk.found() {
+        verdict(ui, found);
+    }
+    problem(ui, disk.error());
+    group_heading(ui, "Random walks");
+    walks(ui, &model.teaching().walks, actions);
+}
+
+fn problem(ui: &mut Ui, error: Option<&str>) {
+    if let Some(error) = error {
+        let ink = Palette::of(ui.visuals()).error_edge;
+        ui.add(Label::new(RichText::new(error).small().color(ink)).wrap());
+    }
+}
+
+fn verdict(ui: &mut Ui, found: &Found) {
+    let weak = Palette::of(ui.visuals()).weak;
+    for line in verdicts(found) {
+        ui.add(Label::new(RichText::new(line).small().color(weak)).wrap()).on_hover_text(THROUGH_DISK_TOOLTIP);
+    }
+}
+
+/// What the comparison says, a line each.
+pub fn verdicts(found: &Found) -> Vec<String> {
+    let lost = |side: &Side| {
+        let k = *side as usize;
+        let collapsed = || {
+            let words = format!("{} of {} points collapsed", grouped(found.collapsed[k]), grouped(found.samples[k]));
+            match found.directly_collapsed[k] {
+                0 => format!("{words} (this map: none)"),
+                direct => format!("{words} (this map: {})", grouped(direct)),
+            }
+        };
+        let disordered = || format!("{} out of order", grouped(found.disordered[k]));
+        match (found.collapsed[k], found.disordered[k]) {
+            (0, 0) => None,
+            (_, 0) => Some(format!("{side}: {}", collapsed())),
+            (0, _) => Some(format!("{side}: {}", disordered())),
+            _ => Some(format!("{side}: {}, {}", collapsed(), disordered())),
+        }
+    };
+    let mut lines: Vec<String> = SIDES.iter().filter_map(lost).collect();
+    if lines.is_empty() {
+        lines.push(format!("all {} points kept apart", grouped(found.samples.iter().sum())));
+    }
+    lines.push(format!("largest difference {} of the length", percent(found.difference)));
+    lines
+}
+
+fn percent(part: f64) -> String {
+    match 100.0 * part {
+        p if p < 0.01 => String::from("under 0.01 %"),
+        p if p < 1.0 => format!("{p:.2} %"),
+        p if p < 10.0 => format!("{p:.1} %"),
+        p => format!("{p:.0} %"),
+    }
+}
+
+fn walks(ui: &mut Ui, walks: &Walks, actions: &mut Actions) {
+    let palette = Palette::of(ui.visuals());
+    ui.horizontal(|ui| {
+        let label = if walks.is_running() { "Pause" } else { "Start" };
+        if ui.button(label).on_hover_text(WALKS_TOOLTIP).clicked() {
+            actions.push(Action::Walks(WalkAction::Toggle));
+        }
+        let clear = ui.add_enabled(walks.count() > 0, egui::Button::new("Clear"));
+        if clear.on_hover_text("Forget all hits").clicked() {
+            actions.push(Action::Walks(WalkAction::Clear));
+        }
+        ui.label(RichText::new(format!("{} walks", grouped(walks.count() as usize))).color(palette.weak));
+    });
+    let shown = format!("{} per second", grouped(walks.speed().round() as usize));
+    if let Some(speed) = captioned_slider(ui, "Speed", &shown, walks.speed(), SPEEDS, true) {
+        actions.push(Action::Walks(WalkAction::Speed(speed.round())));
+    }
+    if let Some(deviation) = walks.deviation() {
+        let chance = percent(KOLMOGOROV_MEAN / (walks.count() as f64).sqrt());
+        let line = format!("largest deviation from ω: {} (chance: about {chance})", percent(deviation));
+        ui.add(Label::new(RichText::new(line).small().color(palette.weak)).wrap()).on_hover_text(WALKS_TOOLTIP);
+    }
+    problem(ui, walks.error());
+}

@@ -1,0 +1,278 @@
+//! Comparisons and walks against what is known of the disk, the heart and the V.
+
+use super::super::model::Model;
+use super::super::textured::{self, Moved};
+use super::through_disk::{Found, MARKS, MOVING_SAMPLES, RESTING_SAMPLES};
+use super::walks::{BINS, WalkAction};
+use crate::conformal::{Direction, PrepareSettings, Side};
+use crate::geometry::DVec2;
+use crate::mesh::Sizing;
+use crate::outline::{Preset, Sampling};
+use crate::session::{Command, Comparison, OutlineSpec, Session, TextureKind};
+
+/// A model of two presets with `count` uniform samples each, mapped forward.
+fn model(source: Preset, target: Preset, count: u32) -> Model {
+    let mut session = Session::default();
+    session.apply(Command::SetDirection(Direction::Forward));
+    for (side, preset) in [(Side::Source, source), (Side::Target, target)] {
+        session.apply(Command::SetOutline { side, outline: OutlineSpec::Preset(preset) });
+        let sampling = Sampling::Uniform { count, keep_corners: false };
+        let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.15), ..PrepareSettings::default() };
+        session.apply(Command::SetSettings { side, settings });
+    }
+    let mut model = Model::new(session);
+    for (side, request) in model.take_requests(f64::INFINITY) {
+        crate::worker::run(&request, &mut |generation, response| model.accept(side, generation, response));
+    }
+    model.refresh(false);
+    model
+}
+
+fn compare(model: &mut Model, comparison: Comparison) {
+    model.dispatch(Command::SetComparison(comparison), 0.0);
+    model.refresh(false);
+}
+
+/// Calls until nothing is left to do; how often, and the longest call in ms.
+fn settle(model: &mut Model) -> (u32, f64) {
+    let (mut now, mut calls, mut longest) = (0.0, 0, 0.0_f64);
+    loop {
+        let start = std::time::Instant::now();
+        let next = model.teach(now);
+        longest = longest.max(start.elapsed().as_secs_f64() * 1e3);
+        calls += 1;
+        assert!(calls < 10, "it never ends");
+        let Some(delay) = next else { return (calls, longest) };
+        now += delay + 1e-6;
+    }
+}
+
+fn found(model: &Model) -> &Found {
+    let disk = &model.teaching().through_disk;
+    assert_eq!(disk.error(), None);
+    disk.found().unwrap()
+}
+
+#[test]
+fn on_the_disk_both_ways_agree_and_no_point_is_lost() {
+    for comparison in [Comparison::Fresh, Comparison::Precomputed] {
+        let mut model = model(Preset::Disk, Preset::Disk, 300);
+        let point = model.interior(Side::Source).unwrap() + DVec2::new(0.2, 0.1);
+        model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
+        compare(&mut model, comparison);
+        settle(&mut model);
+        let found = found(&model);
+        assert_eq!((found.samples, found.collapsed, found.disordered), ([300; 2], [0; 2], [0; 2]));
+        assert_eq!(found.marks.len(), MARKS as usize);
+        // The kernel's own error with 300 samples.
+        assert!(found.difference < 2e-3, "{comparison:?}: {:e}", found.difference);
+    }
+}
+
+/// Section 1.2 on the paper's V, its interior point in one arm: 1000 samples, of which the
+/// precomputed map loses more than half, and the fresh one none that counts.
+#[test]
+fn on_the_v_the_precomputed_map_collapses_and_the_fresh_one_does_not() {
+    let mut model = model(Preset::VShape, Preset::Heart, 1000);
+    let point = DVec2::new(0.96, 0.8432);
+    model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
+    compare(&mut model, Comparison::Precomputed);
+    let (calls, longest) = settle(&mut model);
+    let found_precomputed = found(&model).clone();
+    let Found { collapsed, disordered, difference, .. } = &found_precomputed;
+    println!(
+        "precomputed: collapsed {collapsed:?}, disordered {disordered:?}, difference {difference:.3}; {calls} calls, at most {longest:.1} ms"
+    );
+    assert!(collapsed[0] > 500 && collapsed[1] == 0, "{collapsed:?}");
+    assert!(disordered[0] > 0 && *difference > 0.2, "{disordered:?}, {difference}");
+    compare(&mut model, Comparison::Fresh);
+    let (calls, longest) = settle(&mut model);
+    let found = found(&model);
+    println!(
+        "fresh: collapsed {:?}, difference {:.4}; {calls} calls, at most {longest:.1} ms",
+        found.collapsed, found.difference
+    );
+    assert_eq!(found.samples, [RESTING_SAMPLES; 2]);
+    assert!(found.difference < 0.02, "{}", found.difference);
+    compare(&mut model, Comparison::Off);
+    settle(&mut model);
+    assert!(model.teaching().through_disk.found().is_none() && model.teaching().overlays().measure.is_empty());
+}
+
+#[test]
+fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
+    let mut model = model(Preset::Heart, Preset::Cinquefoil, 500);
+    compare(&mut model, Comparison::Fresh);
+    settle(&mut model);
+    assert_eq!(found(&model).samples, [500; 2]);
+    let point = model.interior(Side::Source).unwrap() + DVec2::new(0.01, 0.0);
+    model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
+    model.refresh(false);
+    assert_eq!(model.teach(10.0), Some(0.0), "the coarse comparison is shown at once");
+    let delay = model.teach(10.0).unwrap();
+    assert!(delay > 0.0, "it does not wait");
+    // The side that did not move keeps what it has.
+    assert_eq!(found(&model).samples, [MOVING_SAMPLES, 500]);
+    assert!(model.teach(10.0 + 0.5 * delay).is_some_and(|rest| rest > 0.0));
+    model.teach(10.0 + delay + 1e-6);
+    assert_eq!(found(&model).samples, [500; 2]);
+    let overlays = model.teaching().overlays();
+    assert_eq!((overlays.measure.len(), overlays.reparameterisation.len()), (2, 1));
+}
+
+#[test]
+fn precomputed_maps_are_made_once_per_domain() {
+    let mut model = model(Preset::Heart, Preset::Cinquefoil, 300);
+    compare(&mut model, Comparison::Precomputed);
+    assert_eq!(settle(&mut model).0, 4, "two maps, the comparison, its picture");
+    let version = model.teaching().through_disk.version();
+    let point = model.interior(Side::Target).unwrap() + DVec2::new(0.01, 0.0);
+    model.dispatch(Command::MoveInterior { side: Side::Target, point }, 0.0);
+    model.refresh(false);
+    assert_eq!(settle(&mut model).0, 2);
+    assert_eq!(model.teaching().through_disk.version(), version + 1);
+}
+
+#[test]
+fn what_fails_is_said_and_the_map_stays() {
+    // 30 points of a spiral: the curve of geodesics through them strays from the outline.
+    let mut model = model(Preset::Spiral, Preset::Disk, 40);
+    compare(&mut model, Comparison::Fresh);
+    let domain = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
+    let tries =
+        domain.mesh.vertices.iter().filter_map(|&vertex| model.interior_near(Side::Source, vertex)).collect::<Vec<_>>();
+    let failed = tries.into_iter().find_map(|point| {
+        model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
+        model.refresh(false);
+        settle(&mut model);
+        model.teaching().through_disk.error().map(String::from)
+    });
+    let error = failed.unwrap();
+    assert!(error.starts_with("The way through the disk fails on the source: the point ("), "{error}");
+    assert!(model.map().is_some() && model.teaching().through_disk.found().is_none());
+}
+
+/// A model with walks that have been going for a second at this speed.
+fn walked(speed: f64) -> Model {
+    let mut model = model(Preset::Gingerbread, Preset::Heart, 300);
+    model.act_on_walks(WalkAction::Speed(speed));
+    model.act_on_walks(WalkAction::Toggle);
+    for frame in 0..=60 {
+        assert_eq!(model.teach(f64::from(frame) / 60.0), Some(0.0));
+    }
+    model
+}
+
+#[test]
+fn walks_are_counted_at_their_speed_and_follow_the_measure() {
+    // 25 walks a frame: never cut short by the clock
+    let model = walked(1500.0);
+    let walks = &model.teaching().walks;
+    let count = walks.count();
+    assert!((1499..=1500).contains(&count), "{count} walks in a second");
+    let curve = walks.cumulative().unwrap();
+    assert_eq!((curve.points.len(), curve.points[BINS]), (BINS + 1, [1.0, 1.0]));
+    let largest = walks.bars().iter().map(|bar| bar.expected).fold(0.0, f64::max);
+    assert_eq!(largest, 1.0);
+    // Kolmogorov's statistic exceeds 1.63 once in 100 seeds; 3e-3 for the kernel's own error.
+    let deviation = walks.deviation().unwrap();
+    assert!(deviation < 1.63 / (count as f64).sqrt() + 3e-3, "{deviation}");
+}
+
+#[test]
+fn the_bins_hold_every_walk_and_equal_seeds_walk_alike() {
+    let [a, b] = [(); 2].map(|()| walked(100.0));
+    let (a, b) = (&a.teaching().walks, &b.teaching().walks);
+    let share: f64 = a.cumulative().unwrap().points.windows(2).map(|pair| pair[1][1] - pair[0][1]).sum();
+    assert!((share - 1.0).abs() < 1e-12 && a.count() > 90, "{share} of {}", a.count());
+    assert_eq!((a.count(), a.bars()), (b.count(), b.bars()));
+}
+
+#[test]
+fn a_slow_walk_is_seen_from_its_start_to_the_boundary() {
+    let mut model = walked(1.0);
+    let start = model.interior(Side::Source).unwrap();
+    let samples = model.domain(Side::Source).unwrap().samples.clone();
+    let mut ended = 0;
+    for frame in 61..600 {
+        model.teach(f64::from(frame) / 60.0);
+        let (circles, hit) = model.teaching().walks.path();
+        assert_eq!(circles[0].centre, start);
+        for pair in circles.windows(2) {
+            let jump = pair[0].centre.distance(pair[1].centre);
+            assert!((jump - pair[0].radius).abs() < 1e-12, "a jump of {jump} in a circle of {}", pair[0].radius);
+        }
+        if let Some(hit) = hit {
+            let last = circles[circles.len() - 1];
+            assert!(samples.position(hit).distance(last.centre) <= last.radius + 1e-12);
+            ended += 1;
+        }
+    }
+    assert!(ended > 30, "{ended}");
+}
+
+#[test]
+fn another_start_begins_anew_and_a_pause_keeps_the_counts() {
+    let mut model = walked(500.0);
+    let count = model.teaching().walks.count();
+    model.act_on_walks(WalkAction::Toggle);
+    assert_eq!((model.teach(2.0), model.teaching().walks.count()), (None, count));
+    let point = model.interior(Side::Target).unwrap() + DVec2::new(0.02, 0.0);
+    model.dispatch(Command::MoveInterior { side: Side::Target, point }, 0.0);
+    model.refresh(false);
+    assert_eq!(model.teach(2.1), None);
+    assert_eq!(model.teaching().walks.count(), count, "x₂ is no start");
+    model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.3 }, 0.0);
+    model.refresh(false);
+    model.teach(2.2);
+    assert_eq!(model.teaching().walks.count(), 0);
+}
+
+#[test]
+fn the_pattern_is_pushed_forward_or_pulled_back_either_way_the_map_goes() {
+    let mut model = model(Preset::Heart, Preset::Disk, 120);
+    for direction in [Direction::Forward, Direction::Backward] {
+        for home in Side::BOTH {
+            model.dispatch(Command::SetDirection(direction), 0.0);
+            model.dispatch(Command::SetTextureSide(home), 0.0);
+            assert!(model.refresh(false).meshes);
+            let map = model.map().unwrap();
+            let at_home = textured::geometry(&model, home).unwrap();
+            assert_eq!(at_home.positions, at_home.texture_coordinates);
+            assert_eq!(textured::moved(&model, home), None);
+            // Away from home, the triangles' corners lie on this side and look up the other one.
+            let away = textured::geometry(&model, home.other()).unwrap();
+            assert_eq!(away.check(), Ok(()));
+            let mapped = direction.mapped_side();
+            assert_eq!(away.triangles, map.mapped_mesh().triangles);
+            let (own, images) = if mapped == home {
+                (away.texture_coordinates, away.positions)
+            } else {
+                (away.positions, away.texture_coordinates)
+            };
+            assert_eq!((own, images), (map.mapped_mesh().vertices.as_slice(), map.images()), "{direction:?}, {home}");
+            let expected =
+                if mapped == home { Moved::Positions(map.images()) } else { Moved::Coordinates(map.images()) };
+            assert_eq!(textured::moved(&model, home.other()), Some(expected));
+        }
+    }
+}
+
+#[test]
+fn the_conformal_pattern_follows_a_drag_on_both_sides() {
+    let mut model = model(Preset::Heart, Preset::Disk, 120);
+    model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
+    assert!(model.refresh(false).meshes);
+    let before = Side::BOTH.map(|side| textured::geometry(&model, side).unwrap().texture_coordinates.to_vec());
+    for side in Side::BOTH {
+        assert_eq!(textured::geometry(&model, side).unwrap().check(), Ok(()));
+        let farthest = before[side as usize].iter().map(|g| g.length()).fold(0.0, f64::max);
+        assert!((farthest - 1.0).abs() < 1e-9, "{side}: {farthest}");
+    }
+    let point = model.interior(Side::Source).unwrap() + DVec2::new(0.05, 0.0);
+    model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
+    assert!(model.refresh(false).images);
+    let after = Side::BOTH.map(|side| textured::geometry(&model, side).unwrap().texture_coordinates.to_vec());
+    assert_ne!(before[0], after[0]);
+    assert_eq!(before[1], after[1], "the target's point did not move");
+}

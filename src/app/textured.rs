@@ -1,0 +1,60 @@
+//! What each viewport draws: a mesh, where its vertices lie, and where they look the pattern up.
+//!
+//! The pattern lives on one side, its home, which shows its own mesh with its own
+//! positions. The other side shows the mapped mesh. If that is the home's, its vertices
+//! lie at their images and keep their own coordinates: pushed forward from the source,
+//! pulled back from the target. If it is the other side's, the images are what it looks up.
+//! The conformal pattern lives in the disk: both sides look up their own disk coordinates.
+
+use super::model::Model;
+use crate::conformal::Side;
+use crate::geometry::DVec2;
+use crate::render::MeshGeometry;
+use crate::session::{Session, TextureKind};
+
+/// What changes when the map's images do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Moved<'a> {
+    /// Where the vertices lie.
+    Positions(&'a [DVec2]),
+    /// Where they look the pattern up.
+    Coordinates(&'a [DVec2]),
+}
+
+/// The side where the pattern lives; `None`: in the disk.
+pub fn home(session: &Session) -> Option<Side> {
+    (session.texture != TextureKind::Conformal).then_some(session.texture_side)
+}
+
+/// What a side shows, as soon as there is something.
+pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
+    let Some(home) = home(model.session()) else {
+        let mesh = &model.map()?.domain(side).mesh;
+        let texture_coordinates = model.teaching().grid.of(side);
+        return Some(MeshGeometry { positions: &mesh.vertices, texture_coordinates, triangles: &mesh.triangles });
+    };
+    if side == home {
+        let mesh = &model.shown_domain(side)?.mesh;
+        let vertices = mesh.vertices.as_slice();
+        return Some(MeshGeometry { positions: vertices, texture_coordinates: vertices, triangles: &mesh.triangles });
+    }
+    let map = model.map()?;
+    let mesh = map.mapped_mesh();
+    let (positions, texture_coordinates) = if side == map.direction().mapped_side() {
+        (mesh.vertices.as_slice(), map.images())
+    } else {
+        (map.images(), mesh.vertices.as_slice())
+    };
+    Some(MeshGeometry { positions, texture_coordinates, triangles: &mesh.triangles })
+}
+
+/// What of it moves with the map's images.
+pub fn moved(model: &Model, side: Side) -> Option<Moved<'_>> {
+    let map = model.map()?;
+    let Some(home) = home(model.session()) else {
+        return Some(Moved::Coordinates(model.teaching().grid.of(side)));
+    };
+    let is_mapped = side == map.direction().mapped_side();
+    let moved = if is_mapped { Moved::Coordinates(map.images()) } else { Moved::Positions(map.images()) };
+    (side != home).then_some(moved)
+}
