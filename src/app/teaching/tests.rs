@@ -231,7 +231,7 @@ fn another_start_begins_anew_and_a_pause_keeps_the_counts() {
 #[test]
 fn the_pattern_is_pushed_forward_or_pulled_back_either_way_the_map_goes() {
     let mut model = model(Preset::Heart, Preset::Disk, 120);
-    for direction in [Direction::Forward, Direction::Backward] {
+    for direction in [Direction::Backward, Direction::Forward] {
         for home in Side::BOTH {
             model.dispatch(Command::SetDirection(direction), 0.0);
             model.dispatch(Command::SetTextureSide(home), 0.0);
