@@ -4,15 +4,18 @@ use super::action::{Action, Actions};
 use super::reports::Report;
 use super::theme::Palette;
 use super::widgets::chevron;
-use crate::figures::{Detail, Figure};
+use crate::figures::{Detail, Figure, Scene};
 use crate::session::{Command, Session};
 use egui::containers::menu::MenuButton;
 use egui::{RichText, Role, Ui, WidgetInfo};
 
+/// The four ways of Figure 8 fit into one row of the menu, the low resolution above the high one.
+const SCENES_IN_A_ROW: usize = 4;
+
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, actions: &mut Actions) {
     let (response, _) = MenuButton::from_button(egui::Button::new("Figures     ")).ui(ui, |ui| {
-        ui.set_width(380.0);
+        ui.set_width(470.0);
         for figure in Figure::ALL {
             entry(ui, figure, actions);
         }
@@ -37,17 +40,24 @@ fn entry(ui: &mut Ui, figure: Figure, actions: &mut Actions) {
         }
         return;
     }
-    ui.label(title).on_hover_text(tooltip);
-    ui.horizontal_wrapped(|ui| {
-        ui.add_space(12.0);
-        for scene in figure.scenes(Detail::Paper) {
-            let label = RichText::new(&scene.label).small().color(Palette::of(ui.visuals()).text);
-            if ui.button(label).on_hover_text(resolution(&scene.session)).clicked() {
-                actions.push(Action::Session(Command::Open(Box::new(with_plots(figure, scene.session)))));
-                ui.close();
+    ui.label(RichText::new(title).color(Palette::of(ui.visuals()).weak)).on_hover_text(tooltip);
+    for row in figure.scenes(Detail::Paper).chunks(SCENES_IN_A_ROW) {
+        ui.horizontal(|ui| {
+            for scene in row {
+                scene_button(ui, figure, scene, actions);
             }
-        }
-    });
+        });
+    }
+    ui.add_space(4.0);
+}
+
+fn scene_button(ui: &mut Ui, figure: Figure, scene: &Scene, actions: &mut Actions) {
+    let palette = Palette::of(ui.visuals());
+    let button = egui::Button::new(RichText::new(&scene.label).small().color(palette.text)).fill(palette.control);
+    if ui.add(button).on_hover_text(resolution(&scene.session)).clicked() {
+        actions.push(Action::Session(Command::Open(Box::new(with_plots(figure, scene.session.clone())))));
+        ui.close();
+    }
 }
 
 /// These figures are plots.
