@@ -5,12 +5,13 @@
 //! the two boundaries, as in "Real-Time Conformal Maps and Parameterizations".
 //!
 //! Dependencies between the modules run one way:
-//! `geometry → outline, mesh → laplace → conformal → session, worker → render → app`.
+//! `geometry → outline, mesh → laplace → conformal → session, worker → figures → render → app`.
 //! `zipper`, a map through the disk for comparison, stands beside `conformal` and uses no mesh.
 //! Without the default feature `app` only the numerical core is built.
 
 pub mod conformal;
 pub mod exact;
+pub mod figures;
 pub mod geometry;
 pub mod laplace;
 pub mod mesh;

@@ -447,9 +447,8 @@ fn v_from_its_middle(m: u32) -> [f64; 3] {
 
 #[test]
 fn both_extensions_of_the_v_converge_to_the_closed_form() {
-    let errors = [250, 500, 1000].map(v_from_its_middle);
+    let errors @ [coarse, _, fine] = [250, 500, 1000].map(v_from_its_middle);
     println!("V → blob from −i, inside, m = 250, 500, 1000: f̃, f̂, f̂ of the exact boundary: {errors:?}");
-    let [coarse, _, fine] = errors;
     assert!((0..3).all(|i| fine[i] < coarse[i] / 4.0), "{errors:?}");
     // f̂ has no maximum principle: the error of the boundary comes with its Hilbert transform
     assert!(fine[0] < 1e-3 && fine[1] < 3.0 * fine[0] && fine[2] < fine[1], "{errors:?}");

@@ -1,5 +1,6 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
+use super::reports::Report;
 use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
 use crate::session::Command;
@@ -19,6 +20,8 @@ pub enum Action {
     Remedy(Side),
     /// Close a side's message.
     Dismiss(Side),
+    /// Show a window of measurements, and begin them.
+    OpenReport(Report),
     /// Close the message about the image.
     DismissImageError,
     /// Start, pause or clear the random walks, or change their speed.

@@ -1,11 +1,13 @@
 //! From the model to the GPU: uploads after a change, and the callbacks by
 //! which the viewports are drawn inside egui's pass.
 //!
-//! What is drawn on which side, and with which coordinates, is said in `textured`.
+//! What is drawn on which side, and with which coordinates, is said in `textured`. The
+//! images are uploaded, or put there by a compute shader ([`GpuExtension`]).
 
-use super::model::{Changes, Model, SIDES};
+use super::gpu_extension::GpuExtension;
+use super::model::{Changes, Model, SIDES, other};
 use super::textured::{self, Moved};
-use crate::conformal::{PreparedDomain, Side};
+use crate::conformal::{Extension, PreparedDomain, Side};
 use crate::geometry::DVec2;
 use crate::render::{Camera, CellCode, CellStyle, ImageError, StrokeStyle, TextureStyle, ViewportRenderer};
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
@@ -13,6 +15,7 @@ use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor}
 /// The renderer and its device.
 pub struct Gpu {
     state: RenderState,
+    extension: Option<GpuExtension>,
 }
 
 impl Gpu {
@@ -20,7 +23,8 @@ impl Gpu {
     pub fn new(state: RenderState) -> Self {
         let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, SIDES.len());
         state.renderer.write().callback_resources.insert(renderer);
-        Self { state }
+        let extension = GpuExtension::new(&state);
+        Self { state, extension }
     }
 
     /// What it draws with, in the words of the status line.
@@ -38,19 +42,39 @@ impl Gpu {
         self.state.device.limits().max_texture_dimension_2d
     }
 
+    /// Whether the picture of the model's map has its whole extension from a compute shader.
+    pub fn extends(&self, model: &Model) -> bool {
+        let in_the_plane = textured::home(model.session()).is_some();
+        let map = model.map().filter(|map| in_the_plane && map.extension() == Extension::CauchyGreen);
+        self.extension.as_ref().zip(map).is_some_and(|(extension, map)| extension.serves(map))
+    }
+
     /// Uploads what has changed.
-    pub fn upload(&self, model: &Model, changes: Changes) {
+    pub fn upload(&mut self, model: &Model, changes: Changes) {
         if changes.meshes {
             for side in SIDES {
-                if let Some(domain) = model.domain(side) {
+                if let Some(domain) = model.shown_domain(side) {
                     self.upload_boundary(side, domain);
                 }
                 self.upload_mesh(side, model);
             }
-        } else if changes.images {
+        } else if changes.images && !self.extends(model) {
             for side in SIDES {
                 self.upload_images(side, model);
             }
+        }
+        if changes.meshes || changes.map {
+            self.extend(model);
+        }
+    }
+
+    /// Replaces the images in the picture by those of the compute shader, if it serves.
+    fn extend(&mut self, model: &Model) {
+        let (Some(extension), Some(map)) = (&mut self.extension, model.map()) else { return };
+        let Some(home) = textured::home(model.session()) else { return };
+        let mut renderer = self.state.renderer.write();
+        if let Some(renderer) = renderer.callback_resources.get_mut::<ViewportRenderer>() {
+            extension.apply(&self.state, renderer, map, other(home));
         }
     }
 

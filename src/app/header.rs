@@ -57,8 +57,10 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
         words::SIZE_TOOLTIP,
         words::timings(&domain.timings)
     ));
-    for note in &model.side(side).notes {
-        ui.add(Label::new(RichText::new(note.to_string()).small().color(palette.weak)).truncate());
+    let notes = model.side(side).notes.iter().map(ToString::to_string);
+    let wanted = model.session().domain(side).settings.solver;
+    for note in notes.chain(words::cautions(domain, wanted).map(String::from)) {
+        ui.add(Label::new(RichText::new(&note).small().color(palette.weak)).truncate()).on_hover_text(&note);
     }
 }
 

@@ -7,7 +7,9 @@ use super::header::Surroundings;
 use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box};
-use super::{PHONE_WIDTH, RiemapApp, SIDES, header, legend, plots, side_panel, status, teaching, top_bar, viewport};
+use super::{
+    PHONE_WIDTH, RiemapApp, SIDES, header, legend, plots, side_panel, status, teaching, top_bar, viewport, words,
+};
 use crate::conformal::Side;
 use crate::session::Command;
 use egui::{Event, Frame, Id, Key, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
@@ -66,6 +68,8 @@ fn bars(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         top_bar::show(ui, &app.model, narrow, actions);
     });
     let (backend, adapter) = app.gpu.as_ref().map(|gpu| (gpu.backend(), gpu.adapter())).unwrap_or_default();
+    let extension = app.cauchy_green().map(|processor| words::cauchy_green(processor, app.model.extension_progress()));
+    let backend = extension.into_iter().chain([backend]).collect::<Vec<_>>().join(" · ");
     Panel::bottom("status").exact_size(26.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
         status::show(ui, &app.model, &app.meter, &backend, &adapter, narrow);
     });
@@ -158,6 +162,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     app.advance(&context);
     paint(app, ui, narrow, &mut actions);
     image_message(app, ui, &mut actions);
+    app.reports.show(&context);
     app.carry_out(&context, actions);
 }
 

@@ -8,15 +8,20 @@
 mod action;
 mod cells;
 mod colouring;
+mod draft;
+mod figures_menu;
 mod files;
 mod gpu;
+mod gpu_extension;
 mod handles;
 mod header;
 mod layout;
 mod legend;
+mod method;
 mod model;
 mod plots;
 mod prepare_state;
+mod reports;
 mod shapes;
 mod side_panel;
 mod stats;
@@ -33,18 +38,19 @@ mod words;
 
 pub use action::{Action, Actions};
 pub use model::Model;
-pub use stats::Stats;
+pub use stats::{Processor, Stats};
 
-use crate::conformal::Side;
-use crate::platform::{self, Event, FilePurpose, Mailbox, Preparer};
+use crate::conformal::{Extension, Side};
+use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{Command, Session, TextureKind};
 use cells::Cells;
 use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;
-use model::SIDES;
+use model::{Changes, Refines, SIDES};
 use plots::Plots;
+use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::mpsc;
@@ -90,6 +96,8 @@ pub struct RiemapApp {
     meter: FrameMeter,
     panels_open: bool,
     sheet_open: bool,
+    reports: Reports,
+    laboratory: Laboratory,
     image_name: Option<String>,
     image_error: Option<String>,
     last_change: f64,
@@ -104,6 +112,10 @@ impl RiemapApp {
         theme::install(&creation.egui_ctx);
         let Groundwork { model, preparer, mailbox, events } = groundwork;
         mailbox.attach(&creation.egui_ctx);
+        let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
+        if platform::asks_for_bench() {
+            reports.open(Report::Bench);
+        }
         Ok(Self {
             model,
             preparer,
@@ -117,6 +129,8 @@ impl RiemapApp {
             meter: FrameMeter::default(),
             panels_open: true,
             sheet_open: false,
+            reports,
+            laboratory,
             image_name: None,
             image_error: None,
             last_change: 0.0,
@@ -146,6 +160,7 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             marked_boundary: self.plots.marked(),
+            cauchy_green: self.cauchy_green(),
         };
         stats::collect(&self.model, screen)
     }
@@ -172,6 +187,7 @@ impl RiemapApp {
             match event {
                 Event::Worker { side, generation, response } => self.model.accept(side, generation, response),
                 Event::WorkerDied { side, reason } => self.model.side_mut(side).worker_died(&reason),
+                Event::Found { study, finding } => self.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
             }
         }
@@ -222,6 +238,7 @@ impl RiemapApp {
                 Action::Fit(side) => self.views[side as usize].fit(),
                 Action::Remedy(side) => self.model.remedy(side),
                 Action::Dismiss(side) => self.model.dismiss(side),
+                Action::OpenReport(report) => self.reports.open(report),
                 Action::DismissImageError => self.image_error = None,
                 Action::Walks(action) => self.model.act_on_walks(action),
                 Action::ToggleTheme => theme::toggle(context),
@@ -239,13 +256,19 @@ impl RiemapApp {
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
         }
-        let changes = self.model.refresh();
-        if changes != model::Changes::default() {
+        if let Some(study) = self.reports.take_study() {
+            self.laboratory.begin(study);
+        }
+        let changes = self.model.refresh(self.handles.grip.is_some());
+        if changes != Changes::default() {
             self.last_change = now;
-            // The status line was laid out before the change.
-            context.request_repaint();
-            if let Some(gpu) = &self.gpu {
-                gpu.upload(&self.model, changes);
+            self.show_changes(context, changes);
+        }
+        let resting = now - self.last_change >= REST_SECONDS;
+        if resting {
+            let refined = self.model.refine_at_rest();
+            if refined.images {
+                self.show_changes(context, refined);
             }
         }
         for side in SIDES {
@@ -254,8 +277,9 @@ impl RiemapApp {
                 context.request_repaint();
             }
         }
-        if self.model.is_quality_stale() {
-            if now - self.last_change >= REST_SECONDS {
+        let complete = self.model.extension_progress() == 1.0;
+        if self.model.is_quality_stale() || !complete {
+            if resting && complete {
                 self.model.measure();
                 context.request_repaint();
             } else {
@@ -267,6 +291,23 @@ impl RiemapApp {
         }
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
+    }
+
+    /// Uploads, and asks for another frame: the status line was laid out before the change.
+    fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
+        context.request_repaint();
+        if let Some(gpu) = &mut self.gpu {
+            gpu.upload(&self.model, changes);
+        }
+        let extended = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
+        self.model.set_refines(if extended { Refines::AtRest } else { Refines::InRefresh });
+    }
+
+    /// Where the Cauchy–Green extension in the picture comes from, if it is asked for.
+    fn cauchy_green(&self) -> Option<Processor> {
+        let on_gpu = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
+        let asked = self.model.session().extension == Extension::CauchyGreen;
+        asked.then_some(if on_gpu { Processor::Gpu } else { Processor::Cpu })
     }
 
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {

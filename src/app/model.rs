@@ -5,6 +5,7 @@
 //! map up to date and says what has to be uploaded. While a side is prepared,
 //! the last good map stays and follows its handles.
 
+use super::draft::Draft;
 use super::prepare_state::{Preparation, Progress};
 use super::teaching::walks::WalkAction;
 use super::teaching::{Situation, Teaching};
@@ -15,6 +16,7 @@ use crate::conformal::{
     triangle_distortions,
 };
 use crate::geometry::DVec2;
+use crate::laplace::SolverKind;
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, OutlineSpec, Session};
 use crate::worker::{Request, Response};
@@ -29,6 +31,10 @@ pub const SIDES: [Side; 2] = [Side::Source, Side::Target];
 /// the edge, and still several boundary edges away from it.
 const INSET: f64 = 0.004;
 
+/// An update that takes longer, in ms, does not follow a drag: a coarse map stands in. With
+/// the drawing it stays below the 50 ms from which on a hand feels that something lags.
+const SLOW_UPDATE_MS: f64 = 30.0;
+
 /// The quality is computed with every update when it takes less than this, else when the drag rests.
 const CHEAP_QUALITY_MS: f64 = 1.0;
 
@@ -41,8 +47,27 @@ const REFINE_MS: f64 = 8.0;
 pub struct Changes {
     /// A domain, the direction or the pattern's home is another one: meshes and outlines.
     pub meshes: bool,
-    /// The mapped vertices moved.
+    /// The map is another one: the boundary moved.
+    pub map: bool,
+    /// Images of vertices moved: with the map, or because they were refined.
     pub images: bool,
+}
+
+impl std::ops::BitOrAssign for Changes {
+    fn bitor_assign(&mut self, other: Self) {
+        self.meshes |= other.meshes;
+        self.map |= other.map;
+        self.images |= other.images;
+    }
+}
+
+/// When an extension that is not complete is gone on with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refines {
+    /// In every [`Model::refresh`].
+    InRefresh,
+    /// When [`Model::refine_at_rest`] is called.
+    AtRest,
 }
 
 /// Session, preparations and map.
@@ -51,6 +76,10 @@ pub struct Model {
     session: Session,
     sides: [Preparation; 2],
     map: Option<ConformalMap>,
+    draft: Draft,
+    /// How many updates in a row were too slow for a drag.
+    slow_updates: u32,
+    pub(super) slow_update_ms: f64,
     quality: Option<Quality>,
     triangles: Vec<TriangleDistortion>,
     measured: u64,
@@ -63,6 +92,9 @@ pub struct Model {
     mesh_generation: u64,
     map_error: Option<(Side, String)>,
     refit: [bool; 2],
+    /// The points of a session whose domains are being prepared.
+    incoming_points: [Option<(Option<DVec2>, f64)>; 2],
+    refines: Refines,
     /// Where the pattern lived at the last refresh.
     pattern_home: Option<Side>,
     teaching: Teaching,
@@ -78,6 +110,9 @@ impl Model {
             session,
             sides,
             map: None,
+            draft: Draft::default(),
+            slow_updates: 0,
+            slow_update_ms: SLOW_UPDATE_MS,
             quality: None,
             triangles: Vec::new(),
             measured: 0,
@@ -89,6 +124,8 @@ impl Model {
             mesh_generation: 0,
             map_error: None,
             refit: [true; 2],
+            incoming_points: [None; 2],
+            refines: Refines::InRefresh,
             teaching: Teaching::default(),
         }
     }
@@ -113,9 +150,15 @@ impl Model {
         self.side(side).domain()
     }
 
-    /// The map, as soon as both domains are there.
+    /// The map that is shown, as soon as both domains are there: the full one, or a coarse
+    /// one while a drag is under way that the full one is too slow for.
     pub fn map(&self) -> Option<&ConformalMap> {
-        self.map.as_ref()
+        self.draft.map().or(self.map.as_ref())
+    }
+
+    /// The domain of a side that is shown.
+    pub fn shown_domain(&self, side: Side) -> Option<&Arc<PreparedDomain>> {
+        self.draft.map().map_or_else(|| self.domain(side), |map| Some(map.domain(side)))
     }
 
     /// Angle distortion of the map; of the last one that was measured while a drag is under way.
@@ -194,6 +237,7 @@ impl Model {
             Command::SetOutline { side, outline } => self.want_outline(side, outline, Vec::new()),
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
+            Command::Open(session) => self.open(&session),
             Command::MoveInterior { .. }
             | Command::MoveAnchor { .. }
             | Command::SetDirection(_)
@@ -211,7 +255,27 @@ impl Model {
         }
     }
 
+    /// Shows another session: at once but for its domains, which come with their points when they are prepared.
+    fn open(&mut self, session: &Session) {
+        let shown = self.session.clone();
+        for side in SIDES {
+            let k = side as usize;
+            self.incoming_points[k] = None;
+            let points = (session.interior[k], session.anchor[k]);
+            if self.side_mut(side).want_spec(session.domain(side)) {
+                self.incoming_points[k] = Some(points);
+            } else {
+                (self.session.interior[k], self.session.anchor[k]) = points;
+            }
+        }
+        let Session { interior, anchor, .. } = self.session;
+        self.session = Session { source: shown.source, target: shown.target, interior, anchor, ..session.clone() };
+        self.map_error = None;
+        self.points_changed = true;
+    }
+
     fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+        self.incoming_points[side as usize] = None;
         self.side_mut(side).error = None;
         self.side_mut(side).want_outline(outline, notes);
     }
@@ -250,45 +314,88 @@ impl Model {
 
     /// Takes in an answer of a worker.
     pub fn accept(&mut self, side: Side, generation: u64, response: Response) {
-        if let Progress::Ready { spec, new_outline } = self.side_mut(side).accept(generation, response) {
+        let progress = self.side_mut(side).accept(generation, response);
+        if matches!(progress, Progress::Failed) {
+            self.incoming_points[side as usize] = None;
+        }
+        if let Progress::Ready { spec, new_outline } = progress {
             if new_outline && spec.outline != self.session.domain(side).outline {
                 self.session.apply(Command::SetOutline { side, outline: spec.outline });
             }
             self.session.apply(Command::SetSettings { side, settings: spec.settings });
+            if let Some((interior, anchor)) = self.incoming_points[side as usize].take() {
+                (self.session.interior[side as usize], self.session.anchor[side as usize]) = (interior, anchor);
+            }
             self.refit[side as usize] |= new_outline;
             self.domains_changed = true;
         }
     }
 
-    /// Brings the map up to date with session and domains.
-    pub fn refresh(&mut self) -> Changes {
+    /// Brings the map up to date with session and domains; `dragging`: a dot is held.
+    pub fn refresh(&mut self, dragging: bool) -> Changes {
         let mut changes = Changes::default();
         if std::mem::take(&mut self.domains_changed) {
             changes.meshes = true;
+            self.draft.forget();
             self.keep_points_inside();
-            changes.images |= self.rebuild();
+            changes.map |= self.rebuild();
             self.points_changed = false;
         }
         if std::mem::take(&mut self.points_changed) {
-            changes.meshes |= self.map.as_ref().is_some_and(|map| map.direction() != self.session.direction);
-            changes.images |= self.update();
-        }
-        changes.images |= self.refine();
-        if changes.images {
-            self.generation += 1;
-            self.mesh_generation += u64::from(changes.meshes);
-            self.quality_stale = true;
-            // Another mesh has other triangles: the old ones' distortions fit nothing any more.
-            if changes.meshes || self.quality_ms < CHEAP_QUALITY_MS {
-                self.measure();
+            let full = self.draft.map().is_none();
+            if dragging && self.is_slow() && self.follow_coarsely() {
+                (changes.meshes, changes.map) = (full, true);
+            } else {
+                changes |= self.update();
             }
+        }
+        if !dragging && self.draft.map().is_some() {
+            changes |= self.update();
+        }
+        let refined = self.refines == Refines::InRefresh && self.refine();
+        changes.images = changes.map || refined;
+        if changes.images {
+            self.mesh_generation += u64::from(changes.meshes);
+            self.count_images(changes.meshes);
         }
         let home = textured::home(&self.session);
         changes.meshes |= std::mem::replace(&mut self.pattern_home, home) != home;
-        if let (None, Some(map)) = (home, &self.map) {
+        let shown = self.draft.map().or(self.map.as_ref());
+        if let (None, Some(map)) = (home, shown) {
             self.teaching.grid.update(&situation(map, &self.session, self.generation));
         }
         changes
+    }
+
+    /// When to refine an extension: at rest, where the picture has it from elsewhere.
+    pub fn set_refines(&mut self, refines: Refines) {
+        self.refines = refines;
+    }
+
+    /// Goes on with an extension that [`Self::refresh`] leaves alone.
+    pub fn refine_at_rest(&mut self) -> Changes {
+        let images = self.refines == Refines::AtRest && self.refine();
+        if images {
+            self.count_images(false);
+        }
+        Changes { images, ..Changes::default() }
+    }
+
+    /// How far the images are those of the extension that was asked for, from 0 to 1.
+    pub fn extension_progress(&self) -> f64 {
+        self.map.as_ref().map_or(1.0, ConformalMap::extension_progress)
+    }
+
+    /// Notes that images moved.
+    fn count_images(&mut self, another_mesh: bool) {
+        self.generation += 1;
+        self.quality_stale = true;
+        // what the picture does not show is not worth a number
+        let shown = self.refines == Refines::InRefresh || self.extension_progress() == 1.0;
+        // Another mesh has other triangles: the old ones' distortions fit nothing any more.
+        if another_mesh || (shown && self.quality_ms < CHEAP_QUALITY_MS) {
+            self.measure();
+        }
     }
 
     /// What teaches.
@@ -303,7 +410,7 @@ impl Model {
 
     /// Brings what teaches up to date at the time `now` (seconds); in how many seconds to come back, if at all.
     pub fn teach(&mut self, now: f64) -> Option<f64> {
-        let situation = situation(self.map.as_ref()?, &self.session, self.generation);
+        let situation = situation(self.draft.map().or(self.map.as_ref())?, &self.session, self.generation);
         self.teaching.advance(&situation, self.session.comparison, now)
     }
 
@@ -316,7 +423,8 @@ impl Model {
     pub fn measure(&mut self) {
         let start = Instant::now();
         self.triangles.clear();
-        self.quality = self.map.as_ref().map(|map| {
+        let shown = self.draft.map().or(self.map.as_ref());
+        self.quality = shown.map(|map| {
             triangle_distortions(map.mapped_mesh(), map.images(), &mut self.triangles);
             Quality::summary(&self.triangles)
         });
@@ -353,10 +461,33 @@ impl Model {
         }
     }
 
+    fn note_duration(&mut self, start: Instant) {
+        let slow = start.elapsed().as_secs_f64() * 1e3 > self.slow_update_ms;
+        self.slow_updates = if slow { self.slow_updates + 1 } else { 0 };
+    }
+
+    /// Whether the full map is too slow for a drag. One slow update says so of the iterative
+    /// solver only: a browser compiles what it runs for the first time.
+    fn is_slow(&self) -> bool {
+        let is_iterative = |side| self.domain(side).is_some_and(|domain| domain.solver.kind() == SolverKind::Pcg);
+        self.slow_updates > u32::from(!SIDES.into_iter().any(is_iterative))
+    }
+
+    /// Lets the coarse map follow the points; whether it could.
+    fn follow_coarsely(&mut self) -> bool {
+        let Some(constraints) = self.constraints() else { return false };
+        let outlines = SIDES.map(|side| &self.session.domain(side).outline);
+        self.draft.follow(outlines, &constraints, self.session.map_settings())
+    }
+
     fn rebuild(&mut self) -> bool {
         let (Some(source), Some(target)) = (self.domain(Side::Source), self.domain(Side::Target)) else { return false };
         let Some(constraints) = self.constraints() else { return false };
-        match ConformalMap::new(Arc::clone(source), Arc::clone(target), &constraints, self.session.map_settings()) {
+        let (source, target) = (Arc::clone(source), Arc::clone(target));
+        let start = Instant::now();
+        let map = ConformalMap::new(source, target, &constraints, self.session.map_settings());
+        self.note_duration(start);
+        match map {
             Ok(mut map) => {
                 if let Some(old) = self.map.take() {
                     map.adopt(old);
@@ -372,20 +503,19 @@ impl Model {
         }
     }
 
-    fn update(&mut self) -> bool {
-        let Some(constraints) = self.constraints() else { return false };
-        let Some(map) = &mut self.map else { return false };
-        match map.update(&constraints, self.session.map_settings()) {
-            Ok(()) => {
-                self.settle(None);
-                true
-            }
-            Err(error) => {
-                (self.session.interior, self.session.anchor) = self.last_good_points;
-                self.settle(Some(error));
-                false
-            }
+    /// Brings the full map up to date and shows it.
+    fn update(&mut self) -> Changes {
+        let (Some(constraints), Some(map)) = (self.constraints(), &mut self.map) else { return Changes::default() };
+        let meshes = self.draft.retire() || map.direction() != self.session.direction;
+        let start = Instant::now();
+        let result = map.update(&constraints, self.session.map_settings());
+        self.note_duration(start);
+        let images = result.is_ok();
+        if !images {
+            (self.session.interior, self.session.anchor) = self.last_good_points;
         }
+        self.settle(result.err());
+        Changes { meshes, map: images, images }
     }
 
     /// Goes on with an extension that is not complete; whether images changed.

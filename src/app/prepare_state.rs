@@ -7,8 +7,7 @@
 
 use super::trouble::{Remedy, Trouble};
 use crate::conformal::{PreparedDomain, Stage};
-use crate::geometry::SimplePolygon;
-use crate::outline::{Outline, OutlineNote};
+use crate::outline::OutlineNote;
 use crate::session::{DomainSpec, OutlineSpec};
 use crate::worker::{Request, Response};
 use std::sync::Arc;
@@ -115,6 +114,18 @@ impl Preparation {
         self.due = Some(f64::NEG_INFINITY);
     }
 
+    /// Wants `spec`, at once; whether it has to be prepared.
+    pub fn want_spec(&mut self, spec: &DomainSpec) -> bool {
+        self.error = None;
+        if !self.is_busy() && self.prepared_from.as_ref() == Some(spec) {
+            return false;
+        }
+        self.wanted = spec.clone();
+        self.incoming_notes = Vec::new();
+        self.due = Some(f64::NEG_INFINITY);
+        true
+    }
+
     /// Wants another discretisation, once the wish has rested.
     pub fn want_settings(&mut self, settings: crate::conformal::PrepareSettings, now: f64) {
         if settings != self.wanted.settings {
@@ -139,7 +150,7 @@ impl Preparation {
         self.due.take_if(|due| *due <= now)?;
         self.generation += 1;
         self.running = None;
-        match polygon_of(&self.wanted.outline) {
+        match self.wanted.outline.polygon() {
             Ok(polygon) => {
                 self.running = Some(Running {
                     spec: self.wanted.clone(),
@@ -148,8 +159,8 @@ impl Preparation {
                 });
                 Some(Request { generation: self.generation, polygon, settings: self.wanted.settings })
             }
-            Err(message) => {
-                self.fail(message);
+            Err(error) => {
+                self.fail(error.to_string());
                 None
             }
         }
@@ -200,18 +211,6 @@ impl Preparation {
         self.error = Some(Trouble::new(message));
         if let Some(good) = &self.prepared_from {
             self.wanted.outline = good.outline.clone();
-        }
-    }
-}
-
-fn polygon_of(outline: &OutlineSpec) -> Result<SimplePolygon, String> {
-    match outline {
-        OutlineSpec::Preset(preset) => {
-            let Outline { polygon, .. } = preset.outline();
-            Ok(polygon)
-        }
-        OutlineSpec::Points { points, .. } => {
-            SimplePolygon::try_from(points.clone()).map_err(|error| error.to_string())
         }
     }
 }

@@ -3,6 +3,7 @@
 //! Everything shown is what is *wanted*; a click becomes an [`Action`].
 
 use super::action::{Action, Actions};
+use super::method;
 use super::model::{Model, SIDES};
 use super::theme::Palette;
 use super::widgets::{Segment, captioned_slider, group_heading, segmented};
@@ -60,6 +61,7 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut 
     }
     shown(ui, model, actions);
     texture(ui, model, image_name, actions);
+    method::show(ui, model, actions);
     teaching::panel::show(ui, model, actions);
     for side in SIDES {
         ui.push_id(side, |ui| resolution(ui, side, model, actions));

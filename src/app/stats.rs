@@ -30,6 +30,16 @@ pub struct HandlePositions {
     pub y2: Option<[f32; 2]>,
 }
 
+/// What evaluates an extension.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Processor {
+    /// A compute shader, in every frame.
+    Gpu,
+    /// The processor, over several frames.
+    Cpu,
+}
+
 /// The map through the disk, by source and target.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ComparisonStats {
@@ -74,6 +84,10 @@ pub struct Stats {
     pub notes: Vec<String>,
     /// What the meshes are painted with.
     pub colouring: Colouring,
+    /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
+    pub cauchy_green: Option<Processor>,
+    /// How far the map's own images are those of the extension that is asked for, from 0 to 1.
+    pub extension_progress: f64,
     /// Whether the mapped mesh's edges are drawn.
     pub wireframe: bool,
     /// Whether the plots are open.
@@ -109,6 +123,8 @@ pub struct ScreenFacts {
     pub notes: Vec<String>,
     /// The boundary point under the pointer and its partner.
     pub marked_boundary: Option<[f64; 2]>,
+    /// Where the Cauchy–Green extension comes from.
+    pub cauchy_green: Option<Processor>,
 }
 
 /// Collects the record.
@@ -130,6 +146,8 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         errors: screen.errors,
         notes: screen.notes,
         colouring: model.session().colouring,
+        cauchy_green: screen.cauchy_green,
+        extension_progress: model.extension_progress(),
         wireframe: model.session().wireframe,
         plots: model.session().plots,
         measured_generation: model.measured_generation(),

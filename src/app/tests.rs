@@ -28,7 +28,7 @@ fn finish_preparations(model: &mut Model) {
     for (side, request) in model.take_requests(f64::INFINITY) {
         crate::worker::run(&request, &mut |generation, response| model.accept(side, generation, response));
     }
-    model.refresh();
+    model.refresh(false);
 }
 
 /// Runs a click on `label` in the side panel and returns what was asked for.
@@ -149,7 +149,7 @@ fn while_a_side_is_prepared_the_last_map_stays_and_its_handles_work() {
     assert_eq!(model.session().source.outline, OutlineSpec::Preset(Preset::Gingerbread));
     let point = model.interior(Side::Target).unwrap() + glam::DVec2::new(0.05, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Target, point }, 1.0);
-    assert!(model.refresh().images);
+    assert!(model.refresh(false).images);
     finish_preparations(&mut model);
     assert_eq!(model.session().source.outline, OutlineSpec::Preset(Preset::Star));
     assert_eq!(model.interior(Side::Target), Some(point));
@@ -163,7 +163,7 @@ fn a_point_outside_is_refused_and_the_map_stays() {
     let generation = model.generation();
     let point = glam::DVec2::new(1e3, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
-    model.refresh();
+    model.refresh(false);
     assert_eq!(model.interior(Side::Source), before);
     assert_eq!(model.generation(), generation);
     assert_eq!(model.map_error().unwrap().0, Side::Source);
@@ -177,7 +177,7 @@ fn the_handle_of_a_pointer_outside_is_inside() {
         let near = model.interior_near(Side::Source, far).unwrap();
         let mut moved = prepared_model();
         moved.dispatch(Command::MoveInterior { side: Side::Source, point: near }, 0.0);
-        assert!(moved.refresh().images, "no map at {near}: {:?}", moved.map_error());
+        assert!(moved.refresh(false).images, "no map at {near}: {:?}", moved.map_error());
     }
 }
 
@@ -186,7 +186,7 @@ fn swapping_exchanges_the_prepared_domains_without_preparing_again() {
     let mut model = prepared_model();
     let source = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
     model.dispatch(Command::Swap, 0.0);
-    assert!(model.refresh().meshes && model.is_ready());
+    assert!(model.refresh(false).meshes && model.is_ready());
     assert!(std::sync::Arc::ptr_eq(&source, model.domain(Side::Target).unwrap()));
 }
 
@@ -196,7 +196,7 @@ fn cauchy_green_images_are_filled_in_frame_by_frame() {
     let harmonic = model.map().unwrap().images().to_vec();
     model.dispatch(Command::SetExtension(Extension::CauchyGreen), 0.0);
     let mut frames = 0;
-    while model.refresh().images {
+    while model.refresh(false).images {
         frames += 1;
         assert!(frames < 1000, "the extension never ends");
     }
@@ -204,8 +204,59 @@ fn cauchy_green_images_are_filled_in_frame_by_frame() {
     assert!(frames > 0 && map.extension_progress() == 1.0);
     assert_ne!(map.images(), harmonic);
     model.dispatch(Command::SetExtension(Extension::Harmonic), 0.0);
-    assert!(model.refresh().images && !model.refresh().images);
+    assert!(model.refresh(false).images && !model.refresh(false).images);
     assert_eq!(model.map().unwrap().images(), harmonic);
+}
+
+/// Whether there is an adapter; where there is none (said aloud), there is in CI.
+pub fn has_adapter() -> bool {
+    let found = crate::render::headless_device();
+    if let Err(error) = &found {
+        assert!(std::env::var("CI").as_deref() != Ok("true"), "in CI an adapter is needed: {error}");
+        eprintln!("SKIPPED: {error}");
+    }
+    found.is_ok()
+}
+
+#[test]
+fn a_drag_shows_cauchy_green_at_once_and_refines_the_map_at_rest() {
+    if !has_adapter() {
+        return;
+    }
+    let mut session = prepared_model().session().clone();
+    session.apply(Command::SetExtension(Extension::CauchyGreen));
+    let groundwork = Groundwork::start(session);
+    let mut harness = Harness::builder()
+        .with_size([1200.0, 800.0])
+        .wgpu()
+        .build_eframe(|creation| RiemapApp::new(creation, groundwork).unwrap());
+    let settle = |harness: &mut Harness<'_, RiemapApp>| {
+        let mut steps = (0..600).map(|_| {
+            harness.step();
+            std::thread::sleep(std::time::Duration::from_millis(5));
+            harness.state().stats()
+        });
+        let is_settled = |stats: &Stats| {
+            stats.ready && stats.extension_progress == 1.0 && stats.measured_generation == stats.generation
+        };
+        steps.find(is_settled).unwrap()
+    };
+    let before = settle(&mut harness);
+    assert_eq!(before.cauchy_green, Some(Processor::Gpu));
+    let [x, y] = before.handles.x1.unwrap();
+    harness.drag_at(egui::pos2(x, y));
+    harness.step();
+    for step in 1..4 {
+        harness.hover_at(egui::pos2(x + 4.0 * step as f32, y));
+        harness.step();
+        let stats = harness.state().stats();
+        assert_eq!((stats.cauchy_green, stats.extension_progress), (Some(Processor::Gpu), 0.0), "step {step}");
+    }
+    harness.drop_at(egui::pos2(x + 12.0, y));
+    let after = settle(&mut harness);
+    assert!(after.generation > before.generation && after.q_mean != before.q_mean);
+    let words = words::cauchy_green(Processor::Gpu, 1.0);
+    assert!(harness.query_by_label_contains(&words).is_some(), "{words} is not on the screen");
 }
 
 #[test]
@@ -213,13 +264,60 @@ fn the_mapped_point_goes_to_the_other_sides_point() {
     for direction in [Direction::Forward, Direction::Backward] {
         let mut model = prepared_model();
         model.dispatch(Command::SetDirection(direction), 0.0);
-        model.refresh();
+        model.refresh(false);
         let stats = stats::collect(&model, ScreenFacts::default());
         let (image, expected) = (stats.image_of_mapped_point.unwrap(), stats.expected.unwrap());
         let error = glam::DVec2::from(image).distance(expected.into());
         // With 120 samples and triangles that grow by 0.3 the triangle around x is about 0.1 across.
         assert!(error < 0.05, "{direction:?}: f(x) = {image:?}, expected {expected:?}, error {error:e}");
     }
+}
+
+#[test]
+fn a_slow_map_lets_a_coarse_one_follow_the_drag() {
+    let mut model = prepared_model();
+    model.slow_update_ms = -1.0;
+    for fraction in [0.1, 0.2] {
+        model.dispatch(Command::MoveAnchor { side: Side::Source, fraction }, 0.0);
+        model.refresh(false);
+    }
+    let full = model.map().unwrap().mapped_mesh().triangles.len();
+    let point = model.interior(Side::Source).unwrap() + glam::DVec2::splat(0.01);
+    let moved = Command::MoveInterior { side: Side::Source, point };
+    model.dispatch(moved.clone(), 0.0);
+    let changes = model.refresh(true);
+    assert!(changes.meshes && changes.images);
+    assert_ne!(model.map().unwrap().mapped_mesh().triangles.len(), full);
+    assert!(!model.refresh(true).images, "nothing moved");
+    // the pointer rests
+    let changes = model.refresh(false);
+    assert!(changes.meshes && changes.images);
+    assert_eq!(model.map().unwrap().mapped_mesh().triangles.len(), full);
+    let after_drag = model.map().unwrap().images().to_vec();
+    let mut direct = prepared_model();
+    direct.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.2 }, 0.0);
+    direct.dispatch(moved, 0.0);
+    direct.refresh(false);
+    assert_eq!(after_drag, direct.map().unwrap().images());
+}
+
+#[test]
+fn opening_a_session_brings_its_domains_points_and_looks() {
+    let mut model = prepared_model();
+    let scene = crate::figures::Figure::Moebius.scenes(crate::figures::Detail::Quick).remove(0);
+    model.dispatch(Command::Open(Box::new(scene.session.clone())), 0.0);
+    model.refresh(false);
+    assert!(model.map().is_some(), "the last good map stays meanwhile");
+    finish_preparations(&mut model);
+    assert_eq!(*model.session(), scene.session);
+    // the same domains with other points need no preparation
+    let mut moved = scene.session;
+    moved.interior[0] = Some(glam::DVec2::new(0.1, -0.3));
+    model.dispatch(Command::Open(Box::new(moved.clone())), 0.0);
+    assert!(model.take_requests(f64::INFINITY).is_empty());
+    assert!(model.refresh(false).images);
+    assert_eq!(*model.session(), moved);
+    assert!(model.map_error().is_none());
 }
 
 /// The app with its first map on the screen.
@@ -257,7 +355,7 @@ fn distortions_belong_to_the_map_on_the_screen() {
     assert_eq!(model.measured_generation(), model.generation());
     for direction in [Direction::Forward, Direction::Backward] {
         model.dispatch(Command::SetDirection(direction), 0.0);
-        model.refresh();
+        model.refresh(false);
         assert_eq!(model.triangles().len(), model.map().unwrap().mapped_mesh().triangles.len());
         assert_eq!(model.measured_generation(), model.generation(), "another mesh is measured at once");
     }

@@ -34,7 +34,7 @@ pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
         return Some(MeshGeometry { positions: &mesh.vertices, texture_coordinates, triangles: &mesh.triangles });
     };
     if side == home {
-        let mesh = &model.domain(side)?.mesh;
+        let mesh = &model.shown_domain(side)?.mesh;
         let vertices = mesh.vertices.as_slice();
         return Some(MeshGeometry { positions: vertices, texture_coordinates: vertices, triangles: &mesh.triangles });
     }

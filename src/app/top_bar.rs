@@ -4,7 +4,7 @@ use super::action::{Action, Actions};
 use super::header::PANELS_TOOLTIP;
 use super::model::{Model, SIDES};
 use super::theme::{Palette, ROW_HEIGHT};
-use super::{shapes, theme, words};
+use super::{figures_menu, shapes, theme, words};
 use crate::session::Command;
 use egui::{Align, Layout, Response, RichText, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 
@@ -23,6 +23,9 @@ pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
         }
         if !narrow && ui.button("Image…").on_hover_text("A PNG or JPEG as the texture").clicked() {
             actions.push(Action::OpenImage);
+        }
+        if !narrow {
+            figures_menu::menu_button(ui, actions);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if theme_button(ui).clicked() {

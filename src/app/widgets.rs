@@ -26,6 +26,16 @@ const SEGMENT_PADDING: f32 = 6.0;
 
 /// A switch of several positions over the full width; returns the one that was clicked.
 pub fn segmented<T: Copy + PartialEq>(ui: &mut Ui, segments: &[Segment<T>], current: T) -> Option<T> {
+    segmented_where(ui, segments, current, |_| None)
+}
+
+/// As [`segmented`]; positions that `refusal` gives a reason against are greyed and say it.
+pub fn segmented_where<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    segments: &[Segment<T>],
+    current: T,
+    refusal: impl Fn(T) -> Option<String>,
+) -> Option<T> {
     let palette = Palette::of(ui.visuals());
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW_HEIGHT), Sense::hover());
     let rounding = CornerRadius::same(ROUNDING);
@@ -35,7 +45,9 @@ pub fn segmented<T: Copy + PartialEq>(ui: &mut Ui, segments: &[Segment<T>], curr
     for (segment, width) in segments.iter().zip(segment_widths(ui, segments, rect.width())) {
         let cell = Rect::from_min_size(pos2(left, rect.top()), vec2(width, ROW_HEIGHT));
         left += width;
-        if segment_cell(ui, cell, segment, segment.value == current).clicked() && segment.value != current {
+        let refused = refusal(segment.value);
+        let response = segment_cell(ui, cell, segment, segment.value == current, refused.as_deref());
+        if response.clicked() && refused.is_none() && segment.value != current {
             chosen = Some(segment.value);
         }
     }
@@ -57,13 +69,15 @@ fn segment_widths<T>(ui: &Ui, segments: &[Segment<T>], whole: f32) -> Vec<f32> {
     labels.into_iter().map(|width| width + spare).collect()
 }
 
-fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool) -> Response {
+fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool, refused: Option<&str>) -> Response {
     let palette = Palette::of(ui.visuals());
     let id = ui.scope_id().with(segment.label).with(segment.tooltip);
-    let response = ui.interact(cell, id, Sense::click()).on_hover_text(segment.tooltip);
-    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, selected, segment.label));
+    let tooltip = refused.map_or_else(|| segment.tooltip.into(), |reason| format!("{}\n\n{reason}", segment.tooltip));
+    let response = ui.interact(cell, id, Sense::click()).on_hover_text(tooltip);
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, refused.is_none(), selected, segment.label));
     let (fill, ink) = match (selected, response.hovered()) {
         (true, _) => (palette.accent, palette.on_accent),
+        (false, _) if refused.is_some() => (Color32::TRANSPARENT, palette.weak.gamma_multiply(0.6)),
         (false, true) => (palette.control_hovered, palette.text),
         (false, false) => (Color32::TRANSPARENT, palette.text),
     };

@@ -1,7 +1,9 @@
 //! The words on the screen that are not beside their control: stages, shapes,
 //! patterns, and the field's own terms, each explained once.
 
-use crate::conformal::{PrepareTimings, Side, Stage};
+use super::stats::Processor;
+use crate::conformal::{PrepareTimings, PreparedDomain, Side, Stage};
+use crate::laplace::SolverKind;
 use crate::outline::Preset;
 use crate::session::OutlineSpec;
 use std::borrow::Cow;
@@ -20,6 +22,15 @@ pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
         Some(Stage::Factor | Stage::Table { .. }) => (0.85, "factoring…"),
     };
     (share, words.into())
+}
+
+/// Where the Cauchy–Green extension comes from, and how far it is.
+pub fn cauchy_green(processor: Processor, progress: f64) -> String {
+    match processor {
+        Processor::Gpu => String::from("Cauchy–Green: GPU"),
+        Processor::Cpu if progress == 1.0 => String::from("Cauchy–Green: CPU"),
+        Processor::Cpu => format!("Cauchy–Green: CPU {:.0} %", (100.0 * progress).floor()),
+    }
 }
 
 /// "Source", "Target".
@@ -55,6 +66,15 @@ pub fn outline(outline: &OutlineSpec) -> &str {
         OutlineSpec::Preset(shape) => preset(*shape),
         OutlineSpec::Points { name, .. } => name,
     }
+}
+
+/// What should be known about a prepared domain that is not quite what was asked for.
+pub fn cautions(domain: &PreparedDomain, wanted: SolverKind) -> impl Iterator<Item = &'static str> {
+    let iterative = (domain.solver.kind() != wanted)
+        .then_some("The Cholesky factor does not fit into memory: solved iteratively, a coarse map follows your drags");
+    let coarse = (!domain.refinement.complete)
+        .then_some("The mesh is coarser than asked for: its refinement stopped at the limit");
+    iterative.into_iter().chain(coarse)
 }
 
 /// The preparation's stages with their times, a line each.

@@ -2,6 +2,7 @@
 
 use super::CliError;
 use crate::conformal::{KernelMode, PrepareSettings};
+use crate::figures::Figure;
 use crate::geometry::DVec2;
 use crate::laplace::SolverKind;
 use crate::mesh::Sizing;
@@ -28,6 +29,10 @@ pub enum Subcommand {
     Map(MapArguments),
     /// Prepares one outline; prints counts and timings.
     Prepare(PrepareArguments),
+    /// Makes a figure of the paper anew: a drawing and a table of its numbers.
+    Figure(FigureArguments),
+    /// Measures Tables 1 and 2 of the paper on this machine.
+    Bench(BenchArguments),
 }
 
 /// `riemap map SOURCE TARGET`.
@@ -97,7 +102,32 @@ pub struct PrepareArguments {
     pub json: bool,
 }
 
-/// Options that both commands share.
+/// `riemap figure N`.
+#[derive(Debug, clap::Args)]
+pub struct FigureArguments {
+    /// The figure's number in the paper: 6, 7, 8, 9, 10, 12 or 15.
+    pub number: FigureNumber,
+    /// Write into this folder (made if absent), or to this file (.svg, .csv, and .png where meshes are shown);
+    /// repeatable [default: the current folder, all formats].
+    #[arg(long, value_name = "FOLDER|FILE")]
+    pub out: Vec<PathBuf>,
+    /// Use a quarter of the paper's boundary samples.
+    #[arg(long)]
+    pub quick: bool,
+}
+
+/// `riemap bench`.
+#[derive(Debug, clap::Args)]
+pub struct BenchArguments {
+    /// Print machine, times and the paper's times as JSON on stdout.
+    #[arg(long)]
+    pub json: bool,
+    /// Measure every row once instead of taking the median of five runs, and no table of Ψ.
+    #[arg(long)]
+    pub quick: bool,
+}
+
+/// Options that `map` and `prepare` share.
 #[derive(Debug, clap::Args)]
 pub struct Discretisation {
     /// Boundary samples [default: what an adaptive sampling needs; the paper's number for a uniform one, else 500].
@@ -106,7 +136,7 @@ pub struct Discretisation {
     /// Uniform in arc length, or denser where the outline needs it.
     #[arg(long, default_value = "adaptive")]
     pub sampling: SamplingArgument,
-    /// Makes the outline's corners samples (adaptive sampling always does).
+    /// Makes the outline's corners samples (adaptive sampling does so unless they are more than half of its samples).
     #[arg(long)]
     pub keep_corners: bool,
     /// Triangle size: uniform, or growing by G per distance from the boundary [default: graded].
@@ -224,6 +254,21 @@ impl FromStr for SizingArgument {
             _ if text == "graded" => Ok(Self(Sizing::default())),
             _ => Err("expected uniform or graded:G with 0 < G ≤ 1, such as graded:0.15".to_owned()),
         }
+    }
+}
+
+/// The number of a figure that can be made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FigureNumber(pub Figure);
+
+impl FromStr for FigureNumber {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        text.parse().ok().and_then(Figure::of_number).map(Self).ok_or_else(|| {
+            let numbers = Figure::ALL.map(|figure| figure.number().to_string());
+            format!("expected one of {}", numbers.join(", "))
+        })
     }
 }
 

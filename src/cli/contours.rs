@@ -4,6 +4,7 @@
 //! straight segment (marching triangles). The same code draws the source, whose
 //! coordinates are its own positions, and the target, forward or backward.
 
+use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side};
 use crate::geometry::DVec2;
 use std::fmt::Write as _;
 
@@ -19,6 +20,35 @@ pub struct Panel<'a> {
     pub boundary: &'a [DVec2],
     /// The interior and the boundary handle.
     pub handles: [DVec2; 2],
+}
+
+/// Source and target as drawn: the target's surface carries source coordinates.
+pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> [Panel<'a>; 2] {
+    let [source, target] = Side::BOTH.map(|side| map.domain(side));
+    let handles = |side: Side, domain: &PreparedDomain| {
+        let anchor = domain.samples.at_fraction(constraints.anchor(side));
+        [constraints.point(side), domain.samples.position(anchor)]
+    };
+    let (positions, coordinates) = match map.direction() {
+        Direction::Forward => (map.images(), source.mesh.vertices.as_slice()),
+        Direction::Backward => (target.mesh.vertices.as_slice(), map.images()),
+    };
+    [
+        Panel {
+            positions: &source.mesh.vertices,
+            coordinates: &source.mesh.vertices,
+            triangles: &source.mesh.triangles,
+            boundary: &source.samples.points,
+            handles: handles(Side::Source, source),
+        },
+        Panel {
+            positions,
+            coordinates,
+            triangles: &map.mapped_mesh().triangles,
+            boundary: &target.samples.points,
+            handles: handles(Side::Target, target),
+        },
+    ]
 }
 
 /// Side length of a panel in the drawing's units.

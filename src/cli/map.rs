@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments, NamedOutline, read_outline};
-use super::contours::{self, Panel};
+use super::contours::{self, panels};
 use super::output::{Format, check_paths, print, say_solver, warn_if_coarse, write_all};
 use super::picture;
 use super::tables::{self, Summary};
@@ -79,42 +79,13 @@ struct Scene<'a> {
 
 impl Scene<'_> {
     fn encode(&self, format: Format, summary: Summary, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
-        let [_, target] = self.panels();
+        let [_, target] = panels(self.map, &self.constraints);
         match format {
             Format::Json => tables::json(self.map, summary).map_err(|error| CliError::Input(error.to_string())),
             Format::Csv => Ok(tables::csv(self.map).into_bytes()),
             Format::Obj => Ok(tables::obj(target.positions, target.coordinates, target.triangles).into_bytes()),
-            Format::Svg => Ok(contours::svg(&self.panels(), GRID_CELLS).into_bytes()),
-            Format::Png => picture::png(&self.panels(), GRID_CELLS, size),
+            Format::Svg => Ok(contours::svg(&panels(self.map, &self.constraints), GRID_CELLS).into_bytes()),
+            Format::Png => picture::png(&panels(self.map, &self.constraints), GRID_CELLS, size),
         }
-    }
-
-    /// Source and target as drawn: the target's surface carries source coordinates.
-    fn panels(&self) -> [Panel<'_>; 2] {
-        let [source, target] = Side::BOTH.map(|side| self.map.domain(side));
-        let handles = |side: Side, domain: &PreparedDomain| {
-            let anchor = domain.samples.at_fraction(self.constraints.anchor(side));
-            [self.constraints.point(side), domain.samples.position(anchor)]
-        };
-        let (positions, coordinates) = match self.map.direction() {
-            Direction::Forward => (self.map.images(), source.mesh.vertices.as_slice()),
-            Direction::Backward => (target.mesh.vertices.as_slice(), self.map.images()),
-        };
-        [
-            Panel {
-                positions: &source.mesh.vertices,
-                coordinates: &source.mesh.vertices,
-                triangles: &source.mesh.triangles,
-                boundary: &source.samples.points,
-                handles: handles(Side::Source, source),
-            },
-            Panel {
-                positions,
-                coordinates,
-                triangles: &self.map.mapped_mesh().triangles,
-                boundary: &target.samples.points,
-                handles: handles(Side::Target, target),
-            },
-        ]
     }
 }

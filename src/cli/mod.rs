@@ -1,10 +1,12 @@
-//! The command line: `riemap map`, `riemap prepare`; headless and native only.
+//! The command line: `riemap map`, `prepare`, `figure`, `bench`; headless and native only.
 //!
 //! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
 //! are written whole or not at all.
 
 mod arguments;
+mod bench;
 mod contours;
+mod figure;
 mod map;
 mod output;
 mod picture;
@@ -38,6 +40,8 @@ pub fn run(command: &Subcommand) -> ExitCode {
     let result = match command {
         Subcommand::Map(arguments) => map::run(arguments),
         Subcommand::Prepare(arguments) => prepare::run(arguments),
+        Subcommand::Figure(arguments) => figure::run(arguments),
+        Subcommand::Bench(arguments) => bench::run(arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

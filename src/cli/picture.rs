@@ -27,6 +27,11 @@ pub fn png(panels: &[Panel<'_>; 2], cells: f64, size: [u32; 2]) -> Result<Vec<u8
     let margin_px = 0.06 * size[1] as f32;
     let scene = SceneDescription { viewports: &viewports, background: BACKGROUND, image: None, margin_px };
     let picture = render_scene(&scene, size).map_err(|error| CliError::Input(error.to_string()))?;
+    encode(&picture)
+}
+
+/// An image as a PNG file.
+pub fn encode(picture: &image::RgbaImage) -> Result<Vec<u8>, CliError> {
     let mut bytes = Cursor::new(Vec::new());
     picture
         .write_to(&mut bytes, image::ImageFormat::Png)

@@ -1,22 +1,22 @@
 //! What differs between the web and the desktop: start-up, workers, dialogs, dropped files.
 //!
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
-//! names: [`start`], [`Preparer`], [`pick_file`], [`read_dropped`],
-//! [`drop_position`]. Whatever happens outside of a frame arrives as an
+//! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`],
+//! [`drop_position`], [`asks_for_bench`]. Whatever happens outside of a frame arrives as an
 //! [`Event`] in the app's mailbox, in order, and wakes the app.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
-pub use web::{Preparer, drop_position, pick_file, read_dropped, start};
+pub use web::{Laboratory, Preparer, asks_for_bench, drop_position, pick_file, read_dropped, start};
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
-pub use native::{Preparer, drop_position, pick_file, read_dropped, start};
+pub use native::{Laboratory, Preparer, asks_for_bench, drop_position, pick_file, read_dropped, start};
 
 use crate::conformal::Side;
-use crate::worker::Response;
+use crate::worker::{Finding, Response, Study};
 use std::sync::{Arc, OnceLock, mpsc};
 
 /// What a file is meant to be.
@@ -48,6 +48,13 @@ pub enum Event {
         side: Side,
         /// What is known about it.
         reason: String,
+    },
+    /// A row of a study is done.
+    Found {
+        /// Which one; `None`: whichever is under way.
+        study: Option<Study>,
+        /// What came out.
+        finding: Finding,
     },
     /// A file was read, or could not be.
     File {

@@ -7,7 +7,7 @@ use super::{Event, FilePurpose, Mailbox, endings};
 use crate::app::{Groundwork, RiemapApp};
 use crate::conformal::Side;
 use crate::session::Session;
-use crate::worker::{self, Request};
+use crate::worker::{self, Finding, Request, Study};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::thread;
 
@@ -46,6 +46,39 @@ impl Preparer {
             self.mailbox.post(Event::WorkerDied { side, reason: error.to_string() });
         }
     }
+}
+
+/// Runs studies on threads.
+pub struct Laboratory {
+    mailbox: Mailbox,
+}
+
+impl Laboratory {
+    /// Findings go to `mailbox`.
+    pub fn new(mailbox: Mailbox) -> Self {
+        Self { mailbox }
+    }
+
+    /// Begins a study.
+    pub fn begin(&mut self, study: Study) {
+        let mailbox = self.mailbox.clone();
+        let found = move |finding| Event::Found { study: Some(study), finding };
+        let work = {
+            let mailbox = mailbox.clone();
+            move || {
+                let finding = catch_unwind(move || study.run());
+                mailbox.post(found(finding.unwrap_or_else(|_| Finding::Failed(String::from("an internal error")))));
+            }
+        };
+        if let Err(error) = thread::Builder::new().name(String::from("study")).spawn(work) {
+            mailbox.post(found(Finding::Failed(error.to_string())));
+        }
+    }
+}
+
+/// On the desktop there is the command line for that.
+pub fn asks_for_bench() -> bool {
+    false
 }
 
 /// Lets the person choose a file; its content is posted to `mailbox`.

@@ -1,8 +1,8 @@
 //! Small pieces that every pass is made of: shaders, pipelines, buffers that
 //! grow, bind-group entries.
 //!
-//! Everything stays within WebGL2: vertex and uniform buffers only, uniform
-//! blocks made of `vec4`s. Buffers are filled with `write_buffer`, never mapped
+//! Everything but compute shaders stays within WebGL2: vertex and uniform
+//! buffers only, uniform blocks made of `vec4`s. Buffers are filled with `write_buffer`, never mapped
 //! at creation, which some browsers' software adapters do not survive.
 
 use glam::DVec2;

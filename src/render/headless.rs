@@ -45,7 +45,8 @@ pub struct SceneDescription<'a> {
 /// A device on any adapter, hardware preferred, software accepted.
 ///
 /// It is asked for no more than WebGL2 has, but for the adapter's largest
-/// textures, so what renders here also renders in a browser.
+/// textures, so what renders here also renders in a browser; and for compute
+/// shaders as WebGPU has them, where the adapter does.
 pub fn headless_device() -> Result<(wgpu::Device, wgpu::Queue, wgpu::AdapterInfo), RenderError> {
     // OpenGL only where nothing else is: without a display, its libraries complain on stderr
     let adapter = adapter_on(wgpu::Backends::PRIMARY)
@@ -54,12 +55,31 @@ pub fn headless_device() -> Result<(wgpu::Device, wgpu::Queue, wgpu::AdapterInfo
     let info = adapter.get_info();
     let descriptor = wgpu::DeviceDescriptor {
         label: Some("headless"),
-        required_limits: wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits()),
+        required_limits: limits(&adapter),
         ..wgpu::DeviceDescriptor::default()
     };
     let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
         .map_err(|error| RenderError::NoDevice { adapter: info.name.clone(), cause: error.to_string() })?;
     Ok((device, queue, info))
+}
+
+fn limits(adapter: &wgpu::Adapter) -> wgpu::Limits {
+    let webgl = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
+    if !adapter.get_downlevel_capabilities().flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS) {
+        return webgl;
+    }
+    let compute = wgpu::Limits::downlevel_defaults();
+    wgpu::Limits {
+        max_storage_buffers_per_shader_stage: compute.max_storage_buffers_per_shader_stage,
+        max_storage_buffer_binding_size: compute.max_storage_buffer_binding_size,
+        max_compute_workgroup_storage_size: compute.max_compute_workgroup_storage_size,
+        max_compute_invocations_per_workgroup: compute.max_compute_invocations_per_workgroup,
+        max_compute_workgroup_size_x: compute.max_compute_workgroup_size_x,
+        max_compute_workgroup_size_y: compute.max_compute_workgroup_size_y,
+        max_compute_workgroup_size_z: compute.max_compute_workgroup_size_z,
+        max_compute_workgroups_per_dimension: compute.max_compute_workgroups_per_dimension,
+        ..webgl
+    }
 }
 
 /// An adapter on one of `backends`, or on those that `WGPU_BACKEND` names.

@@ -174,6 +174,29 @@ impl MeshBuffers {
         true
     }
 
+    /// As [`Self::set_positions`], from a buffer of f32 pairs relative to `origin`.
+    pub fn copy_positions(&mut self, encoder: &mut wgpu::CommandEncoder, points: &wgpu::Buffer, origin: DVec2) -> bool {
+        let copied = copy_points(encoder, points, &self.positions, self.vertex_count);
+        if copied {
+            self.position_origin = origin;
+        }
+        copied
+    }
+
+    /// As [`Self::set_texture_coordinates`], from a buffer of f32 pairs relative to `origin`.
+    pub fn copy_texture_coordinates(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        points: &wgpu::Buffer,
+        origin: DVec2,
+    ) -> bool {
+        let copied = copy_points(encoder, points, &self.texture_coordinates, self.vertex_count);
+        if copied {
+            self.texture_origin = origin;
+        }
+        copied
+    }
+
     /// Writes the uniform block of a frame.
     pub fn write_frame(&self, queue: &wgpu::Queue, frame: &MeshFrame) {
         let (low, high) = frame.style.bounds;
@@ -196,4 +219,12 @@ impl MeshBuffers {
             },
         );
     }
+}
+
+/// False when the sizes do not fit.
+fn copy_points(encoder: &mut wgpu::CommandEncoder, from: &wgpu::Buffer, to: &GrowingBuffer, count: usize) -> bool {
+    let size = 8 * count as u64;
+    let Some(to) = to.get().filter(|to| from.size() == size && to.size() >= size) else { return false };
+    encoder.copy_buffer_to_buffer(from, 0, to, 0, size);
+    true
 }

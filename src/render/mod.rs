@@ -13,6 +13,8 @@
 
 mod blit_pass;
 mod camera;
+mod cauchy_green_buffers;
+mod cauchy_green_pass;
 mod cell_pass;
 mod colour_map;
 mod disc_pass;
@@ -30,6 +32,8 @@ mod viewport;
 mod headless;
 
 pub use camera::Camera;
+pub use cauchy_green_buffers::CauchyGreenBuffers;
+pub use cauchy_green_pass::CauchyGreenPass;
 pub use colour_map::{CellCode, ColourMap, flipped_colour};
 pub use error::{ImageError, RenderError};
 #[cfg(not(target_arch = "wasm32"))]

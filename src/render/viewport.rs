@@ -15,7 +15,9 @@ use super::mesh_pass::{MeshBuffers, MeshFrame, MeshPass};
 use super::stroke_pass::{StrokeBuffers, StrokePass};
 use super::style::linear_colour;
 use super::targets::{Targets, attachment, clamped_size};
-use super::{Camera, CellCode, CellStyle, Handle, ImageError, Pattern, StrokeStyle, TextureStyle, gpu};
+use super::{
+    Camera, CauchyGreenBuffers, CellCode, CellStyle, Handle, ImageError, Pattern, StrokeStyle, TextureStyle, gpu,
+};
 use glam::DVec2;
 
 /// Thin pattern lines relative to the outline's stroke.
@@ -130,6 +132,32 @@ impl ViewportRenderer {
     pub fn set_texture_coordinates(&mut self, queue: &wgpu::Queue, viewport: usize, coordinates: &[DVec2]) -> bool {
         let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
         viewport.mesh.set_texture_coordinates(queue, &mut self.staging, coordinates)
+    }
+
+    /// Records [`Self::set_positions`] with images that are computed on the GPU.
+    ///
+    /// False, and nothing changes, when the count is not the mesh's.
+    pub fn copy_positions(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        viewport: usize,
+        images: &CauchyGreenBuffers,
+    ) -> bool {
+        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        viewport.mesh.copy_positions(encoder, images.images(), images.origin())
+    }
+
+    /// Records [`Self::set_texture_coordinates`] with images that are computed on the GPU.
+    ///
+    /// False, and nothing changes, when the count is not the mesh's.
+    pub fn copy_texture_coordinates(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        viewport: usize,
+        images: &CauchyGreenBuffers,
+    ) -> bool {
+        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        viewport.mesh.copy_texture_coordinates(encoder, images.images(), images.origin())
     }
 
     /// Replaces the triangles that a [`CellStyle`] shows: the mapped mesh, or its image.

@@ -4,7 +4,7 @@
 //! A session is small and plain: it is what links and files carry.
 
 use crate::conformal::{Constraints, Direction, Extension, MapSettings, PrepareSettings, Side};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, PolygonError, SimplePolygon};
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
 
@@ -21,6 +21,16 @@ pub enum OutlineSpec {
         /// Its vertices, a valid simple polygon.
         points: Vec<DVec2>,
     },
+}
+
+impl OutlineSpec {
+    /// The outline as a polygon. Errors: loaded points that are not a simple polygon.
+    pub fn polygon(&self) -> Result<SimplePolygon, PolygonError> {
+        match self {
+            Self::Preset(preset) => Ok(preset.outline().polygon),
+            Self::Points { points, .. } => SimplePolygon::try_from(points.clone()),
+        }
+    }
 }
 
 /// One side of the session.
@@ -151,6 +161,8 @@ pub enum Command {
     SetComparison(Comparison),
     /// Exchanges source and target.
     Swap,
+    /// Takes another session in place of this one.
+    Open(Box<Session>),
 }
 
 /// Boundary samples of the first map: enough for the checkerboard's lines to look smooth on a screen.
@@ -217,6 +229,7 @@ impl Session {
             Command::SetColouring(colouring) => self.colouring = colouring,
             Command::SetWireframe(shown) => self.wireframe = shown,
             Command::SetPlots(open) => self.plots = open,
+            Command::Open(session) => *self = *session,
             Command::SetComparison(comparison) => self.comparison = comparison,
             Command::Swap => {
                 std::mem::swap(&mut self.source, &mut self.target);

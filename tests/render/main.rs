@@ -7,6 +7,7 @@
 #![cfg(all(feature = "app", not(target_arch = "wasm32")))]
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
+mod cauchy_green;
 mod cells;
 mod live;
 mod numbers;

@@ -291,7 +291,7 @@ fn decimal(mark: GridMark) -> String {
 }
 
 /// "10⁻³".
-fn power_of_ten(exponent: f64) -> String {
+pub fn power_of_ten(exponent: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised = |c: char| match c.to_digit(10) {
         Some(digit) => DIGITS[digit as usize],

@@ -5,9 +5,12 @@
 //! viewports, pointing at a boundary marks both in the plots.
 
 mod chart;
+mod convergence;
 mod curves;
 
 pub use curves::{Curve, Curves};
+
+pub use convergence::convergence_chart;
 
 use super::model::{Model, SIDES};
 use super::teaching::overlay::{Origin, Overlays};

@@ -24,13 +24,13 @@ fn model(source: Preset, target: Preset, count: u32) -> Model {
     for (side, request) in model.take_requests(f64::INFINITY) {
         crate::worker::run(&request, &mut |generation, response| model.accept(side, generation, response));
     }
-    model.refresh();
+    model.refresh(false);
     model
 }
 
 fn compare(model: &mut Model, comparison: Comparison) {
     model.dispatch(Command::SetComparison(comparison), 0.0);
-    model.refresh();
+    model.refresh(false);
 }
 
 /// Calls until nothing is left to do; how often, and the longest call in ms.
@@ -107,7 +107,7 @@ fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
     assert_eq!(found(&model).samples, [500; 2]);
     let point = model.interior(Side::Source).unwrap() + DVec2::new(0.01, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
-    model.refresh();
+    model.refresh(false);
     assert_eq!(model.teach(10.0), Some(0.0), "the coarse comparison is shown at once");
     let delay = model.teach(10.0).unwrap();
     assert!(delay > 0.0, "it does not wait");
@@ -128,7 +128,7 @@ fn precomputed_maps_are_made_once_per_domain() {
     let version = model.teaching().through_disk.version();
     let point = model.interior(Side::Target).unwrap() + DVec2::new(0.01, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Target, point }, 0.0);
-    model.refresh();
+    model.refresh(false);
     assert_eq!(settle(&mut model).0, 2);
     assert_eq!(model.teaching().through_disk.version(), version + 1);
 }
@@ -143,7 +143,7 @@ fn what_fails_is_said_and_the_map_stays() {
         domain.mesh.vertices.iter().filter_map(|&vertex| model.interior_near(Side::Source, vertex)).collect::<Vec<_>>();
     let failed = tries.into_iter().find_map(|point| {
         model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
-        model.refresh();
+        model.refresh(false);
         settle(&mut model);
         model.teaching().through_disk.error().map(String::from)
     });
@@ -219,11 +219,11 @@ fn another_start_begins_anew_and_a_pause_keeps_the_counts() {
     assert_eq!((model.teach(2.0), model.teaching().walks.count()), (None, count));
     let point = model.interior(Side::Target).unwrap() + DVec2::new(0.02, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Target, point }, 0.0);
-    model.refresh();
+    model.refresh(false);
     assert_eq!(model.teach(2.1), None);
     assert_eq!(model.teaching().walks.count(), count, "x₂ is no start");
     model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.3 }, 0.0);
-    model.refresh();
+    model.refresh(false);
     model.teach(2.2);
     assert_eq!(model.teaching().walks.count(), 0);
 }
@@ -236,7 +236,7 @@ fn the_pattern_is_pushed_forward_or_pulled_back_either_way_the_map_goes() {
             let before = (model.session().direction, model.session().texture_side);
             model.dispatch(Command::SetDirection(direction), 0.0);
             model.dispatch(Command::SetTextureSide(home), 0.0);
-            assert_eq!(model.refresh().meshes, before != (direction, home), "{direction:?}, {home}");
+            assert_eq!(model.refresh(false).meshes, before != (direction, home), "{direction:?}, {home}");
             let map = model.map().unwrap();
             let at_home = textured::geometry(&model, home).unwrap();
             assert_eq!(at_home.positions, at_home.texture_coordinates);
@@ -263,7 +263,7 @@ fn the_pattern_is_pushed_forward_or_pulled_back_either_way_the_map_goes() {
 fn the_conformal_pattern_follows_a_drag_on_both_sides() {
     let mut model = model(Preset::Heart, Preset::Disk, 120);
     model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
-    assert!(model.refresh().meshes);
+    assert!(model.refresh(false).meshes);
     let before = Side::BOTH.map(|side| textured::geometry(&model, side).unwrap().texture_coordinates.to_vec());
     for side in Side::BOTH {
         assert_eq!(textured::geometry(&model, side).unwrap().check(), Ok(()));
@@ -272,7 +272,7 @@ fn the_conformal_pattern_follows_a_drag_on_both_sides() {
     }
     let point = model.interior(Side::Source).unwrap() + DVec2::new(0.05, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
-    assert!(model.refresh().images);
+    assert!(model.refresh(false).images);
     let after = Side::BOTH.map(|side| textured::geometry(&model, side).unwrap().texture_coordinates.to_vec());
     assert_ne!(before[0], after[0]);
     assert_eq!(before[1], after[1], "the target's point did not move");

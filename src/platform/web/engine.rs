@@ -17,6 +17,12 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
     let answer = {
         let scope = scope.clone();
         Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
+            if let Some(study) = messages::decode_study(&event.data()) {
+                if let Err(error) = scope.post_message(&messages::encode_finding(study, &study.run())) {
+                    wasm_bindgen::throw_val(error);
+                }
+                return;
+            }
             let Some(request) = messages::decode_request(&event.data()) else {
                 log::error!("a request of an unknown form was dropped");
                 return;

@@ -1,12 +1,13 @@
 //! Requests and answers as JavaScript values: flat arrays, transferred, not copied.
 //!
 //! A request is `{ generation, points, settings }`, an answer `{ generation }`
-//! with one of `stage`, `failed`, or `floats` and `indices`; a panic's last word
+//! with one of `stage`, `failed`, or `floats` and `indices`; a study is `{ study }`,
+//! what it found `{ study, finding }`; a panic's last word
 //! is `{ died }`. Small enums travel as JSON text in the form that serde gives them.
 
 use crate::conformal::{DomainBuffers, PreparedDomain};
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::worker::{Request, Response};
+use crate::worker::{Finding, Request, Response, Study};
 use js_sys::{Array, Float64Array, Object, Reflect, Uint32Array};
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -59,6 +60,27 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
         }
     };
     (message, transfer)
+}
+
+/// What the laboratory's worker is sent.
+pub fn encode_study(study: Study) -> JsValue {
+    object(&[("study", serde_json::to_string(&study).unwrap_or_default().into())])
+}
+
+/// What it reads; `None` if it is not what [`encode_study`] makes.
+pub fn decode_study(message: &JsValue) -> Option<Study> {
+    serde_json::from_str(&get(message, "study")?.as_string()?).ok()
+}
+
+/// What it answers.
+pub fn encode_finding(study: Study, finding: &Finding) -> JsValue {
+    let finding = serde_json::to_string(finding).unwrap_or_default();
+    object(&[("study", serde_json::to_string(&study).unwrap_or_default().into()), ("finding", finding.into())])
+}
+
+/// What the page reads; `None` if it is not what [`encode_finding`] makes.
+pub fn decode_finding(message: &JsValue) -> Option<(Study, Finding)> {
+    Some((decode_study(message)?, serde_json::from_str(&get(message, "finding")?.as_string()?).ok()?))
 }
 
 /// What a worker says when it panics.

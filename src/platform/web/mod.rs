@@ -1,4 +1,4 @@
-//! The browser: one wasm binary for the page and its two workers.
+//! The browser: one wasm binary for the page and its workers.
 //!
 //! [`start`] looks at where it runs. In the page it starts the app in the
 //! canvas and puts `window.riemap` there; in a worker it listens for requests.
@@ -6,11 +6,15 @@
 mod bridge;
 mod engine;
 mod files;
+mod laboratory;
 mod messages;
 mod page;
 mod preparer;
+mod worker_handle;
 
 pub use files::{drop_position, pick_file, read_dropped};
+pub use laboratory::Laboratory;
+pub use page::asks_for_bench;
 pub use preparer::Preparer;
 
 use wasm_bindgen::JsCast;

@@ -46,7 +46,7 @@ async fn run() -> Result<(), String> {
 /// `?backend=webgl` leaves WebGPU out, for comparison and for tests.
 fn web_options() -> eframe::WebOptions {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
-    if asks_for_webgl() {
+    if query("backend").is_some_and(|backend| backend.eq_ignore_ascii_case("webgl")) {
         setup.instance_descriptor.backends = wgpu::Backends::GL;
     }
     eframe::WebOptions {
@@ -55,12 +55,15 @@ fn web_options() -> eframe::WebOptions {
     }
 }
 
-fn asks_for_webgl() -> bool {
-    let query = web_sys::window().and_then(|window| window.location().search().ok()).unwrap_or_default();
-    web_sys::UrlSearchParams::new_with_str(&query)
-        .ok()
-        .and_then(|parameters| parameters.get("backend"))
-        .is_some_and(|backend| backend.eq_ignore_ascii_case("webgl"))
+/// Whether the address asks for the paper's tables: `?bench`.
+pub fn asks_for_bench() -> bool {
+    query("bench").is_some()
+}
+
+/// A parameter of the page's address.
+fn query(name: &str) -> Option<String> {
+    let query = web_sys::window()?.location().search().ok()?;
+    web_sys::UrlSearchParams::new_with_str(&query).ok()?.get(name)
 }
 
 /// Puts `message` in the place of the picture.

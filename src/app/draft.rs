@@ -1,0 +1,77 @@
+//! A coarse stand-in for a map that is too slow to follow a drag.
+//!
+//! Prepared on the spot, from the same outlines, when the first such drag begins
+//! (about 10 ms); the full map takes its place again when the pointer rests.
+
+use crate::conformal::{ConformalMap, Constraints, MapSettings, PrepareSettings, PreparedDomain, Side, prepare};
+use crate::mesh::Sizing;
+use crate::outline::Sampling;
+use crate::session::OutlineSpec;
+use std::sync::Arc;
+
+/// Few enough for 2 ms a frame and 10 ms of preparation in a browser, enough to know the map by.
+const SETTINGS: PrepareSettings = PrepareSettings {
+    sampling: Sampling::Adaptive { target: Some(250) },
+    sizing: Sizing::Graded(0.25),
+    kernel: crate::conformal::KernelMode::Adjoint,
+    solver: crate::laplace::SolverKind::Direct,
+};
+
+/// The distance that an interior point keeps from the coarse boundary, in sizes of the domain.
+const INSET: f64 = 0.004;
+
+/// The coarse domains, as long as the outlines stay, and the map while it is shown.
+#[derive(Debug, Default)]
+pub struct Draft {
+    domains: [Option<Arc<PreparedDomain>>; 2],
+    map: Option<ConformalMap>,
+}
+
+impl Draft {
+    /// The coarse map, while it stands in.
+    pub fn map(&self) -> Option<&ConformalMap> {
+        self.map.as_ref()
+    }
+
+    /// Other outlines: nothing of this fits any more.
+    pub fn forget(&mut self) {
+        *self = Self::default();
+    }
+
+    /// The full map is shown again; whether the coarse one was.
+    pub fn retire(&mut self) -> bool {
+        self.map.take().is_some()
+    }
+
+    /// Brings the coarse map to `constraints`; false where it cannot stand in.
+    pub fn follow(&mut self, outlines: [&OutlineSpec; 2], constraints: &Constraints, settings: MapSettings) -> bool {
+        for (domain, outline) in self.domains.iter_mut().zip(outlines) {
+            if domain.is_none() {
+                *domain = coarse(outline);
+            }
+        }
+        let [Some(source), Some(target)] = &self.domains else { return false };
+        let constraints = Constraints {
+            source_point: inside(source, constraints.point(Side::Source)),
+            target_point: inside(target, constraints.point(Side::Target)),
+            ..*constraints
+        };
+        match &mut self.map {
+            Some(map) => map.update(&constraints, settings).is_ok(),
+            none => {
+                *none = ConformalMap::new(Arc::clone(source), Arc::clone(target), &constraints, settings).ok();
+                none.is_some()
+            }
+        }
+    }
+}
+
+fn coarse(outline: &OutlineSpec) -> Option<Arc<PreparedDomain>> {
+    let polygon = outline.polygon().ok()?;
+    prepare(&polygon, &SETTINGS, &mut |_| ()).ok().map(Arc::new)
+}
+
+fn inside(domain: &PreparedDomain, x: crate::geometry::DVec2) -> crate::geometry::DVec2 {
+    let (low, high) = super::model::bounds(&domain.samples.points);
+    domain.nearest_inside(x, INSET * (high - low).max_element())
+}

@@ -1,0 +1,65 @@
+//! The menu of the paper's figures and tables.
+
+use super::action::{Action, Actions};
+use super::reports::Report;
+use super::theme::Palette;
+use super::widgets::chevron;
+use crate::figures::{Detail, Figure};
+use crate::session::{Command, Session};
+use egui::containers::menu::MenuButton;
+use egui::{RichText, Role, Ui, WidgetInfo};
+
+/// A button that opens the menu.
+pub fn menu_button(ui: &mut Ui, actions: &mut Actions) {
+    let (response, _) = MenuButton::from_button(egui::Button::new("Figures     ")).ui(ui, |ui| {
+        ui.set_width(380.0);
+        for figure in Figure::ALL {
+            entry(ui, figure, actions);
+        }
+        ui.separator();
+        let bench = ui.button("Tables 1 and 2 · times on this machine, beside the paper's");
+        if bench.on_hover_text("Takes a minute or two, in the background").clicked() {
+            actions.push(Action::OpenReport(Report::Bench));
+            ui.close();
+        }
+    });
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Figures"));
+    chevron(ui, response.rect, false);
+}
+
+fn entry(ui: &mut Ui, figure: Figure, actions: &mut Actions) {
+    let title = format!("Figure {} · {}", figure.number(), figure.title());
+    let tooltip = figure.choices().iter().map(|choice| format!("• {choice}")).collect::<Vec<_>>().join("\n");
+    if figure == Figure::Convergence {
+        if ui.button(title).on_hover_text(tooltip).clicked() {
+            actions.push(Action::OpenReport(Report::Convergence));
+            ui.close();
+        }
+        return;
+    }
+    ui.label(title).on_hover_text(tooltip);
+    ui.horizontal_wrapped(|ui| {
+        ui.add_space(12.0);
+        for scene in figure.scenes(Detail::Paper) {
+            let label = RichText::new(&scene.label).small().color(Palette::of(ui.visuals()).text);
+            if ui.button(label).on_hover_text(resolution(&scene.session)).clicked() {
+                actions.push(Action::Session(Command::Open(Box::new(with_plots(figure, scene.session)))));
+                ui.close();
+            }
+        }
+    });
+}
+
+/// These figures are plots.
+fn with_plots(figure: Figure, session: Session) -> Session {
+    Session { plots: matches!(figure, Figure::DiskKernel | Figure::Moebius | Figure::Crowding), ..session }
+}
+
+fn resolution(session: &Session) -> String {
+    let count = |sampling| match sampling {
+        crate::outline::Sampling::Uniform { count, .. } => count.to_string(),
+        crate::outline::Sampling::Adaptive { target } => target.map_or_else(|| "as needed".into(), |m| m.to_string()),
+    };
+    let [a, b] = [&session.source, &session.target].map(|domain| count(domain.settings.sampling));
+    format!("{a} samples of the source, {b} of the target")
+}

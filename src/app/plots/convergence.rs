@@ -1,0 +1,68 @@
+//! Figure 15: errors over the number of samples, both axes logarithmic.
+
+use super::super::theme::Palette;
+use super::chart::power_of_ten;
+use crate::figures::{ConvergenceRow, Method, SecondMap, fitted_order};
+use egui::{Color32, RichText, Ui};
+use egui_plot::{AxisHints, GridInput, GridMark, Legend, Line, Plot, Points};
+
+/// Maximum and mean of the harmonic-measure map and of the geodesic algorithm: Okabe–Ito.
+const INKS: [Color32; 4] = [
+    Color32::from_rgb(86, 180, 233),
+    Color32::from_rgb(0, 158, 115),
+    Color32::from_rgb(230, 159, 0),
+    Color32::from_rgb(204, 121, 167),
+];
+
+/// Shows what there is so far, with the fitted order of each curve in the legend.
+pub fn convergence_chart(ui: &mut Ui, rows: &[ConvergenceRow]) {
+    let palette = Palette::of(ui.visuals());
+    let text = "Distance of the boundary images from the exact ones, V-shape → blob; the blob is about 2 across.";
+    ui.label(RichText::new(text).small().color(palette.weak));
+    let axes = |label: &str| AxisHints::new_x().label(label.to_owned());
+    Plot::new("convergence")
+        .height(340.0)
+        .width(ui.available_width().clamp(280.0, 720.0))
+        .legend(Legend::default())
+        .allow_scroll(false)
+        .x_grid_spacer(whole)
+        .y_grid_spacer(whole)
+        .custom_x_axes(vec![axes("boundary samples m").formatter(|mark, _| format!("{:.0}", mark.value.exp2()))])
+        .custom_y_axes(vec![AxisHints::new_y().label("error").formatter(|mark, _| power_of_ten(mark.value))])
+        .show(ui, |plot| {
+            for (series, ink) in all_series(rows).into_iter().zip(INKS) {
+                let points: Vec<[f64; 2]> =
+                    series.points.iter().map(|&(m, e)| [f64::from(m).log2(), e.log10()]).collect();
+                plot.line(Line::new(series.name.clone(), points.clone()).color(ink));
+                plot.points(Points::new(series.name, points).color(ink).radius(3.5));
+            }
+        });
+}
+
+struct Series {
+    name: String,
+    points: Vec<(u32, f64)>,
+}
+
+fn all_series(rows: &[ConvergenceRow]) -> Vec<Series> {
+    let of = |method: Method| rows.iter().filter(move |row| row.method == method && row.second == SecondMap::Exact);
+    let both = |method: Method| {
+        [
+            series(method, "max", of(method).map(|row| (row.m, row.max)).collect()),
+            series(method, "mean", of(method).map(|row| (row.m, row.mean)).collect()),
+        ]
+    };
+    [Method::HarmonicMeasure, Method::FreshZipper].into_iter().flat_map(both).collect()
+}
+
+fn series(method: Method, error: &str, points: Vec<(u32, f64)>) -> Series {
+    let order = fitted_order(&points).map_or_else(String::new, |p| format!(" ≈ m^−{p:.1}"));
+    Series { name: format!("{}, {error}{order}", method.title()), points }
+}
+
+/// A line at every whole number.
+#[allow(clippy::needless_pass_by_value, reason = "the plot hands it over")]
+fn whole(input: GridInput) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    (low.ceil() as i64..=high.floor() as i64).map(|k| GridMark { value: k as f64, step_size: 1.0 }).collect()
+}

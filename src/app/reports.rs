@@ -1,0 +1,235 @@
+//! The paper's tables and its convergence figure, measured on this machine: windows that fill row by row.
+//!
+//! A window that is closed asks for no more rows; the one under way is dropped when it comes.
+
+use super::plots::convergence_chart;
+use super::theme::Palette;
+use crate::figures::{
+    BenchRow, BenchSetting, ConvergenceRow, Measurement, PAPER_MACHINE, PaperFrame, PaperPreparation, TABLE_1, TABLE_2,
+};
+use crate::worker::{Finding, Study};
+use egui::{Grid, RichText, ScrollArea, Ui, Window};
+use std::collections::VecDeque;
+
+/// Measurements per row, of which the median is taken.
+const RUNS: usize = 3;
+
+/// Resolutions of Figure 15 in the app; the command line goes on to 4000.
+const RESOLUTIONS: [u32; 4] = [250, 500, 1000, 2000];
+
+/// What a window is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Report {
+    /// Tables 1 and 2.
+    Bench,
+    /// Figure 15.
+    Convergence,
+}
+
+/// The window that is open, and what it knows.
+#[derive(Debug, Default)]
+pub struct Reports {
+    open: Option<Report>,
+    waiting: VecDeque<Study>,
+    running: Option<Study>,
+    rows: Vec<(BenchRow, Measurement)>,
+    convergence: Vec<ConvergenceRow>,
+    failures: Vec<String>,
+}
+
+impl Reports {
+    /// Opens a window and begins anew.
+    pub fn open(&mut self, report: Report) {
+        let waiting = match report {
+            Report::Bench => BenchRow::all().into_iter().map(|row| Study::Bench { row, runs: runs(row) }).collect(),
+            Report::Convergence => RESOLUTIONS.map(|m| Study::Convergence { m }).into(),
+        };
+        *self = Self { open: Some(report), waiting, ..Self::default() };
+    }
+
+    /// The next study, when none is under way.
+    pub fn take_study(&mut self) -> Option<Study> {
+        if self.running.is_some() {
+            return None;
+        }
+        self.running = self.waiting.pop_front();
+        self.running
+    }
+
+    /// Takes in what a study found; `None` stands for the one under way. A stale one is dropped.
+    pub fn accept(&mut self, study: Option<Study>, finding: Finding) {
+        let Some(running) = self.running.take_if(|running| study.is_none_or(|study| study == *running)) else { return };
+        match (running, finding) {
+            (Study::Bench { row, .. }, Finding::Bench(measurement)) => self.rows.push((row, measurement)),
+            (Study::Convergence { .. }, Finding::Convergence(rows)) => self.convergence.extend(rows),
+            (_, Finding::Failed(reason)) => self.failures.push(reason),
+            _ => self.failures.push(String::from("an answer to another question")),
+        }
+    }
+
+    /// Shows the window, if one is open.
+    pub fn show(&mut self, context: &egui::Context) {
+        let Some(report) = self.open else { return };
+        let title = match report {
+            Report::Bench => "Tables 1 and 2 of the paper, on this machine",
+            Report::Convergence => "Figure 15: convergence on the V-shape",
+        };
+        let screen = context.content_rect();
+        let mut still_open = true;
+        Window::new(title)
+            .open(&mut still_open)
+            .collapsible(false)
+            .max_size([screen.width() - 40.0, screen.height() - 120.0])
+            .default_width(760.0)
+            .show(context, |ui| self.content(ui, report));
+        if !still_open {
+            *self = Self::default();
+        }
+    }
+
+    fn content(&self, ui: &mut Ui, report: Report) {
+        let palette = Palette::of(ui.visuals());
+        let left = self.waiting.len() + usize::from(self.running.is_some());
+        let state = if left == 0 { String::from("done") } else { format!("measuring, {left} rows to go…") };
+        ui.label(RichText::new(state).color(palette.weak));
+        ScrollArea::both().show(ui, |ui| match report {
+            Report::Bench => {
+                ui.label(RichText::new(format!("Paper: {PAPER_MACHINE}. Here: one thread.")).color(palette.weak));
+                for setting in BenchSetting::ALL {
+                    self.table_1(ui, setting);
+                    self.table_2(ui, setting);
+                }
+            }
+            Report::Convergence => convergence_chart(ui, &self.convergence),
+        });
+        for failure in &self.failures {
+            ui.label(RichText::new(failure).color(palette.error_edge));
+        }
+    }
+
+    fn table_1(&self, ui: &mut Ui, setting: BenchSetting) {
+        heading(ui, "Table 1: preparation, in seconds", setting);
+        grid(ui, format!("table 1 {setting:?}"), |ui| {
+            header(ui, &["", "m", "N", "mesh", "paper", "factor", "with Ψ", "paper", "Zipper", "paper", "BFF, paper"]);
+            for (index, paper) in TABLE_1.iter().enumerate() {
+                let asked = BenchRow::Preparation { index, setting };
+                let Some(Measurement::Preparation(here)) = self.measurement(asked) else { continue };
+                let psi = match self.measurement(BenchRow::PsiTable { index }) {
+                    Some(Measurement::PsiTable { psi_s: Some(s) }) if setting == BenchSetting::Paper => seconds(s),
+                    Some(Measurement::PsiTable { psi_s: None }) if setting == BenchSetting::Paper => "too large".into(),
+                    _ => "–".into(),
+                };
+                let PaperPreparation { triangulation_s, psi_s, zipper_s, bff_s, .. } = *paper;
+                row(
+                    ui,
+                    paper.domain.title(),
+                    &[
+                        here.m.to_string(),
+                        here.triangles.to_string(),
+                        seconds(here.triangulation_s),
+                        seconds(triangulation_s),
+                        seconds(here.factorisation_s),
+                        psi,
+                        seconds(psi_s),
+                        seconds(here.zipper_s),
+                        seconds(zipper_s),
+                        seconds(bff_s),
+                    ],
+                );
+            }
+        });
+    }
+
+    fn table_2(&self, ui: &mut Ui, setting: BenchSetting) {
+        heading(ui, "Table 2: a frame, in milliseconds", setting);
+        grid(ui, format!("table 2 {setting:?}"), |ui| {
+            header(ui, &["", "m₁, m₂", "N₁", "ψ + match, x₁ moves", "x₂ moves", "paper", "extend", "paper"]);
+            for (index, paper) in TABLE_2.iter().enumerate() {
+                let asked = BenchRow::Frame { index, setting };
+                let Some(Measurement::Frame(here)) = self.measurement(asked) else { continue };
+                let PaperFrame { source, target, matching_ms, extension_ms, .. } = *paper;
+                row(
+                    ui,
+                    &format!("{} → {}", source.title(), target.title()),
+                    &[
+                        format!("{}, {}", here.m[0], here.m[1]),
+                        here.triangles.to_string(),
+                        milliseconds(here.source.matching_ms),
+                        milliseconds(here.target.matching_ms),
+                        milliseconds(matching_ms),
+                        milliseconds(here.source.extension_ms),
+                        milliseconds(extension_ms),
+                    ],
+                );
+            }
+        });
+    }
+
+    fn measurement(&self, row: BenchRow) -> Option<Measurement> {
+        self.rows.iter().find(|(measured, _)| *measured == row).map(|(_, measurement)| *measurement)
+    }
+}
+
+/// The tables of Ψ take seconds each, and riemap does not need them: once is enough.
+fn runs(row: BenchRow) -> usize {
+    if matches!(row, BenchRow::PsiTable { .. }) { 1 } else { RUNS }
+}
+
+fn heading(ui: &mut Ui, table: &str, setting: BenchSetting) {
+    ui.add_space(8.0);
+    let of = match setting {
+        BenchSetting::Paper => "the paper's settings: uniform samples and triangles",
+        BenchSetting::Default => "riemap's defaults: adaptive samples, graded triangles",
+    };
+    ui.label(RichText::new(table).strong());
+    ui.label(RichText::new(of).small().color(Palette::of(ui.visuals()).weak));
+}
+
+fn grid(ui: &mut Ui, id: String, content: impl FnOnce(&mut Ui)) {
+    Grid::new(id).striped(true).spacing([14.0, 3.0]).show(ui, content);
+}
+
+fn header(ui: &mut Ui, titles: &[&str]) {
+    for title in titles {
+        ui.label(RichText::new(*title).small().color(Palette::of(ui.visuals()).weak));
+    }
+    ui.end_row();
+}
+
+fn row(ui: &mut Ui, name: &str, cells: &[String]) {
+    ui.label(name);
+    for cell in cells {
+        ui.label(RichText::new(cell).monospace());
+    }
+    ui.end_row();
+}
+
+fn seconds(s: f64) -> String {
+    if s < 0.1 { format!("{s:.4}") } else { format!("{s:.2}") }
+}
+
+fn milliseconds(ms: f64) -> String {
+    format!("{ms:.2}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_come_one_after_the_other_and_stale_ones_are_dropped() {
+        let mut reports = Reports::default();
+        reports.open(Report::Convergence);
+        let first = reports.take_study();
+        assert!(first.is_some() && reports.take_study().is_none(), "one at a time");
+        reports.open(Report::Bench);
+        let second = reports.take_study();
+        reports.accept(first, Finding::Convergence(Vec::new()));
+        assert!(reports.take_study().is_none(), "the stale answer ended nothing");
+        reports.accept(second, Finding::Failed(String::from("no")));
+        assert_eq!(reports.failures.len(), 1);
+        assert!(reports.take_study().is_some());
+        reports.accept(None, Finding::Failed(String::from("the worker died")));
+        assert_eq!(reports.failures.len(), 2);
+    }
+}

@@ -1,0 +1,134 @@
+//! Figure 9: every triangle and its image coloured by Q, for rising m₁.
+
+use super::Drawing;
+use super::pictures::{LEFT, PANEL, Sheet, Shown, maps};
+use super::raster::{Raster, RasterPanel};
+use super::svg::{Anchor, LABEL, Page, SMALL, colour};
+use crate::cli::CliError;
+use crate::conformal::{Side, TriangleDistortion};
+use crate::figures::{Detail, Figure};
+use crate::geometry::DVec2;
+use crate::render::{ColourMap, Pattern, TextureStyle, flipped_colour};
+use image::{Rgba, RgbaImage};
+
+/// Q from 1 to here has a colour of its own, as in the app: 1.5 is an angle of 90° seen as 67°.
+const TOP_Q: f64 = 1.5;
+
+/// Colours in the texture: the map, then collapsed and flipped triangles.
+const COLOURS: u32 = 256;
+const FLIPPED: u32 = COLOURS - 1;
+const COLLAPSED: u32 = COLOURS - 2;
+/// The last colour of the map.
+const LAST: u32 = COLOURS - 3;
+/// The images of these triangles are points up to rounding.
+const COLLAPSED_COLOUR: [f32; 4] = [0.78, 0.78, 0.78, 1.0];
+
+/// Draws it.
+pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
+    let maps = maps(Figure::Distortion, detail)?;
+    let raster = Raster::new()?;
+    let palette = palette();
+    let mut rows = Vec::new();
+    for side in Side::BOTH {
+        let meshes: Vec<Coloured> = maps.iter().map(|shown| Coloured::new(shown, side)).collect();
+        let panels: Vec<RasterPanel<'_>> = meshes.iter().map(Coloured::panel).collect();
+        rows.push(raster.row(&panels, Some(&palette))?);
+    }
+    let title = format!("Figure 9: {}, Q = σ₁/σ₂", Figure::Distortion.title());
+    let mut sheet = Sheet::new(&title, &rows, maps.len(), 60.0)?;
+    for (k, shown) in maps.iter().enumerate() {
+        let triangles = shown.map.domain(Side::Source).mesh.triangles.len();
+        sheet.label(0, k, &shown.label, &format!("{triangles} triangles"));
+        sheet.label(1, k, "", &shown.note());
+    }
+    legend(&mut sheet.page, Sheet::bottom(rows.len()), maps.len());
+    Ok(sheet.finish(&maps))
+}
+
+/// The colours from Q = 1 to the top, with ticks.
+fn legend(page: &mut Page, top: f64, columns: usize) {
+    const STEPS: u32 = 100;
+    let width = 0.5 * PANEL * columns as f64;
+    let left = LEFT + 0.5 * width;
+    for k in 0..STEPS {
+        let part = f64::from(k) / f64::from(STEPS);
+        let corner = DVec2::new(left + part * width, top);
+        // each over the rest of the one before, so that no seams show
+        page.fill(corner, DVec2::new((1.0 - part) * width, 14.0), &rgb(ColourMap::Cividis.at(part)));
+    }
+    for k in 0..=5 {
+        let q = 1.0 + 0.1 * f64::from(k);
+        let x = left + width * (q - 1.0) / (TOP_Q - 1.0);
+        let name = if k == 5 { format!("≥ {q:.1}") } else { format!("{q:.1}") };
+        page.text(DVec2::new(x, top + 30.0), Anchor::Middle, SMALL, colour::INK, &name);
+    }
+    page.text(DVec2::new(left - 14.0, top + 12.0), Anchor::End, LABEL, colour::INK, "Q");
+    let others = [(flipped_colour(), "flipped"), (COLLAPSED_COLOUR, "collapsed to a point")];
+    for (k, (colour, name)) in others.into_iter().enumerate() {
+        let corner = DVec2::new(left + width + 34.0, top - 8.0 + 22.0 * k as f64);
+        page.fill(corner, DVec2::splat(14.0), &rgb(colour));
+        page.text(corner + DVec2::new(20.0, 11.5), Anchor::Start, SMALL, colour::INK, name);
+    }
+}
+
+fn rgb(colour: [f32; 4]) -> String {
+    let [r, g, b, _] = colour.map(|c| (255.0 * c).round());
+    format!("rgb({r},{g},{b})")
+}
+
+/// A texture with a colour for each place along x.
+fn palette() -> RgbaImage {
+    let bytes = |colour: [f32; 4]| Rgba(colour.map(|c| (255.0 * c).round() as u8));
+    // square, so that it is not stretched
+    RgbaImage::from_fn(COLOURS, COLOURS, |x, _| match x {
+        FLIPPED => bytes(flipped_colour()),
+        COLLAPSED => bytes(COLLAPSED_COLOUR),
+        _ => bytes(ColourMap::Cividis.at(f64::from(x) / f64::from(LAST))),
+    })
+}
+
+/// Where a triangle finds its colour, at the middle of a column.
+fn place(triangle: &TriangleDistortion) -> DVec2 {
+    let column = match triangle {
+        TriangleDistortion { flipped: true, .. } => FLIPPED,
+        TriangleDistortion { collapsed: true, .. } => COLLAPSED,
+        _ => (f64::from(LAST) * ((triangle.q - 1.0) / (TOP_Q - 1.0)).clamp(0.0, 1.0)).round() as u32,
+    };
+    DVec2::new((f64::from(column) + 0.5) / f64::from(COLOURS), 0.5)
+}
+
+/// A mesh whose triangles have corners of their own, so that each has one colour.
+struct Coloured<'a> {
+    positions: Vec<DVec2>,
+    coordinates: Vec<DVec2>,
+    triangles: Vec<[u32; 3]>,
+    boundary: &'a [DVec2],
+}
+
+impl<'a> Coloured<'a> {
+    /// The mapped mesh (the source's), or its image in the target.
+    fn new(shown: &'a Shown, side: Side) -> Self {
+        let mesh = shown.map.mapped_mesh();
+        let vertices = if side == Side::Source { mesh.vertices.as_slice() } else { shown.map.images() };
+        let corners = mesh.triangles.as_flattened();
+        let count = mesh.triangles.len() as u32;
+        Self {
+            positions: corners.iter().map(|&v| vertices[v as usize]).collect(),
+            coordinates: shown.triangles.iter().flat_map(|t| [place(t); 3]).collect(),
+            triangles: (0..count).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect(),
+            boundary: &shown.map.domain(side).samples.points,
+        }
+    }
+
+    fn panel(&self) -> RasterPanel<'_> {
+        let style = TextureStyle {
+            pattern: Pattern::Image,
+            cells: 1.0,
+            bounds: (DVec2::ZERO, DVec2::ONE),
+            pole: DVec2::ZERO,
+            dark: false,
+        };
+        let Self { positions, coordinates, triangles, boundary } = self;
+        RasterPanel { positions, coordinates, triangles, boundary, marks: Vec::new(), style }
+    }
+}

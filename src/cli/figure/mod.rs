@@ -1,0 +1,135 @@
+//! `riemap figure N`: makes a figure of the paper anew, as a drawing and a table.
+//!
+//! Plots are SVG; figures that show textured meshes also come as PNG, the bare pictures,
+//! which the SVG embeds between its labels. The numbers come from `figures`.
+
+mod crowding;
+mod disk_kernel;
+mod distortion;
+mod moebius;
+mod pictures;
+mod plot;
+mod raster;
+mod svg;
+
+use super::CliError;
+use super::arguments::FigureArguments;
+use super::output::{check_paths, print, write_all};
+use crate::figures::{Detail, Figure, FigureError, Table};
+use std::path::{Path, PathBuf};
+
+/// A figure, ready to be written.
+struct Drawing {
+    svg: String,
+    /// Of figures with textured meshes.
+    png: Option<Vec<u8>>,
+    table: Table,
+    /// What was found, for the terminal.
+    findings: Vec<String>,
+}
+
+impl From<FigureError> for CliError {
+    fn from(error: FigureError) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
+/// The formats of a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Svg,
+    Png,
+    Csv,
+}
+
+/// Computes, draws and writes the figure; prints what was chosen and found.
+pub fn run(arguments: &FigureArguments) -> Result<(), CliError> {
+    let figure = arguments.number.0;
+    let outputs = outputs(figure, &arguments.out)?;
+    let detail = if arguments.quick { Detail::Quick } else { Detail::Paper };
+    let drawing = draw(figure, detail)?;
+    let mut files = Vec::new();
+    for (path, format) in &outputs {
+        let bytes = match format {
+            Format::Svg => drawing.svg.clone().into_bytes(),
+            Format::Csv => drawing.table.csv().into_bytes(),
+            Format::Png => drawing.png.clone().unwrap_or_default(),
+        };
+        files.push((path.clone(), bytes));
+    }
+    for folder in arguments.out.iter().filter(|path| is_folder(path)) {
+        let failed = |source| CliError::Write { path: folder.display().to_string(), source };
+        std::fs::create_dir_all(folder).map_err(failed)?;
+    }
+    write_all(&files)?;
+    print(&report(figure, &drawing, &outputs))
+}
+
+fn report(figure: Figure, drawing: &Drawing, outputs: &[(PathBuf, Format)]) -> String {
+    let mut lines = vec![format!("Figure {}: {}", figure.number(), figure.title())];
+    lines.extend(figure.choices().iter().map(|choice| format!("  choice: {choice}")));
+    lines.extend(drawing.findings.iter().map(|finding| format!("  {finding}")));
+    lines.extend(outputs.iter().map(|(path, _)| format!("wrote {}", path.display())));
+    lines.join("\n")
+}
+
+fn draw(figure: Figure, detail: Detail) -> Result<Drawing, CliError> {
+    match figure {
+        Figure::DiskKernel => disk_kernel::draw(detail),
+        Figure::Moebius => moebius::draw(detail),
+        Figure::Options => pictures::options(detail),
+        Figure::Distortion => distortion::draw(detail),
+        Figure::Reshaping => pictures::reshaping(detail),
+        Figure::Crowding => crowding::figure_12(detail),
+        Figure::Convergence => crowding::figure_15(detail),
+    }
+}
+
+/// The formats that a figure comes in.
+fn formats(figure: Figure) -> &'static [Format] {
+    match figure {
+        Figure::DiskKernel | Figure::Moebius | Figure::Convergence => &[Format::Svg, Format::Csv],
+        _ => &[Format::Svg, Format::Png, Format::Csv],
+    }
+}
+
+/// A path without an extension, or one that is a folder.
+fn is_folder(path: &Path) -> bool {
+    path.is_dir() || path.extension().is_none()
+}
+
+/// What is to be written where.
+fn outputs(figure: Figure, out: &[PathBuf]) -> Result<Vec<(PathBuf, Format)>, CliError> {
+    let current = [PathBuf::from(".")];
+    let mut outputs = Vec::new();
+    for path in if out.is_empty() { &current } else { out } {
+        if is_folder(path) {
+            outputs.extend(formats(figure).iter().map(|&format| {
+                let name = format!("figure-{}.{}", figure.number(), extension(format));
+                (if out.is_empty() { PathBuf::from(name) } else { path.join(name) }, format)
+            }));
+        } else {
+            outputs.push((path.clone(), format_of(figure, path)?));
+        }
+    }
+    check_paths(&outputs.iter().map(|(path, _)| path.clone()).collect::<Vec<_>>())?;
+    Ok(outputs)
+}
+
+fn extension(format: Format) -> &'static str {
+    match format {
+        Format::Svg => "svg",
+        Format::Png => "png",
+        Format::Csv => "csv",
+    }
+}
+
+fn format_of(figure: Figure, path: &Path) -> Result<Format, CliError> {
+    let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
+    let found = formats(figure).iter().copied().find(|&format| extension(format) == ending);
+    found.ok_or_else(|| {
+        let names: Vec<&str> = formats(figure).iter().map(|&format| extension(format)).collect();
+        let (path, number) = (path.display(), figure.number());
+        CliError::Usage(format!("--out {path}: figure {number} comes as {}", names.join(", ")))
+    })
+}

@@ -1,0 +1,294 @@
+//! Tables 1 and 2: the paper's times, and how to measure ours.
+//!
+//! A [`BenchRow`] is measured on the calling thread, so that a worker can do it
+//! between two messages. Times are medians; everything here runs on one thread. The
+//! outlines other than the V-shape and the blob are riemap's own of these names.
+
+use super::scenes::{crowding_constraints, uniform};
+use super::{Figure, FigureError};
+use crate::conformal::{
+    ConformalMap, Constraints, Direction, KernelMode, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain,
+    Side, prepare,
+};
+use crate::geometry::DVec2;
+use crate::outline::Preset;
+use crate::zipper::DiskMap;
+use std::sync::Arc;
+use web_time::Instant;
+
+/// What the paper measured on (section 4).
+pub const PAPER_MACHINE: &str = "MacBook Air, Apple M3 (8 cores), 24 GB; C++, SC Toolbox in MATLAB";
+
+/// A row of the paper's Table 1; times in seconds.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[allow(missing_docs, reason = "the fields are the table's columns")]
+pub struct PaperPreparation {
+    pub domain: Preset,
+    pub m: u32,
+    pub n: u32,
+    pub triangles: u32,
+    pub triangulation_s: f64,
+    pub psi_s: f64,
+    pub bff_s: f64,
+    pub zipper_s: f64,
+    /// Roughly; `None`: not within 12 hours.
+    pub sc_toolbox_s: Option<f64>,
+}
+
+const fn row_1(domain: Preset, counts: [u32; 3], times: [f64; 4], sc_toolbox_s: Option<f64>) -> PaperPreparation {
+    let ([m, n, triangles], [triangulation_s, psi_s, bff_s, zipper_s]) = (counts, times);
+    PaperPreparation { domain, m, n, triangles, triangulation_s, psi_s, bff_s, zipper_s, sc_toolbox_s }
+}
+
+/// The paper's Table 1.
+pub const TABLE_1: [PaperPreparation; 6] = [
+    row_1(Preset::Gingerbread, [500, 13_620, 27_738], [0.005, 0.119, 0.165, 0.342], Some(180.0)),
+    row_1(Preset::Heart, [1000, 90_181, 181_360], [0.048, 1.633, 0.835, 1.047], Some(1800.0)),
+    row_1(Preset::Blob, [1000, 97_649, 196_296], [0.043, 1.731, 0.888, 1.064], Some(2400.0)),
+    row_1(Preset::Cinquefoil, [1000, 101_985, 204_968], [0.044, 1.843, 0.946, 1.063], Some(1700.0)),
+    row_1(Preset::VShape, [2000, 62_668, 127_334], [0.028, 2.119, 0.598, 4.242], Some(9600.0)),
+    row_1(Preset::MapleLeaf, [3200, 344_911, 693_020], [0.145, 33.22, 3.300, 10.04], None),
+];
+
+/// A row of the paper's Table 2; times in milliseconds.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[allow(missing_docs, reason = "the fields are the table's columns")]
+pub struct PaperFrame {
+    pub figure: u32,
+    pub source: Preset,
+    pub target: Preset,
+    pub matching_ms: f64,
+    pub extension_ms: f64,
+}
+
+const fn row_2(figure: u32, [source, target]: [Preset; 2], [matching_ms, extension_ms]: [f64; 2]) -> PaperFrame {
+    PaperFrame { figure, source, target, matching_ms, extension_ms }
+}
+
+/// The paper's Table 2.
+pub const TABLE_2: [PaperFrame; 3] = [
+    row_2(11, [Preset::Gingerbread, Preset::Heart], [0.059, 0.833]),
+    row_2(12, [Preset::VShape, Preset::Blob], [0.344, 3.462]),
+    row_2(13, [Preset::MapleLeaf, Preset::Cinquefoil], [0.383, 22.82]),
+];
+
+/// How the domains of a row are discretised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BenchSetting {
+    /// The paper's m, uniform samples and triangles.
+    Paper,
+    /// riemap's defaults: adaptive samples, graded triangles.
+    Default,
+}
+
+impl BenchSetting {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Paper, Self::Default];
+
+    fn settings(self, preset: Preset) -> PrepareSettings {
+        let paper = TABLE_1.iter().find(|row| row.domain == preset).filter(|_| self == Self::Paper);
+        paper.map_or_else(PrepareSettings::default, |row| uniform(row.m))
+    }
+}
+
+/// One row of a table, to be measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BenchRow {
+    /// Row `index` of [`TABLE_1`].
+    Preparation {
+        /// `0 … 5`.
+        index: usize,
+        /// Under these settings.
+        setting: BenchSetting,
+    },
+    /// The table of Ψ of row `index` of [`TABLE_1`], which riemap does not need, under the
+    /// paper's settings: up to 1 GB, seconds.
+    PsiTable {
+        /// `0 … 5`.
+        index: usize,
+    },
+    /// Row `index` of [`TABLE_2`].
+    Frame {
+        /// `0 … 2`.
+        index: usize,
+        /// Under these settings.
+        setting: BenchSetting,
+    },
+}
+
+/// Our row of Table 1; times in seconds.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Preparation {
+    /// Boundary samples.
+    pub m: u32,
+    /// Interior vertices.
+    pub n: usize,
+    /// Triangles, N.
+    pub triangles: usize,
+    /// Sampling and meshing.
+    pub triangulation_s: f64,
+    /// Assembling, ordering and factoring: with this, ψ at any x is one solve.
+    pub factorisation_s: f64,
+    /// The geodesic algorithm on the same samples, for one interior point.
+    pub zipper_s: f64,
+}
+
+/// Our row of Table 2; times in milliseconds.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Frame {
+    /// Boundary samples of source and target.
+    pub m: [u32; 2],
+    /// Triangles of the source, which is mapped.
+    pub triangles: usize,
+    /// When x₁ moves.
+    pub source: FrameTimes,
+    /// When x₂ moves.
+    pub target: FrameTimes,
+}
+
+/// The stages of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct FrameTimes {
+    /// Point location, ψ, measure and matching.
+    pub matching_ms: f64,
+    /// The images of the source's vertices.
+    pub extension_ms: f64,
+}
+
+/// A measured row.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Measurement {
+    /// Of Table 1.
+    Preparation(Preparation),
+    /// Of Table 2.
+    Frame(Frame),
+    /// The column Ψ of Table 1. Last: read from text, every map would pass for it.
+    PsiTable {
+        /// Seconds, with the factorisation; `None` where the table would take too much memory.
+        psi_s: Option<f64>,
+    },
+}
+
+/// Frames per run: a single one is too short to be timed well.
+const FRAMES_PER_RUN: usize = 5;
+
+impl BenchRow {
+    /// All rows, as in the tables, with the paper's settings first and the tables of Ψ last.
+    pub fn all() -> Vec<Self> {
+        let rows = |setting: BenchSetting| {
+            let preparations = (0..TABLE_1.len()).map(move |index| Self::Preparation { index, setting });
+            preparations.chain((0..TABLE_2.len()).map(move |index| Self::Frame { index, setting }))
+        };
+        let tables = (0..TABLE_1.len()).map(|index| Self::PsiTable { index });
+        BenchSetting::ALL.into_iter().flat_map(rows).chain(tables).collect()
+    }
+
+    /// Measures it `runs` times (at least once); medians. `None` for an index beyond the table.
+    pub fn measure(self, runs: usize) -> Result<Option<Measurement>, FigureError> {
+        Ok(match self {
+            Self::Preparation { index, setting } => match TABLE_1.get(index) {
+                Some(row) => Some(Measurement::Preparation(preparation(row.domain, setting, runs.max(1))?)),
+                None => None,
+            },
+            Self::PsiTable { index } => match TABLE_1.get(index) {
+                Some(row) => Some(Measurement::PsiTable { psi_s: psi_table(row.domain, runs.max(1))? }),
+                None => None,
+            },
+            Self::Frame { index, setting } => match TABLE_2.get(index) {
+                Some(row) => Some(Measurement::Frame(frame(row, setting, runs.max(1) * FRAMES_PER_RUN)?)),
+                None => None,
+            },
+        })
+    }
+}
+
+fn prepared(preset: Preset, setting: BenchSetting) -> Result<PreparedDomain, FigureError> {
+    Ok(prepare(&preset.outline().polygon, &setting.settings(preset), &mut |_| ())?)
+}
+
+fn preparation(preset: Preset, setting: BenchSetting, runs: usize) -> Result<Preparation, FigureError> {
+    let (mut timings, mut zipper) = (Vec::new(), Vec::new());
+    let mut domain = prepared(preset, setting)?;
+    for run in 0..runs {
+        if run > 0 {
+            domain = prepared(preset, setting)?;
+        }
+        timings.push(domain.timings);
+        let start = Instant::now();
+        DiskMap::new(&domain.samples.points, domain.pole)?;
+        zipper.push(start.elapsed().as_secs_f64());
+    }
+    let seconds = |stage: fn(&PrepareTimings) -> f64| 1e-3 * median(timings.iter().map(stage).collect());
+    Ok(Preparation {
+        m: domain.mesh.boundary_count,
+        n: domain.mesh.interior_count(),
+        triangles: domain.mesh.triangles.len(),
+        triangulation_s: seconds(|t| t.sample + t.mesh),
+        factorisation_s: seconds(|t| t.assemble + t.order + t.factor),
+        zipper_s: median(zipper),
+    })
+}
+
+fn psi_table(preset: Preset, runs: usize) -> Result<Option<f64>, FigureError> {
+    let settings = PrepareSettings { kernel: KernelMode::Table, ..BenchSetting::Paper.settings(preset) };
+    let polygon = preset.outline().polygon;
+    let mut seconds = Vec::new();
+    for _ in 0..runs {
+        match prepare(&polygon, &settings, &mut |_| ()) {
+            Ok(domain) => {
+                let t = domain.timings;
+                seconds.push(1e-3 * (t.assemble + t.order + t.factor + t.table));
+            }
+            Err(PrepareError::Table(_)) => return Ok(None),
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(Some(median(seconds)))
+}
+
+fn frame(row: &PaperFrame, setting: BenchSetting, frames: usize) -> Result<Frame, FigureError> {
+    let domains = [Arc::new(prepared(row.source, setting)?), Arc::new(prepared(row.target, setting)?)];
+    let still = if row.figure == Figure::Crowding.number() {
+        crowding_constraints()
+    } else {
+        let [source_point, target_point] = domains.each_ref().map(|domain| domain.pole);
+        Constraints { source_point, target_point, source_anchor: 0.0, target_anchor: 0.0 }
+    };
+    let [source, target] = domains;
+    let (m, triangles) = ([&source, &target].map(|d| d.mesh.boundary_count), source.mesh.triangles.len());
+    let mut map = ConformalMap::new(source, target, &still, Direction::Forward.into())?;
+    let [source, target] = Side::BOTH.map(|side| drag(&mut map, still, side, frames));
+    Ok(Frame { m, triangles, source: source?, target: target? })
+}
+
+/// A step of a drag, relative to the domain's extent.
+const DRAG_STEP: f64 = 1e-3;
+
+/// The medians while one interior point moves to and fro.
+fn drag(map: &mut ConformalMap, still: Constraints, side: Side, frames: usize) -> Result<FrameTimes, FigureError> {
+    let points = &map.domain(side).samples.points;
+    let low = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
+    let high = points.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+    let step = DVec2::new(DRAG_STEP * (high - low).max_element(), 0.0);
+    let (mut matching, mut extension) = (Vec::new(), Vec::new());
+    for k in 0..frames {
+        let mut moved = still;
+        let point = if side == Side::Source { &mut moved.source_point } else { &mut moved.target_point };
+        *point += if k % 2 == 0 { step } else { DVec2::ZERO };
+        map.update(&moved, Direction::Forward.into())?;
+        let timings = map.timings();
+        matching.push(timings.kernel + timings.matching);
+        extension.push(timings.extend);
+    }
+    map.update(&still, Direction::Forward.into())?;
+    Ok(FrameTimes { matching_ms: median(matching), extension_ms: median(extension) })
+}
+
+/// The middle value; 0 of none.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}

@@ -1,0 +1,254 @@
+//! Figure 12: the V-shape to the blob by harmonic measure, through the disk, and exactly.
+//!
+//! All ways map the same boundary samples and are extended harmonically into the same
+//! mesh, so that they differ by the boundary map alone. The truth is the composition of the
+//! closed forms: the blob's point with the V's harmonic measure.
+
+use super::{ArcLength, FigureError, Scene, Table, prepare_spec};
+use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side, harmonic_extension};
+use crate::exact::{blob, vshape};
+use crate::geometry::DVec2;
+use crate::mesh::locate;
+use crate::outline::{BoundaryPoint, BoundarySamples};
+use crate::zipper::{DiskComparison, DiskMap, DiskMeasure};
+
+/// A way to the boundary map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// The closed forms.
+    Exact,
+    /// Matching harmonic measure, as riemap does.
+    HarmonicMeasure,
+    /// The geodesic algorithm, run for x₁ and x₂.
+    FreshZipper,
+    /// The geodesic algorithm, run once, and a Möbius map.
+    PrecomputedZipper,
+}
+
+impl Method {
+    /// All, the truth first.
+    pub const ALL: [Self; 4] = [Self::Exact, Self::HarmonicMeasure, Self::FreshZipper, Self::PrecomputedZipper];
+
+    /// As in a table.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::HarmonicMeasure => "riemap",
+            Self::FreshZipper => "zipper-fresh",
+            Self::PrecomputedZipper => "zipper-precomputed",
+        }
+    }
+
+    /// For people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::HarmonicMeasure => "riemap (harmonic measure)",
+            Self::FreshZipper => "Zipper, run for x₁, x₂",
+            Self::PrecomputedZipper => "Zipper once, then Möbius",
+        }
+    }
+}
+
+/// What one way makes of the V's boundary samples.
+#[derive(Debug, Clone)]
+pub struct BoundaryMap {
+    /// Which way.
+    pub method: Method,
+    /// The images of the boundary samples.
+    pub images: Vec<DVec2>,
+    /// Their arc lengths on the blob, from y₂.
+    pub reparameterisation: Vec<f64>,
+    /// |f(v_k) − f̃(v_k)|.
+    pub errors: Vec<f64>,
+    /// How many samples the disk can't tell from the one before; 0 where no disk is used.
+    pub collapsed: usize,
+}
+
+impl BoundaryMap {
+    /// E_max and E_mean of section 5.2.
+    pub fn max_and_mean_error(&self) -> (f64, f64) {
+        let sum: f64 = self.errors.iter().sum();
+        (self.errors.iter().copied().fold(0.0, f64::max), sum / self.errors.len() as f64)
+    }
+}
+
+/// The V-shape, the blob, and the four ways between them.
+#[derive(Debug)]
+pub struct CrowdingStudy {
+    /// riemap's map, with both prepared domains.
+    pub map: ConformalMap,
+    /// Its constraints.
+    pub constraints: Constraints,
+    /// By [`Method::ALL`].
+    pub maps: [BoundaryMap; 4],
+}
+
+/// The centre of the V: g(−i) = 0 (section 1.2).
+const V_CENTRE: DVec2 = DVec2::new(0.0, -1.0);
+
+/// The exact harmonic measures at `x` of points on the exact V; with them the blob's map is known.
+pub(super) fn exact_measures(points: &[DVec2], x: DVec2) -> Vec<f64> {
+    points.iter().map(|&y| vshape::harmonic_measure(x, y)).collect()
+}
+
+/// The points of the exact V nearest to samples of its outline, which is a fine polygon: the
+/// closed form of the measure holds on the curve alone, and at the samples themselves it
+/// would take r back by up to 9e-5 from one to the next.
+pub(super) fn on_exact_v(samples: &BoundarySamples) -> Vec<DVec2> {
+    let arc = ArcLength::new(vshape::boundary, V_PERIOD);
+    let foot = |(&p, s): (&DVec2, &f64)| {
+        let mut t = arc.parameter(s * arc.total());
+        for _ in 0..NEWTON_STEPS {
+            let tangent =
+                (vshape::boundary(t + TANGENT_STEP) - vshape::boundary(t - TANGENT_STEP)) / (2.0 * TANGENT_STEP);
+            t += (p - vshape::boundary(t)).dot(tangent) / tangent.length_squared();
+        }
+        vshape::boundary(t)
+    };
+    // the anchor is on the curve, and stays at measure 0
+    let first = samples.points.first().copied();
+    first.into_iter().chain(samples.points.iter().zip(&samples.fractions).skip(1).map(foot)).collect()
+}
+
+/// The parameter of [`vshape::boundary`] runs from 0 to 4.
+pub(super) const V_PERIOD: f64 = 4.0;
+/// Arc lengths start within 1e-5; a step squares the error.
+const NEWTON_STEPS: usize = 3;
+const TANGENT_STEP: f64 = 1e-6;
+
+impl CrowdingStudy {
+    /// Of a scene from the V-shape to the blob with x₂ = g⁻¹(0), y₁ = 1 + i and y₂ = g⁻¹(1),
+    /// for which the truth is known.
+    pub fn new(scene: &Scene) -> Result<Self, FigureError> {
+        let domains = [prepare_spec(&scene.session.source)?, prepare_spec(&scene.session.target)?];
+        let constraints = scene.session.constraints([domains[0].pole, domains[1].pole]);
+        let [source, target] = domains;
+        let map = ConformalMap::new(source, target, &constraints, Direction::Forward.into())?;
+        let maps = Boundaries::new(&map, constraints).maps()?;
+        Ok(Self { map, constraints, maps })
+    }
+
+    /// The images of all vertices of the V's mesh: the harmonic extension of one boundary map.
+    pub fn extended(&self, map: &BoundaryMap) -> Result<Vec<DVec2>, FigureError> {
+        let domain = self.map.domain(Side::Source);
+        let mut images = map.images.clone();
+        images.resize(domain.mesh.vertices.len(), DVec2::ZERO);
+        harmonic_extension(domain, &mut images, &mut Vec::new())?;
+        Ok(images)
+    }
+
+    /// Where extended `images` put x₁; it should be x₂. Infinite if x₁ is not in the mesh.
+    pub fn image_of_point(&self, images: &[DVec2]) -> DVec2 {
+        let mesh = &self.map.domain(Side::Source).mesh;
+        locate(mesh, self.constraints.source_point, 0).map_or(DVec2::INFINITY, |found| {
+            let corners = mesh.triangles[found.triangle as usize];
+            corners.iter().zip(found.weights).map(|(&v, w)| w * images[v as usize]).sum()
+        })
+    }
+
+    /// The arc lengths of the V's samples from y₁.
+    pub fn arc_lengths(&self) -> Vec<f64> {
+        let samples = &self.map.domain(Side::Source).samples;
+        let total: f64 = samples.edge_lengths.iter().sum();
+        samples.fractions.iter().map(|s| s * total).collect()
+    }
+
+    /// One row per boundary sample.
+    pub fn table(&self) -> Table {
+        let mut table = Table::new(&[
+            "k",
+            "x",
+            "y",
+            "t",
+            "r_exact",
+            "r_riemap",
+            "r_zipper_fresh",
+            "r_zipper_precomputed",
+            "error_riemap",
+            "error_zipper_fresh",
+            "error_zipper_precomputed",
+        ]);
+        let points = &self.map.domain(Side::Source).samples.points;
+        for (k, (p, t)) in points.iter().zip(self.arc_lengths()).enumerate() {
+            let mut row = vec![k.into(), p.x.into(), p.y.into(), t.into()];
+            row.extend(self.maps.iter().map(|map| map.reparameterisation[k].into()));
+            row.extend(self.maps[1..].iter().map(|map| map.errors[k].into()));
+            table.rows.push(row);
+        }
+        table
+    }
+}
+
+/// What the four ways have in common.
+struct Boundaries<'a> {
+    map: &'a ConformalMap,
+    source: &'a PreparedDomain,
+    target: &'a PreparedDomain,
+    constraints: Constraints,
+    arc: ArcLength,
+    truth: Vec<f64>,
+}
+
+impl<'a> Boundaries<'a> {
+    fn new(map: &'a ConformalMap, constraints: Constraints) -> Self {
+        let [source, target] = Side::BOTH.map(|side| map.domain(side).as_ref());
+        let truth = exact_measures(&on_exact_v(&source.samples), constraints.source_point);
+        Self { map, source, target, constraints, arc: ArcLength::new(blob::boundary, 1.0), truth }
+    }
+
+    fn maps(&self) -> Result<[BoundaryMap; 4], FigureError> {
+        let [fresh, precomputed] = [self.fresh()?, self.precomputed()?];
+        let exact = BoundaryMap {
+            method: Method::Exact,
+            images: self.truth.iter().map(|&omega| blob::boundary(omega)).collect(),
+            reparameterisation: self.truth.iter().map(|&omega| self.arc.at(omega)).collect(),
+            errors: vec![0.0; self.truth.len()],
+            collapsed: 0,
+        };
+        let points = &self.map.correspondence().points;
+        Ok([
+            exact,
+            self.matched(Method::HarmonicMeasure, points, 0),
+            self.matched(Method::FreshZipper, &fresh.points, collapsed(&fresh)),
+            self.matched(Method::PrecomputedZipper, &precomputed.points, collapsed(&precomputed)),
+        ])
+    }
+
+    fn anchors(&self) -> [BoundaryPoint; 2] {
+        let at = |samples: &BoundarySamples, side| samples.at_fraction(self.constraints.anchor(side));
+        [at(&self.source.samples, Side::Source), at(&self.target.samples, Side::Target)]
+    }
+
+    fn fresh(&self) -> Result<DiskComparison, FigureError> {
+        let [y1, y2] = self.anchors();
+        Ok(DiskComparison::new(
+            DiskMeasure::fresh(&self.source.samples.points, self.constraints.source_point, y1)?,
+            DiskMeasure::fresh(&self.target.samples.points, self.constraints.target_point, y2)?,
+        ))
+    }
+
+    fn precomputed(&self) -> Result<DiskComparison, FigureError> {
+        let [y1, y2] = self.anchors();
+        let source = DiskMap::new(&self.source.samples.points, V_CENTRE)?;
+        let target = DiskMap::new(&self.target.samples.points, self.target.pole)?;
+        Ok(DiskComparison::new(
+            DiskMeasure::precomputed(&source, self.constraints.source_point, y1)?,
+            DiskMeasure::precomputed(&target, self.constraints.target_point, y2)?,
+        ))
+    }
+
+    fn matched(&self, method: Method, points: &[BoundaryPoint], collapsed: usize) -> BoundaryMap {
+        let samples = &self.target.samples;
+        let images: Vec<DVec2> = points.iter().map(|&p| samples.position(p)).collect();
+        let errors = images.iter().zip(&self.truth).map(|(w, &omega)| w.distance(blob::boundary(omega))).collect();
+        let total = self.arc.total();
+        let reparameterisation = points.iter().map(|&p| total * samples.fraction_at(p)).collect();
+        BoundaryMap { method, images, reparameterisation, errors, collapsed }
+    }
+}
+
+fn collapsed(comparison: &DiskComparison) -> usize {
+    comparison.mapped.collapsed()
+}

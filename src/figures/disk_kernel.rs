@@ -1,0 +1,77 @@
+//! Figure 6: Poisson kernel and harmonic measure of the disk against their closed forms.
+
+use super::{FigureError, Scene, Table, prepare_spec};
+use crate::conformal::{HarmonicMeasure, KernelScratch, MapError, PreparedDomain, Side, poisson_kernel};
+use crate::exact::{Complex, disk};
+use crate::geometry::DVec2;
+use crate::mesh::locate;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Kernel and measure at a point of the disk, sampled uniformly from the anchor y = (1, 0).
+#[derive(Debug, Clone)]
+pub struct DiskKernelStudy {
+    /// The disk.
+    pub domain: Arc<PreparedDomain>,
+    /// x.
+    pub point: DVec2,
+    /// ψ_k, k = 0 … m−1.
+    pub kernel: Vec<f64>,
+    /// ω̃, from y.
+    pub measure: HarmonicMeasure,
+}
+
+impl DiskKernelStudy {
+    /// Of the source of a scene.
+    pub fn new(scene: &Scene) -> Result<Self, FigureError> {
+        let domain = prepare_spec(&scene.session.source)?;
+        let point = scene.session.interior[0].unwrap_or(domain.pole);
+        let outside = MapError::PointOutside { side: Side::Source, x: point.x, y: point.y };
+        let located = locate(&domain.mesh, point, 0).ok_or(outside)?;
+        let mut kernel = Vec::new();
+        poisson_kernel(&domain, located, &mut KernelScratch::default(), &mut kernel)?;
+        let anchor = domain.samples.at_fraction(scene.session.anchor[0]);
+        let measure = HarmonicMeasure::new(&domain.samples, &kernel, anchor);
+        Ok(Self { domain, point, kernel, measure })
+    }
+
+    /// The angle of vertex `k`: its arc length on the inscribed polygon, stretched to the circle.
+    pub fn angle(&self, k: usize) -> f64 {
+        TAU * k as f64 / self.kernel.len() as f64
+    }
+
+    /// P_x(t).
+    pub fn exact_kernel(&self, t: f64) -> f64 {
+        disk::poisson_kernel(Complex::from(self.point), t)
+    }
+
+    /// ω_x(t).
+    pub fn exact_measure(&self, t: f64) -> f64 {
+        disk::harmonic_measure(Complex::from(self.point), t)
+    }
+
+    /// One row per boundary vertex of every study.
+    pub fn table(studies: &[Self]) -> Table {
+        let mut table =
+            Table::new(&["m", "n", "k", "t", "kernel", "kernel_exact", "measure", "measure_exact", "measure_error"]);
+        for study in studies {
+            let m = study.kernel.len();
+            for (k, &kernel) in study.kernel.iter().enumerate() {
+                let t = study.angle(k);
+                let (measure, exact) = (study.measure.at_vertex(k), study.exact_measure(t));
+                table.rows.push(vec![
+                    m.into(),
+                    study.domain.mesh.interior_count().into(),
+                    k.into(),
+                    t.into(),
+                    kernel.into(),
+                    study.exact_kernel(t).into(),
+                    measure.into(),
+                    exact.into(),
+                    (measure - exact).abs().into(),
+                ]);
+            }
+        }
+        table
+    }
+}

@@ -1,0 +1,198 @@
+//! The paper's figures and tables, on demand: what they show and its numbers, without drawing.
+//!
+//! A [`Figure`] has [scenes](Figure::scenes), sessions that the app can open, and
+//! [choices](Figure::choices), what the paper's text leaves open and how it is
+//! settled here. The studies compute the numbers behind the plots; whoever draws them
+//! is elsewhere (`cli`). [`BenchRow`] measures one row of Table 1 or 2.
+//!
+//! | file | what | paper |
+//! |---|---|---|
+//! | `scenes` | domains, samples, constraints | captions of Figures 6–12 |
+//! | `disk_kernel` | kernel and measure on the disk | Figure 6 |
+//! | `moebius` | a Möbius map, both extensions | Figure 7 |
+//! | `crowding` | V-shape → blob by four ways | Figure 12 |
+//! | `convergence` | the same for rising m | Figure 15 |
+//! | `bench` | times of this machine beside the paper's | Tables 1 and 2 |
+
+mod arc_length;
+mod bench;
+mod convergence;
+mod crowding;
+mod disk_kernel;
+mod moebius;
+mod scenes;
+mod table;
+
+pub use arc_length::ArcLength;
+pub use bench::{
+    BenchRow, BenchSetting, Frame, FrameTimes, Measurement, PAPER_MACHINE, PaperFrame, PaperPreparation, Preparation,
+    TABLE_1, TABLE_2,
+};
+pub use convergence::{ConvergenceRow, ConvergenceStudy, SecondMap, fitted_order};
+pub use crowding::{BoundaryMap, CrowdingStudy, Method};
+pub use disk_kernel::DiskKernelStudy;
+pub use moebius::{GRID_CIRCLES, GRID_RAYS, MoebiusStudy, grid_point};
+pub use scenes::Scene;
+pub use table::{Cell, Table};
+
+use crate::conformal::{MapError, PrepareError, PreparedDomain, prepare};
+use crate::laplace::NotConverged;
+use crate::session::{DomainSpec, OutlineSpec};
+use crate::zipper::ZipperError;
+use std::sync::Arc;
+
+/// A figure of the paper that can be made anew.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Figure {
+    /// Figure 6: Poisson kernel and harmonic measure on the disk.
+    DiskKernel,
+    /// Figure 7: a Möbius map of the disk, by both extensions.
+    Moebius,
+    /// Figure 8: the four ways to map the hand to the blob.
+    Options,
+    /// Figure 9: angle distortion for rising resolution.
+    Distortion,
+    /// Figure 10: the gingerbread man reshaped.
+    Reshaping,
+    /// Figure 12: the V-shape to the blob, through the disk and directly.
+    Crowding,
+    /// Figure 15: convergence on the V-shape.
+    Convergence,
+}
+
+/// How much of the paper's resolution is used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Detail {
+    /// As many samples as the paper.
+    #[default]
+    Paper,
+    /// A quarter of them.
+    Quick,
+}
+
+impl Detail {
+    /// The number of samples in place of the paper's.
+    pub fn samples(self, paper: u32) -> u32 {
+        match self {
+            Self::Paper => paper,
+            Self::Quick => paper / 4,
+        }
+    }
+}
+
+/// Why a figure could not be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FigureError {
+    /// A domain could not be prepared.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// There is no map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// There is no map through the disk.
+    #[error(transparent)]
+    Zipper(#[from] ZipperError),
+    /// An iterative solver did not converge; scenes ask for none.
+    #[error(transparent)]
+    NotConverged(#[from] NotConverged),
+    /// A session's outline is no valid one.
+    #[error("the outline of a scene is not a simple polygon")]
+    Outline,
+}
+
+impl Figure {
+    /// All of them, by number.
+    pub const ALL: [Self; 7] = [
+        Self::DiskKernel,
+        Self::Moebius,
+        Self::Options,
+        Self::Distortion,
+        Self::Reshaping,
+        Self::Crowding,
+        Self::Convergence,
+    ];
+
+    /// The number in the paper.
+    pub fn number(self) -> u32 {
+        match self {
+            Self::DiskKernel => 6,
+            Self::Moebius => 7,
+            Self::Options => 8,
+            Self::Distortion => 9,
+            Self::Reshaping => 10,
+            Self::Crowding => 12,
+            Self::Convergence => 15,
+        }
+    }
+
+    /// The figure with this number.
+    pub fn of_number(number: u32) -> Option<Self> {
+        Self::ALL.into_iter().find(|figure| figure.number() == number)
+    }
+
+    /// What it shows.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::DiskKernel => "Poisson kernel and harmonic measure on the disk",
+            Self::Moebius => "A Möbius map of the disk, exact and approximate",
+            Self::Options => "Four ways to map a hand to the blob",
+            Self::Distortion => "Angle distortion from the maple leaf to the cinquefoil",
+            Self::Reshaping => "The gingerbread man, conformally reshaped",
+            Self::Crowding => "From the V-shape to the blob: directly, and through the disk",
+            Self::Convergence => "Convergence on the V-shape",
+        }
+    }
+
+    /// What the paper's text leaves open and how it is settled here.
+    pub fn choices(self) -> &'static [&'static str] {
+        match self {
+            Self::DiskKernel => &[
+                "x = (0.6, 0.2), y = (1, 0) and m as in the caption; n follows from riemap's mesher",
+                "φ is interpolated from the ring of vertices around x, not linearly in x's triangle",
+            ],
+            Self::Moebius => &[
+                "constraints, grid and m as in the caption and section 3.2",
+                "the grid's lines are mapped point by point, 8 points between its nodes",
+            ],
+            Self::Options => &[
+                "outlines: riemap's hand; the paper's blob",
+                "the paper gives no constraints: both poles of inaccessibility, both first boundary points",
+                "Q_avg leaves out flattened triangles (Q > 10); the table has both means",
+            ],
+            Self::Distortion => &[
+                "outlines: riemap's own of these names",
+                "the paper gives only the last m (3200): m₁ doubles from 400",
+                "the paper shows the constraints in Figure 1 only: both poles of inaccessibility, the leaf's top to the first petal's 4 % of the way round, so that neither tip nor stem goes into a notch",
+                "Q_avg leaves out flattened triangles (Q > 10); the table has both means",
+            ],
+            Self::Reshaping => &[
+                "outlines: riemap's own of these names",
+                "the paper gives no constraints: both poles of inaccessibility, both first boundary points",
+                "500 samples of the gingerbread man as in Table 1; 1000 of each target",
+                "Q_avg leaves out flattened triangles (Q > 10); the table has both means",
+            ],
+            Self::Crowding => &[
+                "x₁ = 0.96 + 0.8432i and y₁ = 1 + i as in Figure 3",
+                "the paper gives no x₂, y₂: the images of 0 and 1 under the blob's exact map",
+                "precomputed maps go through the centre −i of the V and the blob's pole of inaccessibility",
+                "of the paper's other algorithms the geodesic one (Zipper) is shown",
+            ],
+            Self::Convergence => &[
+                "constraints as in Figure 12",
+                "with the exact second map only the V's error is left; with the blob sampled at m₂ = 1000, as in Figure 12, its own error bounds what can be reached",
+                "Zipper runs on points of the exact curve; riemap on its preset, whose samples are compared with the nearest points of the curve",
+            ],
+        }
+    }
+}
+
+/// Prepares one side of a session.
+pub fn prepare_spec(spec: &DomainSpec) -> Result<Arc<PreparedDomain>, FigureError> {
+    let polygon = match &spec.outline {
+        OutlineSpec::Preset(preset) => preset.outline().polygon,
+        OutlineSpec::Points { points, .. } => points.clone().try_into().map_err(|_| FigureError::Outline)?,
+    };
+    Ok(Arc::new(prepare(&polygon, &spec.settings, &mut |_| ())?))
+}

@@ -1,0 +1,130 @@
+//! A web worker as the page holds it: started with the page's module, listened to, terminated with its handle.
+
+use super::messages;
+use crate::platform::{Event, Mailbox};
+use js_sys::{Object, Reflect};
+use std::cell::Cell;
+use std::rc::Rc;
+use wasm_bindgen::prelude::{Closure, wasm_bindgen};
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
+
+#[wasm_bindgen]
+extern "C" {
+    /// The address of the glue that runs this module.
+    #[wasm_bindgen(thread_local_v2, js_namespace = ["import", "meta"], js_name = url)]
+    static GLUE_URL: String;
+}
+
+/// What a worker is doing.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum State {
+    /// Nothing.
+    Idle,
+    /// Something.
+    Busy,
+    /// It stopped; the handle is of no more use.
+    Dead,
+}
+
+/// What a message of a worker means.
+pub struct Heard {
+    /// For the app.
+    pub event: Event,
+    /// Whether the worker goes on with the same request.
+    pub goes_on: bool,
+}
+
+/// A running worker.
+pub struct WorkerHandle {
+    worker: Worker,
+    state: Rc<Cell<State>>,
+    _on_message: Closure<dyn FnMut(MessageEvent)>,
+    _on_error: Closure<dyn FnMut(ErrorEvent)>,
+}
+
+impl WorkerHandle {
+    /// Starts a worker. `read` understands its messages, `died` says that it stopped; both end in `mailbox`.
+    pub fn start(
+        mailbox: &Mailbox,
+        read: impl Fn(&JsValue) -> Option<Heard> + 'static,
+        died: impl Fn(String) -> Event + Clone + 'static,
+    ) -> Result<Self, JsValue> {
+        let options = WorkerOptions::new();
+        options.set_type(WorkerType::Module);
+        let worker = Worker::new_with_options("./worker.js", &options)?;
+        let state = Rc::new(Cell::new(State::Idle));
+        let on_message = listen(mailbox.clone(), Rc::clone(&state), read, died.clone());
+        let on_error = watch(mailbox.clone(), Rc::clone(&state), died);
+        worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
+        worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
+        worker.post_message(&bootstrap()?)?;
+        Ok(Self { worker, state, _on_message: on_message, _on_error: on_error })
+    }
+
+    /// What it is doing.
+    pub fn state(&self) -> State {
+        self.state.get()
+    }
+
+    /// Gives it something to do. The error is why it could not be told.
+    pub fn post(&self, message: &JsValue) -> Result<(), String> {
+        self.state.set(State::Busy);
+        self.worker.post_message(message).map_err(|error| {
+            self.state.set(State::Dead);
+            describe(&error)
+        })
+    }
+}
+
+impl Drop for WorkerHandle {
+    fn drop(&mut self) {
+        self.worker.terminate();
+    }
+}
+
+fn listen(
+    mailbox: Mailbox,
+    state: Rc<Cell<State>>,
+    read: impl Fn(&JsValue) -> Option<Heard> + 'static,
+    died: impl Fn(String) -> Event + 'static,
+) -> Closure<dyn FnMut(MessageEvent)> {
+    Closure::new(move |event: MessageEvent| {
+        let message = event.data();
+        let Some(Heard { event, goes_on }) = read(&message) else {
+            let unreadable = || String::from("its answer could not be read");
+            state.set(State::Dead);
+            mailbox.post(died(messages::decode_death(&message).unwrap_or_else(unreadable)));
+            return;
+        };
+        if !goes_on {
+            state.set(State::Idle);
+        }
+        mailbox.post(event);
+    })
+}
+
+fn watch(
+    mailbox: Mailbox,
+    state: Rc<Cell<State>>,
+    died: impl Fn(String) -> Event + 'static,
+) -> Closure<dyn FnMut(ErrorEvent)> {
+    Closure::new(move |event: ErrorEvent| {
+        event.prevent_default();
+        state.set(State::Dead);
+        let message = event.message();
+        mailbox.post(died(if message.is_empty() { String::from("its script could not be loaded") } else { message }));
+    })
+}
+
+fn bootstrap() -> Result<JsValue, JsValue> {
+    let message = Object::new();
+    Reflect::set(&message, &"glue".into(), &GLUE_URL.with(String::clone).into())?;
+    Reflect::set(&message, &"module".into(), &wasm_bindgen::module())?;
+    Ok(message.into())
+}
+
+/// What JavaScript says of an error.
+pub fn describe(error: &JsValue) -> String {
+    error.dyn_ref::<js_sys::Error>().map_or_else(|| format!("{error:?}"), |error| String::from(error.message()))
+}
