@@ -55,16 +55,16 @@ const COMPARISONS: [Segment<Comparison>; 3] = [
     },
 ];
 
-const THROUGH_DISK_TOOLTIP: &str = "Why not map both outlines to a disk and go through it? On the outline of the mapped side's \
-    partner, the ticks inwards are this map's images of 60 points of equal harmonic measure, the ticks outwards those \
-    through the disk: where both agree each makes one line. Every boundary point's image is a faint dot. A point is \
-    collapsed if no digits are left between it and the one before, and out of order if it comes out before that";
+const THROUGH_DISK_TOOLTIP: &str = "Why not map both outlines to a disk and go through it? On the outline that is mapped to, \
+    ticks inwards are this map's images of 60 points at equal steps of harmonic measure, ticks outwards those through the \
+    disk: where both agree, each pair makes one line. The faint dots are the images of all boundary points. A point is \
+    collapsed if no digits are left between it and the one before, and out of order if it comes out before that one";
 
 const WALKS_TOOLTIP: &str = "Kakutani (1944): the harmonic measure of a part of the boundary is the chance that a random walk \
     from x₁ leaves through it. Each jump goes to a random point of the largest circle that fits. Bars: the share of the hits \
-    in each piece of the boundary; line: the harmonic measure there";
+    in each piece of the boundary; strokes across: its harmonic measure";
 
-/// As many as a chance alone: the mean of Kolmogorov's distribution, √(π/2) ln 2, over √walks.
+/// The deviation to expect by chance alone is this over √walks: the mean of Kolmogorov's distribution, √(π/2) ln 2.
 const KOLMOGOROV_MEAN: f64 = 0.868_731;
 
 /// The texture's button for a kind: both polar grids have one.

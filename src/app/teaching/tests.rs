@@ -233,9 +233,10 @@ fn the_pattern_is_pushed_forward_or_pulled_back_either_way_the_map_goes() {
     let mut model = model(Preset::Heart, Preset::Disk, 120);
     for direction in [Direction::Backward, Direction::Forward] {
         for home in Side::BOTH {
+            let before = (model.session().direction, model.session().texture_side);
             model.dispatch(Command::SetDirection(direction), 0.0);
             model.dispatch(Command::SetTextureSide(home), 0.0);
-            assert!(model.refresh(false).meshes);
+            assert_eq!(model.refresh(false).meshes, before != (direction, home), "{direction:?}, {home}");
             let map = model.map().unwrap();
             let at_home = textured::geometry(&model, home).unwrap();
             assert_eq!(at_home.positions, at_home.texture_coordinates);
