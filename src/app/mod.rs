@@ -165,6 +165,12 @@ impl RiemapApp {
         stats::collect(&self.model, screen)
     }
 
+    /// Shows another session in place of this one; what it shares is not prepared again.
+    pub fn open_session(&mut self, session: Session) {
+        self.model.dispatch(Command::Open(Box::new(session)), 0.0);
+        self.mailbox.wake();
+    }
+
     /// Takes in an outline as if its file had been opened.
     pub fn load_outline(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.read_file(FilePurpose::Outline(side), name, Ok(bytes));

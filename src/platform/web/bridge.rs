@@ -2,15 +2,18 @@
 //!
 //! * `riemap.stats()` → [`Stats`](crate::app::Stats) as an object,
 //! * `riemap.session()` → the session as an object,
+//! * `riemap.open_session(object)` → `null`, or why the object is no session; the map follows
+//!   when its domains are prepared,
 //! * `riemap.load_outline("source" | "target", file_name, text)` → `true` if the side is known.
 //!
-//! After a panic the first two return `undefined`.
+//! After a panic they return `undefined`.
 
 use crate::app::RiemapApp;
 use crate::conformal::Side;
 use eframe::WebRunner;
 use js_sys::{Object, Reflect};
 use serde::Serialize;
+use serde::de::DeserializeOwned;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::Closure;
 
@@ -30,6 +33,17 @@ pub fn install(runner: &WebRunner) {
                 JsValue::TRUE
             })
         });
+    let app = runner.clone();
+    let open = Closure::<dyn Fn(JsValue) -> JsValue>::new(move |value: JsValue| {
+        with_app(&app, |app| match from_js(&value) {
+            Ok(session) => {
+                app.open_session(session);
+                JsValue::NULL
+            }
+            Err(error) => error.to_string().into(),
+        })
+    });
+    put(&object, "open_session", &open.into_js_value());
     put(&object, "stats", &stats.into_js_value());
     put(&object, "session", &session.into_js_value());
     put(&object, "load_outline", &load.into_js_value());
@@ -43,6 +57,12 @@ fn with_app(runner: &WebRunner, read: impl FnOnce(&mut RiemapApp) -> JsValue) ->
 fn to_js(value: &impl Serialize) -> JsValue {
     let text = serde_json::to_string(value).unwrap_or_default();
     js_sys::JSON::parse(&text).unwrap_or(JsValue::UNDEFINED)
+}
+
+/// What is not JSON reads as nothing, and is refused.
+fn from_js<T: DeserializeOwned>(value: &JsValue) -> serde_json::Result<T> {
+    let text = js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string());
+    serde_json::from_str(&text.unwrap_or_default())
 }
 
 fn side_named(name: &str) -> Option<Side> {
