@@ -410,7 +410,9 @@ impl Model {
 
     /// Brings what teaches up to date at the time `now` (seconds); in how many seconds to come back, if at all.
     pub fn teach(&mut self, now: f64) -> Option<f64> {
-        let situation = situation(self.draft.map().or(self.map.as_ref())?, &self.session, self.generation);
+        // A coarse map has boundaries of its own: what is shown waits for the full one.
+        let map = self.map.as_ref().filter(|_| self.draft.map().is_none())?;
+        let situation = situation(map, &self.session, self.generation);
         self.teaching.advance(&situation, self.session.comparison, now)
     }
 

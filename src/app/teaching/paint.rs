@@ -147,7 +147,7 @@ fn walks(painter: &Painter, outline: &Outline, walks: &Walks, dark: bool, text: 
     let recent = walks.recent();
     let count = recent.len();
     for (k, hit) in recent.enumerate() {
-        let place = outline.view.to_screen(outline.samples.position(hit));
+        let place = outline.view.to_screen(hit);
         // the older the fainter
         let strength = 0.15 + 0.75 * (k + 1) as f32 / count as f32;
         painter.circle_filled(place, 2.2 * outline.size, ink.gamma_multiply(strength));
@@ -183,7 +183,7 @@ fn path(painter: &Painter, outline: &Outline, walks: &Walks, ink: Color32, text:
         painter.circle_stroke(place, radius, Stroke::new(1.0, text.gamma_multiply(0.5)));
     }
     let mut places: Vec<Pos2> = circles.iter().map(|circle| view.to_screen(circle.centre)).collect();
-    places.extend(hit.map(|hit| view.to_screen(outline.samples.position(hit))));
+    places.extend(hit.map(|hit| view.to_screen(hit)));
     for pair in places.windows(2) {
         painter.line_segment([pair[0], pair[1]], Stroke::new(4.0, Color32::from_black_alpha(120)));
     }

@@ -192,7 +192,6 @@ fn the_bins_hold_every_walk_and_equal_seeds_walk_alike() {
 fn a_slow_walk_is_seen_from_its_start_to_the_boundary() {
     let mut model = walked(1.0);
     let start = model.interior(Side::Source).unwrap();
-    let samples = model.domain(Side::Source).unwrap().samples.clone();
     let mut ended = 0;
     for frame in 61..600 {
         model.teach(f64::from(frame) / 60.0);
@@ -204,7 +203,7 @@ fn a_slow_walk_is_seen_from_its_start_to_the_boundary() {
         }
         if let Some(hit) = hit {
             let last = circles[circles.len() - 1];
-            assert!(samples.position(hit).distance(last.centre) <= last.radius + 1e-12);
+            assert!(hit.distance(last.centre) <= last.radius + 1e-12);
             ended += 1;
         }
     }
@@ -226,6 +225,30 @@ fn another_start_begins_anew_and_a_pause_keeps_the_counts() {
     model.refresh(false);
     model.teach(2.2);
     assert_eq!(model.teaching().walks.count(), 0);
+}
+
+#[test]
+fn walks_and_comparison_wait_while_a_coarse_map_stands_in() {
+    let mut model = walked(500.0);
+    compare(&mut model, Comparison::Fresh);
+    model.teach(1.0);
+    let (count, samples) = (model.teaching().walks.count(), found(&model).samples);
+    model.slow_update_ms = 0.0;
+    for step in 1..4 {
+        let point = model.domain(Side::Target).unwrap().pole + DVec2::new(0.01 * f64::from(step), 0.0);
+        model.dispatch(Command::MoveInterior { side: Side::Target, point }, 0.0);
+        model.refresh(true);
+    }
+    let is_coarse = |model: &Model| {
+        !std::sync::Arc::ptr_eq(model.map().unwrap().domain(Side::Source), model.domain(Side::Source).unwrap())
+    };
+    assert!(is_coarse(&model));
+    assert_eq!((model.teach(1.1), model.teaching().walks.count()), (None, count));
+    assert_eq!(found(&model).samples, samples);
+    model.refresh(false);
+    assert!(!is_coarse(&model));
+    assert_eq!(model.teach(1.2), Some(0.0));
+    assert!(model.teaching().walks.count() >= count, "x₁ did not move");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use super::super::plots::Curve;
 use super::Situation;
 use crate::conformal::{HitCounts, PreparedDomain, Side, WalkCircle, WalkStep, Walker};
 use crate::geometry::DVec2;
-use crate::outline::BoundaryPoint;
+use crate::outline::{BoundaryPoint, BoundarySamples};
 use std::collections::VecDeque;
 use std::sync::Arc;
 use web_time::Instant;
@@ -50,6 +50,7 @@ pub enum WalkAction {
 struct Walk {
     circles: Vec<WalkCircle>,
     hit: BoundaryPoint,
+    place: DVec2,
 }
 
 /// Walks from one point of one domain.
@@ -78,7 +79,7 @@ pub struct Walks {
     running: bool,
     per_second: f64,
     start: Option<Start>,
-    recent: VecDeque<BoundaryPoint>,
+    recent: VecDeque<DVec2>,
     /// Walks that are due; its fraction is how far the present one has come.
     due: f64,
     last_time: Option<f64>,
@@ -179,7 +180,7 @@ impl Walks {
             if self.recent.len() == MARKED_HITS {
                 self.recent.pop_front();
             }
-            self.recent.push_back(hit);
+            self.recent.push_back(start.domain.samples.position(hit));
             self.due -= 1.0;
             ended += 1;
             if ended.is_multiple_of(BATCH) && clock.elapsed().as_secs_f64() * 1e3 > FRAME_MS {
@@ -187,7 +188,8 @@ impl Walks {
             }
         }
         self.version += u64::from(ended > 0);
-        start.walk.get_or_insert_with(|| unfolded(&mut start.walker));
+        let samples = &start.domain.samples;
+        start.walk.get_or_insert_with(|| unfolded(&mut start.walker, samples));
     }
 
     /// Whether walks are under way.
@@ -216,16 +218,16 @@ impl Walks {
     }
 
     /// The circles of the present walk so far, and the hit once it is there; empty where walks are too fast to be seen.
-    pub fn path(&self) -> (&[WalkCircle], Option<BoundaryPoint>) {
+    pub fn path(&self) -> (&[WalkCircle], Option<DVec2>) {
         let seen = self.start.as_ref().and_then(|start| start.walk.as_ref());
         let Some(walk) = seen.filter(|_| self.per_second <= SEEN_SPEED) else { return (&[], None) };
         // the last quarter of the time shows the whole walk
         let shown = (self.due / 0.75 * walk.circles.len() as f64) as usize + 1;
-        (&walk.circles[..shown.min(walk.circles.len())], (shown > walk.circles.len()).then_some(walk.hit))
+        (&walk.circles[..shown.min(walk.circles.len())], (shown > walk.circles.len()).then_some(walk.place))
     }
 
     /// The latest hits, the oldest first.
-    pub fn recent(&self) -> impl ExactSizeIterator<Item = BoundaryPoint> + '_ {
+    pub fn recent(&self) -> impl ExactSizeIterator<Item = DVec2> + '_ {
         self.recent.iter().copied()
     }
 
@@ -269,12 +271,12 @@ fn running_sum(values: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
 }
 
 /// A whole walk, from its start.
-fn unfolded(walker: &mut Walker) -> Walk {
+fn unfolded(walker: &mut Walker, samples: &BoundarySamples) -> Walk {
     let mut circles = vec![walker.circle()];
     loop {
         match walker.step() {
             WalkStep::Jump(circle) => circles.push(circle),
-            WalkStep::Hit(hit) => return Walk { circles, hit },
+            WalkStep::Hit(hit) => return Walk { circles, hit, place: samples.position(hit) },
         }
     }
 }
