@@ -63,6 +63,20 @@ export class App {
     return this.#page.evaluate(() => window.riemap.session());
   }
 
+  /** Shows the present session with some fields changed. */
+  async openSession(changes) {
+    const refusal = await this.#page.evaluate(
+      (changed) => window.riemap.open_session({ ...window.riemap.session(), ...changed }),
+      changes,
+    );
+    assert.equal(refusal, null, 'the session is taken');
+  }
+
+  /** What `riemap.open_session` says of something that is no session. */
+  refusalOf(value) {
+    return this.#page.evaluate((given) => window.riemap.open_session(given), value);
+  }
+
   /** Waits until `reached(stats, argument)`, asked once a frame in the page, and returns the stats. */
   async until(state, reached, argument) {
     const asked = `(argument) => {

@@ -20,6 +20,33 @@ const POLYGON = Array.from({ length: 40 }, (_, k) => {
 /** Its first and third edges cross. */
 const BOW_TIE = '0,0\n1,1\n1,0\n0,1\n';
 
+/** What a session can ask to be shown, and how the stats say that it is. */
+const MODES = {
+  'the plots': { changes: { plots: true }, reached: (stats) => stats.plots },
+  'angle distortion with the mesh': {
+    changes: { colouring: 'angle', wireframe: true },
+    reached: (stats) => stats.colouring === 'angle' && stats.wireframe && stats.measured_generation === stats.generation,
+  },
+  'area distortion': {
+    changes: { colouring: 'area', direction: 'forward' },
+    reached: (stats) => stats.colouring === 'area' && stats.measured_generation === stats.generation,
+  },
+  'the Cauchy-Green extension': {
+    changes: { extension: 'cauchy-green' },
+    reached: (stats, last) =>
+      stats.generation > last.generation && stats.cauchy_green !== null && stats.extension_progress === 1,
+  },
+  'the conformal polar grid': { changes: { texture: 'conformal' }, reached: (stats) => stats.ready },
+  'the pattern pulled back': {
+    changes: { texture: 'grid', texture_side: 'target' },
+    reached: (stats) => stats.ready,
+  },
+  'the way through the disk': {
+    changes: { comparison: 'precomputed', plots: true },
+    reached: (stats) => stats.comparison !== null && stats.comparison.difference < 0.1,
+  },
+};
+
 /** In units of the target's size: an image inside one triangle of the mesh is off by less. */
 const MAPPING_TOLERANCE = 0.02;
 
@@ -93,6 +120,52 @@ for (const backend of BACKENDS) {
         const before = await app.stats();
         await app.dropFile(before.handles.x2, 'forty.csv', POLYGON);
         await assertReplaced(app, 'target', before);
+      }),
+    );
+
+    for (const [mode, { changes, reached }] of Object.entries(MODES)) {
+      test(
+        `${mode} is shown`,
+        withApp('desktop', async (app) => {
+          const before = await app.stats();
+          await app.openSession(changes);
+          const stats = await app.until(mode, reached, { generation: before.generation });
+          assert.deepEqual(stats.errors, []);
+          assertShowsSomething(await app.picture(`${backend}-${mode.replaceAll(' ', '-')}`));
+          for (const [field, value] of Object.entries(changes)) {
+            assert.deepEqual((await app.session())[field], value, `the session has the ${field}`);
+          }
+        }),
+      );
+    }
+
+    test(
+      'every way of preparing gives the same map',
+      withApp('desktop', async (app) => {
+        const { source, target } = await app.session();
+        const before = await app.stats();
+        for (const way of [{ kernel: 'table' }, { kernel: 'adjoint', solver: 'pcg' }]) {
+          const { generation } = await app.stats();
+          const domains = [source, target].map((domain) => ({ ...domain, settings: { ...domain.settings, ...way } }));
+          await app.openSession({ source: domains[0], target: domains[1] });
+          const after = await app.until(
+            'both sides are prepared anew',
+            (stats, last) => stats.ready && stats.generation > last.generation + 1,
+            { generation },
+          );
+          const difference = Math.abs(after.boundary_checksum - before.boundary_checksum);
+          assert.ok(difference < 1e-6 * Math.abs(before.boundary_checksum), `${JSON.stringify(way)}: ${difference}`);
+        }
+      }),
+    );
+
+    test(
+      'what is no session is refused with the reason',
+      withApp('desktop', async (app) => {
+        const session = await app.session();
+        assert.match(await app.refusalOf({ version: 1 }), /missing field/);
+        assert.equal(typeof (await app.refusalOf(null)), 'string');
+        assert.deepEqual(await app.session(), session);
       }),
     );
 
