@@ -6,7 +6,8 @@
 
 use super::colouring::{self, ColourScale};
 use super::gpu::Gpu;
-use super::model::{Model, SIDES, mapped_side};
+use super::model::Model;
+use crate::conformal::Side;
 use crate::render::{CellCode, CellStyle, ColourMap, StrokeStyle};
 use crate::session::Colouring;
 
@@ -74,10 +75,10 @@ impl Cells {
     fn upload(&mut self, model: &Model, gpu: &Gpu) {
         let Some(map) = model.map() else { return };
         let wanted = Uploaded { mesh: model.mesh_generation(), images: model.generation() };
-        let mapped = mapped_side(map.direction());
+        let mapped = map.direction().mapped_side();
         let mesh = map.mapped_mesh();
         let another_mesh = self.uploaded.mesh != wanted.mesh;
-        for side in SIDES {
+        for side in Side::BOTH {
             let positions = if side == mapped { &mesh.vertices } else { map.images() };
             if another_mesh {
                 gpu.upload_cells(side, positions, &mesh.triangles);

@@ -5,7 +5,7 @@
 //! images are uploaded, or put there by a compute shader ([`GpuExtension`]).
 
 use super::gpu_extension::GpuExtension;
-use super::model::{Changes, Model, SIDES, other};
+use super::model::{Changes, Model};
 use super::textured::{self, Moved};
 use crate::conformal::{Extension, PreparedDomain, Side};
 use crate::geometry::DVec2;
@@ -21,7 +21,7 @@ pub struct Gpu {
 impl Gpu {
     /// Puts a renderer for both viewports next to egui's own.
     pub fn new(state: RenderState) -> Self {
-        let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, SIDES.len());
+        let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, Side::BOTH.len());
         state.renderer.write().callback_resources.insert(renderer);
         let extension = GpuExtension::new(&state);
         Self { state, extension }
@@ -52,14 +52,14 @@ impl Gpu {
     /// Uploads what has changed.
     pub fn upload(&mut self, model: &Model, changes: Changes) {
         if changes.meshes {
-            for side in SIDES {
+            for side in Side::BOTH {
                 if let Some(domain) = model.shown_domain(side) {
                     self.upload_boundary(side, domain);
                 }
                 self.upload_mesh(side, model);
             }
         } else if changes.images && !self.extends(model) {
-            for side in SIDES {
+            for side in Side::BOTH {
                 self.upload_images(side, model);
             }
         }
@@ -74,7 +74,7 @@ impl Gpu {
         let Some(home) = textured::home(model.session()) else { return };
         let mut renderer = self.state.renderer.write();
         if let Some(renderer) = renderer.callback_resources.get_mut::<ViewportRenderer>() {
-            extension.apply(&self.state, renderer, map, other(home));
+            extension.apply(&self.state, renderer, map, home.other());
         }
     }
 
@@ -87,7 +87,7 @@ impl Gpu {
     /// The outlines' stroke, of constant width on the screen.
     pub fn set_stroke(&self, dark: bool, pixels_per_point: f32) {
         self.with_renderer(|renderer| {
-            for side in SIDES {
+            for side in Side::BOTH {
                 renderer.set_boundary_style(side as usize, Some(StrokeStyle::themed(dark, pixels_per_point)));
             }
         });
@@ -107,7 +107,7 @@ impl Gpu {
     /// Colours the triangles on both sides.
     pub fn colour_cells(&self, codes: &mut Vec<CellCode>) {
         self.with_renderer(|renderer| {
-            for side in SIDES {
+            for side in Side::BOTH {
                 renderer.set_cell_codes(&self.state.queue, side as usize, codes);
             }
         });
@@ -115,7 +115,7 @@ impl Gpu {
 
     /// How the triangles are shown on both sides; `None`: not at all.
     pub fn set_cell_style(&self, style: Option<CellStyle>) {
-        self.with_renderer(|renderer| SIDES.map(|side| renderer.set_cell_style(side as usize, style)));
+        self.with_renderer(|renderer| Side::BOTH.map(|side| renderer.set_cell_style(side as usize, style)));
     }
 
     fn upload_boundary(&self, side: Side, domain: &PreparedDomain) {

@@ -5,7 +5,6 @@
 //! device has no compute shaders (WebGL2), or the map is too large for it, nothing comes
 //! from here, and the picture follows the map's own refinement.
 
-use super::model::other;
 use crate::conformal::{ConformalMap, Extension, PreparedDomain, Side};
 use crate::render::{CauchyGreenBuffers, CauchyGreenPass, ViewportRenderer};
 use egui_wgpu::RenderState;
@@ -59,7 +58,7 @@ impl GpuExtension {
         }
         let Some((_, buffers)) = &mut self.mapped else { return false };
         let RenderState { device, queue, .. } = state;
-        let samples = &map.domain(other(map.direction().mapped_side())).samples;
+        let samples = &map.domain(map.direction().mapped_side().other()).samples;
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("extension") });
         let recorded = self.pass.evaluate(queue, &mut encoder, buffers, map.correspondence().images(samples))
             && if side == map.direction().mapped_side() {

@@ -3,7 +3,6 @@
 //! A dot is grabbed where it was touched and keeps that offset, so that it does
 //! not jump. Nearer dots win; ties go to the interior point.
 
-use super::model::other;
 use crate::conformal::Side;
 use egui::{Pos2, Vec2};
 
@@ -35,7 +34,7 @@ pub struct Handle {
 impl Handle {
     /// The dot that this one is mapped to.
     pub fn partner(self) -> Self {
-        Self { side: other(self.side), ..self }
+        Self { side: self.side.other(), ..self }
     }
 
     /// "x₁", "y₂", …

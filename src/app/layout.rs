@@ -7,9 +7,7 @@ use super::header::Surroundings;
 use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box};
-use super::{
-    PHONE_WIDTH, RiemapApp, SIDES, header, legend, plots, side_panel, status, teaching, top_bar, viewport, words,
-};
+use super::{PHONE_WIDTH, RiemapApp, header, legend, plots, side_panel, status, teaching, top_bar, viewport, words};
 use crate::conformal::Side;
 use crate::session::Command;
 use egui::{Event, Frame, Id, Key, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
@@ -143,7 +141,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     let rects = divide(ui.max_rect(), narrow || ui.max_rect().width() < ui.max_rect().height());
     let margins = if narrow { PHONE_MARGINS } else { DESK_MARGINS };
     let mut pointed = None;
-    for side in SIDES {
+    for side in Side::BOTH {
         let view = &mut app.views[side as usize];
         let rect = rects[side as usize];
         let below =
@@ -173,7 +171,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     }
     let around = Surroundings { narrow, folded: !app.panels_open };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
-    for side in SIDES {
+    for side in Side::BOTH {
         let view = &app.views[side as usize];
         viewport::paint_mesh(ui, side, view, style.as_ref());
         header::show(ui, side, &app.model, view, around, actions);

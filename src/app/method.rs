@@ -3,7 +3,7 @@
 //! Kernel and solver are one choice for both sides. What would not fit is greyed, with the reason.
 
 use super::action::{Action, Actions};
-use super::model::{Model, SIDES};
+use super::model::Model;
 use super::theme::Palette;
 use super::widgets::{Segment, group_heading, segmented, segmented_where};
 use crate::conformal::{ConformalMap, Extension, HarmonicTable, KernelMode, Memory, PrepareSettings, Side};
@@ -73,7 +73,7 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 }
 
 fn set(model: &Model, actions: &mut Actions, change: impl Fn(PrepareSettings) -> PrepareSettings) {
-    for side in SIDES {
+    for side in Side::BOTH {
         let settings = change(model.side(side).wanted().settings);
         actions.push(Action::Session(Command::SetSettings { side, settings }));
     }
@@ -81,7 +81,7 @@ fn set(model: &Model, actions: &mut Actions, change: impl Fn(PrepareSettings) ->
 
 /// Why a kernel cannot be had for the domains as they are.
 fn refusal(model: &Model, kernel: KernelMode) -> Option<String> {
-    let domains = SIDES.into_iter().filter_map(|side| model.domain(side));
+    let domains = Side::BOTH.into_iter().filter_map(|side| model.domain(side));
     domains
         .filter(|_| kernel == KernelMode::Table)
         .find_map(|domain| {

@@ -48,7 +48,7 @@ use cells::Cells;
 use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;
-use model::{Changes, Refines, SIDES};
+use model::{Changes, Refines};
 use plots::Plots;
 use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
@@ -178,13 +178,13 @@ impl RiemapApp {
     }
 
     fn errors(&self) -> Vec<String> {
-        let sides = SIDES.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
+        let sides = Side::BOTH.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
         let map = self.model.map_error().map(|(_, text)| text.to_owned());
         sides.chain(map).chain(self.image_error.clone()).collect()
     }
 
     fn notes(&self) -> Vec<String> {
-        SIDES.into_iter().flat_map(|side| &self.model.side(side).notes).map(ToString::to_string).collect()
+        Side::BOTH.into_iter().flat_map(|side| &self.model.side(side).notes).map(ToString::to_string).collect()
     }
 
     /// What happened since the last frame.
@@ -277,7 +277,7 @@ impl RiemapApp {
                 self.show_changes(context, refined);
             }
         }
-        for side in SIDES {
+        for side in Side::BOTH {
             if self.model.take_refit(side) {
                 self.views[side as usize].fit();
                 context.request_repaint();

@@ -4,7 +4,7 @@
 
 use super::action::{Action, Actions};
 use super::method;
-use super::model::{Model, SIDES};
+use super::model::Model;
 use super::theme::Palette;
 use super::widgets::{Segment, captioned_slider, group_heading, segmented};
 use super::{teaching, words};
@@ -63,7 +63,7 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut 
     texture(ui, model, image_name, actions);
     method::show(ui, model, actions);
     teaching::panel::show(ui, model, actions);
-    for side in SIDES {
+    for side in Side::BOTH {
         ui.push_id(side, |ui| resolution(ui, side, model, actions));
     }
 }

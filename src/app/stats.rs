@@ -1,6 +1,6 @@
 //! The numbers on the screen as one plain record, for `window.riemap.stats()` and for tests.
 
-use super::model::{Model, SIDES, mapped_side, other};
+use super::model::Model;
 use crate::conformal::{ConformalMap, FrameTimings, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::session::Colouring;
@@ -130,18 +130,18 @@ pub struct ScreenFacts {
 /// Collects the record.
 pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
     let quality = model.quality();
-    let mapped = mapped_side(model.session().direction);
+    let mapped = model.session().direction.mapped_side();
     Stats {
         ready: model.is_ready(),
         backend: screen.backend,
         generation: model.generation(),
-        preparing: SIDES.map(|side| model.side(side).is_busy()),
+        preparing: Side::BOTH.map(|side| model.side(side).is_busy()),
         source: size(model, Side::Source),
         target: size(model, Side::Target),
         q_mean: quality.map(|q| q.q_mean),
         q_max: quality.map(|q| q.q_max),
         flipped: quality.map(|q| q.flipped),
-        prepare_ms: SIDES.map(|side| model.domain(side).map(|domain| domain.timings).unwrap_or_default()),
+        prepare_ms: Side::BOTH.map(|side| model.domain(side).map(|domain| domain.timings).unwrap_or_default()),
         frame_ms: model.map().map(ConformalMap::timings).unwrap_or_default(),
         errors: screen.errors,
         notes: screen.notes,
@@ -161,7 +161,7 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         walks: (model.teaching().walks.count(), model.teaching().walks.deviation()),
         handles: screen.handles,
         image_of_mapped_point: image_of_point(model, mapped),
-        expected: model.interior(other(mapped)).map(|point| point.to_array()),
+        expected: model.interior(mapped.other()).map(|point| point.to_array()),
         boundary_checksum: boundary_checksum(model),
     }
 }

@@ -13,7 +13,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 fn prepared_model() -> Model {
     let mut session = Session::default();
     let sampling = Sampling::Uniform { count: 120, keep_corners: false };
-    for side in SIDES {
+    for side in Side::BOTH {
         session.apply(Command::SetSettings {
             side,
             settings: PrepareSettings { sampling, sizing: Sizing::Graded(0.3), ..PrepareSettings::default() },

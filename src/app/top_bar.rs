@@ -2,9 +2,10 @@
 
 use super::action::{Action, Actions};
 use super::header::PANELS_TOOLTIP;
-use super::model::{Model, SIDES};
+use super::model::Model;
 use super::theme::{Palette, ROW_HEIGHT};
 use super::{figures_menu, shapes, theme, words};
+use crate::conformal::Side;
 use crate::session::Command;
 use egui::{Align, Layout, Response, RichText, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 
@@ -18,7 +19,7 @@ pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
         ui.label(RichText::new("riemap").font(theme::bold(18.0)).color(palette.text))
             .on_hover_text("The conformal map between two outlines, by matching harmonic measure");
         ui.add_space(if narrow { 2.0 } else { 10.0 });
-        for side in SIDES {
+        for side in Side::BOTH {
             shapes::menu_button(ui, words::side(side), side, &model.side(side).wanted().outline, actions);
         }
         if !narrow && ui.button("Image…").on_hover_text("A PNG or JPEG as the texture").clicked() {

@@ -12,7 +12,7 @@ pub use curves::{Curve, Curves};
 
 pub use convergence::convergence_chart;
 
-use super::model::{Model, SIDES};
+use super::model::Model;
 use super::teaching::overlay::{Origin, Overlays};
 use super::theme::{self, Palette};
 use super::widgets::{Segment, dot, segmented};
@@ -98,7 +98,7 @@ impl Plots {
     /// The marked point and its partner: fractions of arc length of source and target.
     pub fn marked(&self) -> Option<[f64; 2]> {
         let (curves, at) = (self.curves()?, self.marked_from_anchor()?);
-        Some(SIDES.map(|side| curves.fraction(side, at[side as usize])))
+        Some(Side::BOTH.map(|side| curves.fraction(side, at[side as usize])))
     }
 
     /// The colours of source and target.

@@ -1,7 +1,7 @@
 //! The controls of what teaches: which polar grid, where the pattern lives, the way through the disk, random walks.
 
 use super::super::action::{Action, Actions};
-use super::super::model::{Model, SIDES};
+use super::super::model::Model;
 use super::super::theme::Palette;
 use super::super::widgets::{Segment, captioned_slider, group_heading, grouped, segmented};
 use super::through_disk::Found;
@@ -148,7 +148,7 @@ pub fn verdicts(found: &Found) -> Vec<String> {
             _ => Some(format!("{side}: {}, {}", collapsed(), disordered())),
         }
     };
-    let mut lines: Vec<String> = SIDES.iter().filter_map(lost).collect();
+    let mut lines: Vec<String> = Side::BOTH.iter().filter_map(lost).collect();
     if lines.is_empty() {
         lines.push(format!("all {} points kept apart", grouped(found.samples.iter().sum())));
     }

@@ -1,0 +1,222 @@
+//! The state behind the picture: session, the two preparations, the map.
+//!
+//! No egui and no wgpu in here. Commands come in through [`Model::dispatch`] (file `wishes`),
+//! worker answers through [`Model::accept`]; [`Model::refresh`] (file `refresh`)
+//! then brings the map up to date and says what has to be uploaded. While a side is prepared,
+//! the last good map stays and follows its handles.
+
+mod refresh;
+mod wishes;
+
+use super::draft::Draft;
+use super::prepare_state::Preparation;
+use super::teaching::Teaching;
+use super::textured;
+use crate::conformal::{ConformalMap, PreparedDomain, Quality, Side, TriangleDistortion};
+use crate::geometry::DVec2;
+use crate::session::Session;
+use std::sync::Arc;
+
+/// The distance that a handle keeps from the boundary, in sizes of the domain:
+/// 0.004 is two pixels in a domain of 500, closer than a dot can be told from
+/// the edge, and still several boundary edges away from it.
+const INSET: f64 = 0.004;
+
+/// An update that takes longer, in ms, does not follow a drag: a coarse map stands in. With
+/// the drawing it stays below the 50 ms from which on a hand feels that something lags.
+const SLOW_UPDATE_MS: f64 = 30.0;
+
+/// What a refresh changed, for the upload.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Changes {
+    /// A domain, the direction or the pattern's home is another one: meshes and outlines.
+    pub meshes: bool,
+    /// The map is another one: the boundary moved.
+    pub map: bool,
+    /// Images of vertices moved: with the map, or because they were refined.
+    pub images: bool,
+}
+
+impl std::ops::BitOrAssign for Changes {
+    fn bitor_assign(&mut self, other: Self) {
+        self.meshes |= other.meshes;
+        self.map |= other.map;
+        self.images |= other.images;
+    }
+}
+
+/// When an extension that is not complete is gone on with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refines {
+    /// In every [`Model::refresh`].
+    InRefresh,
+    /// When [`Model::refine_at_rest`] is called.
+    AtRest,
+}
+
+/// Session, preparations and map.
+#[derive(Debug)]
+pub struct Model {
+    session: Session,
+    sides: [Preparation; 2],
+    map: Option<ConformalMap>,
+    draft: Draft,
+    /// How many updates in a row were too slow for a drag.
+    slow_updates: u32,
+    pub(super) slow_update_ms: f64,
+    quality: Option<Quality>,
+    triangles: Vec<TriangleDistortion>,
+    measured: u64,
+    quality_ms: f64,
+    quality_stale: bool,
+    points_changed: bool,
+    domains_changed: bool,
+    last_good_points: ([Option<DVec2>; 2], [f64; 2]),
+    generation: u64,
+    mesh_generation: u64,
+    map_error: Option<(Side, String)>,
+    refit: [bool; 2],
+    /// The points of a session whose domains are being prepared.
+    incoming_points: [Option<(Option<DVec2>, f64)>; 2],
+    refines: Refines,
+    /// Where the pattern lived at the last refresh.
+    pattern_home: Option<Side>,
+    teaching: Teaching,
+}
+
+impl Model {
+    /// Wants both of the session's domains.
+    pub fn new(session: Session) -> Self {
+        let sides = [Preparation::new(session.source.clone()), Preparation::new(session.target.clone())];
+        Self {
+            last_good_points: (session.interior, session.anchor),
+            pattern_home: textured::home(&session),
+            session,
+            sides,
+            map: None,
+            draft: Draft::default(),
+            slow_updates: 0,
+            slow_update_ms: SLOW_UPDATE_MS,
+            quality: None,
+            triangles: Vec::new(),
+            measured: 0,
+            quality_ms: 0.0,
+            quality_stale: false,
+            points_changed: false,
+            domains_changed: false,
+            generation: 0,
+            mesh_generation: 0,
+            map_error: None,
+            refit: [true; 2],
+            incoming_points: [None; 2],
+            refines: Refines::InRefresh,
+            teaching: Teaching::default(),
+        }
+    }
+
+    /// What the map on the screen is made from.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// One side's preparation.
+    pub fn side(&self, side: Side) -> &Preparation {
+        &self.sides[side as usize]
+    }
+
+    /// One side's preparation.
+    pub fn side_mut(&mut self, side: Side) -> &mut Preparation {
+        &mut self.sides[side as usize]
+    }
+
+    /// One side's domain, the last good one.
+    pub fn domain(&self, side: Side) -> Option<&Arc<PreparedDomain>> {
+        self.side(side).domain()
+    }
+
+    /// The map that is shown, as soon as both domains are there: the full one, or a coarse
+    /// one while a drag is under way that the full one is too slow for.
+    pub fn map(&self) -> Option<&ConformalMap> {
+        self.draft.map().or(self.map.as_ref())
+    }
+
+    /// The domain of a side that is shown.
+    pub fn shown_domain(&self, side: Side) -> Option<&Arc<PreparedDomain>> {
+        self.draft.map().map_or_else(|| self.domain(side), |map| Some(map.domain(side)))
+    }
+
+    /// Angle distortion of the map; of the last one that was measured while a drag is under way.
+    pub fn quality(&self) -> Option<Quality> {
+        self.quality
+    }
+
+    /// The distortion of every triangle of the mapped mesh, when [`Self::quality`] was measured.
+    pub fn triangles(&self) -> &[TriangleDistortion] {
+        &self.triangles
+    }
+
+    /// The [`Self::generation`] of the map whose [`Self::triangles`] these are.
+    pub fn measured_generation(&self) -> u64 {
+        self.measured
+    }
+
+    /// How many times the map has changed.
+    pub fn generation(&self) -> u64 {
+        self.generation
+    }
+
+    /// How many times another mesh was mapped.
+    pub fn mesh_generation(&self) -> u64 {
+        self.mesh_generation
+    }
+
+    /// What the map said about a constraint that it could not take.
+    pub fn map_error(&self) -> Option<(Side, &str)> {
+        self.map_error.as_ref().map(|(side, message)| (*side, message.as_str()))
+    }
+
+    /// Whether a side has a new outline since the last call: its viewport fits it.
+    pub fn take_refit(&mut self, side: Side) -> bool {
+        std::mem::take(&mut self.refit[side as usize])
+    }
+
+    /// A first map is shown and nothing is being prepared.
+    pub fn is_ready(&self) -> bool {
+        self.map.is_some() && !self.sides.iter().any(Preparation::is_busy)
+    }
+
+    /// Lower left and upper right corner of a side's domain.
+    pub fn extent(&self, side: Side) -> Option<(DVec2, DVec2)> {
+        self.domain(side).map(|domain| bounds(&domain.samples.points))
+    }
+
+    /// The interior point of a side, where its handle is.
+    pub fn interior(&self, side: Side) -> Option<DVec2> {
+        let domain = self.domain(side)?;
+        Some(self.session.interior[side as usize].unwrap_or(domain.pole))
+    }
+
+    /// The boundary point of a side, where its handle is.
+    pub fn anchor(&self, side: Side) -> Option<DVec2> {
+        let samples = &self.domain(side)?.samples;
+        Some(samples.position(samples.at_fraction(self.session.anchor[side as usize])))
+    }
+
+    /// Where the interior handle goes when the pointer is at `x`: there, or along the boundary.
+    pub fn interior_near(&self, side: Side, x: DVec2) -> Option<DVec2> {
+        let domain = self.domain(side)?;
+        let (low, high) = self.extent(side)?;
+        Some(domain.nearest_inside(x, INSET * (high - low).max_element()))
+    }
+
+    /// The boundary point nearest to `x`, as a fraction of arc length.
+    pub fn anchor_near(&self, side: Side, x: DVec2) -> Option<f64> {
+        let samples = &self.domain(side)?.samples;
+        Some(samples.fraction_at(samples.nearest(x)))
+    }
+}
+
+/// Lower left and upper right corner of the points.
+pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
+    points.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &point| (low.min(point), high.max(point)))
+}

@@ -1,0 +1,123 @@
+//! What the model is asked for: commands, files, remedies; requests to the workers and their answers.
+
+use super::Model;
+use crate::app::prepare_state::{Preparation, Progress};
+use crate::app::trouble::Remedy;
+use crate::conformal::Side;
+use crate::outline::{Outline, OutlineNote};
+use crate::session::{Command, OutlineSpec, Session};
+use crate::worker::{Request, Response};
+
+impl Model {
+    /// Carries out a command, or begins to: what needs a preparation takes effect when it is done.
+    pub fn dispatch(&mut self, command: Command, now: f64) {
+        match command {
+            Command::SetOutline { side, outline } => self.want_outline(side, outline, Vec::new()),
+            Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
+            Command::Swap => self.swap(),
+            Command::Open(session) => self.open(&session),
+            Command::MoveInterior { .. }
+            | Command::MoveAnchor { .. }
+            | Command::SetDirection(_)
+            | Command::SetExtension(_) => {
+                self.session.apply(command);
+                self.points_changed = true;
+            }
+            Command::SetTexture(_)
+            | Command::SetTextureSide(_)
+            | Command::SetTextureScale(_)
+            | Command::SetColouring(_)
+            | Command::SetWireframe(_)
+            | Command::SetPlots(_)
+            | Command::SetComparison(_) => self.session.apply(command),
+        }
+    }
+
+    /// Shows another session: at once but for its domains, which come with their points when they are prepared.
+    fn open(&mut self, session: &Session) {
+        let shown = self.session.clone();
+        for side in Side::BOTH {
+            let k = side as usize;
+            self.incoming_points[k] = None;
+            let points = (session.interior[k], session.anchor[k]);
+            if self.side_mut(side).want_spec(session.domain(side)) {
+                self.incoming_points[k] = Some(points);
+            } else {
+                (self.session.interior[k], self.session.anchor[k]) = points;
+            }
+        }
+        let Session { interior, anchor, .. } = self.session;
+        self.session = Session { source: shown.source, target: shown.target, interior, anchor, ..session.clone() };
+        self.map_error = None;
+        self.points_changed = true;
+    }
+
+    fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+        self.incoming_points[side as usize] = None;
+        self.side_mut(side).error = None;
+        self.side_mut(side).want_outline(outline, notes);
+    }
+
+    /// Begins to prepare an outline that was read from a file.
+    pub fn want_loaded(&mut self, side: Side, outline: Outline) {
+        let Outline { name, polygon, notes } = outline;
+        let points = polygon.vertices().to_vec();
+        self.want_outline(side, OutlineSpec::Points { name, points }, notes);
+    }
+
+    /// Does what a side's message offers.
+    pub fn remedy(&mut self, side: Side) {
+        match self.side_mut(side).error.take().and_then(|trouble| trouble.remedy) {
+            Some(Remedy::Retry) => self.side_mut(side).retry(),
+            Some(Remedy::Repaired(outline)) => self.want_loaded(side, *outline),
+            None => {}
+        }
+    }
+
+    /// Closes a side's messages.
+    pub fn dismiss(&mut self, side: Side) {
+        self.side_mut(side).error = None;
+        self.map_error = self.map_error.take().filter(|(at, _)| *at != side);
+    }
+
+    /// The requests that are due.
+    pub fn take_requests(&mut self, now: f64) -> Vec<(Side, Request)> {
+        Side::BOTH.into_iter().filter_map(|side| Some((side, self.side_mut(side).take_request(now)?))).collect()
+    }
+
+    /// When the next request will be due.
+    pub fn next_due(&self) -> Option<f64> {
+        self.sides.iter().filter_map(Preparation::due).reduce(f64::min)
+    }
+
+    /// Takes in an answer of a worker.
+    pub fn accept(&mut self, side: Side, generation: u64, response: Response) {
+        let progress = self.side_mut(side).accept(generation, response);
+        if matches!(progress, Progress::Failed) {
+            self.incoming_points[side as usize] = None;
+        }
+        if let Progress::Ready { spec, new_outline } = progress {
+            if new_outline && spec.outline != self.session.domain(side).outline {
+                self.session.apply(Command::SetOutline { side, outline: spec.outline });
+            }
+            self.session.apply(Command::SetSettings { side, settings: spec.settings });
+            if let Some((interior, anchor)) = self.incoming_points[side as usize].take() {
+                (self.session.interior[side as usize], self.session.anchor[side as usize]) = (interior, anchor);
+            }
+            self.refit[side as usize] |= new_outline;
+            self.domains_changed = true;
+        }
+    }
+
+    fn swap(&mut self) {
+        if self.sides.iter().any(Preparation::is_busy) {
+            return;
+        }
+        self.session.apply(Command::Swap);
+        self.sides.swap(0, 1);
+        let generation = self.sides.iter().map(Preparation::generation).max().unwrap_or(0);
+        self.sides.iter_mut().for_each(|side| side.skip_to(generation));
+        self.refit = [true; 2];
+        self.domains_changed = true;
+    }
+}
