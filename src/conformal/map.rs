@@ -7,117 +7,17 @@
 //! With [`Extension::CauchyGreen`] an update gives the harmonic images, at once;
 //! [`ConformalMap::refine`] then replaces them chunk by chunk, within the time that it is given.
 
+use super::half::Half;
 use super::refinement::Refinement;
 use super::{
-    BoundaryCorrespondence, CauchyGreenMode, Extension, HarmonicMeasure, KernelScratch, PreparedDomain, Quality,
-    harmonic_extension, match_measures, poisson_kernel,
+    BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, Extension, HarmonicMeasure, KernelScratch,
+    MapSettings, PreparedDomain, Quality, Side, harmonic_extension, match_measures,
 };
 use crate::geometry::DVec2;
 use crate::laplace::{Lanes, NotConverged};
-use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, locate};
+use crate::mesh::{TriMesh, locate};
 use std::sync::Arc;
 use web_time::Instant;
-
-/// One of the two domains.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Side {
-    /// Ω₁.
-    Source,
-    /// Ω₂.
-    Target,
-}
-
-impl Side {
-    /// Both, source first.
-    pub const BOTH: [Self; 2] = [Self::Source, Self::Target];
-
-    /// The other one.
-    #[must_use]
-    pub fn other(self) -> Self {
-        match self {
-            Self::Source => Self::Target,
-            Self::Target => Self::Source,
-        }
-    }
-}
-
-impl std::fmt::Display for Side {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Source => "source",
-            Self::Target => "target",
-        })
-    }
-}
-
-/// Which mesh is mapped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Direction {
-    /// The source's vertices are mapped into the target.
-    Forward,
-    /// The target's vertices are mapped into the source, as texture coordinates.
-    #[default]
-    Backward,
-}
-
-impl Direction {
-    /// The side whose mesh is mapped.
-    pub fn mapped_side(self) -> Side {
-        match self {
-            Self::Forward => Side::Source,
-            Self::Backward => Side::Target,
-        }
-    }
-}
-
-/// Which mesh is mapped, and how its inside follows the boundary.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
-pub struct MapSettings {
-    /// Which mesh is mapped.
-    pub direction: Direction,
-    /// How the boundary map is extended into it.
-    pub extension: Extension,
-}
-
-impl From<Direction> for MapSettings {
-    /// With the default extension.
-    fn from(direction: Direction) -> Self {
-        Self { direction, extension: Extension::default() }
-    }
-}
-
-/// `f(x₁) = x₂`, `f(y₁) = y₂`.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct Constraints {
-    /// `x₁`, inside Ω₁.
-    pub source_point: DVec2,
-    /// `x₂`, inside Ω₂.
-    pub target_point: DVec2,
-    /// `y₁`, as a fraction of the arc length of the source outline from its first point.
-    pub source_anchor: f64,
-    /// `y₂`, likewise on the target outline.
-    pub target_anchor: f64,
-}
-
-impl Constraints {
-    /// The interior point of a side.
-    pub fn point(&self, side: Side) -> DVec2 {
-        match side {
-            Side::Source => self.source_point,
-            Side::Target => self.target_point,
-        }
-    }
-
-    /// The anchor of a side.
-    pub fn anchor(&self, side: Side) -> f64 {
-        match side {
-            Side::Source => self.source_anchor,
-            Side::Target => self.target_anchor,
-        }
-    }
-}
 
 /// What an update took, in milliseconds; a stage that was not needed took 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
@@ -170,78 +70,6 @@ pub struct ConformalMap {
     kernel_scratch: KernelScratch,
     extension_scratch: Vec<Lanes<2>>,
     refinement: Refinement,
-}
-
-/// One side of the map.
-#[derive(Debug)]
-struct Half {
-    domain: Arc<PreparedDomain>,
-    point: DVec2,
-    located: BarycentricPoint,
-    anchor: f64,
-    kernel: Vec<f64>,
-    measure: HarmonicMeasure,
-}
-
-/// What a change of constraints asks of one side.
-struct Change {
-    located: Option<BarycentricPoint>,
-    re_anchor: bool,
-}
-
-impl Half {
-    fn new(domain: Arc<PreparedDomain>) -> Self {
-        let located = BarycentricPoint { triangle: 0, weights: [1.0, 0.0, 0.0] };
-        let (kernel, measure) = (Vec::new(), HarmonicMeasure::default());
-        Self { domain, point: DVec2::NAN, located, anchor: f64::NAN, kernel, measure }
-    }
-
-    /// Checks the constraints of this side and finds what they change; changes nothing.
-    fn plan(&self, side: Side, constraints: &Constraints) -> Result<Change, MapError> {
-        let (x, anchor) = (constraints.point(side), constraints.anchor(side));
-        if !anchor.is_finite() {
-            return Err(MapError::AnchorNotFinite { side });
-        }
-        let re_anchor = anchor != self.anchor;
-        if x == self.point {
-            return Ok(Change { located: None, re_anchor });
-        }
-        let found = if x.is_finite() { locate(&self.domain.mesh, x, self.located.triangle) } else { None };
-        let inside = found.filter(|found| !on_boundary(&self.domain.mesh, *found));
-        let located = inside.ok_or(MapError::PointOutside { side, x: x.x, y: x.y })?;
-        Ok(Change { located: Some(located), re_anchor })
-    }
-
-    /// Renews the kernel and the measure as planned.
-    fn apply(
-        &mut self,
-        side: Side,
-        constraints: &Constraints,
-        change: &Change,
-        scratch: &mut KernelScratch,
-    ) -> Result<(), MapError> {
-        if let Some(located) = change.located {
-            // only a kernel that is complete may be taken for that of its point
-            self.point = DVec2::NAN;
-            poisson_kernel(&self.domain, located, scratch, &mut self.kernel)
-                .map_err(|error| MapError::NotConverged { side, error })?;
-            (self.located, self.point) = (located, constraints.point(side));
-        }
-        if change.located.is_some() || change.re_anchor {
-            self.anchor = constraints.anchor(side);
-            let anchor = self.domain.samples.at_fraction(self.anchor);
-            self.measure.set(&self.domain.samples, &self.kernel, anchor);
-        }
-        Ok(())
-    }
-}
-
-/// Whether a located point lies on a boundary edge, where harmonic measure is a point mass.
-fn on_boundary(mesh: &TriMesh, point: BarycentricPoint) -> bool {
-    let corners = mesh.triangles[point.triangle as usize];
-    let neighbours = mesh.neighbours[point.triangle as usize];
-    let vertex = (0..3).any(|i| point.weights[i] == 1.0 && corners[i] < mesh.boundary_count);
-    vertex || (0..3).any(|i| point.weights[i] == 0.0 && neighbours[i] == NO_TRIANGLE)
 }
 
 impl ConformalMap {

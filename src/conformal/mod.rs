@@ -17,10 +17,12 @@
 
 mod buffers;
 mod cauchy_green;
+mod constraints;
 mod disk_coordinates;
 mod distortion;
 mod domain;
 mod extension;
+mod half;
 mod histogram;
 mod hit_counts;
 mod kernel;
@@ -34,6 +36,7 @@ mod table;
 
 pub use buffers::DomainBuffers;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
+pub use constraints::{Constraints, Direction, MapSettings, Side};
 pub use disk_coordinates::disk_coordinates;
 pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
 pub use domain::{
@@ -43,7 +46,7 @@ pub use extension::{Extension, harmonic_extension};
 pub use histogram::Histogram;
 pub use hit_counts::HitCounts;
 pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};
-pub use map::{ConformalMap, Constraints, Direction, FrameTimings, MapError, MapSettings, Side};
+pub use map::{ConformalMap, FrameTimings, MapError};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
