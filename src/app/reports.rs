@@ -8,7 +8,7 @@ use crate::figures::{
     BenchRow, BenchSetting, ConvergenceRow, Measurement, PAPER_MACHINE, PaperFrame, PaperPreparation, TABLE_1, TABLE_2,
 };
 use crate::worker::{Finding, Study};
-use egui::{Grid, RichText, ScrollArea, Ui, Window};
+use egui::{Grid, RichText, ScrollArea, Ui, Window, vec2};
 use std::collections::VecDeque;
 
 /// Measurements per row, of which the median is taken.
@@ -79,8 +79,9 @@ impl Reports {
         Window::new(title)
             .open(&mut still_open)
             .collapsible(false)
-            .max_size([screen.width() - 40.0, screen.height() - 120.0])
-            .default_width(760.0)
+            .pivot(egui::Align2::CENTER_CENTER)
+            .default_pos(screen.center())
+            .default_size(vec2(780.0, 700.0).min(screen.size() - vec2(24.0, 90.0)))
             .show(context, |ui| self.content(ui, report));
         if !still_open {
             *self = Self::default();
@@ -92,7 +93,7 @@ impl Reports {
         let left = self.waiting.len() + usize::from(self.running.is_some());
         let state = if left == 0 { String::from("done") } else { format!("measuring, {left} rows to go…") };
         ui.label(RichText::new(state).color(palette.weak));
-        ScrollArea::both().show(ui, |ui| match report {
+        ScrollArea::both().auto_shrink(false).show(ui, |ui| match report {
             Report::Bench => {
                 ui.label(RichText::new(format!("Paper: {PAPER_MACHINE}. Here: one thread.")).color(palette.weak));
                 for setting in BenchSetting::ALL {

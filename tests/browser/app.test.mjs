@@ -140,6 +140,23 @@ for (const backend of BACKENDS) {
     }
 
     test(
+      'a small Cauchy-Green extension comes from the compute shader where there is one',
+      withApp('desktop', async (app) => {
+        const settings = { sampling: { uniform: { count: 120, keep_corners: true } }, sizing: { graded: 0.3 } };
+        const { source, target } = await app.session();
+        const [coarseSource, coarseTarget] = [source, target].map(({ outline }) => ({ outline, settings }));
+        await app.openSession({ source: coarseSource, target: coarseTarget, extension: 'cauchy-green' });
+        const stats = await app.until(
+          'the extension is complete',
+          ({ ready, source: { m }, cauchy_green: by, extension_progress: part }) => ready && m < 200 && by && part === 1,
+        );
+        assert.equal(stats.cauchy_green, backend === 'WebGPU' ? 'gpu' : 'cpu');
+        assert.deepEqual(stats.errors, []);
+        assertShowsSomething(await app.picture(`${backend}-small-Cauchy-Green`));
+      }),
+    );
+
+    test(
       'every way of preparing gives the same map',
       withApp('desktop', async (app) => {
         const { source, target } = await app.session();
