@@ -88,9 +88,27 @@ fn table_above_the_budget_is_refused_with_what_fits() {
 }
 
 #[test]
+fn the_advice_for_a_graded_mesh_fits() {
+    let polygon = Preset::Heart.outline().polygon;
+    let sampling = |count| Sampling::Uniform { count, keep_corners: true };
+    let graded = |count| PrepareSettings { sampling: sampling(count), sizing: Sizing::Graded(0.1), ..TABLE };
+    let memory = Memory { table_bytes: 2_000_000, ..Memory::default() };
+    let error = prepare_within(memory, &polygon, &graded(600), &mut |_| ()).unwrap_err();
+    let PrepareError::Table(TableError::TooLarge { fitting_samples, .. }) = error else { panic!("{error}") };
+    let fitting = prepare_within(memory, &polygon, &graded(fitting_samples as u32), &mut |_| ());
+    assert!(fitting.is_ok(), "{fitting_samples}: {:?}", fitting.err());
+}
+
+#[test]
 fn iterative_solver_gives_the_same_kernels_and_maps() {
+    for preset in [Preset::Cinquefoil, Preset::Gingerbread] {
+        agree_with_the_iterative_solver(preset);
+    }
+}
+
+fn agree_with_the_iterative_solver(preset: Preset) {
     let both = [COARSE, PCG].map(|settings| {
-        let (source, target) = (domain(Preset::Cinquefoil, settings), domain(Preset::Heart, settings));
+        let (source, target) = (domain(preset, settings), domain(Preset::Heart, settings));
         assert_eq!(source.solver.kind(), settings.solver);
         let constraints = Constraints {
             source_point: source.pole,
@@ -105,7 +123,7 @@ fn iterative_solver_gives_the_same_kernels_and_maps() {
     // a residual of 1e-12 times the condition of L̂, about n = 2000
     let kernel_error = difference(&both[0].0, &both[1].0);
     let image_error = both[0].1.iter().zip(&both[1].1).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
-    println!("kernels {kernel_error:.1e}, images {image_error:.1e}");
+    println!("{}: kernels {kernel_error:.1e}, images {image_error:.1e}", preset.name());
     assert!(kernel_error < 1e-9, "{kernel_error:e}");
     assert!(image_error < 1e-8, "{image_error:e}");
 }

@@ -24,6 +24,8 @@ const INSET: f64 = 0.004;
 #[derive(Debug, Default)]
 pub struct Draft {
     domains: [Option<Arc<PreparedDomain>>; 2],
+    /// Whether the domains were prepared, or found not to be.
+    is_tried: bool,
     map: Option<ConformalMap>,
 }
 
@@ -45,10 +47,8 @@ impl Draft {
 
     /// Brings the coarse map to `constraints`; false where it cannot stand in.
     pub fn follow(&mut self, outlines: [&OutlineSpec; 2], constraints: &Constraints, settings: MapSettings) -> bool {
-        for (domain, outline) in self.domains.iter_mut().zip(outlines) {
-            if domain.is_none() {
-                *domain = coarse(outline);
-            }
+        if !std::mem::replace(&mut self.is_tried, true) {
+            self.domains = outlines.map(coarse);
         }
         let [Some(source), Some(target)] = &self.domains else { return false };
         let constraints = Constraints {

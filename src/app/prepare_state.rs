@@ -117,10 +117,11 @@ impl Preparation {
     /// Wants `spec`, at once; whether it has to be prepared.
     pub fn want_spec(&mut self, spec: &DomainSpec) -> bool {
         self.error = None;
-        if !self.is_busy() && self.prepared_from.as_ref() == Some(spec) {
+        let prepared = !self.is_busy() && self.prepared_from.as_ref() == Some(spec);
+        self.wanted = spec.clone();
+        if prepared {
             return false;
         }
-        self.wanted = spec.clone();
         self.incoming_notes = Vec::new();
         self.due = Some(f64::NEG_INFINITY);
         true

@@ -32,6 +32,8 @@ pub struct Reports {
     open: Option<Report>,
     waiting: VecDeque<Study>,
     running: Option<Study>,
+    /// Whether the study of a window that was closed is still under way: two at once would measure each other.
+    is_abandoned: bool,
     rows: Vec<(BenchRow, Measurement)>,
     convergence: Vec<ConvergenceRow>,
     failures: Vec<String>,
@@ -44,12 +46,17 @@ impl Reports {
             Report::Bench => BenchRow::all().into_iter().map(|row| Study::Bench { row, runs: runs(row) }).collect(),
             Report::Convergence => RESOLUTIONS.map(|m| Study::Convergence { m }).into(),
         };
-        *self = Self { open: Some(report), waiting, ..Self::default() };
+        self.close();
+        (self.open, self.waiting) = (Some(report), waiting);
+    }
+
+    fn close(&mut self) {
+        *self = Self { is_abandoned: self.is_abandoned || self.running.is_some(), ..Self::default() };
     }
 
     /// The next study, when none is under way.
     pub fn take_study(&mut self) -> Option<Study> {
-        if self.running.is_some() {
+        if self.running.is_some() || self.is_abandoned {
             return None;
         }
         self.running = self.waiting.pop_front();
@@ -58,6 +65,9 @@ impl Reports {
 
     /// Takes in what a study found; `None` stands for the one under way. A stale one is dropped.
     pub fn accept(&mut self, study: Option<Study>, finding: Finding) {
+        if std::mem::take(&mut self.is_abandoned) {
+            return;
+        }
         let Some(running) = self.running.take_if(|running| study.is_none_or(|study| study == *running)) else { return };
         match (running, finding) {
             (Study::Bench { row, .. }, Finding::Bench(measurement)) => self.rows.push((row, measurement)),
@@ -72,7 +82,7 @@ impl Reports {
         let Some(report) = self.open else { return };
         let title = match report {
             Report::Bench => "Tables 1 and 2 of the paper, on this machine",
-            Report::Convergence => "Figure 15: convergence on the V-shape",
+            Report::Convergence => "Figure 15: convergence on the V-shape, up to m = 2000",
         };
         let screen = context.content_rect();
         let mut still_open = true;
@@ -84,7 +94,7 @@ impl Reports {
             .default_size(vec2(780.0, 700.0).min(screen.size() - vec2(24.0, 90.0)))
             .show(context, |ui| self.content(ui, report));
         if !still_open {
-            *self = Self::default();
+            self.close();
         }
     }
 
@@ -224,9 +234,10 @@ mod tests {
         let first = reports.take_study();
         assert!(first.is_some() && reports.take_study().is_none(), "one at a time");
         reports.open(Report::Bench);
-        let second = reports.take_study();
+        assert!(reports.take_study().is_none(), "the other window's row is still under way");
         reports.accept(first, Finding::Convergence(Vec::new()));
-        assert!(reports.take_study().is_none(), "the stale answer ended nothing");
+        assert!(reports.convergence.is_empty(), "its answer is dropped");
+        let second = reports.take_study();
         reports.accept(second, Finding::Failed(String::from("no")));
         assert_eq!(reports.failures.len(), 1);
         assert!(reports.take_study().is_some());

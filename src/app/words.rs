@@ -71,7 +71,7 @@ pub fn outline(outline: &OutlineSpec) -> &str {
 /// What should be known about a prepared domain that is not quite what was asked for.
 pub fn cautions(domain: &PreparedDomain, wanted: SolverKind) -> impl Iterator<Item = &'static str> {
     let iterative = (domain.solver.kind() != wanted)
-        .then_some("The Cholesky factor does not fit into memory: solved iteratively, a coarse map follows your drags");
+        .then_some("The Cholesky factor does not fit into memory: solved iteratively. A coarse map follows your drags; the full one takes a while when you let go");
     let coarse = (!domain.refinement.complete)
         .then_some("The mesh is coarser than asked for: its refinement stopped at the limit");
     iterative.into_iter().chain(coarse)

@@ -62,7 +62,7 @@ fn compute(arguments: &MapArguments) -> Result<(ConformalMap, Constraints), CliE
     };
     let mut map = ConformalMap::new(source, target, &constraints, MapSettings { direction, extension })
         .map_err(|error| CliError::Input(error.to_string()))?;
-    map.refine(f64::INFINITY);
+    map.refine_exactly();
     for ((outline, name), side) in outlines.iter().zip([&arguments.source, &arguments.target]).zip(Side::BOTH) {
         outline.say_notes(name);
         warn_if_coarse(name, map.domain(side).refinement);

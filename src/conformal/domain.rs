@@ -44,8 +44,8 @@ pub struct Memory {
 }
 
 impl Default for Memory {
-    /// A quarter of what a browser gives to one page where addresses have 32 bits,
-    /// else a quarter of a laptop's memory.
+    /// An eighth of what a browser can give to one page where addresses have 32 bits, else a
+    /// quarter of a laptop's memory; for each side, and before a worker hands it over by copying.
     fn default() -> Self {
         let bytes = if usize::BITS == 32 { 512 << 20 } else { 4 << 30 };
         Self { factor_bytes: bytes, table_bytes: bytes }
@@ -180,9 +180,10 @@ fn solver_for(
 ) -> Result<Solver, LaplaceError> {
     if wanted == SolverKind::Direct {
         progress(Stage::Order);
-        let ordering = timed(&mut timings.order, || Ordering::minimum_degree(laplacian))?;
+        let ordering = timed(&mut timings.order, || Ordering::minimum_degree(laplacian));
         progress(Stage::Factor);
-        match timed(&mut timings.factor, || Solver::direct(laplacian, ordering, memory.factor_bytes)) {
+        let factor = |ordering| Solver::direct(laplacian, ordering, memory.factor_bytes);
+        match timed(&mut timings.factor, || ordering.and_then(factor)) {
             Err(LaplaceError::TooLarge { .. }) => {}
             result => return result,
         }

@@ -66,6 +66,8 @@ pub struct ConformalMap {
     settings: MapSettings,
     correspondence: BoundaryCorrespondence,
     images: Vec<DVec2>,
+    /// Whether the last update came to its end.
+    is_complete: bool,
     timings: FrameTimings,
     kernel_scratch: KernelScratch,
     extension_scratch: Vec<Lanes<2>>,
@@ -86,6 +88,7 @@ impl ConformalMap {
             settings,
             correspondence: BoundaryCorrespondence::default(),
             images: Vec::new(),
+            is_complete: false,
             timings: FrameTimings::default(),
             kernel_scratch: KernelScratch::default(),
             extension_scratch: Vec::new(),
@@ -103,9 +106,10 @@ impl ConformalMap {
     pub fn update(&mut self, constraints: &Constraints, settings: MapSettings) -> Result<(), MapError> {
         let changes = [self.source.plan(Side::Source, constraints)?, self.target.plan(Side::Target, constraints)?];
         let touched = changes.iter().any(|c| c.located.is_some() || c.re_anchor);
-        if !touched && settings == self.settings && !self.images.is_empty() {
+        if !touched && settings == self.settings && self.is_complete {
             return Ok(());
         }
+        self.is_complete = false;
         self.settings = settings;
         let mut timings = FrameTimings::default();
         let start = Instant::now();
@@ -115,6 +119,7 @@ impl ConformalMap {
         self.match_boundaries(&mut timings);
         self.extend(&mut timings)?;
         self.timings = timings;
+        self.is_complete = true;
         Ok(())
     }
 
@@ -157,6 +162,13 @@ impl ConformalMap {
         let complete = self.refinement.advance(&mut self.images, budget_ms);
         self.timings.extend += start.elapsed().as_secs_f64() * 1e3;
         complete
+    }
+
+    /// As [`Self::refine`] without a limit, but all in f64 and without storing coordinates: for a map that is used once.
+    pub fn refine_exactly(&mut self) {
+        let start = Instant::now();
+        self.refinement.finish_exactly(&mut self.images);
+        self.timings.extend += start.elapsed().as_secs_f64() * 1e3;
     }
 
     /// The fraction of the vertices whose images are those of the extension that was asked for, in `[0, 1]`.

@@ -45,6 +45,13 @@ impl Refinement {
         *next == images.len()
     }
 
+    /// Replaces all images, in f64, storing nothing.
+    pub(super) fn finish_exactly(&mut self, images: &mut [DVec2]) {
+        let (Some(next), Some(coordinates)) = (&mut self.next, &self.coordinates) else { return };
+        let mut exact = CauchyGreen::new(Arc::clone(coordinates.domain()), 0);
+        *next = exact.advance(0, &self.values, images, &mut |_| ControlFlow::Continue(()));
+    }
+
     /// The fraction of the vertices that is replaced; 1 if nothing is to be replaced.
     pub(super) fn progress(&self, vertices: usize) -> f64 {
         self.next.map_or(1.0, |next| next as f64 / vertices as f64)

@@ -8,6 +8,9 @@ use super::Memory;
 use crate::laplace::{NotConverged, RootPaths, Solver};
 use sprs::CsMatI;
 
+/// n/m² of uniform meshes in round outlines is 0.06 (heart, disk); of graded ones 0.01 (m = 700) and less.
+const UNIFORM_SHARE: f64 = 0.04;
+
 /// Columns solved for at once: as many values as a cache line holds.
 const BLOCK: usize = 8;
 
@@ -51,13 +54,16 @@ impl HarmonicTable {
         size_of::<f64>() as u64 * n as u64 * m as u64
     }
 
-    /// Whether it fits. The sample count that fits is estimated for n = O(m²), a uniform mesh.
+    /// Whether it fits. The sample count that fits is estimated for n = O(m²) where the mesh has as
+    /// many vertices as a uniform one of a round outline, else for n = O(m), on the safe side.
     pub fn check(n: usize, m: usize, memory: Memory) -> Result<(), TableError> {
         let (bytes, budget) = (Self::bytes(n, m), memory.table_bytes);
         if bytes <= budget {
             return Ok(());
         }
-        let fitting_samples = (m as f64 * (budget as f64 / bytes as f64).cbrt()) as usize;
+        let share = budget as f64 / bytes as f64;
+        let uniform = n as f64 > UNIFORM_SHARE * (m as f64).powi(2);
+        let fitting_samples = (m as f64 * if uniform { share.cbrt() } else { share.sqrt() }) as usize;
         Err(TableError::TooLarge { rows: n, columns: m, bytes, budget, fitting_samples })
     }
 

@@ -165,7 +165,7 @@ pub enum Measurement {
     Preparation(Preparation),
     /// Of Table 2.
     Frame(Frame),
-    /// The column Ψ of Table 1. Last: read from text, every map would pass for it.
+    /// The column Ψ of Table 1.
     PsiTable {
         /// Seconds, with the factorisation; `None` where the table would take too much memory.
         psi_s: Option<f64>,

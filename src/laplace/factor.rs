@@ -63,7 +63,8 @@ pub struct FactorBuffers {
 }
 
 impl Factor {
-    /// Factors L̂ in the given ordering, in about `budget_bytes` of memory at most.
+    /// Factors L̂ in the given ordering, whose entries may take `budget_bytes` (the fronts take a
+    /// fraction of that for the time of the work).
     /// Errors: [`LaplaceError::NotPositiveDefinite`], [`LaplaceError::TooLarge`].
     pub fn new(laplacian: &DirichletLaplacian, ordering: Ordering, budget_bytes: u64) -> Result<Self, LaplaceError> {
         let n = laplacian.interior.cols();

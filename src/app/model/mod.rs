@@ -74,6 +74,8 @@ pub struct Model {
     last_good_points: ([Option<DVec2>; 2], [f64; 2]),
     generation: u64,
     mesh_generation: u64,
+    /// How many times the boundary map has changed.
+    map_generation: u64,
     map_error: Option<(Side, String)>,
     refit: [bool; 2],
     /// The points of a session whose domains are being prepared.
@@ -106,6 +108,7 @@ impl Model {
             domains_changed: false,
             generation: 0,
             mesh_generation: 0,
+            map_generation: 0,
             map_error: None,
             refit: [true; 2],
             incoming_points: [None; 2],
@@ -140,6 +143,11 @@ impl Model {
         self.draft.map().or(self.map.as_ref())
     }
 
+    /// Whether the map that is shown is the coarse one.
+    pub fn is_draft(&self) -> bool {
+        self.draft.map().is_some()
+    }
+
     /// The domain of a side that is shown.
     pub fn shown_domain(&self, side: Side) -> Option<&Arc<PreparedDomain>> {
         self.draft.map().map_or_else(|| self.domain(side), |map| Some(map.domain(side)))
@@ -160,7 +168,7 @@ impl Model {
         self.measured
     }
 
-    /// How many times the map has changed.
+    /// How many times the images have changed: with the map, or because they were refined.
     pub fn generation(&self) -> u64 {
         self.generation
     }

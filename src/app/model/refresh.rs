@@ -41,7 +41,8 @@ impl Model {
         }
         let refined = self.refines == Refines::InRefresh && self.refine();
         changes.images = changes.map || refined;
-        if changes.images {
+        self.map_generation += u64::from(changes.map || changes.meshes);
+        if changes.meshes || changes.images {
             self.mesh_generation += u64::from(changes.meshes);
             self.count_images(changes.meshes);
         }
@@ -49,7 +50,7 @@ impl Model {
         changes.meshes |= std::mem::replace(&mut self.pattern_home, home) != home;
         let shown = self.draft.map().or(self.map.as_ref());
         if let (None, Some(map)) = (home, shown) {
-            self.teaching.grid.update(&situation(map, &self.session, self.generation));
+            self.teaching.grid.update(&situation(map, &self.session, self.map_generation));
         }
         changes
     }
@@ -99,7 +100,7 @@ impl Model {
     pub fn teach(&mut self, now: f64) -> Option<f64> {
         // A coarse map has boundaries of its own: what is shown waits for the full one.
         let map = self.map.as_ref().filter(|_| self.draft.map().is_none())?;
-        let situation = situation(map, &self.session, self.generation);
+        let situation = situation(map, &self.session, self.map_generation);
         self.teaching.advance(&situation, self.session.comparison, now)
     }
 
@@ -182,8 +183,11 @@ impl Model {
 
     /// Brings the full map up to date and shows it.
     fn update(&mut self) -> Changes {
-        let (Some(constraints), Some(map)) = (self.constraints(), &mut self.map) else { return Changes::default() };
-        let meshes = self.draft.retire() || map.direction() != self.session.direction;
+        let retired = self.draft.retire();
+        let (Some(constraints), Some(map)) = (self.constraints(), &mut self.map) else {
+            return Changes { meshes: retired, ..Changes::default() };
+        };
+        let meshes = retired || map.direction() != self.session.direction;
         let start = Instant::now();
         let result = map.update(&constraints, self.session.map_settings());
         self.note_duration(start);

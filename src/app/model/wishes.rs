@@ -82,7 +82,14 @@ impl Model {
 
     /// The requests that are due.
     pub fn take_requests(&mut self, now: f64) -> Vec<(Side, Request)> {
-        Side::BOTH.into_iter().filter_map(|side| Some((side, self.side_mut(side).take_request(now)?))).collect()
+        let requests = Side::BOTH.into_iter().filter_map(|side| Some((side, self.side_mut(side).take_request(now)?)));
+        let requests = requests.collect();
+        for side in Side::BOTH {
+            if !self.side(side).is_busy() {
+                self.incoming_points[side as usize] = None; // their domain was refused
+            }
+        }
+        requests
     }
 
     /// When the next request will be due.

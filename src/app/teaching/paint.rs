@@ -32,8 +32,11 @@ const SMALLEST: f32 = 0.45;
 /// From the outline's middle to where ticks and bars begin.
 const CLEARANCE: f32 = 2.0;
 
-/// Paints it.
+/// Paints it; nothing over a coarse map, whose like it does not show.
 pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
+    if model.is_draft() {
+        return;
+    }
     let Some(domain) = model.map().map(|map| map.domain(side)) else { return };
     let size = (view.rect.size().min_elem() / FULL_SIZE).clamp(SMALLEST, 1.0);
     let outline = Outline { samples: &domain.samples, view, size };

@@ -260,7 +260,10 @@ fn compare(situation: &Situation, sides: [&Measured; 2]) -> Result<Found, String
 }
 
 fn directly_collapsed(situation: &Situation, side: Side) -> usize {
-    situation.map.measure(side).at_knots().windows(2).filter(|pair| pair[0] == pair[1]).count()
+    let measure = situation.map.measure(side);
+    // where the anchor is a vertex, the last two knots are the same point
+    let doubled = usize::from(measure.anchor().fraction == 0.0);
+    measure.at_knots().windows(2).filter(|pair| pair[0] == pair[1]).count() - doubled
 }
 
 fn marks(situation: &Situation, through_disk: &Curve) -> Vec<Mark> {

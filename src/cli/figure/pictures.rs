@@ -56,7 +56,7 @@ pub fn maps(figure: Figure, detail: Detail) -> Result<Vec<Shown>, FigureError> {
         let (source, target) = (domain(&session.source)?, domain(&session.target)?);
         let constraints = session.constraints([source.pole, target.pole]);
         let mut map = ConformalMap::new(source, target, &constraints, session.map_settings())?;
-        map.refine(f64::INFINITY);
+        map.refine_exactly();
         let mut triangles = Vec::new();
         triangle_distortions(map.mapped_mesh(), map.images(), &mut triangles);
         Ok(Shown { label, session, map, constraints, triangles })
