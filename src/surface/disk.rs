@@ -41,11 +41,9 @@ impl SurfaceMesh {
         let mut number = vec![u32::MAX; surface.vertices.len()];
         let mut order = boundary.to_vec();
         boundary.iter().enumerate().for_each(|(k, &v)| number[v as usize] = k as u32);
-        for v in 0..number.len() {
-            if number[v] == u32::MAX {
-                number[v] = order.len() as u32;
-                order.push(v as u32);
-            }
+        for (v, number) in number.iter_mut().enumerate().filter(|(_, number)| **number == u32::MAX) {
+            *number = order.len() as u32;
+            order.push(v as u32);
         }
         let across = |twin: u32| if twin == u32::MAX { twin } else { twin / 3 };
         let mesh = TriMesh {

@@ -9,7 +9,7 @@
 //! | the default interior point, the point nearest to a place | `farthest`, `nearest` |
 //! | surfaces by formula | `preset` |
 //!
-//! Positions are [`DVec3`](crate::geometry::DVec3); the map needs only the lengths of the edges.
+//! Positions are [`DVec3`]; the map needs only the lengths of the edges.
 
 mod disk;
 mod edges;

@@ -113,40 +113,17 @@ fn twins_of(surface: &Surface) -> Result<Vec<u32>, TopologyError> {
 
 /// Turns triangles round until neighbours agree; of each component, those that are fewer.
 fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
+    let twins = twins_of(&repaired.surface)?;
     let triangles = &mut repaired.surface.triangles;
-    let edges = EdgeTable::new(triangles, repaired.surface.vertices.len());
-    check_edges(triangles, &edges)?;
-    let twins = edges.twins();
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
-    let mut pending = Vec::new();
     for start in 0..triangles.len() {
         if turned[start].is_some() {
             continue;
         }
-        turned[start] = Some(false);
-        pending.push(start);
-        let mut members = Vec::new();
-        while let Some(t) = pending.pop() {
-            members.push(t);
-            for half in 3 * t..3 * t + 3 {
-                let twin = twins[half];
-                if twin == u32::MAX {
-                    continue;
-                }
-                let same = ends(triangles, half as u32) == ends(triangles, twin);
-                let wanted = turned[t].map(|turned| turned != same);
-                let other = twin as usize / 3;
-                if turned[other].is_none() {
-                    turned[other] = wanted;
-                    pending.push(other);
-                } else if turned[other] != wanted {
-                    return Err(TopologyError::OneSided { triangle: other as u32 });
-                }
-            }
-        }
+        let members = orient_component(triangles, &twins, start, &mut turned)?;
         let many = members.iter().filter(|&&t| turned[t] == Some(true)).count() > members.len() / 2;
-        if many {
-            members.iter().for_each(|&t| turned[t] = turned[t].map(|turned| !turned));
+        for t in members.into_iter().filter(|_| many) {
+            turned[t] = turned[t].map(|turned| !turned);
         }
     }
     let mut count = 0;
@@ -158,6 +135,32 @@ fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
         repaired.notes.push(RepairNote::Oriented { count });
     }
     Ok(())
+}
+
+/// Which triangles of the component of `start` must be turned to agree with it; its members.
+fn orient_component(
+    triangles: &[[u32; 3]],
+    twins: &[u32],
+    start: usize,
+    turned: &mut [Option<bool>],
+) -> Result<Vec<usize>, TopologyError> {
+    turned[start] = Some(false);
+    let (mut pending, mut members) = (vec![start], Vec::new());
+    while let Some(t) = pending.pop() {
+        members.push(t);
+        for (half, &twin) in (3 * t as u32..).zip(&twins[3 * t..3 * t + 3]).filter(|(_, twin)| **twin != u32::MAX) {
+            let same = ends(triangles, half) == ends(triangles, twin);
+            let wanted = turned[t].map(|turned| turned != same);
+            let other = twin as usize / 3;
+            if turned[other].is_none() {
+                turned[other] = wanted;
+                pending.push(other);
+            } else if turned[other] != wanted {
+                return Err(TopologyError::OneSided { triangle: other as u32 });
+            }
+        }
+    }
+    Ok(members)
 }
 
 /// Of equally large components, the one that comes first.

@@ -60,7 +60,7 @@ impl<'a> Numbers<'a> {
             Self::Binary(cursor) => cursor.number(scalar, what),
             Self::Text { rest, line } => {
                 let start = rest.iter().position(|b| !b.is_ascii_whitespace()).unwrap_or(rest.len());
-                *line += rest[..start].iter().filter(|&&b| b == b'\n').count();
+                *line += rest[..start].split(|&b| b == b'\n').count() - 1;
                 let word = &rest[start..];
                 let word = &word[..word.iter().position(u8::is_ascii_whitespace).unwrap_or(word.len())];
                 *rest = &rest[start + word.len()..];

@@ -76,9 +76,8 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, SurfaceError> {
                 let missing = || SurfaceError::missing(line.place(), "the element of a property");
                 elements.last_mut().ok_or_else(missing)?.properties.push(property);
             }
-            Some(b"comment" | b"obj_info" | b"end_header") => {}
+            Some(b"comment" | b"obj_info" | b"end_header") | None => {}
             Some(word) => return Err(SurfaceError::malformed(line.place(), format!("unknown word {}", shown(word)))),
-            None => {}
         }
     }
     let encoding = encoding.ok_or_else(|| SurfaceError::missing(Place::Line(2), "the line format"))?;

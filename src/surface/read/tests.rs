@@ -39,7 +39,9 @@ fn binary_ply(big_endian: bool) -> Vec<u8> {
     }
     for face in [[0_u32, 1, 2], [0, 2, 3]] {
         bytes.push(3);
-        face.iter().for_each(|v| bytes.extend(order(v.to_le_bytes().to_vec())));
+        for v in face {
+            bytes.extend(order(v.to_le_bytes().to_vec()));
+        }
     }
     bytes
 }
@@ -59,7 +61,9 @@ fn binary_stl() -> Vec<u8> {
     bytes.extend(2_u32.to_le_bytes());
     for triangle in [[0, 1, 2], [0, 2, 3]] {
         bytes.extend([0; 12]);
-        triangle.iter().for_each(|&v: &usize| corners()[v].iter().for_each(|x| bytes.extend(x.to_le_bytes())));
+        for value in triangle.map(|v: usize| corners()[v]).as_flattened() {
+            bytes.extend(value.to_le_bytes());
+        }
         bytes.extend([0; 2]);
     }
     bytes
@@ -73,9 +77,13 @@ fn gltf_parts() -> (String, Vec<u8>) {
     let down = |p: [f32; 3]| [p[0], p[1], 0.0];
     let mirrored = |p: [f32; 3]| [-p[0], p[1], p[2]];
     for point in [down(a), b, down(c), mirrored(a), mirrored(c), mirrored(d)] {
-        point.iter().for_each(|x| buffer.extend(x.to_le_bytes()));
+        for value in point {
+            buffer.extend(value.to_le_bytes());
+        }
     }
-    [0_u16, 1, 2, 0, 2, 1].iter().for_each(|k| buffer.extend(k.to_le_bytes()));
+    for index in [0_u16, 1, 2, 0, 2, 1] {
+        buffer.extend(index.to_le_bytes());
+    }
     let document = r#"{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 2]}],
         "nodes": [{"children": [1], "translation": [0, 0, 1]}, {"mesh": 0, "translation": [0, 0, 1]},
                   {"mesh": 1, "scale": [-1, 1, 1]}],
