@@ -5,7 +5,7 @@
 //! the two boundaries, as in "Real-Time Conformal Maps and Parameterizations".
 //!
 //! Dependencies between the modules run one way:
-//! `geometry → outline, mesh → laplace → conformal → session, worker → figures → render → app`.
+//! `geometry → outline, mesh → surface, laplace → conformal → session, worker → figures → render → app`.
 //! `zipper`, a map through the disk for comparison, stands beside `conformal` and uses no mesh.
 //! Without the default feature `app` only the numerical core is built.
 
@@ -17,6 +17,7 @@ pub mod laplace;
 pub mod mesh;
 pub mod outline;
 pub mod session;
+pub mod surface;
 pub mod worker;
 pub mod zipper;
 

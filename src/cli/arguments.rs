@@ -27,6 +27,8 @@ pub struct Arguments {
 pub enum Subcommand {
     /// Computes a conformal map between two outlines and writes it.
     Map(MapArguments),
+    /// Parameterizes a surface over an outline and writes it with texture coordinates.
+    Flatten(Box<super::flatten_arguments::FlattenArguments>),
     /// Prepares one outline; prints counts and timings.
     Prepare(PrepareArguments),
     /// Makes a figure of the paper anew: a drawing and a table of its numbers.

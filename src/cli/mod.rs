@@ -1,4 +1,4 @@
-//! The command line: `riemap map`, `prepare`, `figure`, `bench`; headless and native only.
+//! The command line: `riemap map`, `flatten`, `prepare`, `figure`, `bench`; headless and native only.
 //!
 //! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
 //! are written whole or not at all.
@@ -7,6 +7,9 @@ mod arguments;
 mod bench;
 mod contours;
 mod figure;
+mod flatten;
+mod flatten_arguments;
+mod flattened;
 mod map;
 mod output;
 mod picture;
@@ -39,6 +42,7 @@ pub enum CliError {
 pub fn run(command: &Subcommand) -> ExitCode {
     let result = match command {
         Subcommand::Map(arguments) => map::run(arguments),
+        Subcommand::Flatten(arguments) => flatten::run(arguments),
         Subcommand::Prepare(arguments) => prepare::run(arguments),
         Subcommand::Figure(arguments) => figure::run(arguments),
         Subcommand::Bench(arguments) => bench::run(arguments),

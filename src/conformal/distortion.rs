@@ -5,7 +5,7 @@
 //! Triangles whose image is a point up to rounding have no Q: they are counted as
 //! collapsed and left out of the mean.
 
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, DVec3};
 use crate::mesh::TriMesh;
 
 /// An image shorter than this part of the whole image's extent is rounding: the
@@ -82,6 +82,20 @@ pub fn triangle_distortions(mesh: &TriMesh, images: &[DVec2], result: &mut Vec<T
     result.clear();
     result.extend(mesh.triangles.iter().map(|triangle| {
         let corners = triangle.map(|v| mesh.vertices[v as usize]);
+        TriangleDistortion::of(corners, triangle.map(|v| images[v as usize]), smallest)
+    }));
+}
+
+/// As [`triangle_distortions`], of a mesh in space: every triangle is unfolded into the plane, counter-clockwise.
+pub fn surface_distortions(mesh: &TriMesh<DVec3>, images: &[DVec2], result: &mut Vec<TriangleDistortion>) {
+    let smallest = COLLAPSED * extent(images);
+    result.clear();
+    result.extend(mesh.triangles.iter().map(|triangle| {
+        let [a, b, c] = triangle.map(|v| mesh.vertices[v as usize]);
+        let (u, v) = (b - a, c - a);
+        let length = u.length();
+        let third = DVec2::new(u.dot(v), u.cross(v).length()) / length;
+        let corners = [DVec2::ZERO, DVec2::new(length, 0.0), third];
         TriangleDistortion::of(corners, triangle.map(|v| images[v as usize]), smallest)
     }));
 }

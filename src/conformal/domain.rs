@@ -171,7 +171,7 @@ pub fn prepare_within(
 }
 
 /// The solver that is wanted; the iterative one too where the direct one does not fit.
-fn solver_for(
+pub(super) fn solver_for(
     laplacian: &DirichletLaplacian,
     wanted: SolverKind,
     memory: Memory,
@@ -233,7 +233,7 @@ fn default_point(polygon: &SimplePolygon, mesh: &TriMesh) -> DVec2 {
     largest.map_or(pole, |t| corners(t).iter().sum::<DVec2>() / 3.0)
 }
 
-fn timed<T>(milliseconds: &mut f64, work: impl FnOnce() -> T) -> T {
+pub(super) fn timed<T>(milliseconds: &mut f64, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();
     let result = work();
     *milliseconds = start.elapsed().as_secs_f64() * 1e3;

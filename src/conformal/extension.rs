@@ -26,19 +26,5 @@ pub fn harmonic_extension(
     values: &mut [DVec2],
     scratch: &mut Vec<Lanes<2>>,
 ) -> Result<(), NotConverged> {
-    let (boundary, interior) = values.split_at_mut(domain.mesh.boundary_count as usize);
-    scratch.clear();
-    scratch.resize(domain.solver.len(), [0.0; 2]);
-    for (w, column) in boundary.iter().zip(domain.coupling.outer_iterator()) {
-        for (unknown, &entry) in column.iter() {
-            let right = &mut scratch[domain.solver.position(unknown as u32)];
-            right[0] -= entry * w.x;
-            right[1] -= entry * w.y;
-        }
-    }
-    domain.solver.solve(&domain.boundary_paths, domain.solver.everything(), scratch)?;
-    for (&[x, y], &unknown) in scratch.iter().zip(domain.solver.unknowns()) {
-        interior[unknown as usize] = DVec2::new(x, y);
-    }
-    Ok(())
+    domain.system().extend(values, scratch)
 }

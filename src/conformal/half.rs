@@ -5,7 +5,7 @@ use crate::geometry::DVec2;
 use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, locate};
 use std::sync::Arc;
 
-/// One side of the map.
+/// One planar side of a map.
 #[derive(Debug)]
 pub(super) struct Half {
     pub domain: Arc<PreparedDomain>,
@@ -20,6 +20,13 @@ pub(super) struct Half {
 pub(super) struct Change {
     pub located: Option<BarycentricPoint>,
     pub re_anchor: bool,
+}
+
+impl Change {
+    /// Whether anything changes.
+    pub fn is_some(&self) -> bool {
+        self.located.is_some() || self.re_anchor
+    }
 }
 
 impl Half {
@@ -60,7 +67,7 @@ impl Half {
                 .map_err(|error| MapError::NotConverged { side, error })?;
             (self.located, self.point) = (located, constraints.point(side));
         }
-        if change.located.is_some() || change.re_anchor {
+        if change.is_some() {
             self.anchor = constraints.anchor(side);
             let anchor = self.domain.samples.at_fraction(self.anchor);
             self.measure.set(&self.domain.samples, &self.kernel, anchor);
@@ -70,7 +77,7 @@ impl Half {
 }
 
 /// Whether a located point lies on a boundary edge, where harmonic measure is a point mass.
-fn on_boundary(mesh: &TriMesh, point: BarycentricPoint) -> bool {
+pub(super) fn on_boundary<P>(mesh: &TriMesh<P>, point: BarycentricPoint) -> bool {
     let corners = mesh.triangles[point.triangle as usize];
     let neighbours = mesh.neighbours[point.triangle as usize];
     let vertex = (0..3).any(|i| point.weights[i] == 1.0 && corners[i] < mesh.boundary_count);

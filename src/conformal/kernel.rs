@@ -8,19 +8,30 @@
 
 use super::PreparedDomain;
 use super::stencil::{self, Stencil};
-use crate::laplace::{Lanes, NotConverged, RootPaths, SolverKind};
+use super::unfold::Places;
+use crate::laplace::{Lanes, NotConverged, RootPaths};
 use crate::mesh::BarycentricPoint;
-
-/// What an iterative solver leaves below 0, relative to the largest coordinate: its tolerance
-/// of 1e-12 gives up to 1e-11 in a crowded domain; a stencil that overshoots gives 1e-3.
-const PCG_NOISE: f64 = 1e-9;
 
 /// Working memory of the kernel functions; reused, it allocates nothing.
 #[derive(Debug, Clone, Default)]
 pub struct KernelScratch {
-    solution: Vec<Lanes<1>>,
-    paths: RootPaths,
-    stencil: Stencil,
+    pub(super) solution: Vec<Lanes<1>>,
+    pub(super) paths: RootPaths,
+    pub(super) stencil: Stencil,
+    pub(super) places: Places,
+}
+
+impl KernelScratch {
+    pub(super) fn set_stencil(&mut self, weights: [(u32, f64); 3]) {
+        self.stencil.clear();
+        self.stencil.extend(weights);
+    }
+}
+
+/// The corners of x's triangle with their weights.
+fn linear(domain: &PreparedDomain, x: BarycentricPoint) -> [(u32, f64); 3] {
+    let corners = domain.mesh.triangles[x.triangle as usize];
+    [0, 1, 2].map(|i| (corners[i], x.weights[i]))
 }
 
 /// The harmonic coordinates `φ_x` (length m) of the point `x`, equation (9); Σφ = 1, Σφ_k v_k = x.
@@ -32,9 +43,8 @@ pub fn harmonic_coordinates(
     scratch: &mut KernelScratch,
     phi: &mut Vec<f64>,
 ) -> Result<(), NotConverged> {
-    scratch.stencil.clear();
-    scratch.stencil.extend(domain.mesh.triangles[x.triangle as usize].into_iter().zip(x.weights));
-    combine(domain, scratch, phi)
+    scratch.set_stencil(linear(domain, x));
+    domain.system().combine(scratch, phi)
 }
 
 /// The values `ψ_k` (length m, per unit of length, ≥ 0) of the piecewise linear Poisson
@@ -50,55 +60,5 @@ pub fn poisson_kernel(
     psi: &mut Vec<f64>,
 ) -> Result<(), NotConverged> {
     stencil::around(&domain.mesh, x, &mut scratch.stencil);
-    combine(domain, scratch, psi)?;
-    let iterative = domain.solver.kind() == SolverKind::Pcg;
-    let noise = if iterative { PCG_NOISE * psi.iter().fold(0.0_f64, |max, &value| max.max(value)) } else { 0.0 };
-    if psi.iter().any(|&value| value < -noise) {
-        harmonic_coordinates(domain, x, scratch, psi)?;
-    }
-    if iterative {
-        for value in psi.iter_mut() {
-            *value = value.max(0.0);
-        }
-    }
-    let lengths = &domain.samples.edge_lengths;
-    let mut previous = lengths[lengths.len() - 1];
-    for (value, &length) in psi.iter_mut().zip(lengths) {
-        *value /= 0.5 * (previous + length);
-        previous = length;
-    }
-    Ok(())
-}
-
-/// Σ weight · φ_vertex over the stencil, into `phi`.
-fn combine(domain: &PreparedDomain, scratch: &mut KernelScratch, phi: &mut Vec<f64>) -> Result<(), NotConverged> {
-    let m = domain.mesh.boundary_count;
-    phi.clear();
-    phi.resize(m as usize, 0.0);
-    for &(vertex, weight) in scratch.stencil.iter().filter(|(vertex, _)| *vertex < m) {
-        phi[vertex as usize] = weight;
-    }
-    let interior = scratch.stencil.iter().filter_map(|&(vertex, weight)| Some((vertex.checked_sub(m)?, weight)));
-    if let Some(table) = &domain.table {
-        for (unknown, weight) in interior {
-            for (value, coordinate) in phi.iter_mut().zip(table.row(unknown as usize)) {
-                *value += weight * coordinate;
-            }
-        }
-        return Ok(());
-    }
-    let solver = &domain.solver;
-    scratch.solution.clear();
-    scratch.solution.resize(solver.len(), [0.0]);
-    for (unknown, weight) in interior.clone() {
-        scratch.solution[solver.position(unknown)] = [weight];
-    }
-    solver.root_paths(interior.map(|(unknown, _)| unknown), &mut scratch.paths);
-    solver.solve(&scratch.paths, &domain.boundary_paths, &mut scratch.solution)?;
-    for (value, column) in phi.iter_mut().zip(domain.coupling.outer_iterator()) {
-        for (unknown, &entry) in column.iter() {
-            *value -= entry * scratch.solution[solver.position(unknown as u32)][0];
-        }
-    }
-    Ok(())
+    domain.system().kernel(linear(domain, x), scratch, psi)
 }

@@ -7,7 +7,7 @@
 //! With [`Extension::CauchyGreen`] an update gives the harmonic images, at once;
 //! [`ConformalMap::refine`] then replaces them chunk by chunk, within the time that it is given.
 
-use super::half::Half;
+use super::half::{Change, Half};
 use super::refinement::Refinement;
 use super::{
     BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, Extension, HarmonicMeasure, KernelScratch,
@@ -105,7 +105,7 @@ impl ConformalMap {
     /// [`Self::refine`] has replaced them all.
     pub fn update(&mut self, constraints: &Constraints, settings: MapSettings) -> Result<(), MapError> {
         let changes = [self.source.plan(Side::Source, constraints)?, self.target.plan(Side::Target, constraints)?];
-        let touched = changes.iter().any(|c| c.located.is_some() || c.re_anchor);
+        let touched = changes.iter().any(Change::is_some);
         if !touched && settings == self.settings && self.is_complete {
             return Ok(());
         }

@@ -33,6 +33,11 @@ impl HarmonicMeasure {
     /// As [`Self::new`], in place. Returns the total before it was divided out: near 1,
     /// and 0 or not finite only for a density that is no kernel.
     pub fn set(&mut self, samples: &BoundarySamples, psi: &[f64], anchor: BoundaryPoint) -> f64 {
+        self.set_along(&samples.edge_lengths, psi, anchor)
+    }
+
+    /// As [`Self::set`], along a boundary of which only the lengths of the edges are known.
+    pub fn set_along(&mut self, edge_lengths: &[f64], psi: &[f64], anchor: BoundaryPoint) -> f64 {
         let m = psi.len();
         let (first, f) = (anchor.edge as usize, anchor.fraction);
         let vertex = |j: usize| (first + j) % m;
@@ -47,7 +52,7 @@ impl HarmonicMeasure {
         let mut sum = 0.0;
         for j in 0..=m {
             let (from, to) = self.span(j);
-            let length = samples.edge_lengths[vertex(j)] * (to - from);
+            let length = edge_lengths[vertex(j)] * (to - from);
             sum += 0.5 * length * (self.density[j] + self.density[j + 1]);
             self.cumulative.push(sum);
         }

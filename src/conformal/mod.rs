@@ -13,6 +13,9 @@
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
 //! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
 //!
+//! Surfaces go the same way: [`prepare_surface`] and [`SurfaceMap`] (section 4.3) differ in geometry
+//! alone; what both need of a domain is file `system`.
+//!
 //! [`Walker`] and [`HitCounts`] show what harmonic measure is: where random walks hit the boundary.
 
 mod buffers;
@@ -32,13 +35,17 @@ mod measure;
 mod random_walk;
 mod refinement;
 mod stencil;
+mod surface;
+mod surface_map;
+mod system;
 mod table;
+mod unfold;
 
 pub use buffers::DomainBuffers;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use constraints::{Constraints, Direction, MapSettings, Side};
 pub use disk_coordinates::disk_coordinates;
-pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
+pub use distortion::{Quality, TriangleDistortion, surface_distortions, triangle_distortions};
 pub use domain::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare, prepare_within,
 };
@@ -50,4 +57,6 @@ pub use map::{ConformalMap, FrameTimings, MapError};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
+pub use surface::{PreparedSurface, SurfaceSettings, prepare_surface, surface_kernel};
+pub use surface_map::{SurfaceConstraints, SurfaceMap, SurfaceMapError};
 pub use table::{HarmonicTable, TableError};

@@ -35,7 +35,7 @@ pub(super) fn around(mesh: &TriMesh, x: BarycentricPoint, stencil: &mut Stencil)
     let corners = mesh.triangles[x.triangle as usize];
     let point: DVec2 = corners.iter().zip(x.weights).map(|(&v, w)| w * mesh.vertices[v as usize]).sum();
     let ringed = corners.iter().all(|&corner| collect_ring(mesh, x.triangle, corner, stencil));
-    if !ringed || set_weights(mesh, point, stencil).is_none() {
+    if !ringed || set_weights(point, |v| mesh.vertices[v as usize], stencil).is_none() {
         stencil.clear();
         stencil.extend(corners.into_iter().zip(x.weights));
     }
@@ -65,15 +65,16 @@ fn collect_ring(mesh: &TriMesh, start: u32, corner: u32, stencil: &mut Stencil) 
     }
 }
 
-/// The least weights (near vertices count more) that meet the conditions; `None` if none do.
-fn set_weights(mesh: &TriMesh, x: DVec2, stencil: &mut Stencil) -> Option<()> {
-    let offset = |v: u32| mesh.vertices[v as usize] - x;
+/// The least weights (near vertices count more) that meet the conditions at `x`, of the vertices of
+/// `stencil` at their places; `None` if none do.
+pub(super) fn set_weights(x: DVec2, place: impl Fn(u32) -> DVec2, stencil: &mut Stencil) -> Option<()> {
+    let offset = |v: u32| place(v) - x;
     let radius = stencil.iter().map(|&(v, _)| offset(v).length()).fold(0.0, f64::max);
-    let row = |v: u32| monomials(offset(v) / radius);
-    let preference = |v: u32| (0.1 + offset(v).length_squared() / (radius * radius)).powi(-2);
+    let row = |offset: DVec2| monomials(offset / radius);
+    let preference = |offset: DVec2| (0.1 + offset.length_squared() / (radius * radius)).powi(-2);
     let mut gram = [[0.0; CONDITIONS]; CONDITIONS];
-    for &(v, _) in stencil.iter() {
-        let (row, w) = (row(v), preference(v));
+    for offset in stencil.iter().map(|&(v, _)| offset(v)) {
+        let (row, w) = (row(offset), preference(offset));
         for i in 0..CONDITIONS {
             for j in 0..CONDITIONS {
                 gram[i][j] += w * row[i] * row[j];
@@ -82,8 +83,9 @@ fn set_weights(mesh: &TriMesh, x: DVec2, stencil: &mut Stencil) -> Option<()> {
     }
     let multipliers = solve_for_constant(gram)?;
     for (v, weight) in stencil.iter_mut() {
-        let product: f64 = row(*v).iter().zip(multipliers).map(|(a, b)| a * b).sum();
-        *weight = preference(*v) * product;
+        let offset = offset(*v);
+        let product: f64 = row(offset).iter().zip(multipliers).map(|(a, b)| a * b).sum();
+        *weight = preference(offset) * product;
     }
     Some(())
 }

@@ -14,7 +14,7 @@ mod validate;
 
 pub use edge_tree::{EdgeTree, NearestPoint};
 pub use error::PolygonError;
-pub use glam::DVec2;
+pub use glam::{DVec2, DVec3};
 pub use polygon::{Bounds, SimplePolygon};
 pub use predicates::{Side, on_segment, orientation, side};
 pub use validate::{MAX_COORDINATE, MAX_POINTS, MIN_EXTENT};

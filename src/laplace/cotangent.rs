@@ -4,11 +4,12 @@
 //! edge; the diagonal makes the rows of [L̂ L̄] sum to zero. On a Delaunay mesh
 //! every off-diagonal entry is ≤ 0: L̂ is an M-matrix. The edges of a planar mesh
 //! are Delaunay by exact predicates, so a weight that comes out negative is the
-//! rounding of a needle's cotangent, and is taken as 0.
+//! rounding of a needle's cotangent, and is taken as 0. Surfaces give their cotangents by edge
+//! lengths; where edges were not flipped to Delaunay, negative weights are kept.
 
 use super::LaplaceError;
 use crate::geometry::DVec2;
-use crate::mesh::{NO_TRIANGLE, TriMesh};
+use crate::mesh::{IntrinsicMesh, TriMesh};
 use sprs::CsMatI;
 
 /// An edge whose two cotangents cancel to this relative size belongs to four
@@ -25,15 +26,88 @@ pub struct DirichletLaplacian {
     pub coupling: CsMatI<f64, u32>,
 }
 
+/// Triangles glued along their edges, with the cotangents of their angles.
+trait Angles {
+    fn triangles(&self) -> &[[u32; 3]];
+
+    /// The triangle and corner across the edge opposite to corner `i`.
+    fn across(&self, t: usize, i: usize) -> Option<(usize, usize)>;
+
+    /// The cotangent of the angle at corner `i`.
+    fn cotangent(&self, t: usize, i: usize) -> f64;
+
+    /// Whether negative weights are rounding.
+    fn is_delaunay(&self) -> bool;
+}
+
+impl Angles for TriMesh {
+    fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    fn across(&self, t: usize, i: usize) -> Option<(usize, usize)> {
+        let other = self.neighbours[t][i];
+        let corners = self.triangles.get(other as usize)?;
+        let (a, b) = (self.triangles[t][(i + 1) % 3], self.triangles[t][(i + 2) % 3]);
+        Some((other as usize, corners.iter().position(|&c| c != a && c != b)?))
+    }
+
+    fn cotangent(&self, t: usize, i: usize) -> f64 {
+        let [c, a, b] = [0, 1, 2].map(|k| self.vertices[self.triangles[t][(i + k) % 3] as usize]);
+        let (u, v): (DVec2, DVec2) = (a - c, b - c);
+        u.dot(v) / u.perp_dot(v)
+    }
+
+    fn is_delaunay(&self) -> bool {
+        true
+    }
+}
+
+impl Angles for IntrinsicMesh {
+    fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    fn across(&self, t: usize, i: usize) -> Option<(usize, usize)> {
+        self.across(t, i)
+    }
+
+    fn cotangent(&self, t: usize, i: usize) -> f64 {
+        self.cotangent(t, i)
+    }
+
+    fn is_delaunay(&self) -> bool {
+        self.is_delaunay()
+    }
+}
+
 impl DirichletLaplacian {
     /// Assembles L̂ and L̄ of `mesh`. Cost O(triangles).
     pub fn assemble(mesh: &TriMesh) -> Result<Self, LaplaceError> {
-        let edges = weighted_edges(mesh);
-        if let Some(&(a, _, _)) = edges.iter().find(|(_, _, weight)| !weight.is_finite()) {
+        Self::of(mesh, mesh.boundary_count, mesh.vertices.len(), &|a| {
             let DVec2 { x, y } = mesh.vertices[a as usize];
-            return Err(LaplaceError::Degenerate { x, y });
+            LaplaceError::Degenerate { x, y }
+        })
+    }
+
+    /// As [`Self::assemble`], of a surface. If the mesh is not Delaunay, weights may be negative:
+    /// L̂ is positive definite all the same, but no M-matrix.
+    pub fn assemble_intrinsic(mesh: &IntrinsicMesh) -> Result<Self, LaplaceError> {
+        Self::of(mesh, mesh.boundary_count, mesh.vertex_count, &|vertex| LaplaceError::DegenerateAt { vertex })
+    }
+
+    fn of(
+        mesh: &impl Angles,
+        boundary_count: u32,
+        vertex_count: usize,
+        degenerate: &dyn Fn(u32) -> LaplaceError,
+    ) -> Result<Self, LaplaceError> {
+        let edges = weighted_edges(mesh, boundary_count);
+        if let Some(&(a, _, _)) = edges.iter().find(|(_, _, weight)| !weight.is_finite()) {
+            return Err(degenerate(a));
         }
-        let (m, n) = (mesh.boundary_count as usize, mesh.interior_count());
+        let m = boundary_count as usize;
+        let n = vertex_count - m;
         let mut diagonal = vec![0.0; n];
         let (mut interior, mut coupling) = (Vec::with_capacity(edges.len() + n), Vec::new());
         for &(a, b, w) in &edges {
@@ -52,43 +126,31 @@ impl DirichletLaplacian {
     }
 }
 
-/// Every edge `(a, b, weight)` once, `a < b`; the weight is ½(cot α + cot β).
-fn weighted_edges(mesh: &TriMesh) -> Vec<(u32, u32, f64)> {
-    let mut edges = Vec::with_capacity(mesh.triangles.len() * 3 / 2 + mesh.boundary_count as usize);
-    for (t, (corners, neighbours)) in mesh.triangles.iter().zip(&mesh.neighbours).enumerate() {
+/// Every edge `(a, b, weight)` once, `a < b`; the weight is ½(cot α + cot β). An edge from a vertex to
+/// itself has no part in the Laplacian and is left out.
+fn weighted_edges(mesh: &impl Angles, boundary_count: u32) -> Vec<(u32, u32, f64)> {
+    let triangles = mesh.triangles();
+    let mut edges = Vec::with_capacity(triangles.len() * 3 / 2 + boundary_count as usize);
+    for (t, corners) in triangles.iter().enumerate() {
         for i in 0..3 {
-            let other = neighbours[i];
-            if other != NO_TRIANGLE && other < t as u32 {
+            let across = mesh.across(t, i);
+            let (a, b) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
+            if across.is_some_and(|other| other < (t, i)) || a == b {
                 continue;
             }
-            let (a, b) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
-            let here = cotangent_at(mesh, corners[i], a, b);
-            let there = match mesh.triangles.get(other as usize) {
-                Some(corners) => opposite(corners, a, b).map_or(0.0, |c| cotangent_at(mesh, c, b, a)),
-                None => 0.0,
-            };
+            let here = mesh.cotangent(t, i);
+            let there = across.map_or(0.0, |(other, j)| mesh.cotangent(other, j));
             let sum = here + there;
             let cancelled = sum.abs() <= COCIRCULAR * (here.abs() + there.abs()) && sum.is_finite();
-            let weight = if cancelled || sum < 0.0 && sum.is_finite() { 0.0 } else { 0.5 * sum };
-            edges.push((a.min(b), a.max(b), weight));
+            let rounding = mesh.is_delaunay() && sum < 0.0 && sum.is_finite();
+            edges.push((a.min(b), a.max(b), if cancelled || rounding { 0.0 } else { 0.5 * sum }));
         }
     }
     edges
 }
 
-/// The corner of a triangle that is neither `a` nor `b`.
-fn opposite(corners: &[u32; 3], a: u32, b: u32) -> Option<u32> {
-    corners.iter().copied().find(|&c| c != a && c != b)
-}
-
-/// The cotangent of the angle at `c` in the counter-clockwise triangle `(c, a, b)`.
-fn cotangent_at(mesh: &TriMesh, c: u32, a: u32, b: u32) -> f64 {
-    let at = |v: u32| mesh.vertices[v as usize];
-    let (u, v): (DVec2, DVec2) = (at(a) - at(c), at(b) - at(c));
-    u.dot(v) / u.perp_dot(v)
-}
-
-/// A compressed-column matrix from entries `(row, column, value)`, no two at one place.
+/// A compressed-column matrix from entries `(row, column, value)`; those at one place are added
+/// (an intrinsic triangulation may have several edges between two vertices).
 fn by_columns(rows: usize, columns: usize, entries: &[(u32, u32, f64)]) -> Result<CsMatI<f64, u32>, LaplaceError> {
     let starts = |key: &dyn Fn(&(u32, u32, f64)) -> u32, count: usize| {
         let mut starts = vec![0_u32; count + 1];
@@ -115,6 +177,28 @@ fn by_columns(rows: usize, columns: usize, entries: &[(u32, u32, f64)]) -> Resul
         (indices[place], values[place]) = (row, value);
         next[column as usize] += 1;
     }
+    let pointers = add_repeated(&pointers, &mut indices, &mut values);
     CsMatI::try_new_csc((rows, columns), pointers, indices, values)
         .map_err(|(_, _, _, error)| LaplaceError::Structure(error.to_string()))
+}
+
+/// Adds up the values of equal rows in each column; the new column pointers.
+fn add_repeated(pointers: &[u32], indices: &mut Vec<u32>, values: &mut Vec<f64>) -> Vec<u32> {
+    let (mut kept, mut shortened) = (0, Vec::with_capacity(pointers.len()));
+    shortened.push(0);
+    for pair in pointers.windows(2) {
+        let start = kept;
+        for k in pair[0] as usize..pair[1] as usize {
+            if kept > start && indices[kept - 1] == indices[k] {
+                values[kept - 1] += values[k];
+            } else {
+                (indices[kept], values[kept]) = (indices[k], values[k]);
+                kept += 1;
+            }
+        }
+        shortened.push(kept as u32);
+    }
+    indices.truncate(kept);
+    values.truncate(kept);
+    shortened
 }

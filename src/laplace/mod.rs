@@ -37,6 +37,12 @@ pub enum LaplaceError {
         /// Where.
         y: f64,
     },
+    /// A triangle of a surface so thin that it has no angles.
+    #[error("a triangle at vertex {vertex} of the surface is too thin to have angles")]
+    DegenerateAt {
+        /// One of its corners, as the mesh numbers them.
+        vertex: u32,
+    },
     /// A pivot of the Cholesky factorisation is not positive.
     #[error("the Laplacian is not positive definite at interior vertex {vertex}: a triangle there is degenerate")]
     NotPositiveDefinite {

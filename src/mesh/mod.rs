@@ -1,10 +1,13 @@
-//! Triangle meshes of a domain: made by [`mesh_domain`], searched by [`locate`].
+//! Triangle meshes of a domain: made by [`mesh_domain`], searched by [`locate`];
+//! triangulations of surfaces by edge lengths: [`IntrinsicMesh`].
 
 mod assemble;
 mod ears;
 mod error;
 mod graded;
 mod hex_lattice;
+mod intrinsic;
+mod intrinsic_delaunay;
 mod level_grid;
 mod locate;
 mod nearest;
@@ -14,6 +17,8 @@ mod tri_mesh;
 mod triangulate;
 
 pub use error::MeshError;
+pub use intrinsic::IntrinsicMesh;
+pub use intrinsic_delaunay::FlipReport;
 pub use locate::{BarycentricPoint, locate};
 pub use nearest::nearest_inside;
 pub use planar::{MAX_INTERIOR, RefineReport, Sizing, mesh_domain};

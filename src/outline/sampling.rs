@@ -108,22 +108,12 @@ impl BoundarySamples {
     /// A point within 1e-9 of an edge from a sample is that sample, so that
     /// `at_fraction(fraction_at(p))` finds a sample again in spite of rounding.
     pub fn at_fraction(&self, s: f64) -> BoundaryPoint {
-        let s = s.rem_euclid(1.0);
-        let k = self.fractions.partition_point(|&t| t <= s).saturating_sub(1);
-        let next = self.fractions.get(k + 1).copied().unwrap_or(1.0);
-        let fraction = (s - self.fractions[k]) / (next - self.fractions[k]);
-        match fraction {
-            f if f < SNAP => BoundaryPoint { edge: k as u32, fraction: 0.0 },
-            f if f > 1.0 - SNAP => BoundaryPoint { edge: ((k + 1) % self.len()) as u32, fraction: 0.0 },
-            fraction => BoundaryPoint { edge: k as u32, fraction },
-        }
+        BoundaryPoint::at_fraction(&self.fractions, s)
     }
 
     /// The fraction of the outline's arc length at `p`, the inverse of [`Self::at_fraction`].
     pub fn fraction_at(&self, p: BoundaryPoint) -> f64 {
-        let k = p.edge as usize;
-        let next = self.fractions.get(k + 1).copied().unwrap_or(1.0);
-        self.fractions[k] + p.fraction * (next - self.fractions[k])
+        p.fraction_in(&self.fractions)
     }
 
     /// The boundary point nearest to `x`. Cost O(m).
@@ -139,6 +129,28 @@ impl BoundarySamples {
             }
         }
         best.1
+    }
+}
+
+impl BoundaryPoint {
+    /// The point at fraction `s` of the length (taken modulo 1) of a closed chain whose vertices lie at `fractions`.
+    pub(crate) fn at_fraction(fractions: &[f64], s: f64) -> Self {
+        let s = s.rem_euclid(1.0);
+        let k = fractions.partition_point(|&t| t <= s).saturating_sub(1);
+        let next = fractions.get(k + 1).copied().unwrap_or(1.0);
+        let fraction = (s - fractions[k]) / (next - fractions[k]);
+        match fraction {
+            f if f < SNAP => Self { edge: k as u32, fraction: 0.0 },
+            f if f > 1.0 - SNAP => Self { edge: ((k + 1) % fractions.len()) as u32, fraction: 0.0 },
+            fraction => Self { edge: k as u32, fraction },
+        }
+    }
+
+    /// The inverse of [`Self::at_fraction`].
+    pub(crate) fn fraction_in(self, fractions: &[f64]) -> f64 {
+        let k = self.edge as usize;
+        let next = fractions.get(k + 1).copied().unwrap_or(1.0);
+        fractions[k] + self.fraction * (next - fractions[k])
     }
 }
 

@@ -1,0 +1,161 @@
+//! `riemap flatten`: prepares a surface and an outline, parameterizes the surface over it, writes it.
+
+use super::CliError;
+use super::arguments::read_outline;
+use super::flatten_arguments::{FlattenArguments, UvArgument, read};
+use super::flattened::{Flattened, Format, Placement};
+use super::output::{check_paths, print, say_solver, warn_if_coarse, write_all};
+use crate::conformal::{
+    FrameTimings, Memory, PrepareTimings, Quality, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare,
+    prepare_surface,
+};
+use crate::mesh::FlipReport;
+use crate::surface::{Surface, SurfaceMesh};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Milliseconds by stage.
+#[derive(Debug, Clone, Copy, Default, serde::Serialize)]
+struct Timings {
+    /// The surface's file.
+    read: f64,
+    /// Its connectivity, and repairs.
+    check: f64,
+    surface: PrepareTimings,
+    outline: PrepareTimings,
+    #[serde(flatten)]
+    frame: FrameTimings,
+}
+
+#[derive(Debug, serde::Serialize)]
+struct Counts {
+    /// Boundary vertices.
+    m: u32,
+    /// Interior vertices.
+    n: usize,
+    triangles: usize,
+}
+
+/// What `--json` prints.
+#[derive(Debug, serde::Serialize)]
+struct Summary {
+    quality: Quality,
+    counts: Counts,
+    flips: FlipReport,
+    repairs: Vec<String>,
+    notes: Vec<String>,
+    surface_point: Point,
+    surface_anchor: f64,
+    uv: Placement,
+    timing_ms: Timings,
+}
+
+/// A point of the surface, by its triangle in the file.
+#[derive(Debug, serde::Serialize)]
+struct Point {
+    triangle: u32,
+    weights: [f64; 3],
+    position: [f64; 3],
+}
+
+/// Computes the parameterization and writes what is asked for.
+pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
+    let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
+    check_paths(&arguments.out)?;
+    let mut timings = Timings::default();
+    let surface = timed(&mut timings.read, || read(&arguments.surface))?;
+    let (map, constraints) = compute(arguments, &surface, &mut timings)?;
+    let flattened = Flattened::new(&surface, &map, arguments.uv == UvArgument::Unit);
+    let files = arguments.out.iter().zip(formats).map(|(path, format)| (path.clone(), flattened.encode(format)));
+    write_all(&files.collect::<Vec<_>>())?;
+    let summary = summarize(&surface, &map, &constraints, flattened.placement, timings);
+    summary.notes.iter().chain(&summary.repairs).for_each(|note| eprintln!("riemap: {}: {note}", arguments.surface));
+    if arguments.json {
+        let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
+        return print(&text);
+    }
+    let Summary { quality, counts, flips, .. } = summary;
+    print(&format!(
+        "m = {}, n = {}, {} triangles; {} edges flipped, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed",
+        counts.m,
+        counts.n,
+        counts.triangles,
+        flips.flips,
+        flips.negative_before,
+        flips.negative_after,
+        quality.q_mean,
+        quality.flipped,
+        quality.collapsed
+    ))
+}
+
+fn compute(
+    arguments: &FlattenArguments,
+    surface: &Surface,
+    timings: &mut Timings,
+) -> Result<(SurfaceMap, SurfaceConstraints), CliError> {
+    let about = |name: &str, error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
+    let outline = read_outline(&arguments.outline, arguments.repair)?;
+    let disk = timed(&mut timings.check, || {
+        if arguments.repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) }
+    });
+    let disk = disk.map_err(|error| about(&arguments.surface, &error))?;
+    let settings = arguments.discretisation.settings(&outline, None);
+    let on_surface = SurfaceSettings {
+        intrinsic_delaunay: !arguments.no_intrinsic_delaunay,
+        kernel: settings.kernel,
+        solver: settings.solver,
+    };
+    let prepared = prepare_surface(Memory::default(), disk, on_surface, &mut |_| ());
+    let prepared = Arc::new(prepared.map_err(|error| about(&arguments.surface, &error))?);
+    let source = prepare(&outline.outline.polygon, &settings, &mut |_| ());
+    let source = Arc::new(source.map_err(|error| about(&arguments.outline, &error))?);
+    (timings.surface, timings.outline) = (prepared.timings, source.timings);
+    let constraints = SurfaceConstraints {
+        source_point: arguments.outline_point.map_or(source.pole, |p| p.0),
+        source_anchor: arguments.outline_anchor.fraction(&source.samples),
+        surface_point: arguments.surface_point.map_or(Ok(prepared.centre), |point| point.locate(&prepared))?,
+        surface_anchor: arguments.surface_anchor.fraction(&prepared)?,
+    };
+    outline.say_notes(&arguments.outline);
+    warn_if_coarse(&arguments.outline, source.refinement);
+    say_solver(&arguments.outline, settings.solver, &source.solver);
+    say_solver(&arguments.surface, settings.solver, &prepared.solver);
+    let map = SurfaceMap::new(source, prepared, &constraints).map_err(|error| CliError::Input(error.to_string()))?;
+    timings.frame = map.timings();
+    Ok((map, constraints))
+}
+
+fn summarize(
+    surface: &Surface,
+    map: &SurfaceMap,
+    constraints: &SurfaceConstraints,
+    uv: Placement,
+    timing_ms: Timings,
+) -> Summary {
+    let prepared = map.surface();
+    let mesh = &prepared.surface.mesh;
+    let point = constraints.surface_point;
+    Summary {
+        quality: map.quality(),
+        counts: Counts { m: mesh.boundary_count, n: mesh.interior_count(), triangles: mesh.triangles.len() },
+        flips: prepared.flips,
+        repairs: prepared.surface.repairs.iter().map(ToString::to_string).collect(),
+        notes: surface.notes.iter().map(ToString::to_string).collect(),
+        surface_point: Point {
+            triangle: prepared.surface.triangle_origins[point.triangle as usize],
+            weights: point.weights,
+            position: prepared.position(point).to_array(),
+        },
+        surface_anchor: constraints.surface_anchor,
+        uv,
+        timing_ms,
+    }
+}
+
+fn timed<T>(milliseconds: &mut f64, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    *milliseconds = start.elapsed().as_secs_f64() * 1e3;
+    result
+}

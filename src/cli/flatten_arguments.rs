@@ -1,0 +1,182 @@
+//! What can be said to `riemap flatten`, and its translation into the core's types.
+
+use super::CliError;
+use super::arguments::{Anchor, Discretisation, Point};
+use crate::conformal::PreparedSurface;
+use crate::geometry::DVec3;
+use crate::mesh::BarycentricPoint;
+use crate::surface::{
+    MAX_BYTES, Surface, SurfacePreset, at_vertex, nearest_on_boundary, nearest_on_surface, read_surface,
+};
+use std::io::Read as _;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// `riemap flatten SURFACE OUTLINE`.
+#[derive(Debug, clap::Args)]
+pub struct FlattenArguments {
+    /// The surface: a file (obj, ply, stl, off, gltf, glb) or `preset:NAME[:M]` with M boundary vertices.
+    pub surface: String,
+    /// The outline of the texture domain: a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`.
+    pub outline: String,
+    /// x₂, inside the surface: vertex V, or triangle F with weights, or the point nearest to X,Y,Z; V and F count
+    /// from 0 [default: the vertex farthest from the boundary].
+    #[arg(long, value_name = "V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
+    pub surface_point: Option<SurfacePoint>,
+    /// y₂, on the surface's boundary: vertex V, or the boundary point nearest to X,Y,Z, or at fraction S of its length.
+    #[arg(long, value_name = "V|X,Y,Z|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub surface_anchor: SurfaceAnchor,
+    /// x₁, inside the outline, the image of x₂ [default: its pole of inaccessibility].
+    #[arg(long, alias = "source-point", value_name = "X,Y", allow_hyphen_values = true)]
+    pub outline_point: Option<Point>,
+    /// y₁, the image of y₂: the point of the outline nearest to X,Y, or at fraction S of its length.
+    #[arg(long, alias = "source-anchor", value_name = "X,Y|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub outline_anchor: Anchor,
+    /// Repair the surface where that is safe (orient, keep the largest component, drop loose vertices, fill holes),
+    /// and cut small loops and spikes off the outline.
+    #[arg(long)]
+    pub repair: bool,
+    /// Use the triangles' own cotangent weights, negative ones too, instead of flipping edges to be Delaunay.
+    #[arg(long)]
+    pub no_intrinsic_delaunay: bool,
+    /// How the outline is discretised; kernel and solver are the surface's too.
+    #[command(flatten)]
+    pub discretisation: Discretisation,
+    /// Texture coordinates: moved and scaled into the unit box, or the outline's own.
+    #[arg(long, default_value = "unit")]
+    pub uv: UvArgument,
+    /// Write the surface with its texture coordinates; repeatable; the format follows the extension: obj, ply, glb,
+    /// csv (a line for each vertex), svg (the layout).
+    #[arg(long, value_name = "FILE")]
+    pub out: Vec<PathBuf>,
+    /// Print quality, counts, flips, repairs and timings as JSON on stdout.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What texture coordinates are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum UvArgument {
+    Unit,
+    True,
+}
+
+/// A point of a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SurfacePoint {
+    /// A vertex of the file.
+    Vertex(u32),
+    /// A triangle of the file, and weights of its corners.
+    InTriangle(u32, [f64; 3]),
+    /// The nearest point.
+    Nearest(DVec3),
+}
+
+/// Three finite numbers between commas.
+fn three(text: &str) -> Option<[f64; 3]> {
+    let mut parts = text.split(',').map(|part| part.trim().parse::<f64>().ok().filter(|value| value.is_finite()));
+    let numbers = [parts.next()??, parts.next()??, parts.next()??];
+    parts.next().is_none().then_some(numbers)
+}
+
+impl FromStr for SurfacePoint {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || "expected a vertex V, F:A,B,C with weights ≥ 0 of a triangle's corners, or X,Y,Z".to_owned();
+        if let Some((triangle, weights)) = text.split_once(':') {
+            let (triangle, weights) = (triangle.parse().map_err(|_| wrong())?, three(weights).ok_or_else(wrong)?);
+            let sum: f64 = weights.iter().sum();
+            let sound = weights.iter().all(|&w| w >= 0.0) && sum > 0.0 && sum.is_finite();
+            return if sound { Ok(Self::InTriangle(triangle, weights.map(|w| w / sum))) } else { Err(wrong()) };
+        }
+        if let Ok(vertex) = text.parse() {
+            return Ok(Self::Vertex(vertex));
+        }
+        three(text).map(|place| Self::Nearest(DVec3::from_array(place))).ok_or_else(wrong)
+    }
+}
+
+impl SurfacePoint {
+    /// The point of the prepared surface that is meant.
+    pub fn locate(self, surface: &PreparedSurface) -> Result<BarycentricPoint, CliError> {
+        let whole = &surface.surface;
+        match self {
+            Self::Vertex(vertex) => {
+                let found = whole.number_of(vertex).and_then(|number| at_vertex(&whole.mesh, number));
+                found.ok_or_else(|| CliError::Input(format!("--surface-point: the surface has no vertex {vertex}")))
+            }
+            Self::InTriangle(triangle, weights) => {
+                let kept = whole.triangle_origins.iter().position(|&origin| origin == triangle);
+                let missing = || CliError::Input(format!("--surface-point: the surface has no triangle {triangle}"));
+                Ok(BarycentricPoint { triangle: kept.ok_or_else(missing)? as u32, weights })
+            }
+            Self::Nearest(place) => nearest_on_surface(&whole.mesh, place)
+                .map(|(point, _)| point)
+                .ok_or_else(|| CliError::Input(format!("--surface-point: nothing is near {place}"))),
+        }
+    }
+}
+
+/// A point of a surface's boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SurfaceAnchor {
+    /// A vertex of the file.
+    Vertex(u32),
+    /// The nearest point.
+    Nearest(DVec3),
+    /// At this fraction of the loop's length, from its vertex of least index on.
+    Fraction(f64),
+}
+
+impl FromStr for SurfaceAnchor {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || "expected a boundary vertex V, X,Y,Z, or @S with a finite fraction S, such as @0.25".to_owned();
+        if let Some(fraction) = text.strip_prefix('@') {
+            let fraction = fraction.parse::<f64>().ok().filter(|s| s.is_finite());
+            return fraction.map(Self::Fraction).ok_or_else(wrong);
+        }
+        if let Ok(vertex) = text.parse() {
+            return Ok(Self::Vertex(vertex));
+        }
+        three(text).map(|place| Self::Nearest(DVec3::from_array(place))).ok_or_else(wrong)
+    }
+}
+
+impl SurfaceAnchor {
+    /// The fraction of the boundary's length that is meant.
+    pub fn fraction(self, surface: &PreparedSurface) -> Result<f64, CliError> {
+        match self {
+            Self::Fraction(s) => Ok(s.rem_euclid(1.0)),
+            Self::Nearest(place) => Ok(surface.fraction_at(nearest_on_boundary(&surface.surface.mesh, place))),
+            Self::Vertex(vertex) => {
+                let number =
+                    surface.surface.number_of(vertex).and_then(|number| surface.fractions.get(number as usize));
+                let inner = || CliError::Input(format!("--surface-anchor: vertex {vertex} is not on the boundary"));
+                number.copied().ok_or_else(inner)
+            }
+        }
+    }
+}
+
+/// Reads `preset:NAME[:M]` or a file.
+pub fn read(name: &str) -> Result<Surface, CliError> {
+    let input = |error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
+    if let Some(preset) = name.strip_prefix("preset:") {
+        let (preset, boundary) = preset.split_once(':').map_or((preset, None), |(preset, m)| (preset, Some(m)));
+        let preset = SurfacePreset::from_str(preset).map_err(|error| CliError::Input(error.to_string()))?;
+        let boundary = match boundary.map(str::parse) {
+            None => SurfacePreset::USUAL_BOUNDARY,
+            Some(Ok(count @ 12..=4000)) => count,
+            Some(_) => return Err(input(&"the number of boundary vertices must be from 12 to 4000")),
+        };
+        return preset.surface(boundary).map_err(|error| input(&error));
+    }
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(name).and_then(|file| file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes));
+    file.map_err(|error| CliError::Input(format!("cannot read {name}: {error}")))?;
+    read_surface(name, &bytes).map_err(|error| input(&error))
+}

@@ -1,0 +1,72 @@
+//! A surface that is a disk, numbered as the map needs it: boundary loop first, interior after.
+
+use super::repair::{ADDED, RepairNote, Repaired, repair};
+use super::survey::connectivity;
+use super::{Surface, TopologyError};
+use crate::geometry::DVec3;
+use crate::mesh::TriMesh;
+
+/// A disk in space: one boundary loop, no handles, consistently oriented, no flat triangles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurfaceMesh {
+    /// The boundary loop in the direction of the triangles, from its vertex of least index on;
+    /// then the interior in the surface's order. The triangles are in the surface's order too.
+    pub mesh: TriMesh<DVec3>,
+    /// For each vertex its index in the surface as it was read, or [`ADDED`].
+    pub vertex_origins: Vec<u32>,
+    /// For each triangle its index in the surface as it was read, or [`ADDED`]: it fills a hole.
+    pub triangle_origins: Vec<u32>,
+    /// The repairs that were made.
+    pub repairs: Vec<RepairNote>,
+    /// For each vertex of the surface its number here, or [`ADDED`] if it was dropped.
+    numbers: Vec<u32>,
+}
+
+impl SurfaceMesh {
+    /// The surface as it is, if it is a disk. Cost O(n log d).
+    pub fn new(surface: &Surface) -> Result<Self, TopologyError> {
+        Self::ordered(Repaired::untouched(surface.clone()), surface.vertices.len())
+    }
+
+    /// The surface after all repairs that are safe and needed, which are told in [`Self::repairs`].
+    pub fn repaired(surface: &Surface) -> Result<Self, TopologyError> {
+        Self::ordered(repair(surface.clone())?, surface.vertices.len())
+    }
+
+    fn ordered(repaired: Repaired, before: usize) -> Result<Self, TopologyError> {
+        let Repaired { surface, vertex_origins, triangle_origins, notes: repairs } = repaired;
+        let found = connectivity(&surface)?;
+        found.check_disk(&surface)?;
+        let boundary = found.loops.first().map(Vec::as_slice).unwrap_or_default();
+        let mut number = vec![u32::MAX; surface.vertices.len()];
+        let mut order = boundary.to_vec();
+        boundary.iter().enumerate().for_each(|(k, &v)| number[v as usize] = k as u32);
+        for (v, number) in number.iter_mut().enumerate().filter(|(_, number)| **number == u32::MAX) {
+            *number = order.len() as u32;
+            order.push(v as u32);
+        }
+        let across = |twin: u32| if twin == u32::MAX { twin } else { twin / 3 };
+        let mesh = TriMesh {
+            vertices: order.iter().map(|&v| surface.vertices[v as usize]).collect(),
+            boundary_count: boundary.len() as u32,
+            triangles: surface.triangles.iter().map(|t| t.map(|v| number[v as usize])).collect(),
+            neighbours: found.twins.as_chunks::<3>().0.iter().map(|twins| twins.map(across)).collect(),
+        };
+        let vertex_origins: Vec<u32> = order.iter().map(|&v| vertex_origins[v as usize]).collect();
+        let mut numbers = vec![ADDED; before];
+        for (k, &origin) in vertex_origins.iter().enumerate().filter(|(_, origin)| **origin != ADDED) {
+            numbers[origin as usize] = k as u32;
+        }
+        Ok(Self { mesh, vertex_origins, triangle_origins, repairs, numbers })
+    }
+
+    /// The number here of a vertex of the surface as it was read; `None` if it was dropped or never there.
+    pub fn number_of(&self, origin: u32) -> Option<u32> {
+        self.numbers.get(origin as usize).copied().filter(|&number| number != ADDED)
+    }
+
+    /// The number of vertices of the surface as it was read.
+    pub fn origin_count(&self) -> usize {
+        self.numbers.len()
+    }
+}

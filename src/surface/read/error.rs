@@ -1,0 +1,123 @@
+//! Why a file is no surface, and where in it.
+
+use super::faces::MAX_CORNERS;
+use super::{MAX_BYTES, MAX_TRIANGLES};
+
+/// Where in a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// A line of text, from 1.
+    Line(usize),
+    /// A byte, from 0.
+    Byte(usize),
+    /// A part of a glTF document, such as `accessors[3]`.
+    Part(String),
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Line(line) => write!(f, "line {line}"),
+            Self::Byte(offset) => write!(f, "byte {offset}"),
+            Self::Part(part) => write!(f, "{part}"),
+        }
+    }
+}
+
+/// Why a file is no surface, and where in it.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SurfaceError {
+    /// More than [`MAX_BYTES`].
+    #[error("the file has {bytes} bytes; surfaces up to {} MiB can be read", MAX_BYTES >> 20)]
+    TooLarge {
+        /// Its size.
+        bytes: usize,
+    },
+    /// More than [`MAX_TRIANGLES`].
+    #[error("{place}: more than {MAX_TRIANGLES} triangles")]
+    TooManyTriangles {
+        /// Where the first one too many is.
+        place: Place,
+    },
+    /// Neither the extension nor the first bytes say what it is.
+    #[error("\".{extension}\" is no surface format that is known: obj, ply, stl, off, gltf, glb")]
+    UnknownFormat {
+        /// The file's extension.
+        extension: String,
+    },
+    /// Something else where a number was needed.
+    #[error("{place}: \"{found}\" is not a number")]
+    NotANumber {
+        /// Where.
+        place: Place,
+        /// The text there, shortened.
+        found: String,
+    },
+    /// A coordinate that is NaN or infinite.
+    #[error("{place}: a coordinate of vertex {vertex} is not a finite number")]
+    NotFinite {
+        /// Where.
+        place: Place,
+        /// The vertex, from 0.
+        vertex: usize,
+    },
+    /// Something is missing.
+    #[error("{place}: {what} is missing")]
+    Missing {
+        /// Where.
+        place: Place,
+        /// What.
+        what: String,
+    },
+    /// A face names a vertex that does not exist.
+    #[error("{place}: a face names vertex {index}, but the file has {vertices} vertices")]
+    IndexOutOfRange {
+        /// Where.
+        place: Place,
+        /// As the file writes it.
+        index: i64,
+        /// How many there are.
+        vertices: usize,
+    },
+    /// A face with fewer than 3 corners or more than [`MAX_CORNERS`].
+    #[error("{place}: a face has {count} corners; 3 to {MAX_CORNERS} are possible")]
+    Corners {
+        /// Where.
+        place: Place,
+        /// How many it has.
+        count: usize,
+    },
+    /// Not built as the format says.
+    #[error("{place}: {message}")]
+    Malformed {
+        /// Where.
+        place: Place,
+        /// What is wrong.
+        message: String,
+    },
+    /// A part of the format that is not read.
+    #[error("{place}: {what} cannot be read")]
+    Unsupported {
+        /// Where.
+        place: Place,
+        /// What it is.
+        what: String,
+    },
+    /// No face at all.
+    #[error("the file has no faces")]
+    NoTriangles,
+}
+
+impl SurfaceError {
+    pub(super) fn missing(place: Place, what: impl Into<String>) -> Self {
+        Self::Missing { place, what: what.into() }
+    }
+
+    pub(super) fn malformed(place: Place, message: impl Into<String>) -> Self {
+        Self::Malformed { place, message: message.into() }
+    }
+
+    pub(super) fn unsupported(place: Place, what: impl Into<String>) -> Self {
+        Self::Unsupported { place, what: what.into() }
+    }
+}

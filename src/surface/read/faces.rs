@@ -1,0 +1,60 @@
+//! Collects vertices and faces; cuts polygons into triangles once all vertices are known.
+
+use super::polygon::triangulate;
+use super::{MAX_TRIANGLES, Place, SurfaceError};
+use crate::geometry::DVec3;
+use crate::surface::{Surface, SurfaceNote};
+
+/// The most corners of a face: cutting ears off takes the square of it.
+pub const MAX_CORNERS: usize = 1000;
+
+/// The vertices and faces read so far.
+#[derive(Debug, Default)]
+pub(super) struct Faces {
+    pub vertices: Vec<DVec3>,
+    corners: Vec<u32>,
+    /// Where each face ends in `corners`.
+    ends: Vec<u32>,
+    triangles: usize,
+}
+
+impl Faces {
+    /// Adds a face; its indices are checked by the caller.
+    pub(super) fn push(&mut self, corners: &[u32], place: impl Fn() -> Place) -> Result<(), SurfaceError> {
+        if !(3..=MAX_CORNERS).contains(&corners.len()) {
+            return Err(SurfaceError::Corners { place: place(), count: corners.len() });
+        }
+        self.triangles += corners.len() - 2;
+        if self.triangles > MAX_TRIANGLES {
+            return Err(SurfaceError::TooManyTriangles { place: place() });
+        }
+        self.corners.extend_from_slice(corners);
+        self.ends.push(self.corners.len() as u32);
+        Ok(())
+    }
+
+    /// The index as a vertex that is already there.
+    pub(super) fn known(&self, index: i64, place: impl Fn() -> Place) -> Result<u32, SurfaceError> {
+        let vertices = self.vertices.len();
+        let known = usize::try_from(index).is_ok_and(|index| index < vertices);
+        if known { Ok(index as u32) } else { Err(SurfaceError::IndexOutOfRange { place: place(), index, vertices }) }
+    }
+
+    /// The surface, its polygons cut into triangles.
+    pub(super) fn finish(self) -> Surface {
+        let Self { vertices, corners, ends, triangles: count } = self;
+        let (mut triangles, mut polygons, mut start) = (Vec::with_capacity(count), 0, 0);
+        for end in ends {
+            match &corners[start..end as usize] {
+                &[a, b, c] => triangles.push([a, b, c]),
+                polygon => {
+                    polygons += 1;
+                    triangulate(&vertices, polygon, &mut triangles);
+                }
+            }
+            start = end as usize;
+        }
+        let notes = if polygons > 0 { vec![SurfaceNote::Triangulated { polygons }] } else { Vec::new() };
+        Surface { vertices, triangles, notes }
+    }
+}

@@ -1,0 +1,35 @@
+//! GLB: a glTF document and its first buffer in one binary file.
+
+use super::scalar::{Cursor, Scalar};
+use super::{Place, SurfaceError, gltf};
+use crate::surface::Surface;
+
+const JSON: u32 = 0x4E4F_534A;
+const BINARY: u32 = 0x004E_4942;
+
+/// Reads the two chunks; others are passed over.
+pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
+    if !bytes.starts_with(b"glTF") {
+        return Err(SurfaceError::malformed(Place::Byte(0), "a GLB file begins with glTF"));
+    }
+    let mut cursor = Cursor { bytes, offset: 4, big_endian: false };
+    let version = cursor.number(Scalar::U32, "the version")?;
+    if version != 2.0 {
+        return Err(SurfaceError::unsupported(Place::Byte(4), format!("version {version} of glTF")));
+    }
+    cursor.skip(4, "the length of the file")?;
+    let (mut document, mut buffer) = (None, None);
+    while cursor.offset < bytes.len() {
+        let length = cursor.number(Scalar::U32, "the length of a chunk")? as usize;
+        let kind = cursor.number(Scalar::U32, "the type of a chunk")? as u32;
+        let start = cursor.offset;
+        cursor.skip(length, &format!("a chunk of {length} bytes"))?;
+        let chunk = &bytes[start..cursor.offset];
+        match kind {
+            JSON if document.is_none() => document = Some(chunk),
+            BINARY if buffer.is_none() => buffer = Some(chunk),
+            _ => {}
+        }
+    }
+    gltf::read(document.ok_or_else(|| SurfaceError::missing(Place::Byte(12), "the JSON chunk"))?, buffer)
+}

@@ -1,0 +1,211 @@
+//! glTF 2.0: the triangles of the default scene, in the scene's coordinates, welded.
+//!
+//! Buffers must be embedded (base 64) or in the GLB file: nothing but the given bytes is
+//! read. Not read: sparse accessors, compressed meshes; morph targets and skins have no effect.
+
+use super::faces::Faces;
+use super::gltf_buffers::Buffers;
+use super::text::finite;
+use super::weld::weld;
+use super::{MAX_TRIANGLES, Place, SurfaceError};
+use crate::geometry::DVec3;
+use crate::surface::Surface;
+use glam::{DMat4, DQuat};
+use serde::Deserialize;
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Document {
+    scene: Option<usize>,
+    scenes: Vec<Scene>,
+    nodes: Vec<Node>,
+    meshes: Vec<Mesh>,
+    pub accessors: Vec<Accessor>,
+    pub buffer_views: Vec<BufferView>,
+    pub buffers: Vec<Buffer>,
+    extensions_required: Vec<String>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Scene {
+    nodes: Vec<usize>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Node {
+    mesh: Option<usize>,
+    children: Vec<usize>,
+    matrix: Option<[f64; 16]>,
+    translation: Option<[f64; 3]>,
+    rotation: Option<[f64; 4]>,
+    scale: Option<[f64; 3]>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Mesh {
+    primitives: Vec<Primitive>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Primitive {
+    attributes: Attributes,
+    indices: Option<usize>,
+    mode: Option<u32>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Attributes {
+    #[serde(rename = "POSITION")]
+    position: Option<usize>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Accessor {
+    pub buffer_view: Option<usize>,
+    pub byte_offset: usize,
+    pub component_type: u32,
+    pub count: usize,
+    #[serde(rename = "type")]
+    pub kind: String,
+    pub sparse: Option<serde_json::Value>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct BufferView {
+    pub buffer: usize,
+    pub byte_offset: usize,
+    pub byte_length: usize,
+    pub byte_stride: Option<usize>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Buffer {
+    pub uri: Option<String>,
+}
+
+/// Extensions that change where positions or indices are, so that they cannot be passed over.
+const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"];
+
+/// Reads a document; `binary` is the buffer of a GLB file.
+pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>) -> Result<Surface, SurfaceError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let document: Document = serde_json::from_slice(bytes)
+        .map_err(|error| SurfaceError::malformed(Place::Line(error.line()), format!("no glTF: {error}")))?;
+    if let Some(name) = document.extensions_required.iter().find(|name| COMPRESSIONS.contains(&name.as_str())) {
+        return Err(SurfaceError::unsupported(part("extensionsRequired"), name.as_str()));
+    }
+    let buffers = Buffers::new(&document, binary)?;
+    let mut faces = Faces::default();
+    for (node, transform) in document.placed_nodes()? {
+        if let Some(mesh) = document.nodes[node].mesh {
+            let missing = || SurfaceError::missing(Place::Part(format!("nodes[{node}]")), format!("meshes[{mesh}]"));
+            let found = document.meshes.get(mesh).ok_or_else(missing)?;
+            for (k, primitive) in found.primitives.iter().enumerate() {
+                let place = Place::Part(format!("meshes[{mesh}].primitives[{k}]"));
+                read_primitive(primitive, &place, transform, &buffers, &mut faces)?;
+            }
+        }
+    }
+    let mut surface = faces.finish();
+    weld(&mut surface);
+    Ok(surface)
+}
+
+fn part(name: &str) -> Place {
+    Place::Part(name.to_owned())
+}
+
+impl Document {
+    /// The nodes of the default scene (of all roots if there is no scene) with their transforms.
+    fn placed_nodes(&self) -> Result<Vec<(usize, DMat4)>, SurfaceError> {
+        let scene = self.scenes.get(self.scene.unwrap_or(0));
+        let roots = match scene {
+            Some(scene) => scene.nodes.clone(),
+            None if self.scene.is_some() => return Err(SurfaceError::missing(part("scene"), "the default scene")),
+            None => {
+                let child = |k: &usize| self.nodes.iter().any(|node| node.children.contains(k));
+                (0..self.nodes.len()).filter(|k| !child(k)).collect()
+            }
+        };
+        let mut pending: Vec<(usize, DMat4)> = roots.into_iter().rev().map(|node| (node, DMat4::IDENTITY)).collect();
+        let mut seen = vec![false; self.nodes.len()];
+        let mut placed = Vec::new();
+        while let Some((k, parent)) = pending.pop() {
+            let place = || Place::Part(format!("nodes[{k}]"));
+            let node = self.nodes.get(k).ok_or_else(|| SurfaceError::missing(place(), "the node"))?;
+            if std::mem::replace(&mut seen[k], true) {
+                return Err(SurfaceError::malformed(place(), "the node stands twice in the tree"));
+            }
+            let transform = parent * node.transform();
+            pending.extend(node.children.iter().rev().map(|&child| (child, transform)));
+            placed.push((k, transform));
+        }
+        Ok(placed)
+    }
+}
+
+impl Node {
+    fn transform(&self) -> DMat4 {
+        if let Some(matrix) = &self.matrix {
+            return DMat4::from_cols_array(matrix);
+        }
+        DMat4::from_scale_rotation_translation(
+            DVec3::from_array(self.scale.unwrap_or([1.0; 3])),
+            self.rotation.map_or(DQuat::IDENTITY, DQuat::from_array),
+            DVec3::from_array(self.translation.unwrap_or_default()),
+        )
+    }
+}
+
+fn read_primitive(
+    primitive: &Primitive,
+    place: &Place,
+    transform: DMat4,
+    buffers: &Buffers<'_>,
+    faces: &mut Faces,
+) -> Result<(), SurfaceError> {
+    let mode = primitive.mode.unwrap_or(4);
+    if mode < 4 {
+        return Ok(()); // points and lines
+    }
+    let accessor = primitive.attributes.position;
+    let accessor = accessor.ok_or_else(|| SurfaceError::missing(place.clone(), "the attribute POSITION"))?;
+    let first = faces.vertices.len();
+    for point in buffers.points(accessor)? {
+        let vertex = faces.vertices.len();
+        faces.vertices.push(finite(transform.transform_point3(point), vertex, place.clone())?);
+    }
+    if faces.vertices.len() > 3 * MAX_TRIANGLES {
+        return Err(SurfaceError::TooManyTriangles { place: place.clone() });
+    }
+    let count = faces.vertices.len() - first;
+    let indices = match primitive.indices {
+        Some(accessor) => buffers.indices(accessor)?,
+        None => (0..count as u32).collect(),
+    };
+    if let Some(&index) = indices.iter().find(|&&index| index as usize >= count) {
+        let index = i64::from(index);
+        return Err(SurfaceError::IndexOutOfRange { place: place.clone(), index, vertices: count });
+    }
+    let mirrored = transform.determinant() < 0.0;
+    let mut push = |a: usize, b: usize, c: usize| {
+        let [a, b, c] = [a, b, c].map(|k| first as u32 + indices[k]);
+        faces.push(&if mirrored { [a, c, b] } else { [a, b, c] }, || place.clone())
+    };
+    let count = indices.len();
+    match mode {
+        4 if count % 3 == 0 => (0..count / 3).try_for_each(|t| push(3 * t, 3 * t + 1, 3 * t + 2)),
+        5 => (2..count).try_for_each(|k| if k % 2 == 0 { push(k - 2, k - 1, k) } else { push(k - 1, k - 2, k) }),
+        6 => (2..count).try_for_each(|k| push(0, k - 1, k)),
+        4 => Err(SurfaceError::malformed(place.clone(), format!("{count} corners are no whole number of triangles"))),
+        _ => Err(SurfaceError::malformed(place.clone(), format!("unknown mode {mode}"))),
+    }
+}

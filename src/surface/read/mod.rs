@@ -1,0 +1,72 @@
+//! Surfaces from files: OBJ, PLY, STL, OFF, glTF and GLB.
+//!
+//! The readers are our own and small: those of the registries give no line or
+//! byte with their errors, and a surface needs positions and faces only. No
+//! bytes make a reader panic, and none reads anything but these bytes.
+
+mod base64;
+mod error;
+mod faces;
+mod glb;
+mod gltf;
+mod gltf_buffers;
+mod obj;
+mod off;
+mod ply;
+mod ply_header;
+mod polygon;
+mod scalar;
+mod stl;
+mod text;
+mod weld;
+
+use super::Surface;
+pub use error::{Place, SurfaceError};
+pub use faces::MAX_CORNERS;
+
+/// The largest file that is read.
+pub const MAX_BYTES: usize = 512 << 20;
+
+/// The most triangles that a surface may have: their factor takes about 4 GB.
+pub const MAX_TRIANGLES: usize = 4_000_000;
+
+/// Reads a surface from a file's name and bytes.
+///
+/// The extension decides the format (`obj`, `ply`, `stl`, `off`, `gltf`, `glb`); with any
+/// other, the first bytes do. Formats that repeat a vertex for each face (STL, glTF)
+/// have their vertices welded where positions are exactly equal. Of OBJ files all objects, of
+/// glTF the default scene are read. Cost O(bytes).
+pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
+    if bytes.len() > MAX_BYTES {
+        return Err(SurfaceError::TooLarge { bytes: bytes.len() });
+    }
+    let extension = file_name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase();
+    let surface = match extension.as_str() {
+        "obj" => obj::read(bytes),
+        "ply" => ply::read(bytes),
+        "stl" => stl::read(bytes),
+        "off" => off::read(bytes),
+        "gltf" => gltf::read(bytes, None),
+        "glb" => glb::read(bytes),
+        _ => by_first_bytes(&extension, bytes),
+    }?;
+    if surface.triangles.is_empty() { Err(SurfaceError::NoTriangles) } else { Ok(surface) }
+}
+
+fn by_first_bytes(extension: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
+    let first = bytes.trim_ascii_start();
+    let begins = |word: &str| first.starts_with(word.as_bytes());
+    match first {
+        _ if begins("ply") => ply::read(bytes),
+        _ if begins("glTF") => glb::read(bytes),
+        _ if begins("OFF") => off::read(bytes),
+        _ if begins("{") => gltf::read(bytes, None),
+        _ if begins("solid") || stl::is_binary(bytes) => stl::read(bytes),
+        _ if begins("v ") || begins("#") || begins("o ") || begins("mtllib") => obj::read(bytes),
+        _ => Err(SurfaceError::UnknownFormat { extension: extension.to_owned() }),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+mod tests;

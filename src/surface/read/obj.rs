@@ -1,0 +1,74 @@
+//! Wavefront OBJ: `v` and `f`; every other keyword is passed over.
+
+use super::faces::Faces;
+use super::text::{Line, lines};
+use super::{Place, SurfaceError};
+use crate::surface::Surface;
+use std::borrow::Cow;
+
+/// Reads all objects and groups as one surface.
+pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
+    let bytes = joined(bytes);
+    let mut faces = Faces::default();
+    let mut corners = Vec::new();
+    // a face may come before its vertices: what it names is judged at the end
+    let mut largest = (0, 0);
+    for line in lines(&bytes) {
+        let mut words = line.words();
+        match words.next() {
+            Some(b"v") => {
+                let point = line.point(&mut words, faces.vertices.len())?;
+                faces.vertices.push(point);
+            }
+            Some(b"f") => {
+                corners.clear();
+                for word in words {
+                    let vertex = vertex_of(word, line, faces.vertices.len())?;
+                    if vertex > largest.0 {
+                        largest = (vertex, line.number);
+                    }
+                    corners.push((vertex - 1) as u32);
+                }
+                faces.push(&corners, || line.place())?;
+            }
+            _ => {}
+        }
+    }
+    let (index, line) = largest;
+    if index > faces.vertices.len() as i64 {
+        let vertices = faces.vertices.len();
+        return Err(SurfaceError::IndexOutOfRange { place: Place::Line(line), index, vertices });
+    }
+    Ok(faces.finish())
+}
+
+/// The number, from 1, of the vertex in `7`, `7/3`, `7//2` or `-1` (the last one so far).
+fn vertex_of(word: &[u8], line: Line<'_>, so_far: usize) -> Result<i64, SurfaceError> {
+    let index = line.integer_in(word.split(|&b| b == b'/').next().unwrap_or_default())?;
+    let vertex = if index < 0 { index.saturating_add(so_far as i64 + 1) } else { index };
+    if (1..=i64::from(u32::MAX)).contains(&vertex) {
+        return Ok(vertex);
+    }
+    Err(SurfaceError::IndexOutOfRange { place: line.place(), index, vertices: so_far })
+}
+
+/// A line that ends in a backslash goes on in the next one; the line feeds that this takes
+/// away follow after it, so that the lines' numbers stay right.
+fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
+    if !bytes.contains(&b'\\') {
+        return bytes.into();
+    }
+    let (mut owned, mut held) = (Vec::with_capacity(bytes.len()), 0);
+    for line in bytes.split(|&b| b == b'\n') {
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        if let Some(begun) = line.strip_suffix(b"\\") {
+            owned.extend_from_slice(begun);
+            owned.push(b' ');
+            held += 1;
+        } else {
+            owned.extend_from_slice(line);
+            owned.extend(std::iter::repeat_n(b'\n', 1 + std::mem::take(&mut held)));
+        }
+    }
+    owned.into()
+}

@@ -1,0 +1,168 @@
+//! PLY, the polygon file format: text and binary in both byte orders.
+//!
+//! Read are `x`, `y`, `z` of the element `vertex` and the list `vertex_indices` (or
+//! `vertex_index`) of `face`; all other elements and properties are passed over.
+
+use super::faces::{Faces, MAX_CORNERS};
+use super::ply_header::{Body, Element, Encoding, Header, Property, Shape, header};
+use super::scalar::{Cursor, Scalar};
+use super::text::finite;
+use super::{Place, SurfaceError};
+use crate::geometry::DVec3;
+use crate::surface::Surface;
+
+/// Reads either kind.
+pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
+    let Header { encoding, elements, body } = header(bytes)?;
+    let mut numbers = Numbers::new(bytes, encoding, body);
+    let mut faces = Faces::default();
+    for element in &elements {
+        match element.name.as_str() {
+            "vertex" => read_vertices(element, &mut numbers, &mut faces)?,
+            "face" => read_faces(element, &mut numbers, &mut faces)?,
+            "tristrips" => return Err(SurfaceError::unsupported(numbers.place(), "the element tristrips")),
+            _ if element.properties.is_empty() => {}
+            _ => (0..element.count).try_for_each(|_| skip(&element.properties, &mut numbers))?,
+        }
+    }
+    Ok(faces.finish())
+}
+
+/// The numbers of the body, one after another.
+enum Numbers<'a> {
+    /// The rest of the text, and the line where it begins.
+    Text {
+        rest: &'a [u8],
+        line: usize,
+    },
+    Binary(Cursor<'a>),
+}
+
+impl<'a> Numbers<'a> {
+    fn new(bytes: &'a [u8], encoding: Encoding, body: Body) -> Self {
+        match encoding {
+            Encoding::Text => Self::Text { rest: &bytes[body.offset..], line: body.line },
+            Encoding::LittleEndian | Encoding::BigEndian => {
+                Self::Binary(Cursor { bytes, offset: body.offset, big_endian: encoding == Encoding::BigEndian })
+            }
+        }
+    }
+
+    fn place(&self) -> Place {
+        match self {
+            Self::Text { line, .. } => Place::Line(*line),
+            Self::Binary(cursor) => cursor.place(),
+        }
+    }
+
+    fn next(&mut self, scalar: Scalar, what: &str) -> Result<f64, SurfaceError> {
+        match self {
+            Self::Binary(cursor) => cursor.number(scalar, what),
+            Self::Text { rest, line } => {
+                let start = rest.iter().position(|b| !b.is_ascii_whitespace()).unwrap_or(rest.len());
+                *line += rest[..start].split(|&b| b == b'\n').count() - 1;
+                let word = &rest[start..];
+                let word = &word[..word.iter().position(u8::is_ascii_whitespace).unwrap_or(word.len())];
+                *rest = &rest[start + word.len()..];
+                if word.is_empty() {
+                    return Err(SurfaceError::missing(Place::Line(*line), what));
+                }
+                let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
+                let found = || super::text::shown(word);
+                number.ok_or_else(|| SurfaceError::NotANumber { place: Place::Line(*line), found: found() })
+            }
+        }
+    }
+
+    /// The length of a list.
+    fn length(&mut self, scalar: Scalar) -> Result<usize, SurfaceError> {
+        let place = self.place();
+        let length = self.next(scalar, "the length of a list")?;
+        let whole = length >= 0.0 && length.fract() == 0.0 && length <= f64::from(u32::MAX);
+        if whole {
+            Ok(length as usize)
+        } else {
+            Err(SurfaceError::malformed(place, format!("a list of length {length}")))
+        }
+    }
+
+    fn skip(&mut self, shape: Shape) -> Result<(), SurfaceError> {
+        match shape {
+            Shape::One(scalar) => self.next(scalar, "a property").map(|_| ()),
+            Shape::List { length, item } => {
+                let count = self.length(length)?;
+                match self {
+                    Self::Binary(cursor) => cursor.skip(count * item.size(), "a list"),
+                    Self::Text { .. } => (0..count).try_for_each(|_| self.next(item, "a list").map(|_| ())),
+                }
+            }
+        }
+    }
+}
+
+fn skip(properties: &[Property], numbers: &mut Numbers<'_>) -> Result<(), SurfaceError> {
+    properties.iter().try_for_each(|property| numbers.skip(property.shape))
+}
+
+fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces) -> Result<(), SurfaceError> {
+    for name in ["x", "y", "z"] {
+        if !element.properties.iter().any(|p| p.name == name && matches!(p.shape, Shape::One(_))) {
+            return Err(SurfaceError::missing(Place::Line(1), format!("the property {name} of the element vertex")));
+        }
+    }
+    for vertex in 0..element.count {
+        let mut point = DVec3::ZERO;
+        let mut place = numbers.place();
+        for property in &element.properties {
+            let coordinate = match property.name.as_str() {
+                "x" => &mut point.x,
+                "y" => &mut point.y,
+                "z" => &mut point.z,
+                _ => {
+                    numbers.skip(property.shape)?;
+                    continue;
+                }
+            };
+            let Shape::One(scalar) = property.shape else { continue };
+            *coordinate = numbers.next(scalar, "a coordinate of a vertex")?;
+            if let Place::Line(_) = place {
+                place = numbers.place();
+            }
+        }
+        faces.vertices.push(finite(point, vertex, place)?);
+    }
+    Ok(())
+}
+
+fn read_faces(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces) -> Result<(), SurfaceError> {
+    let is_list = |p: &Property| p.name == "vertex_indices" || p.name == "vertex_index";
+    if element.count > 0 && !element.properties.iter().any(is_list) {
+        return Err(SurfaceError::missing(Place::Line(1), "the property vertex_indices of the element face"));
+    }
+    let mut corners = Vec::new();
+    for _ in 0..element.count {
+        for property in &element.properties {
+            let (true, Shape::List { length, item }) = (is_list(property), property.shape) else {
+                numbers.skip(property.shape)?;
+                continue;
+            };
+            let count = numbers.length(length)?;
+            if count > MAX_CORNERS {
+                return Err(SurfaceError::Corners { place: numbers.place(), count });
+            }
+            corners.clear();
+            for _ in 0..count {
+                let place = numbers.place();
+                let index = numbers.next(item, "a corner of a face")?;
+                let whole = if index.fract() == 0.0 { index as i64 } else { -1 };
+                let here = match numbers {
+                    Numbers::Text { line, .. } => Place::Line(*line),
+                    Numbers::Binary(_) => place,
+                };
+                corners.push(faces.known(whole, || here.clone())?);
+            }
+            faces.push(&corners, || numbers.place())?;
+        }
+    }
+    Ok(())
+}

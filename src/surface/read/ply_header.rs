@@ -1,0 +1,141 @@
+//! The header of a PLY file: its elements and their properties.
+
+use super::scalar::Scalar;
+use super::text::{Line, lines, shown};
+use super::{Place, SurfaceError};
+
+/// How the numbers are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Text,
+    LittleEndian,
+    BigEndian,
+}
+
+/// One number, or a list of numbers with its length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Shape {
+    One(Scalar),
+    List { length: Scalar, item: Scalar },
+}
+
+/// A property of an element.
+#[derive(Debug)]
+pub(super) struct Property {
+    pub name: String,
+    pub shape: Shape,
+}
+
+/// An element, such as `vertex`.
+#[derive(Debug)]
+pub(super) struct Element {
+    pub name: String,
+    pub count: usize,
+    pub properties: Vec<Property>,
+}
+
+/// The header, and where the body begins.
+#[derive(Debug)]
+pub(super) struct Header {
+    pub encoding: Encoding,
+    pub elements: Vec<Element>,
+    pub body: Body,
+}
+
+/// Where the body begins.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Body {
+    /// Its first byte.
+    pub offset: usize,
+    /// The line of that byte, from 1.
+    pub line: usize,
+}
+
+/// Headers are shorter than this; so a binary body is not searched for lines.
+const LONGEST: usize = 1 << 20;
+
+/// Reads up to `end_header`.
+pub(super) fn header(bytes: &[u8]) -> Result<Header, SurfaceError> {
+    let body = body(bytes)?;
+    let mut lines = lines(&bytes[..body.offset]);
+    if lines.next().is_none_or(|line| !line.words().eq([b"ply"])) {
+        return Err(SurfaceError::malformed(Place::Line(1), "a PLY file begins with the word ply"));
+    }
+    let (mut encoding, mut elements) = (None, Vec::<Element>::new());
+    for line in lines {
+        let mut words = line.words();
+        match words.next() {
+            Some(b"format") => encoding = Some(encoding_of(line, words.next())?),
+            Some(b"element") => {
+                let name = shown(words.next().unwrap_or_default());
+                let count = line.count(&mut words, "the number of elements")?;
+                elements.push(Element { name, count, properties: Vec::new() });
+            }
+            Some(b"property") => {
+                let property = property(line, &mut words)?;
+                let missing = || SurfaceError::missing(line.place(), "the element of a property");
+                elements.last_mut().ok_or_else(missing)?.properties.push(property);
+            }
+            Some(b"comment" | b"obj_info" | b"end_header") | None => {}
+            Some(word) => return Err(SurfaceError::malformed(line.place(), format!("unknown word {}", shown(word)))),
+        }
+    }
+    let encoding = encoding.ok_or_else(|| SurfaceError::missing(Place::Line(2), "the line format"))?;
+    Ok(Header { encoding, elements, body })
+}
+
+fn body(bytes: &[u8]) -> Result<Body, SurfaceError> {
+    let mut offset = 0;
+    for (k, line) in bytes.split_inclusive(|&b| b == b'\n').enumerate() {
+        offset += line.len();
+        if line.trim_ascii() == b"end_header" {
+            return Ok(Body { offset, line: k + 2 });
+        }
+        if offset > LONGEST {
+            break;
+        }
+    }
+    Err(SurfaceError::missing(Place::Line(1), "the line end_header"))
+}
+
+fn encoding_of(line: Line<'_>, word: Option<&[u8]>) -> Result<Encoding, SurfaceError> {
+    match word.unwrap_or_default() {
+        b"ascii" => Ok(Encoding::Text),
+        b"binary_little_endian" => Ok(Encoding::LittleEndian),
+        b"binary_big_endian" => Ok(Encoding::BigEndian),
+        other => Err(SurfaceError::malformed(line.place(), format!("unknown format {}", shown(other)))),
+    }
+}
+
+fn property<'a>(line: Line<'a>, words: &mut impl Iterator<Item = &'a [u8]>) -> Result<Property, SurfaceError> {
+    let scalar = |word: Option<&[u8]>| {
+        let word = word.unwrap_or_default();
+        scalar_of(word).ok_or_else(|| SurfaceError::malformed(line.place(), format!("\"{}\" is no type", shown(word))))
+    };
+    let first = words.next();
+    let shape = if first == Some(b"list") {
+        let length = scalar(words.next())?;
+        if length.is_float() {
+            return Err(SurfaceError::malformed(line.place(), "the length of a list is no whole number"));
+        }
+        Shape::List { length, item: scalar(words.next())? }
+    } else {
+        Shape::One(scalar(first)?)
+    };
+    let name = words.next().ok_or_else(|| SurfaceError::missing(line.place(), "the name of a property"))?;
+    Ok(Property { name: shown(name), shape })
+}
+
+fn scalar_of(word: &[u8]) -> Option<Scalar> {
+    Some(match word {
+        b"char" | b"int8" => Scalar::I8,
+        b"uchar" | b"uint8" => Scalar::U8,
+        b"short" | b"int16" => Scalar::I16,
+        b"ushort" | b"uint16" => Scalar::U16,
+        b"int" | b"int32" => Scalar::I32,
+        b"uint" | b"uint32" => Scalar::U32,
+        b"float" | b"float32" => Scalar::F32,
+        b"double" | b"float64" => Scalar::F64,
+        _ => return None,
+    })
+}

@@ -1,0 +1,103 @@
+//! A polygon in space cut into triangles, in the plane of its vector area (Newell's normal).
+//!
+//! A convex polygon becomes a fan; of any other, ears are cut off (Meisters 1975). A polygon
+//! that crosses itself, or has no area, may have no ear: then the rest becomes a fan, whose
+//! triangles are judged like all others.
+
+use crate::geometry::{DVec2, DVec3, orientation};
+
+/// Appends the `corners.len() − 2` triangles of a polygon with at least 3 corners. Cost O(k), O(k²)
+/// and rarely more if it is not convex.
+pub(super) fn triangulate(vertices: &[DVec3], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
+    let points = projected(vertices, corners);
+    let mut rest: Vec<usize> = (0..corners.len()).collect();
+    if !is_convex(&points) {
+        while rest.len() > 3 {
+            let Some(k) = (0..rest.len()).find(|&k| is_ear(&points, &rest, k)) else { break };
+            let [a, b, c] = around(&rest, k);
+            triangles.push([corners[a], corners[b], corners[c]]);
+            rest.remove(k);
+        }
+    }
+    let first = rest[0];
+    triangles.extend(rest.windows(2).skip(1).map(|pair| [corners[first], corners[pair[0]], corners[pair[1]]]));
+}
+
+/// The corners in the plane orthogonal to the vector area Σ p_k × p_{k+1}, counter-clockwise.
+fn projected(vertices: &[DVec3], corners: &[u32]) -> Vec<DVec2> {
+    let origin = vertices[corners[0] as usize];
+    let points: Vec<DVec3> = corners.iter().map(|&v| vertices[v as usize] - origin).collect();
+    let next = points.iter().cycle().skip(1);
+    let normal: DVec3 = points.iter().zip(next).map(|(p, q)| p.cross(*q)).sum();
+    let normal = normal.try_normalize().unwrap_or(DVec3::Z);
+    let (x, y) = normal.any_orthonormal_pair();
+    let turned = if x.cross(y).dot(normal) > 0.0 { y } else { -y };
+    points.iter().map(|p| DVec2::new(p.dot(x), p.dot(turned))).collect()
+}
+
+/// Whether every corner turns left; the fan of a polygon that also winds twice is as good as any.
+fn is_convex(points: &[DVec2]) -> bool {
+    let m = points.len();
+    (0..m).all(|k| orientation(points[k], points[(k + 1) % m], points[(k + 2) % m]) > 0.0)
+}
+
+/// Position `k` of the remaining polygon with its neighbours.
+fn around(rest: &[usize], k: usize) -> [usize; 3] {
+    let count = rest.len();
+    [rest[(k + count - 1) % count], rest[k], rest[(k + 1) % count]]
+}
+
+/// Whether the corner turns left and no other corner lies in its closed triangle.
+fn is_ear(points: &[DVec2], rest: &[usize], k: usize) -> bool {
+    let [i, j, l] = around(rest, k);
+    let [a, b, c] = [points[i], points[j], points[l]];
+    let inside = |p: DVec2| orientation(a, b, p) >= 0.0 && orientation(b, c, p) >= 0.0 && orientation(c, a, p) >= 0.0;
+    let other = |&&v: &&usize| ![i, j, l].contains(&v) && ![a, b, c].contains(&points[v]);
+    orientation(a, b, c) > 0.0 && !rest.iter().filter(other).any(|&v| inside(points[v]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn area(vertices: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+        let corner = |v: u32| vertices[v as usize];
+        triangles.iter().map(|&[a, b, c]| 0.5 * (corner(b) - corner(a)).cross(corner(c) - corner(a)).length()).sum()
+    }
+
+    /// In a plane that is parallel to no axis.
+    fn lifted(points: &[[f64; 2]]) -> Vec<DVec3> {
+        let (u, v) = (DVec3::new(2.0, 1.0, -2.0) / 3.0, DVec3::new(1.0, 2.0, 2.0) / 3.0);
+        points.iter().map(|&[x, y]| DVec3::new(5.0, -3.0, 1.0) + x * u + y * v).collect()
+    }
+
+    #[test]
+    fn triangles_cover_the_polygon_and_nothing_else() {
+        let square = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let arrow = vec![[0.0, 0.0], [4.0, 3.0], [0.0, 6.0], [1.0, 3.0]];
+        let comb: Vec<[f64; 2]> = (0..20).map(|k| [f64::from(k), f64::from(k % 2) * 3.0 + 1.0]).collect();
+        let comb: Vec<_> = [[0.0, 0.0]].into_iter().chain([[19.0, 0.0]]).chain(comb.into_iter().rev()).collect();
+        for (polygon, expected) in [(square, 1.0), (arrow, 9.0), (comb, 2.5 * 19.0)] {
+            for reversed in [false, true] {
+                let mut vertices = lifted(&polygon);
+                if reversed {
+                    vertices.reverse();
+                }
+                let corners: Vec<u32> = (0..vertices.len() as u32).collect();
+                let mut triangles = Vec::new();
+                triangulate(&vertices, &corners, &mut triangles);
+                assert_eq!(triangles.len(), corners.len() - 2);
+                let found = area(&vertices, &triangles);
+                assert!((found - expected).abs() < 1e-12 * expected, "{found} for {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_polygon_without_area_still_gives_its_triangles() {
+        let vertices = vec![DVec3::ZERO; 6];
+        let mut triangles = Vec::new();
+        triangulate(&vertices, &[0, 1, 2, 3, 4, 5], &mut triangles);
+        assert_eq!(triangles.len(), 4);
+    }
+}

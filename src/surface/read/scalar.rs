@@ -1,0 +1,82 @@
+//! Numbers in binary files.
+
+use super::{Place, SurfaceError};
+
+/// The type of a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Scalar {
+    /// Its size in bytes.
+    pub(super) fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+
+    pub(super) fn is_float(self) -> bool {
+        matches!(self, Self::F32 | Self::F64)
+    }
+
+    /// The number that `bytes` begins with; exact, as every type fits into an f64.
+    pub(super) fn decode(self, bytes: &[u8], big_endian: bool) -> Option<f64> {
+        let mut little = [0_u8; 8];
+        let own = little.get_mut(..self.size())?;
+        own.copy_from_slice(bytes.get(..self.size())?);
+        if big_endian {
+            own.reverse();
+        }
+        let [a, b, c, d, ..] = little;
+        Some(match self {
+            Self::I8 => f64::from(a as i8),
+            Self::U8 => f64::from(a),
+            Self::I16 => f64::from(i16::from_le_bytes([a, b])),
+            Self::U16 => f64::from(u16::from_le_bytes([a, b])),
+            Self::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
+            Self::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
+            Self::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
+            Self::F64 => f64::from_le_bytes(little),
+        })
+    }
+}
+
+/// A place in binary data that moves on as it is read.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cursor<'a> {
+    pub bytes: &'a [u8],
+    pub offset: usize,
+    pub big_endian: bool,
+}
+
+impl Cursor<'_> {
+    pub(super) fn place(&self) -> Place {
+        Place::Byte(self.offset)
+    }
+
+    /// The next number; `what` it is, for the error at the end of the file.
+    pub(super) fn number(&mut self, scalar: Scalar, what: &str) -> Result<f64, SurfaceError> {
+        let rest = self.bytes.get(self.offset..).unwrap_or_default();
+        let value = scalar.decode(rest, self.big_endian).ok_or_else(|| SurfaceError::missing(self.place(), what))?;
+        self.offset += scalar.size();
+        Ok(value)
+    }
+
+    /// Passes over `count` bytes.
+    pub(super) fn skip(&mut self, count: usize, what: &str) -> Result<(), SurfaceError> {
+        let end = self.offset.checked_add(count).filter(|&end| end <= self.bytes.len());
+        self.offset = end.ok_or_else(|| SurfaceError::missing(self.place(), what))?;
+        Ok(())
+    }
+}

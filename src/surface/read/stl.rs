@@ -1,0 +1,78 @@
+//! STL, text and binary: three corners for each triangle, welded afterwards.
+
+use super::faces::Faces;
+use super::scalar::{Cursor, Scalar};
+use super::text::{finite, lines};
+use super::weld::weld;
+use super::{Place, SurfaceError};
+use crate::geometry::DVec3;
+use crate::surface::Surface;
+
+/// 80 bytes that mean nothing, and the number of triangles.
+const HEADER: usize = 84;
+/// Normal and three corners of 12 bytes each, and two bytes that mean nothing.
+const RECORD: usize = 50;
+
+/// Whether the length is the one that a binary file of its number of triangles has; some of
+/// them begin with the `solid` of text files.
+pub(super) fn is_binary(bytes: &[u8]) -> bool {
+    let count = bytes.get(80..).and_then(|rest| Scalar::U32.decode(rest, false));
+    count.is_some_and(|count| HEADER + RECORD * count as usize == bytes.len())
+}
+
+/// Reads either kind. The normals are passed over: corners are counter-clockwise from outside.
+pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
+    let beginning = &bytes[..bytes.len().min(HEADER)];
+    let text = beginning.trim_ascii_start().starts_with(b"solid") && !is_binary(bytes) && !beginning.contains(&0);
+    let faces = if text { read_text(bytes) } else { read_binary(bytes) }?;
+    let mut surface = faces.finish();
+    weld(&mut surface);
+    Ok(surface)
+}
+
+fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
+    let mut cursor = Cursor { bytes, offset: 80, big_endian: false };
+    let count = cursor.number(Scalar::U32, "the number of triangles")? as usize;
+    let mut faces = Faces::default();
+    for triangle in 0..count {
+        cursor.skip(12, "the normal of a triangle")?;
+        let first = faces.vertices.len() as u32;
+        for _ in 0..3 {
+            let place = cursor.place();
+            let mut point = [0.0; 3];
+            for value in &mut point {
+                let what = || format!("a corner of triangle {triangle} of {count}");
+                *value = cursor.number(Scalar::F32, "").map_err(|_| SurfaceError::missing(place.clone(), what()))?;
+            }
+            let vertex = faces.vertices.len();
+            faces.vertices.push(finite(DVec3::from_array(point), vertex, place)?);
+        }
+        faces.push(&[first, first + 1, first + 2], || cursor.place())?;
+        cursor.skip(2, "the end of a triangle")?;
+    }
+    Ok(faces)
+}
+
+/// `vertex x y z` between `outer loop` and `endloop`; all other words are passed over.
+fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
+    let mut faces = Faces::default();
+    let mut corners = Vec::new();
+    let mut last = 1;
+    for line in lines(bytes) {
+        last = line.number;
+        let mut words = line.words();
+        match words.next().map(<[u8]>::to_ascii_lowercase).as_deref() {
+            Some(b"vertex") => {
+                corners.push(faces.vertices.len() as u32);
+                let point = line.point(&mut words, faces.vertices.len())?;
+                faces.vertices.push(point);
+            }
+            Some(b"endloop") => {
+                faces.push(&corners, || line.place())?;
+                corners.clear();
+            }
+            _ => {}
+        }
+    }
+    if corners.is_empty() { Ok(faces) } else { Err(SurfaceError::missing(Place::Line(last), "endloop")) }
+}

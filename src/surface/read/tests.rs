@@ -1,0 +1,267 @@
+//! One square in every format; errors with their places; no bytes make a reader panic.
+
+use super::*;
+use crate::geometry::DVec3;
+use crate::surface::SurfaceNote;
+
+/// The unit square at height 2 as two triangles; the corner (1, 0) is lifted to 2.5.
+fn corners() -> [[f32; 3]; 4] {
+    [[0.0, 0.0, 2.0], [1.0, 0.0, 2.5], [1.0, 1.0, 2.0], [0.0, 1.0, 2.0]]
+}
+
+const OBJ: &str =
+    "# \u{e9}\nv 0 0 2\nv 1 0 2.5 1 0 0\nv 1 1 2\nv 0 1 2\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\nf -4// -2 -1\n";
+const OFF: &str = "COFF # kind\n4 2 5\n0 0 2 255 0 0\n1 0 2.5\n\n1 1 2\n0 1 2\n3 0 1 2\n3 0 2 3 255\n";
+const PLY: &str = "ply\nformat ascii 1.0\ncomment none\nelement vertex 4\nproperty uchar red\nproperty float x\n\
+    property double y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\n\
+    property float quality\nelement edge 1\nproperty int a\nend_header\n9 0 0 2\n9 1 0 2.5\n9 1 1 2\n9 0 1 2\n\
+    3 0 1 2 0.5\n3 0 2 3 0.5\n7\n";
+
+fn binary_ply(big_endian: bool) -> Vec<u8> {
+    let kind = if big_endian { "big" } else { "little" };
+    let mut bytes = format!(
+        "ply\nformat binary_{kind}_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
+         property float z\nproperty list uchar short extra\nelement face 2\n\
+         property list uchar uint vertex_index\nend_header\n"
+    )
+    .into_bytes();
+    let order = |mut value: Vec<u8>| {
+        if big_endian {
+            value.reverse();
+        }
+        value
+    };
+    for corner in corners() {
+        for value in corner {
+            bytes.extend(order(value.to_le_bytes().to_vec()));
+        }
+        bytes.extend([2, 1, 2, 3, 4]);
+    }
+    for face in [[0_u32, 1, 2], [0, 2, 3]] {
+        bytes.push(3);
+        for v in face {
+            bytes.extend(order(v.to_le_bytes().to_vec()));
+        }
+    }
+    bytes
+}
+
+fn stl_text() -> String {
+    let p = corners();
+    let loops = [[0, 1, 2], [0, 2, 3]].map(|t| {
+        let vertices = t.map(|v: usize| format!("vertex {} {} {}\n", p[v][0], p[v][1], p[v][2])).concat();
+        format!("facet normal 0 0 1\nouter loop\n{vertices}endloop\nendfacet\n")
+    });
+    format!("solid square\n{}endsolid\n", loops.concat())
+}
+
+fn binary_stl() -> Vec<u8> {
+    let mut bytes = vec![0; 80];
+    bytes[..5].copy_from_slice(b"solid");
+    bytes.extend(2_u32.to_le_bytes());
+    for triangle in [[0, 1, 2], [0, 2, 3]] {
+        bytes.extend([0; 12]);
+        for value in triangle.map(|v: usize| corners()[v]).as_flattened() {
+            bytes.extend(value.to_le_bytes());
+        }
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+/// Two nodes with one triangle each: the first mesh is moved by (0, 0, 2) in a child, the second is mirrored.
+fn gltf_parts() -> (String, Vec<u8>) {
+    let mut buffer = Vec::new();
+    let [a, mut b, c, d] = corners();
+    b[2] -= 2.0;
+    let down = |p: [f32; 3]| [p[0], p[1], 0.0];
+    let mirrored = |p: [f32; 3]| [-p[0], p[1], p[2]];
+    for point in [down(a), b, down(c), mirrored(a), mirrored(c), mirrored(d)] {
+        for value in point {
+            buffer.extend(value.to_le_bytes());
+        }
+    }
+    for index in [0_u16, 1, 2, 0, 2, 1] {
+        buffer.extend(index.to_le_bytes());
+    }
+    let document = r#"{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 2]}],
+        "nodes": [{"children": [1], "translation": [0, 0, 1]}, {"mesh": 0, "translation": [0, 0, 1]},
+                  {"mesh": 1, "scale": [-1, 1, 1]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2}]},
+                   {"primitives": [{"attributes": {"POSITION": 1}, "indices": 3}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+            {"bufferView": 0, "byteOffset": 36, "componentType": 5126, "count": 3, "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"},
+            {"bufferView": 1, "byteOffset": 6, "componentType": 5123, "count": 3, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 12}],
+        "buffers": [{"byteLength": 84 URI}]}"#;
+    (document.to_owned(), buffer)
+}
+
+fn glb() -> Vec<u8> {
+    let (document, buffer) = gltf_parts();
+    let mut document = document.replace("URI", "").into_bytes();
+    document.resize(document.len().next_multiple_of(4), b' ');
+    let mut bytes = b"glTF\x02\0\0\0".to_vec();
+    bytes.extend((28 + document.len() as u32 + buffer.len() as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", &document), (b"BIN\0", &buffer)] {
+        bytes.extend((chunk.len() as u32).to_le_bytes());
+        bytes.extend(kind);
+        bytes.extend(chunk);
+    }
+    bytes
+}
+
+fn gltf() -> String {
+    let (document, buffer) = gltf_parts();
+    let digits = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::new();
+    for three in buffer.chunks(3) {
+        let bits = u32::from_be_bytes([0, three[0], three[1], three[2]]);
+        (0..4).rev().for_each(|k| text.push(char::from(digits[(bits >> (6 * k)) as usize & 63])));
+    }
+    document.replace("URI", &format!(r#", "uri": "data:application/octet-stream;base64,{text}""#))
+}
+
+/// Every format with the same square in it.
+fn files() -> Vec<(&'static str, Vec<u8>)> {
+    vec![
+        ("a.obj", OBJ.into()),
+        ("a.off", OFF.into()),
+        ("a.ply", PLY.into()),
+        ("b.ply", binary_ply(false)),
+        ("c.PLY", binary_ply(true)),
+        ("a.stl", stl_text().into()),
+        ("b.stl", binary_stl()),
+        ("a.glb", glb()),
+        ("a.gltf", gltf().into()),
+    ]
+}
+
+#[test]
+fn every_format_gives_the_same_square() {
+    let expected: Vec<DVec3> = corners().iter().map(|p| DVec3::from_array(p.map(f64::from))).collect();
+    for (name, bytes) in files() {
+        let surface = read_surface(name, &bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(surface.vertices, expected, "{name}");
+        let winding = surface.triangles.iter().map(|t| {
+            let [a, b, c] = t.map(|v| surface.vertices[v as usize]);
+            (b - a).cross(c - a).z
+        });
+        assert!(winding.into_iter().all(|z| z > 0.9), "{name}: {:?}", surface.triangles);
+        assert_eq!(surface.triangles.len(), 2, "{name}");
+        let welded = surface.notes.contains(&SurfaceNote::Welded { before: 6, after: 4 });
+        assert_eq!(welded, name.ends_with("stl") || name.contains("gl"), "{name}: {:?}", surface.notes);
+    }
+}
+
+#[test]
+fn the_first_bytes_decide_where_the_extension_does_not() {
+    for (name, bytes) in files() {
+        if !name.ends_with("off") {
+            assert!(read_surface("surface", &bytes).is_ok(), "{name}");
+        }
+    }
+    let unknown = read_surface("a.step", b"ISO-10303").unwrap_err();
+    assert_eq!(unknown, SurfaceError::UnknownFormat { extension: "step".to_owned() });
+}
+
+#[test]
+fn polygons_are_cut_into_triangles() {
+    let pentagon = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1 2 3 \\\n 4 5\n";
+    let surface = read_surface("p.obj", pentagon.as_bytes()).unwrap();
+    assert_eq!(surface.triangles.len(), 3);
+    assert_eq!(surface.notes, [SurfaceNote::Triangulated { polygons: 1 }]);
+}
+
+#[test]
+fn errors_say_where() {
+    let line = Place::Line;
+    let cases: Vec<(&str, String, SurfaceError)> = vec![
+        ("a.obj", "v 0 0 0\nv 0 1\n".into(), SurfaceError::missing(line(2), "the coordinate z of a vertex")),
+        ("a.obj", "v 0 zero 0\n".into(), SurfaceError::NotANumber { place: line(1), found: "zero".into() }),
+        ("a.obj", "\nv 0 0 0\nv 1 nan 0\n".into(), SurfaceError::NotFinite { place: line(3), vertex: 1 }),
+        ("a.obj", "v 0 0 0\nv 1 -1e999 0\n".into(), SurfaceError::NotFinite { place: line(2), vertex: 1 }),
+        (
+            "a.obj",
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\nf 1 2 4\n".into(),
+            SurfaceError::IndexOutOfRange { place: line(6), index: 4, vertices: 3 },
+        ),
+        ("a.obj", "v 0 0 0\nf 0 1 1\n".into(), SurfaceError::IndexOutOfRange { place: line(2), index: 0, vertices: 1 }),
+        (
+            "a.obj",
+            "v 0 0 0\nf -2 1 1\n".into(),
+            SurfaceError::IndexOutOfRange { place: line(2), index: -2, vertices: 1 },
+        ),
+        // a continued line keeps the numbers of the lines after it
+        ("a.obj", "v 0 \\\n0 0\nv 1 0\n".into(), SurfaceError::missing(line(3), "the coordinate z of a vertex")),
+        ("a.obj", "v 0 0 0\nf 1 1\n".into(), SurfaceError::Corners { place: line(2), count: 2 }),
+        ("a.obj", "v 0 0 0\n".into(), SurfaceError::NoTriangles),
+        (
+            "a.off",
+            OFF.replace("3 0 2 3", "3 0 2 4"),
+            SurfaceError::IndexOutOfRange { place: line(9), index: 4, vertices: 4 },
+        ),
+        ("a.off", OFF.replace("4 2 5", "4 3 5"), SurfaceError::missing(line(10), "a face")),
+        ("a.off", "OFF BINARY\n".into(), SurfaceError::unsupported(line(1), "binary OFF")),
+        (
+            "a.ply",
+            PLY.replace("3 0 2 3", "3 0 2 9"),
+            SurfaceError::IndexOutOfRange { place: line(20), index: 9, vertices: 4 },
+        ),
+        ("a.ply", PLY.replace("1 0 2.5", "1 inf 2.5"), SurfaceError::NotFinite { place: line(16), vertex: 1 }),
+        (
+            "a.ply",
+            PLY.replace("property double y", "property double w"),
+            SurfaceError::missing(line(1), "the property y of the element vertex"),
+        ),
+        ("a.stl", stl_text().replacen("endloop", "", 2), SurfaceError::missing(line(16), "endloop")),
+    ];
+    for (name, text, expected) in cases {
+        assert_eq!(read_surface(name, text.as_bytes()).unwrap_err(), expected, "{text}");
+    }
+    let mut short = binary_stl();
+    short.truncate(150);
+    let expected = SurfaceError::missing(Place::Byte(146), "a corner of triangle 1 of 2");
+    assert_eq!(read_surface("a.stl", &short).unwrap_err(), expected);
+    let separate = gltf_parts().0.replace("URI", r#", "uri": "square.bin""#);
+    let message = read_surface("a.gltf", separate.as_bytes()).unwrap_err().to_string();
+    assert!(message.starts_with("buffers[0]: the separate file \"square.bin\""), "{message}");
+    let cyclic = gltf().replace(r#"{"mesh": 0, "tr"#, r#"{"children": [0], "mesh": 0, "tr"#);
+    let message = read_surface("a.gltf", cyclic.as_bytes()).unwrap_err().to_string();
+    assert_eq!(message, "nodes[0]: the node stands twice in the tree");
+}
+
+/// Knuth's MMIX generator.
+fn next(state: &mut u64) -> usize {
+    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*state >> 33) as usize
+}
+
+#[test]
+fn damaged_files_are_errors_or_other_surfaces_but_never_a_panic() {
+    let mut state = 4;
+    for (name, bytes) in files() {
+        for round in 0..3000 {
+            let mut damaged = bytes.clone();
+            for _ in 0..=next(&mut state) % 3 {
+                let place = next(&mut state) % damaged.len();
+                match next(&mut state) % 4 {
+                    0 => damaged.truncate(place + 1),
+                    1 => damaged[place] = next(&mut state) as u8,
+                    2 => damaged[place] = b"0-9e.,[]{}\"\n "[next(&mut state) % 13],
+                    _ => drop(damaged.remove(place)),
+                }
+                if damaged.is_empty() {
+                    break;
+                }
+            }
+            if let Ok(surface) = read_surface(name, &damaged) {
+                let count = surface.vertices.len();
+                let sound = surface.triangles.iter().flatten().all(|&v| (v as usize) < count);
+                assert!(sound && surface.vertices.iter().all(|p| p.is_finite()), "{name}, round {round}");
+            }
+        }
+    }
+}

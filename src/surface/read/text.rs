@@ -1,0 +1,75 @@
+//! Lines and words of a text file; bytes that are no UTF-8 may stand in comments.
+
+use super::{Place, SurfaceError};
+use crate::geometry::DVec3;
+
+/// A line with something on it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Line<'a> {
+    /// From 1.
+    pub number: usize,
+    bytes: &'a [u8],
+}
+
+/// The lines of `bytes` that hold more than blanks and a comment (from `#` on).
+pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
+    let numbered = bytes.split(|&b| b == b'\n').enumerate();
+    let lines = numbered.map(|(k, line)| {
+        let end = line.iter().position(|&b| b == b'#').unwrap_or(line.len());
+        Line { number: k + 1, bytes: line[..end].trim_ascii() }
+    });
+    lines.filter(|line| !line.bytes.is_empty())
+}
+
+impl<'a> Line<'a> {
+    pub(super) fn place(&self) -> Place {
+        Place::Line(self.number)
+    }
+
+    pub(super) fn words(&self) -> impl Iterator<Item = &'a [u8]> + use<'a> {
+        self.bytes.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
+    }
+
+    /// The next three words as the position of vertex `vertex`.
+    pub(super) fn point(
+        &self,
+        words: &mut impl Iterator<Item = &'a [u8]>,
+        vertex: usize,
+    ) -> Result<DVec3, SurfaceError> {
+        let mut coordinates = [0.0; 3];
+        for (value, name) in coordinates.iter_mut().zip(["x", "y", "z"]) {
+            let missing = || SurfaceError::missing(self.place(), format!("the coordinate {name} of a vertex"));
+            *value = self.number_in(words.next().ok_or_else(missing)?)?;
+        }
+        finite(DVec3::from_array(coordinates), vertex, self.place())
+    }
+
+    /// A word as a number; NaN and infinity are numbers here.
+    pub(super) fn number_in(&self, word: &[u8]) -> Result<f64, SurfaceError> {
+        let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
+        number.ok_or_else(|| SurfaceError::NotANumber { place: self.place(), found: shown(word) })
+    }
+
+    /// A word as a whole number.
+    pub(super) fn integer_in(&self, word: &[u8]) -> Result<i64, SurfaceError> {
+        let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
+        number.ok_or_else(|| SurfaceError::NotANumber { place: self.place(), found: shown(word) })
+    }
+
+    /// The next word as a count.
+    pub(super) fn count(&self, words: &mut impl Iterator<Item = &'a [u8]>, what: &str) -> Result<usize, SurfaceError> {
+        let word = words.next().ok_or_else(|| SurfaceError::missing(self.place(), what))?;
+        let negative = || SurfaceError::malformed(self.place(), format!("{what} is {}", shown(word)));
+        usize::try_from(self.integer_in(word)?).map_err(|_| negative())
+    }
+}
+
+/// The point, if it is finite.
+pub(super) fn finite(point: DVec3, vertex: usize, place: Place) -> Result<DVec3, SurfaceError> {
+    if point.is_finite() { Ok(point) } else { Err(SurfaceError::NotFinite { place, vertex }) }
+}
+
+/// The first characters of a word, for messages.
+pub(super) fn shown(word: &[u8]) -> String {
+    String::from_utf8_lossy(word).chars().filter(|c| !c.is_control()).take(24).collect()
+}

@@ -1,0 +1,193 @@
+//! Repairs that are safe, in a fixed order, each told in a [`RepairNote`].
+//!
+//! Triangles that name a vertex twice are dropped; the rest is oriented consistently, as
+//! most of its triangles are; the component with the most triangles is kept; vertices
+//! in no triangle are dropped; all holes but the longest boundary loop are filled. What would
+//! need a guess (edges of three triangles, vertices that join parts, flat triangles) stays an error.
+
+use super::edges::{EdgeTable, ends};
+use super::fill::fill_holes;
+use super::survey::{check_edges, check_values, components, connectivity, repeats};
+use super::{LoopReport, Surface, TopologyError};
+
+/// The origin of a vertex or triangle that a repair has added.
+pub const ADDED: u32 = u32::MAX;
+
+/// What a repair has done.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RepairNote {
+    /// Triangles that name a vertex twice were dropped.
+    #[error("{count} triangles that name a vertex twice were dropped")]
+    DroppedTriangles {
+        /// How many.
+        count: usize,
+    },
+    /// Triangles were turned round.
+    #[error("{count} triangles were turned round, so that all have the same orientation")]
+    Oriented {
+        /// How many.
+        count: usize,
+    },
+    /// Only one component was kept.
+    #[error("the largest of {components} components was kept; {dropped} triangles were dropped")]
+    KeptLargest {
+        /// How many there were.
+        components: usize,
+        /// The triangles of the others.
+        dropped: usize,
+    },
+    /// Vertices in no triangle were dropped.
+    #[error("{count} vertices in no triangle were dropped")]
+    DroppedVertices {
+        /// How many.
+        count: usize,
+    },
+    /// Holes were closed.
+    #[error("{} holes were filled with {triangles} triangles", .holes.len())]
+    FilledHoles {
+        /// Their boundary loops.
+        holes: Vec<LoopReport>,
+        /// How many triangles were added.
+        triangles: usize,
+    },
+}
+
+/// A repaired surface, with where its parts come from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Repaired {
+    /// The surface.
+    pub surface: Surface,
+    /// For each vertex its index before, or [`ADDED`].
+    pub vertex_origins: Vec<u32>,
+    /// For each triangle its index before, or [`ADDED`].
+    pub triangle_origins: Vec<u32>,
+    /// What was done; empty if there was nothing to do.
+    pub notes: Vec<RepairNote>,
+}
+
+impl Repaired {
+    /// The surface as it is.
+    pub(super) fn untouched(surface: Surface) -> Self {
+        let vertex_origins = (0..surface.vertices.len() as u32).collect();
+        let triangle_origins = (0..surface.triangles.len() as u32).collect();
+        Self { surface, vertex_origins, triangle_origins, notes: Vec::new() }
+    }
+
+    /// Keeps the triangles for which `keep` holds; how many were dropped.
+    fn retain(&mut self, keep: impl Fn(usize, &[u32; 3]) -> bool) -> usize {
+        let before = self.surface.triangles.len();
+        let kept: Vec<bool> = self.surface.triangles.iter().enumerate().map(|(t, corners)| keep(t, corners)).collect();
+        let mut flags = kept.iter();
+        self.surface.triangles.retain(|_| flags.next().copied().unwrap_or_default());
+        let mut flags = kept.iter();
+        self.triangle_origins.retain(|_| flags.next().copied().unwrap_or_default());
+        before - self.surface.triangles.len()
+    }
+}
+
+/// Repairs what can be repaired safely; an error for what cannot. The result may still be no
+/// disk (closed, with handles, with flat triangles): [`super::SurfaceMesh::new`] says so. Cost O(n log d).
+pub fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
+    check_values(&surface)?;
+    let mut repaired = Repaired::untouched(surface);
+    let count = repaired.retain(|_, corners| !repeats(corners));
+    if count > 0 {
+        repaired.notes.push(RepairNote::DroppedTriangles { count });
+    }
+    orient(&mut repaired)?;
+    keep_largest(&mut repaired);
+    drop_unreferenced(&mut repaired);
+    let found = connectivity(&repaired.surface)?;
+    fill_holes(&mut repaired, &found.loops);
+    Ok(repaired)
+}
+
+fn twins_of(surface: &Surface) -> Result<Vec<u32>, TopologyError> {
+    if surface.triangles.is_empty() {
+        return Err(TopologyError::Empty);
+    }
+    let edges = EdgeTable::new(&surface.triangles, surface.vertices.len());
+    check_edges(&surface.triangles, &edges)?;
+    Ok(edges.twins())
+}
+
+/// Turns triangles round until neighbours agree; of each component, those that are fewer.
+fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
+    let twins = twins_of(&repaired.surface)?;
+    let triangles = &mut repaired.surface.triangles;
+    let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
+    for start in 0..triangles.len() {
+        if turned[start].is_some() {
+            continue;
+        }
+        let members = orient_component(triangles, &twins, start, &mut turned)?;
+        let many = members.iter().filter(|&&t| turned[t] == Some(true)).count() > members.len() / 2;
+        for t in members.into_iter().filter(|_| many) {
+            turned[t] = turned[t].map(|turned| !turned);
+        }
+    }
+    let mut count = 0;
+    for (corners, _) in triangles.iter_mut().zip(&turned).filter(|(_, turned)| **turned == Some(true)) {
+        corners.swap(1, 2);
+        count += 1;
+    }
+    if count > 0 {
+        repaired.notes.push(RepairNote::Oriented { count });
+    }
+    Ok(())
+}
+
+/// Which triangles of the component of `start` must be turned to agree with it; its members.
+fn orient_component(
+    triangles: &[[u32; 3]],
+    twins: &[u32],
+    start: usize,
+    turned: &mut [Option<bool>],
+) -> Result<Vec<usize>, TopologyError> {
+    turned[start] = Some(false);
+    let (mut pending, mut members) = (vec![start], Vec::new());
+    while let Some(t) = pending.pop() {
+        members.push(t);
+        for (half, &twin) in (3 * t as u32..).zip(&twins[3 * t..3 * t + 3]).filter(|(_, twin)| **twin != u32::MAX) {
+            let same = ends(triangles, half) == ends(triangles, twin);
+            let wanted = turned[t].map(|turned| turned != same);
+            let other = twin as usize / 3;
+            if turned[other].is_none() {
+                turned[other] = wanted;
+                pending.push(other);
+            } else if turned[other] != wanted {
+                return Err(TopologyError::OneSided { triangle: other as u32 });
+            }
+        }
+    }
+    Ok(members)
+}
+
+/// Of equally large components, the one that comes first.
+fn keep_largest(repaired: &mut Repaired) {
+    let Ok(twins) = twins_of(&repaired.surface) else { return };
+    let (component, sizes) = components(&twins);
+    let largest = (0..sizes.len()).max_by_key(|&k| (sizes[k], std::cmp::Reverse(k))).unwrap_or(0);
+    let dropped = repaired.retain(|t, _| component[t] as usize == largest);
+    if dropped > 0 {
+        repaired.notes.push(RepairNote::KeptLargest { components: sizes.len(), dropped });
+    }
+}
+
+fn drop_unreferenced(repaired: &mut Repaired) {
+    let Repaired { surface, vertex_origins, notes, .. } = repaired;
+    let mut number = vec![ADDED; surface.vertices.len()];
+    surface.triangles.iter().flatten().for_each(|&v| number[v as usize] = 0);
+    let used: Vec<u32> = (0..number.len() as u32).filter(|&v| number[v as usize] == 0).collect();
+    let count = number.len() - used.len();
+    if count == 0 {
+        return;
+    }
+    for (new, &old) in used.iter().enumerate() {
+        number[old as usize] = new as u32;
+    }
+    surface.vertices = used.iter().map(|&v| surface.vertices[v as usize]).collect();
+    surface.triangles.as_flattened_mut().iter_mut().for_each(|v| *v = number[*v as usize]);
+    *vertex_origins = used.iter().map(|&v| vertex_origins[v as usize]).collect();
+    notes.push(RepairNote::DroppedVertices { count });
+}

@@ -1,0 +1,229 @@
+//! The connectivity of a surface: everything that is wrong with it, and its loops, components, genus.
+//!
+//! The checks stand in an order in which each one may take for granted what those before
+//! it found: loops are walked only where every edge has at most two triangles of equal orientation.
+
+use super::edges::{EdgeTable, ends};
+use super::{LoopReport, Surface, TopologyError};
+use crate::geometry::DVec3;
+
+/// Beyond this the fourth powers in areas overflow; it is no size of anything.
+const MAX_COORDINATE: f64 = 1e100;
+
+/// A triangle whose height is less than this part of its longest edge has no angles that its
+/// coordinates determine: those of f32 files err by 1e-7, their thinnest triangles have 1e-6;
+/// a collinear triple computed in f64 has 1e-16.
+const FLAT: f64 = 1e-12;
+
+/// A manifold, consistently oriented surface, whose connectivity can be walked.
+#[derive(Debug)]
+pub(super) struct Connectivity {
+    /// For each half-edge `3t + i` the other one, or `u32::MAX` at the boundary.
+    pub twins: Vec<u32>,
+    /// The boundary loops in the direction of their triangles, the longest first.
+    pub loops: Vec<Vec<u32>>,
+    /// The number of triangles of each component.
+    pub sizes: Vec<usize>,
+}
+
+/// The indices and positions alone.
+pub(super) fn check_values(surface: &Surface) -> Result<(), TopologyError> {
+    let vertices = surface.vertices.len();
+    if surface.triangles.is_empty() {
+        return Err(TopologyError::Empty);
+    }
+    let corners = surface.triangles.as_flattened();
+    if let Some(k) = corners.iter().position(|&v| v as usize >= vertices) {
+        return Err(TopologyError::IndexOutOfRange { triangle: k as u32 / 3, vertex: corners[k], vertices });
+    }
+    let sound = |p: &DVec3| p.abs().max_element() <= MAX_COORDINATE && p.is_finite();
+    match surface.vertices.iter().position(|p| !sound(p)) {
+        Some(vertex) => Err(TopologyError::NotFinite { vertex: vertex as u32 }),
+        None => Ok(()),
+    }
+}
+
+/// Whether a triangle names a vertex twice.
+pub(super) fn repeats(&[a, b, c]: &[u32; 3]) -> bool {
+    a == b || b == c || c == a
+}
+
+/// The shapes of the triangles.
+pub(super) fn check_triangles(surface: &Surface) -> Result<(), TopologyError> {
+    let first_of = |wrong: &dyn Fn(&[u32; 3]) -> bool| {
+        let triangle = surface.triangles.iter().position(wrong)?;
+        let count = surface.triangles.iter().filter(|t| wrong(t)).count();
+        Some((triangle as u32, surface.triangles[triangle], count))
+    };
+    if let Some((triangle, corners, count)) = first_of(&repeats) {
+        return Err(TopologyError::RepeatedCorner { triangle, corners, count });
+    }
+    match first_of(&|t| is_flat(t.map(|v| surface.vertices[v as usize]))) {
+        Some((triangle, corners, count)) => Err(TopologyError::Degenerate { triangle, corners, count }),
+        None => Ok(()),
+    }
+}
+
+fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
+    let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
+    let double_area = (b - a).cross(c - a).length();
+    double_area.is_nan() || double_area <= FLAT * longest
+}
+
+/// Every edge has at most two triangles.
+pub(super) fn check_edges(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), TopologyError> {
+    let mut crowded = edges.edges().filter(|edge| edge.len() > 2);
+    let Some(first) = crowded.next() else { return Ok(()) };
+    let mut at: Vec<u32> = first.iter().map(|&(_, half)| half / 3).collect();
+    at.sort_unstable();
+    let mut edge = ends(triangles, first[0].1);
+    edge.sort_unstable();
+    Err(TopologyError::NonManifoldEdge { edge, triangles: at, count: 1 + crowded.count() })
+}
+
+/// Neighbouring triangles run along their edge in opposite directions.
+pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result<(), TopologyError> {
+    let halves = (0..twins.len() as u32).zip(twins).filter(|&(half, &twin)| twin != u32::MAX && half < twin);
+    let mut wrong = halves.filter(|&(half, &twin)| ends(triangles, half) == ends(triangles, twin));
+    let Some((half, &twin)) = wrong.next() else { return Ok(()) };
+    let edge = ends(triangles, half);
+    Err(TopologyError::Orientation { edge, triangles: [half / 3, twin / 3], count: 1 + wrong.count() })
+}
+
+/// The triangles at each vertex form one fan, open or closed.
+pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: usize) -> Result<(), TopologyError> {
+    let mut fans = vec![0_u32; vertices];
+    let mut visited = vec![false; twins.len()];
+    for corner in 0..twins.len() {
+        if visited[corner] {
+            continue;
+        }
+        fans[triangles[corner / 3][corner % 3] as usize] += 1;
+        // corner i lies between the half-edges i+1 (behind it) and i+2 (before it)
+        for turn in [1, 2] {
+            let mut at = corner;
+            loop {
+                visited[at] = true;
+                let twin = twins[3 * (at / 3) + (at + turn) % 3];
+                if twin == u32::MAX {
+                    break;
+                }
+                // across half-edge i+1, the same vertex is the corner i+1 of the other one, and the reverse
+                at = 3 * (twin as usize / 3) + (twin as usize + turn) % 3;
+                if visited[at] {
+                    break;
+                }
+            }
+        }
+    }
+    let Some(vertex) = fans.iter().position(|&count| count > 1) else { return Ok(()) };
+    let count = fans.iter().filter(|&&count| count > 1).count();
+    Err(TopologyError::NonManifoldVertex { vertex: vertex as u32, fans: fans[vertex] as usize, count })
+}
+
+/// Numbers the connected components; two triangles that share a vertex only are in different ones.
+pub(super) fn components(twins: &[u32]) -> (Vec<u32>, Vec<usize>) {
+    let mut component = vec![u32::MAX; twins.len() / 3];
+    let (mut sizes, mut pending) = (Vec::new(), Vec::new());
+    for start in 0..component.len() {
+        if component[start] != u32::MAX {
+            continue;
+        }
+        let number = sizes.len() as u32;
+        component[start] = number;
+        pending.push(start);
+        let mut size = 0;
+        while let Some(t) = pending.pop() {
+            size += 1;
+            for &twin in &twins[3 * t..3 * t + 3] {
+                if twin != u32::MAX && component[twin as usize / 3] == u32::MAX {
+                    component[twin as usize / 3] = number;
+                    pending.push(twin as usize / 3);
+                }
+            }
+        }
+        sizes.push(size);
+    }
+    (component, sizes)
+}
+
+/// The boundary loops in the direction of their triangles, the longest first; at every vertex
+/// there must be at most one boundary edge that begins there.
+fn loops(surface: &Surface, twins: &[u32]) -> Vec<Vec<u32>> {
+    let mut next = vec![u32::MAX; surface.vertices.len()];
+    for (half, _) in twins.iter().enumerate().filter(|(_, twin)| **twin == u32::MAX) {
+        let [u, v] = ends(&surface.triangles, half as u32);
+        next[u as usize] = v;
+    }
+    let mut loops = Vec::new();
+    for start in 0..next.len() {
+        let mut vertices = Vec::new();
+        let mut at = start as u32;
+        while next[at as usize] != u32::MAX {
+            vertices.push(at);
+            at = std::mem::replace(&mut next[at as usize], u32::MAX);
+        }
+        if !vertices.is_empty() {
+            loops.push(vertices);
+        }
+    }
+    loops.sort_by(|a, b| loop_length(surface, b).total_cmp(&loop_length(surface, a)));
+    loops
+}
+
+/// The length of a closed chain of vertices.
+pub(super) fn loop_length(surface: &Surface, vertices: &[u32]) -> f64 {
+    let at = |v: u32| surface.vertices[v as usize];
+    let next = vertices.iter().cycle().skip(1);
+    vertices.iter().zip(next).map(|(&u, &v)| at(u).distance(at(v))).sum()
+}
+
+/// The checks of everything local; then the connectivity.
+pub(super) fn connectivity(surface: &Surface) -> Result<Connectivity, TopologyError> {
+    check_values(surface)?;
+    check_triangles(surface)?;
+    let edges = EdgeTable::new(&surface.triangles, surface.vertices.len());
+    check_edges(&surface.triangles, &edges)?;
+    let twins = edges.twins();
+    check_orientation(&surface.triangles, &twins)?;
+    check_vertices(&surface.triangles, &twins, surface.vertices.len())?;
+    let sizes = components(&twins).1;
+    let loops = loops(surface, &twins);
+    Ok(Connectivity { twins, loops, sizes })
+}
+
+impl Connectivity {
+    /// One component, one loop, no handle, no vertex without triangle.
+    pub(super) fn check_disk(&self, surface: &Surface) -> Result<(), TopologyError> {
+        if self.sizes.len() > 1 {
+            let mut triangles = self.sizes.clone();
+            triangles.sort_unstable_by(|a, b| b.cmp(a));
+            return Err(TopologyError::Components { triangles });
+        }
+        let mut used = vec![false; surface.vertices.len()];
+        surface.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
+        if let Some(vertex) = used.iter().position(|used| !used) {
+            let count = used.iter().filter(|used| !**used).count();
+            return Err(TopologyError::Unreferenced { vertex: vertex as u32, count });
+        }
+        let genus = self.genus(surface.vertices.len());
+        match self.loops.len() {
+            0 => Err(TopologyError::Closed { genus }),
+            1 if genus == 0 => Ok(()),
+            1 => Err(TopologyError::Genus { genus }),
+            _ => Err(TopologyError::Loops { loops: self.loops.iter().map(|l| report(surface, l)).collect() }),
+        }
+    }
+
+    /// Of a connected surface with b loops: V − E + F = 2 − 2g − b.
+    fn genus(&self, vertices: usize) -> usize {
+        let halves = self.twins.len();
+        let boundary = self.twins.iter().filter(|&&twin| twin == u32::MAX).count();
+        let (faces, edges) = (halves / 3, halves.midpoint(boundary));
+        (2 + edges).saturating_sub(vertices + faces + self.loops.len()) / 2
+    }
+}
+
+pub(super) fn report(surface: &Surface, vertices: &[u32]) -> LoopReport {
+    LoopReport { vertices: vertices.len(), length: loop_length(surface, vertices), first: vertices[0] }
+}

@@ -1,0 +1,205 @@
+//! Broken surfaces give the error that names what is wrong, and repairs do what they say.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+use super::*;
+use crate::mesh::TriMesh;
+
+/// A grid of k×k squares, each cut along the same diagonal.
+fn grid(k: u32) -> Surface {
+    let place = |v: u32| DVec3::new(f64::from(v % (k + 1)), f64::from(v / (k + 1)), 0.0);
+    let vertices = (0..(k + 1) * (k + 1)).map(place).collect();
+    let square = |q: u32| {
+        let a = q / k * (k + 1) + q % k;
+        [[a, a + 1, a + k + 2], [a, a + k + 2, a + k + 1]]
+    };
+    Surface { vertices, triangles: (0..k * k).flat_map(square).collect(), notes: Vec::new() }
+}
+
+fn error(surface: &Surface) -> TopologyError {
+    SurfaceMesh::new(surface).unwrap_err()
+}
+
+fn tetrahedron() -> Surface {
+    let vertices = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    Surface { vertices, triangles: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], notes: Vec::new() }
+}
+
+/// A torus of p×q squares.
+fn torus(p: u32, q: u32) -> Surface {
+    let angle = |k: u32, n: u32| std::f64::consts::TAU * f64::from(k) / f64::from(n);
+    let place = |v: u32| {
+        let ((s, c), (t, d)) = (angle(v / q, p).sin_cos(), angle(v % q, q).sin_cos());
+        DVec3::new((2.0 + d) * c, (2.0 + d) * s, t)
+    };
+    let at = |i: u32, j: u32| (i % p) * q + j % q;
+    let square = |k: u32| {
+        let (i, j) = (k / q, k % q);
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    };
+    Surface {
+        vertices: (0..p * q).map(place).collect(),
+        triangles: (0..p * q).flat_map(square).collect(),
+        notes: vec![],
+    }
+}
+
+#[test]
+fn a_grid_is_a_disk_with_its_boundary_first() {
+    let disk = SurfaceMesh::new(&grid(3)).unwrap();
+    assert_eq!(disk.vertex_origins, [0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4, 5, 6, 9, 10]);
+    let flat = TriMesh {
+        vertices: disk.mesh.vertices.iter().map(|p| p.truncate()).collect(),
+        boundary_count: 12,
+        triangles: disk.mesh.triangles.clone(),
+        neighbours: disk.mesh.neighbours.clone(),
+    };
+    assert_eq!(flat.check_invariants(), Ok(()));
+    for v in 0..16 {
+        assert_eq!(disk.vertex_origins[disk.number_of(v).unwrap() as usize], v);
+    }
+    let turned = Surface { triangles: grid(3).triangles.iter().map(|&[a, b, c]| [a, c, b]).collect(), ..grid(3) };
+    assert_eq!(SurfaceMesh::new(&turned).unwrap().vertex_origins[..4], [0, 4, 8, 12]);
+}
+
+#[test]
+fn bad_values_are_named() {
+    assert_eq!(error(&Surface::default()), TopologyError::Empty);
+    let mut surface = grid(2);
+    surface.triangles[3][1] = 77;
+    assert_eq!(error(&surface), TopologyError::IndexOutOfRange { triangle: 3, vertex: 77, vertices: 9 });
+    let mut surface = grid(2);
+    surface.vertices[5].y = f64::NAN;
+    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: 5 });
+    surface.vertices[5].y = 1e160;
+    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: 5 });
+}
+
+#[test]
+fn triangles_without_area_are_named() {
+    let mut surface = grid(2);
+    surface.vertices[4] = surface.vertices[0].lerp(surface.vertices[1], 0.5);
+    let flat = TopologyError::Degenerate { triangle: 0, corners: [0, 1, 4], count: 1 };
+    assert_eq!(error(&surface), flat);
+    let mut surface = grid(2);
+    surface.triangles.push([3, 4, 4]);
+    assert_eq!(error(&surface), TopologyError::RepeatedCorner { triangle: 8, corners: [3, 4, 4], count: 1 });
+    let repaired = SurfaceMesh::repaired(&surface).unwrap();
+    assert_eq!(repaired.repairs, [RepairNote::DroppedTriangles { count: 1 }]);
+}
+
+#[test]
+fn edges_and_vertices_that_are_no_manifold_are_named() {
+    let mut surface = grid(2);
+    surface.vertices.push(DVec3::Z);
+    surface.triangles.push([0, 4, 9]);
+    let expected = TopologyError::NonManifoldEdge { edge: [0, 4], triangles: vec![0, 1, 8], count: 1 };
+    assert_eq!(error(&surface), expected);
+    assert_eq!(SurfaceMesh::repaired(&surface).unwrap_err(), expected);
+    let mut surface = grid(2);
+    surface.vertices.extend([DVec3::Z, DVec3::new(1.0, 0.0, 1.0)]);
+    surface.triangles.push([4, 9, 10]);
+    assert_eq!(error(&surface), TopologyError::NonManifoldVertex { vertex: 4, fans: 2, count: 1 });
+}
+
+#[test]
+fn turned_triangles_are_named_and_turned_back() {
+    let mut surface = grid(3);
+    let straight = surface.clone();
+    for t in [4, 5, 9] {
+        surface.triangles[t].swap(1, 2);
+    }
+    let TopologyError::Orientation { triangles, count, .. } = error(&surface) else { panic!("{}", error(&surface)) };
+    assert!(triangles.contains(&4) || triangles.contains(&5) || triangles.contains(&9), "{triangles:?}");
+    assert!(count > 2, "{count}");
+    let repaired = SurfaceMesh::repaired(&surface).unwrap();
+    assert_eq!(repaired.repairs, [RepairNote::Oriented { count: 3 }]);
+    assert_eq!(repaired.vertex_origins, SurfaceMesh::new(&straight).unwrap().vertex_origins);
+}
+
+#[test]
+fn a_moebius_strip_has_one_side() {
+    let vertices = (0..10).map(|k| DVec3::new(f64::from(k / 2), f64::from(k % 2), f64::from(k * k % 7))).collect();
+    let square = |k: u32| {
+        let (a, b) = (2 * k, 2 * k + 1);
+        let (c, d) = if k < 4 { (a + 2, b + 2) } else { (1, 0) };
+        [[a, c, b], [b, c, d]]
+    };
+    let strip = Surface { vertices, triangles: (0..5).flat_map(square).collect(), notes: Vec::new() };
+    assert!(matches!(error(&strip), TopologyError::Orientation { .. }));
+    assert!(matches!(SurfaceMesh::repaired(&strip), Err(TopologyError::OneSided { .. })));
+}
+
+#[test]
+fn parts_and_loose_vertices_are_counted_and_dropped() {
+    let mut surface = grid(2);
+    surface.vertices.extend([DVec3::Z, DVec3::ONE, DVec3::new(1.0, 0.0, 1.0), DVec3::NEG_X]);
+    surface.triangles.insert(0, [9, 10, 11]);
+    assert_eq!(error(&surface), TopologyError::Components { triangles: vec![8, 1] });
+    let repaired = SurfaceMesh::repaired(&surface).unwrap();
+    let expected = [RepairNote::KeptLargest { components: 2, dropped: 1 }, RepairNote::DroppedVertices { count: 4 }];
+    assert_eq!(repaired.repairs, expected);
+    assert_eq!((repaired.triangle_origins[0], repaired.number_of(12)), (1, None));
+    surface.triangles.remove(0);
+    assert_eq!(error(&surface), TopologyError::Unreferenced { vertex: 9, count: 4 });
+}
+
+#[test]
+fn loops_and_handles_are_counted() {
+    assert_eq!(error(&tetrahedron()), TopologyError::Closed { genus: 0 });
+    assert_eq!(error(&torus(8, 6)), TopologyError::Closed { genus: 1 });
+    let mut open = torus(8, 6);
+    open.triangles.remove(0);
+    assert_eq!(error(&open), TopologyError::Genus { genus: 1 });
+    let mut surface = grid(4);
+    // the two squares in the middle of the second row
+    surface.triangles.retain(|t| ![[6, 7, 12], [6, 12, 11], [7, 8, 13], [7, 13, 12]].contains(t));
+    let TopologyError::Loops { loops } = error(&surface) else { panic!("{}", error(&surface)) };
+    let expected = [(16, 16.0, 0), (6, 6.0, 6)].map(|(vertices, length, first)| LoopReport { vertices, length, first });
+    assert_eq!(loops, expected);
+    // a hole that touches the boundary in a vertex pinches it
+    surface.triangles.retain(|t| *t != [17, 18, 23]);
+    assert_eq!(error(&surface), TopologyError::NonManifoldVertex { vertex: 23, fans: 2, count: 1 });
+}
+
+#[test]
+fn holes_are_filled_and_marked() {
+    let mut surface = grid(5);
+    // a square hole, and a triangular one
+    surface.triangles.retain(|t| ![[7, 8, 14], [7, 14, 13], [21, 22, 28]].contains(t));
+    let before = surface.triangles.len();
+    let repaired = SurfaceMesh::repaired(&surface).unwrap();
+    let [RepairNote::FilledHoles { holes, triangles: 5 }] = repaired.repairs.as_slice() else {
+        panic!("{:?}", repaired.repairs)
+    };
+    assert_eq!(holes.iter().map(|l| l.vertices).collect::<Vec<_>>(), [4, 3]);
+    assert_eq!(repaired.triangle_origins[before..], [ADDED; 5]);
+    assert_eq!(repaired.vertex_origins.iter().filter(|&&v| v == ADDED).count(), 1);
+    let flat = TriMesh {
+        vertices: repaired.mesh.vertices.iter().map(|p| p.truncate()).collect(),
+        boundary_count: repaired.mesh.boundary_count,
+        triangles: repaired.mesh.triangles.clone(),
+        neighbours: repaired.mesh.neighbours.clone(),
+    };
+    assert_eq!(flat.check_invariants(), Ok(()));
+}
+
+#[test]
+fn every_preset_is_a_disk() {
+    for preset in SurfacePreset::ALL {
+        let disk = SurfaceMesh::new(&preset.surface(60).unwrap()).unwrap();
+        assert!(disk.mesh.boundary_count.abs_diff(60) <= 3, "{preset}: {}", disk.mesh.boundary_count);
+        assert!(disk.mesh.interior_count() > 50 && disk.repairs.is_empty());
+        assert_eq!(preset.name().parse(), Ok(preset));
+    }
+}
+
+#[test]
+fn the_middle_of_a_grid_is_farthest_from_its_boundary() {
+    let disk = SurfaceMesh::new(&grid(8)).unwrap();
+    let found = farthest_from_boundary(&disk.mesh);
+    let corners = disk.mesh.triangles[found.triangle as usize].map(|v| disk.mesh.vertices[v as usize]);
+    let place: DVec3 = corners.iter().zip(found.weights).map(|(&p, w)| w * p).sum();
+    assert_eq!(place, DVec3::new(4.0, 4.0, 0.0));
+}

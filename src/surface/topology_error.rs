@@ -1,0 +1,151 @@
+//! What keeps a surface from being a disk, with all that is needed to find it.
+
+use std::fmt;
+
+/// A boundary loop of a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoopReport {
+    /// The number of its vertices (and edges).
+    pub vertices: usize,
+    /// Its length.
+    pub length: f64,
+    /// One of its vertices.
+    pub first: u32,
+}
+
+/// What keeps a surface from being a disk. Triangles and vertices count from 0.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TopologyError {
+    /// No triangle at all.
+    #[error("the surface has no triangles")]
+    Empty,
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} names vertex {vertex}, but there are {vertices} vertices")]
+    IndexOutOfRange {
+        /// Which triangle.
+        triangle: u32,
+        /// What it names.
+        vertex: u32,
+        /// How many there are.
+        vertices: usize,
+    },
+    /// A coordinate is NaN or infinite, or so large that squares overflow.
+    #[error("vertex {vertex} is at no finite place that can be dealt with (up to ±1e100)")]
+    NotFinite {
+        /// Which vertex.
+        vertex: u32,
+    },
+    /// Triangles that name a vertex twice.
+    #[error("{count} triangles name a vertex twice, the first is triangle {triangle} {corners:?}: drop them")]
+    RepeatedCorner {
+        /// The first one.
+        triangle: u32,
+        /// Its corners.
+        corners: [u32; 3],
+        /// How many there are.
+        count: usize,
+    },
+    /// Triangles without area.
+    #[error("{count} triangles have no area, the first is triangle {triangle} {corners:?}")]
+    Degenerate {
+        /// The first one.
+        triangle: u32,
+        /// Its corners.
+        corners: [u32; 3],
+        /// How many there are.
+        count: usize,
+    },
+    /// Edges with three triangles or more.
+    #[error("{count} edges have more than two triangles, the first, from vertex {} to {}, the triangles {triangles:?}", .edge[0], .edge[1])]
+    NonManifoldEdge {
+        /// The first one's ends.
+        edge: [u32; 2],
+        /// Its triangles.
+        triangles: Vec<u32>,
+        /// How many such edges there are.
+        count: usize,
+    },
+    /// Neighbours of different orientation, in a surface that can be oriented.
+    #[error(
+        "{count} edges lie between triangles of different orientation, the first from vertex {} to {}, between the \
+         triangles {} and {}: orient it consistently", .edge[0], .edge[1], .triangles[0], .triangles[1]
+    )]
+    Orientation {
+        /// The first one's ends.
+        edge: [u32; 2],
+        /// Its triangles.
+        triangles: [u32; 2],
+        /// How many such edges there are.
+        count: usize,
+    },
+    /// A surface like a Möbius strip.
+    #[error("the surface has one side only (as a Möbius strip): no orientation of triangle {triangle} fits")]
+    OneSided {
+        /// A triangle at which two orientations meet.
+        triangle: u32,
+    },
+    /// Vertices at which several fans of triangles meet.
+    #[error(
+        "{count} vertices join parts that share no edge, the first is vertex {vertex} with {fans} fans of triangles"
+    )]
+    NonManifoldVertex {
+        /// The first one.
+        vertex: u32,
+        /// Its fans.
+        fans: usize,
+        /// How many such vertices there are.
+        count: usize,
+    },
+    /// More than one connected part.
+    #[error("the surface has {} components ({} triangles): keep the largest one", .triangles.len(), Listed(.triangles))]
+    Components {
+        /// The number of triangles of each, largest first.
+        triangles: Vec<usize>,
+    },
+    /// Vertices in no triangle.
+    #[error("{count} vertices are in no triangle, the first is vertex {vertex}: drop them")]
+    Unreferenced {
+        /// The first one.
+        vertex: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// No boundary.
+    #[error("the surface is closed (genus {genus}); it must have a boundary: cut it open")]
+    Closed {
+        /// The number of its handles.
+        genus: usize,
+    },
+    /// More than one boundary loop.
+    #[error("the surface has {} boundary loops where a disk has one ({}): fill all but the longest", .loops.len(), Listed(.loops))]
+    Loops {
+        /// All of them, the longest first.
+        loops: Vec<LoopReport>,
+    },
+    /// Handles.
+    #[error("the surface has {genus} handles; a disk has none: cut it open")]
+    Genus {
+        /// How many.
+        genus: usize,
+    },
+}
+
+impl fmt::Display for LoopReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "length {:.4} with {} vertices at vertex {}", self.length, self.vertices, self.first)
+    }
+}
+
+/// How many items of a list a message shows.
+const SHOWN: usize = 12;
+
+struct Listed<'a, T>(&'a [T]);
+
+impl<T: fmt::Display> fmt::Display for Listed<'_, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, item) in self.0.iter().take(SHOWN).enumerate() {
+            write!(f, "{}{item}", if k > 0 { ", " } else { "" })?;
+        }
+        if self.0.len() > SHOWN { write!(f, ", …") } else { Ok(()) }
+    }
+}

@@ -1,0 +1,155 @@
+//! `riemap flatten`: files, options, errors.
+
+#![cfg(feature = "app")]
+#![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
+
+use riemap::surface::read_surface;
+use serde_json::Value;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn flatten(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_riemap")).arg("flatten").args(arguments).output().unwrap()
+}
+
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn file(folder: &Path, name: &str, text: &str) -> String {
+    let path = folder.join(name);
+    std::fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = flatten(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The message, after checks that it is one line and the status is as expected.
+fn fails(arguments: &[&str], status: i32) -> String {
+    let output = flatten(arguments);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
+    assert!(!stderr.contains("panicked"), "{stderr}");
+    assert!(status == 2 || stderr.trim_end().lines().count() == 1, "{stderr}");
+    stderr
+}
+
+/// A 4×4 grid with a bump, its vertices in scrambled order, with a loose vertex in front.
+fn grid() -> String {
+    let number = |i: usize, j: usize| (7 * (5 * j + i)) % 25 + 2;
+    let mut vertices = vec!["v 9 9 9\n".to_owned(); 26];
+    let mut faces = String::new();
+    for j in 0..5 {
+        for i in 0..5 {
+            let z = if i == 2 && j == 2 { 1.0 } else { 0.0 };
+            vertices[number(i, j) - 1] = format!("v {i} {j} {z}\n");
+            if i < 4 && j < 4 {
+                let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+                let _ = writeln!(faces, "f {a} {b} {c} {d}");
+            }
+        }
+    }
+    vertices.concat() + &faces
+}
+
+#[test]
+fn every_format_keeps_the_file_s_vertices_and_reads_back() {
+    let folder = folder("flatten-formats");
+    let surface = file(&folder, "grid.obj", &grid());
+    let given = read_surface("grid.obj", grid().as_bytes()).unwrap();
+    let out = ["uv.obj", "uv.ply", "uv.glb", "uv.csv", "uv.svg"].map(|name| folder.join(name).display().to_string());
+    let mut arguments = vec![&*surface, "preset:disk", "--repair", "--samples", "100", "--json"];
+    for path in &out {
+        arguments.extend(["--out", path]);
+    }
+    let summary = json(&arguments);
+    assert_eq!(summary["counts"]["m"], 16);
+    assert_eq!(summary["counts"]["n"], 9);
+    assert_eq!(summary["repairs"][0], "1 vertices in no triangle were dropped");
+    // 9 interior vertices; the corners of the square go to a circle
+    assert!(summary["quality"]["q_mean"].as_f64().unwrap() < 2.0, "{}", summary["quality"]);
+    assert!(summary["timing_ms"]["surface"]["factor"].as_f64().is_some());
+    for path in &out[..2] {
+        let written = read_surface(path, &std::fs::read(path).unwrap()).unwrap();
+        assert_eq!((&written.vertices, &written.triangles), (&given.vertices, &given.triangles), "{path}");
+    }
+    // GLB is f32, and welded in the order of its faces: compare the corners' places
+    let written = read_surface("uv.glb", &std::fs::read(&out[2]).unwrap()).unwrap();
+    assert_eq!(written.vertices.len(), given.vertices.len());
+    let text = |k: usize| std::fs::read_to_string(&out[k]).unwrap();
+    let coordinates = |line: &str| -> Vec<f64> { line.split(' ').skip(1).map(|x| x.parse().unwrap()).collect() };
+    let uv: Vec<_> = text(0).lines().filter(|line| line.starts_with("vt ")).map(coordinates).collect();
+    assert_eq!(uv.len(), 26);
+    assert!(uv.iter().flatten().all(|x| (0.0..=1.0).contains(x)));
+    assert!(uv.iter().any(|p| p[0] == 0.0) && uv.iter().any(|p| p[0] == 1.0));
+    let lines = text(3);
+    assert_eq!(lines.lines().nth(1), Some("9,9,9,,"));
+    assert_eq!(lines.lines().count(), 27);
+    assert_eq!(text(4).matches('Z').count(), given.triangles.len());
+}
+
+#[test]
+fn points_are_named_in_three_ways() {
+    let folder = folder("flatten-points");
+    let surface = file(&folder, "grid.obj", &grid().replacen("v 9 9 9", "v 0 0 0", 1));
+    let base = [&*surface, "preset:square", "--repair", "--samples", "80", "--json"];
+    let with = |more: &[&str]| json(&[&base, more].concat());
+    // (2, 2) is number (7·12) % 25 + 2 = 11 in the file, from 1
+    let by_vertex = with(&["--surface-point", "10"]);
+    assert_eq!(by_vertex["surface_point"]["position"], serde_json::json!([2.0, 2.0, 1.0]));
+    assert_eq!(with(&["--surface-point", "2,2,1.5"])["quality"], by_vertex["quality"]);
+    let inside = with(&["--surface-point", "3:1,2,1"]);
+    assert_eq!(inside["surface_point"]["weights"], serde_json::json!([0.25, 0.5, 0.25]));
+    assert_eq!(inside["surface_point"]["triangle"], 3);
+    // (4, 0) is number 7·4 % 25 + 2 = 5
+    let anchored = with(&["--surface-anchor", "4"]);
+    assert_eq!(with(&["--surface-anchor", "4.3,-1,0"])["surface_anchor"], anchored["surface_anchor"]);
+    let fraction = anchored["surface_anchor"].as_f64().unwrap().to_string();
+    assert_eq!(with(&["--surface-anchor", &format!("@{fraction}")])["quality"], anchored["quality"]);
+    let given = with(&["--no-intrinsic-delaunay"]);
+    assert_eq!(given["flips"]["flips"], 0);
+    assert_eq!(with(&["--uv", "true"])["uv"]["scale"], 1.0);
+}
+
+#[test]
+fn presets_of_surfaces_are_flattened() {
+    for preset in ["hemisphere", "paraboloid", "saddle", "bent-strip", "half-torus", "height-field"] {
+        let summary = json(&[&format!("preset:{preset}"), "preset:disk", "--samples", "300", "--json"]);
+        println!("{preset}: {}", summary["quality"]);
+        assert_eq!(summary["quality"]["collapsed"], 0, "{preset}");
+        assert!(summary["quality"]["q_mean"].as_f64().unwrap() < 1.1, "{preset}: {}", summary["quality"]);
+    }
+}
+
+#[test]
+fn errors_name_their_cause() {
+    let folder = folder("flatten-errors");
+    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    let bad = file(&folder, "bad.obj", &format!("{square}f 1 2 3\nf 1 3 7\n"));
+    assert!(fails(&[&bad, "preset:disk"], 1).contains("bad.obj: line 6: a face names vertex 7"));
+    let turned = file(&folder, "turned.obj", &format!("{square}f 1 2 3\nf 1 4 3\n"));
+    assert!(fails(&[&turned, "preset:disk"], 1).contains("different orientation"));
+    let output = flatten(&[&turned, "preset:disk", "--repair"]);
+    assert!(output.status.success());
+    assert!(String::from_utf8_lossy(&output.stderr).contains("1 triangles were turned round"));
+    assert!(fails(&["preset:cube", "preset:disk"], 1).contains("hemisphere"));
+    assert!(fails(&["preset:saddle:5", "preset:disk"], 1).contains("12 to 4000"));
+    assert!(fails(&["nothing.obj", "preset:disk"], 1).contains("cannot read nothing.obj"));
+    let saddle = ["preset:saddle:40", "preset:disk"];
+    let with = |more: &[&str], status| fails(&[&saddle, more].concat(), status);
+    assert!(with(&["--surface-point", "0"], 1).contains("on the boundary"));
+    assert!(with(&["--surface-point", "99999"], 1).contains("no vertex 99999"));
+    assert!(with(&["--surface-point", "99999:1,1,1"], 1).contains("no triangle 99999"));
+    assert!(with(&["--surface-anchor", "77"], 1).contains("not on the boundary"));
+    assert!(with(&["--surface-point", "1,2"], 2).contains("expected a vertex"));
+    assert!(with(&["--surface-point", "1:1,-1,2"], 2).contains("expected a vertex"));
+    assert!(with(&["--out", "a.png"], 2).contains("obj, ply, glb, csv or svg"));
+}
