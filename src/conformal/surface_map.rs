@@ -80,6 +80,8 @@ pub struct SurfaceMap {
     measure: HarmonicMeasure,
     correspondence: BoundaryCorrespondence,
     images: Vec<DVec2>,
+    /// Whether `images` are those of the constraints: not after a solver's error.
+    is_complete: bool,
     timings: FrameTimings,
     kernel_scratch: KernelScratch,
     extension_scratch: Vec<Lanes<2>>,
@@ -101,6 +103,7 @@ impl SurfaceMap {
             measure: HarmonicMeasure::default(),
             correspondence: BoundaryCorrespondence::default(),
             images: Vec::new(),
+            is_complete: false,
             timings: FrameTimings::default(),
             kernel_scratch: KernelScratch::default(),
             extension_scratch: Vec::new(),
@@ -117,9 +120,10 @@ impl SurfaceMap {
         self.check(constraints)?;
         let moved = self.point != Some(constraints.surface_point);
         let anchored = self.anchor != constraints.surface_anchor;
-        if !(change.is_some() || moved || anchored || self.images.is_empty()) {
+        if !(change.is_some() || moved || anchored) && self.is_complete {
             return Ok(());
         }
+        self.is_complete = false;
         let mut timings = FrameTimings::default();
         let start = Instant::now();
         self.source.apply(Side::Source, &planar, &change, &mut self.kernel_scratch)?;
@@ -135,6 +139,7 @@ impl SurfaceMap {
         }
         timings.kernel = start.elapsed().as_secs_f64() * 1e3;
         self.extend(&mut timings)?;
+        self.is_complete = true;
         self.timings = timings;
         Ok(())
     }
