@@ -5,7 +5,7 @@
 //! coordinates are its own positions, and the target, forward or backward.
 
 use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side};
-use crate::geometry::DVec2;
+use crate::geometry::{Bounds, DVec2};
 use std::fmt::Write as _;
 
 /// What one half of the drawing shows.
@@ -73,8 +73,7 @@ pub fn svg(panels: &[Panel<'_>; 2], cells: f64) -> String {
 impl Panel<'_> {
     /// Lower left and upper right corner of the outline.
     pub fn bounds(&self) -> (DVec2, DVec2) {
-        let low = self.boundary.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
-        let high = self.boundary.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+        let Bounds { min: low, max: high } = Bounds::of(self.boundary.iter().copied());
         (low, high)
     }
 

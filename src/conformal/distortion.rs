@@ -5,7 +5,7 @@
 //! Triangles whose image is a point up to rounding have no Q: they are counted as
 //! collapsed and left out of the mean.
 
-use crate::geometry::{DVec2, DVec3};
+use crate::geometry::{Bounds, DVec2, DVec3};
 use crate::mesh::TriMesh;
 
 /// An image shorter than this part of the whole image's extent is rounding: the
@@ -136,8 +136,7 @@ fn times(a: DVec2, b: DVec2) -> DVec2 {
 
 /// The larger side of the bounding box.
 fn extent(points: &[DVec2]) -> f64 {
-    let low = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
-    let high = points.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+    let Bounds { min: low, max: high } = Bounds::of(points.iter().copied());
     (high - low).max_element()
 }
 

@@ -10,7 +10,7 @@ use crate::conformal::{
     ConformalMap, Constraints, Direction, KernelMode, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain,
     Side, prepare,
 };
-use crate::geometry::DVec2;
+use crate::geometry::{Bounds, DVec2};
 use crate::outline::Preset;
 use crate::zipper::DiskMap;
 use std::sync::Arc;
@@ -270,8 +270,7 @@ const DRAG_STEP: f64 = 1e-3;
 /// The medians while one interior point moves to and fro.
 fn drag(map: &mut ConformalMap, still: Constraints, side: Side, frames: usize) -> Result<FrameTimes, FigureError> {
     let points = &map.domain(side).samples.points;
-    let low = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
-    let high = points.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+    let Bounds { min: low, max: high } = Bounds::of(points.iter().copied());
     let step = DVec2::new(DRAG_STEP * (high - low).max_element(), 0.0);
     let (mut matching, mut extension) = (Vec::new(), Vec::new());
     for k in 0..frames {

@@ -37,7 +37,7 @@ pub use table::{Cell, Table};
 
 use crate::conformal::{MapError, PrepareError, PreparedDomain, prepare};
 use crate::laplace::NotConverged;
-use crate::session::{DomainSpec, OutlineSpec};
+use crate::session::DomainSpec;
 use crate::zipper::ZipperError;
 use std::sync::Arc;
 
@@ -190,9 +190,6 @@ impl Figure {
 
 /// Prepares one side of a session.
 pub fn prepare_spec(spec: &DomainSpec) -> Result<Arc<PreparedDomain>, FigureError> {
-    let polygon = match &spec.outline {
-        OutlineSpec::Preset(preset) => preset.outline().polygon,
-        OutlineSpec::Points { points, .. } => points.clone().try_into().map_err(|_| FigureError::Outline)?,
-    };
+    let polygon = spec.outline.polygon().map_err(|_| FigureError::Outline)?;
     Ok(Arc::new(prepare(&polygon, &spec.settings, &mut |_| ())?))
 }

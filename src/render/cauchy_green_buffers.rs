@@ -6,6 +6,7 @@
 //! extent of the contour to s times that of the images, they are off by 5e-10 s.
 
 use super::RenderError;
+use crate::geometry::Bounds;
 use glam::DVec2;
 
 /// Positions lie between −REACH and REACH: their differences are below 2³¹.
@@ -163,8 +164,7 @@ fn absolute(bytes: &[u8], origin: DVec2) -> Vec<DVec2> {
 
 /// The middle of the bounding box and the longer of its sides.
 fn middle_and_extent(points: &[DVec2]) -> (DVec2, f64) {
-    let low = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
-    let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
+    let Bounds { min: low, max: high } = Bounds::of(points.iter().copied());
     (low.midpoint(high), (high - low).max_element())
 }
 

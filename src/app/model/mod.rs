@@ -13,7 +13,7 @@ use super::prepare_state::Preparation;
 use super::teaching::Teaching;
 use super::textured;
 use crate::conformal::{ConformalMap, PreparedDomain, Quality, Side, TriangleDistortion};
-use crate::geometry::DVec2;
+use crate::geometry::{Bounds, DVec2};
 use crate::session::Session;
 use std::sync::Arc;
 
@@ -226,5 +226,6 @@ impl Model {
 
 /// Lower left and upper right corner of the points.
 pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
-    points.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &point| (low.min(point), high.max(point)))
+    let Bounds { min, max } = Bounds::of(points.iter().copied());
+    (min, max)
 }

@@ -7,7 +7,7 @@ use crate::cli::contours::{Panel, panels};
 use crate::cli::{CliError, picture};
 use crate::conformal::{ConformalMap, Constraints, Quality, Side, TriangleDistortion, triangle_distortions};
 use crate::figures::{Cell, Detail, Figure, FigureError, Scene, Table, prepare_spec};
-use crate::geometry::DVec2;
+use crate::geometry::{Bounds, DVec2};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{DomainSpec, Session, TextureKind};
 use image::RgbaImage;
@@ -22,8 +22,7 @@ const ROW: f64 = PANEL + 56.0;
 
 /// The session's texture on the source with this outline.
 pub fn style(session: &Session, outline: &[DVec2], pole: DVec2) -> TextureStyle {
-    let low = outline.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
-    let high = outline.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+    let Bounds { min: low, max: high } = Bounds::of(outline.iter().copied());
     let pattern = match session.texture {
         TextureKind::Checker | TextureKind::Image => Pattern::Checker,
         TextureKind::Grid => Pattern::Grid,

@@ -1,7 +1,7 @@
 //! Plots: a frame with ticks and labels, curves, a legend; linear or logarithmic axes.
 
 use super::svg::{Anchor, LABEL, Page, SMALL, Stroke, colour};
-use crate::geometry::DVec2;
+use crate::geometry::{Bounds, DVec2};
 
 /// An axis.
 #[derive(Clone)]
@@ -199,8 +199,7 @@ pub struct Window {
 impl Window {
     /// Fits the bounding box of `points` into the rectangle.
     pub fn fitting(points: &[DVec2], corner: DVec2, size: DVec2) -> Self {
-        let low = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
-        let high = points.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+        let Bounds { min: low, max: high } = Bounds::of(points.iter().copied());
         let extent = (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
         Self { middle: 0.5 * (low + high), page_middle: corner + 0.5 * size, scale: (size / extent).min_element() }
     }

@@ -1,7 +1,7 @@
 //! Rows of textured meshes, drawn by wgpu on white.
 
 use crate::cli::CliError;
-use crate::geometry::DVec2;
+use crate::geometry::{Bounds, DVec2};
 use crate::render::{
     Camera, Handle, MeshGeometry, SceneDescription, SceneViewport, TextureStyle, headless_device, render_scene_with,
 };
@@ -80,8 +80,7 @@ impl RasterPanel<'_> {
     }
 
     fn camera(&self) -> Camera {
-        let low = self.boundary.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
-        let high = self.boundary.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+        let Bounds { min: low, max: high } = Bounds::of(self.boundary.iter().copied());
         let units_per_pixel = (high - low).max_element() / (f64::from(PANEL_PX) * (1.0 - 2.0 * MARGIN));
         Camera { center: 0.5 * (low + high), units_per_pixel }
     }

@@ -4,7 +4,7 @@
 //! size of the images a constant is reproduced exactly, and f32 holds the rest to 6e-8 of s.
 
 use super::contour::{Contour, over_two_pi_i};
-use crate::geometry::DVec2;
+use crate::geometry::{Bounds, DVec2};
 
 /// Values at the vertices of a [`Contour`], linear on its edges.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -29,8 +29,7 @@ impl BoundaryValues {
 
     /// Replaces the values; allocates nothing if there are no more than before.
     pub fn set(&mut self, values: &[DVec2]) {
-        let low = values.iter().fold(DVec2::INFINITY, |low, &w| low.min(w));
-        let high = values.iter().fold(DVec2::NEG_INFINITY, |high, &w| high.max(w));
+        let Bounds { min: low, max: high } = Bounds::of(values.iter().copied());
         self.centre = low.midpoint(high);
         self.scale = (high - low).max_element();
         let inverse = if self.scale > 0.0 { self.scale.recip() } else { 0.0 };
