@@ -16,20 +16,10 @@ pub const SIDE_INKS: [[Color32; 2]; 2] = [
     [Color32::from_rgb(0, 114, 178), Color32::from_rgb(196, 120, 0)],
 ];
 
-/// The reparameterisation of the map on the screen, then those that it is compared with.
-pub const MAP_INKS: [[Color32; 4]; 2] = [
-    [
-        Color32::from_rgb(64, 196, 150),
-        Color32::from_rgb(204, 121, 167),
-        Color32::from_rgb(240, 228, 66),
-        Color32::from_rgb(213, 94, 0),
-    ],
-    [
-        Color32::from_rgb(0, 138, 100),
-        Color32::from_rgb(180, 80, 140),
-        Color32::from_rgb(150, 130, 0),
-        Color32::from_rgb(213, 94, 0),
-    ],
+/// The reparameterisation of the map on the screen, and what it is compared with.
+pub const MAP_INKS: [[Color32; 2]; 2] = [
+    [Color32::from_rgb(64, 196, 150), Color32::from_rgb(204, 121, 167)],
+    [Color32::from_rgb(0, 138, 100), Color32::from_rgb(180, 80, 140)],
 ];
 
 /// The hits of random walks: apart from the sides' inks and from the map's.
@@ -60,9 +50,7 @@ impl<'a> Chart<'a> {
         let lines: Vec<_> = match kind {
             Kind::Kernel => curves.kernel.iter().zip(SIDE_INKS[theme]).collect(),
             Kind::Measure => curves.measure.iter().zip(SIDE_INKS[theme]).collect(),
-            Kind::Reparameterisation => {
-                curves.reparameterisation.iter().zip(MAP_INKS[theme].into_iter().cycle()).collect()
-            }
+            Kind::Reparameterisation => vec![(&curves.reparameterisation, MAP_INKS[theme][0])],
         };
         let overlays = match kind {
             Kind::Kernel => &[][..],

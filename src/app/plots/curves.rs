@@ -69,9 +69,8 @@ pub struct Curves {
     pub kernel: [Curve; 2],
     /// ω̃ of source and target.
     pub measure: [Curve; 2],
-    /// r̃, the arc length on the other side over that on the mapped side; first the map on
-    /// the screen, then what it is compared with.
-    pub reparameterisation: Vec<Curve>,
+    /// r̃, the arc length on the other side over that on the mapped side.
+    pub reparameterisation: Curve,
     /// The side that r̃ starts from.
     pub mapped: Side,
     /// The anchors, as fractions of arc length.
@@ -92,7 +91,7 @@ impl Curves {
         let images = &map.correspondence().points;
         let other = &anchored[mapped.other() as usize];
         let first = curve(mapped, reparameterisation(&anchored[mapped as usize], other, images));
-        let reparameterisation = vec![Curve { name: String::from("this map"), ..first }];
+        let reparameterisation = Curve { name: String::from("this map"), ..first };
         Self { kernel, measure, reparameterisation, mapped, anchors: anchored.map(|side| side.origin) }
     }
 
