@@ -6,8 +6,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, KernelMode, KernelScratch, Memory, PrepareSettings, PreparedDomain,
-    PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare, prepare_surface, surface_kernel,
+    ConformalMap, Constraints, Direction, FlatBuffers, KernelMode, KernelScratch, Memory, PrepareSettings,
+    PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare, prepare_surface,
+    surface_kernel,
 };
 use riemap::geometry::{DVec2, DVec3};
 use riemap::laplace::SolverKind;
@@ -283,6 +284,35 @@ fn modes_and_repeated_updates_agree() {
         let other = SurfaceMap::new(source.clone(), other, &second).unwrap();
         let error = largest_distance(other.images(), fresh.images());
         assert!(error <= tolerance, "{error:e}");
+    }
+}
+
+#[test]
+fn prepared_surfaces_survive_the_trip_through_flat_arrays() {
+    let mut surface = SurfacePreset::Hemisphere.surface(40).unwrap();
+    surface.vertices.push(DVec3::ZERO);
+    let repaired = SurfaceMesh::repaired(&surface).unwrap();
+    for (kernel, solver) in [
+        (KernelMode::Adjoint, SolverKind::Direct),
+        (KernelMode::Table, SolverKind::Direct),
+        (KernelMode::Adjoint, SolverKind::Pcg),
+    ] {
+        let settings = SurfaceSettings { kernel, solver, ..SurfaceSettings::default() };
+        let whole = prepare_surface(Memory::default(), repaired.clone(), settings, &mut |_| ()).unwrap();
+        let back = PreparedSurface::from_buffers(whole.to_buffers()).unwrap();
+        assert_eq!(back.surface, whole.surface, "with its repairs");
+        assert_eq!((&back.solver, &back.table, back.flips), (&whole.solver, &whole.table, whole.flips));
+        assert_eq!((back.centre, &back.fractions), (whole.centre, &whole.fractions));
+        let broken = |damage: fn(&mut FlatBuffers)| {
+            let mut buffers = whole.to_buffers();
+            damage(&mut buffers);
+            PreparedSurface::from_buffers(buffers).is_none()
+        };
+        assert!(broken(|b| b.text.clear()), "no repairs");
+        assert!(broken(|b| b.indices.truncate(3)), "arrays missing");
+        assert!(broken(|b| b.indices[0][4] = u32::MAX), "a point in no triangle");
+        assert!(broken(|b| b.indices[2][0] = u32::MAX), "a triangle without a corner");
+        assert!(broken(|b| b.indices[4][0] = 1 << 30), "a vertex from nowhere");
     }
 }
 

@@ -9,7 +9,7 @@ use super::trouble::{Remedy, Trouble};
 use crate::conformal::{PreparedDomain, Stage};
 use crate::outline::OutlineNote;
 use crate::session::{DomainSpec, OutlineSpec};
-use crate::worker::{Request, Response};
+use crate::worker::{Request, Response, Task};
 use std::sync::Arc;
 
 /// How long the resolution controls must rest before a preparation starts, in
@@ -158,7 +158,8 @@ impl Preparation {
                     notes: std::mem::take(&mut self.incoming_notes),
                     stage: None,
                 });
-                Some(Request { generation: self.generation, polygon, settings: self.wanted.settings })
+                let task = Task::Domain { polygon, settings: self.wanted.settings };
+                Some(Request { generation: self.generation, task })
             }
             Err(error) => {
                 self.fail(error.to_string());
@@ -178,12 +179,13 @@ impl Preparation {
                 running.stage = Some(stage);
                 Progress::Nothing
             }
-            Response::Prepared(domain) => self.finish(*domain),
-            Response::Failed(message) => {
+            Response::Domain(domain) => self.finish(*domain),
+            Response::Failed(failure) => {
                 self.running = None;
-                self.fail(message);
+                self.fail(failure.text);
                 Progress::Failed
             }
+            Response::Surface(..) => Progress::Nothing, // no answer to this request
         }
     }
 
@@ -222,7 +224,7 @@ mod tests {
     use super::*;
     use crate::outline::{Preset, Sampling};
     use crate::session::Session;
-    use crate::worker::run;
+    use crate::worker::{Failure, run};
 
     fn answers(request: &Request) -> Vec<(u64, Response)> {
         let mut all = Vec::new();
@@ -282,7 +284,7 @@ mod tests {
         match side.take_request(2.0) {
             None => {}
             Some(request) => {
-                side.accept(request.generation, Response::Failed("no".into()));
+                side.accept(request.generation, Response::Failed(Failure::new(&"no")));
             }
         }
         assert!(side.error.is_some());

@@ -15,6 +15,7 @@ pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
     }
     let (share, words) = match stage {
         None => (0.03, "waiting for the worker…"),
+        Some(Stage::Read) => (0.05, "reading the surface…"),
         Some(Stage::Sample) => (0.1, "sampling the boundary…"),
         Some(Stage::Mesh) => (0.25, "triangulating…"),
         Some(Stage::Assemble) => (0.6, "assembling the Laplacian…"),

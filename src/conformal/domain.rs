@@ -56,6 +56,8 @@ impl Default for Memory {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stage {
+    /// Reading a surface and checking what it is.
+    Read,
     /// Sampling the boundary.
     Sample,
     /// Triangulating.

@@ -25,6 +25,7 @@ mod disk_coordinates;
 mod distortion;
 mod domain;
 mod extension;
+mod flat;
 mod half;
 mod histogram;
 mod hit_counts;
@@ -36,12 +37,12 @@ mod random_walk;
 mod refinement;
 mod stencil;
 mod surface;
+mod surface_buffers;
 mod surface_map;
 mod system;
 mod table;
 mod unfold;
 
-pub use buffers::DomainBuffers;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use constraints::{Constraints, Direction, MapSettings, Side};
 pub use disk_coordinates::disk_coordinates;
@@ -50,6 +51,7 @@ pub use domain::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare, prepare_within,
 };
 pub use extension::{Extension, harmonic_extension};
+pub use flat::FlatBuffers;
 pub use histogram::Histogram;
 pub use hit_counts::HitCounts;
 pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};

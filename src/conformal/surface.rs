@@ -5,6 +5,7 @@
 //! no weight is negative, ψ ≥ 0, and the matching keeps the order of the boundary.
 
 use super::domain::{solver_for, timed};
+use super::flat::SystemParts;
 use super::kernel::KernelScratch;
 use super::system::HarmonicSystem;
 use super::{HarmonicTable, KernelMode, Memory, PrepareError, PrepareTimings, Stage, unfold};
@@ -86,22 +87,8 @@ pub fn prepare_surface(
         let mut tell = |percent| progress(Stage::Table { percent });
         table = Some(timed(&mut timings.table, || HarmonicTable::new(&solver, &laplacian.coupling, &mut tell))?);
     }
-    let coupling = laplacian.coupling;
-    let mut boundary_paths = RootPaths::default();
-    solver.root_paths(coupling.indices().iter().copied(), &mut boundary_paths);
-    let (edge_lengths, fractions) = along_boundary(&surface.mesh);
-    Ok(PreparedSurface {
-        surface,
-        edge_lengths,
-        fractions,
-        coupling,
-        solver,
-        boundary_paths,
-        table,
-        flips,
-        centre,
-        timings,
-    })
+    let system = SystemParts { coupling: laplacian.coupling, solver, table };
+    Ok(PreparedSurface::new(surface, system, flips, centre, timings))
 }
 
 fn unflipped(intrinsic: &IntrinsicMesh) -> FlipReport {
@@ -121,6 +108,21 @@ fn along_boundary(mesh: &TriMesh<DVec3>) -> (Vec<f64>, Vec<f64>) {
 }
 
 impl PreparedSurface {
+    /// Bundles the parts; lengths and root paths of the boundary follow from them.
+    pub(super) fn new(
+        surface: SurfaceMesh,
+        system: SystemParts,
+        flips: FlipReport,
+        centre: BarycentricPoint,
+        timings: PrepareTimings,
+    ) -> Self {
+        let SystemParts { coupling, solver, table } = system;
+        let mut boundary_paths = RootPaths::default();
+        solver.root_paths(coupling.indices().iter().copied(), &mut boundary_paths);
+        let (edge_lengths, fractions) = along_boundary(&surface.mesh);
+        Self { surface, edge_lengths, fractions, coupling, solver, boundary_paths, table, flips, centre, timings }
+    }
+
     pub(super) fn system(&self) -> HarmonicSystem<'_> {
         HarmonicSystem {
             edge_lengths: &self.edge_lengths,

@@ -16,7 +16,7 @@ mod native;
 pub use native::{Laboratory, Preparer, asks_for_bench, drop_position, pick_file, read_dropped, start};
 
 use crate::conformal::Side;
-use crate::worker::{Finding, Response, Study};
+use crate::worker::{Finding, Response, Study, Subject};
 use std::sync::{Arc, OnceLock, mpsc};
 
 /// What a file is meant to be.
@@ -35,8 +35,8 @@ pub enum FilePurpose {
 pub enum Event {
     /// A worker answered.
     Worker {
-        /// Which one.
-        side: Side,
+        /// About what.
+        subject: Subject,
         /// Of the request that it answers.
         generation: u64,
         /// The answer.
@@ -44,8 +44,8 @@ pub enum Event {
     },
     /// A worker stopped without an answer; it is started again with the next request.
     WorkerDied {
-        /// Which one.
-        side: Side,
+        /// What it was to prepare.
+        subject: Subject,
         /// What is known about it.
         reason: String,
     },

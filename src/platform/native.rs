@@ -7,7 +7,7 @@ use super::{Event, FilePurpose, Mailbox, endings};
 use crate::app::{Groundwork, RiemapApp};
 use crate::conformal::Side;
 use crate::session::Session;
-use crate::worker::{self, Finding, Request, Study};
+use crate::worker::{self, Finding, Request, Study, Subject};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::thread;
 
@@ -34,16 +34,16 @@ impl Preparer {
     }
 
     /// Starts to carry out `request`.
-    pub fn request(&mut self, side: Side, request: Request) {
+    pub fn request(&mut self, subject: Subject, request: Request) {
         let mailbox = self.mailbox.clone();
         let work = move || {
-            let mut emit = |generation, response| mailbox.post(Event::Worker { side, generation, response });
+            let mut emit = |generation, response| mailbox.post(Event::Worker { subject, generation, response });
             if catch_unwind(AssertUnwindSafe(|| worker::run(&request, &mut emit))).is_err() {
-                mailbox.post(Event::WorkerDied { side, reason: String::from("an internal error") });
+                mailbox.post(Event::WorkerDied { subject, reason: String::from("an internal error") });
             }
         };
-        if let Err(error) = thread::Builder::new().name(format!("prepare {side:?}")).spawn(work) {
-            self.mailbox.post(Event::WorkerDied { side, reason: error.to_string() });
+        if let Err(error) = thread::Builder::new().name(format!("prepare {subject:?}")).spawn(work) {
+            self.mailbox.post(Event::WorkerDied { subject, reason: error.to_string() });
         }
     }
 }

@@ -53,11 +53,25 @@ impl SurfaceMesh {
             neighbours: found.twins.as_chunks::<3>().0.iter().map(|twins| twins.map(across)).collect(),
         };
         let vertex_origins: Vec<u32> = order.iter().map(|&v| vertex_origins[v as usize]).collect();
-        let mut numbers = vec![ADDED; before];
-        for (k, &origin) in vertex_origins.iter().enumerate().filter(|(_, origin)| **origin != ADDED) {
-            numbers[origin as usize] = k as u32;
-        }
+        let numbers = numbers_of(&vertex_origins, before);
         Ok(Self { mesh, vertex_origins, triangle_origins, repairs, numbers })
+    }
+
+    /// From its parts, once they have been elsewhere; `None` if their sizes do not fit. `before` is
+    /// [`Self::origin_count`].
+    pub fn from_parts(
+        mesh: TriMesh<DVec3>,
+        vertex_origins: Vec<u32>,
+        triangle_origins: Vec<u32>,
+        repairs: Vec<RepairNote>,
+        before: usize,
+    ) -> Option<Self> {
+        let sizes = (vertex_origins.len(), triangle_origins.len()) == (mesh.vertices.len(), mesh.triangles.len());
+        let known = vertex_origins.iter().all(|&origin| origin == ADDED || (origin as usize) < before);
+        (sizes && known).then(|| {
+            let numbers = numbers_of(&vertex_origins, before);
+            Self { mesh, vertex_origins, triangle_origins, repairs, numbers }
+        })
     }
 
     /// The number here of a vertex of the surface as it was read; `None` if it was dropped or never there.
@@ -69,4 +83,13 @@ impl SurfaceMesh {
     pub fn origin_count(&self) -> usize {
         self.numbers.len()
     }
+}
+
+/// For each of `before` vertices its place in `origins`, or [`ADDED`].
+fn numbers_of(origins: &[u32], before: usize) -> Vec<u32> {
+    let mut numbers = vec![ADDED; before];
+    for (k, &origin) in origins.iter().enumerate().filter(|(_, origin)| **origin != ADDED) {
+        numbers[origin as usize] = k as u32;
+    }
+    numbers
 }

@@ -14,7 +14,8 @@ use super::{LoopReport, Surface, TopologyError};
 pub const ADDED: u32 = u32::MAX;
 
 /// What a repair has done.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum RepairNote {
     /// Triangles that name a vertex twice were dropped.
     #[error("{count} triangles that name a vertex twice were dropped")]

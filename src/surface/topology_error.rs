@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// A boundary loop of a surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct LoopReport {
     /// The number of its vertices (and edges).
     pub vertices: usize,

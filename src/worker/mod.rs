@@ -1,4 +1,4 @@
-//! What a worker is asked and what it answers.
+//! What a worker is asked and what it answers: preparations and studies.
 //!
 //! The engine is pure: it runs in a web worker, and natively on a thread. Every
 //! message carries the generation of its request; the receiver drops stale ones.
@@ -7,18 +7,82 @@ mod study;
 
 pub use study::{Finding, Study};
 
-use crate::conformal::{PrepareSettings, PreparedDomain, Stage, prepare};
+use crate::conformal::{
+    Memory, PrepareSettings, PreparedDomain, PreparedSurface, Side, Stage, SurfaceSettings, prepare, prepare_surface,
+};
 use crate::geometry::SimplePolygon;
+use crate::surface::{Surface, SurfaceMesh, SurfacePreset, read_surface};
+use std::sync::Arc;
 
-/// A request to prepare one side.
+/// What a preparation is of. Each has a worker of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Subject {
+    /// A planar domain.
+    Domain(Side),
+    /// The surface in the target's place.
+    Surface,
+}
+
+impl Subject {
+    /// How many there are.
+    pub const COUNT: usize = 3;
+
+    /// Counts from 0.
+    pub fn index(self) -> usize {
+        match self {
+            Self::Domain(side) => side as usize,
+            Self::Surface => Side::BOTH.len(),
+        }
+    }
+}
+
+/// A request to prepare something.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
-    /// Counts up with every request of that side.
+    /// Counts up with every request about the same subject.
     pub generation: u64,
-    /// The outline.
-    pub polygon: SimplePolygon,
-    /// How to discretise it.
-    pub settings: PrepareSettings,
+    /// What to prepare.
+    pub task: Task,
+}
+
+/// What to prepare.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Task {
+    /// A planar domain.
+    Domain {
+        /// The outline.
+        polygon: SimplePolygon,
+        /// How to discretise it.
+        settings: PrepareSettings,
+    },
+    /// A surface.
+    Surface {
+        /// Its triangles.
+        source: SurfaceSource,
+        /// Whether to make the repairs that are safe.
+        repair: bool,
+        /// How to discretise it.
+        settings: SurfaceSettings,
+    },
+}
+
+/// Where the triangles of a surface come from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SurfaceSource {
+    /// A formula.
+    Preset {
+        /// Which one.
+        preset: SurfacePreset,
+        /// About how many boundary vertices.
+        boundary: u32,
+    },
+    /// A file, not yet read.
+    File {
+        /// Its name.
+        name: String,
+        /// Its content.
+        bytes: Arc<Vec<u8>>,
+    },
 }
 
 /// An answer.
@@ -26,21 +90,109 @@ pub struct Request {
 pub enum Response {
     /// A stage begins.
     Progress(Stage),
-    /// Done.
-    Prepared(Box<PreparedDomain>),
-    /// Not to be done, and why, in words for the person.
-    Failed(String),
+    /// A planar domain is done.
+    Domain(Box<PreparedDomain>),
+    /// A surface is done; with what its reader noticed.
+    Surface(Box<PreparedSurface>, Vec<String>),
+    /// Not to be done.
+    Failed(Failure),
+}
+
+/// Why something was not prepared.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct Failure {
+    /// In words for the person.
+    pub text: String,
+    /// Whether safe repairs would make it a surface that can be prepared.
+    pub repairable: bool,
+}
+
+impl Failure {
+    /// A failure without a way out.
+    pub fn new(error: &impl ToString) -> Self {
+        Self { text: error.to_string(), repairable: false }
+    }
 }
 
 /// Carries out `request`, emitting `(generation, response)`.
 pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
     let generation = request.generation;
-    let result = prepare(&request.polygon, &request.settings, &mut |stage| emit(generation, Response::Progress(stage)));
-    emit(
-        generation,
-        match result {
-            Ok(domain) => Response::Prepared(Box::new(domain)),
-            Err(error) => Response::Failed(error.to_string()),
-        },
-    );
+    let progress = &mut |stage| emit(generation, Response::Progress(stage));
+    let result = match &request.task {
+        Task::Domain { polygon, settings } => prepare(polygon, settings, progress)
+            .map(|domain| Response::Domain(Box::new(domain)))
+            .map_err(|error| Failure::new(&error)),
+        Task::Surface { source, repair, settings } => surface(source, *repair, *settings, progress),
+    };
+    emit(generation, result.unwrap_or_else(Response::Failed));
+}
+
+impl SurfaceSource {
+    /// The surface as it is given: read, or made. Errors: in words for the person.
+    pub fn surface(&self) -> Result<Surface, Failure> {
+        match self {
+            Self::Preset { preset, boundary } => preset.surface(*boundary).map_err(|error| Failure::new(&error)),
+            Self::File { name, bytes } => read_surface(name, bytes).map_err(|error| Failure::new(&error)),
+        }
+    }
+}
+
+fn surface(
+    source: &SurfaceSource,
+    repair: bool,
+    settings: SurfaceSettings,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<Response, Failure> {
+    progress(Stage::Read);
+    let surface = source.surface()?;
+    let disk = if repair { SurfaceMesh::repaired(&surface) } else { SurfaceMesh::new(&surface) };
+    let disk = disk.map_err(|error| Failure {
+        repairable: !repair && SurfaceMesh::repaired(&surface).is_ok(),
+        ..Failure::new(&error)
+    })?;
+    let notes = surface.notes.iter().map(ToString::to_string).collect();
+    drop(surface);
+    let prepared = prepare_surface(Memory::default(), disk, settings, progress);
+    let prepared = prepared.map_err(|error| Failure::new(&error))?;
+    Ok(Response::Surface(Box::new(prepared), notes))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn last(source: SurfaceSource, repair: bool) -> Response {
+        let task = Task::Surface { source, repair, settings: SurfaceSettings::default() };
+        let mut answer = None;
+        run(&Request { generation: 7, task }, &mut |generation, response| {
+            assert_eq!(generation, 7);
+            answer = Some(response);
+        });
+        answer.unwrap()
+    }
+
+    fn file(text: &str) -> SurfaceSource {
+        SurfaceSource::File { name: "a.obj".into(), bytes: Arc::new(text.into()) }
+    }
+
+    #[test]
+    fn a_file_becomes_a_prepared_surface_with_the_readers_notes() {
+        let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+        let Response::Surface(surface, notes) = last(file(square), false) else { panic!() };
+        assert_eq!(surface.surface.mesh.triangles.len(), 2);
+        assert_eq!(notes, ["1 polygons were cut into triangles"]);
+    }
+
+    #[test]
+    fn a_repair_is_offered_where_it_would_help_and_only_there() {
+        let loose = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 2 3 4\n";
+        let Response::Failed(failure) = last(file(loose), false) else { panic!() };
+        assert!(failure.repairable && failure.text.contains("vertex 0"), "{failure:?}");
+        assert!(matches!(last(file(loose), true), Response::Surface(..)));
+        let closed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+        let Response::Failed(failure) = last(file(closed), false) else { panic!() };
+        assert!(!failure.repairable && failure.text.contains("closed"), "{failure:?}");
+        assert!(matches!(last(file("f 1 2"), false), Response::Failed(_)));
+    }
 }

@@ -1,36 +1,59 @@
 //! Requests and answers as JavaScript values: flat arrays, transferred, not copied.
 //!
-//! A request is `{ generation, points, settings }`, an answer `{ generation }`
-//! with one of `stage`, `failed`, or `floats` and `indices`; a study is `{ study }`,
-//! what it found `{ study, finding }`; a panic's last word
-//! is `{ died }`. Small enums travel as JSON text in the form that serde gives them.
+//! A request is `{ generation, settings }` with `points`, or with `repair` and one of `preset` and
+//! `name` and `bytes`; an answer `{ generation }` with one of `stage`, `failed`, or `floats`, `indices`
+//! and `text`, and for a surface its `notes`; a study is `{ study }`, what it found `{ study, finding }`;
+//! a panic's last word is `{ died }`. Small enums travel as JSON text in the form that serde gives them.
 
-use crate::conformal::{DomainBuffers, PreparedDomain};
+use crate::conformal::{FlatBuffers, PreparedDomain, PreparedSurface};
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::worker::{Finding, Request, Response, Study};
-use js_sys::{Array, Float64Array, Object, Reflect, Uint32Array};
+use crate::worker::{Finding, Request, Response, Study, SurfaceSource, Task};
+use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::sync::Arc;
 use wasm_bindgen::{JsCast, JsValue};
 
 /// What a worker is sent.
 pub fn encode_request(request: &Request) -> JsValue {
-    let flat: Vec<f64> = request.polygon.vertices().iter().flat_map(DVec2::to_array).collect();
-    let settings = serde_json::to_string(&request.settings).unwrap_or_default();
-    object(&[
-        ("generation", request.generation.to_string().into()),
-        ("points", Float64Array::from(flat.as_slice()).into()),
-        ("settings", settings.into()),
-    ])
+    let number = ("generation", JsValue::from(request.generation.to_string()));
+    match &request.task {
+        Task::Domain { polygon, settings } => {
+            let flat: Vec<f64> = polygon.vertices().iter().flat_map(DVec2::to_array).collect();
+            object(&[number, ("points", Float64Array::from(flat.as_slice()).into()), ("settings", json(settings))])
+        }
+        Task::Surface { source, repair, settings } => {
+            let common = [number, ("settings", json(settings)), ("repair", (*repair).into())];
+            let shape = match source {
+                SurfaceSource::Preset { preset, boundary } => vec![("preset", json(&(preset, boundary)))],
+                SurfaceSource::File { name, bytes } => {
+                    vec![("name", name.into()), ("bytes", Uint8Array::from(bytes.as_slice()).into())]
+                }
+            };
+            object(&[&common[..], &shape].concat())
+        }
+    }
 }
 
 /// What it reads; `None` if it is not what [`encode_request`] makes.
 pub fn decode_request(message: &JsValue) -> Option<Request> {
-    let flat = Float64Array::from(get(message, "points")?).to_vec();
-    let points: Vec<DVec2> = flat.chunks_exact(2).map(DVec2::from_slice).collect();
-    Some(Request {
-        generation: generation_of(message)?,
-        polygon: SimplePolygon::try_from(points).ok()?,
-        settings: serde_json::from_str(&get(message, "settings")?.as_string()?).ok()?,
-    })
+    let task = if let Some(points) = get(message, "points") {
+        let flat = Float64Array::from(points).to_vec();
+        let points: Vec<DVec2> = flat.chunks_exact(2).map(DVec2::from_slice).collect();
+        Task::Domain { polygon: SimplePolygon::try_from(points).ok()?, settings: parsed(message, "settings")? }
+    } else {
+        let repair = get(message, "repair")?.as_bool()?;
+        Task::Surface { source: decode_source(message)?, repair, settings: parsed(message, "settings")? }
+    };
+    Some(Request { generation: generation_of(message)?, task })
+}
+
+fn decode_source(message: &JsValue) -> Option<SurfaceSource> {
+    if let Some((preset, boundary)) = parsed(message, "preset") {
+        return Some(SurfaceSource::Preset { preset, boundary });
+    }
+    let bytes = Uint8Array::from(get(message, "bytes")?).to_vec();
+    Some(SurfaceSource::File { name: get(message, "name")?.as_string()?, bytes: Arc::new(bytes) })
 }
 
 /// What a worker answers, and the buffers that go over with it.
@@ -38,49 +61,66 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
     let transfer = Array::new();
     let number = ("generation", JsValue::from(generation.to_string()));
     let message = match response {
-        Response::Progress(stage) => {
-            object(&[number, ("stage", serde_json::to_string(&stage).unwrap_or_default().into())])
-        }
-        Response::Failed(reason) => object(&[number, ("failed", reason.into())]),
-        Response::Prepared(domain) => {
+        Response::Progress(stage) => object(&[number, ("stage", json(&stage))]),
+        Response::Failed(failure) => object(&[number, ("failed", json(&failure))]),
+        Response::Domain(domain) => {
             let buffers = domain.to_buffers();
-            let floats = Array::new();
-            for values in &buffers.floats {
-                let array = Float64Array::from(values.as_slice());
-                transfer.push(&array.buffer());
-                floats.push(&array);
-            }
-            let indices = Array::new();
-            for values in &buffers.indices {
-                let array = Uint32Array::from(values.as_slice());
-                transfer.push(&array.buffer());
-                indices.push(&array);
-            }
-            object(&[number, ("floats", floats.into()), ("indices", indices.into())])
+            drop(domain);
+            object(&[&[number], &encode_buffers(buffers, &transfer)[..]].concat())
+        }
+        Response::Surface(surface, notes) => {
+            let buffers = surface.to_buffers();
+            drop(surface);
+            object(&[&[number, ("notes", json(&notes))], &encode_buffers(buffers, &transfer)[..]].concat())
         }
     };
     (message, transfer)
 }
 
+/// Each array is freed as soon as it is copied: a large surface is there once and a half, not twice.
+fn encode_buffers(buffers: FlatBuffers, transfer: &Array) -> [(&'static str, JsValue); 3] {
+    let (floats, indices) = (Array::new(), Array::new());
+    for values in buffers.floats {
+        let array = Float64Array::from(values.as_slice());
+        transfer.push(&array.buffer());
+        floats.push(&array);
+    }
+    for values in buffers.indices {
+        let array = Uint32Array::from(values.as_slice());
+        transfer.push(&array.buffer());
+        indices.push(&array);
+    }
+    [("floats", floats.into()), ("indices", indices.into()), ("text", buffers.text.into())]
+}
+
+fn decode_buffers(message: &JsValue) -> Option<FlatBuffers> {
+    let floats = get(message, "floats")?.dyn_into::<Array>().ok()?;
+    let indices = get(message, "indices")?.dyn_into::<Array>().ok()?;
+    Some(FlatBuffers {
+        floats: floats.iter().map(|array| Float64Array::from(array).to_vec()).collect(),
+        indices: indices.iter().map(|array| Uint32Array::from(array).to_vec()).collect(),
+        text: get(message, "text")?.as_string()?,
+    })
+}
+
 /// What the laboratory's worker is sent.
 pub fn encode_study(study: Study) -> JsValue {
-    object(&[("study", serde_json::to_string(&study).unwrap_or_default().into())])
+    object(&[("study", json(&study))])
 }
 
 /// What it reads; `None` if it is not what [`encode_study`] makes.
 pub fn decode_study(message: &JsValue) -> Option<Study> {
-    serde_json::from_str(&get(message, "study")?.as_string()?).ok()
+    parsed(message, "study")
 }
 
 /// What it answers.
 pub fn encode_finding(study: Study, finding: &Finding) -> JsValue {
-    let finding = serde_json::to_string(finding).unwrap_or_default();
-    object(&[("study", serde_json::to_string(&study).unwrap_or_default().into()), ("finding", finding.into())])
+    object(&[("study", json(&study)), ("finding", json(finding))])
 }
 
 /// What the page reads; `None` if it is not what [`encode_finding`] makes.
 pub fn decode_finding(message: &JsValue) -> Option<(Study, Finding)> {
-    Some((decode_study(message)?, serde_json::from_str(&get(message, "finding")?.as_string()?).ok()?))
+    Some((decode_study(message)?, parsed(message, "finding")?))
 }
 
 /// What a worker says when it panics.
@@ -96,19 +136,16 @@ pub fn decode_death(message: &JsValue) -> Option<String> {
 /// What the page reads; `None` if it is not what [`encode_response`] makes.
 pub fn decode_response(message: &JsValue) -> Option<(u64, Response)> {
     let generation = generation_of(message)?;
-    if let Some(stage) = get(message, "stage") {
-        return Some((generation, Response::Progress(serde_json::from_str(&stage.as_string()?).ok()?)));
-    }
-    if let Some(reason) = get(message, "failed") {
-        return Some((generation, Response::Failed(reason.as_string()?)));
-    }
-    let floats = get(message, "floats")?.dyn_into::<Array>().ok()?;
-    let indices = get(message, "indices")?.dyn_into::<Array>().ok()?;
-    let buffers = DomainBuffers {
-        floats: floats.iter().map(|array| Float64Array::from(array).to_vec()).collect(),
-        indices: indices.iter().map(|array| Uint32Array::from(array).to_vec()).collect(),
+    let response = if let Some(stage) = parsed(message, "stage") {
+        Response::Progress(stage)
+    } else if let Some(failure) = parsed(message, "failed") {
+        Response::Failed(failure)
+    } else if let Some(notes) = parsed(message, "notes") {
+        Response::Surface(Box::new(PreparedSurface::from_buffers(decode_buffers(message)?)?), notes)
+    } else {
+        Response::Domain(Box::new(PreparedDomain::from_buffers(decode_buffers(message)?)?))
     };
-    Some((generation, Response::Prepared(Box::new(PreparedDomain::from_buffers(buffers)?))))
+    Some((generation, response))
 }
 
 fn generation_of(message: &JsValue) -> Option<u64> {
@@ -117,6 +154,15 @@ fn generation_of(message: &JsValue) -> Option<u64> {
 
 fn get(message: &JsValue, key: &str) -> Option<JsValue> {
     Reflect::get(message, &key.into()).ok().filter(|value| !value.is_undefined())
+}
+
+/// Plain data: it always has a form as text.
+fn json(value: &impl Serialize) -> JsValue {
+    serde_json::to_string(value).unwrap_or_default().into()
+}
+
+fn parsed<T: DeserializeOwned>(message: &JsValue, key: &str) -> Option<T> {
+    serde_json::from_str(&get(message, key)?.as_string()?).ok()
 }
 
 fn object(fields: &[(&str, JsValue)]) -> JsValue {

@@ -1,0 +1,162 @@
+//! What is prepared as flat arrays, so that it crosses a worker boundary by transfer.
+//!
+//! Domains and surfaces are written part by part in one order and read in the same;
+//! a reader trusts nothing: `None` for what a writer does not make.
+
+use super::{HarmonicTable, PrepareTimings};
+use crate::laplace::{Factor, FactorBuffers, Pcg, PcgBuffers, Solver};
+use crate::mesh::{NO_TRIANGLE, TriMesh};
+use sprs::CsMatI;
+
+/// A [`super::PreparedDomain`] or a [`super::PreparedSurface`] as flat arrays.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FlatBuffers {
+    /// The floating-point arrays.
+    pub floats: Vec<Vec<f64>>,
+    /// The index arrays.
+    pub indices: Vec<Vec<u32>>,
+    /// What is small and has many forms, as JSON.
+    pub text: String,
+}
+
+/// The parts of the linear system, in the order of their arrays.
+pub(super) struct SystemParts {
+    pub coupling: CsMatI<f64, u32>,
+    pub solver: Solver,
+    pub table: Option<HarmonicTable>,
+}
+
+/// A point as its coordinates.
+pub(super) trait Coordinates<const D: usize>: Copy {
+    fn to_coordinates(self) -> [f64; D];
+    fn from_coordinates(coordinates: [f64; D]) -> Self;
+}
+
+impl Coordinates<2> for crate::geometry::DVec2 {
+    fn to_coordinates(self) -> [f64; 2] {
+        self.to_array()
+    }
+
+    fn from_coordinates(coordinates: [f64; 2]) -> Self {
+        Self::from_array(coordinates)
+    }
+}
+
+impl Coordinates<3> for crate::geometry::DVec3 {
+    fn to_coordinates(self) -> [f64; 3] {
+        self.to_array()
+    }
+
+    fn from_coordinates(coordinates: [f64; 3]) -> Self {
+        Self::from_array(coordinates)
+    }
+}
+
+impl FlatBuffers {
+    pub(super) fn put_mesh<const D: usize, P: Coordinates<D>>(&mut self, mesh: &TriMesh<P>) {
+        self.floats.push(mesh.vertices.iter().flat_map(|p| p.to_coordinates()).collect());
+        self.indices.push(vec![mesh.boundary_count]);
+        self.indices.push(mesh.triangles.as_flattened().to_vec());
+        self.indices.push(mesh.neighbours.as_flattened().to_vec());
+    }
+
+    pub(super) fn put_system(&mut self, coupling: &CsMatI<f64, u32>, solver: &Solver, table: Option<&HarmonicTable>) {
+        let flags = [matches!(solver, Solver::Direct(_)), table.is_some()].map(u32::from);
+        self.indices.extend([flags.to_vec(), coupling.proper_indptr().into_owned(), coupling.indices().to_vec()]);
+        self.floats.push(coupling.data().to_vec());
+        match solver {
+            Solver::Direct(factor) => {
+                let FactorBuffers { forward, chunks, rows, values } = factor.to_buffers();
+                self.indices.extend([forward, chunks, rows]);
+                self.floats.push(values);
+            }
+            Solver::Pcg { pcg, .. } => {
+                let PcgBuffers { starts, columns, matrix, factor } = pcg.to_buffers();
+                self.indices.extend([starts, columns]);
+                self.floats.extend([matrix, factor]);
+            }
+        }
+        self.floats.extend(table.map(|table| table.values().to_vec()));
+    }
+
+    pub(super) fn put_timings(&mut self, timings: &PrepareTimings) {
+        let PrepareTimings { sample, mesh, assemble, order, factor, table } = *timings;
+        self.floats.push(vec![sample, mesh, assemble, order, factor, table]);
+    }
+}
+
+/// Takes [`FlatBuffers`] apart, array after array.
+pub(super) struct FlatReader {
+    floats: std::vec::IntoIter<Vec<f64>>,
+    indices: std::vec::IntoIter<Vec<u32>>,
+}
+
+impl FlatReader {
+    pub fn new(buffers: FlatBuffers) -> Self {
+        Self { floats: buffers.floats.into_iter(), indices: buffers.indices.into_iter() }
+    }
+
+    pub fn floats(&mut self) -> Option<Vec<f64>> {
+        self.floats.next()
+    }
+
+    pub fn indices(&mut self) -> Option<Vec<u32>> {
+        self.indices.next()
+    }
+
+    /// A mesh whose indices all name something.
+    pub fn mesh<const D: usize, P: Coordinates<D>>(&mut self) -> Option<TriMesh<P>> {
+        let (vertices, counts, triangles, neighbours) =
+            (self.floats()?, self.indices()?, self.indices()?, self.indices()?);
+        let (places, odd) = vertices.as_chunks::<D>();
+        let (triangles, more) = triangles.as_chunks::<3>();
+        let (neighbours, rest) = neighbours.as_chunks::<3>();
+        let (&[boundary_count], count) = (counts.as_slice(), places.len()) else { return None };
+        let sound = odd.is_empty()
+            && more.is_empty()
+            && rest.is_empty()
+            && (3..=count).contains(&(boundary_count as usize))
+            && triangles.len() == neighbours.len()
+            && triangles.as_flattened().iter().all(|&v| (v as usize) < count)
+            && neighbours.as_flattened().iter().all(|&t| t == NO_TRIANGLE || (t as usize) < triangles.len());
+        sound.then(|| TriMesh {
+            vertices: places.iter().map(|&p| P::from_coordinates(p)).collect(),
+            boundary_count,
+            triangles: triangles.to_vec(),
+            neighbours: neighbours.to_vec(),
+        })
+    }
+
+    /// The system of n unknowns and m boundary vertices.
+    pub fn system(&mut self, n: usize, m: usize) -> Option<SystemParts> {
+        let flags = self.indices()?;
+        let &[direct, has_table] = flags.as_slice() else { return None };
+        let coupling = CsMatI::try_new_csc((n, m), self.indices()?, self.indices()?, self.floats()?).ok()?;
+        let solver = if direct != 0 {
+            let (forward, chunks, rows) = (self.indices()?, self.indices()?, self.indices()?);
+            Solver::Direct(Factor::from_buffers(FactorBuffers { forward, chunks, rows, values: self.floats()? })?)
+        } else {
+            let (starts, columns) = (self.indices()?, self.indices()?);
+            let (matrix, factor) = (self.floats()?, self.floats()?);
+            Solver::from(Pcg::from_buffers(PcgBuffers { starts, columns, matrix, factor })?)
+        };
+        let table = if has_table != 0 { Some(HarmonicTable::from_values(self.floats()?, n, m)?) } else { None };
+        (solver.len() == n).then_some(SystemParts { coupling, solver, table })
+    }
+
+    pub fn timings(&mut self) -> Option<PrepareTimings> {
+        let values = self.floats()?;
+        let &[sample, mesh, assemble, order, factor, table] = values.as_slice() else { return None };
+        Some(PrepareTimings { sample, mesh, assemble, order, factor, table })
+    }
+
+    /// Whether nothing is left.
+    pub fn is_at_end(&mut self) -> bool {
+        self.floats.next().is_none() && self.indices.next().is_none()
+    }
+}
+
+/// The lengths of m boundary edges, and the fractions of the vertices, ascending from 0.
+pub(super) fn sound_boundary(edge_lengths: &[f64], fractions: &[f64], m: usize) -> bool {
+    edge_lengths.len() == m && fractions.len() == m && fractions.windows(2).all(|pair| pair[0] < pair[1])
+}
