@@ -4,6 +4,7 @@ use super::reports::Report;
 use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
 use crate::session::Command;
+use crate::worker::Subject;
 
 /// A wish of the person at the screen. All of them go through one queue and are carried out in one place.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,10 +17,10 @@ pub enum Action {
     OpenImage,
     /// Show all of a side's outline.
     Fit(Side),
-    /// Do what a side's message offers.
-    Remedy(Side),
-    /// Close a side's message.
-    Dismiss(Side),
+    /// Do what the message about a subject offers.
+    Remedy(Subject),
+    /// Close the message about a subject.
+    Dismiss(Subject),
     /// Show a window of measurements, and begin them.
     OpenReport(Report),
     /// Close the message about the image.

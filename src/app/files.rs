@@ -1,9 +1,9 @@
-//! Files that came in: which are outlines, which are images, and what is wrong with the others.
+//! Files that came in: which are outlines, which are images or surfaces, and what is wrong with the others.
 
 use super::trouble::{Remedy, Trouble};
 use crate::conformal::Side;
 use crate::outline::{Outline, parse, parse_repaired};
-use crate::platform::FilePurpose;
+use crate::platform::{FilePurpose, IMAGE_ENDINGS, SURFACE_ENDINGS};
 
 /// A decoded image.
 pub struct Picture {
@@ -19,6 +19,13 @@ pub enum Content {
     Outline(Side, Outline),
     /// A texture.
     Image(Picture),
+    /// A surface, not yet read: that is work for its worker.
+    Surface {
+        /// The file's name.
+        name: String,
+        /// Its content.
+        bytes: Vec<u8>,
+    },
 }
 
 /// Why a file cannot be used, and beside what to say so.
@@ -30,7 +37,7 @@ pub enum FileError {
     Image(String),
 }
 
-/// Reads a file for its purpose; a dropped one is told by its name.
+/// Reads a file for its purpose; a dropped one is told by its name, and a surface always is.
 pub fn read(
     purpose: FilePurpose,
     name: &str,
@@ -51,6 +58,9 @@ pub fn read(
         let pixels = decode(&bytes, max_image_side).map_err(failed)?;
         return Ok(Content::Image(Picture { name: name.to_owned(), pixels }));
     }
+    if has_ending(name, &SURFACE_ENDINGS) {
+        return Ok(Content::Surface { name: name.to_owned(), bytes });
+    }
     match parse(name, &bytes) {
         Ok(outline) => Ok(Content::Outline(side, outline)),
         Err(error) => {
@@ -61,8 +71,12 @@ pub fn read(
 }
 
 fn is_image_name(name: &str) -> bool {
+    has_ending(name, &IMAGE_ENDINGS)
+}
+
+fn has_ending(name: &str, endings: &[&str]) -> bool {
     let ending = name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
-    ["png", "jpg", "jpeg"].contains(&ending.as_str())
+    endings.contains(&ending.as_str())
 }
 
 /// Decodes a PNG or JPEG, halved until the device can hold it.
@@ -95,6 +109,14 @@ mod tests {
         let content = read(FilePurpose::Dropped(Side::Target), "a.PNG", Ok(png(3, 2)), 4096);
         let Ok(Content::Image(picture)) = content else { panic!("not an image") };
         assert_eq!(picture.pixels.dimensions(), (3, 2));
+    }
+
+    #[test]
+    fn a_surface_is_told_by_its_name_wherever_it_is_opened() {
+        for purpose in [FilePurpose::Dropped(Side::Source), FilePurpose::Outline(Side::Target)] {
+            let content = read(purpose, "Cow.OBJ", Ok(b"v 0 0 0".to_vec()), 32);
+            assert!(matches!(content, Ok(Content::Surface { name, .. }) if name == "Cow.OBJ"));
+        }
     }
 
     #[test]

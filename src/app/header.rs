@@ -5,16 +5,27 @@ use super::model::Model;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use super::trouble::Remedy;
 use super::view::View;
-use super::widgets::{self, MessageAnswer, grouped, message_box, milliseconds};
+use super::widgets::{self, MessageAnswer, message_box};
 use super::{shapes, teaching, theme, words};
 use crate::conformal::Side;
 use crate::session::Command;
+use crate::worker::Subject;
 use egui::{Align, CornerRadius, Label, Layout, Rect, RichText, Shape, Ui, UiBuilder, vec2};
 
 /// What folds the panels.
 pub const PANELS_TOOLTIP: &str = "Fold the panels away, or bring them back (Tab)";
+/// What keeps a surface and an outline from being exchanged.
+const SWAP_REFUSED: &str = "A surface is always the target: it is mapped to the outline on the left";
+
 /// What the dialog takes.
-pub const OPEN_TOOLTIP: &str = "An outline from a file: JSON, GeoJSON, SVG, CSV or text with one point per line";
+pub fn open_tooltip(side: Side) -> &'static str {
+    match side {
+        Side::Source => "An outline from a file: JSON, GeoJSON, SVG, CSV or text with one point per line",
+        Side::Target => {
+            "An outline from a file (JSON, GeoJSON, SVG, CSV, text), or a surface (OBJ, PLY, STL, OFF, glTF, GLB)"
+        }
+    }
+}
 
 /// What else is on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,26 +52,31 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, around: Surroun
 }
 
 fn title(ui: &mut Ui, side: Side, model: &Model) {
+    let line = |ui: &mut Ui, text: &str, explained: &str| {
+        let weak = Palette::of(ui.visuals()).weak;
+        ui.add(Label::new(RichText::new(text).small().color(weak)).truncate()).on_hover_text(explained);
+    };
     let palette = Palette::of(ui.visuals());
-    let name = words::outline(&model.session().domain(side).outline);
-    let title = RichText::new(format!("{} · {name}", words::side(side))).font(theme::bold(14.0)).color(palette.text);
-    ui.add(Label::new(title).truncate());
-    let Some(domain) = model.domain(side) else { return };
-    let sizes = format!(
-        "m {} · n {} · prepared in {}",
-        grouped(domain.samples.len()),
-        grouped(domain.mesh.interior_count()),
-        milliseconds(domain.timings.total()),
-    );
-    ui.add(Label::new(RichText::new(sizes).small().color(palette.weak)).truncate()).on_hover_text(format!(
-        "{}\n\n{}",
-        words::SIZE_TOOLTIP,
-        words::timings(&domain.timings)
-    ));
-    let notes = model.side(side).notes.iter().map(ToString::to_string);
-    let wanted = model.session().domain(side).settings.solver;
-    for note in notes.chain(words::cautions(domain, wanted).map(String::from)) {
-        ui.add(Label::new(RichText::new(&note).small().color(palette.weak)).truncate()).on_hover_text(&note);
+    let surface = model.surface().filter(|_| side == Side::Target);
+    let name = match surface {
+        Some((_, state)) => format!("Surface · {}", words::surface(&state.spec.shape)),
+        None => format!("{} · {}", words::side(side), words::outline(&model.session().domain(side).outline)),
+    };
+    ui.add(Label::new(RichText::new(name).font(theme::bold(14.0)).color(palette.text)).truncate());
+    let notes: Vec<String> = if let Some((surface, _)) = surface {
+        let Some(surface) = surface.surface() else { return };
+        line(ui, &words::surface_sizes(surface), &words::surface_details(surface));
+        model.surface_notes()
+    } else {
+        let Some(domain) = model.domain(side) else { return };
+        let explained = format!("{}\n\n{}", words::SIZE_TOOLTIP, words::timings(&domain.timings));
+        line(ui, &words::domain_sizes(domain), &explained);
+        let wanted = model.session().domain(side).settings.solver;
+        let cautions = words::cautions(domain, wanted).map(String::from);
+        model.side(side).notes.iter().map(ToString::to_string).chain(cautions).collect()
+    };
+    for note in &notes {
+        line(ui, note, note);
     }
 }
 
@@ -72,34 +88,39 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, view: &View, around: Surround
         actions.push(Action::TogglePanels);
     }
     let fit = ui.add_enabled(!view.is_fitted(), egui::Button::new("Fit"));
-    if fit.on_hover_text("Show the whole outline (double-click)").clicked() {
+    if fit.on_hover_text("Show all of it (double-click)").clicked() {
         actions.push(Action::Fit(side));
     }
     if !around.narrow {
-        if ui.button("Open…").on_hover_text(OPEN_TOOLTIP).clicked() {
+        if ui.button("Open…").on_hover_text(open_tooltip(side)).clicked() {
             actions.push(Action::OpenOutline(side));
         }
-        shapes::menu_button(ui, "Shapes", side, &model.side(side).wanted().outline, actions);
+        shapes::menu_button(ui, "Shapes", side, model, actions);
     }
     if side == Side::Target {
-        let idle = model.is_ready();
-        let swap = ui.add_enabled(idle, egui::Button::new("Swap"));
-        if swap.on_hover_text("Exchange source and target").clicked() {
+        let planar = model.surface().is_none();
+        let swap = ui.add_enabled(planar && model.is_ready(), egui::Button::new("Swap"));
+        let swap = swap.on_hover_text("Exchange source and target");
+        if swap.on_disabled_hover_text(if planar { "While nothing is prepared" } else { SWAP_REFUSED }).clicked() {
             actions.push(Action::Session(Command::Swap));
         }
     }
 }
 
 fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
-    let trouble = model.side(side).error.as_ref();
-    let of_map = model.map_error().filter(|(at, _)| *at == side).map(|(_, text)| (text, None));
-    for (text, remedy) in
-        trouble.map(|trouble| (trouble.text.as_str(), trouble.remedy.as_ref())).into_iter().chain(of_map)
-    {
+    let of_domain = (Subject::Domain(side), model.side(side).error.as_ref());
+    let of_surface = (Subject::Surface, model.surface_side().preparation.error.as_ref());
+    let subjects = [Some(of_domain), (side == Side::Target).then_some(of_surface)];
+    let troubles = subjects.into_iter().flatten().filter_map(|(subject, trouble)| {
+        let trouble = trouble?;
+        Some((subject, trouble.text.as_str(), trouble.remedy.as_ref()))
+    });
+    let of_map = model.map_error().filter(|(at, _)| *at == side).map(|(_, text)| (Subject::Domain(side), text, None));
+    for (subject, text, remedy) in troubles.chain(of_map) {
         ui.add_space(4.0);
         match message_box(ui, text, remedy.map(Remedy::label)) {
-            Some(MessageAnswer::Dismiss) => actions.push(Action::Dismiss(side)),
-            Some(MessageAnswer::Remedy) => actions.push(Action::Remedy(side)),
+            Some(MessageAnswer::Dismiss) => actions.push(Action::Dismiss(subject)),
+            Some(MessageAnswer::Remedy) => actions.push(Action::Remedy(subject)),
             None => {}
         }
     }

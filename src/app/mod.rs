@@ -26,6 +26,7 @@ mod shapes;
 mod side_panel;
 mod stats;
 mod status;
+mod surface;
 mod teaching;
 mod textured;
 mod theme;
@@ -75,8 +76,8 @@ impl Groundwork {
     pub fn start(session: Session) -> Self {
         let (mailbox, events) = Mailbox::new();
         let (mut model, mut preparer) = (Model::new(session), Preparer::new(mailbox.clone()));
-        for (side, request) in model.take_requests(0.0) {
-            preparer.request(side, request);
+        for (subject, request) in model.take_requests(0.0) {
+            preparer.request(subject, request);
         }
         Self { model, preparer, mailbox, events }
     }
@@ -179,20 +180,22 @@ impl RiemapApp {
 
     fn errors(&self) -> Vec<String> {
         let sides = Side::BOTH.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
+        let surface = self.model.surface_side().preparation.error.iter().map(|trouble| trouble.text.clone());
         let map = self.model.map_error().map(|(_, text)| text.to_owned());
-        sides.chain(map).chain(self.image_error.clone()).collect()
+        sides.chain(surface).chain(map).chain(self.image_error.clone()).collect()
     }
 
     fn notes(&self) -> Vec<String> {
-        Side::BOTH.into_iter().flat_map(|side| &self.model.side(side).notes).map(ToString::to_string).collect()
+        let outlines = Side::BOTH.into_iter().flat_map(|side| &self.model.side(side).notes).map(ToString::to_string);
+        outlines.chain(self.model.surface_notes()).collect()
     }
 
     /// What happened since the last frame.
     fn take_events(&mut self) {
         while let Ok(event) = self.events.try_recv() {
             match event {
-                Event::Worker { side, generation, response } => self.model.accept(side, generation, response),
-                Event::WorkerDied { side, reason } => self.model.side_mut(side).worker_died(&reason),
+                Event::Worker { subject, generation, response } => self.model.accept(subject, generation, response),
+                Event::WorkerDied { subject, reason } => self.model.worker_died(subject, &reason),
                 Event::Found { study, finding } => self.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
             }
@@ -204,6 +207,7 @@ impl RiemapApp {
         match files::read(purpose, name, bytes, limit) {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
             Ok(Content::Image(picture)) => self.use_image(&picture),
+            Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(name, bytes),
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
             Err(FileError::Image(message)) => self.image_error = Some(message),
         }
@@ -242,8 +246,8 @@ impl RiemapApp {
                 Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
                 Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
                 Action::Fit(side) => self.views[side as usize].fit(),
-                Action::Remedy(side) => self.model.remedy(side),
-                Action::Dismiss(side) => self.model.dismiss(side),
+                Action::Remedy(subject) => self.model.remedy(subject),
+                Action::Dismiss(subject) => self.model.dismiss(subject),
                 Action::OpenReport(report) => self.reports.open(report),
                 Action::DismissImageError => self.image_error = None,
                 Action::Walks(action) => self.model.act_on_walks(action),
@@ -256,8 +260,8 @@ impl RiemapApp {
     /// Sends what is due to the workers, updates the map, uploads.
     fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
-        for (side, request) in self.model.take_requests(now) {
-            self.preparer.request(side, request);
+        for (subject, request) in self.model.take_requests(now) {
+            self.preparer.request(subject, request);
         }
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);

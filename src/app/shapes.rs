@@ -1,17 +1,19 @@
-//! The menu of built-in outlines, each with its picture, and the way to a file.
+//! The menu of built-in outlines and surfaces, each with its picture, and the way to a file.
 
 use super::action::{Action, Actions};
-use super::model::bounds;
+use super::model::{Model, bounds};
+use super::surface::surface_picture;
 use super::theme::{Palette, ROUNDING};
 use super::widgets::chevron;
 use super::words;
 use crate::conformal::Side;
 use crate::outline::Preset;
-use crate::session::{Command, OutlineSpec};
+use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec};
+use crate::surface::SurfacePreset;
 use egui::containers::menu::MenuButton;
 use egui::{
-    Align2, Color32, CornerRadius, Id, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextStyle, Ui, WidgetInfo,
-    vec2,
+    Align2, Color32, CornerRadius, Id, Pos2, Rect, Response, RichText, Role, Sense, Shape, Stroke, TextStyle, Ui,
+    WidgetInfo, vec2,
 };
 use std::sync::Arc;
 
@@ -20,44 +22,95 @@ const COLUMNS: usize = 4;
 /// Points of a picture: its 50 points across need no more.
 const PICTURE_POINTS: usize = 160;
 
-/// A button that opens the menu of a side's outlines.
-pub fn menu_button(ui: &mut Ui, label: &str, side: Side, current: &OutlineSpec, actions: &mut Actions) {
+/// A button that opens the menu of a side's shapes.
+pub fn menu_button(ui: &mut Ui, label: &str, side: Side, model: &Model, actions: &mut Actions) {
     // The spaces make room for the chevron.
     let button = egui::Button::new(format!("{label}     "));
-    let (response, _) = MenuButton::from_button(button).ui(ui, |ui| menu(ui, side, current, actions));
+    let (response, _) = MenuButton::from_button(button).ui(ui, |ui| menu(ui, side, model, actions));
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
     chevron(ui, response.rect, false);
 }
 
-fn menu(ui: &mut Ui, side: Side, current: &OutlineSpec, actions: &mut Actions) {
+/// What the cells stand for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    Outline(Preset),
+    Surface(SurfacePreset),
+}
+
+impl Shown {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Outline(preset) => words::preset(preset),
+            Self::Surface(preset) => words::surface_preset(preset),
+        }
+    }
+
+    fn command(self, side: Side) -> Command {
+        match self {
+            Self::Outline(preset) => Command::SetOutline { side, outline: OutlineSpec::Preset(preset) },
+            Self::Surface(preset) => {
+                Command::SetSurface(SurfaceSpec { shape: SurfaceShape::preset(preset), ..SurfaceSpec::default() })
+            }
+        }
+    }
+
+    /// What is on the screen, or on its way there.
+    fn current(side: Side, model: &Model) -> Option<Self> {
+        let surface = model.surface_side().preparation.wanted().filter(|_| side == Side::Target && is_solid(model));
+        match (surface, &model.side(side).wanted().outline) {
+            (Some(spec), _) => match &spec.shape {
+                SurfaceShape::Preset { preset, .. } => Some(Self::Surface(*preset)),
+                SurfaceShape::File { .. } => None,
+            },
+            (None, OutlineSpec::Preset(preset)) => Some(Self::Outline(*preset)),
+            (None, OutlineSpec::Points { .. }) => None,
+        }
+    }
+}
+
+fn is_solid(model: &Model) -> bool {
+    model.surface().is_some() || model.surface_side().preparation.is_busy()
+}
+
+fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let columns = if ui.ctx().content_rect().width() < super::PHONE_WIDTH { 3 } else { COLUMNS };
+    let current = Shown::current(side, model);
     ui.set_width(columns as f32 * (CELL.x + 4.0));
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
     egui::ScrollArea::vertical().max_height(0.7 * ui.ctx().content_rect().height()).show(ui, |ui| {
-        for row in Preset::ALL.chunks(columns) {
-            ui.horizontal(|ui| {
-                for &preset in row {
-                    let selected = *current == OutlineSpec::Preset(preset);
-                    if cell(ui, preset, selected).clicked() {
-                        let outline = OutlineSpec::Preset(preset);
-                        actions.push(Action::Session(Command::SetOutline { side, outline }));
-                        ui.close();
-                    }
-                }
-            });
+        cells(ui, &Preset::ALL.map(Shown::Outline), columns, side, current, actions);
+        if side == Side::Target {
+            ui.separator();
+            let palette = Palette::of(ui.visuals());
+            ui.label(RichText::new("Surfaces, mapped to the source").small().color(palette.weak));
+            cells(ui, &SurfacePreset::ALL.map(Shown::Surface), columns, side, current, actions);
         }
     });
     ui.separator();
-    if ui.button("Open a file…").on_hover_text(super::header::OPEN_TOOLTIP).clicked() {
+    if ui.button("Open a file…").on_hover_text(super::header::open_tooltip(side)).clicked() {
         actions.push(Action::OpenOutline(side));
         ui.close();
     }
 }
 
-fn cell(ui: &mut Ui, preset: Preset, selected: bool) -> Response {
+fn cells(ui: &mut Ui, all: &[Shown], columns: usize, side: Side, current: Option<Shown>, actions: &mut Actions) {
+    for row in all.chunks(columns) {
+        ui.horizontal(|ui| {
+            for &shown in row {
+                if cell(ui, shown, current == Some(shown)).clicked() {
+                    actions.push(Action::Session(shown.command(side)));
+                    ui.close();
+                }
+            }
+        });
+    }
+}
+
+fn cell(ui: &mut Ui, shown: Shown, selected: bool) -> Response {
     let palette = Palette::of(ui.visuals());
     let (rect, response) = ui.allocate_exact_size(CELL, Sense::click());
-    let name = words::preset(preset);
+    let name = shown.name();
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, selected, name));
     let (fill, ink) = match (selected, response.hovered() || response.has_focus()) {
         (true, _) => (palette.accent, palette.on_accent),
@@ -66,8 +119,13 @@ fn cell(ui: &mut Ui, preset: Preset, selected: bool) -> Response {
     };
     ui.painter().rect_filled(rect, CornerRadius::same(ROUNDING), fill);
     let frame = Rect::from_center_size(rect.center_top() + vec2(0.0, 34.0), vec2(50.0, 50.0));
-    let points = picture(ui.ctx(), preset).iter().map(|p| frame.center() + 25.0 * p.to_vec2()).collect();
-    ui.painter().add(Shape::closed_line(points, Stroke::new(1.5, ink)));
+    match shown {
+        Shown::Outline(preset) => {
+            let points = picture(ui.ctx(), preset).iter().map(|p| frame.center() + 25.0 * p.to_vec2()).collect();
+            ui.painter().add(Shape::closed_line(points, Stroke::new(1.5, ink)));
+        }
+        Shown::Surface(preset) => surface_picture(ui, preset, frame, [palette.raised, ink]),
+    }
     let weak = if selected { palette.on_accent } else { palette.weak };
     let caption = rect.center_bottom() - vec2(0.0, 11.0);
     ui.painter().text(caption, Align2::CENTER_CENTER, name, TextStyle::Small.resolve(ui.style()), weak);

@@ -23,7 +23,8 @@ pub enum Moved<'a> {
 
 /// The side where the pattern lives; `None`: in the disk.
 pub fn home(session: &Session) -> Option<Side> {
-    (session.texture != TextureKind::Conformal).then_some(session.texture_side)
+    let side = if session.surface.is_some() { Side::Source } else { session.texture_side };
+    (session.texture != TextureKind::Conformal).then_some(side)
 }
 
 /// What a side shows, as soon as there is something.

@@ -20,7 +20,7 @@ pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
             .on_hover_text("The conformal map between two outlines, by matching harmonic measure");
         ui.add_space(if narrow { 2.0 } else { 10.0 });
         for side in Side::BOTH {
-            shapes::menu_button(ui, words::side(side), side, &model.side(side).wanted().outline, actions);
+            shapes::menu_button(ui, words::side(side), side, model, actions);
         }
         if !narrow && ui.button("Image…").on_hover_text("A PNG or JPEG as the texture").clicked() {
             actions.push(Action::OpenImage);

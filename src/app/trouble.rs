@@ -9,6 +9,8 @@ pub enum Remedy {
     Retry,
     /// Take the outline as the reader repaired it.
     Repaired(Box<Outline>),
+    /// Make the repairs of the surface that are safe.
+    RepairSurface,
 }
 
 impl Remedy {
@@ -17,6 +19,7 @@ impl Remedy {
         match self {
             Self::Retry => "Try again",
             Self::Repaired(_) => "Use it repaired",
+            Self::RepairSurface => "Repair it",
         }
     }
 }

@@ -2,10 +2,13 @@
 //! patterns, and the field's own terms, each explained once.
 
 use super::stats::Processor;
-use crate::conformal::{PrepareTimings, PreparedDomain, Side, Stage};
+use super::widgets::{grouped, milliseconds};
+use crate::conformal::{PrepareTimings, PreparedDomain, PreparedSurface, Side, Stage};
 use crate::laplace::SolverKind;
+use crate::mesh::FlipReport;
 use crate::outline::Preset;
-use crate::session::OutlineSpec;
+use crate::session::{OutlineSpec, SurfaceShape};
+use crate::surface::SurfacePreset;
 use std::borrow::Cow;
 
 /// How far a preparation is when `stage` begins (from 0 to 1), and what is being done.
@@ -67,6 +70,61 @@ pub fn outline(outline: &OutlineSpec) -> &str {
         OutlineSpec::Preset(shape) => preset(*shape),
         OutlineSpec::Points { name, .. } => name,
     }
+}
+
+/// A built-in surface's name in a menu.
+pub fn surface_preset(preset: SurfacePreset) -> &'static str {
+    match preset {
+        SurfacePreset::Hemisphere => "Hemisphere",
+        SurfacePreset::Paraboloid => "Paraboloid",
+        SurfacePreset::Saddle => "Saddle",
+        SurfacePreset::BentStrip => "Bent strip",
+        SurfacePreset::HalfTorus => "Half torus",
+        SurfacePreset::HeightField => "Face-like",
+        SurfacePreset::AnimalHead => "Animal head",
+    }
+}
+
+/// The name of a surface in a title.
+pub fn surface(shape: &SurfaceShape) -> &str {
+    match shape {
+        SurfaceShape::Preset { preset, .. } => surface_preset(*preset),
+        SurfaceShape::File { name } => name,
+    }
+}
+
+/// How large a domain is, and how long that took.
+pub fn domain_sizes(domain: &PreparedDomain) -> String {
+    format!(
+        "m {} · n {} · prepared in {}",
+        grouped(domain.samples.len()),
+        grouped(domain.mesh.interior_count()),
+        milliseconds(domain.timings.total()),
+    )
+}
+
+/// How large a surface is, and how long that took.
+pub fn surface_sizes(surface: &PreparedSurface) -> String {
+    let mesh = &surface.surface.mesh;
+    format!(
+        "m {} · n {} · {} triangles · prepared in {}",
+        grouped(mesh.boundary_count as usize),
+        grouped(mesh.interior_count()),
+        grouped(mesh.triangles.len()),
+        milliseconds(surface.timings.total()),
+    )
+}
+
+/// What the intrinsic Delaunay flips have done to a surface, and how long the stages took.
+pub fn surface_details(surface: &PreparedSurface) -> String {
+    let FlipReport { flips, negative_before, negative_after } = surface.flips;
+    format!(
+        "m: boundary vertices. n: interior vertices.\n\nIntrinsic Delaunay: {} edges flipped, negative weights {} → {}\n\n{}",
+        grouped(flips),
+        grouped(negative_before),
+        grouped(negative_after),
+        timings(&surface.timings)
+    )
 }
 
 /// What should be known about a prepared domain that is not quite what was asked for.

@@ -109,7 +109,7 @@ impl Quality {
     }
 
     /// The figures of triangles that were measured before.
-    pub fn summary(triangles: &[TriangleDistortion]) -> Self {
+    pub fn summary<'a>(triangles: impl IntoIterator<Item = &'a TriangleDistortion>) -> Self {
         let (mut weighted, mut area_sum) = (0.0, 0.0);
         let mut quality = Self { q_mean: 1.0, q_max: 1.0, flipped: 0, collapsed: 0 };
         for triangle in triangles {

@@ -59,6 +59,6 @@ pub use map::{ConformalMap, FrameTimings, MapError};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
-pub use surface::{PreparedSurface, SurfaceSettings, prepare_surface, surface_kernel};
+pub use surface::{PreparedSurface, SurfaceSettings, prepare_surface, surface_disk_coordinates, surface_kernel};
 pub use surface_map::{SurfaceConstraints, SurfaceMap, SurfaceMapError};
 pub use table::{HarmonicTable, TableError};

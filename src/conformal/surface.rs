@@ -8,9 +8,9 @@ use super::domain::{solver_for, timed};
 use super::flat::SystemParts;
 use super::kernel::KernelScratch;
 use super::system::HarmonicSystem;
-use super::{HarmonicTable, KernelMode, Memory, PrepareError, PrepareTimings, Stage, unfold};
-use crate::geometry::DVec3;
-use crate::laplace::{DirichletLaplacian, NotConverged, RootPaths, Solver, SolverKind};
+use super::{HarmonicMeasure, HarmonicTable, KernelMode, Memory, PrepareError, PrepareTimings, Stage, unfold};
+use crate::geometry::{DVec2, DVec3};
+use crate::laplace::{DirichletLaplacian, Lanes, NotConverged, RootPaths, Solver, SolverKind};
 use crate::mesh::{BarycentricPoint, FlipReport, IntrinsicMesh, TriMesh};
 use crate::outline::BoundaryPoint;
 use crate::surface::{SurfaceMesh, farthest_from_boundary};
@@ -143,6 +143,13 @@ impl PreparedSurface {
         point.fraction_in(&self.fractions)
     }
 
+    /// The place of a point of the boundary loop in space.
+    pub fn boundary_position(&self, point: BoundaryPoint) -> DVec3 {
+        let (m, edge) = (self.surface.mesh.boundary_count, point.edge);
+        let [a, b] = [edge, (edge + 1) % m].map(|k| self.surface.mesh.vertices[k as usize]);
+        a.lerp(b, point.fraction)
+    }
+
     /// The place of a point in space.
     pub fn position(&self, point: BarycentricPoint) -> DVec3 {
         let corners = self.surface.mesh.triangles[point.triangle as usize];
@@ -162,4 +169,18 @@ pub fn surface_kernel(
     unfold::around(mesh, x, &mut scratch.stencil, &mut scratch.places);
     let corners = mesh.triangles[x.triangle as usize];
     surface.system().kernel([0, 1, 2].map(|i| (corners[i], x.weights[i])), scratch, psi)
+}
+
+/// As [`super::disk_coordinates`], at all vertices of a surface.
+pub fn surface_disk_coordinates(
+    surface: &PreparedSurface,
+    measure: &HarmonicMeasure,
+    values: &mut Vec<DVec2>,
+    scratch: &mut Vec<Lanes<2>>,
+) -> Result<(), NotConverged> {
+    let m = surface.surface.mesh.boundary_count as usize;
+    values.clear();
+    values.extend((0..m).map(|k| DVec2::from_angle(std::f64::consts::TAU * measure.at_vertex(k))));
+    values.resize(surface.surface.mesh.vertices.len(), DVec2::ZERO);
+    surface.system().extend(values, scratch)
 }

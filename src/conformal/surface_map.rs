@@ -202,6 +202,16 @@ impl SurfaceMap {
         &self.measure
     }
 
+    /// The harmonic measure of the parameter domain, from its anchor.
+    pub fn source_measure(&self) -> &HarmonicMeasure {
+        &self.source.measure
+    }
+
+    /// The Poisson kernel of the parameter domain's interior point, per boundary vertex.
+    pub fn source_kernel(&self) -> &[f64] {
+        &self.source.kernel
+    }
+
     /// Where the boundary vertices of the surface go.
     pub fn correspondence(&self) -> &BoundaryCorrespondence {
         &self.correspondence
@@ -216,9 +226,13 @@ impl SurfaceMap {
     pub fn distortions(&self) -> Vec<TriangleDistortion> {
         let mut all = Vec::new();
         surface_distortions(&self.surface.surface.mesh, &self.images, &mut all);
-        let mut origins = self.surface.surface.triangle_origins.iter();
-        all.retain(|_| origins.next() != Some(&ADDED));
-        all
+        self.given(&all).copied().collect()
+    }
+
+    /// Of a value for each triangle of the mesh, those of triangles that no repair has added.
+    pub fn given<'a, T>(&'a self, values: &'a [T]) -> impl Iterator<Item = &'a T> {
+        let origins = &self.surface.surface.triangle_origins;
+        values.iter().zip(origins).filter(|(_, origin)| **origin != ADDED).map(|(value, _)| value)
     }
 
     /// Angle distortion and flips of [`Self::distortions`]; shapes are those of the given triangles, not of the flipped ones.

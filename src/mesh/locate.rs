@@ -14,7 +14,7 @@ use super::tri_mesh::{NO_TRIANGLE, TriMesh};
 use crate::geometry::{DVec2, MAX_COORDINATE, on_segment, orientation};
 
 /// A point inside a triangle: weights are non-negative and sum to 1.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct BarycentricPoint {
     /// The triangle's index.
     pub triangle: u32,

@@ -101,12 +101,20 @@ impl Mailbox {
     }
 }
 
+/// The endings of images.
+pub const IMAGE_ENDINGS: [&str; 3] = ["png", "jpg", "jpeg"];
+/// The endings of outlines.
+const OUTLINE_ENDINGS: [&str; 7] = ["json", "geojson", "svg", "csv", "txt", "tsv", "xy"];
+/// The endings of surfaces.
+pub const SURFACE_ENDINGS: [&str; 6] = ["obj", "ply", "stl", "off", "gltf", "glb"];
+
 /// The endings that the dialogs offer.
-fn endings(purpose: FilePurpose) -> (&'static str, &'static [&'static str]) {
+fn endings(purpose: FilePurpose) -> (&'static str, Vec<&'static str>) {
     match purpose {
-        FilePurpose::Image => ("Images", &["png", "jpg", "jpeg"]),
-        FilePurpose::Outline(_) | FilePurpose::Dropped(_) => {
-            ("Outlines", &["json", "geojson", "svg", "csv", "txt", "tsv", "xy"])
+        FilePurpose::Image => ("Images", IMAGE_ENDINGS.to_vec()),
+        FilePurpose::Outline(Side::Source) => ("Outlines", OUTLINE_ENDINGS.to_vec()),
+        FilePurpose::Outline(Side::Target) | FilePurpose::Dropped(_) => {
+            ("Outlines and surfaces", [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS].concat())
         }
     }
 }

@@ -84,7 +84,7 @@ pub fn asks_for_bench() -> bool {
 /// Lets the person choose a file; its content is posted to `mailbox`.
 pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
     let (label, extensions) = endings(purpose);
-    let dialog = rfd::AsyncFileDialog::new().add_filter(label, extensions).pick_file();
+    let dialog = rfd::AsyncFileDialog::new().add_filter(label, &extensions).pick_file();
     thread::spawn(move || {
         if let Some(file) = pollster::block_on(dialog) {
             let bytes = std::fs::read(file.path()).map_err(|error| error.to_string());

@@ -3,9 +3,13 @@
 //! The UI emits [`Command`]s; [`Session::apply`] is the only door to a change.
 //! A session is small and plain: it is what links and files carry.
 
+mod surface;
+
+pub use surface::{SurfaceShape, SurfaceSpec, SurfaceState};
+
 use crate::conformal::{Constraints, Direction, Extension, MapSettings, PrepareSettings, Side};
 use crate::geometry::{DVec2, PolygonError, SimplePolygon};
-use crate::mesh::Sizing;
+use crate::mesh::{BarycentricPoint, Sizing};
 use crate::outline::{Preset, Sampling};
 
 /// Where a domain's outline comes from.
@@ -124,6 +128,9 @@ pub struct Session {
     /// What the map is compared with.
     #[serde(default)]
     pub comparison: Comparison,
+    /// The surface in the target's place; the target's outline waits behind it.
+    #[serde(default)]
+    pub surface: Option<SurfaceState>,
 }
 
 fn source() -> Side {
@@ -159,6 +166,14 @@ pub enum Command {
     SetWireframe(bool),
     SetPlots(bool),
     SetComparison(Comparison),
+    /// Puts a surface in the target's place.
+    SetSurface(SurfaceSpec),
+    /// Moves the surface's interior point.
+    MoveSurfacePoint(BarycentricPoint),
+    /// Moves the point of the surface's boundary loop, to a fraction of its length.
+    MoveSurfaceAnchor(f64),
+    /// Takes the surface away: the target's outline is there again.
+    CloseSurface,
     /// Exchanges source and target.
     Swap,
     /// Takes another session in place of this one.
@@ -193,6 +208,7 @@ impl Default for Session {
             wireframe: false,
             plots: false,
             comparison: Comparison::default(),
+            surface: None,
         }
     }
 }
@@ -206,14 +222,31 @@ impl Session {
         }
     }
 
-    /// Carries out a command. A new outline resets that side's two points.
+    /// Carries out a command. A new outline resets that side's two points, and one for the target
+    /// takes a surface's place; a new surface has points of its own.
     pub fn apply(&mut self, command: Command) {
         match command {
             Command::SetOutline { side, outline } => {
                 self.domain_mut(side).outline = outline;
                 self.interior[side as usize] = None;
                 self.anchor[side as usize] = 0.0;
+                self.surface = self.surface.take().filter(|_| side == Side::Source);
             }
+            Command::SetSurface(spec) => {
+                let old = self.surface.take().filter(|old| old.spec.shape == spec.shape);
+                self.surface = Some(SurfaceState { spec, ..old.unwrap_or_default() });
+            }
+            Command::MoveSurfacePoint(point) => {
+                if let Some(surface) = &mut self.surface {
+                    surface.point = Some(point);
+                }
+            }
+            Command::MoveSurfaceAnchor(fraction) => {
+                if let Some(surface) = self.surface.as_mut().filter(|_| fraction.is_finite()) {
+                    surface.anchor = fraction.rem_euclid(1.0);
+                }
+            }
+            Command::CloseSurface => self.surface = None,
             Command::SetSettings { side, settings } => self.domain_mut(side).settings = settings,
             Command::MoveInterior { side, point } => self.interior[side as usize] = Some(point),
             Command::MoveAnchor { side, fraction } => {

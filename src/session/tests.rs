@@ -81,3 +81,40 @@ fn a_session_from_before_they_were_there_has_the_defaults() {
     }
     assert_eq!(serde_json::from_value::<Session>(text).unwrap(), Session::default());
 }
+
+fn with_surface() -> Session {
+    let mut session = Session::default();
+    session.apply(Command::SetSurface(SurfaceSpec::default()));
+    session.apply(Command::MoveSurfacePoint(BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] }));
+    session.apply(Command::MoveSurfaceAnchor(1.25));
+    session
+}
+
+#[test]
+fn a_surface_keeps_its_points_through_other_settings_but_not_through_another_surface() {
+    let mut session = with_surface();
+    assert_eq!(session.surface.as_ref().unwrap().anchor, 0.25, "modulo one");
+    let repaired = SurfaceSpec { repair: true, ..SurfaceSpec::default() };
+    session.apply(Command::SetSurface(repaired));
+    assert_eq!(session.surface.as_ref().unwrap().point.unwrap().triangle, 3);
+    let shape = SurfaceShape::File { name: "cow.obj".into() };
+    session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    assert_eq!(session.surface.as_ref().map(|surface| (surface.point, surface.anchor)), Some((None, 0.0)));
+}
+
+#[test]
+fn an_outline_for_the_target_takes_the_place_of_a_surface() {
+    let mut session = with_surface();
+    session.apply(Command::SetOutline { side: Side::Source, outline: preset(Preset::Star) });
+    assert!(session.surface.is_some());
+    session.apply(Command::SetOutline { side: Side::Target, outline: preset(Preset::Star) });
+    assert_eq!(session.surface, None);
+}
+
+#[test]
+fn a_session_from_before_there_were_surfaces_still_reads() {
+    let mut value = serde_json::to_value(with_surface()).unwrap();
+    assert_eq!(serde_json::from_value::<Session>(value.clone()).unwrap(), with_surface());
+    value.as_object_mut().unwrap().remove("surface");
+    assert_eq!(serde_json::from_value::<Session>(value).unwrap(), Session::default());
+}

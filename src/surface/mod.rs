@@ -7,7 +7,7 @@
 //! | repairs that are safe, each told | `repair`, `fill` |
 //! | boundary loop first, interior after | `disk` |
 //! | the default interior point, the point nearest to a place | `farthest`, `nearest` |
-//! | surfaces by formula | `preset` |
+//! | surfaces by formula | `preset`, `head` |
 //!
 //! Positions are [`DVec3`]; the map needs only the lengths of the edges.
 
@@ -15,6 +15,7 @@ mod disk;
 mod edges;
 mod farthest;
 mod fill;
+mod head;
 mod nearest;
 mod preset;
 mod read;

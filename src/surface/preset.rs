@@ -1,6 +1,6 @@
 //! Surfaces by formula: a planar mesh of a disk or a rectangle, lifted into space.
 
-use super::Surface;
+use super::{Surface, head};
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::{MeshError, Sizing, mesh_domain};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -23,12 +23,21 @@ pub enum SurfacePreset {
     HalfTorus,
     /// Bumps over an ellipse, much like a face.
     HeightField,
+    /// The head of an animal, open at the neck.
+    AnimalHead,
 }
 
 impl SurfacePreset {
     /// All presets, in the order of the menus.
-    pub const ALL: [Self; 6] =
-        [Self::Hemisphere, Self::Paraboloid, Self::Saddle, Self::BentStrip, Self::HalfTorus, Self::HeightField];
+    pub const ALL: [Self; 7] = [
+        Self::AnimalHead,
+        Self::HeightField,
+        Self::Hemisphere,
+        Self::Paraboloid,
+        Self::Saddle,
+        Self::BentStrip,
+        Self::HalfTorus,
+    ];
 
     /// The usual number of boundary vertices: about 13,000 triangles on a hemisphere.
     pub const USUAL_BOUNDARY: u32 = 250;
@@ -42,6 +51,7 @@ impl SurfacePreset {
             Self::BentStrip => "bent-strip",
             Self::HalfTorus => "half-torus",
             Self::HeightField => "height-field",
+            Self::AnimalHead => "animal-head",
         }
     }
 
@@ -56,7 +66,7 @@ impl SurfacePreset {
     /// The boundary of the planar mesh.
     fn outline(self, count: u32) -> Vec<DVec2> {
         match self {
-            Self::Hemisphere | Self::Paraboloid | Self::Saddle => circle(count).collect(),
+            Self::Hemisphere | Self::Paraboloid | Self::Saddle | Self::AnimalHead => circle(count).collect(),
             Self::HeightField => circle(count).map(|p| p * DVec2::new(0.8, 1.0)).collect(),
             Self::BentStrip => rectangle(STRIP, count),
             Self::HalfTorus => rectangle(TORUS, count),
@@ -82,6 +92,7 @@ impl SurfacePreset {
                 DVec3::new(distance * along.cos(), distance * along.sin(), TUBE * around.sin())
             }
             Self::HeightField => p.extend(face(p)),
+            Self::AnimalHead => head::lifted(p),
         }
     }
 }

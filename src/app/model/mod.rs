@@ -6,15 +6,17 @@
 //! the last good map stays and follows its handles.
 
 mod refresh;
+mod surface;
 mod wishes;
 
 use super::draft::Draft;
 use super::prepare_state::Preparation;
+use super::surface::SurfaceSide;
 use super::teaching::Teaching;
 use super::textured;
 use crate::conformal::{ConformalMap, PreparedDomain, Quality, Side, TriangleDistortion};
 use crate::geometry::{Bounds, DVec2};
-use crate::session::Session;
+use crate::session::{Session, SurfaceState};
 use std::sync::Arc;
 
 /// The distance that a handle keeps from the boundary, in sizes of the domain:
@@ -84,6 +86,10 @@ pub struct Model {
     /// Where the pattern lived at the last refresh.
     pattern_home: Option<Side>,
     teaching: Teaching,
+    surface: SurfaceSide,
+    /// The state of a session's surface that is being prepared.
+    incoming_surface: Option<SurfaceState>,
+    last_good_surface: Option<SurfaceState>,
 }
 
 impl Model {
@@ -114,6 +120,9 @@ impl Model {
             incoming_points: [None; 2],
             refines: Refines::InRefresh,
             teaching: Teaching::default(),
+            surface: SurfaceSide::default(),
+            incoming_surface: None,
+            last_good_surface: None,
         }
     }
 
@@ -190,7 +199,8 @@ impl Model {
 
     /// A first map is shown and nothing is being prepared.
     pub fn is_ready(&self) -> bool {
-        self.map.is_some() && !self.sides.iter().any(Preparation::is_busy)
+        let mapped = self.map.is_some() || self.surface_map().is_some();
+        mapped && !self.sides.iter().any(Preparation::is_busy) && !self.surface.preparation.is_busy()
     }
 
     /// Lower left and upper right corner of a side's domain.

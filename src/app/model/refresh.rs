@@ -4,7 +4,7 @@ use super::{Changes, Model, Refines};
 use crate::app::teaching::walks::WalkAction;
 use crate::app::teaching::{Situation, Teaching};
 use crate::app::textured;
-use crate::conformal::{ConformalMap, Constraints, MapError, Quality, Side, triangle_distortions};
+use crate::conformal::{ConformalMap, Constraints, MapError, Quality, Side, surface_distortions, triangle_distortions};
 use crate::laplace::SolverKind;
 use crate::session::Session;
 use std::sync::Arc;
@@ -20,6 +20,9 @@ const REFINE_MS: f64 = 8.0;
 impl Model {
     /// Brings the map up to date with session and domains; `dragging`: a dot is held.
     pub fn refresh(&mut self, dragging: bool) -> Changes {
+        if self.session.surface.is_some() {
+            return self.refresh_surface();
+        }
         let mut changes = Changes::default();
         if std::mem::take(&mut self.domains_changed) {
             changes.meshes = true;
@@ -75,7 +78,7 @@ impl Model {
     }
 
     /// Notes that images moved.
-    fn count_images(&mut self, another_mesh: bool) {
+    pub(super) fn count_images(&mut self, another_mesh: bool) {
         self.generation += 1;
         self.quality_stale = true;
         // what the picture does not show is not worth a number
@@ -114,10 +117,15 @@ impl Model {
         let start = Instant::now();
         self.triangles.clear();
         let shown = self.draft.map().or(self.map.as_ref());
-        self.quality = shown.map(|map| {
-            triangle_distortions(map.mapped_mesh(), map.images(), &mut self.triangles);
-            Quality::summary(&self.triangles)
-        });
+        self.quality = if let Some(map) = self.surface.map().filter(|_| self.session.surface.is_some()) {
+            surface_distortions(&map.surface().surface.mesh, map.images(), &mut self.triangles);
+            Some(Quality::summary(map.given(&self.triangles)))
+        } else {
+            shown.map(|map| {
+                triangle_distortions(map.mapped_mesh(), map.images(), &mut self.triangles);
+                Quality::summary(&self.triangles)
+            })
+        };
         self.measured = self.generation;
         self.quality_ms = start.elapsed().as_secs_f64() * 1e3;
         self.quality_stale = false;
@@ -129,7 +137,7 @@ impl Model {
     }
 
     /// A point that was set may lie outside a coarser polygon of the same outline.
-    fn keep_points_inside(&mut self) {
+    pub(super) fn keep_points_inside(&mut self) {
         for side in Side::BOTH {
             if let Some(point) = self.session.interior[side as usize]
                 && let Some(inside) = self.interior_near(side, point)

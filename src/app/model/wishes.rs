@@ -6,13 +6,19 @@ use crate::app::trouble::Remedy;
 use crate::conformal::Side;
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, OutlineSpec, Session};
-use crate::worker::{Request, Response};
+use crate::worker::{Request, Response, Subject};
 
 impl Model {
     /// Carries out a command, or begins to: what needs a preparation takes effect when it is done.
     pub fn dispatch(&mut self, command: Command, now: f64) {
         match command {
-            Command::SetOutline { side, outline } => self.want_outline(side, outline, Vec::new()),
+            Command::SetOutline { side, outline } => {
+                self.want_outline(side, outline, Vec::new());
+            }
+            Command::SetSurface(_)
+            | Command::MoveSurfacePoint(_)
+            | Command::MoveSurfaceAnchor(_)
+            | Command::CloseSurface => self.dispatch_surface(command),
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
             Command::Open(session) => self.open(&session),
@@ -47,12 +53,23 @@ impl Model {
             }
         }
         let Session { interior, anchor, .. } = self.session;
-        self.session = Session { source: shown.source, target: shown.target, interior, anchor, ..session.clone() };
+        self.session = Session {
+            source: shown.source,
+            target: shown.target,
+            interior,
+            anchor,
+            surface: shown.surface,
+            ..session.clone()
+        };
+        self.open_surface(session.surface.clone());
         self.map_error = None;
         self.points_changed = true;
     }
 
     fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+        if side == Side::Target && self.session.surface.is_some() && self.side(side).wanted().outline == outline {
+            return self.close_surface();
+        }
         self.incoming_points[side as usize] = None;
         self.side_mut(side).error = None;
         self.side_mut(side).want_outline(outline, notes);
@@ -65,25 +82,31 @@ impl Model {
         self.want_outline(side, OutlineSpec::Points { name, points }, notes);
     }
 
-    /// Does what a side's message offers.
-    pub fn remedy(&mut self, side: Side) {
+    /// Does what the message about a subject offers.
+    pub fn remedy(&mut self, subject: Subject) {
+        let Subject::Domain(side) = subject else { return self.surface.preparation.remedy() };
         match self.side_mut(side).error.take().and_then(|trouble| trouble.remedy) {
             Some(Remedy::Retry) => self.side_mut(side).retry(),
             Some(Remedy::Repaired(outline)) => self.want_loaded(side, *outline),
-            None => {}
+            Some(Remedy::RepairSurface) | None => {}
         }
     }
 
-    /// Closes a side's messages.
-    pub fn dismiss(&mut self, side: Side) {
+    /// Closes the messages about a subject.
+    pub fn dismiss(&mut self, subject: Subject) {
+        let Subject::Domain(side) = subject else {
+            self.surface.preparation.error = None;
+            return;
+        };
         self.side_mut(side).error = None;
         self.map_error = self.map_error.take().filter(|(at, _)| *at != side);
     }
 
     /// The requests that are due.
-    pub fn take_requests(&mut self, now: f64) -> Vec<(Side, Request)> {
-        let requests = Side::BOTH.into_iter().filter_map(|side| Some((side, self.side_mut(side).take_request(now)?)));
-        let requests = requests.collect();
+    pub fn take_requests(&mut self, now: f64) -> Vec<(Subject, Request)> {
+        let of_side = |side| Some((Subject::Domain(side), self.side_mut(side).take_request(now)?));
+        let mut requests: Vec<_> = Side::BOTH.into_iter().filter_map(of_side).collect();
+        requests.extend(self.take_surface_request().map(|request| (Subject::Surface, request)));
         for side in Side::BOTH {
             if !self.side(side).is_busy() {
                 self.incoming_points[side as usize] = None; // their domain was refused
@@ -98,13 +121,17 @@ impl Model {
     }
 
     /// Takes in an answer of a worker.
-    pub fn accept(&mut self, side: Side, generation: u64, response: Response) {
+    pub fn accept(&mut self, subject: Subject, generation: u64, response: Response) {
+        let Subject::Domain(side) = subject else { return self.accept_surface(generation, response) };
         let progress = self.side_mut(side).accept(generation, response);
         if matches!(progress, Progress::Failed) {
             self.incoming_points[side as usize] = None;
         }
         if let Progress::Ready { spec, new_outline } = progress {
             if new_outline && spec.outline != self.session.domain(side).outline {
+                if side == Side::Target {
+                    self.surface.preparation.give_up();
+                }
                 self.session.apply(Command::SetOutline { side, outline: spec.outline });
             }
             self.session.apply(Command::SetSettings { side, settings: spec.settings });
@@ -116,8 +143,16 @@ impl Model {
         }
     }
 
+    /// The worker of a subject stopped.
+    pub fn worker_died(&mut self, subject: Subject, reason: &str) {
+        match subject {
+            Subject::Domain(side) => self.side_mut(side).worker_died(reason),
+            Subject::Surface => self.surface.preparation.worker_died(reason),
+        }
+    }
+
     fn swap(&mut self) {
-        if self.sides.iter().any(Preparation::is_busy) {
+        if self.session.surface.is_some() || self.sides.iter().any(Preparation::is_busy) {
             return;
         }
         self.session.apply(Command::Swap);

@@ -5,7 +5,7 @@
 //! pattern, carried by the map.
 
 use super::Situation;
-use crate::conformal::{Side, disk_coordinates};
+use crate::conformal::{Side, SurfaceMap, disk_coordinates};
 use crate::geometry::DVec2;
 use crate::laplace::Lanes;
 
@@ -37,6 +37,14 @@ impl DiskGrid {
             }
         }
         true
+    }
+
+    /// Makes the source's coordinates of a surface's map.
+    pub fn follow_surface(&mut self, map: &SurfaceMap) {
+        self.generation = None;
+        let coordinates = &mut self.coordinates[Side::Source as usize];
+        let result = disk_coordinates(map.source(), map.source_measure(), coordinates, &mut self.scratch);
+        self.error = result.err().map(|error| format!("The source has no disk coordinates: {error}."));
     }
 
     /// g at the vertices of a side's mesh; empty before [`Self::update`].

@@ -1,0 +1,202 @@
+//! The model while a surface stands in the target's place: wishes, answers, and the map brought up to date.
+//!
+//! The planar map sleeps behind it and is made anew when the surface goes.
+
+use super::{Changes, Model};
+use crate::app::surface::{Arrival, SurfaceSide, Wish};
+use crate::conformal::{Side, SurfaceConstraints, SurfaceMap, SurfaceMapError};
+use crate::geometry::DVec3;
+use crate::mesh::BarycentricPoint;
+use crate::session::{Command, SurfaceSpec, SurfaceState};
+use crate::worker::{Request, Response};
+
+impl Model {
+    /// The surface and where its points are, while it stands in the target's place.
+    pub fn surface(&self) -> Option<(&SurfaceSide, &SurfaceState)> {
+        Some((&self.surface, self.session.surface.as_ref()?))
+    }
+
+    /// The map of the surface.
+    pub fn surface_map(&self) -> Option<&SurfaceMap> {
+        self.surface()?.0.map()
+    }
+
+    /// The surface's way to the screen; also while none is shown.
+    pub fn surface_side(&self) -> &SurfaceSide {
+        &self.surface
+    }
+
+    /// The interior point of the surface, where its handle is.
+    pub fn surface_point(&self) -> Option<DVec3> {
+        let (side, state) = self.surface()?;
+        side.place(state)
+    }
+
+    /// The boundary point of the surface, where its handle is.
+    pub fn surface_anchor(&self) -> Option<DVec3> {
+        let (side, state) = self.surface()?;
+        side.anchor_place(state)
+    }
+
+    /// Begins to prepare a surface that a person has opened or dropped.
+    pub fn want_surface_file(&mut self, name: String, bytes: Vec<u8>) {
+        self.incoming_surface = None;
+        self.surface.preparation.want(Wish::file(name, bytes));
+    }
+
+    /// Carries out a command about the surface, or begins to.
+    pub(super) fn dispatch_surface(&mut self, command: Command) {
+        match command {
+            Command::SetSurface(spec) => {
+                self.incoming_surface = None;
+                if !self.surface.preparation.want_spec(&spec) {
+                    let is_new = self.session.surface.as_ref().is_none_or(|shown| shown.spec.shape != spec.shape);
+                    self.show_surface(spec, is_new);
+                }
+            }
+            Command::CloseSurface => self.close_surface(),
+            moved => {
+                self.session.apply(moved);
+                self.points_changed = true;
+            }
+        }
+    }
+
+    /// Shows the outline again that the surface has hidden.
+    pub(super) fn close_surface(&mut self) {
+        self.incoming_surface = None;
+        self.surface.preparation.give_up();
+        if self.session.surface.is_some() {
+            self.session.apply(Command::CloseSurface);
+            self.domains_changed = true;
+            self.refit[Side::Target as usize] = true;
+        }
+    }
+
+    /// Takes the surface of a session that is opened: at once, or when it is prepared.
+    pub(super) fn open_surface(&mut self, wanted: Option<SurfaceState>) {
+        let Some(wanted) = wanted else { return self.close_surface() };
+        if self.surface.preparation.want_spec(&wanted.spec) {
+            self.incoming_surface = Some(wanted);
+        } else {
+            self.session.surface = Some(wanted);
+            self.domains_changed = true;
+        }
+    }
+
+    pub(super) fn take_surface_request(&mut self) -> Option<Request> {
+        self.surface.preparation.take_request()
+    }
+
+    /// Takes in an answer of the surface's worker.
+    pub fn accept_surface(&mut self, generation: u64, response: Response) {
+        if let Some(Arrival { spec, is_new }) = self.surface.preparation.accept(generation, response) {
+            self.show_surface(spec, is_new);
+            if let Some(incoming) = self.incoming_surface.take() {
+                self.session.surface = Some(incoming);
+            }
+        }
+    }
+
+    fn show_surface(&mut self, spec: SurfaceSpec, is_new: bool) {
+        if is_new {
+            self.session.surface = None;
+            self.refit[Side::Target as usize] = true;
+        }
+        self.session.apply(Command::SetSurface(spec));
+        self.surface.renew();
+        self.domains_changed = true;
+    }
+
+    /// Brings the surface's map up to date with session, domain and surface.
+    pub(super) fn refresh_surface(&mut self) -> Changes {
+        let mut changes = Changes::default();
+        let anew = std::mem::take(&mut self.domains_changed) || self.surface.map().is_none();
+        let moved = std::mem::take(&mut self.points_changed);
+        if anew {
+            self.keep_points_inside();
+            self.map = None;
+            self.draft.forget();
+        }
+        if (anew || moved)
+            && let Some(constraints) = self.surface_constraints()
+        {
+            let source = self.domain(Side::Source).map(std::sync::Arc::clone);
+            let result = match (&source, anew) {
+                (Some(source), true) => self.surface.rebuild(source, &constraints),
+                _ => self.surface.update(&constraints),
+            };
+            (changes.meshes, changes.map) = (anew && result.is_ok(), result.is_ok());
+            self.settle_surface(result);
+        }
+        changes.images = changes.map;
+        if changes.images {
+            self.map_generation += 1;
+            self.mesh_generation += u64::from(changes.meshes);
+            self.count_images(changes.meshes);
+        }
+        self.follow_pattern(&mut changes);
+        changes
+    }
+
+    /// The pattern of the disk needs coordinates of its own on both sides.
+    fn follow_pattern(&mut self, changes: &mut Changes) {
+        let home = crate::app::textured::home(&self.session);
+        let another = std::mem::replace(&mut self.pattern_home, home) != home;
+        changes.meshes |= another;
+        if home.is_some() || !(another || changes.map) {
+            return;
+        }
+        if let Err(error) = self.surface.follow_disk() {
+            self.map_error = Some((Side::Target, error.to_string()));
+        }
+        if let Some(map) = self.surface.map() {
+            self.teaching.grid.follow_surface(map);
+        }
+    }
+
+    fn surface_constraints(&self) -> Option<SurfaceConstraints> {
+        let (side, state) = self.surface()?;
+        Some(SurfaceConstraints {
+            source_point: self.interior(Side::Source)?,
+            source_anchor: self.session.anchor[Side::Source as usize],
+            surface_point: side.point(state)?,
+            surface_anchor: state.anchor,
+        })
+    }
+
+    fn settle_surface(&mut self, result: Result<(), SurfaceMapError>) {
+        match result {
+            Ok(()) => {
+                self.last_good_points = (self.session.interior, self.session.anchor);
+                self.last_good_surface.clone_from(&self.session.surface);
+                self.map_error = None;
+            }
+            Err(error) => {
+                (self.session.interior, self.session.anchor) = self.last_good_points;
+                if let (Some(state), Some(good)) = (&mut self.session.surface, &self.last_good_surface)
+                    && state.spec == good.spec
+                {
+                    (state.point, state.anchor) = (good.point, good.anchor);
+                }
+                let side = match &error {
+                    SurfaceMapError::Planar(_) => Side::Source,
+                    _ => Side::Target,
+                };
+                self.map_error = Some((side, error.to_string()));
+            }
+        }
+    }
+
+    /// What was noticed when the surface was read, and how it was repaired.
+    pub fn surface_notes(&self) -> Vec<String> {
+        let Some((side, _)) = self.surface() else { return Vec::new() };
+        let repairs = side.surface().into_iter().flat_map(|surface| &surface.surface.repairs);
+        side.preparation.notes.iter().cloned().chain(repairs.map(ToString::to_string)).collect()
+    }
+
+    /// Where the interior handle goes when the pointer's ray meets the surface at `found`.
+    pub fn surface_point_near(&self, found: BarycentricPoint) -> Option<BarycentricPoint> {
+        self.surface()?.0.interior_near(found)
+    }
+}

@@ -1,0 +1,119 @@
+//! The surface that is shown, and its map.
+//!
+//! No egui and no wgpu in here: it is a part of the model.
+
+use super::SurfacePreparation;
+use crate::conformal::{PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceMapError};
+use crate::geometry::{DVec2, DVec3};
+use crate::laplace::Lanes;
+use crate::mesh::{BarycentricPoint, NO_TRIANGLE};
+use crate::session::SurfaceState;
+use std::sync::Arc;
+
+/// The share of a point's weight that corners on the boundary may have: nearer to the loop harmonic
+/// measure is a peak that no drag can hold still.
+const MOST_BOUNDARY_WEIGHT: f64 = 0.9;
+
+/// The surface side of the model.
+#[derive(Debug, Default)]
+pub struct SurfaceSide {
+    /// The way to the next surface.
+    pub preparation: SurfacePreparation,
+    /// The surface that is shown; the map may still be missing.
+    shown: Option<Arc<PreparedSurface>>,
+    map: Option<SurfaceMap>,
+    /// The conformal polar coordinates of the surface, where they are shown.
+    disk: Vec<DVec2>,
+    scratch: Vec<Lanes<2>>,
+}
+
+impl SurfaceSide {
+    /// Takes over the surface that was prepared.
+    pub fn renew(&mut self) {
+        self.shown = self.preparation.surface().map(Arc::clone);
+        self.map = None;
+    }
+
+    /// The surface.
+    pub fn surface(&self) -> Option<&Arc<PreparedSurface>> {
+        self.shown.as_ref()
+    }
+
+    /// Its map.
+    pub fn map(&self) -> Option<&SurfaceMap> {
+        self.map.as_ref()
+    }
+
+    /// g at the vertices of the surface, see [`crate::conformal::surface_disk_coordinates`]; empty before
+    /// [`Self::follow_disk`].
+    pub fn disk_coordinates(&self) -> &[DVec2] {
+        &self.disk
+    }
+
+    /// Brings the disk coordinates to the map.
+    pub fn follow_disk(&mut self) -> Result<(), crate::laplace::NotConverged> {
+        let Some(map) = &self.map else { return Ok(()) };
+        crate::conformal::surface_disk_coordinates(map.surface(), map.measure(), &mut self.disk, &mut self.scratch)
+    }
+
+    /// The interior point where its handle is.
+    pub fn point(&self, state: &SurfaceState) -> Option<BarycentricPoint> {
+        let surface = self.shown.as_ref()?;
+        let count = surface.surface.mesh.triangles.len();
+        Some(state.point.filter(|point| (point.triangle as usize) < count).unwrap_or(surface.centre))
+    }
+
+    /// Where the interior point lies in space.
+    pub fn place(&self, state: &SurfaceState) -> Option<DVec3> {
+        Some(self.shown.as_ref()?.position(self.point(state)?))
+    }
+
+    /// Where the boundary point lies in space.
+    pub fn anchor_place(&self, state: &SurfaceState) -> Option<DVec3> {
+        let surface = self.shown.as_ref()?;
+        Some(surface.boundary_position(surface.at_fraction(state.anchor)))
+    }
+
+    /// The point near `found` that the interior handle may take: a little inside of the loop.
+    pub fn interior_near(&self, found: BarycentricPoint) -> Option<BarycentricPoint> {
+        let mesh = &self.shown.as_ref()?.surface.mesh;
+        let corners = mesh.triangles[found.triangle as usize];
+        let on_loop = corners.map(|v| v < mesh.boundary_count);
+        let sum: f64 = (0..3).filter(|&i| on_loop[i]).map(|i| found.weights[i]).sum();
+        if sum <= MOST_BOUNDARY_WEIGHT {
+            return Some(found);
+        }
+        let BarycentricPoint { triangle, mut weights } = found;
+        let inner = on_loop.iter().filter(|on_loop| !**on_loop).count();
+        if inner == 0 {
+            // An ear or a bridge between two boundaries: the middle is as far from them as one can be.
+            let open = mesh.neighbours[triangle as usize].contains(&NO_TRIANGLE);
+            return Some(BarycentricPoint { triangle, weights: if open { [1.0 / 3.0; 3] } else { weights } });
+        }
+        for i in 0..3 {
+            weights[i] = if on_loop[i] {
+                weights[i] * MOST_BOUNDARY_WEIGHT / sum
+            } else {
+                weights[i] + (sum - MOST_BOUNDARY_WEIGHT) / inner as f64
+            };
+        }
+        let total: f64 = weights.iter().sum();
+        Some(BarycentricPoint { triangle, weights: weights.map(|w| w / total) })
+    }
+
+    /// The map under `constraints`, anew.
+    pub fn rebuild(
+        &mut self,
+        source: &Arc<PreparedDomain>,
+        constraints: &SurfaceConstraints,
+    ) -> Result<(), SurfaceMapError> {
+        let Some(surface) = &self.shown else { return Ok(()) };
+        self.map = Some(SurfaceMap::new(Arc::clone(source), Arc::clone(surface), constraints)?);
+        Ok(())
+    }
+
+    /// Brings the map to `constraints`.
+    pub fn update(&mut self, constraints: &SurfaceConstraints) -> Result<(), SurfaceMapError> {
+        self.map.as_mut().map_or(Ok(()), |map| map.update(constraints))
+    }
+}

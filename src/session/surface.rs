@@ -1,0 +1,62 @@
+//! A surface in the session: what it is, and where its two points are.
+
+use crate::conformal::SurfaceSettings;
+use crate::mesh::BarycentricPoint;
+use crate::surface::SurfacePreset;
+
+/// Which surface.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SurfaceShape {
+    /// A built-in one.
+    Preset {
+        /// Which one.
+        preset: SurfacePreset,
+        /// About how many boundary vertices.
+        boundary: u32,
+    },
+    /// One from a file. Its triangles are too many for a session: they stay in the file.
+    File {
+        /// The file's name.
+        name: String,
+    },
+}
+
+impl SurfaceShape {
+    /// A preset at its usual resolution.
+    pub fn preset(preset: SurfacePreset) -> Self {
+        Self::Preset { preset, boundary: SurfacePreset::USUAL_BOUNDARY }
+    }
+}
+
+impl Default for SurfaceShape {
+    fn default() -> Self {
+        Self::preset(SurfacePreset::Hemisphere)
+    }
+}
+
+/// A surface and how it is prepared.
+#[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub struct SurfaceSpec {
+    /// Which one.
+    pub shape: SurfaceShape,
+    /// Whether the repairs that are safe are made.
+    #[serde(default)]
+    pub repair: bool,
+    /// How it is discretised.
+    #[serde(default)]
+    pub settings: SurfaceSettings,
+}
+
+/// A surface with its two points.
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+pub struct SurfaceState {
+    /// The surface.
+    pub spec: SurfaceSpec,
+    /// `x₂`; `None` until it is set: the vertex farthest from the boundary.
+    #[serde(default)]
+    pub point: Option<BarycentricPoint>,
+    /// `y₂`, as a fraction of the length of the boundary loop.
+    #[serde(default)]
+    pub anchor: f64,
+}
