@@ -12,8 +12,9 @@ use crate::geometry::DVec3;
 use crate::laplace::{DirichletLaplacian, NotConverged, RootPaths, Solver, SolverKind};
 use crate::mesh::{BarycentricPoint, FlipReport, IntrinsicMesh, TriMesh};
 use crate::outline::BoundaryPoint;
-use crate::surface::{SurfaceMesh, farthest_from_boundary};
+use crate::surface::{SurfaceMesh, SurfaceTree, farthest_from_boundary};
 use sprs::CsMatI;
+use std::sync::OnceLock;
 
 /// How a surface is discretised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -57,6 +58,7 @@ pub struct PreparedSurface {
     pub centre: BarycentricPoint,
     /// How long it took; `mesh` is the flips and the default point.
     pub timings: PrepareTimings,
+    tree: OnceLock<SurfaceTree>,
 }
 
 /// Flips, assembles, orders and factors, reporting each stage before it starts. The memory is as in [`super::prepare_within`].
@@ -101,6 +103,7 @@ pub fn prepare_surface(
         flips,
         centre,
         timings,
+        tree: OnceLock::new(),
     })
 }
 
@@ -139,6 +142,11 @@ impl PreparedSurface {
     /// The inverse of [`Self::at_fraction`].
     pub fn fraction_at(&self, point: BoundaryPoint) -> f64 {
         point.fraction_in(&self.fractions)
+    }
+
+    /// For rays and nearest points; made when it is first asked for.
+    pub fn tree(&self) -> &SurfaceTree {
+        self.tree.get_or_init(|| SurfaceTree::new(&self.surface.mesh))
     }
 
     /// The place of a point in space.
