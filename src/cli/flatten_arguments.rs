@@ -5,9 +5,7 @@ use super::arguments::{Anchor, Discretisation, Point};
 use crate::conformal::PreparedSurface;
 use crate::geometry::DVec3;
 use crate::mesh::BarycentricPoint;
-use crate::surface::{
-    MAX_BYTES, Surface, SurfacePreset, at_vertex, nearest_on_boundary, nearest_on_surface, read_surface,
-};
+use crate::surface::{MAX_BYTES, Surface, SurfacePreset, at_vertex, nearest_on_boundary, read_surface};
 use std::io::Read as _;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -112,7 +110,9 @@ impl SurfacePoint {
                 let missing = || CliError::Input(format!("--surface-point: the surface has no triangle {triangle}"));
                 Ok(BarycentricPoint { triangle: kept.ok_or_else(missing)? as u32, weights })
             }
-            Self::Nearest(place) => nearest_on_surface(&whole.mesh, place)
+            Self::Nearest(place) => surface
+                .tree()
+                .nearest(place)
                 .map(|(point, _)| point)
                 .ok_or_else(|| CliError::Input(format!("--surface-point: nothing is near {place}"))),
         }

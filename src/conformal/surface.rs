@@ -13,8 +13,9 @@ use crate::geometry::{DVec2, DVec3};
 use crate::laplace::{DirichletLaplacian, Lanes, NotConverged, RootPaths, Solver, SolverKind};
 use crate::mesh::{BarycentricPoint, FlipReport, IntrinsicMesh, TriMesh};
 use crate::outline::BoundaryPoint;
-use crate::surface::{SurfaceMesh, farthest_from_boundary};
+use crate::surface::{SurfaceMesh, SurfaceTree, farthest_from_boundary};
 use sprs::CsMatI;
+use std::sync::OnceLock;
 
 /// How a surface is discretised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -58,6 +59,7 @@ pub struct PreparedSurface {
     pub centre: BarycentricPoint,
     /// How long it took; `mesh` is the flips and the default point.
     pub timings: PrepareTimings,
+    tree: OnceLock<SurfaceTree>,
 }
 
 /// Flips, assembles, orders and factors, reporting each stage before it starts. The memory is as in [`super::prepare_within`].
@@ -120,7 +122,8 @@ impl PreparedSurface {
         let mut boundary_paths = RootPaths::default();
         solver.root_paths(coupling.indices().iter().copied(), &mut boundary_paths);
         let (edge_lengths, fractions) = along_boundary(&surface.mesh);
-        Self { surface, edge_lengths, fractions, coupling, solver, boundary_paths, table, flips, centre, timings }
+        let tree = OnceLock::new();
+        Self { surface, edge_lengths, fractions, coupling, solver, boundary_paths, table, flips, centre, timings, tree }
     }
 
     pub(super) fn system(&self) -> HarmonicSystem<'_> {
@@ -141,6 +144,11 @@ impl PreparedSurface {
     /// The inverse of [`Self::at_fraction`].
     pub fn fraction_at(&self, point: BoundaryPoint) -> f64 {
         point.fraction_in(&self.fractions)
+    }
+
+    /// For rays and nearest points; made when it is first asked for.
+    pub fn tree(&self) -> &SurfaceTree {
+        self.tree.get_or_init(|| SurfaceTree::new(&self.surface.mesh))
     }
 
     /// The place of a point of the boundary loop in space.

@@ -6,7 +6,8 @@
 //! | what its connectivity is, and what keeps it from being a disk | `survey`, `topology_error` |
 //! | repairs that are safe, each told | `repair`, `fill` |
 //! | boundary loop first, interior after | `disk` |
-//! | the default interior point, the point nearest to a place | `farthest`, `nearest` |
+//! | the default interior point | `farthest` |
+//! | the point under a ray, the point nearest to a place | `tree`, `nearest` |
 //! | surfaces by formula | `preset`, `head` |
 //!
 //! Positions are [`DVec3`]; the map needs only the lengths of the edges.
@@ -24,14 +25,18 @@ mod survey;
 #[cfg(test)]
 mod tests;
 mod topology_error;
+mod tree;
+#[cfg(test)]
+mod tree_tests;
 
 pub use disk::SurfaceMesh;
 pub use farthest::{at_vertex, farthest_from_boundary};
-pub use nearest::{nearest_on_boundary, nearest_on_surface};
+pub use nearest::{nearest_on_boundary, nearest_on_boundary_to_ray};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
 pub use read::{MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, Place, SurfaceError, read_surface};
 pub use repair::{ADDED, RepairNote, Repaired, repair};
 pub use topology_error::{LoopReport, TopologyError};
+pub use tree::SurfaceTree;
 
 use crate::geometry::DVec3;
 

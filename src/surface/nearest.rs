@@ -1,27 +1,11 @@
-//! The point of a surface nearest to a place in space, by looking at every triangle.
+//! The point of a triangle nearest to a place in space, and of a boundary loop nearest to a place or a ray.
 
-use crate::geometry::DVec3;
-use crate::mesh::{BarycentricPoint, TriMesh};
-
-/// The nearest point and its distance; the first one of several. Cost O(n).
-///
-/// `None` if the place is not finite.
-pub fn nearest_on_surface(mesh: &TriMesh<DVec3>, place: DVec3) -> Option<(BarycentricPoint, f64)> {
-    let mut best: Option<(BarycentricPoint, f64)> = None;
-    for (t, corners) in mesh.triangles.iter().enumerate() {
-        let corners = corners.map(|v| mesh.vertices[v as usize]);
-        let weights = nearest_in_triangle(corners, place);
-        let point: DVec3 = corners.iter().zip(weights).map(|(&p, w)| w * p).sum();
-        let distance = point.distance(place);
-        if distance.is_finite() && best.is_none_or(|(_, least)| distance < least) {
-            best = Some((BarycentricPoint { triangle: t as u32, weights }, distance));
-        }
-    }
-    best
-}
+use crate::geometry::{DVec2, DVec3};
+use crate::mesh::TriMesh;
+use crate::outline::BoundaryPoint;
 
 /// The boundary point nearest to a place: its edge `k → k+1` and the part of it, in `[0, 1)`. Cost O(m).
-pub fn nearest_on_boundary(mesh: &TriMesh<DVec3>, place: DVec3) -> crate::outline::BoundaryPoint {
+pub fn nearest_on_boundary(mesh: &TriMesh<DVec3>, place: DVec3) -> BoundaryPoint {
     let m = mesh.boundary_count as usize;
     let mut best = (f64::INFINITY, 0, 0.0);
     for k in 0..m {
@@ -32,14 +16,94 @@ pub fn nearest_on_boundary(mesh: &TriMesh<DVec3>, place: DVec3) -> crate::outlin
             best = (distance, k, along);
         }
     }
-    let (_, k, along) = best;
+    boundary_point(best.1, best.2, m)
+}
+
+/// At `along` of the edge `k → k+1`, in `[0, 1]`.
+fn boundary_point(k: usize, along: f64, m: usize) -> BoundaryPoint {
     let (k, fraction) = if along < 1.0 { (k, along) } else { ((k + 1) % m, 0.0) };
-    crate::outline::BoundaryPoint { edge: k as u32, fraction }
+    BoundaryPoint { edge: k as u32, fraction }
+}
+
+/// The boundary point seen nearest to a ray from `origin`: where the tangent of the angle between them is least.
+///
+/// Where the loop passes the ray several times, and more than once within the tangent `reach` of the nearest
+/// passage, the passage that is nearest to `origin` is taken. `None` if the whole loop is behind
+/// `origin`, or the ray is not finite or has no direction. Cost O(m).
+pub fn nearest_on_boundary_to_ray(
+    mesh: &TriMesh<DVec3>,
+    origin: DVec3,
+    direction: DVec3,
+    reach: f64,
+) -> Option<BoundaryPoint> {
+    let view = ImagePlane::new(origin, direction)?;
+    let m = mesh.boundary_count as usize;
+    let seen: Vec<_> = (0..m).map(|k| view.nearest(mesh.vertices[k], mesh.vertices[(k + 1) % m])).collect();
+    let least = seen.iter().flatten().map(|seen| seen.tangent).min_by(f64::total_cmp)?;
+    let tangent = |k: usize| seen[k % m].map_or(f64::INFINITY, |seen| seen.tangent);
+    let is_passage = |k: usize| tangent(k) <= tangent(k + m - 1) && tangent(k) <= tangent(k + 1);
+    let passages = (0..m).filter(|&k| is_passage(k)).filter_map(|k| seen[k].map(|seen| (k, seen)));
+    let near = passages.filter(|(_, seen)| seen.tangent <= least + reach);
+    let (k, Seen { along, .. }) = near.min_by(|(_, p), (_, q)| p.depth.total_cmp(&q.depth))?;
+    Some(boundary_point(k, along, m))
+}
+
+/// The plane at depth 1 before an eye, in which a ray is the origin.
+struct ImagePlane {
+    eye: DVec3,
+    axes: [DVec3; 3],
+}
+
+/// A point of an edge as it is seen.
+#[derive(Clone, Copy)]
+struct Seen {
+    /// Of the angle to the ray.
+    tangent: f64,
+    depth: f64,
+    /// In `[0, 1]`, on the edge in space.
+    along: f64,
+}
+
+/// Edges are cut off where they get behind the eye: at this part of the depth of their end in front of it.
+const NEAREST_DEPTH: f64 = 1e-6;
+
+impl ImagePlane {
+    fn new(eye: DVec3, direction: DVec3) -> Option<Self> {
+        let ahead = direction.try_normalize().filter(|_| eye.is_finite())?;
+        let (right, up) = ahead.any_orthonormal_pair();
+        Some(Self { eye, axes: [right, up, ahead] })
+    }
+
+    /// The point of the edge `a → b` that is seen nearest to the ray; `None` behind the eye.
+    fn nearest(&self, a: DVec3, b: DVec3) -> Option<Seen> {
+        let [depth_a, depth_b] = [a, b].map(|p| (p - self.eye).dot(self.axes[2]));
+        let deepest = depth_a.max(depth_b);
+        if deepest.is_nan() || deepest <= 0.0 {
+            return None;
+        }
+        // the part in front of the eye, from `start` to `end`
+        let cut = NEAREST_DEPTH * deepest;
+        let at_cut = (cut - depth_a) / (depth_b - depth_a);
+        let (start, end) = (if depth_a < cut { at_cut } else { 0.0 }, if depth_b < cut { at_cut } else { 1.0 });
+        let (p, near) = self.project(a.lerp(b, start), depth_a.max(cut));
+        let (q, far) = self.project(a.lerp(b, end), depth_b.max(cut));
+        let span = q - p;
+        let across = (-p.dot(span) / span.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        // from the image back to the edge: depths weigh its ends
+        let part = across * near / (across * near + (1.0 - across) * far);
+        let depth = near + part * (far - near);
+        Some(Seen { tangent: p.lerp(q, across).length(), depth, along: (start + part * (end - start)).clamp(0.0, 1.0) })
+    }
+
+    fn project(&self, p: DVec3, depth: f64) -> (DVec2, f64) {
+        let [right, up, _] = self.axes;
+        (DVec2::new((p - self.eye).dot(right), (p - self.eye).dot(up)) / depth, depth)
+    }
 }
 
 /// The weights of the nearest point: of the foot on the plane if it is inside, else of the
 /// nearest of the feet on the edges.
-fn nearest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
+pub(super) fn nearest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
     let normal = (b - a).cross(c - a);
     let area = |u: DVec3, v: DVec3| (u - p).cross(v - p).dot(normal) / normal.length_squared();
     let inside = [area(b, c), area(c, a), area(a, b)];
@@ -66,28 +130,64 @@ fn nearest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
 mod tests {
     use super::*;
 
+    const TRIANGLE: [DVec3; 3] = [DVec3::ZERO, DVec3::new(2.0, 0.0, 0.0), DVec3::new(0.0, 2.0, 0.0)];
+
+    fn mesh(vertices: Vec<DVec3>, boundary_count: u32) -> TriMesh<DVec3> {
+        TriMesh { vertices, boundary_count, triangles: vec![[0, 1, 2]], neighbours: vec![[u32::MAX; 3]] }
+    }
+
     #[test]
     fn nearest_points_of_a_triangle_are_in_it_on_its_edges_and_at_its_corners() {
-        let mesh = TriMesh {
-            vertices: vec![DVec3::ZERO, DVec3::new(2.0, 0.0, 0.0), DVec3::new(0.0, 2.0, 0.0)],
-            boundary_count: 3,
-            triangles: vec![[0, 1, 2]],
-            neighbours: vec![[u32::MAX; 3]],
-        };
         let cases = [
-            ([0.5, 0.5, 3.0], [0.5, 0.25, 0.25], 3.0),
-            ([1.0, -2.0, 0.0], [0.5, 0.5, 0.0], 2.0),
-            ([2.0, 2.0, 0.0], [0.0, 0.5, 0.5], 2.0_f64.sqrt()),
-            ([-3.0, -4.0, 0.0], [1.0, 0.0, 0.0], 5.0),
-            ([-1.0, 1.0, 0.0], [0.5, 0.0, 0.5], 1.0),
+            ([0.5, 0.5, 3.0], [0.5, 0.25, 0.25]),
+            ([1.0, -2.0, 0.0], [0.5, 0.5, 0.0]),
+            ([2.0, 2.0, 0.0], [0.0, 0.5, 0.5]),
+            ([-3.0, -4.0, 0.0], [1.0, 0.0, 0.0]),
+            ([-1.0, 1.0, 0.0], [0.5, 0.0, 0.5]),
         ];
-        for (place, weights, distance) in cases {
-            let (found, least) = nearest_on_surface(&mesh, DVec3::from_array(place)).unwrap();
-            assert!(found.weights.iter().zip(weights).all(|(a, b)| (a - b).abs() < 1e-15), "{place:?}: {found:?}");
-            assert!((least - distance).abs() < 1e-15, "{place:?}: {least}");
+        for (place, weights) in cases {
+            let found = nearest_in_triangle(TRIANGLE, DVec3::from_array(place));
+            assert!(found.iter().zip(weights).all(|(a, b)| (a - b).abs() < 1e-15), "{place:?}: {found:?}");
         }
-        assert!(nearest_on_surface(&mesh, DVec3::NAN).is_none());
-        let on_loop = nearest_on_boundary(&mesh, DVec3::new(-1.0, 0.5, 0.0));
+        let on_loop = nearest_on_boundary(&mesh(TRIANGLE.to_vec(), 3), DVec3::new(-1.0, 0.5, 0.0));
         assert_eq!((on_loop.edge, on_loop.fraction), (2, 0.75));
+    }
+
+    #[test]
+    fn the_boundary_point_at_a_ray_is_the_one_that_is_seen_there() {
+        let mesh = mesh(TRIANGLE.to_vec(), 3);
+        let seen = |origin: [f64; 3], direction: [f64; 3]| {
+            let [origin, direction] = [origin, direction].map(DVec3::from_array);
+            nearest_on_boundary_to_ray(&mesh, origin, direction, 0.0)
+        };
+        // from above, the foot of the perpendicular
+        let foot = seen([0.5, -1.0, 5.0], [0.0, 0.0, -2.0]).unwrap();
+        assert_eq!((foot.edge, foot.fraction), (0, 0.25));
+        // along the edge 0 → 1, half of the angle between its ends: tan(atan 1 / 2) is not the middle of the edge
+        let eye = DVec3::new(2.0, 0.0, 2.0);
+        let at = |x: f64| (DVec3::new(x, 0.0, 0.0) - eye).to_array();
+        for x in [0.0, 0.3, 1.0, 1.9] {
+            let point = seen(eye.to_array(), at(x)).unwrap();
+            assert_eq!(point.edge, 0, "{x}");
+            assert!((point.fraction - 0.5 * x).abs() < 1e-14, "{x}: {point:?}");
+        }
+        assert_eq!(seen([0.5, 0.5, 5.0], [0.0, 0.0, 1.0]), None);
+        assert_eq!(seen([0.5, 0.5, 5.0], [0.0; 3]), None);
+        assert_eq!(seen([f64::NAN; 3], [1.0; 3]), None);
+        // an eye between the ends: only what is in front counts
+        let half = seen([0.5, -1.0, 0.0], [1.0, 0.01, 0.0]).unwrap();
+        assert_eq!(half.edge, 1, "{half:?}");
+    }
+
+    #[test]
+    fn of_two_passages_under_the_ray_the_nearer_one_is_taken() {
+        // an elongated loop across the ray, its far side a little nearer to it
+        let (near, far) = (1.0, -1.0);
+        let corners = [[-1.0, 0.01, near], [1.0, 0.01, near], [1.0, 0.0, far], [-1.0, 0.0, far]];
+        let mesh = mesh(corners.map(DVec3::from_array).to_vec(), 4);
+        let picked = |reach| nearest_on_boundary_to_ray(&mesh, DVec3::new(0.1, 0.0, 9.0), -DVec3::Z, reach).unwrap();
+        assert_eq!(picked(0.0).edge, 2);
+        assert_eq!(picked(0.01).edge, 0);
+        assert!((picked(0.01).fraction - 0.55).abs() < 1e-15);
     }
 }
