@@ -2,7 +2,7 @@
 //! shown, and only what changed since.
 //!
 //! The mapped mesh is drawn on both sides: on its own with its vertices, on the
-//! other at their images.
+//! other at their images. A surface's own side is a viewport in space, with buffers of its own.
 
 use super::colouring::{self, ColourScale};
 use super::gpu::Gpu;
@@ -28,9 +28,15 @@ pub struct Cells {
     /// The codes are others than the uploaded ones.
     recoloured: bool,
     scale: Option<ColourScale>,
+    style: Option<CellStyle>,
 }
 
 impl Cells {
+    /// How the triangles are shown; `None` where there is nothing to show but the texture.
+    pub fn style(&self) -> Option<CellStyle> {
+        self.style
+    }
+
     /// What the colours mean, where they are not the texture's.
     pub fn scale(&self) -> Option<&ColourScale> {
         self.scale.as_ref()
@@ -39,12 +45,12 @@ impl Cells {
     /// Brings colours and uploads up to date with the model.
     pub fn update(&mut self, model: &Model, gpu: Option<&Gpu>, pixels_per_point: f32) {
         self.colour(model);
-        let style = self.style(model, pixels_per_point);
+        self.style = self.choose_style(model, pixels_per_point);
         let Some(gpu) = gpu else { return };
-        if style.is_some() {
+        if self.style.is_some() {
             self.upload(model, gpu);
         }
-        gpu.set_cell_style(style);
+        gpu.set_cell_style(self.style);
     }
 
     /// Renews scale and codes when there is a new measurement or another colouring.
@@ -56,33 +62,32 @@ impl Cells {
         }
         self.coloured = Some(wanted);
         let triangles = model.triangles();
-        self.scale = ColourScale::new(session.colouring, session.direction, triangles, self.scale.as_ref());
+        let direction = model.shown().map_or(session.direction, |map| map.direction);
+        self.scale = ColourScale::new(session.colouring, direction, triangles, self.scale.as_ref());
         colouring::codes(self.scale.as_ref(), triangles, &mut self.codes);
         self.recoloured = true;
     }
 
-    /// `None` where there is nothing to show but the texture.
-    fn style(&self, model: &Model, pixels_per_point: f32) -> Option<CellStyle> {
+    fn choose_style(&self, model: &Model, pixels_per_point: f32) -> Option<CellStyle> {
         let session = model.session();
         let map = self.scale.as_ref().map(|scale| scale.map);
         let light = map == Some(ColourMap::Cividis);
         let wire = session.wireframe.then(|| StrokeStyle::wire(light, pixels_per_point));
         let marks = model.quality().is_some_and(|quality| quality.flipped > 0);
-        let shown = model.map().is_some() && (map.is_some() || wire.is_some() || marks);
+        let shown = model.shown().is_some() && (map.is_some() || wire.is_some() || marks);
         shown.then_some(CellStyle { map, wire, marks, pixels_per_point })
     }
 
     fn upload(&mut self, model: &Model, gpu: &Gpu) {
-        let Some(map) = model.map() else { return };
+        let Some(map) = model.shown() else { return };
         let wanted = Uploaded { mesh: model.mesh_generation(), images: model.generation() };
-        let mapped = map.direction().mapped_side();
-        let mesh = map.mapped_mesh();
         let another_mesh = self.uploaded.mesh != wanted.mesh;
         for side in Side::BOTH {
-            let positions = if side == mapped { &mesh.vertices } else { map.images() };
+            let is_mapped = side == map.mapped_side();
+            let Some(positions) = (if is_mapped { map.planar } else { Some(map.images) }) else { continue };
             if another_mesh {
-                gpu.upload_cells(side, positions, &mesh.triangles);
-            } else if side != mapped && self.uploaded.images != wanted.images {
+                gpu.upload_cells(side, positions, map.triangles);
+            } else if !is_mapped && self.uploaded.images != wanted.images {
                 gpu.move_cells(side, positions);
             }
         }

@@ -6,6 +6,7 @@
 
 use super::gpu_extension::GpuExtension;
 use super::model::{Changes, Model};
+use super::surface;
 use super::textured::{self, Moved};
 use crate::conformal::{Extension, PreparedDomain, Side};
 use crate::geometry::DVec2;
@@ -51,6 +52,7 @@ impl Gpu {
 
     /// Uploads what has changed.
     pub fn upload(&mut self, model: &Model, changes: Changes) {
+        self.with_renderer(|renderer| surface::gpu::upload(&self.state, renderer, model, changes));
         if changes.meshes {
             for side in Side::BOTH {
                 if let Some(domain) = model.shown_domain(side) {
@@ -110,6 +112,7 @@ impl Gpu {
             for side in Side::BOTH {
                 renderer.set_cell_codes(&self.state.queue, side as usize, codes);
             }
+            renderer.set_surface_codes(&self.state.queue, codes);
         });
     }
 

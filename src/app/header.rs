@@ -37,11 +37,19 @@ pub struct Surroundings {
 }
 
 /// Shows the title line, the buttons and the messages of a viewport.
-pub fn show(ui: &mut Ui, side: Side, model: &Model, view: &View, around: Surroundings, actions: &mut Actions) {
-    let area = view.rect.shrink2(vec2(14.0, 10.0));
+pub fn show(
+    ui: &mut Ui,
+    side: Side,
+    model: &Model,
+    rect: Rect,
+    is_fitted: bool,
+    around: Surroundings,
+    actions: &mut Actions,
+) {
+    let area = rect.shrink2(vec2(14.0, 10.0));
     ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
         ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-            buttons(ui, side, model, view, around, actions);
+            buttons(ui, side, model, is_fitted, around, actions);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
                 over_the_mesh(ui, |ui| title(ui, side, model));
@@ -80,14 +88,14 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
     }
 }
 
-fn buttons(ui: &mut Ui, side: Side, model: &Model, view: &View, around: Surroundings, actions: &mut Actions) {
+fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surroundings, actions: &mut Actions) {
     ui.spacing_mut().button_padding = vec2(9.0, 4.0);
     ui.spacing_mut().interact_size.y = 26.0;
     let panels = (around.folded && side == Side::Target).then(|| ui.button("Panels").on_hover_text(PANELS_TOOLTIP));
     if panels.is_some_and(|button| button.clicked()) {
         actions.push(Action::TogglePanels);
     }
-    let fit = ui.add_enabled(!view.is_fitted(), egui::Button::new("Fit"));
+    let fit = ui.add_enabled(!is_fitted, egui::Button::new("Fit"));
     if fit.on_hover_text("Show all of it (double-click)").clicked() {
         actions.push(Action::Fit(side));
     }

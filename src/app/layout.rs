@@ -7,7 +7,9 @@ use super::header::Surroundings;
 use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box};
-use super::{PHONE_WIDTH, RiemapApp, header, legend, plots, side_panel, status, teaching, top_bar, viewport, words};
+use super::{
+    PHONE_WIDTH, RiemapApp, header, legend, plots, side_panel, status, surface, teaching, top_bar, viewport, words,
+};
 use crate::conformal::Side;
 use crate::session::Command;
 use egui::{Event, Frame, Id, Key, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
@@ -148,7 +150,13 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
             if narrow && side == LEGEND_SIDE && app.cells.scale().is_some() { legend::height(rect) } else { 0.0 };
         let margins = Margins { bottom: margins.bottom + below, ..margins };
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
-        let boundary = viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions);
+        let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
+        let boundary = if let Some(scene) = scene {
+            app.orbit.place(view.rect, ui.pixels_per_point(), scene);
+            surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, &mut actions)
+        } else {
+            viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions)
+        };
         pointed = pointed.or(boundary.map(|fraction| (side, fraction)));
     }
     if app.plots.point_at(pointed) {
@@ -173,8 +181,14 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         let view = &app.views[side as usize];
-        viewport::paint_mesh(ui, side, view, style.as_ref());
-        header::show(ui, side, &app.model, view, around, actions);
+        let solid = side == Side::Target && app.model.surface().is_some();
+        if solid {
+            surface::viewport::paint_surface(ui, &app.orbit, style.as_ref(), app.cells.style());
+        } else {
+            viewport::paint_mesh(ui, side, view, style.as_ref());
+        }
+        let is_fitted = if solid { app.orbit.is_fitted() } else { view.is_fitted() };
+        header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
         if !narrow {
             header::legend(ui, side, &app.model, view);
         }
@@ -182,14 +196,18 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         if let Some(scale) = app.cells.scale().filter(|_| side == LEGEND_SIDE) {
             legend::paint(ui, view.rect, scale, narrow);
         }
-        if let Some(marked) = app.plots.marked() {
-            viewport::paint_boundary_mark(ui, side, &app.model, view, marked[side as usize]);
+        let marked = app.plots.marked().map(|marked| marked[side as usize]);
+        if solid {
+            marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.orbit, at));
+            surface::viewport::paint_dots(ui, &app.model, &app.orbit, &app.handles);
+        } else {
+            marked.inspect(|&at| viewport::paint_boundary_mark(ui, side, &app.model, view, at));
+            viewport::paint_dots(ui, side, &app.model, view, &app.handles);
         }
-        viewport::paint_dots(ui, side, &app.model, view, &app.handles);
-        viewport::paint_progress(ui, side, &app.model, view);
-        viewport::paint_drop_target(ui, view);
+        viewport::paint_progress(ui, side, &app.model, view.rect);
+        viewport::paint_drop_target(ui, side, view.rect);
     }
-    if !app.handles.ever_dragged && app.model.map().is_some() {
+    if !app.handles.ever_dragged && app.model.shown().is_some() {
         viewport::paint_hint(ui, &app.model, &app.views[0]);
     }
     let [a, b] = app.views.each_ref().map(|view| view.rect);

@@ -4,6 +4,7 @@
 
 use super::action::{Action, Actions};
 use super::model::Model;
+use super::surface;
 use super::theme::Palette;
 use super::widgets::{Segment, group_heading, segmented, segmented_where};
 use crate::conformal::{ConformalMap, Extension, HarmonicTable, KernelMode, Memory, PrepareSettings, Side};
@@ -54,7 +55,13 @@ const SOLVERS: [Segment<SolverKind>; 2] = [
 /// Shows the group.
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     group_heading(ui, "Method");
-    if let Some(extension) = segmented(ui, &EXTENSIONS, model.session().extension) {
+    let planar = model.surface().is_none();
+    let extension = if planar { model.session().extension } else { Extension::Harmonic };
+    let refused = |extension| {
+        let refused = !planar && extension == Extension::CauchyGreen;
+        refused.then(|| String::from("Cauchy's integral is one over a boundary in the plane; a surface's is in space"))
+    };
+    if let Some(extension) = segmented_where(ui, &EXTENSIONS, extension, refused) {
         actions.push(Action::Session(Command::SetExtension(extension)));
     }
     let progress = model.map().map_or(1.0, ConformalMap::extension_progress);
@@ -77,15 +84,21 @@ fn set(model: &Model, actions: &mut Actions, change: impl Fn(PrepareSettings) ->
         let settings = change(model.side(side).wanted().settings);
         actions.push(Action::Session(Command::SetSettings { side, settings }));
     }
+    let PrepareSettings { kernel, solver, .. } = change(model.side(Side::Source).wanted().settings);
+    actions.extend(surface::panel::with_settings(model, |spec| {
+        spec.settings.kernel = kernel;
+        spec.settings.solver = solver;
+    }));
 }
 
 /// Why a kernel cannot be had for the domains as they are.
 fn refusal(model: &Model, kernel: KernelMode) -> Option<String> {
     let domains = Side::BOTH.into_iter().filter_map(|side| model.domain(side));
-    domains
+    let planar = domains.map(|domain| (domain.mesh.interior_count(), domain.samples.len()));
+    let surface = model.surface().and_then(|(surface, _)| surface.surface()).map(|surface| &surface.surface.mesh);
+    planar
+        .chain(surface.map(|mesh| (mesh.interior_count(), mesh.boundary_count as usize)))
         .filter(|_| kernel == KernelMode::Table)
-        .find_map(|domain| {
-            HarmonicTable::check(domain.mesh.interior_count(), domain.samples.len(), Memory::default()).err()
-        })
+        .find_map(|(n, m)| HarmonicTable::check(n, m, Memory::default()).err())
         .map(|error| error.to_string())
 }

@@ -8,6 +8,7 @@
 mod action;
 mod cells;
 mod colouring;
+mod dots;
 mod draft;
 mod figures_menu;
 mod files;
@@ -55,6 +56,7 @@ use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::mpsc;
+use surface::OrbitView;
 use view::View;
 
 /// Below this width (in points) the viewports are stacked and the controls become a sheet.
@@ -91,6 +93,8 @@ pub struct RiemapApp {
     events: mpsc::Receiver<Event>,
     gpu: Option<Gpu>,
     views: [View; 2],
+    /// How the surface is seen that may stand in the target's place.
+    orbit: OrbitView,
     cells: Cells,
     plots: Plots,
     handles: HandleState,
@@ -124,6 +128,7 @@ impl RiemapApp {
             events,
             gpu: creation.wgpu_render_state.clone().map(Gpu::new),
             views: [View::default(), View::default()],
+            orbit: OrbitView::default(),
             cells: Cells::default(),
             plots: Plots::default(),
             handles: HandleState::default(),
@@ -148,11 +153,17 @@ impl RiemapApp {
         let place = |side: Side, point: Option<glam::DVec2>| {
             point.map(|point| self.views[side as usize].to_screen(point)).map(|place| [place.x, place.y])
         };
+        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| [place.x, place.y]);
+        let [x2, y2] = match self.model.surface() {
+            Some(_) => [self.model.surface_point(), self.model.surface_anchor()].map(in_space),
+            None => [self.model.interior(Side::Target), self.model.anchor(Side::Target)]
+                .map(|point| place(Side::Target, point)),
+        };
         let handles = HandlePositions {
             x1: place(Side::Source, self.model.interior(Side::Source)),
-            x2: place(Side::Target, self.model.interior(Side::Target)),
+            x2,
             y1: place(Side::Source, self.model.anchor(Side::Source)),
-            y2: place(Side::Target, self.model.anchor(Side::Target)),
+            y2,
         };
         let backend = self.gpu.as_ref().map(Gpu::backend).unwrap_or_default();
         let screen = ScreenFacts {
@@ -172,8 +183,8 @@ impl RiemapApp {
         self.mailbox.wake();
     }
 
-    /// Takes in an outline as if its file had been opened.
-    pub fn load_outline(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
+    /// Takes in an outline or a surface as if its file had been opened.
+    pub fn load_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.read_file(FilePurpose::Outline(side), name, Ok(bytes));
         self.mailbox.wake();
     }
@@ -245,6 +256,7 @@ impl RiemapApp {
                 Action::Session(command) => self.model.dispatch(command, now),
                 Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
                 Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
+                Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
                 Action::Fit(side) => self.views[side as usize].fit(),
                 Action::Remedy(subject) => self.model.remedy(subject),
                 Action::Dismiss(subject) => self.model.dismiss(subject),
@@ -284,6 +296,9 @@ impl RiemapApp {
         for side in Side::BOTH {
             if self.model.take_refit(side) {
                 self.views[side as usize].fit();
+                if side == Side::Target {
+                    self.look_at_surface();
+                }
                 context.request_repaint();
             }
         }
@@ -301,6 +316,16 @@ impl RiemapApp {
         }
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
+    }
+
+    /// Another surface is seen from where it shows the most.
+    fn look_at_surface(&mut self) {
+        if let Some((surface, state)) = self.model.surface()
+            && let Some(scene) = surface.scene()
+        {
+            let (towards_eye, up) = surface.default_view(state);
+            self.orbit.look(scene, towards_eye, up);
+        }
     }
 
     /// Uploads, and asks for another frame: the status line was laid out before the change.
@@ -329,7 +354,7 @@ impl RiemapApp {
             TextureKind::Image if self.image_name.is_some() => Pattern::Image,
             TextureKind::Checker | TextureKind::Image => Pattern::Checker,
         };
-        let home = session.texture_side;
+        let home = textured::home(session).unwrap_or(Side::Source);
         let (bounds, pole) = match pattern {
             Pattern::Conformal => (TextureStyle::DISK, glam::DVec2::ZERO),
             _ => (self.model.extent(home)?, self.model.interior(home)?),
@@ -342,8 +367,8 @@ impl eframe::App for RiemapApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         self.take_events();
         self.take_dropped(ui.ctx());
-        let compute = self.model.map().map_or(0.0, |map| {
-            let timings = map.timings();
+        let compute = self.model.shown().map_or(0.0, |map| {
+            let timings = map.timings;
             timings.kernel + timings.matching + timings.extend
         });
         let since_last = ui.input(|input| input.unstable_dt);

@@ -7,7 +7,7 @@ use super::method;
 use super::model::Model;
 use super::theme::Palette;
 use super::widgets::{Segment, captioned_slider, group_heading, segmented};
-use super::{teaching, words};
+use super::{surface, teaching, words};
 use crate::conformal::{Direction, PrepareSettings, Side};
 use crate::mesh::Sizing;
 use crate::outline::Sampling;
@@ -55,15 +55,20 @@ const TEXTURES: [Segment<TextureKind>; 4] = [
 
 /// Shows all groups.
 pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut Actions) {
-    group_heading(ui, "Map");
-    if let Some(direction) = segmented(ui, &DIRECTIONS, model.session().direction) {
-        actions.push(Action::Session(Command::SetDirection(direction)));
+    let planar = model.surface().is_none();
+    if planar {
+        group_heading(ui, "Map");
+        if let Some(direction) = segmented(ui, &DIRECTIONS, model.session().direction) {
+            actions.push(Action::Session(Command::SetDirection(direction)));
+        }
+    } else {
+        surface::panel::show(ui, model, actions);
     }
     shown(ui, model, actions);
     texture(ui, model, image_name, actions);
     method::show(ui, model, actions);
     teaching::panel::show(ui, model, actions);
-    for side in Side::BOTH {
+    for side in Side::BOTH.into_iter().filter(|side| planar || *side == Side::Source) {
         ui.push_id(side, |ui| resolution(ui, side, model, actions));
     }
 }

@@ -1,7 +1,7 @@
 //! The numbers on the screen as one plain record, for `window.riemap.stats()` and for tests.
 
 use super::model::Model;
-use crate::conformal::{ConformalMap, FrameTimings, PrepareTimings, Side};
+use crate::conformal::{FrameTimings, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::session::Colouring;
 use serde::Serialize;
@@ -76,6 +76,8 @@ pub struct Stats {
     pub flipped: Option<u32>,
     /// How long the stages of the preparation took, in ms.
     pub prepare_ms: [PrepareTimings; 2],
+    /// Those of the surface; `None` where none is shown.
+    pub surface_ms: Option<PrepareTimings>,
     /// What the last update of the map took, in ms.
     pub frame_ms: FrameTimings,
     /// The error messages on the screen.
@@ -135,14 +137,18 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         ready: model.is_ready(),
         backend: screen.backend,
         generation: model.generation(),
-        preparing: Side::BOTH.map(|side| model.side(side).is_busy()),
+        preparing: Side::BOTH.map(|side| {
+            let surface = side == Side::Target && model.surface_side().preparation.is_busy();
+            surface || model.side(side).is_busy()
+        }),
         source: size(model, Side::Source),
         target: size(model, Side::Target),
         q_mean: quality.map(|q| q.q_mean),
         q_max: quality.map(|q| q.q_max),
         flipped: quality.map(|q| q.flipped),
         prepare_ms: Side::BOTH.map(|side| model.domain(side).map(|domain| domain.timings).unwrap_or_default()),
-        frame_ms: model.map().map(ConformalMap::timings).unwrap_or_default(),
+        surface_ms: model.surface_map().map(|map| map.surface().timings),
+        frame_ms: model.shown().map(|map| map.timings).unwrap_or_default(),
         errors: screen.errors,
         notes: screen.notes,
         colouring: model.session().colouring,
@@ -167,6 +173,11 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
 }
 
 fn size(model: &Model, side: Side) -> DomainSize {
+    if let (Side::Target, Some(surface)) = (side, model.surface().and_then(|(surface, _)| surface.surface())) {
+        let mesh = &surface.surface.mesh;
+        let (m, n) = (mesh.boundary_count as usize, mesh.interior_count());
+        return DomainSize { m, n, triangles: mesh.triangles.len() };
+    }
     model.domain(side).map_or_else(DomainSize::default, |domain| DomainSize {
         m: domain.samples.len(),
         n: domain.mesh.interior_count(),
@@ -179,8 +190,8 @@ fn image_of_point(model: &Model, mapped: Side) -> Option<[f64; 2]> {
 }
 
 fn boundary_checksum(model: &Model) -> f64 {
-    let Some(map) = model.map() else { return 0.0 };
-    let m = map.mapped_mesh().boundary_count as usize;
+    let Some(map) = model.shown() else { return 0.0 };
+    let m = map.boundary_count;
     let weighted = |(k, image): (usize, &DVec2)| (k + 1) as f64 / m as f64 * (image.x + image.y);
-    map.images().iter().take(m).enumerate().map(weighted).sum()
+    map.images.iter().take(m).enumerate().map(weighted).sum()
 }

@@ -55,8 +55,8 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
             let flipped = RichText::new(format!("flipped {}", grouped(quality.flipped as usize))).small().color(ink);
             ui.label(flipped).on_hover_text(words::FLIPPED_TOOLTIP);
         }
-        if let Some(map) = model.map() {
-            let t = map.timings();
+        if let Some(map) = model.shown() {
+            let t = map.timings;
             let compute = t.kernel + t.matching + t.extend;
             let split = format!("kernel {:.2} ms + match {:.2} ms + extend {:.2} ms", t.kernel, t.matching, t.extend);
             ui.label(weak(format!("frame {compute:.1} ms + draw {:.1} ms", meter.draw_ms)))
@@ -67,7 +67,11 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if !narrow {
-                ui.label(weak(String::from("drag a dot · scroll to zoom · drop a file anywhere")));
+                let hint = match model.surface() {
+                    None => "drag a dot · scroll to zoom · drop a file anywhere",
+                    Some(_) => "drag a dot, or the surface to turn it · shift moves it · scroll to zoom",
+                };
+                ui.label(weak(String::from(hint)));
             }
             ui.label(weak(String::from(backend))).on_hover_text(adapter);
         });

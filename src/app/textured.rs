@@ -30,7 +30,7 @@ pub fn home(session: &Session) -> Option<Side> {
 /// What a side shows, as soon as there is something.
 pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
     let Some(home) = home(model.session()) else {
-        let mesh = &model.map()?.domain(side).mesh;
+        let mesh = &model.shown_domain(side)?.mesh;
         let texture_coordinates = model.teaching().grid.of(side);
         return Some(MeshGeometry { positions: &mesh.vertices, texture_coordinates, triangles: &mesh.triangles });
     };

@@ -6,27 +6,23 @@
 //! the pointer.
 
 use super::action::{Action, Actions};
+use super::dots::{self, Dot};
 use super::gpu::ViewportCallback;
-use super::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, HandleState, hit};
+use super::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
 use super::model::Model;
-use super::plots::Plots;
-use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
+use super::theme::Palette;
 use super::view::View;
 use super::widgets::caption_font;
 use crate::conformal::Side;
-use crate::geometry::DVec2;
 use crate::render::TextureStyle;
 use crate::session::Command;
-use egui::emath::GuiRounding;
-use egui::{
-    Align2, Color32, CornerRadius, CursorIcon, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2,
-};
+use egui::{Align2, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
 
 /// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
-const ZOOM_PER_POINT: f32 = 0.0025;
+pub const ZOOM_PER_POINT: f32 = 0.0025;
 
 /// How near the boundary the pointer means it, in points.
-const BOUNDARY_REACH: f32 = 14.0;
+pub const BOUNDARY_REACH: f32 = 14.0;
 
 /// Turns gestures over the viewport into commands and camera moves. Returns the boundary
 /// point under the pointer, as a fraction of arc length.
@@ -42,7 +38,8 @@ pub fn interact(
     if pinch(ui, &response, view, handles) {
         return None;
     }
-    grab_and_release(ui, &response, side, model, view, handles);
+    let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
+    dots::grab_and_release(ui, &response, side, places, handles);
     drag_handle(ui, side, model, view, handles, actions);
     move_camera(ui, &response, view, handles);
     boundary_under_pointer(&response, side, model, view, handles)
@@ -72,31 +69,6 @@ fn pinch(ui: &Ui, response: &Response, view: &mut View, handles: &mut HandleStat
     view.pan(touch.translation_delta);
     view.zoom(touch.zoom_delta, touch.center_pos);
     true
-}
-
-fn grab_and_release(ui: &Ui, response: &Response, side: Side, model: &Model, view: &View, handles: &mut HandleState) {
-    let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
-    let (pressed, down, pointer, now) = ui.input(|input| {
-        let pointer = &input.pointer;
-        (pointer.primary_pressed(), pointer.primary_down(), pointer.interact_pos(), input.time)
-    });
-    let under = pointer.filter(|_| response.contains_pointer()).and_then(|pointer| hit(side, places, pointer));
-    if let (true, Some(handle), Some(pointer)) = (pressed, under, pointer)
-        && let Some(place) = places[handle.kind as usize]
-    {
-        handles.grab(handle, place, pointer, now);
-    }
-    if !down && handles.grip.is_some_and(|grip| grip.handle.side == side) {
-        handles.release();
-    }
-    if handles.hovered.is_none_or(|hovered| hovered.side == side) {
-        handles.hovered = under;
-    }
-    if handles.grip.is_some() {
-        ui.set_cursor_icon(CursorIcon::Grabbing);
-    } else if under.is_some() {
-        ui.set_cursor_icon(CursorIcon::Grab);
-    }
 }
 
 fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState, actions: &mut Actions) {
@@ -150,7 +122,9 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Han
     let points = [(HandleKind::Boundary, model.anchor(side)), (HandleKind::Interior, model.interior(side))];
     for (kind, point) in points {
         if let Some(point) = point {
-            paint_dot(ui, &painter, Handle { side, kind }, point, view, handles);
+            let handle = Handle { side, kind };
+            let words = || format!("{} = ({:.3}, {:.3})", handle.symbol(), point.x, point.y);
+            dots::paint(ui, &painter, handle, Dot { place: view.to_screen(point), hidden: false }, handles, &words);
         }
     }
 }
@@ -159,52 +133,8 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Han
 pub fn paint_boundary_mark(ui: &Ui, side: Side, model: &Model, view: &View, fraction: f64) {
     let Some(domain) = model.domain(side) else { return };
     let samples = &domain.samples;
-    let place = view.to_screen(samples.position(samples.at_fraction(fraction))).round_to_pixels(ui.pixels_per_point());
-    let painter = ui.painter_at(view.rect);
-    painter.circle_filled(place + vec2(0.0, 1.0), 8.0, Color32::from_black_alpha(70));
-    painter.circle_filled(place, 6.5, Color32::WHITE);
-    painter.circle_filled(place, 4.5, Plots::inks(ui.visuals().dark_mode)[side as usize]);
-}
-
-fn paint_dot(ui: &Ui, painter: &egui::Painter, handle: Handle, point: DVec2, view: &View, handles: &HandleState) {
-    // On whole pixels: small discs come from a texture and are moved there, large ones would not be.
-    let place = view.to_screen(point).round_to_pixels(ui.pixels_per_point());
-    let colour = match handle.kind {
-        HandleKind::Interior => INTERIOR_COLOUR,
-        HandleKind::Boundary => BOUNDARY_COLOUR,
-    };
-    let now = ui.input(|input| input.time);
-    if let Some(progress) = handles.pulse_of(handle, now) {
-        let radius = DOT_RADIUS + 24.0 * progress;
-        painter.circle_stroke(place, radius, Stroke::new(3.0 * (1.0 - progress), colour));
-        ui.request_repaint();
-    }
-    let raised = ui.ctx().animate_bool_with_time(
-        ui.scope_id().with((handle.side, handle.symbol())),
-        handles.is_raised(handle),
-        0.1,
-    );
-    let radius = DOT_RADIUS + 3.0 * raised;
-    painter.circle_filled(place + vec2(0.0, 1.0), radius + 3.0, Color32::from_black_alpha(70));
-    painter.circle_filled(place, radius + 1.0, Color32::WHITE);
-    painter.circle_filled(place, radius - 1.5, colour);
-    if handles.is_held(handle) {
-        paint_coordinates(ui, painter, handle, point, place);
-    }
-}
-
-fn paint_coordinates(ui: &Ui, painter: &egui::Painter, handle: Handle, point: DVec2, place: Pos2) {
-    let palette = Palette::of(ui.visuals());
-    let text = format!("{} = ({:.3}, {:.3})", handle.symbol(), point.x, point.y);
-    let galley = painter.layout_no_wrap(text, caption_font(ui), palette.text);
-    let size = galley.size() + vec2(16.0, 8.0);
-    let clip = painter.clip_rect().shrink(6.0);
-    let above = place.y - GRAB_RADIUS - size.y > clip.top();
-    let y = if above { place.y - GRAB_RADIUS - size.y } else { place.y + GRAB_RADIUS };
-    let x = (place.x - 0.5 * size.x).clamp(clip.left(), (clip.right() - size.x).max(clip.left()));
-    let label = Rect::from_min_size(Pos2::new(x, y), size);
-    painter.rect(label, CornerRadius::same(6), palette.raised, Stroke::new(1.0, palette.border), StrokeKind::Inside);
-    painter.galley(label.min + vec2(8.0, 4.0), galley, palette.text);
+    let place = view.to_screen(samples.position(samples.at_fraction(fraction)));
+    dots::paint_mark(ui, &ui.painter_at(view.rect), side, place);
 }
 
 /// "drag a dot", until someone has.
@@ -227,38 +157,45 @@ pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
 }
 
 /// The thin line along the upper edge while something is prepared, with the stage's name.
-pub fn paint_progress(ui: &Ui, side: Side, model: &Model, view: &View) {
-    let state = model.side(side);
-    if !state.is_busy() {
+pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
+    let (surface, outline) = (&model.surface_side().preparation, model.side(side));
+    let stage = if side == Side::Target && surface.is_busy() {
+        surface.stage()
+    } else if outline.is_busy() {
+        outline.stage()
+    } else {
         return;
-    }
+    };
     let palette = Palette::of(ui.visuals());
-    let painter = ui.painter_at(view.rect);
-    let (done, name) = super::words::stage(state.stage());
+    let painter = ui.painter_at(rect);
+    let (done, name) = super::words::stage(stage);
     let done = ui.ctx().animate_value_with_time(ui.scope_id().with(("progress", side)), done, 0.15);
-    let line = Rect::from_min_size(view.rect.min, vec2(view.rect.width(), 3.0));
+    let line = Rect::from_min_size(rect.min, vec2(rect.width(), 3.0));
     painter.rect_filled(line, CornerRadius::ZERO, palette.border);
     let filled = Rect::from_min_size(line.min, vec2(line.width() * done, 3.0));
     painter.rect_filled(filled, CornerRadius::ZERO, palette.accent_soft);
-    let place = view.rect.center_bottom() - vec2(0.0, 40.0);
+    let place = rect.center_bottom() - vec2(0.0, 40.0);
     painter.text(place, Align2::CENTER_CENTER, name, caption_font(ui), palette.weak);
 }
 
 /// While a file is dragged over the viewport: what will happen to it here.
-pub fn paint_drop_target(ui: &Ui, view: &View) {
-    let over = crate::platform::drop_position(ui.ctx()).is_some_and(|place| view.rect.contains(place));
+pub fn paint_drop_target(ui: &Ui, side: Side, rect: Rect) {
+    let over = crate::platform::drop_position(ui.ctx()).is_some_and(|place| rect.contains(place));
     if !over || ui.input(|input| input.raw.hovered_files.is_empty()) {
         return;
     }
     let palette = Palette::of(ui.visuals());
-    let painter = ui.painter_at(view.rect);
+    let painter = ui.painter_at(rect);
     let ground = palette.accent.gamma_multiply(0.25);
     let edge = Stroke::new(2.0, palette.accent_soft);
-    painter.rect(view.rect.shrink(6.0), CornerRadius::same(10), ground, edge, StrokeKind::Inside);
-    let words = "Drop an outline for this side, or an image as the texture";
+    painter.rect(rect.shrink(6.0), CornerRadius::same(10), ground, edge, StrokeKind::Inside);
+    let words = match side {
+        Side::Source => "Drop an outline for this side, or an image as the texture",
+        Side::Target => "Drop an outline or a surface for this side, or an image as the texture",
+    };
     let galley =
-        painter.layout(words.into(), egui::TextStyle::Body.resolve(ui.style()), palette.text, view.rect.width() - 60.0);
-    let label = Rect::from_center_size(view.rect.center(), galley.size() + vec2(24.0, 16.0));
+        painter.layout(words.into(), egui::TextStyle::Body.resolve(ui.style()), palette.text, rect.width() - 60.0);
+    let label = Rect::from_center_size(rect.center(), galley.size() + vec2(24.0, 16.0));
     painter.rect_filled(label, CornerRadius::same(8), palette.raised);
     painter.galley(label.min + vec2(12.0, 8.0), galley, palette.text);
 }

@@ -6,6 +6,7 @@
 //! the last good map stays and follows its handles.
 
 mod refresh;
+mod shown;
 mod surface;
 mod wishes;
 

@@ -4,12 +4,21 @@
 //! |---|---|
 //! | from a wish to a prepared surface | `preparation` |
 //! | the surface and its map, as the model holds them | `side` |
+//! | from where it is seen | `orbit` |
+//! | gestures and dots in its viewport | `viewport` |
+//! | uploads and the callback that draws it | `gpu` |
+//! | its controls | `panel` |
 //! | small pictures of the presets | `picture` |
 
+pub mod gpu;
+mod orbit;
+pub mod panel;
 mod picture;
 mod preparation;
 mod side;
+pub mod viewport;
 
+pub use orbit::OrbitView;
 pub use picture::surface_picture;
 pub use preparation::{Arrival, SurfacePreparation, Wish};
 pub use side::SurfaceSide;

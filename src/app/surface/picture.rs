@@ -1,5 +1,6 @@
 //! The small pictures of the built-in surfaces in the menu: flat-shaded triangles, far ones first.
 
+use super::side::PRESET_EYE;
 use crate::geometry::DVec3;
 use crate::surface::SurfacePreset;
 use egui::{Color32, Id, Mesh, Pos2, Rect, Shape, Ui};
@@ -7,9 +8,6 @@ use std::sync::Arc;
 
 /// Boundary vertices of a picture: about a thousand triangles, enough for an ear at 50 points across.
 const BOUNDARY: u32 = 80;
-
-/// From where they are seen: a little from the left and above, z upwards.
-const EYE: DVec3 = DVec3::new(0.35, -0.75, 0.6);
 
 /// How bright a triangle is that is seen edge on; one that faces the eye has brightness 1.
 const DARKEST: f64 = 0.3;
@@ -44,7 +42,7 @@ fn facets(context: &egui::Context, preset: SurfacePreset) -> Arc<Vec<Facet>> {
 
 fn projected(preset: SurfacePreset) -> Vec<Facet> {
     let Ok(surface) = preset.surface(BOUNDARY) else { return Vec::new() };
-    let toward = EYE.normalize();
+    let toward = PRESET_EYE.normalize();
     let right = DVec3::Z.cross(toward).normalize();
     let up = toward.cross(right);
     let bounds = |axis: DVec3| {

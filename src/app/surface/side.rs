@@ -1,18 +1,35 @@
 //! The surface that is shown, and its map.
 //!
-//! No egui and no wgpu in here: it is a part of the model.
+//! No egui in here: it is a part of the model.
 
 use super::SurfacePreparation;
 use crate::conformal::{PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceMapError};
 use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Lanes;
 use crate::mesh::{BarycentricPoint, NO_TRIANGLE};
-use crate::session::SurfaceState;
+use crate::render::BoundingSphere;
+use crate::session::{SurfaceShape, SurfaceState};
 use std::sync::Arc;
 
 /// The share of a point's weight that corners on the boundary may have: nearer to the loop harmonic
 /// measure is a peak that no drag can hold still.
 const MOST_BOUNDARY_WEIGHT: f64 = 0.9;
+
+/// Towards the eye, for surfaces by formula: a little from the right and above.
+pub(super) const PRESET_EYE: DVec3 = DVec3::new(0.35, -0.75, 0.6);
+
+/// A front that points this much along y has z upwards.
+const STEEP: f64 = 0.9;
+/// How far the eye is beside and above the front of a surface from a file: a shape is read better so.
+const TURNED: f64 = 0.35;
+const RAISED: f64 = 0.3;
+
+/// The direction of the sum of all normals: by Stokes' theorem that of the loop's vector area ½ Σ p × q.
+fn front(boundary: &[DVec3]) -> DVec3 {
+    let next = boundary.iter().cycle().skip(1);
+    let area: DVec3 = boundary.iter().zip(next).map(|(p, q)| (*p - boundary[0]).cross(*q - boundary[0])).sum();
+    area.normalize_or(DVec3::Z)
+}
 
 /// The surface side of the model.
 #[derive(Debug, Default)]
@@ -42,6 +59,26 @@ impl SurfaceSide {
     /// Its map.
     pub fn map(&self) -> Option<&SurfaceMap> {
         self.map.as_ref()
+    }
+
+    /// A ball around it.
+    pub fn scene(&self) -> Option<BoundingSphere> {
+        self.shown.as_ref().map(|surface| BoundingSphere::of(&surface.surface.mesh.vertices))
+    }
+
+    /// From where the surface is looked at first, and which way is up: z for those by formula;
+    /// a surface from a file shows its front, which is where the sum of its normals points.
+    pub fn default_view(&self, state: &SurfaceState) -> (DVec3, DVec3) {
+        match (&state.spec.shape, &self.shown) {
+            (SurfaceShape::File { .. }, Some(surface)) => {
+                let mesh = &surface.surface.mesh;
+                let front = front(&mesh.vertices[..mesh.boundary_count as usize]);
+                let up = if front.y.abs() < STEEP { DVec3::Y } else { DVec3::Z };
+                let right = up.cross(front).normalize_or(DVec3::X);
+                (front + TURNED * right + RAISED * up, up)
+            }
+            _ => (PRESET_EYE, DVec3::Z),
+        }
     }
 
     /// g at the vertices of the surface, see [`crate::conformal::surface_disk_coordinates`]; empty before

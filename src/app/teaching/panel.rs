@@ -94,13 +94,18 @@ pub fn pattern(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     if session.texture == TextureKind::Conformal {
         // It lives in the disk.
         problem(ui, model.teaching().grid.error());
-    } else if let Some(home) = segmented(ui, &HOMES, session.texture_side) {
+    } else if model.surface().is_none()
+        && let Some(home) = segmented(ui, &HOMES, session.texture_side)
+    {
         actions.push(Action::Session(Command::SetTextureSide(home)));
     }
 }
 
 /// The groups "Through the disk" and "Random walks".
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    if model.surface().is_some() {
+        return; // both are of plane outlines
+    }
     group_heading(ui, "Through the disk");
     let comparison = model.session().comparison;
     if let Some(chosen) = segmented(ui, &COMPARISONS, comparison) {

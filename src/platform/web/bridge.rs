@@ -4,7 +4,8 @@
 //! * `riemap.session()` → the session as an object,
 //! * `riemap.open_session(object)` → `null`, or why the object is no session; the map follows
 //!   when its domains are prepared,
-//! * `riemap.load_outline("source" | "target", file_name, text)` → `true` if the side is known.
+//! * `riemap.load_outline("source" | "target", file_name, text)` → `true` if the side is known,
+//! * `riemap.load_file("source" | "target", file_name, bytes)` → the same, for any file that can be dropped.
 //!
 //! After a panic they return `undefined`.
 
@@ -29,7 +30,7 @@ pub fn install(runner: &WebRunner) {
         Closure::<dyn Fn(String, String, String) -> JsValue>::new(move |side: String, name: String, text: String| {
             let Some(side) = side_named(&side) else { return JsValue::FALSE };
             with_app(&app, |app| {
-                app.load_outline(side, &name, text.into_bytes());
+                app.load_file(side, &name, text.into_bytes());
                 JsValue::TRUE
             })
         });
@@ -43,6 +44,15 @@ pub fn install(runner: &WebRunner) {
             Err(error) => error.to_string().into(),
         })
     });
+    let app = runner.clone();
+    let file = Closure::<dyn Fn(String, String, Vec<u8>) -> JsValue>::new(move |side: String, name: String, bytes| {
+        let Some(side) = side_named(&side) else { return JsValue::FALSE };
+        with_app(&app, |app| {
+            app.load_file(side, &name, bytes);
+            JsValue::TRUE
+        })
+    });
+    put(&object, "load_file", &file.into_js_value());
     put(&object, "open_session", &open.into_js_value());
     put(&object, "stats", &stats.into_js_value());
     put(&object, "session", &session.into_js_value());

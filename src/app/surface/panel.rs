@@ -1,0 +1,47 @@
+//! The surface's controls: how it is discretised, and the way back to the plane.
+
+use crate::app::action::{Action, Actions};
+use crate::app::model::Model;
+use crate::app::theme::Palette;
+use crate::app::widgets::{captioned_slider, group_heading, grouped};
+use crate::session::{Command, SurfaceShape, SurfaceSpec};
+use egui::{Label, RichText, Ui};
+
+/// Boundary vertices of a surface by formula: fewer than 24 make a hemisphere a gem, 2000 make it a million triangles.
+const BOUNDARY: std::ops::RangeInclusive<f64> = 24.0..=2000.0;
+
+const MAP_TOOLTIP: &str = "The surface is the target. Its Laplacian comes from the lengths of its edges; harmonic measure on \
+    its boundary loop is matched with the outline's, and every vertex gets its place in the outline: its texture coordinate";
+
+const DELAUNAY_TOOLTIP: &str = "Edges are flipped within the surface until all cotangent weights are positive: then harmonic \
+    measure is too, and the boundary keeps its order. The surface itself stays as it is";
+
+/// Shows what takes the place of the map's direction while a surface is shown.
+pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    let Some(spec) = model.surface_side().preparation.wanted() else { return };
+    let weak = Palette::of(ui.visuals()).weak;
+    group_heading(ui, "Surface");
+    let words = "Every point of the surface is mapped to the outline on the left";
+    ui.add(Label::new(RichText::new(words).small().color(weak)).wrap()).on_hover_text(MAP_TOOLTIP);
+    let mut wanted = spec.clone();
+    if let SurfaceShape::Preset { boundary, .. } = &mut wanted.shape {
+        let shown = format!("{} along the boundary", grouped(*boundary as usize));
+        if let Some(moved) = captioned_slider(ui, "Vertices", &shown, f64::from(*boundary), BOUNDARY, true) {
+            *boundary = moved.round() as u32;
+        }
+    }
+    ui.checkbox(&mut wanted.settings.intrinsic_delaunay, "Intrinsic Delaunay").on_hover_text(DELAUNAY_TOOLTIP);
+    if wanted != *spec {
+        actions.push(Action::Session(Command::SetSurface(wanted)));
+    }
+    if ui.button("Back to the plane").on_hover_text("Show the target's outline again").clicked() {
+        actions.push(Action::Session(Command::CloseSurface));
+    }
+}
+
+/// The wanted surface with other settings.
+pub fn with_settings(model: &Model, change: impl Fn(&mut SurfaceSpec)) -> Option<Action> {
+    let mut spec = model.surface_side().preparation.wanted().filter(|_| model.surface().is_some())?.clone();
+    change(&mut spec);
+    Some(Action::Session(Command::SetSurface(spec)))
+}
