@@ -151,5 +151,5 @@ fn errors_name_their_cause() {
     assert!(with(&["--surface-anchor", "77"], 1).contains("not on the boundary"));
     assert!(with(&["--surface-point", "1,2"], 2).contains("expected a vertex"));
     assert!(with(&["--surface-point", "1:1,-1,2"], 2).contains("expected a vertex"));
-    assert!(with(&["--out", "a.png"], 2).contains("obj, ply, glb, csv or svg"));
+    assert!(with(&["--out", "a.bmp"], 2).contains("obj, ply, glb, csv, svg or png"));
 }

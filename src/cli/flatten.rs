@@ -5,6 +5,7 @@ use super::arguments::read_outline;
 use super::flatten_arguments::{FlattenArguments, UvArgument, read};
 use super::flattened::{Flattened, Format, Placement};
 use super::output::{check_paths, print, say_solver, warn_if_coarse, write_all};
+use super::surface_picture;
 use crate::conformal::{
     FrameTimings, Memory, PrepareTimings, Quality, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare,
     prepare_surface,
@@ -66,8 +67,12 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let surface = timed(&mut timings.read, || read(&arguments.surface))?;
     let (map, constraints) = compute(arguments, &surface, &mut timings)?;
     let flattened = Flattened::new(&surface, &map, arguments.uv == UvArgument::Unit);
-    let files = arguments.out.iter().zip(formats).map(|(path, format)| (path.clone(), flattened.encode(format)));
-    write_all(&files.collect::<Vec<_>>())?;
+    let mut files = Vec::new();
+    for (path, format) in arguments.out.iter().zip(formats) {
+        let picture = || surface_picture::png(&arguments.surface, &map, &constraints, arguments.size.0);
+        files.push((path.clone(), flattened.encode(format, picture)?));
+    }
+    write_all(&files)?;
     let summary = summarize(&surface, &map, &constraints, flattened.placement, timings);
     summary.notes.iter().chain(&summary.repairs).for_each(|note| eprintln!("riemap: {}: {note}", arguments.surface));
     if arguments.json {

@@ -1,7 +1,7 @@
 //! What can be said to `riemap flatten`, and its translation into the core's types.
 
 use super::CliError;
-use super::arguments::{Anchor, Discretisation, Point};
+use super::arguments::{Anchor, Discretisation, Point, Size};
 use crate::conformal::PreparedSurface;
 use crate::geometry::DVec3;
 use crate::mesh::BarycentricPoint;
@@ -44,9 +44,12 @@ pub struct FlattenArguments {
     #[arg(long, default_value = "unit")]
     pub uv: UvArgument,
     /// Write the surface with its texture coordinates; repeatable; the format follows the extension: obj, ply, glb,
-    /// csv (a line for each vertex), svg (the layout).
+    /// csv (a line for each vertex), svg (the layout), png (the textured surface, and its layout beside it).
     #[arg(long, value_name = "FILE")]
     pub out: Vec<PathBuf>,
+    /// Size of a .png in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1600x900")]
+    pub size: Size,
     /// Print quality, counts, flips, repairs and timings as JSON on stdout.
     #[arg(long)]
     pub json: bool,
@@ -160,6 +163,12 @@ impl SurfaceAnchor {
             }
         }
     }
+}
+
+/// The preset that a name means, if it means one.
+pub fn preset(name: &str) -> Option<SurfacePreset> {
+    let name = name.strip_prefix("preset:")?;
+    SurfacePreset::from_str(name.split_once(':').map_or(name, |(preset, _)| preset)).ok()
 }
 
 /// Reads `preset:NAME[:M]` or a file.

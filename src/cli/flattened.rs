@@ -1,4 +1,4 @@
-//! A parameterized surface as OBJ, PLY, GLB, CSV, and its layout as SVG.
+//! A parameterized surface as OBJ, PLY, GLB, CSV, its layout as SVG, and the format of a picture.
 //!
 //! Vertices are those of the file, all of them and in its order; triangles too, but for
 //! those that a repair has dropped. What fills a hole is left out.
@@ -19,6 +19,7 @@ pub enum Format {
     Glb,
     Csv,
     Svg,
+    Png,
 }
 
 impl Format {
@@ -31,8 +32,9 @@ impl Format {
             "glb" => Ok(Self::Glb),
             "csv" => Ok(Self::Csv),
             "svg" => Ok(Self::Svg),
+            "png" => Ok(Self::Png),
             _ => Err(CliError::Usage(format!(
-                "--out {}: the extension must be obj, ply, glb, csv or svg",
+                "--out {}: the extension must be obj, ply, glb, csv, svg or png",
                 path.display()
             ))),
         }
@@ -72,15 +74,16 @@ impl<'a> Flattened<'a> {
         }
     }
 
-    /// The bytes of a file.
-    pub fn encode(&self, format: Format) -> Vec<u8> {
-        match format {
+    /// The bytes of a file; those of a picture come from `picture`.
+    pub fn encode(&self, format: Format, picture: impl Fn() -> Result<Vec<u8>, CliError>) -> Result<Vec<u8>, CliError> {
+        Ok(match format {
             Format::Obj => self.obj().into_bytes(),
             Format::Ply => self.ply().into_bytes(),
             Format::Glb => self.glb(),
             Format::Csv => self.csv().into_bytes(),
             Format::Svg => self.svg().into_bytes(),
-        }
+            Format::Png => picture()?,
+        })
     }
 
     /// Positions with coordinates; (0, 0) where there are none: no triangle has such a vertex.

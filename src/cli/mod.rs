@@ -14,6 +14,7 @@ mod map;
 mod output;
 mod picture;
 mod prepare;
+mod surface_picture;
 mod tables;
 
 pub use arguments::{Arguments, Subcommand};

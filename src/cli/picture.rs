@@ -5,9 +5,10 @@ use super::contours::Panel;
 use crate::render::{Handle, MeshGeometry, Pattern, SceneDescription, SceneViewport, TextureStyle, render_scene};
 use std::io::Cursor;
 
-const BACKGROUND: [f32; 4] = [0.05, 0.067, 0.09, 1.0];
+/// Behind the pictures: the app's dark ground.
+pub const BACKGROUND: [f32; 4] = [0.05, 0.067, 0.09, 1.0];
 /// Okabe–Ito green for x, magenta for y.
-const HANDLE_COLOURS: [[f32; 4]; 2] = [[0.0, 0.62, 0.45, 1.0], [0.84, 0.235, 0.65, 1.0]];
+pub const HANDLE_COLOURS: [[f32; 4]; 2] = [[0.0, 0.62, 0.45, 1.0], [0.84, 0.235, 0.65, 1.0]];
 
 /// The two panels as a PNG of `size` pixels, with a checkerboard of `cells` across the source.
 pub fn png(panels: &[Panel<'_>; 2], cells: f64, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
@@ -50,6 +51,7 @@ fn viewport<'a>(panel: &Panel<'a>, handles: &'a [Handle], style: TextureStyle) -
         boundary_style: None,
         camera: None,
         style,
+        wire: None,
         handles,
     }
 }

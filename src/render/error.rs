@@ -72,6 +72,12 @@ pub enum RenderError {
         /// What is wrong with its mesh.
         reason: String,
     },
+    /// A surface is inconsistent, or too large.
+    #[error("surface: {reason}")]
+    Surface {
+        /// What is wrong with it.
+        reason: String,
+    },
     /// The texture image cannot be used.
     #[error("the texture image cannot be used: {0}")]
     Image(#[from] ImageError),

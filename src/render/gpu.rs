@@ -11,6 +11,9 @@ use glam::DVec2;
 /// sampled, encoded where it is stored.
 pub const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
 
+/// Format of the depth of surfaces in space: cleared to 1, the far plane.
+pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
+
 /// 4 where the device can multisample and resolve `PICTURE_FORMAT`, else 1.
 pub fn sample_count(device: &wgpu::Device) -> u32 {
     let flags = PICTURE_FORMAT.guaranteed_format_features(device.features()).flags;
@@ -31,8 +34,40 @@ pub struct PipelineSpec<'a> {
     pub samples: u32,
 }
 
+/// What is drawn in space: where nothing nearer is.
+pub struct Depth<'a> {
+    /// The vertex entry point.
+    pub vertex: &'a str,
+    /// Whether what is drawn hides what comes later.
+    pub written: bool,
+    /// Whether alpha says how many samples are covered; only with several of them.
+    pub alpha_to_coverage: bool,
+}
+
 /// A pipeline with the vertex entry point `vs_main`, no culling, no depth.
 pub fn pipeline(device: &wgpu::Device, spec: &PipelineSpec) -> wgpu::RenderPipeline {
+    build(device, spec, "vs_main", None, false)
+}
+
+/// The same with a depth buffer of [`DEPTH_FORMAT`].
+pub fn pipeline_with_depth(device: &wgpu::Device, spec: &PipelineSpec, depth: &Depth) -> wgpu::RenderPipeline {
+    let state = wgpu::DepthStencilState {
+        format: DEPTH_FORMAT,
+        depth_write_enabled: Some(depth.written),
+        depth_compare: Some(wgpu::CompareFunction::LessEqual),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    };
+    build(device, spec, depth.vertex, Some(state), depth.alpha_to_coverage)
+}
+
+fn build(
+    device: &wgpu::Device,
+    spec: &PipelineSpec,
+    vertex: &str,
+    depth_stencil: Option<wgpu::DepthStencilState>,
+    alpha_to_coverage_enabled: bool,
+) -> wgpu::RenderPipeline {
     let groups: Vec<_> = spec.groups.iter().map(|group| Some(*group)).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(spec.label),
@@ -44,13 +79,13 @@ pub fn pipeline(device: &wgpu::Device, spec: &PipelineSpec) -> wgpu::RenderPipel
         layout: Some(&layout),
         vertex: wgpu::VertexState {
             module: spec.shader,
-            entry_point: Some("vs_main"),
+            entry_point: Some(vertex),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             buffers: spec.buffers,
         },
         primitive: wgpu::PrimitiveState { topology: spec.topology, ..Default::default() },
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState { count: spec.samples, ..Default::default() },
+        depth_stencil,
+        multisample: wgpu::MultisampleState { count: spec.samples, alpha_to_coverage_enabled, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module: spec.shader,
             entry_point: Some(spec.fragment),

@@ -5,7 +5,9 @@
 //! software ones included; the pixels of two adapters may differ by rounding.
 
 use super::targets::attachment;
-use super::{Camera, Handle, MeshGeometry, RenderError, StrokeStyle, TextureStyle, ViewportRenderer};
+use super::{
+    Camera, CellStyle, Handle, MeshGeometry, RenderError, SceneSurface, StrokeStyle, TextureStyle, ViewportRenderer,
+};
 use glam::DVec2;
 use image::RgbaImage;
 
@@ -25,8 +27,23 @@ pub struct SceneViewport<'a> {
     pub camera: Option<Camera>,
     /// The texture.
     pub style: TextureStyle,
+    /// Edges over the texture.
+    pub wire: Option<SceneWire<'a>>,
     /// Discs on top.
     pub handles: &'a [Handle],
+}
+
+/// A mesh of which the edges are shown.
+#[derive(Clone, Copy, Debug)]
+pub struct SceneWire<'a> {
+    /// Where each vertex is drawn.
+    pub positions: &'a [DVec2],
+    /// Vertex indices.
+    pub triangles: &'a [[u32; 3]],
+    /// How.
+    pub style: StrokeStyle,
+    /// The device pixel ratio: edges fade where cells get lower than a few points.
+    pub pixels_per_point: f32,
 }
 
 /// Viewports side by side, of equal width, on one background.
@@ -108,22 +125,49 @@ pub fn render_scene_with(
     scene: &SceneDescription,
     size: [u32; 2],
 ) -> Result<RgbaImage, RenderError> {
-    check(device, scene, size)?;
+    render(device, queue, None, scene, size)
+}
+
+/// [`render_scene_with`], with a surface left of the viewports, of which there may be none, as wide as each of them.
+pub fn render_surface_with(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    surface: &SceneSurface,
+    scene: &SceneDescription,
+    size: [u32; 2],
+) -> Result<RgbaImage, RenderError> {
+    surface.check()?;
+    render(device, queue, Some(surface), scene, size)
+}
+
+fn render(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    surface: Option<&SceneSurface>,
+    scene: &SceneDescription,
+    size: [u32; 2],
+) -> Result<RgbaImage, RenderError> {
+    check(device, surface.is_some(), scene, size)?;
     let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
-    let image = draw(device, queue, scene, size).and_then(|target| read_back(device, queue, &target));
+    let image = draw(device, queue, surface, scene, size).and_then(|target| read_back(device, queue, &target));
     match pollster::block_on(scope.pop()) {
         Some(error) => Err(RenderError::Device(error.to_string())),
         None => image,
     }
 }
 
-fn check(device: &wgpu::Device, scene: &SceneDescription, size: [u32; 2]) -> Result<(), RenderError> {
+fn check(
+    device: &wgpu::Device,
+    with_surface: bool,
+    scene: &SceneDescription,
+    size: [u32; 2],
+) -> Result<(), RenderError> {
     let [width, height] = size;
     let limit = device.limits().max_texture_dimension_2d;
     if width.min(height) == 0 || width.max(height) > limit {
         return Err(RenderError::Size { width, height, limit });
     }
-    let count = scene.viewports.len();
+    let count = usize::from(with_surface) + scene.viewports.len();
     if count == 0 || count > width as usize {
         return Err(RenderError::ViewportCount { count, limit: width });
     }
@@ -141,23 +185,29 @@ fn column(k: usize, count: usize, width: u32) -> u32 {
 fn draw(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
+    surface: Option<&SceneSurface>,
     scene: &SceneDescription,
     size: [u32; 2],
 ) -> Result<wgpu::Texture, RenderError> {
-    let count = scene.viewports.len();
-    let mut renderer = ViewportRenderer::new(device, queue, TARGET_FORMAT, count);
+    let first = usize::from(surface.is_some());
+    let count = first + scene.viewports.len();
+    let mut renderer = ViewportRenderer::new(device, queue, TARGET_FORMAT, scene.viewports.len());
     if let Some(image) = scene.image {
         renderer.set_image(device, queue, image.as_raw(), image.width(), image.height())?;
     }
     let target = target_texture(device, size);
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("scene") });
+    let size_of = |k| [column(k + 1, count, size[0]) - column(k, count, size[0]), size[1]];
+    if let Some(surface) = surface {
+        surface.prepare(device, queue, &mut renderer, &mut encoder, size_of(0), scene.background)?;
+    }
     for (k, part) in scene.viewports.iter().enumerate() {
         upload(device, queue, &mut renderer, k, part)?;
-        let size_px = [column(k + 1, count, size[0]) - column(k, count, size[0]), size[1]];
+        let size_px = size_of(first + k);
         let camera = part.camera.unwrap_or_else(|| fitted(part.geometry.positions, size_px, scene.margin_px));
         renderer.prepare(device, queue, &mut encoder, k, size_px, &camera, &part.style, scene.background);
     }
-    paint(&mut encoder, &renderer, count, &target);
+    paint(&mut encoder, &renderer, [first, count], &target);
     queue.submit([encoder.finish()]);
     Ok(target)
 }
@@ -169,15 +219,24 @@ fn upload(
     viewport: usize,
     part: &SceneViewport,
 ) -> Result<(), RenderError> {
+    let wire = part.wire.as_ref();
     let uploaded = renderer.set_mesh(device, queue, viewport, &part.geometry)
-        && renderer.set_boundary(device, queue, viewport, part.boundary);
+        && renderer.set_boundary(device, queue, viewport, part.boundary)
+        && wire.is_none_or(|wire| renderer.set_cells(device, queue, viewport, wire.positions, wire.triangles));
     if !uploaded {
         let reason = format!("{} triangles do not fit on the graphics device", part.geometry.triangles.len());
         return Err(RenderError::Geometry { viewport, reason });
     }
+    renderer.set_cell_style(viewport, wire.map(SceneWire::cells));
     renderer.set_boundary_style(viewport, part.boundary_style);
     renderer.set_handles(device, queue, viewport, part.handles);
     Ok(())
+}
+
+impl SceneWire<'_> {
+    fn cells(&self) -> CellStyle {
+        CellStyle { map: None, wire: Some(self.style), marks: false, pixels_per_point: self.pixels_per_point }
+    }
 }
 
 fn fitted(positions: &[DVec2], size_px: [u32; 2], margin_px: f32) -> Camera {
@@ -187,7 +246,13 @@ fn fitted(positions: &[DVec2], size_px: [u32; 2], margin_px: f32) -> Camera {
     Camera::fit(bounds, size_px.map(|side| side as f32), margin_px)
 }
 
-fn paint(encoder: &mut wgpu::CommandEncoder, renderer: &ViewportRenderer, count: usize, target: &wgpu::Texture) {
+/// Paints the columns, of which those before `first` are the surface's.
+fn paint(
+    encoder: &mut wgpu::CommandEncoder,
+    renderer: &ViewportRenderer,
+    [first, count]: [usize; 2],
+    target: &wgpu::Texture,
+) {
     let view = target.create_view(&wgpu::TextureViewDescriptor::default());
     let clear = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
     let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -199,7 +264,10 @@ fn paint(encoder: &mut wgpu::CommandEncoder, renderer: &ViewportRenderer, count:
     for k in 0..count {
         let (left, right) = (column(k, count, target.width()), column(k + 1, count, target.width()));
         pass.set_viewport(left as f32, 0.0, (right - left) as f32, target.height() as f32, 0.0, 1.0);
-        renderer.paint(&mut pass, k);
+        match k.checked_sub(first) {
+            Some(viewport) => renderer.paint(&mut pass, viewport),
+            None => renderer.paint_surface(&mut pass),
+        }
     }
 }
 

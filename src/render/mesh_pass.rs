@@ -5,20 +5,16 @@
 //! frame of a drag changes only one of them.
 
 use super::gpu::{self, GrowingBuffer, PipelineSpec, Uniform};
-use super::style::{HUE, PAPER};
+use super::pattern_uniform::{PATTERN_FRAGMENTS, PatternUniform, pattern_index};
 use super::{Camera, MeshGeometry, Pattern, TextureStyle, placement};
 use glam::DVec2;
 
-/// `Mesh` of `shaders/mesh.wgsl`.
+/// `View` of `shaders/mesh.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 struct MeshUniform {
     placement: [f32; 4],
-    lookup: [f32; 4],
-    source: [f32; 4],
-    image: [f32; 4],
-    hue: [[f32; 4]; 3],
-    paper: [f32; 4],
+    pattern: PatternUniform,
 }
 
 /// The pipelines, one per pattern.
@@ -55,11 +51,15 @@ impl MeshPass {
     /// Pipelines that draw into `PICTURE_FORMAT` with `samples` samples.
     pub fn new(device: &wgpu::Device, image_layout: &wgpu::BindGroupLayout, samples: u32) -> Self {
         let layout = gpu::uniform_layout(device, "mesh");
-        let shader = gpu::shader(device, "mesh", include_str!("../../shaders/mesh.wgsl"));
+        let shader = gpu::shader(
+            device,
+            "mesh",
+            concat!(include_str!("../../shaders/pattern.wgsl"), include_str!("../../shaders/mesh.wgsl")),
+        );
         let position = wgpu::vertex_attr_array![0 => Float32x2];
         let texture_coordinate = wgpu::vertex_attr_array![1 => Float32x2];
         let buffers = [Some(points_of(&position)), Some(points_of(&texture_coordinate))];
-        let pipelines = ["fs_checker", "fs_grid", "fs_polar", "fs_image", "fs_conformal"].map(|fragment| {
+        let pipelines = PATTERN_FRAGMENTS.map(|fragment| {
             let spec = PipelineSpec {
                 label: fragment,
                 shader: &shader,
@@ -97,14 +97,7 @@ impl MeshPass {
         else {
             return;
         };
-        let pipeline = match pattern {
-            Pattern::Checker => &self.pipelines[0],
-            Pattern::Grid => &self.pipelines[1],
-            Pattern::Polar => &self.pipelines[2],
-            Pattern::Image => &self.pipelines[3],
-            Pattern::Conformal => &self.pipelines[4],
-        };
-        pass.set_pipeline(pipeline);
+        pass.set_pipeline(&self.pipelines[pattern_index(pattern)]);
         pass.set_bind_group(0, &mesh.uniform.group, &[]);
         pass.set_bind_group(1, image, &[]);
         pass.set_vertex_buffer(0, positions.slice(..));
@@ -199,23 +192,12 @@ impl MeshBuffers {
 
     /// Writes the uniform block of a frame.
     pub fn write_frame(&self, queue: &wgpu::Queue, frame: &MeshFrame) {
-        let (low, high) = frame.style.bounds;
-        let (middle, extent) = (0.5 * (low + high), (high - low).max(DVec2::splat(f64::MIN_POSITIVE)));
-        let lookup = (self.texture_origin - middle).as_vec2();
-        let pole = (frame.style.pole - middle).as_vec2();
-        let cells_per_unit = (frame.style.cells / extent.max_element()) as f32;
-        // The image covers the bounds, its aspect kept: the longer side is cropped.
-        let covered =
-            DVec2::new(extent.x.max(extent.y * frame.image_aspect), extent.y.max(extent.x / frame.image_aspect));
+        let MeshFrame { camera, size_px, style, image_aspect, line_px } = *frame;
         self.uniform.write(
             queue,
             &MeshUniform {
-                placement: placement::to_clip(frame.camera, self.position_origin, frame.size_px),
-                lookup: [lookup.x, lookup.y, cells_per_unit, frame.line_px],
-                source: [(-0.5 * extent.y) as f32, (1.0 / extent.y) as f32, pole.x, pole.y],
-                image: [(1.0 / covered.x) as f32, (1.0 / covered.y) as f32, 0.0, 0.0],
-                hue: HUE,
-                paper: PAPER,
+                placement: placement::to_clip(camera, self.position_origin, size_px),
+                pattern: PatternUniform::new(style, self.texture_origin, image_aspect, line_px),
             },
         );
     }

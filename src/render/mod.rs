@@ -1,4 +1,4 @@
-//! Drawing the textured meshes with wgpu: on screen and into images.
+//! Drawing the textured meshes with wgpu, in the plane and in space: on screen and into images.
 //!
 //! [`ViewportRenderer`] owns the pipelines and, for every viewport, its buffers
 //! and off-screen targets: `prepare` renders a viewport into its own 4×
@@ -15,21 +15,31 @@ mod blit_pass;
 mod camera;
 mod cauchy_green_buffers;
 mod cauchy_green_pass;
+mod cell_lookup;
 mod cell_pass;
 mod colour_map;
 mod disc_pass;
 mod error;
+mod eye_uniform;
 mod gpu;
 mod image_texture;
 mod mesh_pass;
+mod orbit_camera;
+mod pattern_uniform;
 mod placement;
+mod space_vertices;
 mod stroke_pass;
 mod style;
+mod surface_pass;
+mod surface_stroke;
+mod surface_viewport;
 mod targets;
 mod viewport;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod headless;
+#[cfg(not(target_arch = "wasm32"))]
+mod headless_surface;
 
 pub use camera::Camera;
 pub use cauchy_green_buffers::CauchyGreenBuffers;
@@ -37,6 +47,12 @@ pub use cauchy_green_pass::CauchyGreenPass;
 pub use colour_map::{CellCode, ColourMap, flipped_colour};
 pub use error::{ImageError, RenderError};
 #[cfg(not(target_arch = "wasm32"))]
-pub use headless::{SceneDescription, SceneViewport, headless_device, render_scene, render_scene_with};
+pub use headless::{
+    SceneDescription, SceneViewport, SceneWire, headless_device, render_scene, render_scene_with, render_surface_with,
+};
+#[cfg(not(target_arch = "wasm32"))]
+pub use headless_surface::SceneSurface;
+pub use orbit_camera::{BoundingSphere, OrbitCamera};
 pub use style::{CellStyle, Handle, Pattern, StrokeStyle, TextureStyle};
+pub use surface_viewport::{SurfaceFrame, SurfaceGeometry, SurfaceHandle};
 pub use viewport::{MeshGeometry, ViewportRenderer};

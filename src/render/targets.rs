@@ -40,16 +40,69 @@ impl Targets {
 
     /// The picture as the attachment of the mesh pass: cleared, then resolved.
     pub fn mesh_attachment(&self, background: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
-        let load = wgpu::LoadOp::Clear(background);
-        match &self.multisampled {
-            Some(samples) => wgpu::RenderPassColorAttachment {
-                view: samples,
-                depth_slice: None,
-                resolve_target: Some(&self.picture),
-                ops: wgpu::Operations { load, store: wgpu::StoreOp::Discard },
-            },
-            None => attachment(&self.picture, load),
-        }
+        resolved(self.multisampled.as_ref(), &self.picture, background)
+    }
+}
+
+/// The off-screen targets of a surface in space, of one size.
+#[derive(Debug)]
+pub struct SurfaceTargets {
+    /// Clamped to what the device can hold.
+    pub size_px: [u32; 2],
+    multisampled: Option<wgpu::TextureView>,
+    depth: wgpu::TextureView,
+    pub picture: wgpu::TextureView,
+    pub picture_group: wgpu::BindGroup,
+}
+
+impl SurfaceTargets {
+    /// Targets of a [`clamped_size`].
+    pub fn new(device: &wgpu::Device, blit: &BlitPass, size_px: [u32; 2], samples: u32) -> Self {
+        let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
+        let sampled = attachment | wgpu::TextureUsages::TEXTURE_BINDING;
+        let multisampled =
+            (samples > 1).then(|| view(device, "multisampled", size_px, gpu::PICTURE_FORMAT, samples, attachment));
+        let depth = view(device, "depth", size_px, gpu::DEPTH_FORMAT, samples, attachment);
+        let picture = view(device, "picture", size_px, gpu::PICTURE_FORMAT, 1, sampled);
+        let picture_group = blit.group(device, &picture);
+        Self { size_px, multisampled, depth, picture, picture_group }
+    }
+
+    /// Begins the pass of the surface, on a ground with nothing before it.
+    pub fn begin<'encoder>(
+        &self,
+        encoder: &'encoder mut wgpu::CommandEncoder,
+        background: wgpu::Color,
+    ) -> wgpu::RenderPass<'encoder> {
+        let depth_ops = wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard };
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("surface"),
+            color_attachments: &[Some(resolved(self.multisampled.as_ref(), &self.picture, background))],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(depth_ops),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        })
+    }
+}
+
+/// A picture as an attachment that is cleared, and resolved where there are several samples.
+fn resolved<'a>(
+    multisampled: Option<&'a wgpu::TextureView>,
+    picture: &'a wgpu::TextureView,
+    background: wgpu::Color,
+) -> wgpu::RenderPassColorAttachment<'a> {
+    let load = wgpu::LoadOp::Clear(background);
+    match multisampled {
+        Some(samples) => wgpu::RenderPassColorAttachment {
+            view: samples,
+            depth_slice: None,
+            resolve_target: Some(picture),
+            ops: wgpu::Operations { load, store: wgpu::StoreOp::Discard },
+        },
+        None => attachment(picture, load),
     }
 }
 

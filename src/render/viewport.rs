@@ -14,6 +14,7 @@ use super::image_texture::{ImageTexture, ImageTextures};
 use super::mesh_pass::{MeshBuffers, MeshFrame, MeshPass};
 use super::stroke_pass::{StrokeBuffers, StrokePass};
 use super::style::linear_colour;
+use super::surface_viewport::SurfaceViewport;
 use super::targets::{Targets, attachment, clamped_size};
 use super::{
     Camera, CauchyGreenBuffers, CellCode, CellStyle, Handle, ImageError, Pattern, StrokeStyle, TextureStyle, gpu,
@@ -21,7 +22,7 @@ use super::{
 use glam::DVec2;
 
 /// Thin pattern lines relative to the outline's stroke.
-const LINE_TO_STROKE: f32 = 0.7;
+pub(super) const LINE_TO_STROKE: f32 = 0.7;
 
 /// Geometry of one viewport.
 #[derive(Clone, Copy, Debug)]
@@ -52,16 +53,18 @@ impl MeshGeometry<'_> {
 /// Pipelines, and buffers and targets of every viewport.
 #[derive(Debug)]
 pub struct ViewportRenderer {
-    samples: u32,
+    pub(super) samples: u32,
     mesh: MeshPass,
     cells: CellPass,
     stroke: StrokePass,
-    disc: DiscPass,
-    blit: BlitPass,
-    images: ImageTextures,
-    image: ImageTexture,
+    pub(super) disc: DiscPass,
+    pub(super) blit: BlitPass,
+    pub(super) images: ImageTextures,
+    pub(super) image: ImageTexture,
     viewports: Vec<Viewport>,
-    staging: Vec<[f32; 2]>,
+    /// Made when there is a surface.
+    pub(super) surface: Option<SurfaceViewport>,
+    pub(super) staging: Vec<[f32; 2]>,
 }
 
 #[derive(Debug)]
@@ -100,7 +103,7 @@ impl ViewportRenderer {
             targets: None,
         };
         let viewports = (0..viewports).map(empty).collect();
-        Self { samples, mesh, cells, stroke, disc, blit, images, image, viewports, staging: Vec::new() }
+        Self { samples, mesh, cells, stroke, disc, blit, images, image, viewports, surface: None, staging: Vec::new() }
     }
 
     /// Replaces a viewport's mesh; call it when the topology changes. Buffers
@@ -337,7 +340,7 @@ impl ViewportRenderer {
     }
 }
 
-fn begin_pass<'encoder>(
+pub(super) fn begin_pass<'encoder>(
     encoder: &'encoder mut wgpu::CommandEncoder,
     label: &str,
     attachment: wgpu::RenderPassColorAttachment,
@@ -350,7 +353,7 @@ fn begin_pass<'encoder>(
 }
 
 /// Premultiplied and linear, as the picture holds it.
-fn clear_colour(background: [f32; 4]) -> wgpu::Color {
+pub(super) fn clear_colour(background: [f32; 4]) -> wgpu::Color {
     let [r, g, b, a] = linear_colour(background).map(f64::from);
     wgpu::Color { r: r * a, g: g * a, b: b * a, a }
 }

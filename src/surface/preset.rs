@@ -55,6 +55,17 @@ impl SurfacePreset {
         }
     }
 
+    /// From where it looks well: the direction to the eye, and the direction that is up.
+    pub fn view(self) -> [DVec3; 2] {
+        match self {
+            Self::Hemisphere | Self::Paraboloid | Self::Saddle | Self::HalfTorus => {
+                [DVec3::new(0.45, -1.0, 0.75), DVec3::Z]
+            }
+            Self::BentStrip => [DVec3::new(0.9, -1.3, 0.55), DVec3::Z],
+            Self::HeightField => [DVec3::new(0.5, 0.3, 1.0), DVec3::Y],
+        }
+    }
+
     /// The surface with about `boundary` vertices along its boundary (from 12 on).
     pub fn surface(self, boundary: u32) -> Result<Surface, MeshError> {
         let boundary = self.outline(boundary.max(12));

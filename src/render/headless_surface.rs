@@ -1,0 +1,67 @@
+//! A surface in a picture without a window, alone or left of planar viewports.
+
+use super::{CellCode, CellStyle, OrbitCamera, StrokeStyle, SurfaceFrame, SurfaceGeometry, SurfaceHandle};
+use super::{RenderError, TextureStyle, ViewportRenderer};
+use glam::DVec2;
+
+/// The surface of a scene.
+#[derive(Clone, Debug)]
+pub struct SceneSurface<'a> {
+    /// The surface.
+    pub geometry: SurfaceGeometry<'a>,
+    /// Where each vertex looks the texture up: its image in the plane.
+    pub texture_coordinates: &'a [DVec2],
+    /// The codes of the triangles; empty: 0 for all.
+    pub codes: &'a [CellCode],
+    /// Colours, edges and marks of the triangles.
+    pub cells: Option<CellStyle>,
+    /// The eye.
+    pub camera: OrbitCamera,
+    /// The texture.
+    pub style: TextureStyle,
+    /// The boundary's stroke; `None`: the theme's.
+    pub stroke: Option<StrokeStyle>,
+    /// Discs on top.
+    pub handles: &'a [SurfaceHandle],
+}
+
+impl SceneSurface<'_> {
+    /// What is wrong with it, if anything is.
+    pub(super) fn check(&self) -> Result<(), RenderError> {
+        let wrong = |reason| RenderError::Surface { reason };
+        self.geometry.check().map_err(wrong)?;
+        let (vertices, coordinates) = (self.geometry.positions.len(), self.texture_coordinates.len());
+        if vertices != coordinates {
+            return Err(wrong(format!("{vertices} positions have {coordinates} texture coordinates")));
+        }
+        let (triangles, codes) = (self.geometry.triangles.len(), self.codes.len());
+        if codes != 0 && codes != triangles {
+            return Err(wrong(format!("{triangles} triangles have {codes} codes")));
+        }
+        Ok(())
+    }
+
+    /// Uploads it, and records its rendering.
+    pub(super) fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        renderer: &mut ViewportRenderer,
+        encoder: &mut wgpu::CommandEncoder,
+        size_px: [u32; 2],
+        background: [f32; 4],
+    ) -> Result<(), RenderError> {
+        let uploaded = renderer.set_surface(device, queue, &self.geometry)
+            && renderer.set_surface_coordinates(queue, self.texture_coordinates)
+            && (self.codes.is_empty() || renderer.set_surface_codes(queue, &mut self.codes.to_vec()));
+        if !uploaded {
+            let reason = format!("{} triangles do not fit on the graphics device", self.geometry.triangles.len());
+            return Err(RenderError::Surface { reason });
+        }
+        let stroke = self.stroke.unwrap_or_else(|| StrokeStyle::themed(self.style.dark, 1.0));
+        let (camera, style, cells, handles) = (&self.camera, &self.style, self.cells, self.handles);
+        let frame = SurfaceFrame { size_px, camera, style, cells, stroke, handles, background };
+        renderer.prepare_surface(device, queue, encoder, &frame);
+        Ok(())
+    }
+}

@@ -1,0 +1,313 @@
+//! A surface seen by an eye that goes around it: perspective, a virtual trackball.
+//!
+//! A turn is about the axes of the screen, not of the world: there is no pole at which the view jumps, and no
+//! way is up but the one chosen. Screen positions are pixels (or points: any unit, as long as
+//! sizes have the same) from the viewport's upper left corner, y down. `to_screen` after `ray` is the identity up to rounding.
+
+use glam::{DMat4, DQuat, DVec2, DVec3, DVec4};
+
+/// A ball around a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundingSphere {
+    /// The middle of the bounding box.
+    pub center: DVec3,
+    /// Positive.
+    pub radius: f64,
+}
+
+impl BoundingSphere {
+    /// Around the middle of the points' bounding box; around the origin where there are none. Cost O(n).
+    pub fn of(points: &[DVec3]) -> Self {
+        let (low, high) =
+            points.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+        let middle = low.midpoint(high);
+        let center = if middle.is_finite() { middle } else { DVec3::ZERO };
+        let radius = points.iter().map(|p| p.distance_squared(center)).fold(0.0, f64::max).sqrt();
+        Self { center, radius: if radius > 0.0 && radius.is_finite() { radius } else { 1.0 } }
+    }
+}
+
+/// An eye that looks at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrbitCamera {
+    /// What is in the middle of the viewport.
+    pub target: DVec3,
+    /// From the eye to the target, positive.
+    pub distance: f64,
+    /// From the eye's axes (x right, y up, z towards the eye) to the world's.
+    pub rotation: DQuat,
+    /// The vertical field of view, in radians.
+    pub field_of_view: f64,
+    /// What has to be between the near and the far plane.
+    scene: BoundingSphere,
+}
+
+/// Narrow enough to keep shapes, wide enough for depth to be seen.
+const FIELD_OF_VIEW: f64 = 28.0 * std::f64::consts::PI / 180.0;
+
+/// Radians per point: half a turn takes about 400 points.
+const TURN_PER_POINT: f64 = 0.008;
+
+/// The bounds of the distance, in radii of the scene.
+const NEAREST: f64 = 0.02;
+const FARTHEST: f64 = 50.0;
+
+/// The near plane of an eye within the scene, as a part of its distance to the target.
+const NEAR_WITHIN: f64 = 0.05;
+
+/// The y of a unit vector from which on y is its front, not up.
+const UPRIGHT: f64 = 0.85;
+
+/// The tangents of the angles by which a surface of which nothing is known is not seen from its front: 24°, 16°.
+const ASIDE: f64 = 0.45;
+const ABOVE: f64 = 0.28;
+
+impl OrbitCamera {
+    /// Looks at the scene from the side `towards_eye`, with `up` upwards as far as that can be.
+    ///
+    /// Directions that are zero or parallel are replaced by others.
+    pub fn new(scene: BoundingSphere, towards_eye: DVec3, up: DVec3, aspect: f64) -> Self {
+        let back = towards_eye.try_normalize().unwrap_or(DVec3::Z);
+        let right = up.cross(back).try_normalize().unwrap_or_else(|| back.any_orthonormal_vector());
+        let rotation = DQuat::from_mat3(&glam::DMat3::from_cols(right, back.cross(right), back)).normalize();
+        let mut camera = Self { target: scene.center, distance: 1.0, rotation, field_of_view: FIELD_OF_VIEW, scene };
+        camera.fit(scene, aspect);
+        camera
+    }
+
+    /// Looks at a surface of which nothing is known: at its front, from a little to the right and above, with y up,
+    /// or z where the front is y's. The front is where the mean normal, weighted by area, points: away from the loop.
+    pub fn before(positions: &[DVec3], triangles: &[[u32; 3]], aspect: f64) -> Self {
+        let area = |t: &[u32; 3]| {
+            let [a, b, c] = t.map(|v| positions[v as usize]);
+            (b - a).cross(c - a)
+        };
+        let front = triangles.iter().map(area).sum::<DVec3>().try_normalize().unwrap_or(DVec3::Z);
+        let up = if front.y.abs() < UPRIGHT { DVec3::Y } else { DVec3::Z };
+        let right = up.cross(front).normalize_or_zero();
+        let towards_eye = front + ASIDE * right + ABOVE * front.cross(right);
+        Self::new(BoundingSphere::of(positions), towards_eye, up, aspect)
+    }
+
+    /// Shows all of `scene`, from the same side, in a viewport of this width over height.
+    pub fn fit(&mut self, scene: BoundingSphere, aspect: f64) {
+        let half = 0.5 * self.field_of_view;
+        // the narrower of the two half angles touches the sphere
+        let narrow = if aspect < 1.0 { (half.tan() * aspect).atan() } else { half };
+        self.scene = scene;
+        self.target = scene.center;
+        self.distance = scene.radius / narrow.sin();
+    }
+
+    /// Turns what is seen as if it were a ball under the pointer, which moved by `delta` points.
+    pub fn orbit(&mut self, delta: DVec2) {
+        let angle = TURN_PER_POINT * delta.length();
+        let axis = DVec3::new(-delta.y, -delta.x, 0.0).try_normalize();
+        if let Some(axis) = axis {
+            self.rotation = (self.rotation * DQuat::from_axis_angle(axis, angle)).normalize();
+        }
+    }
+
+    /// Moves the picture by `delta`: the target's plane follows the pointer.
+    pub fn pan(&mut self, delta: DVec2, size: DVec2) {
+        let step = self.units_per_pixel(size) * DVec3::new(-delta.x, delta.y, 0.0);
+        self.target += self.rotation * step;
+    }
+
+    /// Comes nearer by `factor` (away below 1): the point of the target's plane at `about` stays where it is.
+    pub fn zoom(&mut self, factor: f64, about: DVec2, size: DVec2) {
+        let distance = (self.distance / factor).clamp(NEAREST * self.scene.radius, FARTHEST * self.scene.radius);
+        if !distance.is_finite() {
+            return;
+        }
+        let from_middle = (about - 0.5 * size) * DVec2::new(1.0, -1.0) * self.units_per_pixel(size);
+        let fixed = self.target + self.rotation * from_middle.extend(0.0);
+        self.target = fixed + (self.target - fixed) * (distance / self.distance);
+        self.distance = distance;
+    }
+
+    /// Where the eye is.
+    pub fn eye(&self) -> DVec3 {
+        self.target + self.distance * self.backward()
+    }
+
+    /// The direction from the target to the eye, of unit length.
+    pub fn backward(&self) -> DVec3 {
+        self.rotation * DVec3::Z
+    }
+
+    /// The world's length of a pixel in the target's plane.
+    pub fn units_per_pixel(&self, size: DVec2) -> f64 {
+        2.0 * self.distance * (0.5 * self.field_of_view).tan() / size.y
+    }
+
+    /// World → clip coordinates: depth from 0 (near) to 1 (far), the scene between.
+    pub fn view_projection(&self, aspect: f64) -> DMat4 {
+        let (near, far) = self.depths();
+        let view = DMat4::from_rotation_translation(self.rotation, self.eye()).inverse();
+        let height = 1.0 / (0.5 * self.field_of_view).tan();
+        let depth = far / (near - far);
+        let projection = DMat4::from_cols(
+            DVec4::new(height / aspect, 0.0, 0.0, 0.0),
+            DVec4::new(0.0, height, 0.0, 0.0),
+            DVec4::new(0.0, 0.0, depth, -1.0),
+            DVec4::new(0.0, 0.0, near * depth, 0.0),
+        );
+        projection * view
+    }
+
+    /// The distances of the near and the far plane.
+    pub(super) fn depths(&self) -> (f64, f64) {
+        let depth = (self.eye() - self.scene.center).dot(self.backward());
+        // a little more than the sphere: what touches it is seen
+        let radius = 1.01 * self.scene.radius;
+        let near = (depth - radius).max(NEAR_WITHIN * self.distance);
+        (near, (depth + radius).max(2.0 * near))
+    }
+
+    /// Where `p` is in a viewport of `size`; `None` at or behind the eye.
+    pub fn to_screen(&self, p: DVec3, size: DVec2) -> Option<DVec2> {
+        let seen = self.rotation.inverse() * (p - self.eye());
+        if seen.z >= 0.0 {
+            return None;
+        }
+        let pixels = 0.5 * size.y / ((0.5 * self.field_of_view).tan() * -seen.z);
+        Some(0.5 * size + pixels * DVec2::new(seen.x, -seen.y))
+    }
+
+    /// The eye, and the direction, of unit length, to what is seen at `place` of a viewport of `size`.
+    pub fn ray(&self, place: DVec2, size: DVec2) -> (DVec3, DVec3) {
+        let across = (place - 0.5 * size) * DVec2::new(1.0, -1.0) * self.units_per_pixel(size);
+        (self.eye(), (self.rotation * across.extend(-self.distance)).normalize())
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    const SIZE: DVec2 = DVec2::new(640.0, 480.0);
+    const SCENE: BoundingSphere = BoundingSphere { center: DVec3::new(10.0, -3.0, 2.0), radius: 2.5 };
+
+    fn camera() -> OrbitCamera {
+        OrbitCamera::new(SCENE, DVec3::new(1.0, -2.0, 0.7), DVec3::Z, SIZE.x / SIZE.y)
+    }
+
+    #[test]
+    fn the_sphere_of_points_is_around_the_middle_of_their_box() {
+        let sphere = BoundingSphere::of(&[DVec3::ZERO, DVec3::new(4.0, 0.0, 0.0), DVec3::new(2.0, 3.0, 0.0)]);
+        assert_eq!(sphere, BoundingSphere { center: DVec3::new(2.0, 1.5, 0.0), radius: 2.5 });
+        assert_eq!(BoundingSphere::of(&[]).radius, 1.0);
+    }
+
+    #[test]
+    fn up_is_up_and_the_target_in_the_middle() {
+        let camera = camera();
+        let middle = camera.to_screen(SCENE.center, SIZE).unwrap();
+        assert!(middle.distance(0.5 * SIZE) < 1e-9);
+        let above = camera.to_screen(SCENE.center + DVec3::Z, SIZE).unwrap();
+        assert!((above.x - middle.x).abs() < 1e-9 && above.y < middle.y, "{above}");
+        assert_eq!(camera.to_screen(camera.eye() + camera.backward(), SIZE), None);
+        // looking along `up` is a view too
+        let along = OrbitCamera::new(SCENE, DVec3::Z, DVec3::Z, 1.0);
+        assert!(along.rotation.is_normalized() && (along.backward() - DVec3::Z).length() < 1e-15);
+    }
+
+    #[test]
+    fn an_unknown_surface_is_seen_from_its_front_with_y_up() {
+        let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(DVec3::from_array);
+        let front = OrbitCamera::before(&triangle, &[[0, 1, 2]], 1.0);
+        assert!(front.backward().z > 0.8 && front.backward().y > 0.0, "{}", front.backward());
+        assert!((front.rotation * DVec3::Y).y > 0.8);
+        let back = OrbitCamera::before(&triangle, &[[0, 2, 1]], 1.0);
+        assert!(back.backward().z < -0.8 && back.backward().y > 0.0, "{}", back.backward());
+        assert!(OrbitCamera::before(&[], &[], 1.0).rotation.is_normalized());
+    }
+
+    #[test]
+    fn what_is_on_a_ray_is_seen_at_its_pixel() {
+        let mut camera = camera();
+        camera.orbit(DVec2::new(130.0, -77.0));
+        camera.pan(DVec2::new(31.0, 12.0), SIZE);
+        camera.zoom(1.7, DVec2::new(100.0, 400.0), SIZE);
+        for place in [DVec2::ZERO, DVec2::new(320.0, 240.0), DVec2::new(600.5, 17.25), SIZE] {
+            let (origin, direction) = camera.ray(place, SIZE);
+            for distance in [0.1, 3.0, 1e4] {
+                let back = camera.to_screen(origin + distance * direction, SIZE).unwrap();
+                assert!(back.distance(place) < 1e-7, "{place} came back as {back}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_matrix_and_the_screen_agree_and_depth_is_from_0_to_1() {
+        let mut camera = camera();
+        camera.orbit(DVec2::new(-240.0, 90.0));
+        let matrix = camera.view_projection(SIZE.x / SIZE.y);
+        let mut previous = None;
+        for step in 0..=20 {
+            let p = SCENE.center + SCENE.radius * (1.0 - 0.1 * f64::from(step)) * camera.backward();
+            let clip = matrix * p.extend(1.0);
+            let ndc = clip.truncate() / clip.w;
+            let pixel = (0.5 + 0.5 * DVec2::new(ndc.x, -ndc.y)) * SIZE;
+            assert!(pixel.distance(camera.to_screen(p, SIZE).unwrap()) < 1e-8);
+            assert!((0.0..=1.0).contains(&ndc.z) && previous.is_none_or(|nearer| nearer < ndc.z), "{}", ndc.z);
+            previous = Some(ndc.z);
+        }
+    }
+
+    #[test]
+    fn fit_shows_the_whole_sphere_and_no_more_than_needed() {
+        for aspect in [0.4, 1.0, 1.9] {
+            let size = DVec2::new(500.0 * aspect, 500.0);
+            let mut camera = camera();
+            camera.orbit(DVec2::new(50.0, 20.0));
+            camera.fit(SCENE, aspect);
+            let mut nearest_edge = f64::INFINITY;
+            for k in 0..4000 {
+                // Fibonacci's points of the sphere
+                let (z, turn) = (1.0 - (f64::from(k) + 0.5) / 2000.0, 2.399_963 * f64::from(k));
+                let flat = (1.0 - z * z).sqrt();
+                let p = SCENE.center + SCENE.radius * DVec3::new(flat * turn.cos(), flat * turn.sin(), z);
+                let at = camera.to_screen(p, size).unwrap();
+                nearest_edge = nearest_edge.min(at.min_element()).min((size - at).min_element());
+            }
+            // 4000 points leave caps of 0.03 of the radius
+            assert!((-1e-9..2.0).contains(&nearest_edge), "aspect {aspect}: {nearest_edge}");
+        }
+    }
+
+    #[test]
+    fn panning_and_zooming_keep_what_is_under_the_pointer() {
+        let mut camera = camera();
+        let place = DVec2::new(150.0, 90.0);
+        let (origin, direction) = camera.ray(place, SIZE);
+        // in the target's plane
+        let held = origin + direction * (camera.distance / -direction.dot(camera.backward()));
+        camera.pan(DVec2::new(40.0, -25.0), SIZE);
+        let moved = camera.to_screen(held, SIZE).unwrap();
+        assert!(moved.distance(place + DVec2::new(40.0, -25.0)) < 1e-9, "{moved}");
+        camera.zoom(2.5, moved, SIZE);
+        assert!(camera.to_screen(held, SIZE).unwrap().distance(moved) < 1e-9);
+        let before = camera;
+        camera.zoom(f64::NAN, moved, SIZE);
+        assert_eq!(camera, before);
+    }
+
+    #[test]
+    fn a_turn_keeps_distance_and_target_and_is_undone_by_its_opposite() {
+        let mut camera = camera();
+        let before = camera;
+        let front = SCENE.center + camera.backward();
+        camera.orbit(DVec2::new(30.0, 0.0));
+        let at = camera.to_screen(front, SIZE).unwrap();
+        assert!(at.x > 0.5 * SIZE.x && (at.y - 0.5 * SIZE.y).abs() < 1e-9, "the front follows the pointer: {at}");
+        camera.orbit(DVec2::new(-30.0, 0.0));
+        assert!(camera.eye().distance(before.eye()) < 1e-12);
+        for _ in 0..1000 {
+            camera.orbit(DVec2::new(7.0, 11.0));
+        }
+        assert!((camera.eye().distance(camera.target) - before.distance).abs() < 1e-9);
+    }
+}

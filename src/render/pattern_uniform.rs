@@ -1,0 +1,51 @@
+//! What `shaders/pattern.wgsl` needs to know, for meshes in the plane and in space.
+
+use super::style::{HUE, PAPER};
+use super::{Pattern, TextureStyle};
+use glam::DVec2;
+
+/// The fragment entry points, in the order of [`pattern_index`].
+pub const PATTERN_FRAGMENTS: [&str; 5] = ["fs_checker", "fs_grid", "fs_polar", "fs_image", "fs_conformal"];
+
+/// The place of a pattern's pipeline.
+pub fn pattern_index(pattern: Pattern) -> usize {
+    match pattern {
+        Pattern::Checker => 0,
+        Pattern::Grid => 1,
+        Pattern::Polar => 2,
+        Pattern::Image => 3,
+        Pattern::Conformal => 4,
+    }
+}
+
+/// `Pattern` of `shaders/pattern.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct PatternUniform {
+    lookup: [f32; 4],
+    source: [f32; 4],
+    image: [f32; 4],
+    hue: [[f32; 4]; 3],
+    paper: [f32; 4],
+}
+
+impl PatternUniform {
+    /// For texture coordinates relative to `origin`, an image of this width over height, and thin lines
+    /// of so many pixels.
+    pub fn new(style: &TextureStyle, origin: DVec2, image_aspect: f64, line_px: f32) -> Self {
+        let (low, high) = style.bounds;
+        let (middle, extent) = (0.5 * (low + high), (high - low).max(DVec2::splat(f64::MIN_POSITIVE)));
+        let lookup = (origin - middle).as_vec2();
+        let pole = (style.pole - middle).as_vec2();
+        let cells_per_unit = (style.cells / extent.max_element()) as f32;
+        // The image covers the bounds, its aspect kept: the longer side is cropped.
+        let covered = DVec2::new(extent.x.max(extent.y * image_aspect), extent.y.max(extent.x / image_aspect));
+        Self {
+            lookup: [lookup.x, lookup.y, cells_per_unit, line_px],
+            source: [(-0.5 * extent.y) as f32, (1.0 / extent.y) as f32, pole.x, pole.y],
+            image: [(1.0 / covered.x) as f32, (1.0 / covered.y) as f32, 0.0, 0.0],
+            hue: HUE,
+            paper: PAPER,
+        }
+    }
+}

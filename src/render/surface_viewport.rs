@@ -1,0 +1,211 @@
+//! A viewport that shows a surface in space: the counterpart of the planar ones, in the same renderer.
+//!
+//! It is rendered in two passes (surface, edges and boundary loop, multisampled, with depth, and resolved; handles
+//! over the picture), then painted into the caller's pass. Pipelines and targets are made with the first surface.
+//! Inconsistent surfaces and counts that do not fit are refused: the methods answer `false`, nothing changes.
+
+use super::disc_pass::DiscBuffers;
+use super::space_vertices::SpaceVertex;
+use super::surface_pass::{SurfaceBuffers, SurfacePass, SurfaceView};
+use super::surface_stroke::{SurfaceStrokeBuffers, SurfaceStrokePass};
+use super::targets::{SurfaceTargets, attachment, clamped_size};
+use super::viewport::{LINE_TO_STROKE, begin_pass, clear_colour};
+use super::{Camera, CellCode, CellStyle, Handle, OrbitCamera, StrokeStyle, TextureStyle, ViewportRenderer};
+use glam::{DVec2, DVec3};
+
+/// A handle behind the surface has this part of its strength.
+const HIDDEN_STRENGTH: f32 = 0.35;
+
+/// A surface in space.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfaceGeometry<'a> {
+    /// Where the vertices are, the boundary loop's first.
+    pub positions: &'a [DVec3],
+    /// Vertex indices; seen from their front side they are counter-clockwise.
+    pub triangles: &'a [[u32; 3]],
+    /// The number of vertices of the boundary loop.
+    pub boundary_count: u32,
+}
+
+impl SurfaceGeometry<'_> {
+    /// Ok when the loop and every triangle have existing vertices; otherwise what is wrong. `O(triangles)`.
+    pub fn check(&self) -> Result<(), String> {
+        let count = self.positions.len();
+        if self.boundary_count as usize > count {
+            return Err(format!("a boundary of {} vertices where there are {count}", self.boundary_count));
+        }
+        match self.triangles.iter().position(|corners| corners.iter().any(|&v| v as usize >= count)) {
+            Some(t) => Err(format!("triangle {t} {:?} names a vertex beyond the {count} given", self.triangles[t])),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A point of a surface that can be dragged, drawn as the planar [`Handle`]s are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceHandle {
+    /// Where.
+    pub position: DVec3,
+    /// Whether the surface is before it (`SurfaceTree::hides`): it is drawn fainter.
+    pub hidden: bool,
+    /// sRGB-encoded, straight alpha.
+    pub colour: [f32; 4],
+    /// Outer radius in physical pixels, ring included.
+    pub radius_px: f32,
+}
+
+/// How a frame shows the surface.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfaceFrame<'a> {
+    /// The viewport's size in physical pixels.
+    pub size_px: [u32; 2],
+    /// The eye.
+    pub camera: &'a OrbitCamera,
+    /// The texture.
+    pub style: &'a TextureStyle,
+    /// Colours, edges and marks of triangles; `None`: only the texture.
+    pub cells: Option<CellStyle>,
+    /// The boundary loop's stroke; pattern lines keep a fixed proportion to it.
+    pub stroke: StrokeStyle,
+    /// Discs on top; those at or behind the eye are left out.
+    pub handles: &'a [SurfaceHandle],
+    /// sRGB-encoded, straight alpha.
+    pub background: [f32; 4],
+}
+
+/// Pipelines, buffers and targets.
+#[derive(Debug)]
+pub struct SurfaceViewport {
+    pass: SurfacePass,
+    stroke_pass: SurfaceStrokePass,
+    surface: SurfaceBuffers,
+    stroke: SurfaceStrokeBuffers,
+    discs: DiscBuffers,
+    targets: Option<SurfaceTargets>,
+    staging: Vec<SpaceVertex>,
+}
+
+impl ViewportRenderer {
+    /// Replaces the surface; all texture coordinates are (0, 0), all codes 0. Buffers are kept where they
+    /// are large enough.
+    ///
+    /// False, and the old surface stays, for an inconsistent one ([`SurfaceGeometry::check`]); false, and none is
+    /// left, where it does not fit on the device.
+    pub fn set_surface(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, geometry: &SurfaceGeometry) -> bool {
+        if let Err(reason) = geometry.check() {
+            log::error!("a surface was not uploaded: {reason}");
+            return false;
+        }
+        let (samples, images, disc) = (self.samples, &self.images, &self.disc);
+        let viewport = self.surface.get_or_insert_with(|| {
+            let pass = SurfacePass::new(device, queue, &images.layout, samples);
+            let stroke_pass = SurfaceStrokePass::new(device, samples);
+            let (surface, stroke) = (pass.buffers(device), stroke_pass.buffers(device));
+            let discs = disc.buffers(device);
+            SurfaceViewport { pass, stroke_pass, surface, stroke, discs, targets: None, staging: Vec::new() }
+        });
+        let SurfaceViewport { pass, surface, stroke, staging, .. } = viewport;
+        let boundary = &geometry.positions[..geometry.boundary_count as usize];
+        pass.set(device, queue, surface, staging, geometry) && stroke.set(device, queue, boundary, surface.origin)
+    }
+
+    /// New texture coordinates for the surface, without reallocation: the images of its vertices.
+    ///
+    /// False, and nothing changes, when the count is not the surface's.
+    pub fn set_surface_coordinates(&mut self, queue: &wgpu::Queue, coordinates: &[DVec2]) -> bool {
+        let Some(viewport) = &mut self.surface else { return false };
+        viewport.surface.set_coordinates(queue, &mut self.staging, coordinates)
+    }
+
+    /// Colours the triangles of the surface; `codes` is padded on the way.
+    ///
+    /// False, and nothing changes, when the count is not the surface's.
+    pub fn set_surface_codes(&mut self, queue: &wgpu::Queue, codes: &mut Vec<CellCode>) -> bool {
+        self.surface.as_ref().is_some_and(|viewport| viewport.surface.set_codes(queue, codes))
+    }
+
+    /// Records the rendering of the surface into its own target; nothing where there was no [`Self::set_surface`].
+    ///
+    /// Once per submission: the uniform blocks hold one frame.
+    /// A size beyond the device's textures is clamped, and `paint_surface` stretches.
+    pub fn prepare_surface(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &SurfaceFrame,
+    ) {
+        let Some(viewport) = &mut self.surface else { return };
+        let size_px = clamped_size(device, frame.size_px);
+        if viewport.targets.as_ref().is_none_or(|targets| targets.size_px != size_px) {
+            viewport.targets = Some(SurfaceTargets::new(device, &self.blit, size_px, self.samples));
+        }
+        viewport.write_frame(device, queue, frame, size_px, self.image.aspect);
+        let Some(targets) = &viewport.targets else { return };
+        let mut pass = targets.begin(encoder, clear_colour(frame.background));
+        viewport.draw(&mut pass, frame, &self.image.group);
+        drop(pass);
+        if !viewport.discs.is_empty() {
+            let mut pass = begin_pass(encoder, "handles", attachment(&targets.picture, wgpu::LoadOp::Load));
+            self.disc.draw(&mut pass, &viewport.discs);
+        }
+    }
+
+    /// Draws what [`Self::prepare_surface`] rendered over the whole viewport rectangle of
+    /// `render_pass`; nothing when there was none.
+    pub fn paint_surface(&self, render_pass: &mut wgpu::RenderPass<'static>) {
+        if let Some(targets) = self.surface.as_ref().and_then(|viewport| viewport.targets.as_ref()) {
+            self.blit.draw(render_pass, &targets.picture_group);
+        }
+    }
+}
+
+impl SurfaceViewport {
+    fn write_frame(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        frame: &SurfaceFrame,
+        size_px: [u32; 2],
+        image_aspect: f64,
+    ) {
+        let SurfaceFrame { camera, style, stroke, .. } = *frame;
+        let line_px = LINE_TO_STROKE * stroke.width_px;
+        let view = SurfaceView { camera, size_px, style, image_aspect, line_px, cells: frame.cells.as_ref() };
+        self.surface.write_frame(queue, &view);
+        self.stroke.write_frame(queue, camera, self.surface.origin, size_px, &stroke);
+        self.place_handles(device, queue, frame, size_px);
+    }
+
+    /// Discs where the handles are seen, in a plane whose unit is the pixel.
+    fn place_handles(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, frame: &SurfaceFrame, size_px: [u32; 2]) {
+        let size = DVec2::new(f64::from(size_px[0]), f64::from(size_px[1]));
+        let upwards = DVec2::new(1.0, -1.0);
+        let discs: Vec<Handle> = frame
+            .handles
+            .iter()
+            .filter_map(|handle| {
+                let position = frame.camera.to_screen(handle.position, size)? * upwards;
+                let [r, g, b, a] = handle.colour;
+                let strength = if handle.hidden { HIDDEN_STRENGTH } else { 1.0 };
+                Some(Handle { position, colour: [r, g, b, a * strength], radius_px: handle.radius_px })
+            })
+            .collect();
+        self.discs.set(device, queue, &discs);
+        self.discs.write_frame(queue, &Camera { center: 0.5 * size * upwards, units_per_pixel: 1.0 }, size_px);
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass, frame: &SurfaceFrame, image: &wgpu::BindGroup) {
+        if self.surface.is_empty() {
+            return;
+        }
+        match frame.cells.and_then(|style| style.map) {
+            Some(map) => self.pass.draw_colours(pass, &self.surface, map),
+            None => self.pass.draw_texture(pass, &self.surface, frame.style.pattern, image),
+        }
+        if frame.cells.is_some_and(|style| style.marks || style.wire.is_some()) {
+            self.pass.draw_overlay(pass, &self.surface);
+        }
+        self.stroke_pass.draw(pass, &self.stroke);
+    }
+}
