@@ -160,6 +160,7 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             marked_boundary: self.plots.marked(),
+            exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
         };
         stats::collect(&self.model, screen)

@@ -74,7 +74,7 @@ pub struct Curves {
     /// The side that r̃ starts from.
     pub mapped: Side,
     /// The anchors, as fractions of arc length.
-    anchors: [f64; 2],
+    pub(super) anchors: [f64; 2],
 }
 
 impl Curves {
