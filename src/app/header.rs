@@ -10,7 +10,7 @@ use super::{shapes, teaching, theme, words};
 use crate::conformal::Side;
 use crate::session::Command;
 use crate::worker::Subject;
-use egui::{Align, CornerRadius, Label, Layout, Rect, RichText, Shape, Ui, UiBuilder, vec2};
+use egui::{Align, Color32, CornerRadius, Label, Layout, Rect, RichText, Shape, Ui, UiBuilder, vec2};
 
 /// What folds the panels.
 pub const PANELS_TOOLTIP: &str = "Fold the panels away, or bring them back (Tab)";
@@ -136,27 +136,42 @@ fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
 
 /// What the dots mean.
 pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View) {
-    let palette = Palette::of(ui.visuals());
     let place =
         Rect::from_min_max(view.rect.left_bottom() + vec2(14.0, -30.0), view.rect.right_bottom() - vec2(14.0, 8.0));
     let (interior, boundary) = match side {
         Side::Source => ("interior point x₁", "boundary point y₁"),
         Side::Target => ("x₂ = f(x₁)", "y₂ = f(y₁)"),
     };
+    let dots = [(INTERIOR_COLOUR, interior), (BOUNDARY_COLOUR, boundary)];
+    let dashes = teaching::paint::legend(side, model, ui.visuals().dark_mode);
+    let two_rows = place.width() < ONE_ROW && dashes.len() > 2;
     ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
         over_the_mesh(ui, |ui| {
-            for (colour, text) in [(INTERIOR_COLOUR, interior), (BOUNDARY_COLOUR, boundary)] {
-                widgets::dot(ui, colour);
-                ui.label(RichText::new(text).small().color(palette.weak));
-                ui.add_space(2.0);
-            }
-            for (colour, text) in teaching::paint::legend(side, model, ui.visuals().dark_mode) {
-                widgets::dash(ui, colour);
-                ui.label(RichText::new(text).small().color(palette.weak));
-                ui.add_space(2.0);
+            entries(ui, &dots, widgets::dot);
+            if !two_rows {
+                entries(ui, &dashes, widgets::dash);
             }
         });
     });
+    if two_rows {
+        let above = place.translate(vec2(0.0, -place.height()));
+        ui.scope_builder(UiBuilder::new().max_rect(above).layout(Layout::left_to_right(Align::Center)), |ui| {
+            over_the_mesh(ui, |ui| entries(ui, &dashes, widgets::dash));
+        });
+    }
+}
+
+/// A viewport narrower than this has a legend of more than four entries in two rows: on the narrowest phones
+/// four of them have 330 points.
+const ONE_ROW: f32 = 480.0;
+
+fn entries(ui: &mut Ui, entries: &[(Color32, &str)], sign: impl Fn(&mut Ui, Color32)) {
+    let weak = Palette::of(ui.visuals()).weak;
+    for (colour, text) in entries {
+        sign(ui, *colour);
+        ui.label(RichText::new(*text).small().color(weak));
+        ui.add_space(2.0);
+    }
 }
 
 /// Words stay readable over a mesh that was zoomed under them.

@@ -172,6 +172,7 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             marked_boundary: self.plots.marked(),
+            exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
         };
         stats::collect(&self.model, screen)
@@ -320,11 +321,9 @@ impl RiemapApp {
 
     /// Another surface is seen from where it shows the most.
     fn look_at_surface(&mut self) {
-        if let Some((surface, state)) = self.model.surface()
-            && let Some(scene) = surface.scene()
-        {
-            let (towards_eye, up) = surface.default_view(state);
-            self.orbit.look(scene, towards_eye, up);
+        let seen = self.model.surface();
+        if let Some(camera) = seen.and_then(|(surface, state)| surface.first_view(state, self.orbit.aspect())) {
+            self.orbit.look(camera);
         }
     }
 

@@ -1,9 +1,10 @@
 //! The numbers on the screen as one plain record, for `window.riemap.stats()` and for tests.
 
 use super::model::Model;
+use super::teaching::through_disk::Found;
 use crate::conformal::{FrameTimings, PrepareTimings, Side};
 use crate::geometry::DVec2;
-use crate::session::Colouring;
+use crate::session::{Colouring, DiskWay};
 use serde::Serialize;
 
 /// The size of a prepared domain; zeros before there is one.
@@ -40,7 +41,7 @@ pub enum Processor {
     Cpu,
 }
 
-/// The map through the disk, by source and target.
+/// A map through the disk, by source and target.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ComparisonStats {
     /// Boundary samples.
@@ -51,6 +52,15 @@ pub struct ComparisonStats {
     pub disordered: [usize; 2],
     /// The largest difference between the images, as a part of the boundary's length.
     pub difference: f64,
+}
+
+/// The maps through the disk that are shown.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct ComparisonsStats {
+    /// By fresh disk maps.
+    pub fresh: Option<ComparisonStats>,
+    /// By precomputed ones.
+    pub precomputed: Option<ComparisonStats>,
 }
 
 /// What is on the screen now.
@@ -99,7 +109,9 @@ pub struct Stats {
     /// The boundary point under the pointer and its partner: fractions of arc length of source and target.
     pub marked_boundary: Option<[f64; 2]>,
     /// What the map is compared with.
-    pub comparison: Option<ComparisonStats>,
+    pub comparison: ComparisonsStats,
+    /// How far the reparameterisation in the plot is from the exact one, where that is known, as a part of the length.
+    pub exact_difference: Option<f64>,
     /// How many random walks were counted, and the largest deviation of their hits from the harmonic measure.
     pub walks: (u64, Option<f64>),
     /// Where the handles are.
@@ -125,6 +137,8 @@ pub struct ScreenFacts {
     pub notes: Vec<String>,
     /// The boundary point under the pointer and its partner.
     pub marked_boundary: Option<[f64; 2]>,
+    /// The distance of the plotted reparameterisation from the exact one.
+    pub exact_difference: Option<f64>,
     /// Where the Cauchy–Green extension comes from.
     pub cauchy_green: Option<Processor>,
 }
@@ -158,18 +172,22 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         plots: model.session().plots,
         measured_generation: model.measured_generation(),
         marked_boundary: screen.marked_boundary,
-        comparison: model.teaching().through_disk.found().map(|found| ComparisonStats {
-            samples: found.samples,
-            collapsed: found.collapsed,
-            disordered: found.disordered,
-            difference: found.difference,
-        }),
+        comparison: ComparisonsStats {
+            fresh: comparison(model, DiskWay::Fresh),
+            precomputed: comparison(model, DiskWay::Precomputed),
+        },
+        exact_difference: screen.exact_difference,
         walks: (model.teaching().walks.count(), model.teaching().walks.deviation()),
         handles: screen.handles,
         image_of_mapped_point: image_of_point(model, mapped),
         expected: model.interior(mapped.other()).map(|point| point.to_array()),
         boundary_checksum: boundary_checksum(model),
     }
+}
+
+fn comparison(model: &Model, way: DiskWay) -> Option<ComparisonStats> {
+    let &Found { samples, collapsed, disordered, difference, .. } = model.teaching().through_disk.found(way)?;
+    Some(ComparisonStats { samples, collapsed, disordered, difference })
 }
 
 fn size(model: &Model, side: Side) -> DomainSize {

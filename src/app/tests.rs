@@ -77,6 +77,7 @@ fn what_teaches_is_one_click_away() {
         ("In the target", Action::Session(Command::SetTextureSide(Side::Target))),
         ("Fresh", Action::Session(Command::SetComparison(Comparison::Fresh))),
         ("Precomputed", Action::Session(Command::SetComparison(Comparison::Precomputed))),
+        ("Both", Action::Session(Command::SetComparison(Comparison::Both))),
         ("Start", Action::Walks(WalkAction::Toggle)),
     ] {
         assert_eq!(click_in_panel(&model, label), [action]);
@@ -92,11 +93,12 @@ fn what_teaches_is_one_click_away() {
 fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_run() {
     let mut harness = ready_app([1200.0, 900.0]);
     harness.key_press(egui::Key::P);
-    harness.get_by_label("Fresh").click();
+    harness.get_by_label("Both").click();
     harness.run_steps(30);
     let stats = harness.state().stats();
-    let compared = stats.comparison.unwrap();
-    assert!(compared.difference < 0.05 && compared.disordered == [0, 0], "{compared:?}");
+    for compared in [stats.comparison.fresh.unwrap(), stats.comparison.precomputed.unwrap()] {
+        assert!(compared.difference < 0.05 && compared.disordered == [0, 0], "{compared:?}");
+    }
     assert_eq!(stats.walks, (0, None));
     harness.get_by_label("Start").click();
     harness.run_steps(200);

@@ -107,10 +107,9 @@ pub fn domain_sizes(domain: &PreparedDomain) -> String {
 pub fn surface_sizes(surface: &PreparedSurface) -> String {
     let mesh = &surface.surface.mesh;
     format!(
-        "m {} · n {} · {} triangles · prepared in {}",
+        "m {} · n {} · prepared in {}",
         grouped(mesh.boundary_count as usize),
         grouped(mesh.interior_count()),
-        grouped(mesh.triangles.len()),
         milliseconds(surface.timings.total()),
     )
 }
@@ -119,7 +118,9 @@ pub fn surface_sizes(surface: &PreparedSurface) -> String {
 pub fn surface_details(surface: &PreparedSurface) -> String {
     let FlipReport { flips, negative_before, negative_after } = surface.flips;
     format!(
-        "m: boundary vertices. n: interior vertices.\n\nIntrinsic Delaunay: {} edges flipped, negative weights {} → {}\n\n{}",
+        "m: boundary vertices. n: interior vertices. {} triangles.\n\n\
+         Intrinsic Delaunay: {} edges flipped, negative weights {} → {}\n\n{}",
+        grouped(surface.surface.mesh.triangles.len()),
         grouped(flips),
         grouped(negative_before),
         grouped(negative_after),

@@ -3,6 +3,7 @@
 pub mod blob;
 mod complex;
 pub mod disk;
+pub mod square;
 pub mod vshape;
 
 pub use complex::Complex;

@@ -63,6 +63,14 @@ pub fn boundary(t: f64) -> DVec2 {
     from_half_plane(Complex::new(a, b)).into()
 }
 
+/// Whether `x` is inside: cos 2b > κ cosh 2a.
+pub fn contains(x: DVec2) -> bool {
+    let Complex { re: a, im: b } = strip(x.into());
+    let r = 1.0 - epsilon();
+    let kappa = epsilon() * (1.0 + r) / (1.0 + r * r);
+    b.abs() < 0.5 * PI && (2.0 * b).cos() > kappa * (2.0 * a).cosh()
+}
+
 /// The harmonic measure, seen from the interior point `x`, of the boundary from
 /// 1 + i counter-clockwise to the boundary point `y`; in `[0, 1)`.
 ///
@@ -101,6 +109,16 @@ mod tests {
             let radius = to_disk(z.into()).abs();
             // tanh amplifies an error of b by at most 1; h₂ and its inverse add a few roundings.
             assert!((radius - 1.0).abs() < 2e-14, "t = {k}/1000: |g| − 1 = {:e}", radius - 1.0);
+        }
+    }
+
+    #[test]
+    fn the_inside_ends_at_the_boundary() {
+        for k in 0..400 {
+            let t = f64::from(k) / 100.0;
+            let (y, along) = (boundary(t), boundary(t + 1e-6) - boundary(t - 1e-6));
+            let inwards = 1e-6 * along.perp().normalize();
+            assert!(contains(y + inwards) && !contains(y - inwards), "t = {t}");
         }
     }
 

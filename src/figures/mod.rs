@@ -14,7 +14,6 @@
 //! | `convergence` | the same for rising m | Figure 15 |
 //! | `bench` | times of this machine beside the paper's | Tables 1 and 2 |
 
-mod arc_length;
 mod bench;
 mod convergence;
 mod crowding;
@@ -23,7 +22,7 @@ mod moebius;
 mod scenes;
 mod table;
 
-pub use arc_length::ArcLength;
+pub use crate::closed_form::ArcLength;
 pub use bench::{
     BenchRow, BenchSetting, Frame, FrameTimes, Measurement, PAPER_MACHINE, PaperFrame, PaperPreparation, Preparation,
     TABLE_1, TABLE_2,

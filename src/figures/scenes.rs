@@ -5,7 +5,7 @@ use crate::conformal::{Constraints, Direction, Extension, PrepareSettings};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
-use crate::session::{Colouring, DomainSpec, OutlineSpec, Session, TextureKind};
+use crate::session::{Colouring, Comparison, DomainSpec, OutlineSpec, Session, TextureKind};
 
 /// One map of a figure.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,6 +112,7 @@ fn crowding(detail: Detail) -> Scene {
     let Constraints { source_point, target_point, source_anchor, target_anchor } = crowding_constraints();
     session.interior = [Some(source_point), Some(target_point)];
     session.anchor = [source_anchor, target_anchor];
+    session.comparison = Comparison::Both;
     session.texture_scale = 64.0; // the tip around x₁, a tenth of the V, fills the blob
     Scene { label: "V-shape → blob".to_owned(), session }
 }

@@ -76,7 +76,7 @@ pub enum Colouring {
     Area,
 }
 
-/// The way that is shown beside the map: through the disk (sections 1.2 and 5.2).
+/// The ways that are shown beside the map: through the disk (sections 1.2 and 5.2).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Comparison {
@@ -87,6 +87,34 @@ pub enum Comparison {
     Fresh,
     /// Disk maps made for the poles of inaccessibility, then Möbius.
     Precomputed,
+    /// Both of these.
+    Both,
+}
+
+/// A way through the disk.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DiskWay {
+    /// As [`Comparison::Fresh`].
+    Fresh,
+    /// As [`Comparison::Precomputed`].
+    Precomputed,
+}
+
+impl DiskWay {
+    /// Both, in the order in which they are listed.
+    pub const ALL: [Self; 2] = [Self::Fresh, Self::Precomputed];
+}
+
+impl Comparison {
+    /// Whether it shows this way.
+    pub fn shows(self, way: DiskWay) -> bool {
+        match self {
+            Self::Off => false,
+            Self::Fresh => way == DiskWay::Fresh,
+            Self::Precomputed => way == DiskWay::Precomputed,
+            Self::Both => true,
+        }
+    }
 }
 
 /// The state of the app that a link or a file carries.

@@ -118,3 +118,20 @@ fn a_session_from_before_there_were_surfaces_still_reads() {
     value.as_object_mut().unwrap().remove("surface");
     assert_eq!(serde_json::from_value::<Session>(value).unwrap(), Session::default());
 }
+
+#[test]
+fn comparisons_keep_their_names_and_show_what_they_say() {
+    let ways = |comparison: Comparison| DiskWay::ALL.map(|way| comparison.shows(way));
+    for (name, comparison, shown) in [
+        ("off", Comparison::Off, [false, false]),
+        ("fresh", Comparison::Fresh, [true, false]),
+        ("precomputed", Comparison::Precomputed, [false, true]),
+        ("both", Comparison::Both, [true, true]),
+    ] {
+        let mut text = serde_json::to_value(Session::default()).unwrap();
+        text["comparison"] = name.into();
+        assert_eq!(serde_json::from_value::<Session>(text).unwrap().comparison, comparison);
+        assert_eq!(serde_json::to_value(comparison).unwrap(), name);
+        assert_eq!(ways(comparison), shown, "{name}");
+    }
+}

@@ -63,6 +63,7 @@ impl SurfacePreset {
             }
             Self::BentStrip => [DVec3::new(0.9, -1.3, 0.55), DVec3::Z],
             Self::HeightField => [DVec3::new(0.5, 0.3, 1.0), DVec3::Y],
+            Self::AnimalHead => [DVec3::new(0.35, -0.75, 0.35), DVec3::Z],
         }
     }
 

@@ -3,11 +3,11 @@
 use super::super::teaching::overlay::{Overlay, Overlays};
 use super::super::theme::Palette;
 use super::curves::{Curve, Curves, decimate};
-use super::{Kind, Plots};
+use super::{ExactCurves, Kind, Plots};
 use crate::conformal::Side;
-use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Stroke, Ui, vec2};
+use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Shape, Stroke, Ui, vec2};
 use egui_plot::{
-    AxisHints, GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi, Points, VLine,
+    AxisHints, GridInput, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi, Points, VLine,
 };
 
 /// Source and target on the dark and on the light theme: Okabe–Ito's blues, and oranges.
@@ -16,11 +16,15 @@ pub const SIDE_INKS: [[Color32; 2]; 2] = [
     [Color32::from_rgb(0, 114, 178), Color32::from_rgb(196, 120, 0)],
 ];
 
-/// The reparameterisation of the map on the screen, and what it is compared with.
-pub const MAP_INKS: [[Color32; 2]; 2] = [
-    [Color32::from_rgb(64, 196, 150), Color32::from_rgb(204, 121, 167)],
-    [Color32::from_rgb(0, 138, 100), Color32::from_rgb(180, 80, 140)],
+/// The reparameterisation of the map on the screen, and those through fresh and precomputed disk maps.
+pub const MAP_INKS: [[Color32; 3]; 2] = [
+    [Color32::from_rgb(64, 196, 150), Color32::from_rgb(168, 148, 255), Color32::from_rgb(204, 121, 167)],
+    [Color32::from_rgb(0, 138, 100), Color32::from_rgb(96, 72, 196), Color32::from_rgb(180, 80, 140)],
 ];
+
+/// The exact curves, wide and under all others: no colour, for what they tell about is the coloured ones.
+pub const EXACT_INKS: [Color32; 2] = [Color32::from_rgb(132, 142, 154), Color32::from_rgb(160, 168, 178)];
+const EXACT_WIDTH: f32 = 4.5;
 
 /// The hits of random walks: apart from the sides' inks and from the map's.
 pub const WALK_INKS: [Color32; 2] = [Color32::from_rgb(240, 228, 66), Color32::from_rgb(200, 40, 48)];
@@ -35,6 +39,7 @@ const MARGIN: f64 = 0.03;
 pub struct Chart<'a> {
     kind: Kind,
     lines: Vec<(&'a Curve, Color32)>,
+    exact: Vec<&'a Curve>,
     overlays: &'a [Overlay],
     dark: bool,
     mapped: Side,
@@ -43,14 +48,35 @@ pub struct Chart<'a> {
     range: (f64, f64),
 }
 
+/// A line of a legend.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Entry {
+    name: &'static str,
+    ink: Color32,
+    width: f32,
+    dashed: bool,
+}
+
 impl<'a> Chart<'a> {
     /// The plot of a kind.
-    pub fn of(kind: Kind, curves: &'a Curves, overlays: &'a Overlays, dark: bool, logarithmic: bool) -> Self {
+    pub fn of(
+        kind: Kind,
+        curves: &'a Curves,
+        exact: Option<&'a ExactCurves>,
+        overlays: &'a Overlays,
+        dark: bool,
+        logarithmic: bool,
+    ) -> Self {
         let theme = usize::from(!dark);
         let lines: Vec<_> = match kind {
             Kind::Kernel => curves.kernel.iter().zip(SIDE_INKS[theme]).collect(),
             Kind::Measure => curves.measure.iter().zip(SIDE_INKS[theme]).collect(),
             Kind::Reparameterisation => vec![(&curves.reparameterisation, MAP_INKS[theme][0])],
+        };
+        let exact = match (kind, exact) {
+            (Kind::Measure, Some(exact)) => exact.measure.iter().collect(),
+            (Kind::Reparameterisation, Some(exact)) => vec![&exact.reparameterisation],
+            _ => Vec::new(),
         };
         let overlays = match kind {
             Kind::Kernel => &[][..],
@@ -62,7 +88,7 @@ impl<'a> Chart<'a> {
             Kind::Kernel => kernel_range(&curves.kernel, logarithmic),
             _ => (0.0, 1.0),
         };
-        Self { kind, lines, overlays, dark, mapped: curves.mapped, logarithmic, range }
+        Self { kind, lines, exact, overlays, dark, mapped: curves.mapped, logarithmic, range }
     }
 
     /// Draws the plot with the points at `marked` (by side, from the anchors); returns the
@@ -128,6 +154,10 @@ impl<'a> Chart<'a> {
     }
 
     fn add_lines(&self, plot: &mut PlotUi, columns: usize) {
+        for curve in &self.exact {
+            let line = Line::new(curve.name.clone(), curve.points.clone()).color(self.exact_ink()).width(EXACT_WIDTH);
+            plot.line(line.allow_hover(false));
+        }
         for (curve, ink) in &self.lines {
             let points: Vec<[f64; 2]> =
                 decimate(&curve.points, columns).into_iter().map(|[x, y]| [x, self.ordinate(y)]).collect();
@@ -136,25 +166,48 @@ impl<'a> Chart<'a> {
         for Overlay { origin, curve } in self.overlays {
             let ink = Plots::overlay_ink(*origin, self.dark);
             let points = decimate(&curve.points, columns);
-            plot.line(Line::new(origin.name(), points).color(ink).width(1.4).allow_hover(false));
+            let style = if origin.is_dashed() { LineStyle::dashed_dense() } else { LineStyle::Solid };
+            plot.line(Line::new(origin.name(), points).color(ink).width(1.4).style(style).allow_hover(false));
         }
     }
 
-    /// What the curves over the map's own are, where those leave room: below the diagonal.
+    fn exact_ink(&self) -> Color32 {
+        EXACT_INKS[usize::from(!self.dark)]
+    }
+
+    /// What the legend names, from top to bottom.
+    fn entries(&self) -> Vec<Entry> {
+        let overlay = |overlay: &Overlay| Entry {
+            name: overlay.origin.name(),
+            ink: Plots::overlay_ink(overlay.origin, self.dark),
+            width: 2.0,
+            dashed: overlay.origin.is_dashed(),
+        };
+        let exact = Entry { name: "exact", ink: self.exact_ink(), width: EXACT_WIDTH, dashed: false };
+        let map = |ink| Entry { name: "this map", ink, width: 2.0, dashed: false };
+        let mut entries: Vec<Entry> = (!self.exact.is_empty()).then_some(exact).into_iter().collect();
+        entries.extend(self.overlays.iter().rev().map(overlay));
+        entries.dedup_by_key(|entry| entry.name);
+        if self.kind == Kind::Reparameterisation && !entries.is_empty() {
+            entries.insert(0, map(self.lines[0].1));
+        }
+        entries
+    }
+
+    /// What the curves are, where those leave room: below the diagonal.
     fn legend(&self, ui: &Ui, area: Rect) {
         let palette = Palette::of(ui.visuals());
-        let mut names: Vec<_> =
-            self.overlays.iter().map(|o| (o.origin.name(), Plots::overlay_ink(o.origin, self.dark))).collect();
-        names.dedup();
-        if self.kind == Kind::Reparameterisation && !names.is_empty() {
-            names.insert(0, ("this map", self.lines[0].1));
-        }
         let painter = ui.painter_at(area);
-        for (row, (name, ink)) in names.iter().rev().enumerate() {
+        for (row, Entry { name, ink, width, dashed }) in self.entries().into_iter().rev().enumerate() {
             let place = area.right_bottom() - vec2(10.0, 10.0 + 15.0 * row as f32);
             let text = painter.text(place, Align2::RIGHT_CENTER, name, FontId::proportional(11.0), palette.weak);
             let end = text.left_center() - vec2(5.0, 0.0);
-            painter.line_segment([end - vec2(14.0, 0.0), end], Stroke::new(2.0, *ink));
+            let (line, stroke) = ([end - vec2(14.0, 0.0), end], Stroke::new(width, ink));
+            if dashed {
+                painter.extend(Shape::dashed_line(&line, stroke, 4.0, 2.0));
+            } else {
+                painter.line_segment(line, stroke);
+            }
         }
     }
 
@@ -291,11 +344,48 @@ pub fn power_of_ten(exponent: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::teaching::overlay::Origin;
     use super::*;
+    use crate::session::DiskWay;
 
     fn curve(values: &[f64]) -> Curve {
         let points = values.iter().enumerate().map(|(k, &y)| [k as f64, y]).collect();
         Curve { name: String::new(), points }
+    }
+
+    /// The curves that a legend names, of a kind of plot, with everything shown that can be.
+    fn names(kind: Kind, exact: bool) -> Vec<&'static str> {
+        let line = || curve(&[0.0, 1.0]);
+        let curves = Curves {
+            kernel: [line(), line()],
+            measure: [line(), line()],
+            reparameterisation: line(),
+            mapped: Side::Source,
+            anchors: [0.0; 2],
+        };
+        let known = ExactCurves { measure: [line(), line()], reparameterisation: line(), difference: 0.0 };
+        let by = |origin| Overlay { origin, curve: line() };
+        let [fresh, precomputed] = DiskWay::ALL.map(Origin::Disk);
+        let overlays = Overlays {
+            measure: [precomputed, precomputed, fresh, fresh, Origin::Walks].map(by).to_vec(),
+            reparameterisation: [precomputed, fresh].map(by).to_vec(),
+            ..Overlays::default()
+        };
+        let chart = Chart::of(kind, &curves, exact.then_some(&known), &overlays, true, false);
+        let entries = chart.entries();
+        for (k, entry) in entries.iter().enumerate() {
+            assert!(entries[..k].iter().all(|other| other.ink != entry.ink), "{} has another's ink", entry.name);
+        }
+        entries.iter().map(|entry| entry.name).collect()
+    }
+
+    #[test]
+    fn every_curve_has_its_own_ink_and_its_line_in_the_legend() {
+        let [fresh, precomputed] = DiskWay::ALL.map(|way| Origin::Disk(way).name());
+        assert_eq!(names(Kind::Reparameterisation, true), ["this map", "exact", fresh, precomputed]);
+        assert_eq!(names(Kind::Reparameterisation, false), ["this map", fresh, precomputed]);
+        assert_eq!(names(Kind::Measure, true), ["exact", "random walks", fresh, precomputed]);
+        assert_eq!(names(Kind::Kernel, true), [""; 0], "there is none over the kernels");
     }
 
     #[test]

@@ -5,7 +5,8 @@
 //! 1 for the uniform measure and has the integral 1. Curves are polylines through
 //! the boundary vertices. No egui in here.
 
-use crate::conformal::{ConformalMap, Side};
+use super::boundary_map::{BoundaryMap, Loop};
+use crate::conformal::Side;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
 /// A named polyline with increasing x.
@@ -36,13 +37,13 @@ impl Curve {
     /// ω̃ over the arc length from the anchor, of values at the m vertices after it.
     pub fn measure((samples, anchor): Cut, from_anchor: &[f64]) -> Self {
         let ordinates = std::iter::once(0.0).chain(from_anchor.iter().copied()).chain(std::iter::once(1.0));
-        let points = Anchored::new(samples, anchor).abscissae().zip(ordinates).map(|(x, y)| [x, y]).collect();
+        let points = Anchored::new(samples.into(), anchor).abscissae().zip(ordinates).map(|(x, y)| [x, y]).collect();
         Self { name: String::from("measure"), points }
     }
 
     /// r̃ from `mapped` to `other`, of the images of the vertices.
     pub fn reparameterisation(mapped: Cut, other: Cut, images: &[BoundaryPoint]) -> Self {
-        let [mapped, other] = [mapped, other].map(|(samples, anchor)| Anchored::new(samples, anchor));
+        let [mapped, other] = [mapped, other].map(|(samples, anchor)| Anchored::new(samples.into(), anchor));
         let ordinates = reparameterisation(&mapped, &other, images);
         Self {
             name: String::from("reparameterisation"),
@@ -74,21 +75,20 @@ pub struct Curves {
     /// The side that r̃ starts from.
     pub mapped: Side,
     /// The anchors, as fractions of arc length.
-    anchors: [f64; 2],
+    pub(super) anchors: [f64; 2],
 }
 
 impl Curves {
-    /// The curves of `map`, whose anchors are at these fractions of arc length.
-    pub fn new(map: &ConformalMap, anchors: [f64; 2]) -> Self {
-        let mapped = map.direction().mapped_side();
-        let anchored = Side::BOTH.map(|side| Anchored::new(&map.domain(side).samples, anchors[side as usize]));
+    /// The curves of a map, whose anchors are at these fractions of arc length.
+    pub fn new<'a>(map: impl Into<BoundaryMap<'a>>, anchors: [f64; 2]) -> Self {
+        let BoundaryMap { mapped, loops, kernels, measures, images } = map.into();
+        let anchored = Side::BOTH.map(|side| Anchored::new(loops[side as usize], anchors[side as usize]));
         let curve = |side: Side, ordinates: Vec<f64>| {
             let points = anchored[side as usize].abscissae().zip(ordinates).map(|(x, y)| [x, y]).collect();
             Curve { name: side.to_string(), points }
         };
-        let kernel = Side::BOTH.map(|side| curve(side, anchored[side as usize].density(map.kernel(side))));
-        let measure = Side::BOTH.map(|side| curve(side, map.measure(side).at_knots().to_vec()));
-        let images = &map.correspondence().points;
+        let kernel = Side::BOTH.map(|side| curve(side, anchored[side as usize].density(kernels[side as usize])));
+        let measure = Side::BOTH.map(|side| curve(side, measures[side as usize].at_knots().to_vec()));
         let other = &anchored[mapped.other() as usize];
         let first = curve(mapped, reparameterisation(&anchored[mapped as usize], other, images));
         let reparameterisation = Curve { name: String::from("this map"), ..first };
@@ -113,21 +113,21 @@ impl Curves {
 
 /// A boundary cut open at its anchor; knots as in [`crate::conformal::HarmonicMeasure`].
 struct Anchored<'a> {
-    samples: &'a BoundarySamples,
+    around: Loop<'a>,
     anchor: BoundaryPoint,
     /// The anchor's fraction of arc length.
     origin: f64,
 }
 
 impl<'a> Anchored<'a> {
-    fn new(samples: &'a BoundarySamples, fraction: f64) -> Self {
-        let anchor = samples.at_fraction(fraction);
-        Self { samples, anchor, origin: samples.fraction_at(anchor) }
+    fn new(around: Loop<'a>, fraction: f64) -> Self {
+        let anchor = BoundaryPoint::at_fraction(around.fractions, fraction);
+        Self { around, anchor, origin: anchor.fraction_in(around.fractions) }
     }
 
     /// The vertices from the anchor on, m of them; the last one is the anchor itself where that is a vertex.
     fn vertices(&self) -> impl Iterator<Item = usize> {
-        let (first, m) = (self.anchor.edge as usize, self.samples.len());
+        let (first, m) = (self.anchor.edge as usize, self.around.fractions.len());
         (1..=m).map(move |j| (first + j) % m)
     }
 
@@ -138,14 +138,14 @@ impl<'a> Anchored<'a> {
     /// The arc length of the m + 2 knots: anchor, vertices, anchor again.
     fn abscissae(&self) -> impl Iterator<Item = f64> {
         let place = |k: usize| {
-            if self.is_vertex(k) { 1.0 } else { (self.samples.fractions[k] - self.origin).rem_euclid(1.0) }
+            if self.is_vertex(k) { 1.0 } else { (self.around.fractions[k] - self.origin).rem_euclid(1.0) }
         };
         std::iter::once(0.0).chain(self.vertices().map(place)).chain(std::iter::once(1.0))
     }
 
     /// ψ·ℓ at the knots.
     fn density(&self, psi: &[f64]) -> Vec<f64> {
-        let length: f64 = self.samples.edge_lengths.iter().sum();
+        let length: f64 = self.around.edge_lengths.iter().sum();
         let (k, f) = (self.anchor.edge as usize, self.anchor.fraction);
         let at_anchor = length * ((1.0 - f) * psi[k] + f * psi[(k + 1) % psi.len()]);
         let inner = self.vertices().map(|k| length * psi[k]);
@@ -158,7 +158,7 @@ fn reparameterisation(mapped: &Anchored, other: &Anchored, images: &[BoundaryPoi
     let mut result = vec![0.0];
     let mut so_far = 0.0_f64;
     for k in mapped.vertices() {
-        let behind = other.samples.fraction_at(images[k]) - other.origin;
+        let behind = images[k].fraction_in(other.around.fractions) - other.origin;
         // An image beside the anchor may lie on either side of it, by rounding or because ω̃ is flat.
         let place = if mapped.is_vertex(k) { 1.0 } else { behind.rem_euclid(1.0) };
         let place = if so_far > 0.5 && place < so_far - 0.5 { 1.0 } else { place };

@@ -1,6 +1,8 @@
 //! The curves against closed forms on the disk.
 
+use super::super::exact::ExactCurves;
 use super::*;
+use crate::closed_form::ExactMap;
 use crate::conformal::{Constraints, Direction, PrepareSettings, PreparedDomain, prepare};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
@@ -98,6 +100,42 @@ fn partners_have_the_same_measure_and_are_mutual() {
         assert!((back - x).abs() < 1e-9, "{x} → {there} → {back}");
         let fraction = curves.fraction(Side::Source, x);
         assert!((curves.along(Side::Source, fraction) - x).abs() < 1e-12, "{x} at {fraction}");
+    }
+}
+
+/// Both ways round, with the anchors anywhere: from the centre r is the measure, else a Möbius map.
+#[test]
+fn the_exact_curves_lie_under_the_maps_own() {
+    let points = [X, DVec2::new(-0.2, 0.4)];
+    for (anchors, direction) in [([0.1, 0.7], Direction::Forward), ([0.8, 0.25], Direction::Backward)] {
+        let curves = curves(points, anchors, direction);
+        let constraints = Constraints {
+            source_point: points[0],
+            target_point: points[1],
+            source_anchor: anchors[0],
+            target_anchor: anchors[1],
+        };
+        let map = ExactMap::between([Preset::Disk; 2], &constraints).unwrap();
+        let exact = ExactCurves::new(&map, &curves);
+        // the kernel's own error with 400 samples
+        assert!(exact.difference < 2e-3, "{:e}", exact.difference);
+        for (own, exact) in [
+            (&curves.measure[0], &exact.measure[0]),
+            (&curves.measure[1], &exact.measure[1]),
+            (&curves.reparameterisation, &exact.reparameterisation),
+        ] {
+            let points = &exact.points;
+            assert_eq!((points[0], points[points.len() - 1]), ([0.0, 0.0], [1.0, 1.0]), "{}", own.name);
+            for pair in points.windows(2) {
+                assert!(pair[0][0] <= pair[1][0] && pair[0][1] <= pair[1][1], "{}: {pair:?}", own.name);
+            }
+            for k in 0..=300 {
+                let x = f64::from(k) / 300.0;
+                let error = (own.at(x) - exact.at(x)).abs();
+                // and what a polyline of 320 points is off by
+                assert!(error < 3e-3, "{} at {x}: {error:e}", own.name);
+            }
+        }
     }
 }
 

@@ -4,11 +4,14 @@
 //! sheet. Pointing at a plot marks the boundary point and its partner in both
 //! viewports, pointing at a boundary marks both in the plots.
 
+mod boundary_map;
 mod chart;
 mod convergence;
 mod curves;
+mod exact;
 
 pub use curves::{Curve, Curves};
+pub use exact::ExactCurves;
 
 pub use convergence::convergence_chart;
 
@@ -16,7 +19,9 @@ use super::model::Model;
 use super::teaching::overlay::{Origin, Overlays};
 use super::theme::{self, Palette};
 use super::widgets::{Segment, dot, segmented};
+use crate::closed_form::ExactMap;
 use crate::conformal::Side;
+use crate::session::DiskWay;
 use egui::{Align, Color32, Layout, RichText, Ui};
 
 /// The height of the dock.
@@ -63,6 +68,8 @@ struct BoundaryPlace {
 pub struct Plots {
     /// With the generation of the map that they are of.
     curves: Option<(u64, Curves)>,
+    /// With the same; `None` inside where the map is not known in closed form.
+    exact: Option<(u64, Option<ExactCurves>)>,
     /// The kernel's axis.
     logarithmic: bool,
     /// The one on a phone.
@@ -90,9 +97,36 @@ impl Plots {
     pub fn update(&mut self, model: &Model) {
         let needed = model.session().plots || self.pointed().is_some();
         let generation = model.generation();
-        if let (true, Some(map)) = (needed && self.generation() != Some(generation), model.map()) {
-            self.curves = Some((generation, Curves::new(map, model.session().anchor)));
+        if needed && self.generation() != Some(generation) {
+            let session = model.session();
+            let curves = match (model.surface_map(), &session.surface, model.map()) {
+                (Some(map), Some(surface), _) => Some(Curves::new(map, [session.anchor[0], surface.anchor])),
+                (_, _, Some(map)) => Some(Curves::new(map, session.anchor)),
+                _ => None,
+            };
+            self.curves = curves.map(|curves| (generation, curves)).or(self.curves.take());
         }
+        if model.session().plots {
+            self.update_exact(model, generation);
+        }
+    }
+
+    fn update_exact(&mut self, model: &Model, generation: u64) {
+        let is_known = self.exact.as_ref().is_some_and(|(known, _)| *known == generation);
+        let (false, Some(curves), [Some(source), Some(target)]) =
+            (is_known, self.curves(), Side::BOTH.map(|side| model.domain(side)))
+        else {
+            return;
+        };
+        let planar = model.surface().is_none();
+        let exact = ExactMap::of_session(model.session(), [source.pole, target.pole]).filter(|_| planar);
+        let exact = exact.map(|exact| ExactCurves::new(&exact, curves));
+        self.exact = Some((generation, exact));
+    }
+
+    /// The exact curves of the map in the plots, where they are known and the plots are open.
+    pub fn exact(&self) -> Option<&ExactCurves> {
+        self.exact.as_ref().filter(|(generation, _)| self.generation() == Some(*generation))?.1.as_ref()
     }
 
     /// The marked point and its partner: fractions of arc length of source and target.
@@ -115,7 +149,8 @@ impl Plots {
     pub fn overlay_ink(origin: Origin, dark: bool) -> Color32 {
         let theme = usize::from(!dark);
         match origin {
-            Origin::Disk => chart::MAP_INKS[theme][1],
+            Origin::Disk(DiskWay::Fresh) => chart::MAP_INKS[theme][1],
+            Origin::Disk(DiskWay::Precomputed) => chart::MAP_INKS[theme][2],
             Origin::Walks => chart::WALK_INKS[theme],
         }
     }
@@ -177,7 +212,8 @@ impl Plots {
         let marked = self.marked_from_anchor();
         self.header(ui, kind, marked);
         let Some((_, curves)) = &self.curves else { return };
-        let chart = chart::Chart::of(kind.value, curves, overlays, ui.visuals().dark_mode, self.logarithmic);
+        let chart =
+            chart::Chart::of(kind.value, curves, self.exact(), overlays, ui.visuals().dark_mode, self.logarithmic);
         if let Some((side, x)) = chart.show(ui, marked) {
             self.found = Some(BoundaryPlace { side, fraction: curves.fraction(side, x) });
         }

@@ -32,17 +32,21 @@ impl OrbitView {
     /// Puts the view at `rect`; unless it was moved or zoomed, it shows all of `scene`.
     pub fn place(&mut self, rect: Rect, pixels_per_point: f32, scene: BoundingSphere) {
         (self.rect, self.pixels_per_point) = (rect, pixels_per_point);
-        let aspect = f64::from(rect.width() / rect.height());
+        let aspect = self.aspect();
         if let Some(camera) = self.camera.as_mut().filter(|_| self.is_fitted) {
             camera.fit(scene, aspect);
         }
     }
 
-    /// Looks at another surface, from where `towards_eye` points, `up` upwards.
-    pub fn look(&mut self, scene: BoundingSphere, towards_eye: DVec3, up: DVec3) {
-        let aspect = f64::from(self.rect.width() / self.rect.height());
-        self.camera = Some(OrbitCamera::new(scene, towards_eye, up, aspect));
+    /// Looks at another surface.
+    pub fn look(&mut self, camera: OrbitCamera) {
+        self.camera = Some(camera);
         (self.is_fitted, self.spin) = (true, Vec2::ZERO);
+    }
+
+    /// Width over height.
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.rect.width() / self.rect.height())
     }
 
     /// Shows the whole surface from now on, from the same side.
@@ -141,7 +145,7 @@ mod tests {
     fn view() -> OrbitView {
         let mut view = OrbitView::default();
         view.place(Rect::from_min_size(pos2(700.0, 50.0), vec2(600.0, 500.0)), 2.0, SCENE);
-        view.look(SCENE, DVec3::new(0.0, -1.0, 0.5), DVec3::Z);
+        view.look(OrbitCamera::new(SCENE, DVec3::new(0.0, -1.0, 0.5), DVec3::Z, view.aspect()));
         view
     }
 

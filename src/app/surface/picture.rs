@@ -1,6 +1,5 @@
 //! The small pictures of the built-in surfaces in the menu: flat-shaded triangles, far ones first.
 
-use super::side::PRESET_EYE;
 use crate::geometry::DVec3;
 use crate::surface::SurfacePreset;
 use egui::{Color32, Id, Mesh, Pos2, Rect, Shape, Ui};
@@ -42,8 +41,9 @@ fn facets(context: &egui::Context, preset: SurfacePreset) -> Arc<Vec<Facet>> {
 
 fn projected(preset: SurfacePreset) -> Vec<Facet> {
     let Ok(surface) = preset.surface(BOUNDARY) else { return Vec::new() };
-    let toward = PRESET_EYE.normalize();
-    let right = DVec3::Z.cross(toward).normalize();
+    let [toward, upwards] = preset.view();
+    let toward = toward.normalize();
+    let right = upwards.cross(toward).normalize();
     let up = toward.cross(right);
     let bounds = |axis: DVec3| {
         let along = surface.vertices.iter().map(|p| p.dot(axis));

@@ -7,7 +7,7 @@ use crate::conformal::{PreparedDomain, PreparedSurface, SurfaceConstraints, Surf
 use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Lanes;
 use crate::mesh::{BarycentricPoint, NO_TRIANGLE};
-use crate::render::BoundingSphere;
+use crate::render::{BoundingSphere, OrbitCamera};
 use crate::session::{SurfaceShape, SurfaceState};
 use std::sync::Arc;
 
@@ -15,21 +15,8 @@ use std::sync::Arc;
 /// measure is a peak that no drag can hold still.
 const MOST_BOUNDARY_WEIGHT: f64 = 0.9;
 
-/// Towards the eye, for surfaces by formula: a little from the right and above.
-pub(super) const PRESET_EYE: DVec3 = DVec3::new(0.35, -0.75, 0.6);
-
-/// A front that points this much along y has z upwards.
-const STEEP: f64 = 0.9;
-/// How far the eye is beside and above the front of a surface from a file: a shape is read better so.
-const TURNED: f64 = 0.35;
-const RAISED: f64 = 0.3;
-
-/// The direction of the sum of all normals: by Stokes' theorem that of the loop's vector area ½ Σ p × q.
-fn front(boundary: &[DVec3]) -> DVec3 {
-    let next = boundary.iter().cycle().skip(1);
-    let area: DVec3 = boundary.iter().zip(next).map(|(p, q)| (*p - boundary[0]).cross(*q - boundary[0])).sum();
-    area.normalize_or(DVec3::Z)
-}
+/// How much larger than the surface what is fitted into the viewport is.
+const ROOM: f64 = 1.12;
 
 /// The surface side of the model.
 #[derive(Debug, Default)]
@@ -39,6 +26,7 @@ pub struct SurfaceSide {
     /// The surface that is shown; the map may still be missing.
     shown: Option<Arc<PreparedSurface>>,
     map: Option<SurfaceMap>,
+    scene: Option<BoundingSphere>,
     /// The conformal polar coordinates of the surface, where they are shown.
     disk: Vec<DVec2>,
     scratch: Vec<Lanes<2>>,
@@ -48,6 +36,10 @@ impl SurfaceSide {
     /// Takes over the surface that was prepared.
     pub fn renew(&mut self) {
         self.shown = self.preparation.surface().map(Arc::clone);
+        self.scene = self.shown.as_ref().map(|surface| {
+            let BoundingSphere { center, radius } = BoundingSphere::of(&surface.surface.mesh.vertices);
+            BoundingSphere { center, radius: ROOM * radius }
+        });
         self.map = None;
     }
 
@@ -61,24 +53,24 @@ impl SurfaceSide {
         self.map.as_ref()
     }
 
-    /// A ball around it.
+    /// A ball around it, with room for the words above and below it.
     pub fn scene(&self) -> Option<BoundingSphere> {
-        self.shown.as_ref().map(|surface| BoundingSphere::of(&surface.surface.mesh.vertices))
+        self.scene
     }
 
-    /// From where the surface is looked at first, and which way is up: z for those by formula;
-    /// a surface from a file shows its front, which is where the sum of its normals points.
-    pub fn default_view(&self, state: &SurfaceState) -> (DVec3, DVec3) {
-        match (&state.spec.shape, &self.shown) {
-            (SurfaceShape::File { .. }, Some(surface)) => {
-                let mesh = &surface.surface.mesh;
-                let front = front(&mesh.vertices[..mesh.boundary_count as usize]);
-                let up = if front.y.abs() < STEEP { DVec3::Y } else { DVec3::Z };
-                let right = up.cross(front).normalize_or(DVec3::X);
-                (front + TURNED * right + RAISED * up, up)
+    /// From where the surface is looked at first, in a viewport of this width over height.
+    pub fn first_view(&self, state: &SurfaceState, aspect: f64) -> Option<OrbitCamera> {
+        let (surface, scene) = (self.shown.as_ref()?, self.scene?);
+        let mesh = &surface.surface.mesh;
+        let mut camera = match &state.spec.shape {
+            SurfaceShape::Preset { preset, .. } => {
+                let [towards_eye, up] = preset.view();
+                OrbitCamera::new(scene, towards_eye, up, aspect)
             }
-            _ => (PRESET_EYE, DVec3::Z),
-        }
+            SurfaceShape::File { .. } => OrbitCamera::before(&mesh.vertices, &mesh.triangles, aspect),
+        };
+        camera.fit(scene, aspect);
+        Some(camera)
     }
 
     /// g at the vertices of the surface, see [`crate::conformal::surface_disk_coordinates`]; empty before

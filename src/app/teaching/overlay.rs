@@ -3,23 +3,39 @@
 use super::super::plots::Curve;
 use super::through_disk::ThroughDisk;
 use super::walks::Walks;
+use crate::session::DiskWay;
 
 /// Whose curve it is: decides the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// The way through the disk.
-    Disk,
+    /// A way through the disk.
+    Disk(DiskWay),
     /// Random walks.
     Walks,
 }
 
 impl Origin {
-    /// Its name in a legend.
+    /// Its name in a plot's legend and in the panel.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Disk => "through the disk",
+            Self::Disk(DiskWay::Fresh) => "through the disk, fresh",
+            Self::Disk(DiskWay::Precomputed) => "through the disk, precomputed",
             Self::Walks => "random walks",
         }
+    }
+
+    /// Its name where there is little room.
+    pub fn short_name(self) -> &'static str {
+        match self {
+            Self::Disk(DiskWay::Fresh) => "disk, fresh",
+            Self::Disk(DiskWay::Precomputed) => "disk, precomputed",
+            Self::Walks => "hits",
+        }
+    }
+
+    /// Whether its lines are dashed. A fresh disk map agrees with this map where all goes well: both are to be seen then.
+    pub fn is_dashed(self) -> bool {
+        self == Self::Disk(DiskWay::Fresh)
     }
 }
 
@@ -32,7 +48,7 @@ pub struct Overlay {
     pub curve: Curve,
 }
 
-/// All of them, by plot.
+/// All of them, by plot, from the lowest to the topmost.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Overlays {
     /// Over the harmonic measure.
@@ -54,9 +70,9 @@ impl Overlays {
         let by = |origin, curve: &Curve| Overlay { origin, curve: curve.clone() };
         self.measure.clear();
         self.reparameterisation.clear();
-        if let Some(found) = disk.found() {
-            self.measure.extend(found.measures.iter().map(|curve| by(Origin::Disk, curve)));
-            self.reparameterisation.push(by(Origin::Disk, &found.reparameterisation));
+        for (way, found) in disk.all_found().rev() {
+            self.measure.extend(found.measures.iter().map(|curve| by(Origin::Disk(way), curve)));
+            self.reparameterisation.push(by(Origin::Disk(way), &found.reparameterisation));
         }
         self.measure.extend(walks.cumulative().map(|curve| Overlay { origin: Origin::Walks, curve }));
         true

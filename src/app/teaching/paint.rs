@@ -5,10 +5,11 @@ use super::super::plots::Plots;
 use super::super::theme::Palette;
 use super::super::view::View;
 use super::overlay::Origin;
-use super::through_disk::Found;
+use super::through_disk::{Found, ThroughDisk};
 use super::walks::{Bar, Walks};
 use crate::conformal::Side;
 use crate::outline::BoundarySamples;
+use crate::session::DiskWay;
 use egui::{Color32, CornerRadius, FontId, Painter, Pos2, Rect, Stroke, Ui, Vec2, vec2};
 
 /// The length of a tick on either side of the outline, in points.
@@ -31,6 +32,10 @@ const SMALLEST: f32 = 0.45;
 
 /// From the outline's middle to where ticks and bars begin.
 const CLEARANCE: f32 = 2.0;
+/// The ticks inside.
+const INWARDS: [f32; 2] = [-CLEARANCE, -TICK];
+/// From one way's ticks to those of the next: a tick and its dots, and a gap.
+const LANE: f32 = TICK + 9.0;
 
 /// Paints it; nothing over a coarse map, whose like it does not show.
 pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
@@ -46,8 +51,11 @@ pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
     if side == Side::Source {
         walks(&painter, &outline, &teaching.walks, dark, Palette::of(ui.visuals()).text);
     }
-    if let (Some(found), Some(map)) = (teaching.through_disk.found(), model.map()) {
-        comparison(&painter, &outline, found, side == map.direction().mapped_side(), dark);
+    let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
+    if is_mapped {
+        steps(&painter, &outline, &teaching.through_disk, dark);
+    } else {
+        comparisons(&painter, &outline, &teaching.through_disk, dark);
     }
 }
 
@@ -55,16 +63,18 @@ pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
 pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static str)> {
     let teaching = model.teaching();
     let mut entries = Vec::new();
-    if teaching.through_disk.found().is_some() {
+    let ways: Vec<DiskWay> = teaching.through_disk.all_found().map(|(way, _)| way).collect();
+    if !ways.is_empty() {
         let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
         let direct = if is_mapped { "60 equal steps of ω" } else { "their images" };
         entries.push((Plots::map_ink(dark), direct));
         if !is_mapped {
-            entries.push((Plots::overlay_ink(Origin::Disk, dark), Origin::Disk.name()));
+            let entry = |way| (Plots::overlay_ink(Origin::Disk(way), dark), Origin::Disk(way).short_name());
+            entries.extend(ways.into_iter().map(entry));
         }
     }
     if side == Side::Source && teaching.walks.count() > 0 {
-        entries.push((Plots::overlay_ink(Origin::Walks, dark), "hits"));
+        entries.push((Plots::overlay_ink(Origin::Walks, dark), Origin::Walks.short_name()));
     }
     entries
 }
@@ -97,33 +107,50 @@ impl Outline<'_> {
     }
 }
 
-fn comparison(painter: &Painter, outline: &Outline, found: &Found, mapped: bool, dark: bool) {
-    let (direct, through) = (Plots::map_ink(dark), Plots::overlay_ink(Origin::Disk, dark));
-    let inwards = [-CLEARANCE, -TICK];
-    if mapped {
-        for mark in &found.marks {
-            outline.spoke(painter, mark.from, inwards, Stroke::new(2.0, direct));
-        }
-        return;
+/// Ticks inwards: equal steps of ω on the mapped side.
+fn steps(painter: &Painter, outline: &Outline, disk: &ThroughDisk, dark: bool) {
+    let Some((_, found)) = disk.all_found().next() else { return };
+    for mark in &found.marks {
+        outline.spoke(painter, mark.from, INWARDS, Stroke::new(2.0, Plots::map_ink(dark)));
     }
+}
+
+/// Ticks inwards: the images of these steps; outwards, in a lane for each way, their images through the disk.
+fn comparisons(painter: &Painter, outline: &Outline, disk: &ThroughDisk, dark: bool) {
+    let lanes = disk.all_found().count();
+    for (lane, (way, found)) in disk.all_found().enumerate() {
+        let ink = Plots::overlay_ink(Origin::Disk(way), dark);
+        let highest = if lane + 1 < lanes { LANE - 2.0 * CLEARANCE } else { HIGHEST_HEAP };
+        images(painter, outline, found, Lane { ink, base: LANE * lane as f32, highest });
+    }
+    let Some((_, found)) = disk.all_found().next() else { return };
+    for mark in &found.marks {
+        outline.spoke(painter, mark.direct, INWARDS, Stroke::new(2.0, Plots::map_ink(dark)));
+    }
+}
+
+/// Where a way's ticks are drawn.
+#[derive(Clone, Copy)]
+struct Lane {
+    ink: Color32,
+    /// From where it begins, in points outside the outline.
+    base: f32,
+    highest: f32,
+}
+
+fn images(painter: &Painter, outline: &Outline, found: &Found, Lane { ink, base, highest }: Lane) {
     for &image in &found.images {
         let (place, out) = outline.at(image);
-        painter.circle_filled(
-            place + outline.size * (TICK + 3.5) * out,
-            1.3 * outline.size,
-            through.gamma_multiply(0.5),
-        );
-    }
-    for mark in &found.marks {
-        outline.spoke(painter, mark.direct, inwards, Stroke::new(2.0, direct));
+        let center = place + outline.size * (base + TICK + 3.5) * out;
+        painter.circle_filled(center, 1.3 * outline.size, ink.gamma_multiply(0.5));
     }
     for (fraction, count) in heaps(found) {
-        let height = (TICK + HEAP_STEP * (count - 1) as f32).min(HIGHEST_HEAP);
-        outline.spoke(painter, fraction, [CLEARANCE, height], Stroke::new(2.0, through));
+        let height = (TICK + HEAP_STEP * (count - 1) as f32).min(highest);
+        outline.spoke(painter, fraction, [base + CLEARANCE, base + height], Stroke::new(2.0, ink));
         if count >= COUNTED_HEAP {
             let (place, out) = outline.at(fraction);
             let text = format!("{count} of {}", found.marks.len());
-            label(painter, place + (outline.size * height + 14.0) * out, &text, through);
+            label(painter, place + (outline.size * (base + height) + 14.0) * out, &text, ink);
         }
     }
 }

@@ -2,12 +2,14 @@
 
 use super::super::action::{Action, Actions};
 use super::super::model::Model;
+use super::super::plots::Plots;
 use super::super::theme::Palette;
-use super::super::widgets::{Segment, captioned_slider, group_heading, grouped, segmented};
-use super::through_disk::Found;
+use super::super::widgets::{Segment, captioned_slider, dash, group_heading, grouped, segmented};
+use super::overlay::Origin;
+use super::through_disk::{Found, ThroughDisk};
 use super::walks::{SPEEDS, WalkAction, Walks};
 use crate::conformal::Side;
-use crate::session::{Command, Comparison, Session, TextureKind};
+use crate::session::{Command, Comparison, DiskWay, Session, TextureKind};
 use egui::{Label, RichText, Ui};
 
 const POLAR: [Segment<TextureKind>; 2] = [
@@ -39,7 +41,7 @@ const HOMES: [Segment<Side>; 2] = [
     },
 ];
 
-const COMPARISONS: [Segment<Comparison>; 3] = [
+const COMPARISONS: [Segment<Comparison>; 4] = [
     Segment { value: Comparison::Off, label: "Off", tooltip: "This map alone" },
     Segment {
         value: Comparison::Fresh,
@@ -52,6 +54,12 @@ const COMPARISONS: [Segment<Comparison>; 3] = [
         label: "Precomputed",
         tooltip: "Each domain is mapped to the disk once, for its middle; moving x is then only a Möbius map. Fast, but in \
             long arms the disk has no digits left: points fall together or change places, and no Möbius map gets them apart",
+    },
+    Segment {
+        value: Comparison::Both,
+        label: "Both",
+        tooltip: "Fresh and precomputed disk maps side by side: what is lost with the second and not with the first is \
+            lost to crowding",
     },
 ];
 
@@ -111,11 +119,11 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     if let Some(chosen) = segmented(ui, &COMPARISONS, comparison) {
         actions.push(Action::Session(Command::SetComparison(chosen)));
     }
-    let disk = &model.teaching().through_disk;
-    if let Some(found) = disk.found() {
-        verdict(ui, found);
+    for way in DiskWay::ALL {
+        if comparison.shows(way) {
+            verdict(ui, way, &model.teaching().through_disk);
+        }
     }
-    problem(ui, disk.error());
     group_heading(ui, "Random walks");
     walks(ui, &model.teaching().walks, actions);
 }
@@ -127,11 +135,21 @@ fn problem(ui: &mut Ui, error: Option<&str>) {
     }
 }
 
-fn verdict(ui: &mut Ui, found: &Found) {
-    let weak = Palette::of(ui.visuals()).weak;
-    for line in verdicts(found) {
-        ui.add(Label::new(RichText::new(line).small().color(weak)).wrap()).on_hover_text(THROUGH_DISK_TOOLTIP);
+/// The way's colour and name, and what was found or went wrong.
+fn verdict(ui: &mut Ui, way: DiskWay, disk: &ThroughDisk) {
+    let palette = Palette::of(ui.visuals());
+    let lines = disk.found(way).map(verdicts);
+    if lines.is_some() || disk.error(way).is_some() {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().interact_size.y = 16.0;
+            dash(ui, Plots::overlay_ink(Origin::Disk(way), ui.visuals().dark_mode));
+            ui.label(RichText::new(Origin::Disk(way).name()).small().color(palette.text));
+        });
     }
+    for line in lines.into_iter().flatten() {
+        ui.add(Label::new(RichText::new(line).small().color(palette.weak)).wrap()).on_hover_text(THROUGH_DISK_TOOLTIP);
+    }
+    problem(ui, disk.error(way));
 }
 
 /// What the comparison says, a line each.
@@ -161,7 +179,8 @@ pub fn verdicts(found: &Found) -> Vec<String> {
     lines
 }
 
-fn percent(part: f64) -> String {
+/// A part of a whole, with as many digits as are worth reading.
+pub fn percent(part: f64) -> String {
     match 100.0 * part {
         p if p < 0.01 => String::from("under 0.01 %"),
         p if p < 1.0 => format!("{p:.2} %"),

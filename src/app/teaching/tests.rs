@@ -1,14 +1,19 @@
 //! Comparisons and walks against what is known of the disk, the heart and the V.
 
 use super::super::model::Model;
+use super::super::plots::Plots;
 use super::super::textured::{self, Moved};
-use super::through_disk::{Found, MARKS, MOVING_SAMPLES, RESTING_SAMPLES};
+use super::overlay::{Origin, Overlay};
+use super::paint::legend;
+use super::through_disk::found::MARKS;
+use super::through_disk::{Found, MOVING_SAMPLES, RESTING_SAMPLES, thinned};
 use super::walks::{BINS, WalkAction};
 use crate::conformal::{Direction, PrepareSettings, Side};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
-use crate::outline::{Preset, Sampling};
-use crate::session::{Command, Comparison, OutlineSpec, Session, TextureKind};
+use crate::outline::{BoundaryPoint, Preset, Sampling};
+use crate::session::{Command, Comparison, DiskWay, OutlineSpec, Session, TextureKind};
+use crate::zipper::{DiskMeasure, ZipperError};
 
 /// A model of two presets with `count` uniform samples each, mapped forward.
 fn model(source: Preset, target: Preset, count: u32) -> Model {
@@ -47,21 +52,21 @@ fn settle(model: &mut Model) -> (u32, f64) {
     }
 }
 
-fn found(model: &Model) -> &Found {
+fn found(model: &Model, way: DiskWay) -> &Found {
     let disk = &model.teaching().through_disk;
-    assert_eq!(disk.error(), None);
-    disk.found().unwrap()
+    assert_eq!(disk.error(way), None);
+    disk.found(way).unwrap()
 }
 
 #[test]
 fn on_the_disk_both_ways_agree_and_no_point_is_lost() {
-    for comparison in [Comparison::Fresh, Comparison::Precomputed] {
+    for (comparison, way) in [(Comparison::Fresh, DiskWay::Fresh), (Comparison::Precomputed, DiskWay::Precomputed)] {
         let mut model = model(Preset::Disk, Preset::Disk, 300);
         let point = model.interior(Side::Source).unwrap() + DVec2::new(0.2, 0.1);
         model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
         compare(&mut model, comparison);
         settle(&mut model);
-        let found = found(&model);
+        let found = found(&model, way);
         assert_eq!((found.samples, found.collapsed, found.disordered), ([300; 2], [0; 2], [0; 2]));
         assert_eq!(found.directly_collapsed, [0; 2]);
         assert_eq!(found.marks.len(), MARKS as usize);
@@ -79,7 +84,7 @@ fn on_the_v_the_precomputed_map_collapses_and_the_fresh_one_does_not() {
     model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
     compare(&mut model, Comparison::Precomputed);
     let (calls, longest) = settle(&mut model);
-    let found_precomputed = found(&model).clone();
+    let found_precomputed = found(&model, DiskWay::Precomputed).clone();
     let Found { collapsed, disordered, difference, .. } = &found_precomputed;
     println!(
         "precomputed: collapsed {collapsed:?}, disordered {disordered:?}, difference {difference:.3}; {calls} calls, at most {longest:.1} ms"
@@ -88,7 +93,7 @@ fn on_the_v_the_precomputed_map_collapses_and_the_fresh_one_does_not() {
     assert!(disordered[0] > 0 && *difference > 0.2, "{disordered:?}, {difference}");
     compare(&mut model, Comparison::Fresh);
     let (calls, longest) = settle(&mut model);
-    let found = found(&model);
+    let found = found(&model, DiskWay::Fresh);
     println!(
         "fresh: collapsed {:?}, difference {:.4}; {calls} calls, at most {longest:.1} ms",
         found.collapsed, found.difference
@@ -97,7 +102,9 @@ fn on_the_v_the_precomputed_map_collapses_and_the_fresh_one_does_not() {
     assert!(found.difference < 0.02, "{}", found.difference);
     compare(&mut model, Comparison::Off);
     settle(&mut model);
-    assert!(model.teaching().through_disk.found().is_none() && model.teaching().overlays().measure.is_empty());
+    assert!(
+        model.teaching().through_disk.all_found().next().is_none() && model.teaching().overlays().measure.is_empty()
+    );
 }
 
 #[test]
@@ -105,7 +112,7 @@ fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
     let mut model = model(Preset::Heart, Preset::Cinquefoil, 500);
     compare(&mut model, Comparison::Fresh);
     settle(&mut model);
-    assert_eq!(found(&model).samples, [500; 2]);
+    assert_eq!(found(&model, DiskWay::Fresh).samples, [500; 2]);
     let point = model.interior(Side::Source).unwrap() + DVec2::new(0.01, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
     model.refresh(false);
@@ -113,10 +120,10 @@ fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
     let delay = model.teach(10.0).unwrap();
     assert!(delay > 0.0, "it does not wait");
     // The side that did not move keeps what it has.
-    assert_eq!(found(&model).samples, [MOVING_SAMPLES, 500]);
+    assert_eq!(found(&model, DiskWay::Fresh).samples, [MOVING_SAMPLES, 500]);
     assert!(model.teach(10.0 + 0.5 * delay).is_some_and(|rest| rest > 0.0));
     model.teach(10.0 + delay + 1e-6);
-    assert_eq!(found(&model).samples, [500; 2]);
+    assert_eq!(found(&model, DiskWay::Fresh).samples, [500; 2]);
     let overlays = model.teaching().overlays();
     assert_eq!((overlays.measure.len(), overlays.reparameterisation.len()), (2, 1));
 }
@@ -135,6 +142,78 @@ fn precomputed_maps_are_made_once_per_domain() {
 }
 
 #[test]
+fn both_ways_are_shown_together_and_each_as_if_it_were_alone() {
+    let shown = |comparison| {
+        let mut model = model(Preset::Heart, Preset::Cinquefoil, 500);
+        compare(&mut model, comparison);
+        settle(&mut model);
+        model
+    };
+    let [both, fresh, precomputed] = [Comparison::Both, Comparison::Fresh, Comparison::Precomputed].map(shown);
+    assert_eq!(found(&both, DiskWay::Fresh), found(&fresh, DiskWay::Fresh));
+    assert_eq!(found(&both, DiskWay::Precomputed), found(&precomputed, DiskWay::Precomputed));
+    assert!(fresh.teaching().through_disk.found(DiskWay::Precomputed).is_none());
+    let overlays = both.teaching().overlays();
+    let origins = |overlays: &[Overlay]| overlays.iter().map(|overlay| overlay.origin).collect::<Vec<_>>();
+    let [below, above] = [DiskWay::Precomputed, DiskWay::Fresh].map(Origin::Disk);
+    assert_eq!(origins(&overlays.reparameterisation), [below, above]);
+    assert_eq!(origins(&overlays.measure), [below, below, above, above]);
+    assert_ne!(Plots::overlay_ink(below, true), Plots::overlay_ink(above, true));
+    assert_eq!(legend(Side::Target, &both, true).len(), 3, "this map's images, and each way's");
+    assert_eq!(legend(Side::Target, &fresh, true).len(), 2);
+}
+
+#[test]
+fn one_way_of_both_can_be_left_out_and_comes_back_at_once() {
+    let mut model = model(Preset::Heart, Preset::Cinquefoil, 300);
+    compare(&mut model, Comparison::Both);
+    settle(&mut model);
+    let before = found(&model, DiskWay::Precomputed).clone();
+    compare(&mut model, Comparison::Fresh);
+    settle(&mut model);
+    assert!(model.teaching().through_disk.found(DiskWay::Precomputed).is_none());
+    assert_eq!(model.teaching().overlays().reparameterisation.len(), 1);
+    compare(&mut model, Comparison::Both);
+    assert_eq!(model.teach(9.0), Some(0.0), "the overlays changed");
+    assert_eq!(found(&model, DiskWay::Precomputed), &before, "its disk maps were kept");
+}
+
+/// A heart of 1200 samples; 300 of them, evenly chosen, leave points beside the boundary out that all let in.
+#[test]
+fn a_point_that_few_samples_leave_out_is_asked_of_more_before_it_is_refused() {
+    let mut model = model(Preset::Turkey, Preset::Disk, 1200);
+    let domain = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
+    let anchor = BoundaryPoint { edge: 0, fraction: 0.0 };
+    let few = thinned(&domain.samples, MOVING_SAMPLES);
+    let beside = domain.samples.points.iter().filter_map(|&p| model.interior_near(Side::Source, p));
+    let is_left_out =
+        |x: &DVec2| matches!(DiskMeasure::fresh(&few.points, *x, anchor), Err(ZipperError::PointOutside { .. }));
+    let left_out: Vec<DVec2> = beside.filter(is_left_out).take(12).collect();
+    println!("{} points are left out by {MOVING_SAMPLES} samples", left_out.len());
+    assert!(left_out.len() > 3, "{left_out:?}");
+    compare(&mut model, Comparison::Fresh);
+    settle(&mut model);
+    for (k, &point) in left_out.iter().enumerate() {
+        model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
+        model.refresh(false);
+        let now = 10.0 * (k + 1) as f64;
+        model.teach(now);
+        let all = DiskMeasure::fresh(&domain.samples.points, point, anchor);
+        assert_eq!(
+            model.teaching().through_disk.error(DiskWay::Fresh),
+            None,
+            "{point}, which all take as {:?}",
+            all.err()
+        );
+        let samples = found(&model, DiskWay::Fresh).samples;
+        settle(&mut model);
+        let error = model.teaching().through_disk.error(DiskWay::Fresh);
+        println!("{point}: {samples:?} while it moves, then {error:?}");
+        assert_eq!(error.is_some(), all.is_err(), "only what all samples leave out is refused");
+    }
+}
+
+#[test]
 fn what_fails_is_said_and_the_map_stays() {
     // 30 points of a spiral: the curve of geodesics through them strays from the outline.
     let mut model = model(Preset::Spiral, Preset::Disk, 40);
@@ -146,11 +225,11 @@ fn what_fails_is_said_and_the_map_stays() {
         model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
         model.refresh(false);
         settle(&mut model);
-        model.teaching().through_disk.error().map(String::from)
+        model.teaching().through_disk.error(DiskWay::Fresh).map(String::from)
     });
     let error = failed.unwrap();
     assert!(error.starts_with("The way through the disk fails on the source: the point ("), "{error}");
-    assert!(model.map().is_some() && model.teaching().through_disk.found().is_none());
+    assert!(model.map().is_some() && model.teaching().through_disk.all_found().next().is_none());
 }
 
 /// A model with walks that have been going for a second at this speed.
@@ -233,7 +312,7 @@ fn walks_and_comparison_wait_while_a_coarse_map_stands_in() {
     let mut model = walked(500.0);
     compare(&mut model, Comparison::Fresh);
     model.teach(1.0);
-    let (count, samples) = (model.teaching().walks.count(), found(&model).samples);
+    let (count, samples) = (model.teaching().walks.count(), found(&model, DiskWay::Fresh).samples);
     model.slow_update_ms = 0.0;
     for step in 1..4 {
         let point = model.domain(Side::Target).unwrap().pole + DVec2::new(0.01 * f64::from(step), 0.0);
@@ -245,7 +324,7 @@ fn walks_and_comparison_wait_while_a_coarse_map_stands_in() {
     };
     assert!(is_coarse(&model));
     assert_eq!((model.teach(1.1), model.teaching().walks.count()), (None, count));
-    assert_eq!(found(&model).samples, samples);
+    assert_eq!(found(&model, DiskWay::Fresh).samples, samples);
     model.refresh(false);
     assert!(!is_coarse(&model));
     assert_eq!(model.teach(1.2), Some(0.0));

@@ -1,0 +1,163 @@
+//! The closed forms against each other, a Fourier series, Möbius maps, and riemap's own map.
+
+use super::*;
+use crate::conformal::{ConformalMap, Direction, PrepareSettings, PreparedDomain, prepare};
+use crate::exact::{Complex, disk};
+use crate::mesh::Sizing;
+use crate::outline::Sampling;
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+const KNOWN: [Preset; 4] = [Preset::Disk, Preset::Square, Preset::Blob, Preset::VShape];
+
+/// Points inside: near the middle, and in a corner, a lobe, an arm.
+fn points(preset: Preset) -> [DVec2; 2] {
+    match preset {
+        Preset::Disk => [DVec2::new(0.1, -0.2), DVec2::new(-0.55, 0.6)],
+        Preset::Square => [DVec2::new(0.0, 0.1), DVec2::new(0.7, -0.6)],
+        Preset::Blob => [DVec2::new(2.7, 2.5), DVec2::new(4.6, 2.2)],
+        // on its middle line, y = 2x² − 1
+        _ => [DVec2::new(0.0, -1.0), DVec2::new(0.3, -0.82)],
+    }
+}
+
+fn constraints(points: [DVec2; 2], anchors: [f64; 2]) -> Constraints {
+    Constraints {
+        source_point: points[0],
+        target_point: points[1],
+        source_anchor: anchors[0],
+        target_anchor: anchors[1],
+    }
+}
+
+#[test]
+fn measures_rise_from_zero_to_one_and_are_inverted() {
+    for preset in KNOWN {
+        for x in points(preset) {
+            let measure = ExactMeasure::new(preset, x).unwrap();
+            assert_eq!((measure.at(0.0), measure.at(1.0)), (0.0, 1.0), "{preset}");
+            let mut before = 0.0;
+            for k in 1..3000 {
+                let s = f64::from(k) / 3000.0;
+                let omega = measure.at(s);
+                assert!(omega >= before - 1e-15, "{preset} at {s}: {omega} after {before}");
+                before = omega;
+                // Back to the point, or to one with the same measure up to rounding: what a bisection's end is off by, times the kernel.
+                let error = (measure.at(measure.inverse_at(omega)) - omega).abs();
+                assert!(error < 1e-10, "{preset} at {s}: {error:e}");
+            }
+        }
+    }
+}
+
+/// The middle of the square's side is seen as in textbooks: by separation of variables, the measure of the
+/// top side of [0, π]² is Σ over odd n of (4/nπ) sin nx sinh ny / sinh nπ.
+#[test]
+fn the_top_side_of_the_square_has_the_measure_of_its_fourier_series() {
+    for x in [DVec2::new(0.2, 0.3), DVec2::new(-0.7, -0.1), DVec2::new(0.0, 0.0), DVec2::new(0.5, -0.6)] {
+        let place = (x / 0.9 + DVec2::ONE) * (0.5 * PI);
+        let term = |n: f64| {
+            4.0 / (n * PI) * (n * place.x).sin() * (n * (place.y - PI)).exp() * (1.0 - (-2.0 * n * place.y).exp())
+                / (1.0 - (-2.0 * n * PI).exp())
+        };
+        let series: f64 = (0..40).map(|k| term(f64::from(2 * k + 1))).sum();
+        let measure = ExactMeasure::new(Preset::Square, x).unwrap();
+        // its left half is the first eighth of the outline, its right half the last
+        let top = measure.at(0.125) + (1.0 - measure.at(0.875));
+        // the argument of g has a root's singularity at the corners, where rounding is 1e-8 of it
+        assert!((top - series).abs() < 1e-7, "{x}: {top} for {series}");
+    }
+    let centre = ExactMeasure::new(Preset::Square, DVec2::ZERO).unwrap();
+    assert!((centre.at(0.25) - 0.25).abs() < 1e-15 && (centre.at(0.5) - 0.5).abs() < 1e-15);
+}
+
+#[test]
+fn on_the_disk_it_is_the_moebius_map_of_figure_7() {
+    let [x1, x2] = [DVec2::new(0.6, 0.2), DVec2::new(0.0, -0.5)];
+    let map = ExactMap::between([Preset::Disk; 2], &constraints([x1, x2], [0.0, 0.0])).unwrap();
+    for k in 1..200 {
+        let x = f64::from(k) / 200.0;
+        let image = disk::figure_7(Complex::cis(TAU * x)).arg().rem_euclid(TAU) / TAU;
+        let error = (map.reparameterisation(Side::Source, x) - image).abs();
+        assert!(error < 1e-11, "at {x}: {error:e}, a bisection's end is 1e-12 off");
+    }
+}
+
+#[test]
+fn there_and_back_is_the_identity_under_any_constraints() {
+    for source in KNOWN {
+        for target in KNOWN {
+            let points = [points(source)[1], points(target)[0]];
+            let map = ExactMap::between([source, target], &constraints(points, [0.3, -0.45])).unwrap();
+            for (from, x) in Side::BOTH.into_iter().flat_map(|side| (0..=60).map(move |k| (side, f64::from(k) / 60.0)))
+            {
+                let there = map.reparameterisation(from, x);
+                let error = (map.measure(from, x) - map.measure(from.other(), there)).abs();
+                assert!(error < 1e-10, "{source} → {target}, {from} at {x}: measures differ by {error:e}");
+                let risen = map.measure(from, x + 1e-3) - map.measure(from, x - 1e-3);
+                if risen < 1e-6 {
+                    continue; // in the V's arms, where points have no measure between them
+                }
+                let back = map.reparameterisation(from.other(), there);
+                // 1e-10 of the measure, over a kernel of 5e-4
+                assert!((back - x).abs() < 1e-6, "{source} → {target}, {from} at {x}: {there}, {back}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_not_known_is_not_given() {
+    let at = |x: DVec2| constraints([x, DVec2::ZERO], [0.0; 2]);
+    for preset in Preset::ALL {
+        let map = ExactMap::between([Preset::Disk, preset], &constraints([DVec2::ZERO, points(preset)[0]], [0.0; 2]));
+        assert_eq!(map.is_some(), KNOWN.contains(&preset), "{preset}");
+    }
+    assert!(ExactMap::between([Preset::Disk; 2], &at(DVec2::new(1.0, 0.1))).is_none(), "outside");
+    let anchored = |anchor| constraints([DVec2::ZERO; 2], [anchor, 0.0]);
+    assert!(ExactMap::between([Preset::Disk; 2], &anchored(f64::NAN)).is_none());
+    let mut session = Session::default();
+    assert!(ExactMap::of_session(&session, [DVec2::ZERO; 2]).is_none(), "a gingerbread man has no closed form");
+    session.source.outline = OutlineSpec::Preset(Preset::Square);
+    session.target.outline = OutlineSpec::Preset(Preset::Disk);
+    assert!(ExactMap::of_session(&session, [DVec2::ZERO; 2]).is_some());
+    let points = Preset::Disk.outline().polygon.vertices().to_vec();
+    session.target.outline = OutlineSpec::Points { name: String::from("disk"), points };
+    assert!(ExactMap::of_session(&session, [DVec2::ZERO; 2]).is_none(), "loaded points are what they are");
+}
+
+fn prepared(preset: Preset) -> Arc<PreparedDomain> {
+    let sampling = Sampling::Adaptive { target: Some(1000) };
+    let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.1), ..PrepareSettings::default() };
+    Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
+}
+
+/// riemap's map, with 1000 adaptive samples a side, against the closed forms.
+#[test]
+fn the_harmonic_map_is_the_exact_one_up_to_its_discretisation() {
+    let domains = KNOWN.map(prepared);
+    for (source, first) in KNOWN.into_iter().zip(&domains) {
+        for (target, second) in KNOWN.into_iter().zip(&domains) {
+            let points = [points(source)[1], points(target)[0]];
+            let constraints = constraints(points, [0.2, 0.9]);
+            let exact = ExactMap::between([source, target], &constraints).unwrap();
+            let direction = Direction::Forward.into();
+            let map = ConformalMap::new(Arc::clone(first), Arc::clone(second), &constraints, direction).unwrap();
+            let (mut largest, mut in_measure) = (0.0_f64, 0.0_f64);
+            for (k, &image) in map.correspondence().points.iter().enumerate() {
+                let x = (first.samples.fractions[k] - 0.2).rem_euclid(1.0);
+                let found = (second.samples.fraction_at(image) - 0.9).rem_euclid(1.0);
+                let distance = (exact.reparameterisation(Side::Source, x) - found).abs();
+                largest = largest.max(distance.min(1.0 - distance));
+                let distance = (exact.measure(Side::Source, x) - exact.measure(Side::Target, found)).abs();
+                in_measure = in_measure.max(distance.min(1.0 - distance));
+            }
+            println!("{source} → {target}: {largest:.1e} of the length, {in_measure:.1e} of the measure");
+            // the kernels' own error: at most 2.5e-3, with the V on both sides
+            assert!(in_measure < 4e-3, "{source} → {target}: {in_measure:.2e} of the measure");
+            // in the V's arms any length has that measure
+            let bounded = target != Preset::VShape;
+            assert!(!bounded || largest < 4e-3, "{source} → {target}: {largest:.2e} of the length");
+        }
+    }
+}
