@@ -240,3 +240,7 @@ pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
     let Bounds { min, max } = Bounds::of(points.iter().copied());
     (min, max)
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod surface_tests;

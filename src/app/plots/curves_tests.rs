@@ -3,7 +3,7 @@
 use super::super::exact::ExactCurves;
 use super::*;
 use crate::closed_form::ExactMap;
-use crate::conformal::{Constraints, Direction, PrepareSettings, PreparedDomain, prepare};
+use crate::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, PreparedDomain, prepare};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};

@@ -1,0 +1,169 @@
+//! The model while a surface stands in the target's place.
+
+use super::*;
+use crate::conformal::{PrepareSettings, Side};
+use crate::mesh::{BarycentricPoint, Sizing};
+use crate::outline::{Preset, Sampling};
+use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec, TextureKind};
+use crate::surface::SurfacePreset;
+
+fn spec(preset: SurfacePreset, boundary: u32) -> SurfaceSpec {
+    SurfaceSpec { shape: SurfaceShape::Preset { preset, boundary }, ..SurfaceSpec::default() }
+}
+
+fn planar() -> Model {
+    let mut session = Session::default();
+    let sampling = Sampling::Uniform { count: 100, keep_corners: false };
+    let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.3), ..PrepareSettings::default() };
+    for side in Side::BOTH {
+        session.apply(Command::SetSettings { side, settings });
+    }
+    session.apply(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Preset(Preset::Disk) });
+    let mut model = Model::new(session);
+    settle(&mut model);
+    model
+}
+
+/// Carries out all requests, and brings the map up to date.
+fn settle(model: &mut Model) -> Changes {
+    for (subject, request) in model.take_requests(f64::INFINITY) {
+        crate::worker::run(&request, &mut |generation, response| model.accept(subject, generation, response));
+    }
+    model.refresh(false)
+}
+
+fn with_hemisphere() -> Model {
+    let mut model = planar();
+    model.dispatch(Command::SetSurface(spec(SurfacePreset::Hemisphere, 60)), 0.0);
+    settle(&mut model);
+    model
+}
+
+#[test]
+fn a_surface_takes_the_targets_place_when_it_is_prepared() {
+    let mut model = planar();
+    model.dispatch(Command::SetSurface(spec(SurfacePreset::Hemisphere, 60)), 0.0);
+    assert!(model.surface().is_none() && model.map().is_some(), "the last good map stays");
+    let changes = settle(&mut model);
+    assert!(changes.meshes && changes.map && changes.images);
+    assert!(model.is_ready() && model.take_refit(Side::Target));
+    let map = model.surface_map().unwrap();
+    assert_eq!(model.shown().unwrap().images.len(), map.surface().surface.mesh.vertices.len());
+    assert_eq!(model.triangles().len(), map.surface().surface.mesh.triangles.len());
+    // over the disk, by the stereographic projection: conformal up to the coarse mesh
+    assert!(model.quality().unwrap().q_mean < 1.1 && model.quality().unwrap().flipped == 0);
+}
+
+#[test]
+fn its_points_move_the_map_and_a_bad_one_brings_back_the_last_good_ones() {
+    let mut model = with_hemisphere();
+    let before = model.shown().unwrap().images.to_vec();
+    let good = BarycentricPoint { triangle: 7, weights: [0.25, 0.25, 0.5] };
+    let good = model.surface().unwrap().0.interior_near(good).unwrap();
+    model.dispatch(Command::MoveSurfacePoint(good), 0.0);
+    let changes = model.refresh(true);
+    assert!(changes.map && !changes.meshes);
+    assert_ne!(model.shown().unwrap().images, before);
+    let outside = BarycentricPoint { triangle: u32::MAX, weights: [1.0, 0.0, 0.0] };
+    model.dispatch(Command::MoveSurfacePoint(outside), 0.0);
+    model.dispatch(Command::MoveInterior { side: Side::Source, point: DVec2::splat(99.0) }, 0.0);
+    model.refresh(true);
+    assert_eq!(model.map_error().unwrap().0, Side::Source);
+    assert_eq!(model.session().surface.as_ref().unwrap().point, Some(good));
+    model.dispatch(Command::MoveSurfaceAnchor(0.4), 0.0);
+    assert!(model.refresh(true).map && model.map_error().is_none());
+}
+
+#[test]
+fn handles_stay_off_the_loop() {
+    let model = with_hemisphere();
+    let (side, _) = model.surface().unwrap();
+    let mesh = &side.surface().unwrap().surface.mesh;
+    for (t, corners) in mesh.triangles.iter().enumerate() {
+        for weights in [[1.0, 0.0, 0.0], [0.0, 0.5, 0.5], [0.2, 0.3, 0.5]] {
+            let found = side.interior_near(BarycentricPoint { triangle: t as u32, weights }).unwrap();
+            let on_loop: f64 = (0..3).filter(|&i| corners[i] < mesh.boundary_count).map(|i| found.weights[i]).sum();
+            let inner = corners.iter().any(|&v| v >= mesh.boundary_count);
+            assert!(!inner || on_loop < 0.9 + 1e-12, "triangle {t}: {found:?}");
+            assert!((found.weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn the_plane_comes_back_as_it_was() {
+    let mut model = planar();
+    let before = model.map().unwrap().images().to_vec();
+    model.dispatch(Command::SetSurface(spec(SurfacePreset::Saddle, 40)), 0.0);
+    settle(&mut model);
+    assert!(model.map().is_none());
+    model.dispatch(Command::CloseSurface, 0.0);
+    assert!(model.refresh(false).meshes);
+    assert_eq!(model.map().unwrap().images(), before);
+    // and an outline that is chosen takes the surface's place too
+    model.dispatch(Command::SetSurface(spec(SurfacePreset::Saddle, 40)), 0.0);
+    settle(&mut model);
+    model.dispatch(Command::SetOutline { side: Side::Target, outline: OutlineSpec::Preset(Preset::Heart) }, 0.0);
+    settle(&mut model);
+    assert!(model.surface().is_none() && model.map().is_some());
+}
+
+#[test]
+fn a_bad_file_leaves_the_surface_that_is_there() {
+    let mut model = with_hemisphere();
+    model.want_surface_file("bad.obj".into(), b"v 0 0 nan".to_vec());
+    settle(&mut model);
+    assert!(model.surface_side().preparation.error.as_ref().unwrap().text.contains("bad.obj"));
+    let preset = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
+    assert_eq!(model.surface().unwrap().1.spec.shape, preset);
+    assert!(model.surface_map().is_some() && model.is_ready());
+}
+
+#[test]
+fn another_file_of_the_same_name_is_another_surface() {
+    let mut model = planar();
+    let square = |height: f64| {
+        let [middle, corner] = [format!("v 0.5 0.5 {height}\n"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n".into()];
+        format!("{middle}{corner}f 2 3 1\nf 3 4 1\nf 4 5 1\nf 5 2 1\n").into_bytes()
+    };
+    model.want_surface_file("a.obj".into(), square(0.0));
+    settle(&mut model);
+    model.dispatch(Command::MoveSurfaceAnchor(0.3), 0.0);
+    model.refresh(false);
+    model.want_surface_file("a.obj".into(), square(0.5));
+    settle(&mut model);
+    assert_eq!(model.session().surface.as_ref().unwrap().anchor, 0.0);
+    assert_eq!(model.surface_point().unwrap().z, 0.5, "the middle is its only interior vertex");
+}
+
+#[test]
+fn a_session_with_a_surface_comes_with_its_points() {
+    let mut model = planar();
+    let mut session = with_hemisphere().session().clone();
+    let point = BarycentricPoint { triangle: 5, weights: [0.2, 0.3, 0.5] };
+    session.apply(Command::MoveSurfacePoint(point));
+    model.dispatch(Command::Open(Box::new(session.clone())), 0.0);
+    settle(&mut model);
+    assert_eq!(model.session().surface, session.surface);
+    model.dispatch(Command::Open(Box::new(Session { surface: None, ..session })), 0.0);
+    settle(&mut model);
+    assert!(model.surface().is_none() && model.map().is_some());
+}
+
+#[test]
+fn the_pattern_of_the_disk_has_coordinates_on_the_surface() {
+    let mut model = with_hemisphere();
+    model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
+    assert!(model.refresh(false).meshes);
+    let (side, state) = model.surface().unwrap();
+    let coordinates = side.disk_coordinates();
+    let mesh = &side.surface().unwrap().surface.mesh;
+    assert_eq!(coordinates.len(), mesh.vertices.len());
+    let m = mesh.boundary_count as usize;
+    assert!(coordinates[..m].iter().all(|g| (g.length() - 1.0).abs() < 1e-12), "the loop lies on the circle");
+    let x = side.point(state).unwrap();
+    let corners = mesh.triangles[x.triangle as usize];
+    let at: DVec2 = corners.iter().zip(x.weights).map(|(&v, w)| w * coordinates[v as usize]).sum();
+    assert!(at.length() < 0.02, "g(x) = {at}");
+    assert_eq!(model.teaching().grid.of(Side::Source).len(), model.domain(Side::Source).unwrap().mesh.vertices.len());
+}
