@@ -14,6 +14,7 @@ mod map;
 mod output;
 mod picture;
 mod prepare;
+mod progress;
 mod tables;
 
 pub use arguments::{Arguments, Subcommand};
