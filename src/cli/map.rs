@@ -5,6 +5,7 @@ use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments, Named
 use super::contours::{self, panels};
 use super::output::{Format, check_paths, print, say_solver, warn_if_coarse, write_all};
 use super::picture;
+use super::progress::Progress;
 use super::tables::{self, Summary};
 use crate::conformal::{ConformalMap, Constraints, Direction, Extension, MapSettings, PreparedDomain, Side, prepare};
 use std::sync::Arc;
@@ -62,7 +63,8 @@ fn compute(arguments: &MapArguments) -> Result<(ConformalMap, Constraints), CliE
     };
     let mut map = ConformalMap::new(source, target, &constraints, MapSettings { direction, extension })
         .map_err(|error| CliError::Input(error.to_string()))?;
-    map.refine_exactly();
+    let mut progress = Progress::new("the Cauchy–Green extension");
+    map.refine_exactly_with(&mut |done| progress.report(done));
     for ((outline, name), side) in outlines.iter().zip([&arguments.source, &arguments.target]).zip(Side::BOTH) {
         outline.say_notes(name);
         warn_if_coarse(name, map.domain(side).refinement);

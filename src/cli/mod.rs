@@ -14,6 +14,7 @@ mod map;
 mod output;
 mod picture;
 mod prepare;
+mod progress;
 mod surface_picture;
 mod tables;
 

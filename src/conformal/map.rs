@@ -166,8 +166,13 @@ impl ConformalMap {
 
     /// As [`Self::refine`] without a limit, but all in f64 and without storing coordinates: for a map that is used once.
     pub fn refine_exactly(&mut self) {
+        self.refine_exactly_with(&mut |_| ());
+    }
+
+    /// As [`Self::refine_exactly`]; after each chunk of a few milliseconds `progress` hears the fraction that is done.
+    pub fn refine_exactly_with(&mut self, progress: &mut dyn FnMut(f64)) {
         let start = Instant::now();
-        self.refinement.finish_exactly(&mut self.images);
+        self.refinement.finish_exactly(&mut self.images, progress);
         self.timings.extend += start.elapsed().as_secs_f64() * 1e3;
     }
 

@@ -45,11 +45,15 @@ impl Refinement {
         *next == images.len()
     }
 
-    /// Replaces all images, in f64, storing nothing.
-    pub(super) fn finish_exactly(&mut self, images: &mut [DVec2]) {
+    /// Replaces all images, in f64, storing nothing; `progress` hears the fraction that is done.
+    pub(super) fn finish_exactly(&mut self, images: &mut [DVec2], progress: &mut dyn FnMut(f64)) {
         let (Some(next), Some(coordinates)) = (&mut self.next, &self.coordinates) else { return };
         let mut exact = CauchyGreen::new(Arc::clone(coordinates.domain()), 0);
-        *next = exact.advance(0, &self.values, images, &mut |_| ControlFlow::Continue(()));
+        let mut go_on = |done| {
+            progress(done);
+            ControlFlow::Continue(())
+        };
+        *next = exact.advance(0, &self.values, images, &mut go_on);
     }
 
     /// The fraction of the vertices that is replaced; 1 if nothing is to be replaced.

@@ -366,11 +366,9 @@ mod tests {
         let known = ExactCurves { measure: [line(), line()], reparameterisation: line(), difference: 0.0 };
         let by = |origin| Overlay { origin, curve: line() };
         let [fresh, precomputed] = DiskWay::ALL.map(Origin::Disk);
-        let overlays = Overlays {
-            measure: [precomputed, precomputed, fresh, fresh, Origin::Walks].map(by).to_vec(),
-            reparameterisation: [precomputed, fresh].map(by).to_vec(),
-            ..Overlays::default()
-        };
+        let mut overlays = Overlays::default();
+        overlays.measure.extend([precomputed, precomputed, fresh, fresh, Origin::Walks].map(by));
+        overlays.reparameterisation.extend([precomputed, fresh].map(by));
         let chart = Chart::of(kind, &curves, exact.then_some(&known), &overlays, true, false);
         let entries = chart.entries();
         for (k, entry) in entries.iter().enumerate() {

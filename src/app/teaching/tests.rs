@@ -178,7 +178,7 @@ fn one_way_of_both_can_be_left_out_and_comes_back_at_once() {
     assert_eq!(found(&model, DiskWay::Precomputed), &before, "its disk maps were kept");
 }
 
-/// A heart of 1200 samples; 300 of them, evenly chosen, leave points beside the boundary out that all let in.
+/// The turkey with 1200 samples; 300 of them, evenly chosen, leave points beside the boundary out that all let in.
 #[test]
 fn a_point_that_few_samples_leave_out_is_asked_of_more_before_it_is_refused() {
     let mut model = model(Preset::Turkey, Preset::Disk, 1200);
