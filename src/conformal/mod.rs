@@ -1,7 +1,8 @@
 //! The conformal map: a prepared domain, Poisson kernels, harmonic measures, their matching, its extension.
 //!
 //! [`prepare`] does once per outline what takes milliseconds to seconds;
-//! [`ConformalMap::update`] does what a drag needs, in a fraction of that:
+//! [`ConformalMap::update`] does what a drag needs, in a fraction of that, and
+//! [`ConformalMap::advance`] the same until a deadline:
 //!
 //! | step | file | paper |
 //! |---|---|---|
@@ -32,8 +33,10 @@ mod kernel;
 mod map;
 mod matching;
 mod measure;
+mod measured;
 mod random_walk;
 mod refinement;
+mod stage;
 mod stencil;
 mod surface;
 mod surface_map;
@@ -44,12 +47,12 @@ mod unfold;
 pub use buffers::DomainBuffers;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use constraints::{Constraints, Direction, MapSettings, Side};
-pub use disk_coordinates::disk_coordinates;
-pub use distortion::{Quality, TriangleDistortion, surface_distortions, triangle_distortions};
+pub use disk_coordinates::{begin_disk_coordinates, disk_coordinates};
+pub use distortion::{Quality, TriangleDistortion, advance_distortions, surface_distortions, triangle_distortions};
 pub use domain::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare, prepare_within,
 };
-pub use extension::{Extension, harmonic_extension};
+pub use extension::{Extension, ExtensionScratch, advance_extension, harmonic_extension};
 pub use histogram::Histogram;
 pub use hit_counts::HitCounts;
 pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};

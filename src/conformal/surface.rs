@@ -9,7 +9,7 @@ use super::kernel::KernelScratch;
 use super::system::HarmonicSystem;
 use super::{HarmonicTable, KernelMode, Memory, PrepareError, PrepareTimings, Stage, unfold};
 use crate::geometry::DVec3;
-use crate::laplace::{DirichletLaplacian, NotConverged, RootPaths, Solver, SolverKind};
+use crate::laplace::{Deadline, DirichletLaplacian, NotConverged, RootPaths, Solver, SolverKind};
 use crate::mesh::{BarycentricPoint, FlipReport, IntrinsicMesh, TriMesh};
 use crate::outline::BoundaryPoint;
 use crate::surface::{SurfaceMesh, farthest_from_boundary};
@@ -156,8 +156,24 @@ pub fn surface_kernel(
     scratch: &mut KernelScratch,
     psi: &mut Vec<f64>,
 ) -> Result<(), NotConverged> {
-    let mesh = &surface.surface.mesh;
-    unfold::around(mesh, x, &mut scratch.stencil, &mut scratch.places);
-    let corners = mesh.triangles[x.triangle as usize];
-    surface.system().kernel([0, 1, 2].map(|i| (corners[i], x.weights[i])), scratch, psi)
+    begin_surface_kernel(surface, x, scratch);
+    advance_surface_kernel(surface, x, scratch, psi, Deadline::NEVER).map(|_| ())
+}
+
+/// Begins with [`surface_kernel`].
+pub(super) fn begin_surface_kernel(surface: &PreparedSurface, x: BarycentricPoint, scratch: &mut KernelScratch) {
+    unfold::around(&surface.surface.mesh, x, &mut scratch.stencil, &mut scratch.places);
+    surface.system().begin_kernel(scratch);
+}
+
+/// Goes on with it until it is in `psi` (true) or `deadline` is over (`psi` is then meaningless).
+pub(super) fn advance_surface_kernel(
+    surface: &PreparedSurface,
+    x: BarycentricPoint,
+    scratch: &mut KernelScratch,
+    psi: &mut Vec<f64>,
+    deadline: Deadline,
+) -> Result<bool, NotConverged> {
+    let corners = surface.surface.mesh.triangles[x.triangle as usize];
+    surface.system().advance_kernel([0, 1, 2].map(|i| (corners[i], x.weights[i])), scratch, psi, deadline)
 }

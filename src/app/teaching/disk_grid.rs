@@ -2,50 +2,85 @@
 //!
 //! Each side has its own, from its own measure. f takes the level sets of one side to
 //! those of the other, f = g₂⁻¹ ∘ g₁, so the pattern that both pictures show is one
-//! pattern, carried by the map.
+//! pattern, carried by the map. They can be made in pieces; both sides change at once.
 
-use super::Situation;
-use crate::conformal::{Side, disk_coordinates};
+use crate::conformal::{ConformalMap, ExtensionScratch, Side, advance_extension, begin_disk_coordinates};
 use crate::geometry::DVec2;
-use crate::laplace::Lanes;
+use crate::laplace::Deadline;
 
 /// Both sides' coordinates.
 #[derive(Debug, Default)]
 pub struct DiskGrid {
-    coordinates: [Vec<DVec2>; 2],
-    scratch: Vec<Lanes<2>>,
-    /// What the coordinates are of.
+    made: Coordinates,
+    /// Those that are under way.
+    coming: Coordinates,
+    /// The side that is worked on.
+    at: Option<Side>,
+    scratch: ExtensionScratch,
+}
+
+#[derive(Debug, Default)]
+struct Coordinates {
+    sides: [Vec<DVec2>; 2],
+    /// What they are of.
     generation: Option<u64>,
     error: Option<String>,
 }
 
 impl DiskGrid {
-    /// Makes the coordinates of the map on the screen; whether they are others than before.
-    pub fn update(&mut self, situation: &Situation) -> bool {
-        if self.generation == Some(situation.generation) {
-            return false;
+    /// Goes on with the coordinates of `map`, the `generation`-th, until they are there (true) or
+    /// `deadline` is over. Another generation starts over.
+    pub fn advance(&mut self, map: &ConformalMap, generation: u64, deadline: Deadline) -> bool {
+        if self.is_of(generation) {
+            return true;
         }
-        self.generation = Some(situation.generation);
-        self.error = None;
-        for side in Side::BOTH {
-            let (domain, measure) = (situation.map.domain(side), situation.map.measure(side));
-            let coordinates = &mut self.coordinates[side as usize];
-            if let Err(error) = disk_coordinates(domain, measure, coordinates, &mut self.scratch) {
-                // The flat pattern of a point at the centre, rather than a wrong one.
-                coordinates.fill(DVec2::ZERO);
-                self.error = Some(format!("The {side} has no disk coordinates: {error}."));
+        let known = self.at.filter(|_| self.coming.generation == Some(generation));
+        let mut side = known.unwrap_or_else(|| {
+            (self.coming.generation, self.coming.error) = (Some(generation), None);
+            self.begin(map, Side::Source)
+        });
+        while self.advance_side(map, side, deadline) {
+            if side == Side::Target {
+                self.at = None;
+                std::mem::swap(&mut self.made, &mut self.coming);
+                return true;
+            }
+            side = self.begin(map, Side::Target);
+            if deadline.is_over() {
+                break;
             }
         }
-        true
+        false
     }
 
-    /// g at the vertices of a side's mesh; empty before [`Self::update`].
+    fn begin(&mut self, map: &ConformalMap, side: Side) -> Side {
+        begin_disk_coordinates(map.domain(side), map.measure(side), &mut self.scratch);
+        *self.at.insert(side)
+    }
+
+    fn advance_side(&mut self, map: &ConformalMap, side: Side, deadline: Deadline) -> bool {
+        let (domain, values) = (map.domain(side), &mut self.coming.sides[side as usize]);
+        advance_extension(domain, &mut self.scratch, values, deadline).unwrap_or_else(|error| {
+            // The flat pattern of a point at the centre, rather than a wrong one.
+            values.clear();
+            values.resize(domain.mesh.vertices.len(), DVec2::ZERO);
+            self.coming.error = Some(format!("The {side} has no disk coordinates: {error}."));
+            true
+        })
+    }
+
+    /// Whether these are the coordinates of the `generation`-th map.
+    pub fn is_of(&self, generation: u64) -> bool {
+        self.made.generation == Some(generation)
+    }
+
+    /// g at the vertices of a side's mesh; empty before the first have been made.
     pub fn of(&self, side: Side) -> &[DVec2] {
-        &self.coordinates[side as usize]
+        &self.made.sides[side as usize]
     }
 
     /// Why there is no pattern.
     pub fn error(&self) -> Option<&str> {
-        self.error.as_deref()
+        self.made.error.as_deref()
     }
 }
