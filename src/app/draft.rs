@@ -1,9 +1,12 @@
 //! A coarse stand-in for a map that is too slow to follow a drag.
 //!
-//! Prepared on the spot, from the same outlines, when the first such drag begins
-//! (about 10 ms); the full map takes its place again when the pointer rests.
+//! Prepared on the spot, from the same outlines, when it is first needed (about 10 ms):
+//! in such a drag, or for outlines whose full map is not there yet. It has a disk grid of
+//! its own. The full map takes its place when it is complete.
 
+use super::teaching::disk_grid::{DiskGrid, GridMap};
 use crate::conformal::{ConformalMap, Constraints, MapSettings, PrepareSettings, PreparedDomain, Side, prepare};
+use crate::laplace::Deadline;
 use crate::mesh::Sizing;
 use crate::outline::Sampling;
 use crate::session::OutlineSpec;
@@ -27,6 +30,9 @@ pub struct Draft {
     /// Whether the domains were prepared, or found not to be.
     is_tried: bool,
     map: Option<ConformalMap>,
+    /// Counts what the map has followed.
+    generation: u64,
+    grid: DiskGrid,
 }
 
 impl Draft {
@@ -35,9 +41,26 @@ impl Draft {
         self.map.as_ref()
     }
 
+    /// The coarse map, while it stands in.
+    pub fn map_mut(&mut self) -> Option<&mut ConformalMap> {
+        self.map.as_mut()
+    }
+
+    /// The disk coordinates of the coarse map, once [`Self::make_grid`] has made them.
+    pub fn grid(&self) -> &DiskGrid {
+        &self.grid
+    }
+
+    /// Makes the disk coordinates of the coarse map, if it stands in (about 2 ms).
+    pub fn make_grid(&mut self) {
+        if let Some(map) = &self.map {
+            self.grid.advance(GridMap::Planar(map), self.generation, Deadline::NEVER);
+        }
+    }
+
     /// Other outlines: nothing of this fits any more.
     pub fn forget(&mut self) {
-        *self = Self::default();
+        *self = Self { generation: self.generation, ..Self::default() };
     }
 
     /// The full map is shown again; whether the coarse one was.
@@ -50,6 +73,7 @@ impl Draft {
         if !std::mem::replace(&mut self.is_tried, true) {
             self.domains = outlines.map(coarse);
         }
+        self.generation += 1;
         let [Some(source), Some(target)] = &self.domains else { return false };
         let constraints = Constraints {
             source_point: inside(source, constraints.point(Side::Source)),

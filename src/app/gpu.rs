@@ -45,7 +45,7 @@ impl Gpu {
 
     /// Whether the picture of the model's map has its whole extension from a compute shader.
     pub fn extends(&self, model: &Model) -> bool {
-        let in_the_plane = textured::home(model.session()).is_some();
+        let in_the_plane = model.pattern_home().is_some();
         let map = model.map().filter(|map| in_the_plane && map.extension() == Extension::CauchyGreen);
         self.extension.as_ref().zip(map).is_some_and(|(extension, map)| extension.serves(map))
     }
@@ -73,7 +73,7 @@ impl Gpu {
     /// Replaces the images in the picture by those of the compute shader, if it serves.
     fn extend(&mut self, model: &Model) {
         let (Some(extension), Some(map)) = (&mut self.extension, model.map()) else { return };
-        let Some(home) = textured::home(model.session()) else { return };
+        let Some(home) = model.pattern_home() else { return };
         let mut renderer = self.state.renderer.write();
         if let Some(renderer) = renderer.callback_resources.get_mut::<ViewportRenderer>() {
             extension.apply(&self.state, renderer, map, home.other());

@@ -282,7 +282,9 @@ impl RiemapApp {
         if let Some(study) = self.reports.take_study() {
             self.laboratory.begin(study);
         }
-        let changes = self.model.refresh(self.handles.grip.is_some());
+        // A dot that is held still rests.
+        let moves = self.handles.grip.is_some() && now - self.last_change < REST_SECONDS;
+        let changes = self.model.refresh(moves);
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
@@ -293,6 +295,9 @@ impl RiemapApp {
             if refined.images {
                 self.show_changes(context, refined);
             }
+        }
+        if self.model.is_pending() {
+            context.request_repaint_after_secs(if moves { REST_SECONDS as f32 } else { 0.0 });
         }
         for side in Side::BOTH {
             if self.model.take_refit(side) {
@@ -306,7 +311,7 @@ impl RiemapApp {
         let complete = self.model.extension_progress() == 1.0;
         if self.model.is_quality_stale() || !complete {
             if resting && complete {
-                self.model.measure();
+                self.model.measure_at_rest();
                 context.request_repaint();
             } else {
                 context.request_repaint_after_secs(REST_SECONDS as f32);
@@ -348,12 +353,13 @@ impl RiemapApp {
         let session = self.model.session();
         let pattern = match session.texture {
             TextureKind::Grid => Pattern::Grid,
-            TextureKind::Polar => Pattern::Polar,
-            TextureKind::Conformal => Pattern::Conformal,
+            TextureKind::Conformal if self.model.pattern_home().is_none() => Pattern::Conformal,
+            // the conformal one, until there are disk coordinates
+            TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
             TextureKind::Image if self.image_name.is_some() => Pattern::Image,
             TextureKind::Checker | TextureKind::Image => Pattern::Checker,
         };
-        let home = textured::home(session).unwrap_or(Side::Source);
+        let home = self.model.pattern_home().unwrap_or(session.texture_side);
         let (bounds, pole) = match pattern {
             Pattern::Conformal => (TextureStyle::DISK, glam::DVec2::ZERO),
             _ => (self.model.extent(home)?, self.model.interior(home)?),

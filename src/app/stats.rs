@@ -66,7 +66,7 @@ pub struct ComparisonsStats {
 /// What is on the screen now.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stats {
-    /// A first map is shown and nothing is being prepared.
+    /// The full map of what is asked for is shown and nothing is being prepared.
     pub ready: bool,
     /// "WebGPU", "WebGL2", or what the desktop draws with.
     pub backend: String,

@@ -59,6 +59,9 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
             let t = map.timings;
             let compute = t.kernel + t.matching + t.extend;
             let split = format!("kernel {:.2} ms + match {:.2} ms + extend {:.2} ms", t.kernel, t.matching, t.extend);
+            if model.is_pending() {
+                ui.label(weak(String::from(words::PENDING))).on_hover_text(words::PENDING_TOOLTIP);
+            }
             ui.label(weak(format!("frame {compute:.1} ms + draw {:.1} ms", meter.draw_ms)))
                 .on_hover_text(format!("{}\n\n{split}", words::FRAME_TOOLTIP));
         }

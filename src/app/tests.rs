@@ -276,34 +276,6 @@ fn the_mapped_point_goes_to_the_other_sides_point() {
 }
 
 #[test]
-fn a_slow_map_lets_a_coarse_one_follow_the_drag() {
-    let mut model = prepared_model();
-    model.slow_update_ms = -1.0;
-    for fraction in [0.1, 0.2] {
-        model.dispatch(Command::MoveAnchor { side: Side::Source, fraction }, 0.0);
-        model.refresh(false);
-    }
-    let full = model.map().unwrap().mapped_mesh().triangles.len();
-    let point = model.interior(Side::Source).unwrap() + glam::DVec2::splat(0.01);
-    let moved = Command::MoveInterior { side: Side::Source, point };
-    model.dispatch(moved.clone(), 0.0);
-    let changes = model.refresh(true);
-    assert!(changes.meshes && changes.images);
-    assert_ne!(model.map().unwrap().mapped_mesh().triangles.len(), full);
-    assert!(!model.refresh(true).images, "nothing moved");
-    // the pointer rests
-    let changes = model.refresh(false);
-    assert!(changes.meshes && changes.images);
-    assert_eq!(model.map().unwrap().mapped_mesh().triangles.len(), full);
-    let after_drag = model.map().unwrap().images().to_vec();
-    let mut direct = prepared_model();
-    direct.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.2 }, 0.0);
-    direct.dispatch(moved, 0.0);
-    direct.refresh(false);
-    assert_eq!(after_drag, direct.map().unwrap().images());
-}
-
-#[test]
 fn opening_a_session_brings_its_domains_points_and_looks() {
     let mut model = prepared_model();
     let scene = crate::figures::Figure::Moebius.scenes(crate::figures::Detail::Quick).remove(0);

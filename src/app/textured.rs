@@ -21,7 +21,7 @@ pub enum Moved<'a> {
     Coordinates(&'a [DVec2]),
 }
 
-/// The side where the pattern lives; `None`: in the disk.
+/// The side where the pattern of a session lives; `None`: in the disk. The picture has it from [`Model::pattern_home`].
 pub fn home(session: &Session) -> Option<Side> {
     let side = if session.surface.is_some() { Side::Source } else { session.texture_side };
     (session.texture != TextureKind::Conformal).then_some(side)
@@ -29,9 +29,9 @@ pub fn home(session: &Session) -> Option<Side> {
 
 /// What a side shows, as soon as there is something.
 pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
-    let Some(home) = home(model.session()) else {
-        let mesh = &model.shown_domain(side)?.mesh;
-        let texture_coordinates = model.teaching().grid.of(side);
+    let Some(home) = model.pattern_home() else {
+        let mesh = &model.map()?.domain(side).mesh;
+        let texture_coordinates = model.shown_grid().of(side);
         return Some(MeshGeometry { positions: &mesh.vertices, texture_coordinates, triangles: &mesh.triangles });
     };
     if side == home {
@@ -52,8 +52,8 @@ pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
 /// What of it moves with the map's images.
 pub fn moved(model: &Model, side: Side) -> Option<Moved<'_>> {
     let map = model.map()?;
-    let Some(home) = home(model.session()) else {
-        return Some(Moved::Coordinates(model.teaching().grid.of(side)));
+    let Some(home) = model.pattern_home() else {
+        return Some(Moved::Coordinates(model.shown_grid().of(side)));
     };
     let is_mapped = side == map.direction().mapped_side();
     let moved = if is_mapped { Moved::Coordinates(map.images()) } else { Moved::Positions(map.images()) };

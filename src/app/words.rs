@@ -150,6 +150,11 @@ pub fn timings(timings: &PrepareTimings) -> String {
     rows.iter().map(|(name, ms)| format!("{name}: {ms:.1} ms")).collect::<Vec<_>>().join("\n")
 }
 
+/// Said while the full map is not there.
+pub const PENDING: &str = "computing the full map…";
+pub const PENDING_TOOLTIP: &str = "This map takes longer than a frame. A coarse one is shown \
+    while a dot moves, until the full one is there.";
+
 /// m and n.
 pub const SIZE_TOOLTIP: &str = "m: boundary samples. n: interior vertices of the mesh.";
 /// Q̄.

@@ -6,26 +6,42 @@
 //! Its circles |g| = const are level sets of Green's function −ln |g| about x, its rays
 //! those of the harmonic measure. Where a domain crowds, |g| rounds to 1: see `zipper`.
 
-use super::{HarmonicMeasure, PreparedDomain, harmonic_extension};
+use super::{ExtensionScratch, HarmonicMeasure, PreparedDomain, PreparedSurface, advance_extension};
 use crate::geometry::DVec2;
-use crate::laplace::{Lanes, NotConverged};
+use crate::laplace::{Deadline, NotConverged};
 use std::f64::consts::TAU;
 
 /// g at all vertices of the domain's mesh (length m+n), into `values`; `measure` is that of x from
 /// y. One solve, as for a map; `scratch` is reused. In the unit disk but for rounding, and for
 /// meshes whose Laplacian has positive off-diagonal entries.
 ///
-/// Errors: [`NotConverged`], of an iterative solver only; the interior values are then meaningless.
+/// Errors: [`NotConverged`], of an iterative solver only; the values are then unchanged.
 pub fn disk_coordinates(
     domain: &PreparedDomain,
     measure: &HarmonicMeasure,
     values: &mut Vec<DVec2>,
-    scratch: &mut Vec<Lanes<2>>,
+    scratch: &mut ExtensionScratch,
 ) -> Result<(), NotConverged> {
-    values.clear();
-    values.extend((0..domain.samples.len()).map(|k| DVec2::from_angle(TAU * measure.at_vertex(k))));
-    values.resize(domain.mesh.vertices.len(), DVec2::ZERO);
-    harmonic_extension(domain, values, scratch)
+    begin_disk_coordinates(domain, measure, scratch);
+    advance_extension(domain, scratch, values, Deadline::NEVER).map(|_| ())
+}
+
+/// Begins with [`disk_coordinates`], for [`advance_extension`] to go on with.
+pub fn begin_disk_coordinates(domain: &PreparedDomain, measure: &HarmonicMeasure, scratch: &mut ExtensionScratch) {
+    domain.system().begin_extension(on_circle(measure, domain.samples.len()), scratch);
+}
+
+/// The same for a surface, for [`super::advance_surface_extension`] to go on with.
+pub fn begin_surface_disk_coordinates(
+    surface: &PreparedSurface,
+    measure: &HarmonicMeasure,
+    scratch: &mut ExtensionScratch,
+) {
+    surface.system().begin_extension(on_circle(measure, surface.edge_lengths.len()), scratch);
+}
+
+fn on_circle(measure: &HarmonicMeasure, m: usize) -> impl Iterator<Item = DVec2> {
+    (0..m).map(|k| DVec2::from_angle(TAU * measure.at_vertex(k)))
 }
 
 #[cfg(test)]
@@ -46,7 +62,7 @@ mod tests {
 
     fn coordinates(map: &ConformalMap, side: Side) -> Vec<DVec2> {
         let mut values = Vec::new();
-        disk_coordinates(map.domain(side), map.measure(side), &mut values, &mut Vec::new()).unwrap();
+        disk_coordinates(map.domain(side), map.measure(side), &mut values, &mut ExtensionScratch::default()).unwrap();
         values
     }
 

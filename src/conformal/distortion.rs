@@ -6,11 +6,15 @@
 //! collapsed and left out of the mean.
 
 use crate::geometry::{Bounds, DVec2, DVec3};
+use crate::laplace::Deadline;
 use crate::mesh::TriMesh;
 
 /// An image shorter than this part of the whole image's extent is rounding: the
 /// V's far arm has images of 1e-16, resolved triangles start at 1e-9.
 const COLLAPSED: f64 = 1e-13;
+
+/// Triangles between two looks at the clock: 0.3 ms.
+const BLOCK: usize = 8192;
 
 /// The largest Q that is reported: a triangle flattened to a segment has Q = ∞.
 const Q_LIMIT: f64 = 1e9;
@@ -78,26 +82,65 @@ impl TriangleDistortion {
 /// The distortion of every triangle of `mesh` under the map that takes its vertices to
 /// `images`, in the order of the triangles, into `result`; reused, it allocates nothing.
 pub fn triangle_distortions(mesh: &TriMesh, images: &[DVec2], result: &mut Vec<TriangleDistortion>) {
-    let smallest = COLLAPSED * extent(images);
     result.clear();
-    result.extend(mesh.triangles.iter().map(|triangle| {
+    advance_distortions(mesh, images, result, Deadline::NEVER);
+}
+
+/// Goes on with [`triangle_distortions`] after those that are in `result` already, until all are
+/// (true) or `deadline` is over; some thousand are done at least.
+pub fn advance_distortions(
+    mesh: &TriMesh,
+    images: &[DVec2],
+    result: &mut Vec<TriangleDistortion>,
+    deadline: Deadline,
+) -> bool {
+    let smallest = COLLAPSED * extent(images);
+    in_blocks(&mesh.triangles, result, deadline, |triangle| {
         let corners = triangle.map(|v| mesh.vertices[v as usize]);
         TriangleDistortion::of(corners, triangle.map(|v| images[v as usize]), smallest)
-    }));
+    })
+}
+
+/// Goes on with the triangles after those whose distortions are in `result` already.
+fn in_blocks(
+    triangles: &[[u32; 3]],
+    result: &mut Vec<TriangleDistortion>,
+    deadline: Deadline,
+    measure: impl Fn(&[u32; 3]) -> TriangleDistortion,
+) -> bool {
+    result.reserve(triangles.len().saturating_sub(result.len()));
+    while result.len() < triangles.len() {
+        let end = (result.len() + BLOCK).min(triangles.len());
+        result.extend(triangles[result.len()..end].iter().map(&measure));
+        if end < triangles.len() && deadline.is_over() {
+            return false;
+        }
+    }
+    true
 }
 
 /// As [`triangle_distortions`], of a mesh in space: every triangle is unfolded into the plane, counter-clockwise.
 pub fn surface_distortions(mesh: &TriMesh<DVec3>, images: &[DVec2], result: &mut Vec<TriangleDistortion>) {
-    let smallest = COLLAPSED * extent(images);
     result.clear();
-    result.extend(mesh.triangles.iter().map(|triangle| {
+    advance_surface_distortions(mesh, images, result, Deadline::NEVER);
+}
+
+/// As [`advance_distortions`], of a mesh in space.
+pub fn advance_surface_distortions(
+    mesh: &TriMesh<DVec3>,
+    images: &[DVec2],
+    result: &mut Vec<TriangleDistortion>,
+    deadline: Deadline,
+) -> bool {
+    let smallest = COLLAPSED * extent(images);
+    in_blocks(&mesh.triangles, result, deadline, |triangle| {
         let [a, b, c] = triangle.map(|v| mesh.vertices[v as usize]);
         let (u, v) = (b - a, c - a);
         let length = u.length();
         let third = DVec2::new(u.dot(v), u.cross(v).length()) / length;
         let corners = [DVec2::ZERO, DVec2::new(length, 0.0), third];
         TriangleDistortion::of(corners, triangle.map(|v| images[v as usize]), smallest)
-    }));
+    })
 }
 
 impl Quality {

@@ -2,7 +2,7 @@
 
 use super::PreparedDomain;
 use crate::geometry::DVec2;
-use crate::laplace::{Lanes, NotConverged};
+use crate::laplace::{Deadline, Lanes, NotConverged, SolveRun};
 
 /// How the boundary map is extended into the mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
@@ -16,15 +16,37 @@ pub enum Extension {
     CauchyGreen,
 }
 
-/// Replaces the interior part of `values` (length m+n) by the discrete harmonic
-/// extension of its boundary part `values[..m]`. Both coordinates are solved in
-/// one sweep; `scratch` is reused, so repeated calls allocate nothing.
+/// Working memory of extensions, and how far one has come that is interrupted; reused, it allocates nothing.
+#[derive(Debug, Clone, Default)]
+pub struct ExtensionScratch {
+    /// The values on the boundary.
+    pub(super) boundary: Vec<DVec2>,
+    pub(super) solution: Vec<Lanes<2>>,
+    pub(super) run: SolveRun,
+}
+
+/// The discrete harmonic extension of `boundary` (length m) into `values` (length m+n, the
+/// boundary's first). Both coordinates are solved in one sweep.
 ///
-/// Errors: [`NotConverged`], of an iterative solver only; the interior is then unchanged.
+/// Errors: [`NotConverged`], of an iterative solver only; `values` are then unchanged.
 pub fn harmonic_extension(
     domain: &PreparedDomain,
-    values: &mut [DVec2],
-    scratch: &mut Vec<Lanes<2>>,
+    boundary: impl Iterator<Item = DVec2>,
+    values: &mut Vec<DVec2>,
+    scratch: &mut ExtensionScratch,
 ) -> Result<(), NotConverged> {
-    domain.system().extend(values, scratch)
+    domain.system().begin_extension(boundary, scratch);
+    advance_extension(domain, scratch, values, Deadline::NEVER).map(|_| ())
+}
+
+/// Goes on with an extension that was begun in `scratch` until `values` are there (true), or
+/// `deadline` is over: they are then unchanged. Between two looks at the clock lie some
+/// milliseconds, at the end the writing of the `values`. Errors: as [`harmonic_extension`].
+pub fn advance_extension(
+    domain: &PreparedDomain,
+    scratch: &mut ExtensionScratch,
+    values: &mut Vec<DVec2>,
+    deadline: Deadline,
+) -> Result<bool, NotConverged> {
+    domain.system().advance_extension(scratch, values, deadline)
 }

@@ -1,7 +1,13 @@
 //! One side of a map: its interior point, kernel, anchor and measure, renewed as far as a change asks.
+//!
+//! A renewal is planned (which checks the constraints), begun, advanced and, with the map's
+//! whole update, committed; until then all that is seen is what was there before.
 
-use super::{Constraints, HarmonicMeasure, KernelScratch, MapError, PreparedDomain, Side, poisson_kernel};
+use super::kernel::{advance_kernel, begin_kernel};
+use super::measured::{Measured, Renewal};
+use super::{Constraints, KernelScratch, MapError, PreparedDomain, Side};
 use crate::geometry::DVec2;
+use crate::laplace::Deadline;
 use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, locate};
 use std::sync::Arc;
 
@@ -12,28 +18,27 @@ pub(super) struct Half {
     pub point: DVec2,
     pub located: BarycentricPoint,
     pub anchor: f64,
-    pub kernel: Vec<f64>,
-    pub measure: HarmonicMeasure,
+    pub measured: Measured,
 }
 
 /// What a change of constraints asks of one side.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Change {
     pub located: Option<BarycentricPoint>,
     pub re_anchor: bool,
 }
 
 impl Change {
-    /// Whether anything changes.
-    pub fn is_some(&self) -> bool {
-        self.located.is_some() || self.re_anchor
+    /// What becomes another one.
+    pub fn renewal(&self) -> Renewal {
+        Renewal { kernel: self.located.is_some(), measure: self.located.is_some() || self.re_anchor }
     }
 }
 
 impl Half {
     pub fn new(domain: Arc<PreparedDomain>) -> Self {
         let located = BarycentricPoint { triangle: 0, weights: [1.0, 0.0, 0.0] };
-        let (kernel, measure) = (Vec::new(), HarmonicMeasure::default());
-        Self { domain, point: DVec2::NAN, located, anchor: f64::NAN, kernel, measure }
+        Self { domain, point: DVec2::NAN, located, anchor: f64::NAN, measured: Measured::default() }
     }
 
     /// Checks the constraints of this side and finds what they change; changes nothing.
@@ -52,27 +57,42 @@ impl Half {
         Ok(Change { located: Some(located), re_anchor })
     }
 
-    /// Renews the kernel and the measure as planned.
-    pub fn apply(
+    /// Begins with the kernel, if another one is planned.
+    pub fn begin(&self, change: &Change, scratch: &mut KernelScratch) {
+        if let Some(located) = change.located {
+            begin_kernel(&self.domain, located, scratch);
+        }
+    }
+
+    /// Goes on with kernel and measure as planned until they are there (true) or `deadline` is over.
+    pub fn advance(
         &mut self,
         side: Side,
         constraints: &Constraints,
         change: &Change,
         scratch: &mut KernelScratch,
-    ) -> Result<(), MapError> {
+        deadline: Deadline,
+    ) -> Result<bool, MapError> {
         if let Some(located) = change.located {
-            // only a kernel that is complete may be taken for that of its point
-            self.point = DVec2::NAN;
-            poisson_kernel(&self.domain, located, scratch, &mut self.kernel)
-                .map_err(|error| MapError::NotConverged { side, error })?;
-            (self.located, self.point) = (located, constraints.point(side));
+            let coming = &mut self.measured.coming_kernel;
+            let is_there = advance_kernel(&self.domain, located, scratch, coming, deadline);
+            if !is_there.map_err(|error| MapError::NotConverged { side, error })? {
+                return Ok(false);
+            }
         }
-        if change.is_some() {
-            self.anchor = constraints.anchor(side);
-            let anchor = self.domain.samples.at_fraction(self.anchor);
-            self.measure.set(&self.domain.samples, &self.kernel, anchor);
+        if change.renewal().measure {
+            let samples = &self.domain.samples;
+            let anchor = samples.at_fraction(constraints.anchor(side));
+            self.measured.set_measure(&samples.edge_lengths, anchor, change.renewal());
         }
-        Ok(())
+        Ok(true)
+    }
+
+    /// What was planned is there, and shown from now on.
+    pub fn commit(&mut self, side: Side, constraints: &Constraints, change: &Change) {
+        self.measured.commit(change.renewal());
+        (self.point, self.anchor) = (constraints.point(side), constraints.anchor(side));
+        self.located = change.located.unwrap_or(self.located);
     }
 }
 

@@ -9,7 +9,7 @@
 use super::PreparedDomain;
 use super::stencil::{self, Stencil};
 use super::unfold::Places;
-use crate::laplace::{Lanes, NotConverged, RootPaths};
+use crate::laplace::{Deadline, Lanes, NotConverged, RootPaths, SolveRun};
 use crate::mesh::BarycentricPoint;
 
 /// Working memory of the kernel functions; reused, it allocates nothing.
@@ -17,6 +17,9 @@ use crate::mesh::BarycentricPoint;
 pub struct KernelScratch {
     pub(super) solution: Vec<Lanes<1>>,
     pub(super) paths: RootPaths,
+    pub(super) run: SolveRun,
+    /// Whether the weights are those of the triangle alone: their result is not tried to be bettered.
+    pub(super) is_linear: bool,
     pub(super) stencil: Stencil,
     pub(super) places: Places,
 }
@@ -44,7 +47,8 @@ pub fn harmonic_coordinates(
     phi: &mut Vec<f64>,
 ) -> Result<(), NotConverged> {
     scratch.set_stencil(linear(domain, x));
-    domain.system().combine(scratch, phi)
+    domain.system().begin_combination(scratch);
+    domain.system().advance_combination(scratch, phi, Deadline::NEVER).map(|_| ())
 }
 
 /// The values `ψ_k` (length m, per unit of length, ≥ 0) of the piecewise linear Poisson
@@ -59,6 +63,23 @@ pub fn poisson_kernel(
     scratch: &mut KernelScratch,
     psi: &mut Vec<f64>,
 ) -> Result<(), NotConverged> {
+    begin_kernel(domain, x, scratch);
+    advance_kernel(domain, x, scratch, psi, Deadline::NEVER).map(|_| ())
+}
+
+/// Begins with [`poisson_kernel`].
+pub(super) fn begin_kernel(domain: &PreparedDomain, x: BarycentricPoint, scratch: &mut KernelScratch) {
     stencil::around(&domain.mesh, x, &mut scratch.stencil);
-    domain.system().kernel(linear(domain, x), scratch, psi)
+    domain.system().begin_kernel(scratch);
+}
+
+/// Goes on with it until it is in `psi` (true) or `deadline` is over (`psi` is then meaningless).
+pub(super) fn advance_kernel(
+    domain: &PreparedDomain,
+    x: BarycentricPoint,
+    scratch: &mut KernelScratch,
+    psi: &mut Vec<f64>,
+    deadline: Deadline,
+) -> Result<bool, NotConverged> {
+    domain.system().advance_kernel(linear(domain, x), scratch, psi, deadline)
 }

@@ -2,19 +2,24 @@
 //!
 //! [`ConformalMap::update`] recomputes only what a change touches: moving x₁
 //! renews its kernel, the matching and the extension; moving y₁ re-anchors its
-//! measure instead. After the first update nothing is allocated.
+//! measure instead. From the second update on nothing is allocated.
+//!
+//! [`ConformalMap::advance`] does the same in pieces, for maps whose update would block a
+//! screen. What is shown is never torn: kernels, measures and correspondence are made
+//! beside those that are there, images in the solver's memory, and all change at once.
 //!
 //! With [`Extension::CauchyGreen`] an update gives the harmonic images, at once;
 //! [`ConformalMap::refine`] then replaces them chunk by chunk, within the time that it is given.
 
 use super::half::{Change, Half};
 use super::refinement::Refinement;
+use super::stage::Stage;
 use super::{
-    BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, Extension, HarmonicMeasure, KernelScratch,
-    MapSettings, PreparedDomain, Quality, Side, harmonic_extension, match_measures,
+    BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, Extension, ExtensionScratch, HarmonicMeasure,
+    KernelScratch, MapSettings, PreparedDomain, Quality, Side, advance_extension, match_measures,
 };
 use crate::geometry::DVec2;
-use crate::laplace::{Lanes, NotConverged};
+use crate::laplace::{Deadline, NotConverged};
 use crate::mesh::{TriMesh, locate};
 use std::sync::Arc;
 use web_time::Instant;
@@ -61,17 +66,30 @@ pub enum MapError {
 /// The conformal map between two prepared domains under the current constraints.
 #[derive(Debug)]
 pub struct ConformalMap {
-    source: Half,
-    target: Half,
+    /// Source and target.
+    halves: [Half; 2],
     settings: MapSettings,
     correspondence: BoundaryCorrespondence,
     images: Vec<DVec2>,
-    /// Whether the last update came to its end.
-    is_complete: bool,
     timings: FrameTimings,
+    /// The update that is under way.
+    run: Option<Run>,
+    /// What it has matched.
+    coming: BoundaryCorrespondence,
     kernel_scratch: KernelScratch,
-    extension_scratch: Vec<Lanes<2>>,
+    extension_scratch: ExtensionScratch,
     refinement: Refinement,
+}
+
+/// An update that is under way.
+#[derive(Debug)]
+struct Run {
+    constraints: Constraints,
+    settings: MapSettings,
+    /// By side.
+    changes: [Change; 2],
+    stage: Stage,
+    timings: FrameTimings,
 }
 
 impl ConformalMap {
@@ -82,74 +100,148 @@ impl ConformalMap {
         constraints: &Constraints,
         settings: MapSettings,
     ) -> Result<Self, MapError> {
-        let mut map = Self {
-            source: Half::new(source),
-            target: Half::new(target),
-            settings,
-            correspondence: BoundaryCorrespondence::default(),
-            images: Vec::new(),
-            is_complete: false,
-            timings: FrameTimings::default(),
-            kernel_scratch: KernelScratch::default(),
-            extension_scratch: Vec::new(),
-            refinement: Refinement::default(),
-        };
+        let mut map = Self::unmapped(source, target);
         map.update(constraints, settings)?;
         Ok(map)
     }
 
-    /// Recomputes what the change of constraints or settings touches. After an
-    /// error the map is unchanged (after [`MapError::NotConverged`], what the solve would have given is not).
+    /// No map yet: it has no images before its first [`Self::advance`] has come to its end.
+    pub fn unmapped(source: Arc<PreparedDomain>, target: Arc<PreparedDomain>) -> Self {
+        Self {
+            halves: [Half::new(source), Half::new(target)],
+            settings: MapSettings::default(),
+            correspondence: BoundaryCorrespondence::default(),
+            images: Vec::new(),
+            timings: FrameTimings::default(),
+            run: None,
+            coming: BoundaryCorrespondence::default(),
+            kernel_scratch: KernelScratch::default(),
+            extension_scratch: ExtensionScratch::default(),
+            refinement: Refinement::default(),
+        }
+    }
+
+    /// Recomputes what the change of constraints or settings touches. After an error the map is unchanged.
     ///
     /// With [`Extension::CauchyGreen`] the images are the harmonic ones after a change, until
     /// [`Self::refine`] has replaced them all.
     pub fn update(&mut self, constraints: &Constraints, settings: MapSettings) -> Result<(), MapError> {
-        let changes = [self.source.plan(Side::Source, constraints)?, self.target.plan(Side::Target, constraints)?];
-        let touched = changes.iter().any(Change::is_some);
-        if !touched && settings == self.settings && self.is_complete {
-            return Ok(());
+        self.advance(constraints, settings, Deadline::NEVER).map(|_| ())
+    }
+
+    /// Goes on with [`Self::update`] until it is done (true) or `deadline` is over. Until it is done
+    /// the map is that of the last update in all that it says. Another call with the same
+    /// arguments goes on where this one stopped, one with others starts over; the result is
+    /// the same to the bit. Between two looks at the clock lie some milliseconds, and the
+    /// writing of a mesh's vertices at most.
+    pub fn advance(
+        &mut self,
+        constraints: &Constraints,
+        settings: MapSettings,
+        deadline: Deadline,
+    ) -> Result<bool, MapError> {
+        let same = self.run.take().filter(|run| run.constraints == *constraints && run.settings == settings);
+        let run = if same.is_some() { same } else { self.begin(constraints, settings)? };
+        let Some(mut run) = run else { return Ok(true) };
+        let is_done = self.go_on(&mut run, deadline)?;
+        if is_done {
+            self.commit(&run);
+        } else {
+            self.run = Some(run);
         }
-        self.is_complete = false;
-        self.settings = settings;
-        let mut timings = FrameTimings::default();
-        let start = Instant::now();
-        self.source.apply(Side::Source, constraints, &changes[0], &mut self.kernel_scratch)?;
-        self.target.apply(Side::Target, constraints, &changes[1], &mut self.kernel_scratch)?;
-        timings.kernel = start.elapsed().as_secs_f64() * 1e3;
-        self.match_boundaries(&mut timings);
-        self.extend(&mut timings)?;
-        self.timings = timings;
-        self.is_complete = true;
-        Ok(())
+        Ok(is_done)
     }
 
-    fn match_boundaries(&mut self, timings: &mut FrameTimings) {
-        let start = Instant::now();
-        let (mapped, other) = match self.settings.direction {
-            Direction::Forward => (&self.source, &self.target),
-            Direction::Backward => (&self.target, &self.source),
-        };
-        match_measures(&mapped.measure, &other.measure, &mut self.correspondence);
-        timings.matching = start.elapsed().as_secs_f64() * 1e3;
+    /// Checks and plans an update; `None` if it changes nothing.
+    fn begin(&mut self, constraints: &Constraints, settings: MapSettings) -> Result<Option<Run>, MapError> {
+        let [source, target] = &self.halves;
+        let changes = [source.plan(Side::Source, constraints)?, target.plan(Side::Target, constraints)?];
+        let touched = changes.iter().any(|change| change.renewal().measure);
+        if !touched && settings == self.settings {
+            return Ok(None);
+        }
+        let (constraints, timings) = (*constraints, FrameTimings::default());
+        let mut run = Run { constraints, settings, changes, stage: Stage::FIRST, timings };
+        self.begin_stage(&mut run);
+        Ok(Some(run))
     }
 
-    fn extend(&mut self, timings: &mut FrameTimings) -> Result<(), MapError> {
+    fn begin_stage(&mut self, run: &mut Run) {
+        match run.stage {
+            Stage::Kernel(side) => {
+                let start = Instant::now();
+                self.halves[side as usize].begin(&run.changes[side as usize], &mut self.kernel_scratch);
+                run.stage.add_time(&mut run.timings, start);
+            }
+            Stage::Extension => {
+                self.match_boundaries(run);
+                let start = Instant::now();
+                let mapped = run.settings.direction.mapped_side();
+                let [domain, other] = [mapped, mapped.other()].map(|side| &self.halves[side as usize].domain);
+                let boundary = self.coming.images(&other.samples);
+                domain.system().begin_extension(boundary, &mut self.extension_scratch);
+                run.stage.add_time(&mut run.timings, start);
+            }
+        }
+    }
+
+    fn match_boundaries(&mut self, run: &mut Run) {
         let start = Instant::now();
-        let (mapped, other) = match self.settings.direction {
-            Direction::Forward => (&self.source.domain, &self.target.domain),
-            Direction::Backward => (&self.target.domain, &self.source.domain),
-        };
-        self.images.clear();
-        self.images.extend(self.correspondence.images(&other.samples));
+        let mapped = run.settings.direction.mapped_side();
+        let [mapped, other] = [mapped, mapped.other()]
+            .map(|side| self.halves[side as usize].measured.coming_measure(run.changes[side as usize].renewal()));
+        match_measures(mapped, other, &mut self.coming);
+        run.timings.matching += start.elapsed().as_secs_f64() * 1e3;
+    }
+
+    fn go_on(&mut self, run: &mut Run, deadline: Deadline) -> Result<bool, MapError> {
+        loop {
+            let start = Instant::now();
+            let is_done = self.advance_stage(run, deadline)?;
+            run.stage.add_time(&mut run.timings, start);
+            if !is_done {
+                return Ok(false);
+            }
+            let Some(next) = run.stage.next() else { return Ok(true) };
+            run.stage = next;
+            self.begin_stage(run);
+            if deadline.is_over() {
+                return Ok(false);
+            }
+        }
+    }
+
+    fn advance_stage(&mut self, run: &Run, deadline: Deadline) -> Result<bool, MapError> {
+        match run.stage {
+            Stage::Kernel(side) => {
+                let change = &run.changes[side as usize];
+                self.halves[side as usize].advance(side, &run.constraints, change, &mut self.kernel_scratch, deadline)
+            }
+            Stage::Extension => {
+                let side = run.settings.direction.mapped_side();
+                let domain = &self.halves[side as usize].domain;
+                advance_extension(domain, &mut self.extension_scratch, &mut self.images, deadline)
+                    .map_err(|error| MapError::NotConverged { side, error })
+            }
+        }
+    }
+
+    /// Shows what an update has come to; its images are there already.
+    fn commit(&mut self, run: &Run) {
+        for side in Side::BOTH {
+            self.halves[side as usize].commit(side, &run.constraints, &run.changes[side as usize]);
+        }
+        std::mem::swap(&mut self.correspondence, &mut self.coming);
+        (self.settings, self.timings) = (run.settings, run.timings);
         match self.settings.extension {
             Extension::Harmonic => self.refinement.clear(),
-            Extension::CauchyGreen => self.refinement.restart(mapped, &self.images),
+            Extension::CauchyGreen => {
+                let start = Instant::now();
+                let domain = Arc::clone(self.domain(self.settings.direction.mapped_side()));
+                self.refinement.restart(&domain, &self.images[..domain.samples.len()]);
+                self.timings.extend += start.elapsed().as_secs_f64() * 1e3;
+            }
         }
-        self.images.resize(mapped.mesh.vertices.len(), DVec2::ZERO);
-        harmonic_extension(mapped, &mut self.images, &mut self.extension_scratch)
-            .map_err(|error| MapError::NotConverged { side: self.settings.direction.mapped_side(), error })?;
-        timings.extend = start.elapsed().as_secs_f64() * 1e3;
-        Ok(())
     }
 
     /// Replaces harmonic images by Cauchy–Green ones for about `budget_ms` (the time is checked
@@ -194,10 +286,7 @@ impl ConformalMap {
     }
 
     fn half(&self, side: Side) -> &Half {
-        match side {
-            Side::Source => &self.source,
-            Side::Target => &self.target,
-        }
+        &self.halves[side as usize]
     }
 
     /// The prepared domain of a side.
@@ -207,12 +296,12 @@ impl ConformalMap {
 
     /// The Poisson kernel ψ of a side's interior point, per boundary vertex.
     pub fn kernel(&self, side: Side) -> &[f64] {
-        &self.half(side).kernel
+        &self.half(side).measured.kernel
     }
 
     /// The harmonic measure of a side, from its anchor.
     pub fn measure(&self, side: Side) -> &HarmonicMeasure {
-        &self.half(side).measure
+        &self.half(side).measured.measure
     }
 
     /// Where the boundary vertices of the mapped side go.
@@ -235,7 +324,7 @@ impl ConformalMap {
         &self.domain(self.settings.direction.mapped_side()).mesh
     }
 
-    /// The images of the mapped mesh's vertices, in the other domain. Until [`Self::refine`] is
+    /// The images of the mapped mesh's vertices, in the other domain; none before the first update. Until [`Self::refine`] is
     /// done, those of the harmonic extension in part.
     pub fn images(&self) -> &[DVec2] {
         &self.images
@@ -251,12 +340,13 @@ impl ConformalMap {
         Quality::of(self.mapped_mesh(), &self.images)
     }
 
-    /// The image of a point of the mapped mesh (piecewise linear); `None` outside it.
+    /// The image of a point of the mapped mesh (piecewise linear); `None` outside it, and before the first update.
     pub fn image_of(&self, x: DVec2) -> Option<DVec2> {
         let mesh = self.mapped_mesh();
         let hint = self.half(self.settings.direction.mapped_side()).located.triangle;
         let found = locate(mesh, x, hint)?;
         let corners = mesh.triangles[found.triangle as usize];
-        Some(corners.iter().zip(found.weights).map(|(&v, w)| w * self.images[v as usize]).sum())
+        let images = (!self.images.is_empty()).then_some(&self.images)?;
+        Some(corners.iter().zip(found.weights).map(|(&v, w)| w * images[v as usize]).sum())
     }
 }

@@ -1,7 +1,8 @@
 //! The conformal map: a prepared domain, Poisson kernels, harmonic measures, their matching, its extension.
 //!
 //! [`prepare`] does once per outline what takes milliseconds to seconds;
-//! [`ConformalMap::update`] does what a drag needs, in a fraction of that:
+//! [`ConformalMap::update`] does what a drag needs, in a fraction of that, and
+//! [`ConformalMap::advance`] the same until a deadline:
 //!
 //! | step | file | paper |
 //! |---|---|---|
@@ -33,8 +34,10 @@ mod kernel;
 mod map;
 mod matching;
 mod measure;
+mod measured;
 mod random_walk;
 mod refinement;
+mod stage;
 mod stencil;
 mod surface;
 mod surface_buffers;
@@ -45,12 +48,15 @@ mod unfold;
 
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use constraints::{Constraints, Direction, MapSettings, Side};
-pub use disk_coordinates::disk_coordinates;
-pub use distortion::{Quality, TriangleDistortion, surface_distortions, triangle_distortions};
+pub use disk_coordinates::{begin_disk_coordinates, begin_surface_disk_coordinates, disk_coordinates};
+pub use distortion::{
+    Quality, TriangleDistortion, advance_distortions, advance_surface_distortions, surface_distortions,
+    triangle_distortions,
+};
 pub use domain::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare, prepare_within,
 };
-pub use extension::{Extension, harmonic_extension};
+pub use extension::{Extension, ExtensionScratch, advance_extension, harmonic_extension};
 pub use flat::FlatBuffers;
 pub use histogram::Histogram;
 pub use hit_counts::HitCounts;
@@ -59,6 +65,6 @@ pub use map::{ConformalMap, FrameTimings, MapError};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
-pub use surface::{PreparedSurface, SurfaceSettings, prepare_surface, surface_disk_coordinates, surface_kernel};
+pub use surface::{PreparedSurface, SurfaceSettings, advance_surface_extension, prepare_surface, surface_kernel};
 pub use surface_map::{SurfaceConstraints, SurfaceMap, SurfaceMapError};
 pub use table::{HarmonicTable, TableError};

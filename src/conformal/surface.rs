@@ -8,9 +8,9 @@ use super::domain::{solver_for, timed};
 use super::flat::SystemParts;
 use super::kernel::KernelScratch;
 use super::system::HarmonicSystem;
-use super::{HarmonicMeasure, HarmonicTable, KernelMode, Memory, PrepareError, PrepareTimings, Stage, unfold};
+use super::{ExtensionScratch, HarmonicTable, KernelMode, Memory, PrepareError, PrepareTimings, Stage, unfold};
 use crate::geometry::{DVec2, DVec3};
-use crate::laplace::{DirichletLaplacian, Lanes, NotConverged, RootPaths, Solver, SolverKind};
+use crate::laplace::{Deadline, DirichletLaplacian, NotConverged, RootPaths, Solver, SolverKind};
 use crate::mesh::{BarycentricPoint, FlipReport, IntrinsicMesh, TriMesh};
 use crate::outline::BoundaryPoint;
 use crate::surface::{SurfaceMesh, SurfaceTree, farthest_from_boundary};
@@ -173,22 +173,34 @@ pub fn surface_kernel(
     scratch: &mut KernelScratch,
     psi: &mut Vec<f64>,
 ) -> Result<(), NotConverged> {
-    let mesh = &surface.surface.mesh;
-    unfold::around(mesh, x, &mut scratch.stencil, &mut scratch.places);
-    let corners = mesh.triangles[x.triangle as usize];
-    surface.system().kernel([0, 1, 2].map(|i| (corners[i], x.weights[i])), scratch, psi)
+    begin_surface_kernel(surface, x, scratch);
+    advance_surface_kernel(surface, x, scratch, psi, Deadline::NEVER).map(|_| ())
 }
 
-/// As [`super::disk_coordinates`], at all vertices of a surface.
-pub fn surface_disk_coordinates(
+/// Begins with [`surface_kernel`].
+pub(super) fn begin_surface_kernel(surface: &PreparedSurface, x: BarycentricPoint, scratch: &mut KernelScratch) {
+    unfold::around(&surface.surface.mesh, x, &mut scratch.stencil, &mut scratch.places);
+    surface.system().begin_kernel(scratch);
+}
+
+/// Goes on with it until it is in `psi` (true) or `deadline` is over (`psi` is then meaningless).
+pub(super) fn advance_surface_kernel(
     surface: &PreparedSurface,
-    measure: &HarmonicMeasure,
+    x: BarycentricPoint,
+    scratch: &mut KernelScratch,
+    psi: &mut Vec<f64>,
+    deadline: Deadline,
+) -> Result<bool, NotConverged> {
+    let corners = surface.surface.mesh.triangles[x.triangle as usize];
+    surface.system().advance_kernel([0, 1, 2].map(|i| (corners[i], x.weights[i])), scratch, psi, deadline)
+}
+
+/// As [`super::advance_extension`], on a surface.
+pub fn advance_surface_extension(
+    surface: &PreparedSurface,
+    scratch: &mut ExtensionScratch,
     values: &mut Vec<DVec2>,
-    scratch: &mut Vec<Lanes<2>>,
-) -> Result<(), NotConverged> {
-    let m = surface.surface.mesh.boundary_count as usize;
-    values.clear();
-    values.extend((0..m).map(|k| DVec2::from_angle(std::f64::consts::TAU * measure.at_vertex(k))));
-    values.resize(surface.surface.mesh.vertices.len(), DVec2::ZERO);
-    surface.system().extend(values, scratch)
+    deadline: Deadline,
+) -> Result<bool, NotConverged> {
+    surface.system().advance_extension(scratch, values, deadline)
 }

@@ -3,15 +3,18 @@
 //! The parameter domain is the planar source, the surface the target, mapped backward
 //! with the harmonic extension (section 4.3): every vertex of the surface gets its place
 //! in the parameter domain, its texture coordinate. As in [`super::ConformalMap`], an update recomputes only
-//! what a change touches.
+//! what a change touches, and can be interrupted.
 
-use super::half::{Half, on_boundary};
+use super::half::{Change, Half, on_boundary};
+use super::measured::{Measured, Renewal};
+use super::stage::Stage;
+use super::surface::{advance_surface_kernel, begin_surface_kernel};
 use super::{
-    BoundaryCorrespondence, Constraints, FrameTimings, HarmonicMeasure, KernelScratch, MapError, PreparedDomain,
-    PreparedSurface, Quality, Side, TriangleDistortion, match_measures, surface_distortions, surface_kernel,
+    BoundaryCorrespondence, Constraints, ExtensionScratch, FrameTimings, HarmonicMeasure, KernelScratch, MapError,
+    PreparedDomain, PreparedSurface, Quality, Side, TriangleDistortion, match_measures, surface_distortions,
 };
 use crate::geometry::DVec2;
-use crate::laplace::{Lanes, NotConverged};
+use crate::laplace::{Deadline, NotConverged};
 use crate::mesh::BarycentricPoint;
 use crate::surface::ADDED;
 use std::sync::Arc;
@@ -76,15 +79,28 @@ pub struct SurfaceMap {
     surface: Arc<PreparedSurface>,
     point: Option<BarycentricPoint>,
     anchor: f64,
-    kernel: Vec<f64>,
-    measure: HarmonicMeasure,
+    measured: Measured,
     correspondence: BoundaryCorrespondence,
     images: Vec<DVec2>,
-    /// Whether `images` are those of the constraints: not after a solver's error.
-    is_complete: bool,
     timings: FrameTimings,
+    /// The update that is under way.
+    run: Option<Run>,
+    /// What it has matched.
+    coming: BoundaryCorrespondence,
     kernel_scratch: KernelScratch,
-    extension_scratch: Vec<Lanes<2>>,
+    extension_scratch: ExtensionScratch,
+}
+
+/// An update that is under way.
+#[derive(Debug)]
+struct Run {
+    constraints: SurfaceConstraints,
+    planar: Constraints,
+    change: Change,
+    /// Of the surface.
+    renewal: Renewal,
+    stage: Stage,
+    timings: FrameTimings,
 }
 
 impl SurfaceMap {
@@ -94,54 +110,137 @@ impl SurfaceMap {
         surface: Arc<PreparedSurface>,
         constraints: &SurfaceConstraints,
     ) -> Result<Self, SurfaceMapError> {
-        let mut map = Self {
-            source: Half::new(source),
-            surface,
-            point: None,
-            anchor: f64::NAN,
-            kernel: Vec::new(),
-            measure: HarmonicMeasure::default(),
-            correspondence: BoundaryCorrespondence::default(),
-            images: Vec::new(),
-            is_complete: false,
-            timings: FrameTimings::default(),
-            kernel_scratch: KernelScratch::default(),
-            extension_scratch: Vec::new(),
-        };
+        let mut map = Self::unmapped(source, surface);
         map.update(constraints)?;
         Ok(map)
     }
 
-    /// Recomputes what the change of constraints touches. After an error the map is
-    /// unchanged (after one of a solver, what the solve would have given is not).
+    /// No map yet: it has no images before its first [`Self::advance`] has come to its end.
+    pub fn unmapped(source: Arc<PreparedDomain>, surface: Arc<PreparedSurface>) -> Self {
+        Self {
+            source: Half::new(source),
+            surface,
+            point: None,
+            anchor: f64::NAN,
+            measured: Measured::default(),
+            correspondence: BoundaryCorrespondence::default(),
+            images: Vec::new(),
+            timings: FrameTimings::default(),
+            run: None,
+            coming: BoundaryCorrespondence::default(),
+            kernel_scratch: KernelScratch::default(),
+            extension_scratch: ExtensionScratch::default(),
+        }
+    }
+
+    /// Recomputes what the change of constraints touches. After an error the map is unchanged.
     pub fn update(&mut self, constraints: &SurfaceConstraints) -> Result<(), SurfaceMapError> {
+        self.advance(constraints, Deadline::NEVER).map(|_| ())
+    }
+
+    /// Goes on with [`Self::update`] until it is done (true) or `deadline` is over; as [`super::ConformalMap::advance`].
+    pub fn advance(&mut self, constraints: &SurfaceConstraints, deadline: Deadline) -> Result<bool, SurfaceMapError> {
+        let same = self.run.take().filter(|run| run.constraints == *constraints);
+        let run = if same.is_some() { same } else { self.begin(constraints)? };
+        let Some(mut run) = run else { return Ok(true) };
+        let is_done = self.go_on(&mut run, deadline)?;
+        if is_done {
+            self.commit(&run);
+        } else {
+            self.run = Some(run);
+        }
+        Ok(is_done)
+    }
+
+    /// Checks and plans an update; `None` if it changes nothing.
+    fn begin(&mut self, constraints: &SurfaceConstraints) -> Result<Option<Run>, SurfaceMapError> {
         let planar = constraints.planar();
         let change = self.source.plan(Side::Source, &planar)?;
         self.check(constraints)?;
-        let moved = self.point != Some(constraints.surface_point);
-        let anchored = self.anchor != constraints.surface_anchor;
-        if !(change.is_some() || moved || anchored) && self.is_complete {
-            return Ok(());
+        let kernel = self.point != Some(constraints.surface_point);
+        let renewal = Renewal { kernel, measure: kernel || self.anchor != constraints.surface_anchor };
+        if !change.renewal().measure && !renewal.measure {
+            return Ok(None);
         }
-        self.is_complete = false;
-        let mut timings = FrameTimings::default();
+        let (constraints, timings) = (*constraints, FrameTimings::default());
+        let mut run = Run { constraints, planar, change, renewal, stage: Stage::FIRST, timings };
+        self.begin_stage(&mut run);
+        Ok(Some(run))
+    }
+
+    fn begin_stage(&mut self, run: &mut Run) {
         let start = Instant::now();
-        self.source.apply(Side::Source, &planar, &change, &mut self.kernel_scratch)?;
-        if moved {
-            // only a kernel that is complete may be taken for that of its point
-            self.point = None;
-            surface_kernel(&self.surface, constraints.surface_point, &mut self.kernel_scratch, &mut self.kernel)?;
-            self.point = Some(constraints.surface_point);
+        match run.stage {
+            Stage::Kernel(Side::Source) => self.source.begin(&run.change, &mut self.kernel_scratch),
+            Stage::Kernel(Side::Target) if run.renewal.kernel => {
+                begin_surface_kernel(&self.surface, run.constraints.surface_point, &mut self.kernel_scratch);
+            }
+            Stage::Kernel(Side::Target) => {}
+            Stage::Extension => return self.begin_extension(run),
         }
-        if moved || anchored {
-            self.anchor = constraints.surface_anchor;
-            self.measure.set_along(&self.surface.edge_lengths, &self.kernel, self.surface.at_fraction(self.anchor));
+        run.stage.add_time(&mut run.timings, start);
+    }
+
+    fn begin_extension(&mut self, run: &mut Run) {
+        let start = Instant::now();
+        let mapped = self.measured.coming_measure(run.renewal);
+        match_measures(mapped, self.source.measured.coming_measure(run.change.renewal()), &mut self.coming);
+        run.timings.matching += start.elapsed().as_secs_f64() * 1e3;
+        let start = Instant::now();
+        let boundary = self.coming.images(&self.source.domain.samples);
+        self.surface.system().begin_extension(boundary, &mut self.extension_scratch);
+        run.stage.add_time(&mut run.timings, start);
+    }
+
+    fn go_on(&mut self, run: &mut Run, deadline: Deadline) -> Result<bool, SurfaceMapError> {
+        loop {
+            let start = Instant::now();
+            let is_done = self.advance_stage(run, deadline)?;
+            run.stage.add_time(&mut run.timings, start);
+            if !is_done {
+                return Ok(false);
+            }
+            let Some(next) = run.stage.next() else { return Ok(true) };
+            run.stage = next;
+            self.begin_stage(run);
+            if deadline.is_over() {
+                return Ok(false);
+            }
         }
-        timings.kernel = start.elapsed().as_secs_f64() * 1e3;
-        self.extend(&mut timings)?;
-        self.is_complete = true;
-        self.timings = timings;
-        Ok(())
+    }
+
+    fn advance_stage(&mut self, run: &Run, deadline: Deadline) -> Result<bool, SurfaceMapError> {
+        let Run { constraints, planar, change, renewal, .. } = run;
+        match run.stage {
+            Stage::Kernel(Side::Source) => {
+                Ok(self.source.advance(Side::Source, planar, change, &mut self.kernel_scratch, deadline)?)
+            }
+            Stage::Kernel(Side::Target) => {
+                let (surface, scratch) = (&self.surface, &mut self.kernel_scratch);
+                let (point, coming) = (constraints.surface_point, &mut self.measured.coming_kernel);
+                if renewal.kernel && !advance_surface_kernel(surface, point, scratch, coming, deadline)? {
+                    return Ok(false);
+                }
+                if renewal.measure {
+                    let anchor = surface.at_fraction(constraints.surface_anchor);
+                    self.measured.set_measure(&surface.edge_lengths, anchor, *renewal);
+                }
+                Ok(true)
+            }
+            Stage::Extension => {
+                let system = self.surface.system();
+                Ok(system.advance_extension(&mut self.extension_scratch, &mut self.images, deadline)?)
+            }
+        }
+    }
+
+    /// Shows what an update has come to; its images are there already.
+    fn commit(&mut self, run: &Run) {
+        self.source.commit(Side::Source, &run.planar, &run.change);
+        self.measured.commit(run.renewal);
+        std::mem::swap(&mut self.correspondence, &mut self.coming);
+        (self.point, self.anchor) = (Some(run.constraints.surface_point), run.constraints.surface_anchor);
+        self.timings = run.timings;
     }
 
     fn check(&self, constraints: &SurfaceConstraints) -> Result<(), SurfaceMapError> {
@@ -155,19 +254,6 @@ impl SurfaceMap {
             return Err(SurfaceMapError::OnBoundary);
         }
         if constraints.surface_anchor.is_finite() { Ok(()) } else { Err(SurfaceMapError::AnchorNotFinite) }
-    }
-
-    fn extend(&mut self, timings: &mut FrameTimings) -> Result<(), SurfaceMapError> {
-        let start = Instant::now();
-        match_measures(&self.measure, &self.source.measure, &mut self.correspondence);
-        timings.matching = start.elapsed().as_secs_f64() * 1e3;
-        let start = Instant::now();
-        self.images.clear();
-        self.images.extend(self.correspondence.images(&self.source.domain.samples));
-        self.images.resize(self.surface.surface.mesh.vertices.len(), DVec2::ZERO);
-        self.surface.system().extend(&mut self.images, &mut self.extension_scratch)?;
-        timings.extend = start.elapsed().as_secs_f64() * 1e3;
-        Ok(())
     }
 
     /// The parameter domain.
@@ -194,22 +280,22 @@ impl SurfaceMap {
 
     /// The Poisson kernel ψ of the surface's interior point, per boundary vertex.
     pub fn kernel(&self) -> &[f64] {
-        &self.kernel
+        &self.measured.kernel
     }
 
     /// The harmonic measure of the surface's boundary, from its anchor.
     pub fn measure(&self) -> &HarmonicMeasure {
-        &self.measure
+        &self.measured.measure
     }
 
     /// The harmonic measure of the parameter domain, from its anchor.
     pub fn source_measure(&self) -> &HarmonicMeasure {
-        &self.source.measure
+        &self.source.measured.measure
     }
 
     /// The Poisson kernel of the parameter domain's interior point, per boundary vertex.
     pub fn source_kernel(&self) -> &[f64] {
-        &self.source.kernel
+        &self.source.measured.kernel
     }
 
     /// Where the boundary vertices of the surface go.

@@ -1,12 +1,13 @@
 //! What kernel and extension need of a domain, whatever its geometry: the linear system and the boundary's lengths.
 //!
 //! A planar domain and a surface differ in how a point becomes weights of vertices; after
-//! that, both are this.
+//! that, both are this. Kernel and extension are begun, then advanced until they are done, a
+//! deadline at a time; results are written at the end, in one go.
 
 use super::kernel::KernelScratch;
-use super::{HarmonicTable, PreparedDomain};
+use super::{ExtensionScratch, HarmonicTable, PreparedDomain};
 use crate::geometry::DVec2;
-use crate::laplace::{Lanes, NotConverged, RootPaths, Solver, SolverKind};
+use crate::laplace::{Deadline, NotConverged, RootPaths, Solver, SolverKind};
 use sprs::CsMatI;
 
 /// What an iterative solver leaves below 0, relative to the largest coordinate: its tolerance
@@ -45,20 +46,34 @@ impl HarmonicSystem<'_> {
         self.edge_lengths.len() as u32
     }
 
-    /// The kernel ψ of the point with the weights in `scratch`; where they give a negative value, of the
-    /// weights `linear` of its triangle's corners instead.
-    pub(super) fn kernel(
+    /// Begins with the kernel ψ of the point whose weights are in `scratch`.
+    pub(super) fn begin_kernel(&self, scratch: &mut KernelScratch) {
+        scratch.is_linear = false;
+        self.begin_combination(scratch);
+    }
+
+    /// Goes on with it until it is in `psi` (true) or `deadline` is over. Where the weights give a
+    /// negative value, it is that of the weights `linear` of the point's triangle instead.
+    pub(super) fn advance_kernel(
         &self,
         linear: [(u32, f64); 3],
         scratch: &mut KernelScratch,
         psi: &mut Vec<f64>,
-    ) -> Result<(), NotConverged> {
-        self.combine(scratch, psi)?;
+        deadline: Deadline,
+    ) -> Result<bool, NotConverged> {
         let iterative = self.solver.kind() == SolverKind::Pcg;
-        let noise = if iterative { PCG_NOISE * psi.iter().fold(0.0_f64, |max, &value| max.max(value)) } else { 0.0 };
-        if psi.iter().any(|&value| value < -noise) {
+        loop {
+            if !self.advance_combination(scratch, psi, deadline)? {
+                return Ok(false);
+            }
+            let largest = || psi.iter().fold(0.0_f64, |max, &value| max.max(value));
+            let noise = if iterative { PCG_NOISE * largest() } else { 0.0 };
+            if scratch.is_linear || psi.iter().all(|&value| value >= -noise) {
+                break;
+            }
             scratch.set_stencil(linear);
-            self.combine(scratch, psi)?;
+            scratch.is_linear = true;
+            self.begin_combination(scratch);
         }
         if iterative {
             for value in psi.iter_mut() {
@@ -70,12 +85,39 @@ impl HarmonicSystem<'_> {
             *value /= 0.5 * (previous + length);
             previous = length;
         }
-        Ok(())
+        Ok(true)
     }
 
-    /// Σ weight · φ_vertex over the stencil, into `phi`.
-    pub(super) fn combine(&self, scratch: &mut KernelScratch, phi: &mut Vec<f64>) -> Result<(), NotConverged> {
-        let m = self.boundary_count();
+    /// Begins with Σ weight · φ_vertex over the stencil.
+    pub(super) fn begin_combination(&self, scratch: &mut KernelScratch) {
+        scratch.run.restart();
+        if self.table.is_some() {
+            return;
+        }
+        let (solver, m) = (self.solver, self.boundary_count());
+        scratch.solution.clear();
+        scratch.solution.resize(solver.len(), [0.0]);
+        let interior = scratch.stencil.iter().filter_map(|&(vertex, weight)| Some((vertex.checked_sub(m)?, weight)));
+        for (unknown, weight) in interior.clone() {
+            scratch.solution[solver.position(unknown)] = [weight];
+        }
+        solver.root_paths(interior.map(|(unknown, _)| unknown), &mut scratch.paths);
+    }
+
+    /// Goes on with it until it is in `phi` (true) or `deadline` is over. A table has it at once.
+    pub(super) fn advance_combination(
+        &self,
+        scratch: &mut KernelScratch,
+        phi: &mut Vec<f64>,
+        deadline: Deadline,
+    ) -> Result<bool, NotConverged> {
+        let (solver, m) = (self.solver, self.boundary_count());
+        if self.table.is_none() {
+            let KernelScratch { run, paths, solution, .. } = &mut *scratch;
+            if !solver.advance(run, paths, self.boundary_paths, solution, deadline)? {
+                return Ok(false);
+            }
+        }
         phi.clear();
         phi.resize(m as usize, 0.0);
         for &(vertex, weight) in scratch.stencil.iter().filter(|(vertex, _)| *vertex < m) {
@@ -88,40 +130,50 @@ impl HarmonicSystem<'_> {
                     *value += weight * coordinate;
                 }
             }
-            return Ok(());
+            return Ok(true);
         }
-        let solver = self.solver;
-        scratch.solution.clear();
-        scratch.solution.resize(solver.len(), [0.0]);
-        for (unknown, weight) in interior.clone() {
-            scratch.solution[solver.position(unknown)] = [weight];
-        }
-        solver.root_paths(interior.map(|(unknown, _)| unknown), &mut scratch.paths);
-        solver.solve(&scratch.paths, self.boundary_paths, &mut scratch.solution)?;
         for (value, column) in phi.iter_mut().zip(self.coupling.outer_iterator()) {
             for (unknown, &entry) in column.iter() {
                 *value -= entry * scratch.solution[solver.position(unknown as u32)][0];
             }
         }
-        Ok(())
+        Ok(true)
     }
 
-    /// Replaces the interior part of `values` by the harmonic extension of its boundary part, see [`super::harmonic_extension`].
-    pub(super) fn extend(&self, values: &mut [DVec2], scratch: &mut Vec<Lanes<2>>) -> Result<(), NotConverged> {
-        let (boundary, interior) = values.split_at_mut(self.edge_lengths.len());
-        scratch.clear();
-        scratch.resize(self.solver.len(), [0.0; 2]);
-        for (w, column) in boundary.iter().zip(self.coupling.outer_iterator()) {
+    /// Begins with the harmonic extension of `boundary`, see [`super::harmonic_extension`].
+    pub(super) fn begin_extension(&self, boundary: impl Iterator<Item = DVec2>, scratch: &mut ExtensionScratch) {
+        let ExtensionScratch { boundary: kept, solution, run } = scratch;
+        run.restart();
+        kept.clear();
+        kept.extend(boundary);
+        solution.clear();
+        solution.resize(self.solver.len(), [0.0; 2]);
+        for (w, column) in kept.iter().zip(self.coupling.outer_iterator()) {
             for (unknown, &entry) in column.iter() {
-                let right = &mut scratch[self.solver.position(unknown as u32)];
+                let right = &mut solution[self.solver.position(unknown as u32)];
                 right[0] -= entry * w.x;
                 right[1] -= entry * w.y;
             }
         }
-        self.solver.solve(self.boundary_paths, self.solver.everything(), scratch)?;
-        for (&[x, y], &unknown) in scratch.iter().zip(self.solver.unknowns()) {
-            interior[unknown as usize] = DVec2::new(x, y);
+    }
+
+    /// Goes on with it until `values` are those of all vertices (true) or `deadline` is over (they are as they were).
+    pub(super) fn advance_extension(
+        &self,
+        scratch: &mut ExtensionScratch,
+        values: &mut Vec<DVec2>,
+        deadline: Deadline,
+    ) -> Result<bool, NotConverged> {
+        let ExtensionScratch { boundary, solution, run } = scratch;
+        if !self.solver.advance(run, self.boundary_paths, self.solver.everything(), solution, deadline)? {
+            return Ok(false);
         }
-        Ok(())
+        values.resize(boundary.len() + solution.len(), DVec2::ZERO);
+        let (outer, inner) = values.split_at_mut(boundary.len());
+        outer.copy_from_slice(boundary);
+        for (&[x, y], &unknown) in solution.iter().zip(self.solver.unknowns()) {
+            inner[unknown as usize] = DVec2::new(x, y);
+        }
+        Ok(true)
     }
 }

@@ -5,7 +5,9 @@
 //! closed forms: the blob's point with the V's harmonic measure.
 
 use super::{ArcLength, FigureError, Scene, Table, prepare_spec};
-use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side, harmonic_extension};
+use crate::conformal::{
+    ConformalMap, Constraints, Direction, ExtensionScratch, PreparedDomain, Side, harmonic_extension,
+};
 use crate::exact::{blob, vshape};
 use crate::geometry::DVec2;
 use crate::mesh::locate;
@@ -133,9 +135,8 @@ impl CrowdingStudy {
     /// The images of all vertices of the V's mesh: the harmonic extension of one boundary map.
     pub fn extended(&self, map: &BoundaryMap) -> Result<Vec<DVec2>, FigureError> {
         let domain = self.map.domain(Side::Source);
-        let mut images = map.images.clone();
-        images.resize(domain.mesh.vertices.len(), DVec2::ZERO);
-        harmonic_extension(domain, &mut images, &mut Vec::new())?;
+        let mut images = Vec::new();
+        harmonic_extension(domain, map.images.iter().copied(), &mut images, &mut ExtensionScratch::default())?;
         Ok(images)
     }
 

@@ -3,13 +3,16 @@
 //! [`DirichletLaplacian`] holds the blocks L̂ and L̄ of the paper's appendix A;
 //! [`Factor`] is the Cholesky factor of L̂ as flat arrays, with sweeps that visit
 //! only what a sparse right-hand side, or a sparse question, needs. [`Solver`] is
-//! that factor or, where it does not fit, conjugate gradients.
+//! that factor or, where it does not fit, conjugate gradients; a solve of either can be
+//! interrupted at a [`Deadline`].
 
 mod cotangent;
+mod deadline;
 mod factor;
 mod multifrontal;
 mod ordering;
 mod pcg;
+mod pcg_run;
 mod solver;
 mod supernode;
 mod sweep;
@@ -17,10 +20,11 @@ mod sweep;
 mod tests;
 
 pub use cotangent::DirichletLaplacian;
+pub use deadline::Deadline;
 pub use factor::{Factor, FactorBuffers, RootPaths};
 pub use ordering::Ordering;
 pub use pcg::{NotConverged, Pcg, PcgBuffers};
-pub use solver::{Solver, SolverKind};
+pub use solver::{SolveRun, Solver, SolverKind};
 pub use sweep::Lanes;
 
 /// Why the Laplacian of a mesh could not be assembled or factored.

@@ -6,14 +6,8 @@
 //! O(n), 15 to 300 times as long as the sweeps of a complete factor. The residual is
 //! small in norm only: unlike the sweeps, this is *not* accurate componentwise.
 
-use super::{DirichletLaplacian, Lanes, LaplaceError};
-
-/// The residual, relative to the right-hand side, at which a solve ends: the rounding
-/// of the recurrence reaches 1e-14 to 1e-13 on meshes of 10⁴ to 10⁶ unknowns.
-const TOLERANCE: f64 = 1e-12;
-
-/// Iterations per √n before a solve is given up; meshes of 10³ to 10⁵ unknowns take 1 to 2.
-const PATIENCE: f64 = 20.0;
+use super::pcg_run::PcgRun;
+use super::{Deadline, DirichletLaplacian, Lanes, LaplaceError};
 
 /// A solve did not reach its tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -114,50 +108,11 @@ impl Pcg {
 
     /// Solves L̂ x = b in place, lane after lane. Errors: [`NotConverged`]; `x` then holds the last iterate.
     pub fn solve<const K: usize>(&self, x: &mut [Lanes<K>]) -> Result<(), NotConverged> {
-        (0..K).try_for_each(|lane| {
-            let right: Vec<f64> = x.iter().map(|lanes| lanes[lane]).collect();
-            let (solution, residual) = self.conjugate_gradients(right);
-            for (lanes, value) in x.iter_mut().zip(solution) {
-                lanes[lane] = value;
-            }
-            if residual <= TOLERANCE { Ok(()) } else { Err(NotConverged { residual }) }
-        })
-    }
-
-    /// The solution and its relative residual.
-    fn conjugate_gradients(&self, mut residual: Vec<f64>) -> (Vec<f64>, f64) {
-        let mut solution = vec![0.0; residual.len()];
-        let scale = dot(&residual, &residual).sqrt();
-        if scale == 0.0 {
-            return (solution, 0.0);
-        }
-        let mut product = vec![0.0; residual.len()];
-        let mut direction = residual.clone();
-        self.precondition(&mut direction);
-        let mut energy = dot(&residual, &direction);
-        let mut relative = 1.0;
-        for _ in 0..(PATIENCE * (residual.len() as f64).sqrt()) as usize + 50 {
-            self.multiply(&direction, &mut product);
-            let step = energy / dot(&direction, &product);
-            add_scaled(&mut solution, step, &direction);
-            add_scaled(&mut residual, -step, &product);
-            relative = dot(&residual, &residual).sqrt() / scale;
-            if relative <= TOLERANCE || relative.is_nan() {
-                break;
-            }
-            product.copy_from_slice(&residual);
-            self.precondition(&mut product);
-            let next = dot(&residual, &product);
-            let share = next / std::mem::replace(&mut energy, next);
-            for (d, z) in direction.iter_mut().zip(&product) {
-                *d = z + share * *d;
-            }
-        }
-        (solution, relative)
+        self.advance(&mut PcgRun::default(), x, Deadline::NEVER).map(|_| ())
     }
 
     /// `product = L̂ x`.
-    fn multiply(&self, x: &[f64], product: &mut [f64]) {
+    pub(super) fn multiply(&self, x: &[f64], product: &mut [f64]) {
         for row in 0..x.len() {
             let range = self.row(row);
             let mut sum = self.matrix[range.end - 1] * x[row];
@@ -172,7 +127,7 @@ impl Pcg {
     }
 
     /// Solves with the incomplete factor, in place.
-    fn precondition(&self, x: &mut [f64]) {
+    pub(super) fn precondition(&self, x: &mut [f64]) {
         for row in 0..x.len() {
             let range = self.row(row);
             let mut sum = x[row];
@@ -216,16 +171,5 @@ impl Pcg {
                 let columns = &self.columns[self.row(row)];
                 columns.last() == Some(&(row as u32)) && columns.windows(2).all(|pair| pair[0] < pair[1])
             })
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// `x += factor · y`.
-fn add_scaled(x: &mut [f64], factor: f64, y: &[f64]) {
-    for (x, y) in x.iter_mut().zip(y) {
-        *x += factor * y;
     }
 }

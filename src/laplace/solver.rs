@@ -1,6 +1,7 @@
 //! Solving L̂ x = b: directly by a complete factor, or iteratively where that does not fit.
 
-use super::{DirichletLaplacian, Factor, Lanes, LaplaceError, NotConverged, Ordering, Pcg, RootPaths};
+use super::pcg_run::PcgRun;
+use super::{Deadline, DirichletLaplacian, Factor, Lanes, LaplaceError, NotConverged, Ordering, Pcg, RootPaths};
 
 /// Which solver is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
@@ -27,6 +28,22 @@ pub enum Solver {
         /// The empty set.
         nothing: RootPaths,
     },
+}
+
+/// How far a solve has come that is interrupted: see [`Solver::advance`]. Reused, it allocates nothing.
+#[derive(Debug, Clone, Default)]
+pub struct SolveRun {
+    /// The chunks that a direct solve has visited.
+    visited: usize,
+    pcg: PcgRun,
+}
+
+impl SolveRun {
+    /// The next [`Solver::advance`] begins a new solve.
+    pub fn restart(&mut self) {
+        self.visited = 0;
+        self.pcg.restart();
+    }
 }
 
 impl Solver {
@@ -105,6 +122,31 @@ impl Solver {
             }
             Self::Pcg { pcg, .. } => pcg.solve(x),
         }
+    }
+
+    /// Goes on with [`Self::solve`] until it is done (true) or `deadline` is over. Between two looks
+    /// at the clock lie some milliseconds at most: some hundred supernodes, or an iteration of
+    /// conjugate gradients; so much is done by every call.
+    ///
+    /// The first call after [`SolveRun::restart`] finds b in `x`; until the end all arguments but the
+    /// deadline must stay as they are. The solution is the same to the bit however often it was
+    /// interrupted. After the end, or an error, `run` is ready for another solve.
+    pub fn advance<const K: usize>(
+        &self,
+        run: &mut SolveRun,
+        given: &RootPaths,
+        wanted: &RootPaths,
+        x: &mut [Lanes<K>],
+        deadline: Deadline,
+    ) -> Result<bool, NotConverged> {
+        let result = match self {
+            Self::Direct(factor) => Ok(factor.advance(&mut run.visited, [given, wanted], x, deadline)),
+            Self::Pcg { pcg, .. } => pcg.advance(&mut run.pcg, x, deadline),
+        };
+        if result != Ok(false) {
+            run.restart();
+        }
+        result
     }
 }
 

@@ -169,3 +169,47 @@ fn a_factor_above_the_budget_is_refused_with_its_size() {
         other => panic!("{other:?}"),
     }
 }
+
+/// The steps of a solve that is interrupted wherever it can be.
+fn interrupted<const K: usize>(solver: &Solver, run: &mut SolveRun, given: &RootPaths, x: &mut [[f64; K]]) -> usize {
+    let (deadline, mut calls) = (Deadline::in_ms(0.0), 1);
+    while !solver.advance(run, given, solver.everything(), x, deadline).unwrap() {
+        calls += 1;
+    }
+    calls
+}
+
+#[test]
+fn an_interrupted_solve_is_the_same_to_the_bit() {
+    let (laplacian, factor) = factored(&grid(51));
+    let n = factor.len();
+    for (solver, fewest) in [(Solver::Direct(factor), 4), (Solver::pcg(&laplacian).unwrap(), 40)] {
+        let mut run = SolveRun::default();
+        for shift in [0.3, 0.7] {
+            let right = |k: usize| (k as f64 * shift).sin();
+            let mut whole: Vec<[f64; 2]> = (0..n).map(|k| [right(k), right(k + 3)]).collect();
+            let mut pieces = whole.clone();
+            solver.solve(solver.everything(), solver.everything(), &mut whole).unwrap();
+            let calls = interrupted(&solver, &mut run, solver.everything(), &mut pieces);
+            assert_eq!(whole, pieces, "{:?}", solver.kind());
+            assert!(calls >= fewest, "{:?}: {calls} calls", solver.kind());
+        }
+    }
+}
+
+#[test]
+fn a_solve_can_be_left_for_another_one() {
+    let (laplacian, factor) = factored(&grid(51));
+    let n = factor.len();
+    for solver in [Solver::Direct(factor), Solver::pcg(&laplacian).unwrap()] {
+        let (mut run, everything) = (SolveRun::default(), solver.everything());
+        let mut left: Vec<[f64; 1]> = (0..n).map(|k| [k as f64]).collect();
+        assert_eq!(solver.advance(&mut run, everything, everything, &mut left, Deadline::in_ms(0.0)), Ok(false));
+        run.restart();
+        let mut whole: Vec<[f64; 1]> = (0..n).map(|k| [(k as f64).cos()]).collect();
+        let mut pieces = whole.clone();
+        solver.solve(everything, everything, &mut whole).unwrap();
+        interrupted(&solver, &mut run, everything, &mut pieces);
+        assert_eq!(whole, pieces, "{:?}", solver.kind());
+    }
+}

@@ -2,20 +2,23 @@
 //!
 //! No egui and no wgpu in here. Commands come in through [`Model::dispatch`] (file `wishes`),
 //! worker answers through [`Model::accept`]; [`Model::refresh`] (file `refresh`)
-//! then brings the map up to date and says what has to be uploaded. While a side is prepared,
+//! then brings the map up to date and says what has to be uploaded; an update that takes longer
+//! than a frame goes on in the next one (file `update`). While a side is prepared,
 //! the last good map stays and follows its handles.
 
 mod refresh;
 mod shown;
 mod surface;
+mod update;
 mod wishes;
 
 use super::draft::Draft;
 use super::prepare_state::Preparation;
 use super::surface::SurfaceSide;
 use super::teaching::Teaching;
+use super::teaching::disk_grid::DiskGrid;
 use super::textured;
-use crate::conformal::{ConformalMap, PreparedDomain, Quality, Side, TriangleDistortion};
+use crate::conformal::{ConformalMap, Direction, PreparedDomain, Quality, Side, SurfaceMap, TriangleDistortion};
 use crate::geometry::{Bounds, DVec2};
 use crate::session::{Session, SurfaceState};
 use std::sync::Arc;
@@ -25,9 +28,11 @@ use std::sync::Arc;
 /// the edge, and still several boundary edges away from it.
 const INSET: f64 = 0.004;
 
-/// An update that takes longer, in ms, does not follow a drag: a coarse map stands in. With
-/// the drawing it stays below the 50 ms from which on a hand feels that something lags.
-const SLOW_UPDATE_MS: f64 = 30.0;
+/// What a frame spends on an update, in ms; one that takes longer goes on in the next frame, and does
+/// not follow a drag: a coarse map stands in. With a step that is longer than the clock asks for
+/// (10 ms in a browser), the coarse map and the drawing, a frame stays below the 50 ms
+/// from which on a hand feels that something lags.
+const UPDATE_MS: f64 = 20.0;
 
 /// What a refresh changed, for the upload.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -62,13 +67,30 @@ pub enum Refines {
 pub struct Model {
     session: Session,
     sides: [Preparation; 2],
+    /// The last full map, complete.
     map: Option<ConformalMap>,
+    /// The full map of other domains, until its first update is complete.
+    next: Option<ConformalMap>,
+    /// While the full map is behind the session: how many frames have gone on with it.
+    pending: Option<u32>,
+    /// Counts what the map has been asked for.
+    revision: u64,
+    /// The revision of the full map, and of the one in the picture.
+    map_revision: u64,
+    shown_revision: u64,
+    /// The revision that the draft has followed, or could not.
+    draft_revision: u64,
     draft: Draft,
-    /// How many updates in a row were too slow for a drag.
-    slow_updates: u32,
-    pub(super) slow_update_ms: f64,
+    /// How many times in a row a frame was too short for an update.
+    unfinished: u32,
+    pub(super) update_ms: f64,
+    /// The direction of the full map in the picture.
+    shown_direction: Direction,
     quality: Option<Quality>,
     triangles: Vec<TriangleDistortion>,
+    /// Those of a measurement under way, of the map of this generation.
+    measuring: Vec<TriangleDistortion>,
+    measuring_generation: u64,
     measured: u64,
     quality_ms: f64,
     quality_stale: bool,
@@ -84,7 +106,7 @@ pub struct Model {
     /// The points of a session whose domains are being prepared.
     incoming_points: [Option<(Option<DVec2>, f64)>; 2],
     refines: Refines,
-    /// Where the pattern lived at the last refresh.
+    /// Where the pattern in the picture lives.
     pattern_home: Option<Side>,
     teaching: Teaching,
     surface: SurfaceSide,
@@ -103,11 +125,20 @@ impl Model {
             session,
             sides,
             map: None,
+            next: None,
+            pending: None,
+            revision: 0,
+            map_revision: 0,
+            shown_revision: 0,
+            draft_revision: 0,
             draft: Draft::default(),
-            slow_updates: 0,
-            slow_update_ms: SLOW_UPDATE_MS,
+            unfinished: 0,
+            update_ms: UPDATE_MS,
+            shown_direction: Direction::default(),
             quality: None,
             triangles: Vec::new(),
+            measuring: Vec::new(),
+            measuring_generation: 0,
             measured: 0,
             quality_ms: 0.0,
             quality_stale: false,
@@ -147,8 +178,8 @@ impl Model {
         self.side(side).domain()
     }
 
-    /// The map that is shown, as soon as both domains are there: the full one, or a coarse
-    /// one while a drag is under way that the full one is too slow for.
+    /// The map that is shown, as soon as there is one: the full one, or a coarse one
+    /// while the full one is computed or too slow for the drag that is under way.
     pub fn map(&self) -> Option<&ConformalMap> {
         self.draft.map().or(self.map.as_ref())
     }
@@ -158,12 +189,30 @@ impl Model {
         self.draft.map().is_some()
     }
 
-    /// The domain of a side that is shown.
-    pub fn shown_domain(&self, side: Side) -> Option<&Arc<PreparedDomain>> {
-        self.draft.map().map_or_else(|| self.domain(side), |map| Some(map.domain(side)))
+    /// Whether the full map is not there yet: [`Self::refresh`] goes on with it, but not while dragging.
+    pub fn is_pending(&self) -> bool {
+        self.pending.is_some() || self.is_surface_pending()
     }
 
-    /// Angle distortion of the map; of the last one that was measured while a drag is under way.
+    /// The domain of a side that is shown: that of the map, before there is one the prepared one.
+    pub fn shown_domain(&self, side: Side) -> Option<&Arc<PreparedDomain>> {
+        let of_surface = self.surface_map().filter(|_| side == Side::Source).map(SurfaceMap::source);
+        of_surface.or_else(|| self.map().map(|map| map.domain(side))).or_else(|| self.domain(side))
+    }
+
+    /// The disk coordinates of the map that is shown, where [`Self::pattern_home`] asks for them.
+    pub fn shown_grid(&self) -> &DiskGrid {
+        if self.is_draft() { self.draft.grid() } else { &self.teaching.grid }
+    }
+
+    /// The side where the pattern in the picture lives; `None`: in the disk. It follows the
+    /// session as soon as there are disk coordinates.
+    pub fn pattern_home(&self) -> Option<Side> {
+        self.pattern_home
+    }
+
+    /// Angle distortion of the map; of the last one that was measured while a drag is under way;
+    /// none before another large mesh has rested.
     pub fn quality(&self) -> Option<Quality> {
         self.quality
     }
@@ -193,15 +242,18 @@ impl Model {
         self.map_error.as_ref().map(|(side, message)| (*side, message.as_str()))
     }
 
-    /// Whether a side has a new outline since the last call: its viewport fits it.
+    /// Whether a side shows a new outline since the last call: its viewport fits it.
     pub fn take_refit(&mut self, side: Side) -> bool {
-        std::mem::take(&mut self.refit[side as usize])
+        let comes = self.pending.is_some() && self.next.is_some();
+        let shows_the_old_one = comes && self.map.is_some() && !self.is_draft();
+        !shows_the_old_one && std::mem::take(&mut self.refit[side as usize])
     }
 
-    /// A first map is shown and nothing is being prepared.
+    /// The full map of what is asked for is shown and nothing is being prepared.
     pub fn is_ready(&self) -> bool {
         let mapped = self.map.is_some() || self.surface_map().is_some();
-        mapped && !self.sides.iter().any(Preparation::is_busy) && !self.surface.preparation.is_busy()
+        let is_busy = self.sides.iter().any(Preparation::is_busy) || self.surface.preparation.is_busy();
+        mapped && !self.is_pending() && !is_busy
     }
 
     /// Lower left and upper right corner of a side's domain.
@@ -244,3 +296,6 @@ pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod surface_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

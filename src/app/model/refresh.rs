@@ -1,46 +1,43 @@
-//! Bringing the map up to date with session and domains, in full or, during a slow drag, coarsely.
+//! A frame of the model: the map is brought up to date (file `update`), refined, measured, and taught with.
 
 use super::{Changes, Model, Refines};
 use crate::app::teaching::walks::WalkAction;
 use crate::app::teaching::{Situation, Teaching};
 use crate::app::textured;
-use crate::conformal::{ConformalMap, Constraints, MapError, Quality, Side, surface_distortions, triangle_distortions};
-use crate::laplace::SolverKind;
-use crate::session::Session;
-use std::sync::Arc;
+use crate::conformal::{ConformalMap, Quality, Side, advance_distortions, advance_surface_distortions};
+use crate::laplace::Deadline;
+use crate::session::{Colouring, Session};
 use web_time::Instant;
 
 /// The quality is computed with every update when it takes less than this, else when the drag rests.
 const CHEAP_QUALITY_MS: f64 = 1.0;
+
+/// Another mesh with more triangles is measured when the map rests: these take 10 ms.
+const MEASURED_AT_ONCE: usize = 200_000;
 
 /// What a frame spends on an extension that is not complete: half of a frame at 60 Hz. The app
 /// asks for another frame whenever images changed, and so goes on until it is.
 const REFINE_MS: f64 = 8.0;
 
 impl Model {
-    /// Brings the map up to date with session and domains; `dragging`: a dot is held.
+    /// Brings the map up to date with session and domains, or goes on with that; `dragging`: a dot moves.
     pub fn refresh(&mut self, dragging: bool) -> Changes {
         if self.session.surface.is_some() {
             return self.refresh_surface();
         }
         let mut changes = Changes::default();
         if std::mem::take(&mut self.domains_changed) {
-            changes.meshes = true;
-            self.draft.forget();
-            self.keep_points_inside();
-            changes.map |= self.rebuild();
-            self.points_changed = false;
+            changes.meshes = self.take_domains();
+            self.points_changed = true;
         }
         if std::mem::take(&mut self.points_changed) {
-            let full = self.draft.map().is_none();
-            if dragging && self.is_slow() && self.follow_coarsely() {
-                (changes.meshes, changes.map) = (full, true);
-            } else {
-                changes |= self.update();
-            }
+            self.revision += 1;
+            self.pending = Some(0);
+        } else if self.pending.is_none() && self.lacks_grid() {
+            self.pending = Some(0);
         }
-        if !dragging && self.draft.map().is_some() {
-            changes |= self.update();
+        if self.pending.is_some() {
+            changes |= self.go_on(dragging);
         }
         let refined = self.refines == Refines::InRefresh && self.refine();
         changes.images = changes.map || refined;
@@ -49,13 +46,18 @@ impl Model {
             self.mesh_generation += u64::from(changes.meshes);
             self.count_images(changes.meshes);
         }
-        let home = textured::home(&self.session);
-        changes.meshes |= std::mem::replace(&mut self.pattern_home, home) != home;
-        let shown = self.draft.map().or(self.map.as_ref());
-        if let (None, Some(map)) = (home, shown) {
-            self.teaching.grid.update(&situation(map, &self.session, self.map_generation));
-        }
+        changes.meshes |= self.follow_pattern();
         changes
+    }
+
+    /// The pattern in the picture lives where it is wanted, once there are coordinates; whether that is elsewhere.
+    fn follow_pattern(&mut self) -> bool {
+        let home = textured::home(&self.session);
+        if home.is_none() {
+            self.draft.make_grid();
+        }
+        let is_there = home.is_some() || self.is_draft() || !self.lacks_grid();
+        is_there && std::mem::replace(&mut self.pattern_home, home) != home
     }
 
     /// When to refine an extension: at rest, where the picture has it from elsewhere.
@@ -74,7 +76,7 @@ impl Model {
 
     /// How far the images are those of the extension that was asked for, from 0 to 1.
     pub fn extension_progress(&self) -> f64 {
-        self.map.as_ref().map_or(1.0, ConformalMap::extension_progress)
+        self.map().map_or(1.0, ConformalMap::extension_progress)
     }
 
     /// Notes that images moved.
@@ -84,9 +86,18 @@ impl Model {
         // what the picture does not show is not worth a number
         let shown = self.refines == Refines::InRefresh || self.extension_progress() == 1.0;
         // Another mesh has other triangles: the old ones' distortions fit nothing any more.
-        if another_mesh || (shown && self.quality_ms < CHEAP_QUALITY_MS) {
+        if another_mesh && self.is_large() {
+            self.triangles.clear();
+            self.quality = None;
+        } else if another_mesh || (shown && self.quality_ms < CHEAP_QUALITY_MS) {
             self.measure();
         }
+    }
+
+    /// Whether a frame is too short to measure the map, and the picture does not need it.
+    fn is_large(&self) -> bool {
+        let count = self.shown().map_or(0, |map| map.triangles.len());
+        count > MEASURED_AT_ONCE && self.session.colouring == Colouring::Texture
     }
 
     /// What teaches.
@@ -102,7 +113,7 @@ impl Model {
     /// Brings what teaches up to date at the time `now` (seconds); in how many seconds to come back, if at all.
     pub fn teach(&mut self, now: f64) -> Option<f64> {
         // A coarse map has boundaries of its own: what is shown waits for the full one.
-        let map = self.map.as_ref().filter(|_| self.draft.map().is_none())?;
+        let map = self.map.as_ref().filter(|_| self.pending.is_none())?;
         let situation = situation(map, &self.session, self.map_generation);
         self.teaching.advance(&situation, self.session.comparison, now)
     }
@@ -114,114 +125,54 @@ impl Model {
 
     /// Measures the map's distortion.
     pub fn measure(&mut self) {
+        self.measuring.clear();
+        self.advance_measure(Deadline::NEVER);
+    }
+
+    /// Spends a frame's share on measuring the map's distortion, until it is not stale any more.
+    pub fn measure_at_rest(&mut self) {
+        if self.measuring_generation != self.generation {
+            self.measuring.clear();
+        }
+        self.advance_measure(Deadline::in_ms(self.update_ms));
+    }
+
+    fn advance_measure(&mut self, deadline: Deadline) {
         let start = Instant::now();
-        self.triangles.clear();
-        let shown = self.draft.map().or(self.map.as_ref());
-        self.quality = if let Some(map) = self.surface.map().filter(|_| self.session.surface.is_some()) {
-            surface_distortions(&map.surface().surface.mesh, map.images(), &mut self.triangles);
-            Some(Quality::summary(map.given(&self.triangles)))
-        } else {
-            shown.map(|map| {
-                triangle_distortions(map.mapped_mesh(), map.images(), &mut self.triangles);
-                Quality::summary(&self.triangles)
-            })
+        let spent = if self.measuring.is_empty() { 0.0 } else { self.quality_ms };
+        self.measuring_generation = self.generation;
+        let surface = self.surface.map().filter(|_| self.session.surface.is_some());
+        let planar = self.draft.map().or(self.map.as_ref());
+        let measuring = &mut self.measuring;
+        let is_done = match (surface, planar) {
+            (Some(map), _) => {
+                advance_surface_distortions(&map.surface().surface.mesh, map.images(), measuring, deadline)
+            }
+            (None, Some(map)) => advance_distortions(map.mapped_mesh(), map.images(), measuring, deadline),
+            (None, None) => true,
         };
-        self.measured = self.generation;
-        self.quality_ms = start.elapsed().as_secs_f64() * 1e3;
-        self.quality_stale = false;
-    }
-
-    fn constraints(&self) -> Option<Constraints> {
-        let poles = [self.domain(Side::Source)?.pole, self.domain(Side::Target)?.pole];
-        Some(self.session.constraints(poles))
-    }
-
-    /// A point that was set may lie outside a coarser polygon of the same outline.
-    pub(super) fn keep_points_inside(&mut self) {
-        for side in Side::BOTH {
-            if let Some(point) = self.session.interior[side as usize]
-                && let Some(inside) = self.interior_near(side, point)
-            {
-                self.session.interior[side as usize] = Some(inside);
-            }
+        if is_done {
+            std::mem::swap(&mut self.triangles, &mut self.measuring);
+            self.measuring.clear();
+            self.quality = match self.surface_map() {
+                Some(map) => Some(Quality::summary(map.given(&self.triangles))),
+                None => self.map().map(|_| Quality::summary(&self.triangles)),
+            };
+            self.measured = self.generation;
+            self.quality_stale = false;
         }
+        self.quality_ms = spent + start.elapsed().as_secs_f64() * 1e3;
     }
 
-    fn note_duration(&mut self, start: Instant) {
-        let slow = start.elapsed().as_secs_f64() * 1e3 > self.slow_update_ms;
-        self.slow_updates = if slow { self.slow_updates + 1 } else { 0 };
-    }
-
-    /// Whether the full map is too slow for a drag. One slow update says so of the iterative
-    /// solver only: a browser compiles what it runs for the first time.
-    fn is_slow(&self) -> bool {
-        let is_iterative = |side| self.domain(side).is_some_and(|domain| domain.solver.kind() == SolverKind::Pcg);
-        self.slow_updates > u32::from(!Side::BOTH.into_iter().any(is_iterative))
-    }
-
-    /// Lets the coarse map follow the points; whether it could.
-    fn follow_coarsely(&mut self) -> bool {
-        let Some(constraints) = self.constraints() else { return false };
-        let outlines = Side::BOTH.map(|side| &self.session.domain(side).outline);
-        self.draft.follow(outlines, &constraints, self.session.map_settings())
-    }
-
-    fn rebuild(&mut self) -> bool {
-        let (Some(source), Some(target)) = (self.domain(Side::Source), self.domain(Side::Target)) else { return false };
-        let Some(constraints) = self.constraints() else { return false };
-        let (source, target) = (Arc::clone(source), Arc::clone(target));
-        let start = Instant::now();
-        let map = ConformalMap::new(source, target, &constraints, self.session.map_settings());
-        self.note_duration(start);
-        match map {
-            Ok(mut map) => {
-                if let Some(old) = self.map.take() {
-                    map.adopt(old);
-                }
-                self.map = Some(map);
-                self.settle(None);
-                true
-            }
-            Err(error) => {
-                self.settle(Some(error));
-                false
-            }
-        }
-    }
-
-    /// Brings the full map up to date and shows it.
-    fn update(&mut self) -> Changes {
-        let retired = self.draft.retire();
-        let (Some(constraints), Some(map)) = (self.constraints(), &mut self.map) else {
-            return Changes { meshes: retired, ..Changes::default() };
-        };
-        let meshes = retired || map.direction() != self.session.direction;
-        let start = Instant::now();
-        let result = map.update(&constraints, self.session.map_settings());
-        self.note_duration(start);
-        let images = result.is_ok();
-        if !images {
-            (self.session.interior, self.session.anchor) = self.last_good_points;
-        }
-        self.settle(result.err());
-        Changes { meshes, map: images, images }
-    }
-
-    /// Goes on with an extension that is not complete; whether images changed.
+    /// Goes on with the extension in the picture if it is not complete; whether images changed.
     fn refine(&mut self) -> bool {
-        let Some(map) = &mut self.map else { return false };
+        let full = self.map.as_mut().filter(|_| self.pending.is_none());
+        let Some(map) = self.draft.map_mut().or(full) else { return false };
         let incomplete = map.extension_progress() < 1.0;
         if incomplete {
             map.refine(REFINE_MS);
         }
         incomplete
-    }
-
-    fn settle(&mut self, error: Option<MapError>) {
-        if error.is_none() {
-            self.last_good_points = (self.session.interior, self.session.anchor);
-        }
-        self.map_error = error.map(|error| (side_of(&error), error.to_string()));
     }
 }
 
@@ -229,12 +180,4 @@ fn situation<'a>(map: &'a ConformalMap, session: &Session, generation: u64) -> S
     let constraints = session.constraints(Side::BOTH.map(|side| map.domain(side).pole));
     let points = Side::BOTH.map(|side| constraints.point(side));
     Situation { map, generation, points, anchors: session.anchor }
-}
-
-fn side_of(error: &MapError) -> Side {
-    match error {
-        MapError::PointOutside { side, .. }
-        | MapError::AnchorNotFinite { side }
-        | MapError::NotConverged { side, .. } => *side,
-    }
 }

@@ -3,12 +3,16 @@
 //! The planar map sleeps behind it and is made anew when the surface goes.
 
 use super::{Changes, Model};
-use crate::app::surface::{Arrival, SurfaceSide, Wish};
+use crate::app::surface::{Advance, Arrival, SurfaceSide, Wish};
+use crate::app::teaching::disk_grid::GridMap;
+use crate::app::textured;
 use crate::conformal::{Side, SurfaceConstraints, SurfaceMap, SurfaceMapError};
 use crate::geometry::DVec3;
+use crate::laplace::Deadline;
 use crate::mesh::BarycentricPoint;
 use crate::session::{Command, SurfaceSpec, SurfaceState};
 use crate::worker::{Request, Response};
+use std::sync::Arc;
 
 impl Model {
     /// The surface and where its points are, while it stands in the target's place.
@@ -108,26 +112,30 @@ impl Model {
         self.domains_changed = true;
     }
 
-    /// Brings the surface's map up to date with session, domain and surface.
+    /// Brings the surface's map up to date with session, domain and surface, or goes on with that.
     pub(super) fn refresh_surface(&mut self) -> Changes {
         let mut changes = Changes::default();
-        let anew = std::mem::take(&mut self.domains_changed) || self.surface.map().is_none();
-        let moved = std::mem::take(&mut self.points_changed);
-        if anew {
-            self.keep_points_inside();
-            self.map = None;
-            self.draft.forget();
+        if std::mem::take(&mut self.domains_changed) {
+            self.put_plane_to_sleep();
+            self.points_changed = true;
+            if let Some(source) = self.domain(Side::Source).map(Arc::clone) {
+                self.keep_points_inside();
+                self.surface.begin(&source);
+            }
         }
-        if (anew || moved)
+        if (std::mem::take(&mut self.points_changed) || self.surface.is_under_way())
             && let Some(constraints) = self.surface_constraints()
         {
-            let source = self.domain(Side::Source).map(std::sync::Arc::clone);
-            let result = match (&source, anew) {
-                (Some(source), true) => self.surface.rebuild(source, &constraints),
-                _ => self.surface.update(&constraints),
-            };
-            (changes.meshes, changes.map) = (anew && result.is_ok(), result.is_ok());
-            self.settle_surface(result);
+            let deadline = Deadline::in_ms(self.update_ms);
+            match self.surface.advance(&constraints, deadline) {
+                Ok(Advance::Unfinished) => {}
+                Ok(advance) => {
+                    (changes.meshes, changes.map) = (advance == Advance::Replaced, true);
+                    self.revision += 1;
+                    self.settle_surface(None);
+                }
+                Err(error) => self.settle_surface(Some(error)),
+            }
         }
         changes.images = changes.map;
         if changes.images {
@@ -135,24 +143,35 @@ impl Model {
             self.mesh_generation += u64::from(changes.meshes);
             self.count_images(changes.meshes);
         }
-        self.follow_pattern(&mut changes);
+        self.follow_surface_pattern(&mut changes);
         changes
     }
 
-    /// The pattern of the disk needs coordinates of its own on both sides.
-    fn follow_pattern(&mut self, changes: &mut Changes) {
-        let home = crate::app::textured::home(&self.session);
-        let another = std::mem::replace(&mut self.pattern_home, home) != home;
-        changes.meshes |= another;
-        if home.is_some() || !(another || changes.map) {
-            return;
+    /// The planar map is made anew when the surface goes.
+    fn put_plane_to_sleep(&mut self) {
+        (self.map, self.next, self.pending) = (None, None, None);
+        self.draft.retire();
+        self.draft.forget();
+    }
+
+    /// The pattern of the disk needs coordinates of its own on both sides; until they are there, the old pattern stays.
+    fn follow_surface_pattern(&mut self, changes: &mut Changes) {
+        let home = textured::home(&self.session);
+        let Some(map) = self.surface.map() else { return };
+        if home.is_none() && !self.teaching.grid.is_of(self.revision) {
+            let deadline = Deadline::in_ms(self.update_ms);
+            if !self.teaching.grid.advance(GridMap::Surface(map), self.revision, deadline) {
+                return;
+            }
+            changes.images = true;
         }
-        if let Err(error) = self.surface.follow_disk() {
-            self.map_error = Some((Side::Target, error.to_string()));
-        }
-        if let Some(map) = self.surface.map() {
-            self.teaching.grid.follow_surface(map);
-        }
+        changes.meshes |= std::mem::replace(&mut self.pattern_home, home) != home;
+    }
+
+    /// Whether the surface's map, or its pattern, is on its way.
+    pub(super) fn is_surface_pending(&self) -> bool {
+        let lacks_grid = textured::home(&self.session).is_none() && !self.teaching.grid.is_of(self.revision);
+        self.session.surface.is_some() && (self.surface.is_under_way() || lacks_grid)
     }
 
     fn surface_constraints(&self) -> Option<SurfaceConstraints> {
@@ -165,27 +184,21 @@ impl Model {
         })
     }
 
-    fn settle_surface(&mut self, result: Result<(), SurfaceMapError>) {
-        match result {
-            Ok(()) => {
-                self.last_good_points = (self.session.interior, self.session.anchor);
-                self.last_good_surface.clone_from(&self.session.surface);
-                self.map_error = None;
-            }
-            Err(error) => {
-                (self.session.interior, self.session.anchor) = self.last_good_points;
-                if let (Some(state), Some(good)) = (&mut self.session.surface, &self.last_good_surface)
-                    && state.spec == good.spec
-                {
-                    (state.point, state.anchor) = (good.point, good.anchor);
-                }
-                let side = match &error {
-                    SurfaceMapError::Planar(_) => Side::Source,
-                    _ => Side::Target,
-                };
-                self.map_error = Some((side, error.to_string()));
-            }
+    fn settle_surface(&mut self, error: Option<SurfaceMapError>) {
+        let Some(error) = error else {
+            self.last_good_points = (self.session.interior, self.session.anchor);
+            self.last_good_surface.clone_from(&self.session.surface);
+            self.map_error = None;
+            return;
+        };
+        (self.session.interior, self.session.anchor) = self.last_good_points;
+        if let (Some(state), Some(good)) = (&mut self.session.surface, &self.last_good_surface)
+            && state.spec == good.spec
+        {
+            (state.point, state.anchor) = (good.point, good.anchor);
         }
+        let side = if matches!(error, SurfaceMapError::Planar(_)) { Side::Source } else { Side::Target };
+        self.map_error = Some((side, error.to_string()));
     }
 
     /// What was noticed when the surface was read, and how it was repaired.

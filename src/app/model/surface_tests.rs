@@ -156,7 +156,7 @@ fn the_pattern_of_the_disk_has_coordinates_on_the_surface() {
     model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
     assert!(model.refresh(false).meshes);
     let (side, state) = model.surface().unwrap();
-    let coordinates = side.disk_coordinates();
+    let coordinates = model.shown_grid().of(Side::Target);
     let mesh = &side.surface().unwrap().surface.mesh;
     assert_eq!(coordinates.len(), mesh.vertices.len());
     let m = mesh.boundary_count as usize;

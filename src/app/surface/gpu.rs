@@ -2,6 +2,7 @@
 
 use super::SurfaceSide;
 use crate::app::model::{Changes, Model};
+use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::render::{
     CellStyle, OrbitCamera, StrokeStyle, SurfaceFrame, SurfaceGeometry, TextureStyle, ViewportRenderer,
@@ -30,10 +31,10 @@ pub fn upload(state: &RenderState, renderer: &mut ViewportRenderer, model: &Mode
 }
 
 /// Where the surface's vertices look the pattern up.
-fn coordinates<'a>(side: &'a SurfaceSide, model: &Model) -> Option<&'a [DVec2]> {
-    match crate::app::textured::home(model.session()) {
+fn coordinates<'a>(side: &'a SurfaceSide, model: &'a Model) -> Option<&'a [DVec2]> {
+    match model.pattern_home() {
         Some(_) => Some(side.map()?.images()),
-        None => Some(side.disk_coordinates()),
+        None => Some(model.shown_grid().of(Side::Target)),
     }
 }
 

@@ -21,4 +21,4 @@ pub mod viewport;
 pub use orbit::OrbitView;
 pub use picture::surface_picture;
 pub use preparation::{Arrival, SurfacePreparation, Wish};
-pub use side::SurfaceSide;
+pub use side::{Advance, SurfaceSide};

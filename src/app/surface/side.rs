@@ -4,8 +4,8 @@
 
 use super::SurfacePreparation;
 use crate::conformal::{PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceMapError};
-use crate::geometry::{DVec2, DVec3};
-use crate::laplace::Lanes;
+use crate::geometry::DVec3;
+use crate::laplace::Deadline;
 use crate::mesh::{BarycentricPoint, NO_TRIANGLE};
 use crate::render::{BoundingSphere, OrbitCamera};
 use crate::session::{SurfaceShape, SurfaceState};
@@ -27,9 +27,10 @@ pub struct SurfaceSide {
     shown: Option<Arc<PreparedSurface>>,
     map: Option<SurfaceMap>,
     scene: Option<BoundingSphere>,
-    /// The conformal polar coordinates of the surface, where they are shown.
-    disk: Vec<DVec2>,
-    scratch: Vec<Lanes<2>>,
+    /// The map of another surface or outline, until it is complete.
+    next: Option<SurfaceMap>,
+    /// The constraints that the map is on its way to.
+    under_way: Option<SurfaceConstraints>,
 }
 
 impl SurfaceSide {
@@ -40,7 +41,7 @@ impl SurfaceSide {
             let BoundingSphere { center, radius } = BoundingSphere::of(&surface.surface.mesh.vertices);
             BoundingSphere { center, radius: ROOM * radius }
         });
-        self.map = None;
+        (self.map, self.next, self.under_way) = (None, None, None);
     }
 
     /// The surface.
@@ -71,18 +72,6 @@ impl SurfaceSide {
         };
         camera.fit(scene, aspect);
         Some(camera)
-    }
-
-    /// g at the vertices of the surface, see [`crate::conformal::surface_disk_coordinates`]; empty before
-    /// [`Self::follow_disk`].
-    pub fn disk_coordinates(&self) -> &[DVec2] {
-        &self.disk
-    }
-
-    /// Brings the disk coordinates to the map.
-    pub fn follow_disk(&mut self) -> Result<(), crate::laplace::NotConverged> {
-        let Some(map) = &self.map else { return Ok(()) };
-        crate::conformal::surface_disk_coordinates(map.surface(), map.measure(), &mut self.disk, &mut self.scratch)
     }
 
     /// The interior point where its handle is.
@@ -130,19 +119,42 @@ impl SurfaceSide {
         Some(BarycentricPoint { triangle, weights: weights.map(|w| w / total) })
     }
 
-    /// The map under `constraints`, anew.
-    pub fn rebuild(
-        &mut self,
-        source: &Arc<PreparedDomain>,
-        constraints: &SurfaceConstraints,
-    ) -> Result<(), SurfaceMapError> {
-        let Some(surface) = &self.shown else { return Ok(()) };
-        self.map = Some(SurfaceMap::new(Arc::clone(source), Arc::clone(surface), constraints)?);
-        Ok(())
+    /// Begins with a map over another outline, or of another surface.
+    pub fn begin(&mut self, source: &Arc<PreparedDomain>) {
+        self.under_way = None;
+        self.next = self.shown.as_ref().map(|surface| SurfaceMap::unmapped(Arc::clone(source), Arc::clone(surface)));
     }
 
-    /// Brings the map to `constraints`.
-    pub fn update(&mut self, constraints: &SurfaceConstraints) -> Result<(), SurfaceMapError> {
-        self.map.as_mut().map_or(Ok(()), |map| map.update(constraints))
+    /// Whether the map is on its way.
+    pub fn is_under_way(&self) -> bool {
+        self.next.is_some() || self.under_way.is_some()
     }
+
+    /// Goes on with the map until `deadline` is over. One that takes several frames comes to where the points were
+    /// when it began, and then goes on to `wanted`: under a drag the picture follows as fast as it can.
+    pub fn advance(&mut self, wanted: &SurfaceConstraints, deadline: Deadline) -> Result<Advance, SurfaceMapError> {
+        let Some(map) = self.next.as_mut().or(self.map.as_mut()) else { return Ok(Advance::Unfinished) };
+        let constraints = *self.under_way.get_or_insert(*wanted);
+        let is_done = map.advance(&constraints, deadline).inspect_err(|_| self.under_way = None)?;
+        if !is_done {
+            return Ok(Advance::Unfinished);
+        }
+        self.under_way = (constraints != *wanted).then_some(*wanted);
+        if self.next.is_none() {
+            return Ok(Advance::Moved);
+        }
+        self.map = self.next.take();
+        Ok(Advance::Replaced)
+    }
+}
+
+/// What a frame's share of work has come to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Advance {
+    /// The picture stays.
+    Unfinished,
+    /// The same meshes have other images.
+    Moved,
+    /// Another surface or outline.
+    Replaced,
 }

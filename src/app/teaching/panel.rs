@@ -101,7 +101,7 @@ pub fn pattern(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     }
     if session.texture == TextureKind::Conformal {
         // It lives in the disk.
-        problem(ui, model.teaching().grid.error());
+        problem(ui, model.shown_grid().error());
     } else if model.surface().is_none()
         && let Some(home) = segmented(ui, &HOMES, session.texture_side)
     {

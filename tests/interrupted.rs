@@ -1,0 +1,148 @@
+//! A map that is computed in pieces is the map that is computed at once, to the bit, and is never seen half done.
+
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use riemap::conformal::{
+    ConformalMap, Constraints, Direction, Extension, ExtensionScratch, KernelMode, MapError, MapSettings, Memory,
+    PrepareSettings, PreparedDomain, Side, SurfaceConstraints, SurfaceMap, SurfaceSettings, advance_extension,
+    begin_disk_coordinates, disk_coordinates, prepare, prepare_surface,
+};
+use riemap::geometry::DVec2;
+use riemap::laplace::{Deadline, SolverKind};
+use riemap::outline::{Preset, Sampling};
+use riemap::surface::{SurfaceMesh, SurfacePreset};
+use std::sync::Arc;
+
+const MODES: [(SolverKind, KernelMode); 3] = [
+    (SolverKind::Direct, KernelMode::Adjoint),
+    (SolverKind::Pcg, KernelMode::Adjoint),
+    (SolverKind::Direct, KernelMode::Table),
+];
+
+fn domain(preset: Preset, (solver, kernel): (SolverKind, KernelMode)) -> Arc<PreparedDomain> {
+    let sampling = Sampling::Adaptive { target: Some(300) };
+    let settings = PrepareSettings { sampling, solver, kernel, ..PrepareSettings::default() };
+    Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
+}
+
+fn constraints(source: &PreparedDomain, target: &PreparedDomain, t: f64) -> Constraints {
+    Constraints {
+        source_point: source.pole + t * DVec2::new(0.02, 0.03),
+        target_point: target.pole - t * DVec2::new(0.03, 0.01),
+        source_anchor: 0.3 * t,
+        target_anchor: 0.9 * t,
+    }
+}
+
+/// All that a map says.
+fn seen(map: &ConformalMap) -> impl PartialEq + std::fmt::Debug + use<> {
+    let sides = Side::BOTH.map(|side| (map.kernel(side).to_vec(), map.measure(side).clone()));
+    (sides, map.correspondence().clone(), map.images().to_vec(), map.direction(), map.extension())
+}
+
+/// Advances by the smallest steps; asserts that nothing is seen before the last one. How many there were.
+fn step_by_step(map: &mut ConformalMap, constraints: &Constraints, settings: MapSettings) -> usize {
+    let (before, mut steps) = (seen(map), 1);
+    while !map.advance(constraints, settings, Deadline::in_ms(0.0)).unwrap() {
+        assert_eq!(seen(map), before, "step {steps}");
+        steps += 1;
+    }
+    steps
+}
+
+#[test]
+fn a_map_in_pieces_is_the_map_at_once_and_never_torn() {
+    for mode in MODES {
+        let (source, target) = (domain(Preset::Heart, mode), domain(Preset::Star, mode));
+        let mut whole = ConformalMap::unmapped(Arc::clone(&source), Arc::clone(&target));
+        let mut pieces = ConformalMap::unmapped(Arc::clone(&source), Arc::clone(&target));
+        for (t, direction, extension) in [
+            (0.0, Direction::Backward, Extension::Harmonic),
+            (1.0, Direction::Backward, Extension::Harmonic),
+            (1.0, Direction::Forward, Extension::Harmonic),
+            (2.0, Direction::Forward, Extension::CauchyGreen),
+        ] {
+            let (at, settings) = (constraints(&source, &target, t), MapSettings { direction, extension });
+            whole.update(&at, settings).unwrap();
+            let steps = step_by_step(&mut pieces, &at, settings);
+            assert!(steps > 3, "{mode:?}, {t}: {steps} steps");
+            assert_eq!(seen(&pieces), seen(&whole), "{mode:?}, {t}");
+            assert_eq!(step_by_step(&mut pieces, &at, settings), 1, "it is done");
+        }
+    }
+}
+
+#[test]
+fn other_constraints_start_over_and_bad_ones_change_nothing() {
+    for mode in &MODES[..2] {
+        let (source, target) = (domain(Preset::Heart, *mode), domain(Preset::Star, *mode));
+        let settings = MapSettings::default();
+        let at = |t: f64| constraints(&source, &target, t);
+        let mut map = ConformalMap::new(Arc::clone(&source), Arc::clone(&target), &at(0.0), settings).unwrap();
+        let first = seen(&map);
+        // left after 1, 2, … steps: in the kernels, in the extension
+        for left in 1..8 {
+            for _ in 0..left {
+                map.advance(&at(1.0), settings, Deadline::in_ms(0.0)).unwrap();
+            }
+            step_by_step(&mut map, &at(2.0), settings);
+            let fresh = ConformalMap::new(Arc::clone(&source), Arc::clone(&target), &at(2.0), settings).unwrap();
+            assert_eq!(seen(&map), seen(&fresh), "left after {left} steps");
+            map.advance(&at(1.0), settings, Deadline::in_ms(0.0)).unwrap();
+            let outside = Constraints { source_point: DVec2::splat(1e3), ..at(1.0) };
+            let error = map.advance(&outside, settings, Deadline::NEVER);
+            assert!(matches!(error, Err(MapError::PointOutside { side: Side::Source, .. })), "{error:?}");
+            assert_eq!(seen(&map), seen(&fresh));
+            map.update(&at(0.0), settings).unwrap();
+            assert_eq!(seen(&map), first);
+        }
+    }
+}
+
+#[test]
+fn disk_coordinates_in_pieces_are_those_at_once() {
+    for mode in &MODES[..2] {
+        let (source, target) = (domain(Preset::Heart, *mode), domain(Preset::Star, *mode));
+        let at = constraints(&source, &target, 1.0);
+        let map = ConformalMap::new(source, target, &at, MapSettings::default()).unwrap();
+        let (mut scratch, mut whole, mut pieces) = (ExtensionScratch::default(), Vec::new(), vec![DVec2::ONE]);
+        for side in Side::BOTH {
+            let (domain, measure, before) = (map.domain(side), map.measure(side), pieces.clone());
+            disk_coordinates(domain, measure, &mut whole, &mut scratch).unwrap();
+            begin_disk_coordinates(domain, measure, &mut scratch);
+            let mut steps = 1;
+            while !advance_extension(domain, &mut scratch, &mut pieces, Deadline::in_ms(0.0)).unwrap() {
+                assert_eq!(pieces, before);
+                steps += 1;
+            }
+            assert!(steps > 1 && whole == pieces, "{mode:?}, {side}: {steps} steps");
+        }
+    }
+}
+
+#[test]
+fn a_surface_in_pieces_is_the_surface_at_once() {
+    for solver in [SolverKind::Direct, SolverKind::Pcg] {
+        let source = domain(Preset::Disk, (SolverKind::Direct, KernelMode::Adjoint));
+        let surface = SurfaceMesh::new(&SurfacePreset::ALL[0].surface(120).unwrap()).unwrap();
+        let settings = SurfaceSettings { solver, ..SurfaceSettings::default() };
+        let surface = Arc::new(prepare_surface(Memory::default(), surface, settings, &mut |_| ()).unwrap());
+        let at = |anchor: f64| SurfaceConstraints {
+            source_point: source.pole + DVec2::splat(0.1 * anchor),
+            source_anchor: 0.0,
+            surface_point: surface.centre,
+            surface_anchor: anchor,
+        };
+        let mut map = SurfaceMap::new(Arc::clone(&source), Arc::clone(&surface), &at(0.0)).unwrap();
+        let (before, mut steps) = (map.images().to_vec(), 1);
+        map.advance(&at(0.5), Deadline::in_ms(0.0)).unwrap();
+        while !map.advance(&at(0.2), Deadline::in_ms(0.0)).unwrap() {
+            assert_eq!(map.images(), before);
+            steps += 1;
+        }
+        let whole = SurfaceMap::new(Arc::clone(&source), Arc::clone(&surface), &at(0.2)).unwrap();
+        assert!(steps > 2 && map.images() == whole.images(), "{solver:?}: {steps} steps");
+        assert_eq!((map.kernel(), map.measure()), (whole.kernel(), whole.measure()));
+        assert_eq!(map.correspondence(), whole.correspondence());
+    }
+}
