@@ -24,7 +24,7 @@ const WRAP: f32 = 0.3;
 // Of the sheen at the key light's reflection.
 const SHEEN: f32 = 0.035;
 // Back faces get this part of the light.
-const BACK: f32 = 0.5;
+const BACK: f32 = 0.6;
 
 // Two 12-bit numbers of the octahedron's square in one float (Cigolle et al. 2014, "oct24").
 fn unpacked_normal(packed: f32) -> vec3<f32> {

@@ -97,6 +97,26 @@ fn every_format_keeps_the_file_s_vertices_and_reads_back() {
 }
 
 #[test]
+fn a_picture_has_the_size_that_is_asked_for_and_shows_surface_and_layout() {
+    let folder = folder("flatten-picture");
+    let out = folder.join("uv.png").display().to_string();
+    let arguments = ["preset:hemisphere:40", "preset:disk", "--samples", "80", "--size", "320x160", "--out", &out];
+    let output = flatten(&arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    if stderr.contains("no graphics adapter") && std::env::var_os("CI").is_none() {
+        return println!("skipped: {stderr}");
+    }
+    assert!(output.status.success(), "{stderr}");
+    let picture = image::open(&out).unwrap().to_rgba8();
+    assert_eq!(picture.dimensions(), (320, 160));
+    // something other than the ground in the middle of both halves, and the ground in the corners
+    let ground = *picture.get_pixel(0, 0);
+    assert_ne!(picture.get_pixel(80, 80), &ground);
+    assert_ne!(picture.get_pixel(240, 80), &ground);
+    assert_eq!(picture.get_pixel(319, 159), &ground);
+}
+
+#[test]
 fn points_are_named_in_three_ways() {
     let folder = folder("flatten-points");
     let surface = file(&folder, "grid.obj", &grid().replacen("v 9 9 9", "v 0 0 0", 1));

@@ -14,6 +14,12 @@ use crate::render::{
 /// Squares of the checkerboard across the outline's larger side.
 const CELLS: f64 = 16.0;
 
+/// Free space around surface and outline, as a part of a half's smaller side.
+const MARGIN: f64 = 0.06;
+
+/// The boundary's stroke on the surface relative to the outline's.
+const LOOP_TO_OUTLINE: f32 = 1.4;
+
 /// A PNG of `size` pixels. A preset, by its name, is seen from its own side.
 pub fn png(
     name: &str,
@@ -43,7 +49,7 @@ pub fn png(
         cells: None,
         camera,
         style,
-        stroke: Some(stroke),
+        stroke: Some(StrokeStyle { width_px: LOOP_TO_OUTLINE * stroke.width_px, ..stroke }),
         handles: &on_surface,
     };
     let in_plane = planar_handles(source, constraints, radius_px);
@@ -63,7 +69,7 @@ pub fn png(
         }),
         handles: &in_plane,
     };
-    let margin_px = 0.06 * size[1] as f32;
+    let margin_px = MARGIN as f32 * size[1].min(size[0] / 2) as f32;
     let scene = SceneDescription { viewports: &[right], background: BACKGROUND, image: None, margin_px };
     let failed = |error: crate::render::RenderError| CliError::Input(error.to_string());
     let (device, queue, _) = headless_device().map_err(failed)?;
@@ -77,10 +83,12 @@ fn source_bounds(source: &PreparedDomain) -> (crate::geometry::DVec2, crate::geo
 
 fn camera(name: &str, surface: &PreparedSurface, aspect: f64) -> OrbitCamera {
     let mesh = &surface.surface.mesh;
-    match preset(name).map(crate::surface::SurfacePreset::view) {
+    let mut camera = match preset(name).map(crate::surface::SurfacePreset::view) {
         Some([towards_eye, up]) => OrbitCamera::new(BoundingSphere::of(&mesh.vertices), towards_eye, up, aspect),
         None => OrbitCamera::before(&mesh.vertices, &mesh.triangles, aspect),
-    }
+    };
+    camera.frame(&mesh.vertices, aspect, MARGIN);
+    camera
 }
 
 fn surface_handles(

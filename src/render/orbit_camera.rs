@@ -99,6 +99,28 @@ impl OrbitCamera {
         self.distance = scene.radius / narrow.sin();
     }
 
+    /// Moves and comes so near that `points` are in the middle of the viewport and touch its margin, a part of
+    /// its smaller side, from the same side. Cost O(n).
+    pub fn frame(&mut self, points: &[DVec3], aspect: f64, margin: f64) {
+        let half = (0.5 * self.field_of_view).tan();
+        let room = DVec2::new(half * aspect, half) - margin * half * aspect.min(1.0) * 2.0;
+        let inverse = self.rotation.inverse();
+        // the planes through the viewport's sides that touch the points, each by the offset of its apex
+        let sides = |point: DVec3| {
+            let seen = inverse * (point - self.target);
+            let flat = seen.truncate();
+            [flat + seen.z * room, -flat + seen.z * room]
+        };
+        let start = [DVec2::NEG_INFINITY; 2];
+        let [high, low] = points.iter().map(|&p| sides(p)).fold(start, |[a, b], [c, d]| [a.max(c), b.max(d)]);
+        let distance = (0.5 * (high + low) / room).max_element();
+        let shift = 0.5 * (high - low);
+        if distance.is_finite() && shift.is_finite() && distance > 0.0 && room.min_element() > 0.0 {
+            self.target += self.rotation * shift.extend(0.0);
+            self.distance = distance;
+        }
+    }
+
     /// Turns what is seen as if it were a ball under the pointer, which moved by `delta` points.
     pub fn orbit(&mut self, delta: DVec2) {
         let angle = TURN_PER_POINT * delta.length();
@@ -276,6 +298,30 @@ mod tests {
             // 4000 points leave caps of 0.03 of the radius
             assert!((-1e-9..2.0).contains(&nearest_edge), "aspect {aspect}: {nearest_edge}");
         }
+    }
+
+    #[test]
+    fn framed_points_touch_the_margin_and_are_in_the_middle() {
+        let points: Vec<_> =
+            (0..50).map(|k| SCENE.center + DVec3::new(f64::from(k).sin(), 0.3, f64::from(k).cos())).collect();
+        for aspect in [0.5, 1.6] {
+            let size = DVec2::new(400.0 * aspect, 400.0);
+            let mut camera = camera();
+            camera.frame(&points, aspect, 0.1);
+            let seen: Vec<_> = points.iter().map(|&p| camera.to_screen(p, size).unwrap()).collect();
+            let (low, high) =
+                seen.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+            let margin = 0.1 * size.min_element();
+            let [free_low, free_high] = [low - margin, size - margin - high];
+            assert!(free_low.min_element() > -1e-9 && free_high.min_element() > -1e-9, "{low} {high}");
+            // one side of each pair would touch, were it not for the other direction
+            let touches = free_low.min(free_high).min_element();
+            assert!(touches < 1e-9, "{low} {high} in {size}");
+        }
+        let mut camera = camera();
+        let before = camera;
+        camera.frame(&[], 1.0, 0.1);
+        assert_eq!(camera, before);
     }
 
     #[test]

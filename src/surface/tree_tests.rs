@@ -8,6 +8,7 @@ use crate::geometry::DVec3;
 use crate::mesh::{BarycentricPoint, TriMesh};
 use proptest::prelude::*;
 use std::sync::LazyLock;
+use std::time::Instant;
 
 fn place(mesh: &TriMesh<DVec3>, point: BarycentricPoint) -> DVec3 {
     let corners = mesh.triangles[point.triangle as usize];
@@ -158,4 +159,24 @@ proptest! {
 #[test]
 fn what_is_not_finite_is_near_nothing() {
     assert!(SurfaceTree::new(&cube()).nearest(DVec3::NAN).is_none());
+}
+
+#[test]
+#[ignore = "a measurement: prints the times of this machine"]
+fn seventy_thousand_triangles() {
+    let mesh = SurfaceMesh::new(&SurfacePreset::Hemisphere.surface(650).unwrap()).unwrap().mesh;
+    let build = || {
+        let start = Instant::now();
+        (SurfaceTree::new(&mesh), start.elapsed())
+    };
+    let (tree, least) = (0..9).map(|_| build()).min_by_key(|(_, time)| *time).unwrap();
+    let places: Vec<_> = (0..1000).map(|k| DVec3::new(2.0, f64::from(k) / 500.0 - 1.0, 1.5)).collect();
+    let start = Instant::now();
+    let hits = places.iter().filter(|&&p| tree.ray(p, DVec3::new(0.1, 0.1, 0.3) - p).is_some()).count();
+    let rays = start.elapsed() / 1000;
+    let start = Instant::now();
+    let found = places.iter().filter(|&&p| tree.nearest(p).is_some()).count();
+    let nearest = start.elapsed() / 1000;
+    println!("{} triangles: tree {least:?}, ray {rays:?}, nearest {nearest:?}", mesh.triangles.len());
+    assert_eq!((hits, found), (1000, 1000));
 }

@@ -13,3 +13,4 @@ mod live;
 mod numbers;
 mod pictures;
 mod support;
+mod surface;

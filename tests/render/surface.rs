@@ -1,0 +1,251 @@
+//! Surfaces in space: patterns where they belong, depth, edges, light, handles.
+
+use super::support::*;
+use glam::{DVec2, DVec3};
+use image::{Rgba, RgbaImage};
+use riemap::render::{
+    BoundingSphere, CellCode, CellStyle, ColourMap, OrbitCamera, Pattern, SceneDescription, SceneSurface, StrokeStyle,
+    SurfaceGeometry, SurfaceHandle, TextureStyle, render_surface_with,
+};
+use riemap::surface::{SurfaceMesh, SurfacePreset};
+
+const SIZE: u32 = 240;
+const WIRE: StrokeStyle = StrokeStyle { colour: [1.0, 0.0, 0.0, 1.0], width_px: 3.0 };
+const LOOP: StrokeStyle = StrokeStyle { colour: [0.0, 1.0, 0.0, 1.0], width_px: 5.0 };
+
+/// Squares facing the eye, which is on the z axis: by their lower left and upper right corner, and z.
+struct Squares {
+    positions: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    coordinates: Vec<DVec2>,
+    boundary_count: u32,
+}
+
+impl Squares {
+    /// The first square's corners are the boundary; square k looks the texture up in column k of `count`.
+    fn new(squares: &[(DVec2, DVec2, f64)]) -> Self {
+        let corners = |&(low, high, z): &(DVec2, DVec2, f64)| {
+            [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)].map(|p| p.extend(z))
+        };
+        let count = squares.len();
+        let column = |k: usize| DVec2::new((2 * k + 1) as f64 / count as f64 - 1.0, 0.0);
+        Self {
+            positions: squares.iter().flat_map(corners).collect(),
+            triangles: (0..count as u32).flat_map(|k| [[0, 1, 2], [0, 2, 3]].map(|t| t.map(|v| v + 4 * k))).collect(),
+            coordinates: (0..count).flat_map(|k| [column(k); 4]).collect(),
+            boundary_count: 4,
+        }
+    }
+
+    fn scene(&self) -> SceneSurface<'_> {
+        SceneSurface {
+            geometry: SurfaceGeometry {
+                positions: &self.positions,
+                triangles: &self.triangles,
+                boundary_count: self.boundary_count,
+            },
+            texture_coordinates: &self.coordinates,
+            codes: &[],
+            cells: None,
+            camera: camera(DVec3::Z),
+            style: style(Pattern::Image, 1.0),
+            stroke: Some(LOOP),
+            handles: &[],
+        }
+    }
+}
+
+fn camera(towards_eye: DVec3) -> OrbitCamera {
+    OrbitCamera::new(BoundingSphere { center: DVec3::ZERO, radius: 1.6 }, towards_eye, DVec3::Y, 1.0)
+}
+
+/// The pixel at which a place is seen.
+fn pixel(camera: &OrbitCamera, place: [f64; 3]) -> [u32; 2] {
+    let at = camera.to_screen(DVec3::from_array(place), DVec2::splat(f64::from(SIZE))).unwrap();
+    [at.x as u32, at.y as u32]
+}
+
+/// Wide columns of flat colours over [−1, 1]².
+fn columns(colours: &[[u8; 4]]) -> RgbaImage {
+    let count = colours.len() as u32;
+    RgbaImage::from_fn(64 * count, 64 * count, |x, _| Rgba(colours[(x / 64) as usize]))
+}
+
+fn picture(gpu: &Gpu, surface: &SceneSurface, image: Option<&RgbaImage>) -> RgbaImage {
+    let scene = SceneDescription { viewports: &[], background: BACKGROUND, image, margin_px: 0.0 };
+    render_surface_with(&gpu.0, &gpu.1, surface, &scene, [SIZE, SIZE]).unwrap()
+}
+
+const ORANGE: [u8; 4] = [230, 150, 60, 255];
+const BLUE: [u8; 4] = [60, 110, 200, 255];
+
+/// A large square, and a small one before it, where the texture is orange and blue.
+fn one_before_the_other() -> Squares {
+    Squares::new(&[(-DVec2::ONE, DVec2::ONE, -0.5), (DVec2::splat(-0.4), DVec2::splat(0.4), 0.5)])
+}
+
+#[test]
+fn the_nearer_face_hides_the_farther_in_either_order_and_flat_colours_are_as_asked() {
+    let Some(gpu) = gpu() else { return };
+    let image = columns(&[ORANGE, BLUE]);
+    let mut squares = one_before_the_other();
+    for _ in 0..2 {
+        let shown = picture(gpu, &squares.scene(), Some(&image));
+        let camera = camera(DVec3::Z);
+        // the sheen adds a thousandth of the light; linear to encoded in 8 bits
+        assert_pixel(&shown, pixel(&camera, [0.1, -0.2, 0.5]), BLUE, 2, "in front");
+        assert_pixel(&shown, pixel(&camera, [-0.8, 0.8, -0.5]), ORANGE, 2, "behind");
+        assert_pixel(&shown, [2, 2], bytes(BACKGROUND), 1, "background");
+        squares.triangles.rotate_left(2);
+    }
+}
+
+#[test]
+fn back_faces_have_three_fifths_of_the_light() {
+    let Some(gpu) = gpu() else { return };
+    let image = columns(&[ORANGE]);
+    let mut square = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
+    square.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+    let shown = picture(gpu, &square.scene(), Some(&image));
+    let back = shown.get_pixel(SIZE / 2 + 9, SIZE / 2).0;
+    for (actual, front) in back.into_iter().zip(ORANGE).take(3) {
+        let share = linear(actual) / linear(front);
+        assert!((share - 0.6).abs() < 0.03, "{actual} of {front}: {share}");
+    }
+}
+
+#[test]
+fn the_loop_is_drawn_where_nothing_is_before_it() {
+    let Some(gpu) = gpu() else { return };
+    // the small square's right side covers the middle of the large one's
+    let squares = Squares::new(&[(-DVec2::ONE, DVec2::ONE, -0.5), (DVec2::new(0.2, -0.4), DVec2::new(0.9, 0.4), 0.5)]);
+    let shown = picture(gpu, &squares.scene(), Some(&columns(&[ORANGE, BLUE])));
+    let camera = camera(DVec3::Z);
+    let green = bytes(LOOP.colour);
+    assert_pixel(&shown, pixel(&camera, [1.0, 0.8, -0.5]), green, 1, "free side");
+    assert_pixel(&shown, pixel(&camera, [-0.3, -1.0, -0.5]), green, 1, "lower side");
+    assert_pixel(&shown, pixel(&camera, [1.0, 0.1, -0.5]), BLUE, 2, "behind the small square");
+}
+
+#[test]
+fn edges_behind_a_face_are_hidden() {
+    let Some(gpu) = gpu() else { return };
+    let mut squares = Squares::new(&[
+        (-DVec2::ONE, DVec2::new(0.1, 1.0), -0.5),
+        (DVec2::new(0.1, -1.0), DVec2::ONE, -0.5),
+        (DVec2::splat(-0.5), DVec2::splat(0.5), 0.5),
+    ]);
+    squares.boundary_count = 0;
+    let mut scene = squares.scene();
+    scene.cells = Some(CellStyle { map: None, wire: Some(WIRE), marks: false, pixels_per_point: 1.0 });
+    let shown = picture(gpu, &scene, Some(&columns(&[ORANGE, ORANGE, BLUE])));
+    let camera = camera(DVec3::Z);
+    let red = bytes(WIRE.colour);
+    assert_pixel(&shown, pixel(&camera, [0.1, 0.9, -0.5]), red, 1, "an edge in the open");
+    assert_pixel(&shown, pixel(&camera, [0.0, 0.0, 0.5]), red, 1, "the diagonal of the face in front");
+    assert_pixel(&shown, pixel(&camera, [0.1, -0.35, -0.5]), BLUE, 2, "the same edge behind a face");
+}
+
+#[test]
+fn triangles_that_face_the_eye_have_the_colours_of_their_values() {
+    let Some(gpu) = gpu() else { return };
+    let square = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
+    for map in [ColourMap::Cividis, ColourMap::Diverging] {
+        let codes = [CellCode::at(0.3), CellCode::at(0.9)];
+        let mut scene = square.scene();
+        scene.codes = &codes;
+        scene.cells = Some(CellStyle { map: Some(map), wire: None, marks: false, pixels_per_point: 1.0 });
+        let shown = picture(gpu, &scene, None);
+        let camera = camera(DVec3::Z);
+        assert_pixel(&shown, pixel(&camera, [0.5, -0.5, 0.0]), bytes(map.at(0.3)), 3, "below the diagonal");
+        assert_pixel(&shown, pixel(&camera, [-0.5, 0.5, 0.0]), bytes(map.at(0.9)), 3, "above the diagonal");
+    }
+}
+
+#[test]
+fn handles_are_seen_where_their_points_are_and_are_fainter_behind_the_surface() {
+    let Some(gpu) = gpu() else { return };
+    let square = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
+    let at = |position: [f64; 3], hidden| SurfaceHandle {
+        position: DVec3::from_array(position),
+        hidden,
+        colour: MAGENTA,
+        radius_px: 9.0,
+    };
+    let handles = [at([0.4, 0.3, 0.0], false), at([-0.4, 0.3, -0.5], true), at([0.0, 0.0, 99.0], false)];
+    let mut scene = square.scene();
+    scene.handles = &handles;
+    let shown = picture(gpu, &scene, Some(&columns(&[BLUE])));
+    let camera = camera(DVec3::Z);
+    assert_pixel(&shown, pixel(&camera, [0.4, 0.3, 0.0]), bytes(MAGENTA), 1, "before the surface");
+    assert_pixel(&shown, pixel(&camera, [0.0, -0.1, 0.0]), BLUE, 2, "the handle behind the eye");
+    let [x, y] = pixel(&camera, [-0.4, 0.3, -0.5]);
+    let red = linear(shown.get_pixel(x, y).0[0]);
+    let expected = linear(BLUE[0]) + 0.35 * (linear(bytes(MAGENTA)[0]) - linear(BLUE[0]));
+    assert!((red - expected).abs() < 0.02, "{red} should be {expected}");
+}
+
+/// The upper half of the sphere with its stereographic images in the unit disk.
+fn hemisphere() -> (SurfaceMesh, Vec<DVec2>) {
+    let mesh = SurfaceMesh::new(&SurfacePreset::Hemisphere.surface(160).unwrap()).unwrap();
+    let images = mesh.mesh.vertices.iter().map(|p| p.truncate() / (1.0 + p.z)).collect();
+    (mesh, images)
+}
+
+fn hemisphere_scene<'a>(mesh: &'a SurfaceMesh, images: &'a [DVec2], towards_eye: DVec3) -> SceneSurface<'a> {
+    let mesh = &mesh.mesh;
+    SceneSurface {
+        geometry: SurfaceGeometry {
+            positions: &mesh.vertices,
+            triangles: &mesh.triangles,
+            boundary_count: mesh.boundary_count,
+        },
+        texture_coordinates: images,
+        codes: &[],
+        cells: None,
+        camera: camera(towards_eye),
+        style: TextureStyle { dark: true, ..style(Pattern::Checker, 8.0) },
+        stroke: None,
+        handles: &[],
+    }
+}
+
+#[test]
+fn a_hemisphere_carries_the_pattern_of_its_stereographic_image() {
+    let Some(gpu) = gpu() else { return };
+    let (mesh, images) = hemisphere();
+    let towards_eye = DVec3::new(0.3, -0.8, 0.9).normalize();
+    let scene = hemisphere_scene(&mesh, &images, towards_eye);
+    let shown = picture(gpu, &scene, None);
+    let mut seen = [0; 2];
+    for (i, j) in (-4..4).flat_map(|i| (-4..4).map(move |j| (i, j))) {
+        // the middle of a cell of side 1/4
+        let z = DVec2::new(f64::from(i) + 0.5, f64::from(j) + 0.5) / 4.0;
+        let normal = (2.0 * z).extend(1.0 - z.length_squared()) / (1.0 + z.length_squared());
+        if z.length() > 0.85 || normal.dot(towards_eye) < 0.5 {
+            continue;
+        }
+        let [x, y] = pixel(&scene.camera, normal.to_array());
+        let [r, g, b, _] = shown.get_pixel(x, y).0;
+        let light = 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+        let is_paper = (i + j) % 2 == 0;
+        seen[usize::from(is_paper)] += 1;
+        // paper reflects 0.85, the hues 0.11 to 0.19; the light is from 0.45 to 1.1 of what it is in front
+        assert_eq!(light > 0.28, is_paper, "cell ({i}, {j}) at ({x}, {y}): {light}");
+    }
+    assert!(seen[0] >= 5 && seen[1] >= 5, "{seen:?}");
+}
+
+#[test]
+fn through_the_open_side_of_a_hemisphere_its_inside_is_seen_darker() {
+    let Some(gpu) = gpu() else { return };
+    let (mesh, images) = hemisphere();
+    let image = columns(&[ORANGE]);
+    let red = |towards_eye: DVec3| {
+        let mut scene = hemisphere_scene(&mesh, &images, towards_eye);
+        scene.style.pattern = Pattern::Image;
+        linear(picture(gpu, &scene, Some(&image)).get_pixel(SIZE / 2, SIZE / 2).0[0])
+    };
+    let (outside, inside) = (red(DVec3::Z), red(-DVec3::Z));
+    assert!((inside / outside - 0.6).abs() < 0.03, "{inside} inside, {outside} outside");
+}
