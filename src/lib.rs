@@ -5,7 +5,7 @@
 //! the two boundaries, as in "Real-Time Conformal Maps and Parameterizations".
 //!
 //! Dependencies between the modules run one way:
-//! `geometry → outline, mesh → surface, laplace → conformal → session, worker → figures → render → app`.
+//! `geometry → outline, mesh → surface, laplace → conformal → session, worker, export → figures → render → app`.
 //! `zipper`, a map through the disk for comparison, stands beside `conformal` and uses no mesh; `closed_form`,
 //! the presets' maps that are known exactly, stands beside `session`.
 //! Without the default feature `app` only the numerical core is built.
@@ -13,6 +13,7 @@
 pub mod closed_form;
 pub mod conformal;
 pub mod exact;
+pub mod export;
 pub mod figures;
 pub mod geometry;
 pub mod laplace;

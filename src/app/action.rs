@@ -3,6 +3,7 @@
 use super::reports::Report;
 use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
+use crate::export::SurfaceFormat;
 use crate::session::Command;
 use crate::worker::Subject;
 
@@ -23,8 +24,14 @@ pub enum Action {
     Dismiss(Subject),
     /// Show a window of measurements, and begin them.
     OpenReport(Report),
-    /// Close the message about the image.
-    DismissImageError,
+    /// Close the message about the image or a file.
+    DismissMessage,
+    /// Texture coordinates of exports go into the unit box, or stay the outline's own.
+    ScaleCoordinates(bool),
+    /// Save the surface with its texture coordinates.
+    ExportSurface(SurfaceFormat),
+    /// Save a picture of both viewports.
+    ExportPicture,
     /// Start, pause or clear the random walks, or change their speed.
     Walks(WalkAction),
     /// Dark to light and back.

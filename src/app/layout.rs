@@ -81,7 +81,7 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     Panel::left("controls").exact_size(PANEL_WIDTH).resizable(false).frame(frame).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - SCROLL_BAR);
-            side_panel::show(ui, &app.model, app.image_name.as_deref(), actions);
+            side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
         });
     });
 }
@@ -111,7 +111,7 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         } else if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
-                side_panel::show(ui, &app.model, app.image_name.as_deref(), actions);
+                side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
                 ui.add_space(10.0);
             });
         }
@@ -167,7 +167,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     app.carry_out(&context, std::mem::take(&mut actions));
     app.advance(&context);
     paint(app, ui, narrow, &mut actions);
-    image_message(app, ui, &mut actions);
+    common_message(app, ui, &mut actions);
     app.reports.show(&context);
     app.carry_out(&context, actions);
 }
@@ -226,15 +226,15 @@ fn divide(rect: Rect, stacked: bool) -> [Rect; 2] {
     }
 }
 
-/// The texture belongs to both sides: its message lies over the middle.
-fn image_message(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
-    let Some(message) = &app.image_error else { return };
+/// The texture and exports belong to both sides: their message lies over the middle.
+fn common_message(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
+    let Some(message) = &app.message else { return };
     let area = ui.max_rect();
     let width = (area.width() - 32.0).min(460.0);
     let place = Rect::from_min_size(pos2(area.center().x - 0.5 * width, area.bottom() - 110.0), vec2(width, 100.0));
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
         if message_box(ui, message, None).is_some() {
-            actions.push(Action::DismissImageError);
+            actions.push(Action::DismissMessage);
         }
     });
 }

@@ -23,6 +23,7 @@ mod model;
 mod plots;
 mod prepare_state;
 mod reports;
+mod screenshot;
 mod shapes;
 mod side_panel;
 mod stats;
@@ -43,6 +44,7 @@ pub use model::Model;
 pub use stats::{Processor, Stats};
 
 use crate::conformal::{Extension, Side};
+use crate::export::SurfaceFormat;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{Command, Session, TextureKind};
@@ -104,7 +106,10 @@ pub struct RiemapApp {
     reports: Reports,
     laboratory: Laboratory,
     image_name: Option<String>,
-    image_error: Option<String>,
+    /// What is wrong with an image or a file that was to be saved.
+    message: Option<String>,
+    /// Whether exported texture coordinates are scaled into the unit box.
+    unit_coordinates: bool,
     last_change: f64,
 }
 
@@ -138,7 +143,8 @@ impl RiemapApp {
             reports,
             laboratory,
             image_name: None,
-            image_error: None,
+            message: None,
+            unit_coordinates: true,
             last_change: 0.0,
         })
     }
@@ -194,7 +200,7 @@ impl RiemapApp {
         let sides = Side::BOTH.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
         let surface = self.model.surface_side().preparation.error.iter().map(|trouble| trouble.text.clone());
         let map = self.model.map_error().map(|(_, text)| text.to_owned());
-        sides.chain(surface).chain(map).chain(self.image_error.clone()).collect()
+        sides.chain(surface).chain(map).chain(self.message.clone()).collect()
     }
 
     fn notes(&self) -> Vec<String> {
@@ -210,6 +216,7 @@ impl RiemapApp {
                 Event::WorkerDied { subject, reason } => self.model.worker_died(subject, &reason),
                 Event::Found { study, finding } => self.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
+                Event::NotSaved { name, reason } => self.message = Some(format!("{name} was not saved: {reason}")),
             }
         }
     }
@@ -221,7 +228,7 @@ impl RiemapApp {
             Ok(Content::Image(picture)) => self.use_image(&picture),
             Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(name, bytes),
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
-            Err(FileError::Image(message)) => self.image_error = Some(message),
+            Err(FileError::Image(message)) => self.message = Some(message),
         }
     }
 
@@ -231,10 +238,10 @@ impl RiemapApp {
         match used {
             Ok(()) => {
                 self.image_name = Some(picture.name.clone());
-                self.image_error = None;
+                self.message = None;
                 self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
             }
-            Err(error) => self.image_error = Some(format!("{}: {error}", picture.name)),
+            Err(error) => self.message = Some(format!("{}: {error}", picture.name)),
         }
     }
 
@@ -262,11 +269,25 @@ impl RiemapApp {
                 Action::Remedy(subject) => self.model.remedy(subject),
                 Action::Dismiss(subject) => self.model.dismiss(subject),
                 Action::OpenReport(report) => self.reports.open(report),
-                Action::DismissImageError => self.image_error = None,
+                Action::DismissMessage => self.message = None,
+                Action::ScaleCoordinates(unit) => self.unit_coordinates = unit,
+                Action::ExportSurface(format) => self.export_surface(format),
+                Action::ExportPicture => {
+                    let [a, b] = self.views.each_ref().map(|view| view.rect);
+                    screenshot::save(context, a.union(b), self.mailbox.clone());
+                }
                 Action::Walks(action) => self.model.act_on_walks(action),
                 Action::ToggleTheme => theme::toggle(context),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
             }
+        }
+    }
+
+    fn export_surface(&mut self, format: SurfaceFormat) {
+        match surface::export::surface_file(&self.model, format, self.unit_coordinates) {
+            Some(Ok(file)) => platform::save_file(file.name, file.bytes, self.mailbox.clone()),
+            Some(Err(reason)) => self.message = Some(reason),
+            None => {}
         }
     }
 

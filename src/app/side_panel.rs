@@ -54,7 +54,7 @@ const TEXTURES: [Segment<TextureKind>; 4] = [
 ];
 
 /// Shows all groups.
-pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut Actions) {
+pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, unit_coordinates: bool, actions: &mut Actions) {
     let planar = model.surface().is_none();
     if planar {
         group_heading(ui, "Map");
@@ -70,6 +70,9 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut 
     teaching::panel::show(ui, model, actions);
     for side in Side::BOTH.into_iter().filter(|side| planar || *side == Side::Source) {
         ui.push_id(side, |ui| resolution(ui, side, model, actions));
+    }
+    if !planar {
+        surface::panel::export(ui, model, unit_coordinates, actions);
     }
 }
 

@@ -3,15 +3,16 @@
 use super::CliError;
 use super::arguments::read_outline;
 use super::flatten_arguments::{FlattenArguments, UvArgument, read};
-use super::flattened::{Flattened, Format, Placement};
 use super::output::{check_paths, print, say_solver, warn_if_coarse, write_all};
 use super::surface_picture;
 use crate::conformal::{
     FrameTimings, Memory, PrepareTimings, Quality, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare,
     prepare_surface,
 };
+use crate::export::{Flattened, Placement, SurfaceFormat};
 use crate::mesh::FlipReport;
 use crate::surface::{Surface, SurfaceMesh};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -59,9 +60,27 @@ struct Point {
     position: [f64; 3],
 }
 
+/// What a file is to be.
+#[derive(Debug, Clone, Copy)]
+enum Format {
+    /// The surface or its layout.
+    Surface(SurfaceFormat),
+    /// A PNG of surface and outline.
+    Picture,
+}
+
+fn format_of(path: &Path) -> Result<Format, CliError> {
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    let picture = extension.eq_ignore_ascii_case("png").then_some(Format::Picture);
+    picture.or(SurfaceFormat::from_extension(extension).map(Format::Surface)).ok_or_else(|| {
+        let path = path.display();
+        CliError::Usage(format!("--out {path}: the extension must be obj, ply, glb, csv, svg or png"))
+    })
+}
+
 /// Computes the parameterization and writes what is asked for.
 pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
-    let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
+    let formats = arguments.out.iter().map(|path| format_of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let mut timings = Timings::default();
     let surface = timed(&mut timings.read, || read(&arguments.surface))?;
@@ -69,8 +88,11 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let flattened = Flattened::new(&surface, &map, arguments.uv == UvArgument::Unit);
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
-        let picture = || surface_picture::png(&arguments.surface, &map, &constraints, arguments.size.0);
-        files.push((path.clone(), flattened.encode(format, picture)?));
+        let bytes = match format {
+            Format::Surface(format) => flattened.encode(format),
+            Format::Picture => surface_picture::png(&arguments.surface, &map, &constraints, arguments.size.0)?,
+        };
+        files.push((path.clone(), bytes));
     }
     write_all(&files)?;
     let summary = summarize(&surface, &map, &constraints, flattened.placement, timings);

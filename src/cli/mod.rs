@@ -9,7 +9,6 @@ mod contours;
 mod figure;
 mod flatten;
 mod flatten_arguments;
-mod flattened;
 mod map;
 mod output;
 mod picture;

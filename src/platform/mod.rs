@@ -1,19 +1,19 @@
 //! What differs between the web and the desktop: start-up, workers, dialogs, dropped files.
 //!
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
-//! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`],
+//! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`save_file`],
 //! [`drop_position`], [`asks_for_bench`]. Whatever happens outside of a frame arrives as an
 //! [`Event`] in the app's mailbox, in order, and wakes the app.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
-pub use web::{Laboratory, Preparer, asks_for_bench, drop_position, pick_file, read_dropped, start};
+pub use web::{Laboratory, Preparer, asks_for_bench, drop_position, pick_file, read_dropped, save_file, start};
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
-pub use native::{Laboratory, Preparer, asks_for_bench, drop_position, pick_file, read_dropped, start};
+pub use native::{Laboratory, Preparer, asks_for_bench, drop_position, pick_file, read_dropped, save_file, start};
 
 use crate::conformal::Side;
 use crate::worker::{Finding, Response, Study, Subject};
@@ -55,6 +55,13 @@ pub enum Event {
         study: Option<Study>,
         /// What came out.
         finding: Finding,
+    },
+    /// A file could not be written.
+    NotSaved {
+        /// Its name.
+        name: String,
+        /// Why.
+        reason: String,
     },
     /// A file was read, or could not be.
     File {

@@ -93,6 +93,18 @@ pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
     });
 }
 
+/// Lets the person choose where a file goes, and writes it there.
+pub fn save_file(name: String, bytes: Vec<u8>, mailbox: Mailbox) {
+    let dialog = rfd::AsyncFileDialog::new().set_file_name(&name).save_file();
+    thread::spawn(move || {
+        if let Some(file) = pollster::block_on(dialog)
+            && let Err(error) = std::fs::write(file.path(), bytes)
+        {
+            mailbox.post(Event::NotSaved { name: file.file_name(), reason: error.to_string() });
+        }
+    });
+}
+
 /// Reads a dropped file and posts its content to `mailbox`.
 pub fn read_dropped(file: &egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
     let file = file.clone();

@@ -1,11 +1,12 @@
-//! Files from the dialog and from drag and drop.
+//! Files from the dialog and from drag and drop, and to the downloads.
 
 use crate::conformal::Side;
 use crate::platform::{Event, FilePurpose, Mailbox, endings};
+use js_sys::{Array, Uint8Array};
 use std::cell::Cell;
-use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
-use web_sys::DragEvent;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{Blob, DragEvent, HtmlAnchorElement, Url};
 
 thread_local! {
     static LAST_DRAG: Cell<Option<egui::Pos2>> = const { Cell::new(None) };
@@ -21,6 +22,26 @@ pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
             mailbox.post(Event::File { purpose, name: file.file_name(), bytes });
         }
     });
+}
+
+/// Gives a file to the browser's downloads.
+#[allow(clippy::needless_pass_by_value, reason = "on the desktop they go into a thread")]
+pub fn save_file(name: String, bytes: Vec<u8>, mailbox: Mailbox) {
+    if let Err(error) = download(&name, &bytes) {
+        mailbox.post(Event::NotSaved { name, reason: super::worker_handle::describe(&error) });
+    }
+}
+
+/// By a link to the bytes that is followed at once.
+fn download(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
+    let document = web_sys::window().and_then(|window| window.document()).ok_or("there is no page")?;
+    let parts = Array::of1(&Uint8Array::from(bytes));
+    let address = Url::create_object_url_with_blob(&Blob::new_with_u8_array_sequence(&parts)?)?;
+    let link = document.create_element("a")?.dyn_into::<HtmlAnchorElement>()?;
+    link.set_href(&address);
+    link.set_download(name);
+    link.click();
+    Url::revoke_object_url(&address)
 }
 
 /// Reads a dropped file and posts its content to `mailbox`.

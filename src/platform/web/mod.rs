@@ -12,7 +12,7 @@ mod page;
 mod preparer;
 mod worker_handle;
 
-pub use files::{drop_position, pick_file, read_dropped};
+pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use laboratory::Laboratory;
 pub use page::asks_for_bench;
 pub use preparer::Preparer;

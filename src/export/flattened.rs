@@ -1,43 +1,46 @@
-//! A parameterized surface as OBJ, PLY, GLB, CSV, its layout as SVG, and the format of a picture.
+//! A parameterized surface as OBJ, PLY, GLB, CSV, and its layout as SVG.
 //!
 //! Vertices are those of the file, all of them and in its order; triangles too, but for
 //! those that a repair has dropped. What fills a hole is left out.
 
-use super::CliError;
 use crate::conformal::SurfaceMap;
 use crate::geometry::{DVec2, DVec3};
 use crate::surface::{ADDED, Surface};
 use std::fmt::Write as _;
-use std::path::Path;
 
-/// The formats of `riemap flatten --out`.
+/// What a parameterized surface can be written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the variants are the extensions")]
-pub enum Format {
+pub enum SurfaceFormat {
+    /// Wavefront: positions, a `vt` for each, triangles.
     Obj,
+    /// Stanford, ascii: positions with s and t, triangles.
     Ply,
+    /// Binary glTF: one mesh with texture coordinates, in f32.
     Glb,
+    /// A line for each vertex.
     Csv,
+    /// The edges of the layout.
     Svg,
-    Png,
 }
 
-impl Format {
-    /// By the file's extension.
-    pub fn of(path: &Path) -> Result<Self, CliError> {
-        let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
-        match extension.as_str() {
-            "obj" => Ok(Self::Obj),
-            "ply" => Ok(Self::Ply),
-            "glb" => Ok(Self::Glb),
-            "csv" => Ok(Self::Csv),
-            "svg" => Ok(Self::Svg),
-            "png" => Ok(Self::Png),
-            _ => Err(CliError::Usage(format!(
-                "--out {}: the extension must be obj, ply, glb, csv, svg or png",
-                path.display()
-            ))),
+impl SurfaceFormat {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Obj, Self::Ply, Self::Glb, Self::Csv, Self::Svg];
+
+    /// The extension of its files.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Glb => "glb",
+            Self::Csv => "csv",
+            Self::Svg => "svg",
         }
+    }
+
+    /// By a file's extension, in either case.
+    pub fn from_extension(extension: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
     }
 }
 
@@ -74,16 +77,15 @@ impl<'a> Flattened<'a> {
         }
     }
 
-    /// The bytes of a file; those of a picture come from `picture`.
-    pub fn encode(&self, format: Format, picture: impl Fn() -> Result<Vec<u8>, CliError>) -> Result<Vec<u8>, CliError> {
-        Ok(match format {
-            Format::Obj => self.obj().into_bytes(),
-            Format::Ply => self.ply().into_bytes(),
-            Format::Glb => self.glb(),
-            Format::Csv => self.csv().into_bytes(),
-            Format::Svg => self.svg().into_bytes(),
-            Format::Png => picture()?,
-        })
+    /// The bytes of a file.
+    pub fn encode(&self, format: SurfaceFormat) -> Vec<u8> {
+        match format {
+            SurfaceFormat::Obj => self.obj().into_bytes(),
+            SurfaceFormat::Ply => self.ply().into_bytes(),
+            SurfaceFormat::Glb => self.glb(),
+            SurfaceFormat::Csv => self.csv().into_bytes(),
+            SurfaceFormat::Svg => self.svg().into_bytes(),
+        }
     }
 
     /// Positions with coordinates; (0, 0) where there are none: no triangle has such a vertex.
