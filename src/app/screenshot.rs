@@ -11,13 +11,10 @@ const NAME: &str = "riemap.png";
 /// Saves the next frame's picture, cut to `area` (in points).
 pub fn save(context: &Context, area: Rect, mailbox: Mailbox) {
     let pixels_per_point = context.pixels_per_point();
-    let callback =
-        ScreenshotCallback::new(move |picture| match encode(&picture.region(&area, Some(pixels_per_point))) {
-            Ok(bytes) => platform::save_file(String::from(NAME), bytes, mailbox),
-            Err(reason) => mailbox.post(platform::Event::NotSaved { name: String::from(NAME), reason }),
-        });
-    context.send_viewport_cmd(ViewportCommand::Screenshot(callback));
-    context.request_repaint();
+    context.request_screenshot(move |picture| match encode(&picture.region(&area, Some(pixels_per_point))) {
+        Ok(bytes) => platform::save_file(String::from(NAME), bytes, mailbox),
+        Err(reason) => mailbox.post(platform::Event::NotSaved { name: String::from(NAME), reason }),
+    });
 }
 
 fn encode(picture: &ColorImage) -> Result<Vec<u8>, String> {
