@@ -63,6 +63,7 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, unit_coordinat
         }
     } else {
         surface::panel::show(ui, model, actions);
+        surface::panel::export(ui, model, unit_coordinates, actions);
     }
     shown(ui, model, actions);
     texture(ui, model, image_name, actions);
@@ -70,9 +71,6 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, unit_coordinat
     teaching::panel::show(ui, model, actions);
     for side in Side::BOTH.into_iter().filter(|side| planar || *side == Side::Source) {
         ui.push_id(side, |ui| resolution(ui, side, model, actions));
-    }
-    if !planar {
-        surface::panel::export(ui, model, unit_coordinates, actions);
     }
 }
 

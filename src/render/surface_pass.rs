@@ -52,7 +52,8 @@ pub struct SurfaceBuffers {
     cell_uniform: Uniform,
     vertices: GrowingBuffer,
     coordinates: GrowingBuffer,
-    /// Indices of the textured triangles, and the vertex at every corner of the cells.
+    indices: GrowingBuffer,
+    /// The vertex at every corner of the cells: the same numbers again, for WebGL binds no index buffer elsewhere.
     corners: GrowingBuffer,
     lookup: Option<Lookup>,
     vertex_count: usize,
@@ -91,7 +92,8 @@ impl SurfacePass {
             cell_uniform: Uniform::new(device, &self.layout, size_of::<SurfaceCellUniform>()),
             vertices: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
             coordinates: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
-            corners: GrowingBuffer::new(wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::INDEX),
+            indices: GrowingBuffer::new(wgpu::BufferUsages::INDEX),
+            corners: GrowingBuffer::new(wgpu::BufferUsages::VERTEX),
             lookup: None,
             vertex_count: 0,
             triangle_count: 0,
@@ -118,6 +120,7 @@ impl SurfacePass {
         let blank = vec![[0.0_f32; 2]; positions.len()];
         let complete = surface.vertices.write(device, queue, staging)
             && surface.coordinates.write(device, queue, &blank)
+            && surface.indices.write(device, queue, triangles)
             && surface.corners.write(device, queue, triangles)
             && Lookup::provide(
                 &mut surface.lookup,
@@ -141,8 +144,8 @@ impl SurfacePass {
         pattern: Pattern,
         image: &wgpu::BindGroup,
     ) {
-        let (Some(vertices), Some(coordinates), Some(corners)) =
-            (surface.vertices.get(), surface.coordinates.get(), surface.corners.get())
+        let (Some(vertices), Some(coordinates), Some(indices)) =
+            (surface.vertices.get(), surface.coordinates.get(), surface.indices.get())
         else {
             return;
         };
@@ -151,7 +154,7 @@ impl SurfacePass {
         pass.set_bind_group(1, image, &[]);
         pass.set_vertex_buffer(0, vertices.slice(..));
         pass.set_vertex_buffer(1, coordinates.slice(..));
-        pass.set_index_buffer(corners.slice(..), wgpu::IndexFormat::Uint32);
+        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..3 * surface.triangle_count as u32, 0, 0..1);
     }
 

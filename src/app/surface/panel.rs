@@ -53,8 +53,8 @@ pub fn export(ui: &mut Ui, model: &Model, unit: bool, actions: &mut Actions) {
         actions.push(Action::ScaleCoordinates(unit));
     }
     ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        ui.spacing_mut().button_padding.x = 7.0;
+        ui.spacing_mut().item_spacing.x = 3.0;
+        ui.spacing_mut().button_padding.x = 5.0;
         for format in SurfaceFormat::ALL {
             let button = ui.add_enabled(ready, egui::Button::new(format.extension().to_uppercase()));
             if button.on_hover_text(tooltip(format)).clicked() {
