@@ -146,7 +146,7 @@ pub struct ScreenFacts {
 /// Collects the record.
 pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
     let quality = model.quality();
-    let mapped = model.session().direction.mapped_side();
+    let mapped = model.shown().map_or(model.session().direction.mapped_side(), |map| map.mapped_side());
     Stats {
         ready: model.is_ready(),
         backend: screen.backend,
@@ -204,6 +204,13 @@ fn size(model: &Model, side: Side) -> DomainSize {
 }
 
 fn image_of_point(model: &Model, mapped: Side) -> Option<[f64; 2]> {
+    if let Some(map) = model.surface_map() {
+        let (side, state) = model.surface()?;
+        let point = side.point(state)?;
+        let corners = map.surface().surface.mesh.triangles[point.triangle as usize];
+        let image: DVec2 = corners.iter().zip(point.weights).map(|(&v, w)| w * map.images()[v as usize]).sum();
+        return Some(image.to_array());
+    }
     Some(model.map()?.image_of(model.interior(mapped)?)?.to_array())
 }
 

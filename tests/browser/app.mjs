@@ -32,7 +32,8 @@ export class App {
     page.on('crash', () => this.#giveUp('the page crashed'));
     page.on('requestfailed', (request) => this.#faults.push(`not loaded: ${request.url()}`));
     page.on('console', (message) => {
-      if (message.type() === 'error') this.#faults.push(`console: ${message.text()} (${message.location().url})`);
+      const graphics = message.type() === 'warning' && /WebGL: |WebGPU|validation/i.test(message.text());
+      if (message.type() === 'error' || graphics) this.#faults.push(`console: ${message.text()} (${message.location().url})`);
     });
   }
 
@@ -126,6 +127,22 @@ export class App {
 
   loadOutline(side, name, text) {
     return this.#page.evaluate((given) => window.riemap.load_outline(...given), [side, name, text]);
+  }
+
+  /** Opens a file of any kind, given as bytes in base64. */
+  loadFile(side, name, base64) {
+    return this.#page.evaluate(
+      ([where, called, text]) => window.riemap.load_file(where, called, Uint8Array.from(atob(text), (c) => c.charCodeAt(0))),
+      [side, name, base64],
+    );
+  }
+
+  /** Clicks at a place of the window, and returns the file that the browser downloads then. */
+  async download(at) {
+    const [download] = await Promise.all([this.#page.waitForEvent('download'), this.#page.mouse.click(...at)]);
+    const chunks = [];
+    for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+    return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
   }
 
   /** Drops a file on the canvas at a place of the window, as from a file manager. */

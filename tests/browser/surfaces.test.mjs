@@ -1,0 +1,177 @@
+// Surfaces in the release web app: prepared by a worker, drawn in space, dragged, coloured, refused, saved.
+
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { App, DEVICES } from './app.mjs';
+import { BACKENDS, launch } from './chromium.mjs';
+import { serve } from './server.mjs';
+
+const DIST = process.env.RIEMAP_DIST ?? fileURLToPath(new URL('../../dist', import.meta.url));
+
+const surface = (preset, boundary) => ({ spec: { shape: { preset: { preset, boundary } } } });
+
+/** A square of n × n cells, bent into a wave, as OBJ; with one vertex too many if `loose`. */
+function wave(n, loose = false) {
+  const lines = loose ? ['v 9 9 9'] : [];
+  for (let j = 0; j <= n; j++) {
+    for (let i = 0; i <= n; i++) lines.push(`v ${i / n} ${j / n} ${0.2 * Math.sin((6 * i) / n)}`);
+  }
+  const vertex = (i, j) => (loose ? 2 : 1) + j * (n + 1) + i;
+  for (let j = 0; j < n; j++) {
+    for (let i = 0; i < n; i++) lines.push(`f ${vertex(i, j)} ${vertex(i + 1, j)} ${vertex(i + 1, j + 1)} ${vertex(i, j + 1)}`);
+  }
+  return Buffer.from(`${lines.join('\n')}\n`).toString('base64');
+}
+
+/** The OBJ button of the controls, on a desktop. */
+const OBJ_BUTTON = [31, 306];
+
+let site;
+before(async () => (site = await serve(DIST)));
+after(() => site?.close());
+
+for (const backend of BACKENDS) {
+  describe(`surfaces with ${backend}`, () => {
+    let browser;
+    before(async () => (browser = await launch(backend)));
+    after(() => browser?.close());
+
+    /** Runs `act` on a freshly opened app. */
+    const withApp = (device, act) => async () => {
+      const app = await App.open(browser, site.address, DEVICES[device]);
+      await app.during(() => act(app));
+    };
+
+    /** Puts a preset into the target's place. */
+    async function show(app, preset, boundary, changes = {}) {
+      const { generation } = await app.stats();
+      await app.openSession({ surface: surface(preset, boundary), ...changes });
+      return app.until(
+        'the surface is mapped',
+        (stats, last) => stats.ready && stats.surface_ms !== null && stats.generation > last,
+        generation,
+      );
+    }
+
+    test(
+      'a surface is mapped to the outline, and its dots are dragged in space',
+      withApp('desktop', async (app) => {
+        const shown = await show(app, 'animal-head', 250);
+        assert.equal(shown.target.m, 250);
+        assert.equal(shown.flipped, 0);
+        assert.ok(shown.q_mean < 1.2, `nearly conformal: mean Q = ${shown.q_mean}`);
+        assertShowsSomething(await app.picture(`${backend}-surface`));
+        assertMapsPoint(shown);
+        for (const [handle, by] of Object.entries({ x1: [20, -25], x2: [-30, 40], y1: [40, 60] })) {
+          const { generation, boundary_checksum, handles } = await app.stats();
+          await app.drag(handles[handle], handles[handle].map((value, axis) => value + by[axis]));
+          const moved = await app.until(
+            `the map has followed ${handle}`,
+            (stats, last) => stats.ready && stats.generation > last.generation && stats.boundary_checksum !== last.boundary_checksum,
+            { generation, boundary_checksum },
+          );
+          const [x, y] = handles[handle];
+          assert.ok(Math.hypot(moved.handles[handle][0] - x, moved.handles[handle][1] - y) > 10, `${handle} has moved`);
+          assertMapsPoint(moved);
+        }
+      }),
+    );
+
+    test(
+      'a drag beside the dots turns the surface and leaves the map',
+      withApp('desktop', async (app) => {
+        const before = await show(app, 'hemisphere', 120);
+        const [x, y] = before.handles.x2;
+        await app.drag([x + 80, y + 90], [x - 40, y + 60]);
+        const after = await app.until(
+          'the dot is elsewhere',
+          (stats, last) => Math.hypot(stats.handles.x2[0] - last[0], stats.handles.x2[1] - last[1]) > 5,
+          before.handles.x2,
+        );
+        assert.equal(after.boundary_checksum, before.boundary_checksum);
+        assertShowsSomething(await app.picture(`${backend}-surface-turned`));
+      }),
+    );
+
+    const modes = {
+      'angle distortion with the mesh': { colouring: 'angle', wireframe: true },
+      'area distortion': { colouring: 'area' },
+      'the conformal polar grid and the plots': { texture: 'conformal', plots: true },
+    };
+    for (const [mode, changes] of Object.entries(modes)) {
+      test(
+        `${mode} of a surface`,
+        withApp('desktop', async (app) => {
+          const shown = await show(app, 'half-torus', 150, changes);
+          assert.deepEqual(shown.errors, []);
+          assertShowsSomething(await app.picture(`${backend}-surface-${mode.replaceAll(' ', '-')}`));
+        }),
+      );
+    }
+
+    test(
+      'a surface on a phone',
+      withApp('phone', async (app) => {
+        await show(app, 'height-field', 120);
+        const { handles, boundary_checksum } = await app.stats();
+        await app.touchDrag(handles.x2, [handles.x2[0] + 20, handles.x2[1] + 15]);
+        await app.until(
+          'the map has followed the finger',
+          (stats, last) => stats.ready && stats.boundary_checksum !== last,
+          boundary_checksum,
+        );
+        assertShowsSomething(await app.picture(`${backend}-surface-phone`));
+      }),
+    );
+
+    test(
+      'a surface in a file is mapped, a broken one is refused with the reason, and the plane comes back',
+      withApp('desktop', async (app) => {
+        await app.loadFile('target', 'wave.obj', wave(20));
+        const mapped = await app.until('the file is mapped', (stats) => stats.ready && stats.target.triangles === 800);
+        assert.ok(mapped.notes.some((note) => note.includes('400 polygons')), 'the note about polygons');
+        assertMapsPoint(mapped);
+        await app.loadFile('target', 'loose.obj', wave(20, true));
+        const refused = await app.until('an error is shown', (stats) => stats.errors.length > 0);
+        assert.match(refused.errors.join(' '), /loose\.obj: 1 vertices are in no triangle.*vertex 0/);
+        assert.equal(refused.boundary_checksum, mapped.boundary_checksum, 'the last good map stays');
+        assertShowsSomething(await app.picture(`${backend}-surface-refused`));
+        await app.openSession({ surface: null });
+        const planar = await app.until('the plane is back', (stats) => stats.ready && stats.surface_ms === null);
+        assert.ok(planar.target.triangles !== 800);
+      }),
+    );
+
+    test(
+      'the surface is saved with its texture coordinates',
+      withApp('desktop', async (app) => {
+        const shown = await show(app, 'hemisphere', 60);
+        const { name, bytes } = await app.download(OBJ_BUTTON);
+        assert.equal(name, 'hemisphere-mapped.obj');
+        const lines = bytes.toString().split('\n');
+        const count = (start) => lines.filter((line) => line.startsWith(start)).length;
+        assert.equal(count('v '), shown.target.m + shown.target.n);
+        assert.equal(count('vt '), count('v '));
+        assert.equal(count('f '), shown.target.triangles);
+        for (const line of lines.filter((text) => text.startsWith('vt '))) {
+          const [u, v] = line.slice(3).split(' ').map(Number);
+          assert.ok(u >= 0 && u <= 1 && v >= 0 && v <= 1, `in the unit box: ${line}`);
+        }
+      }),
+    );
+  });
+}
+
+/** The surface's point goes to the outline's: the constraint that the two interior points set. */
+function assertMapsPoint({ image_of_mapped_point: image, expected }) {
+  const distance = Math.hypot(image[0] - expected[0], image[1] - expected[1]);
+  assert.ok(distance < 0.03, `image ${image}, expected ${expected}, distance ${distance}`);
+}
+
+function assertShowsSomething(colours) {
+  const most = colours[0] / colours.reduce((sum, count) => sum + count, 0);
+  assert.ok(colours.length > 30, `only ${colours.length} colours`);
+  assert.ok(most < 0.9, `${(100 * most).toFixed(0)} % of the picture has one colour`);
+}
