@@ -12,6 +12,18 @@ use crate::worker::Subject;
 pub enum Action {
     /// A change of the session.
     Session(Command),
+    /// Take the last step back.
+    Undo,
+    /// Make it again.
+    Redo,
+    /// Begin with the first picture.
+    New,
+    /// Show the dialog for a session.
+    OpenSession,
+    /// Save the session as a file.
+    SaveSession,
+    /// Put the session's address into the clipboard.
+    CopyLink,
     /// Show the dialog for an outline.
     OpenOutline(Side),
     /// Show the dialog for the texture image.

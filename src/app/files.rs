@@ -3,6 +3,7 @@
 use super::trouble::{Remedy, Trouble};
 use crate::conformal::Side;
 use crate::outline::{Outline, parse, parse_repaired};
+use crate::session::{Session, file};
 use crate::platform::{FilePurpose, IMAGE_ENDINGS, SURFACE_ENDINGS};
 
 /// A decoded image.
@@ -19,6 +20,8 @@ pub enum Content {
     Outline(Side, Outline),
     /// A texture.
     Image(Picture),
+    /// A session.
+    Session(Box<Session>),
     /// A surface, not yet read: that is work for its worker.
     Surface {
         /// The file's name.
@@ -33,8 +36,8 @@ pub enum Content {
 pub enum FileError {
     /// Meant as an outline of this side.
     Outline(Side, Trouble),
-    /// Meant as the texture.
-    Image(String),
+    /// Meant as the texture or as a session.
+    Common(String),
 }
 
 /// Reads a file for its purpose; a dropped one is told by its name, and a surface always is.
@@ -44,19 +47,26 @@ pub fn read(
     bytes: Result<Vec<u8>, String>,
     max_image_side: u32,
 ) -> Result<Content, FileError> {
+    let is_session = has_ending(name, &[file::EXTENSION]);
     let (image, side) = match purpose {
         FilePurpose::Image => (true, Side::Source),
         FilePurpose::Outline(side) => (false, side),
+        FilePurpose::Session => (false, Side::Source),
         FilePurpose::Dropped(side) => (is_image_name(name), side),
     };
+    let session = purpose == FilePurpose::Session || (is_session && !image);
     let failed = |why: String| {
         let message = format!("{name}: {why}");
-        if image { FileError::Image(message) } else { FileError::Outline(side, Trouble::new(message)) }
+        if image || session { FileError::Common(message) } else { FileError::Outline(side, Trouble::new(message)) }
     };
     let bytes = bytes.map_err(failed)?;
     if image {
         let pixels = decode(&bytes, max_image_side).map_err(failed)?;
         return Ok(Content::Image(Picture { name: name.to_owned(), pixels }));
+    }
+    if session {
+        let read = file::read(&bytes).map_err(|error| failed(error.to_string()))?;
+        return Ok(Content::Session(Box::new(read)));
     }
     if has_ending(name, &SURFACE_ENDINGS) {
         return Ok(Content::Surface { name: name.to_owned(), bytes });
@@ -127,7 +137,7 @@ mod tests {
 
     #[test]
     fn what_is_no_image_is_told_with_the_files_name() {
-        let Err(FileError::Image(message)) = read(FilePurpose::Image, "x.png", Ok(b"text".to_vec()), 32) else {
+        let Err(FileError::Common(message)) = read(FilePurpose::Image, "x.png", Ok(b"text".to_vec()), 32) else {
             panic!()
         };
         assert!(message.starts_with("x.png: "), "{message}");

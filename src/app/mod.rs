@@ -11,11 +11,13 @@ mod colouring;
 mod dots;
 mod draft;
 mod figures_menu;
+mod file_menu;
 mod files;
 mod gpu;
 mod gpu_extension;
 mod handles;
 mod header;
+mod keeping;
 mod layout;
 mod legend;
 mod method;
@@ -40,6 +42,7 @@ mod widgets;
 mod words;
 
 pub use action::{Action, Actions};
+pub use keeping::first_session;
 pub use model::Model;
 pub use stats::{Processor, Stats};
 
@@ -47,11 +50,12 @@ use crate::conformal::{Extension, Side};
 use crate::export::SurfaceFormat;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::{Pattern, TextureStyle};
-use crate::session::{Command, Session, TextureKind};
+use crate::session::{Command, Session, TextureKind, file, link};
 use cells::Cells;
 use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;
+use keeping::Keeper;
 use model::{Changes, Refines};
 use plots::Plots;
 use reports::{Report, Reports};
@@ -70,20 +74,27 @@ const REST_SECONDS: f64 = 0.15;
 /// What needs no screen: the session's state and the workers.
 pub struct Groundwork {
     model: Model,
+    message: Option<String>,
     preparer: Preparer,
     mailbox: Mailbox,
     events: mpsc::Receiver<Event>,
 }
 
 impl Groundwork {
-    /// Begins with the preparations of `session`: they run while the graphics start.
-    pub fn start(session: Session) -> Self {
+    /// Begins with the preparations of `session`: they run while the graphics start. `message` is what
+    /// the person should know about where it came from.
+    pub fn start((session, message): (Session, Option<String>)) -> Self {
         let (mailbox, events) = Mailbox::new();
         let (mut model, mut preparer) = (Model::new(session), Preparer::new(mailbox.clone()));
         for (subject, request) in model.take_requests(0.0) {
             preparer.request(subject, request);
         }
-        Self { model, preparer, mailbox, events }
+        Self { model, message, preparer, mailbox, events }
+    }
+
+    /// Where events for the app are posted.
+    pub fn mailbox(&self) -> Mailbox {
+        self.mailbox.clone()
     }
 }
 
@@ -103,6 +114,7 @@ pub struct RiemapApp {
     meter: FrameMeter,
     panels_open: bool,
     sheet_open: bool,
+    keeper: Keeper,
     reports: Reports,
     laboratory: Laboratory,
     image_name: Option<String>,
@@ -120,8 +132,9 @@ impl RiemapApp {
         groundwork: Groundwork,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Groundwork { model, preparer, mailbox, events } = groundwork;
+        let Groundwork { model, message, preparer, mailbox, events } = groundwork;
         mailbox.attach(&creation.egui_ctx);
+        let keeper = Keeper::new(model.session().clone());
         let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
         if platform::asks_for_bench() {
             reports.open(Report::Bench);
@@ -140,10 +153,11 @@ impl RiemapApp {
             meter: FrameMeter::default(),
             panels_open: true,
             sheet_open: false,
+            keeper,
             reports,
             laboratory,
             image_name: None,
-            message: None,
+            message,
             unit_coordinates: true,
             last_change: 0.0,
         })
@@ -216,6 +230,7 @@ impl RiemapApp {
                 Event::WorkerDied { subject, reason } => self.model.worker_died(subject, &reason),
                 Event::Found { study, finding } => self.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
+                Event::Link(address) => self.open_link(&address),
                 Event::NotSaved { name, reason } => self.message = Some(format!("{name} was not saved: {reason}")),
             }
         }
@@ -226,9 +241,10 @@ impl RiemapApp {
         match files::read(purpose, name, bytes, limit) {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
             Ok(Content::Image(picture)) => self.use_image(&picture),
+            Ok(Content::Session(session)) => self.open_session(*session),
             Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(name, bytes),
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
-            Err(FileError::Image(message)) => self.message = Some(message),
+            Err(FileError::Common(message)) => self.message = Some(message),
         }
     }
 
@@ -262,6 +278,12 @@ impl RiemapApp {
         for action in actions {
             match action {
                 Action::Session(command) => self.model.dispatch(command, now),
+                Action::Undo => self.step(Keeper::undo),
+                Action::Redo => self.step(Keeper::redo),
+                Action::New => self.open_session(Session::default()),
+                Action::OpenSession => platform::pick_file(FilePurpose::Session, self.mailbox.clone()),
+                Action::SaveSession => self.save_session(),
+                Action::CopyLink => self.copy_link(context),
                 Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
                 Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
                 Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
@@ -280,6 +302,53 @@ impl RiemapApp {
                 Action::ToggleTheme => theme::toggle(context),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
             }
+        }
+    }
+
+    /// Goes to another step; what is being dragged is let go of.
+    fn step(&mut self, to: impl Fn(&mut Keeper) -> Option<Session>) {
+        self.handles.release();
+        if let Some(session) = to(&mut self.keeper) {
+            self.open_session(session);
+        }
+    }
+
+    fn save_session(&mut self) {
+        match file::write(self.model.session()) {
+            Ok(text) => {
+                let name = format!("map.{}", file::EXTENSION);
+                platform::save_file(name, text.into_bytes(), self.mailbox.clone());
+            }
+            Err(error) => self.message = Some(format!("The session was not saved: {error}")),
+        }
+    }
+
+    fn copy_link(&mut self, context: &egui::Context) {
+        match link::encode(self.model.session()) {
+            Ok(encoded) => {
+                context.copy_text(platform::address_with(&encoded.fragment));
+                self.message = self.keeper.left_out().map(|text| format!("The link was copied, but {text}"));
+            }
+            Err(error) => self.message = Some(format!("There is no link to this session: {error}")),
+        }
+    }
+
+    /// Shows what another link carries.
+    fn open_link(&mut self, address: &str) {
+        match link::decode(address) {
+            Ok(decoded) => {
+                self.message = keeping::missing(&decoded);
+                self.open_session(decoded.session);
+            }
+            Err(error) => self.message = Some(format!("The link could not be opened: {error}")),
+        }
+    }
+
+    /// Keeps the session once it has come to rest.
+    fn keep(&mut self, context: &egui::Context) {
+        let held = context.input(|input| input.pointer.any_down());
+        if !held && self.model.is_ready() {
+            self.keeper.settle(self.model.session());
         }
     }
 
@@ -341,6 +410,7 @@ impl RiemapApp {
         if let Some(delay) = self.model.teach(now) {
             context.request_repaint_after_secs(delay as f32);
         }
+        self.keep(context);
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
     }

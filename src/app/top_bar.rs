@@ -2,9 +2,10 @@
 
 use super::action::{Action, Actions};
 use super::header::PANELS_TOOLTIP;
+use super::keeping::Keeper;
 use super::model::Model;
 use super::theme::{Palette, ROW_HEIGHT};
-use super::{figures_menu, shapes, theme, words};
+use super::{figures_menu, file_menu, shapes, theme, words};
 use crate::conformal::Side;
 use crate::session::Command;
 use egui::{Align, Layout, Response, RichText, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
@@ -13,12 +14,13 @@ use egui::{Align, Layout, Response, RichText, Role, Shape, Stroke, Ui, WidgetInf
 const PLOTS_TOOLTIP: &str = "Poisson kernel, harmonic measure and reparameterisation along the boundaries (P)";
 
 /// Shows the bar.
-pub fn show(ui: &mut Ui, model: &Model, narrow: bool, actions: &mut Actions) {
+pub fn show(ui: &mut Ui, model: &Model, keeper: &Keeper, narrow: bool, actions: &mut Actions) {
     ui.horizontal_centered(|ui| {
         let palette = Palette::of(ui.visuals());
         ui.label(RichText::new("riemap").font(theme::bold(18.0)).color(palette.text))
             .on_hover_text("The conformal map between two outlines, by matching harmonic measure");
         ui.add_space(if narrow { 2.0 } else { 10.0 });
+        file_menu::menu_button(ui, keeper, actions);
         for side in Side::BOTH {
             shapes::menu_button(ui, words::side(side), side, model, actions);
         }

@@ -2,18 +2,24 @@
 //!
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
 //! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`save_file`],
-//! [`drop_position`], [`asks_for_bench`]. Whatever happens outside of a frame arrives as an
+//! [`drop_position`], [`asks_for_bench`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`]. Whatever happens outside of a frame arrives as an
 //! [`Event`] in the app's mailbox, in order, and wakes the app.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
-pub use web::{Laboratory, Preparer, asks_for_bench, drop_position, pick_file, read_dropped, save_file, start};
+pub use web::{
+    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember, remembered,
+    save_file, show_link, start,
+};
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
-pub use native::{Laboratory, Preparer, asks_for_bench, drop_position, pick_file, read_dropped, save_file, start};
+pub use native::{
+    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember, remembered,
+    save_file, show_link, start,
+};
 
 use crate::conformal::Side;
 use crate::worker::{Finding, Response, Study, Subject};
@@ -26,6 +32,8 @@ pub enum FilePurpose {
     Outline(Side),
     /// The texture.
     Image,
+    /// A session.
+    Session,
     /// Dropped over this side: its name decides.
     Dropped(Side),
 }
@@ -56,6 +64,8 @@ pub enum Event {
         /// What came out.
         finding: Finding,
     },
+    /// The page's address has another fragment.
+    Link(String),
     /// A file could not be written.
     NotSaved {
         /// Its name.
@@ -119,6 +129,7 @@ pub const SURFACE_ENDINGS: [&str; 6] = ["obj", "ply", "stl", "off", "gltf", "glb
 fn endings(purpose: FilePurpose) -> (&'static str, Vec<&'static str>) {
     match purpose {
         FilePurpose::Image => ("Images", IMAGE_ENDINGS.to_vec()),
+        FilePurpose::Session => ("Sessions", vec![crate::session::file::EXTENSION]),
         FilePurpose::Outline(Side::Source) => ("Outlines", OUTLINE_ENDINGS.to_vec()),
         FilePurpose::Outline(Side::Target) | FilePurpose::Dropped(_) => {
             ("Outlines and surfaces", [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS].concat())

@@ -4,11 +4,11 @@
 //! and its answers are dropped as stale. A panic in it is reported, not passed on.
 
 use super::{Event, FilePurpose, Mailbox, endings};
-use crate::app::{Groundwork, RiemapApp};
+use crate::app::{Groundwork, RiemapApp, first_session};
 use crate::conformal::Side;
-use crate::session::Session;
 use crate::worker::{self, Finding, Request, Study, Subject};
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
 use std::thread;
 
 /// Opens the window and runs the app until it is closed.
@@ -17,7 +17,7 @@ pub fn start() -> Result<(), String> {
         viewport: egui::ViewportBuilder::default().with_inner_size([1440.0, 900.0]).with_min_inner_size([360.0, 480.0]),
         ..Default::default()
     };
-    let groundwork = Groundwork::start(Session::default());
+    let groundwork = Groundwork::start(first_session());
     let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
     eframe::run_native("riemap", options, creator).map_err(|error| format!("The window could not be opened: {error}"))
 }
@@ -117,4 +117,36 @@ pub fn read_dropped(file: &egui::DroppedFileHandle, side: Side, mailbox: Mailbox
 /// Where the pointer is while a file is dragged over the window.
 pub fn drop_position(context: &egui::Context) -> Option<egui::Pos2> {
     context.input(|input| input.pointer.latest_pos())
+}
+
+/// A window has no address; `riemap LINK` is no command.
+pub fn link() -> Option<String> {
+    None
+}
+
+/// A window has no address.
+pub fn show_link(_fragment: &str) {}
+
+/// The address of the web app with this fragment; on the desktop the fragment alone, which `riemap render` takes.
+pub fn address_with(fragment: &str) -> String {
+    format!("#{fragment}")
+}
+
+/// Keeps a text for [`remembered`].
+pub fn remember(text: &str) {
+    let Some(path) = kept_at() else { return };
+    let written = path.parent().map_or(Ok(()), std::fs::create_dir_all).and_then(|()| std::fs::write(&path, text));
+    if let Err(error) = written {
+        log::warn!("the session could not be kept in {}: {error}", path.display());
+    }
+}
+
+/// What was kept last.
+pub fn remembered() -> Option<String> {
+    std::fs::read_to_string(kept_at()?).ok()
+}
+
+fn kept_at() -> Option<PathBuf> {
+    let folders = directories::ProjectDirs::from("", "", "riemap")?;
+    Some(folders.data_local_dir().join("last.riemap"))
 }

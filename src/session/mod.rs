@@ -3,8 +3,10 @@
 //! The UI emits [`Command`]s; [`Session::apply`] is the only door to a change.
 //! A session is small and plain: it is what links and files carry.
 
+mod history;
 mod surface;
 
+pub use history::History;
 pub use surface::{SurfaceShape, SurfaceSpec, SurfaceState};
 
 use crate::conformal::{Constraints, Direction, Extension, MapSettings, PrepareSettings, Side};

@@ -3,6 +3,7 @@
 //! [`start`] looks at where it runs. In the page it starts the app in the
 //! canvas and puts `window.riemap` there; in a worker it listens for requests.
 
+mod address;
 mod bridge;
 mod engine;
 mod files;
@@ -12,6 +13,7 @@ mod page;
 mod preparer;
 mod worker_handle;
 
+pub use address::{address_with, link, remember, remembered, show_link};
 pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use laboratory::Laboratory;
 pub use page::asks_for_bench;

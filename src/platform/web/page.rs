@@ -1,8 +1,7 @@
 //! The page: canvas, loading indicator, messages when nothing can be drawn.
 
-use super::{bridge, files};
-use crate::app::{Groundwork, RiemapApp};
-use crate::session::Session;
+use super::{address, bridge, files};
+use crate::app::{Groundwork, RiemapApp, first_session};
 use wasm_bindgen::JsCast;
 use web_sys::{Document, HtmlCanvasElement};
 
@@ -30,7 +29,8 @@ async fn run() -> Result<(), String> {
         .ok_or("The page has no canvas.")?;
     files::follow_drags(&document);
     let runner = eframe::WebRunner::new();
-    let groundwork = Groundwork::start(Session::default());
+    let groundwork = Groundwork::start(first_session());
+    address::follow(groundwork.mailbox());
     let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
     runner.start(canvas, web_options(), creator).await.map_err(|error| {
         log::error!("{error:?}");

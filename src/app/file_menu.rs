@@ -1,0 +1,69 @@
+//! The menu of the session: new, open, save, link, undo, redo.
+
+use super::action::{Action, Actions};
+use super::keeping::Keeper;
+use super::widgets::chevron;
+use egui::containers::menu::MenuButton;
+use egui::{Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
+
+const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
+const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+const REDO_TOO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Y);
+const SAVE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::S);
+
+const LINK_TOOLTIP: &str = "The address carries everything that is set: it opens the same picture in another browser";
+
+/// A button that opens the menu.
+pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
+    let (response, _) = MenuButton::from_button(egui::Button::new("File     ")).ui(ui, |ui| {
+        ui.set_width(190.0);
+        for (entry, enabled, action) in entries(keeper) {
+            let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
+            let button = egui::Button::new(entry.label).shortcut_text(shortcut).min_size(egui::vec2(190.0, 40.0));
+            if ui.add_enabled(enabled, button).on_hover_text(entry.tooltip).clicked() {
+                actions.push(action);
+                ui.close();
+            }
+        }
+    });
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "File"));
+    chevron(ui, response.rect, false);
+}
+
+struct Entry {
+    label: &'static str,
+    tooltip: &'static str,
+    shortcut: Option<KeyboardShortcut>,
+}
+
+fn entries(keeper: &Keeper) -> [(Entry, bool, Action); 6] {
+    let entry = |label, tooltip, shortcut| Entry { label, tooltip, shortcut };
+    let history = keeper.history();
+    [
+        (entry("Undo", "Take the last step back; a drag is one step", Some(UNDO)), history.can_undo(), Action::Undo),
+        (entry("Redo", "Make it again", Some(REDO)), history.can_redo(), Action::Redo),
+        (entry("New", "Begin with the first picture again; it can be undone", None), true, Action::New),
+        (entry("Open…", "A session from a .riemap file", None), true, Action::OpenSession),
+        (entry("Save…", "The session as a .riemap file", Some(SAVE)), true, Action::SaveSession),
+        (entry("Copy link", LINK_TOOLTIP, None), true, Action::CopyLink),
+    ]
+}
+
+/// Turns the menu's keys into actions, unless a text is being written.
+pub fn keys(ui: &Ui, actions: &mut Actions) {
+    if ui.ctx().text_edit_focused() {
+        return;
+    }
+    ui.input_mut(|input| {
+        // the longer shortcut first: the shorter one would match it too
+        for (shortcut, action) in
+            [(REDO, Action::Redo), (UNDO, Action::Undo), (REDO_TOO, Action::Redo), (SAVE, Action::SaveSession)]
+        {
+            if input.consume_shortcut(&shortcut) {
+                actions.push(action);
+            }
+        }
+        // a browser's own reaction to the keys is kept out
+        input.events.retain(|event| !matches!(event, Event::Key { key: Key::S, modifiers, .. } if modifiers.command));
+    });
+}

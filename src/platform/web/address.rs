@@ -1,0 +1,59 @@
+//! The page's address and the browser's storage: what carries a session to other places and times.
+
+use crate::platform::{Event, Mailbox};
+use wasm_bindgen::prelude::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::Window;
+
+/// The key in the local storage.
+const KEY: &str = "riemap session";
+
+/// The fragment of the address, if it carries a session.
+pub fn link() -> Option<String> {
+    let fragment = web_sys::window()?.location().hash().ok()?;
+    crate::session::link::is_link(&fragment).then_some(fragment)
+}
+
+/// Puts a fragment into the address, in place of the one that is there: the browser's history stays as it is.
+pub fn show_link(fragment: &str) {
+    let replace = |window: Window| {
+        window.history().ok()?.replace_state_with_url(&JsValue::NULL, "", Some(&format!("#{fragment}"))).ok()
+    };
+    if web_sys::window().and_then(replace).is_none() {
+        log::warn!("the address could not be changed");
+    }
+}
+
+/// The address of this page with another fragment.
+pub fn address_with(fragment: &str) -> String {
+    let address = web_sys::window().and_then(|window| window.location().href().ok()).unwrap_or_default();
+    let page = address.split('#').next().unwrap_or_default();
+    format!("{page}#{fragment}")
+}
+
+/// Keeps a text for [`remembered`], unless the browser does not let the page store anything.
+pub fn remember(text: &str) {
+    let kept = |window: Window| window.local_storage().ok()??.set_item(KEY, text).ok();
+    if web_sys::window().and_then(kept).is_none() {
+        log::warn!("the browser does not keep the session");
+    }
+}
+
+/// What was kept last.
+pub fn remembered() -> Option<String> {
+    web_sys::window()?.local_storage().ok()??.get_item(KEY).ok()?
+}
+
+/// Posts the address whenever a person changes its fragment.
+pub fn follow(mailbox: Mailbox) {
+    let changed = Closure::<dyn FnMut()>::new(move || {
+        if let Some(fragment) = link() {
+            mailbox.post(Event::Link(fragment));
+        }
+    });
+    if let Some(window) = web_sys::window() {
+        // Listening for a named event does not fail.
+        let _ = window.add_event_listener_with_callback("hashchange", changed.as_ref().unchecked_ref());
+    }
+    changed.forget();
+}

@@ -1,0 +1,135 @@
+//! Undo and redo: the sessions that a person has come to rest at, one after the other.
+//!
+//! What happens between two of them, a drag or the way of a slider, is one step.
+
+use super::{OutlineSpec, Session};
+
+/// The most steps that are kept.
+const MOST_STEPS: usize = 200;
+/// The most points of loaded outlines in all steps together: 32 MB.
+const MOST_POINTS: usize = 2_000_000;
+
+/// The present session and the way to it and back.
+#[derive(Debug, Clone)]
+pub struct History {
+    now: Session,
+    past: Vec<Session>,
+    future: Vec<Session>,
+}
+
+impl History {
+    /// Begins at `session`; there is nothing before it.
+    pub fn new(session: Session) -> Self {
+        Self { now: session, past: Vec::new(), future: Vec::new() }
+    }
+
+    /// Notes that the person has come to rest at `session`; whether that is another one than before.
+    /// A new step ends what could be redone.
+    pub fn settle(&mut self, session: &Session) -> bool {
+        if *session == self.now {
+            return false;
+        }
+        self.past.push(std::mem::replace(&mut self.now, session.clone()));
+        self.future.clear();
+        self.forget_the_oldest();
+        true
+    }
+
+    /// One step back; `None` at the beginning.
+    pub fn undo(&mut self) -> Option<&Session> {
+        let before = self.past.pop()?;
+        self.future.push(std::mem::replace(&mut self.now, before));
+        Some(&self.now)
+    }
+
+    /// One step forward again; `None` where nothing was undone.
+    pub fn redo(&mut self) -> Option<&Session> {
+        let after = self.future.pop()?;
+        self.past.push(std::mem::replace(&mut self.now, after));
+        Some(&self.now)
+    }
+
+    /// Whether there is a step back.
+    pub fn can_undo(&self) -> bool {
+        !self.past.is_empty()
+    }
+
+    /// Whether there is a step forward.
+    pub fn can_redo(&self) -> bool {
+        !self.future.is_empty()
+    }
+
+    fn forget_the_oldest(&mut self) {
+        let mut points: usize = self.past.iter().map(points).sum();
+        while self.past.len() > MOST_STEPS || (points > MOST_POINTS && self.past.len() > 1) {
+            points -= self::points(&self.past.remove(0));
+        }
+    }
+}
+
+fn points(session: &Session) -> usize {
+    [&session.source, &session.target]
+        .iter()
+        .map(|domain| match &domain.outline {
+            OutlineSpec::Preset(_) => 0,
+            OutlineSpec::Points { points, .. } => points.len(),
+        })
+        .sum()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::conformal::Side;
+    use crate::geometry::DVec2;
+    use crate::session::Command;
+
+    fn scaled(scale: f64) -> Session {
+        let mut session = Session::default();
+        session.apply(Command::SetTextureScale(scale));
+        session
+    }
+
+    #[test]
+    fn steps_are_taken_back_and_made_again() {
+        let mut history = History::new(scaled(1.0));
+        assert!(history.settle(&scaled(2.0)) && history.settle(&scaled(3.0)));
+        assert!(!history.settle(&scaled(3.0)), "nothing has changed");
+        assert_eq!(history.undo(), Some(&scaled(2.0)));
+        assert_eq!(history.undo(), Some(&scaled(1.0)));
+        assert_eq!((history.undo(), history.can_undo()), (None, false));
+        assert_eq!(history.redo(), Some(&scaled(2.0)));
+        assert!(!history.settle(&scaled(2.0)) && history.can_redo(), "what was undone to is no new step");
+        assert!(history.settle(&scaled(9.0)) && !history.can_redo());
+        assert_eq!(history.undo(), Some(&scaled(2.0)));
+    }
+
+    #[test]
+    fn the_oldest_steps_are_forgotten() {
+        let mut history = History::new(scaled(0.0));
+        for k in 1..=MOST_STEPS + 50 {
+            history.settle(&scaled(k as f64));
+        }
+        let steps = std::iter::from_fn(|| history.undo().map(|_| ())).count();
+        assert_eq!(steps, MOST_STEPS);
+    }
+
+    #[test]
+    fn large_outlines_do_not_fill_the_memory() {
+        let large = |k: usize| {
+            let mut session = Session::default();
+            let points = vec![DVec2::new(k as f64, 0.0); MOST_POINTS / 4];
+            session.apply(Command::SetOutline {
+                side: Side::Source,
+                outline: OutlineSpec::Points { name: "large".into(), points },
+            });
+            session
+        };
+        let mut history = History::new(large(0));
+        for k in 1..10 {
+            history.settle(&large(k));
+        }
+        assert_eq!(history.past.len(), 4);
+    }
+}
