@@ -5,7 +5,7 @@ use super::reports::Report;
 use super::theme::Palette;
 use super::widgets::chevron;
 use crate::figures::{Detail, Figure, Scene};
-use crate::session::{Command, Session};
+use crate::session::{Command, Session, SurfaceShape};
 use egui::containers::menu::MenuButton;
 use egui::{RichText, Role, Ui, WidgetInfo};
 
@@ -71,5 +71,11 @@ fn resolution(session: &Session) -> String {
         crate::outline::Sampling::Adaptive { target } => target.map_or_else(|| "as needed".into(), |m| m.to_string()),
     };
     let [a, b] = [&session.source, &session.target].map(|domain| count(domain.settings.sampling));
-    format!("{a} samples of the source, {b} of the target")
+    match session.surface.as_ref().map(|surface| &surface.spec.shape) {
+        Some(SurfaceShape::Preset { boundary, .. }) => {
+            format!("{a} samples of the outline, {boundary} boundary vertices of the surface")
+        }
+        Some(SurfaceShape::File { name }) => format!("{a} samples of the outline; the surface {name}"),
+        None => format!("{a} samples of the source, {b} of the target"),
+    }
 }

@@ -3,8 +3,8 @@
 use super::trouble::{Remedy, Trouble};
 use crate::conformal::Side;
 use crate::outline::{Outline, parse, parse_repaired};
-use crate::session::{Session, file};
 use crate::platform::{FilePurpose, IMAGE_ENDINGS, SURFACE_ENDINGS};
+use crate::session::{Session, file};
 
 /// A decoded image.
 pub struct Picture {

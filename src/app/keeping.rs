@@ -64,9 +64,10 @@ impl Keeper {
 
 /// What has to travel as a file, in words.
 fn words(encoded: &link::Encoded) -> Option<String> {
-    let each = encoded.left_out.iter().map(|left| {
-        format!("the {} outline \"{}\" must travel as a file: {}", left.side, left.name, left.reason)
-    });
+    let each = encoded
+        .left_out
+        .iter()
+        .map(|left| format!("the {} outline \"{}\" must travel as a file: {}", left.side, left.name, left.reason));
     let all = each.collect::<Vec<_>>().join("; ");
     (!all.is_empty()).then_some(all)
 }

@@ -11,17 +11,8 @@ use super::{surface, teaching, words};
 use crate::conformal::{Direction, PrepareSettings, Side};
 use crate::mesh::Sizing;
 use crate::outline::Sampling;
-use crate::session::{Colouring, Command, TextureKind};
+use crate::session::{CELLS, Colouring, Command, GROWTH, SAMPLES, TextureKind};
 use egui::{RichText, Ui};
-
-/// Boundary samples that can be asked for: fewer than 30 make a polygon of any
-/// outline; 3200 are the most in the paper, and with uniform triangles in a
-/// round outline they already mean 800,000 vertices.
-const SAMPLES: std::ops::RangeInclusive<f64> = 30.0..=3200.0;
-/// Cells of the texture across the source.
-const CELLS: std::ops::RangeInclusive<f64> = 2.0..=64.0;
-/// Growth of the triangles per distance from the boundary.
-const GRADES: std::ops::RangeInclusive<f64> = 0.05..=0.5;
 
 const DIRECTIONS: [Segment<Direction>; 2] = [
     Segment { value: Direction::Forward, label: "Forward", tooltip: "The source's mesh is mapped into the target" },
@@ -139,7 +130,7 @@ fn sampling(ui: &mut Ui, old: Sampling, there: usize) -> Sampling {
         },
         Segment { value: true, label: "Uniform (paper)", tooltip: "Equally spaced in arc length, as in the paper" },
     ];
-    let count = asked.unwrap_or(there as u32);
+    let count = asked.unwrap_or(there as u32).clamp(*SAMPLES.start(), *SAMPLES.end());
     if let Some(to_uniform) = segmented(ui, &kinds, uniform) {
         new = if to_uniform {
             Sampling::Uniform { count, keep_corners: true }
@@ -147,8 +138,9 @@ fn sampling(ui: &mut Ui, old: Sampling, there: usize) -> Sampling {
             Sampling::Adaptive { target: Some(count) }
         };
     }
+    let range = f64::from(*SAMPLES.start())..=f64::from(*SAMPLES.end());
     let shown = if asked.is_some() { count.to_string() } else { format!("{there}, automatic") };
-    let moved = captioned_slider(ui, "Samples", &shown, f64::from(count), SAMPLES, true).map(|m| m.round() as u32);
+    let moved = captioned_slider(ui, "Samples", &shown, f64::from(count), range, true).map(|m| m.round() as u32);
     match (&mut new, moved) {
         (Sampling::Uniform { count, .. }, Some(m)) => *count = m,
         (Sampling::Adaptive { target }, Some(m)) => *target = Some(m),
@@ -188,7 +180,7 @@ fn sizing(ui: &mut Ui, old: Sizing) -> Sizing {
     }
     if let Sizing::Graded(grade) = new {
         let shown = format!("{grade:.2} per distance");
-        if let Some(moved) = captioned_slider(ui, "Growth", &shown, grade, GRADES, false) {
+        if let Some(moved) = captioned_slider(ui, "Growth", &shown, grade, GROWTH, false) {
             new = Sizing::Graded((100.0 * moved).round() / 100.0);
         }
     }

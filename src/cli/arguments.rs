@@ -107,8 +107,12 @@ pub struct PrepareArguments {
 /// `riemap figure N`.
 #[derive(Debug, clap::Args)]
 pub struct FigureArguments {
-    /// The figure's number in the paper: 6, 7, 8, 9, 10, 12 or 15.
+    /// The figure's number in the paper: 6, 7, 8, 9, 10, 12, 14, 15, 16 or 17.
     pub number: FigureNumber,
+    /// The surface of figures 16 and 17: a file (obj, ply, stl, off, gltf, glb) or `preset:NAME[:M]` [default: riemap's
+    /// own animal head, and its height field; the paper's meshes are not part of riemap].
+    #[arg(long, value_name = "FILE")]
+    pub surface: Option<String>,
     /// Write into this folder (made if absent), or to this file (.svg, .csv, and .png where meshes are shown);
     /// repeatable [default: the current folder, all formats].
     #[arg(long, value_name = "FOLDER|FILE")]

@@ -10,6 +10,7 @@ use crate::render::{
     BoundingSphere, Handle, MeshGeometry, OrbitCamera, Pattern, SceneDescription, SceneSurface, SceneViewport,
     SceneWire, StrokeStyle, SurfaceGeometry, SurfaceHandle, TextureStyle, headless_device, render_surface_with,
 };
+use crate::surface::SurfacePreset;
 
 /// Squares of the checkerboard across the outline's larger side.
 const CELLS: f64 = 16.0;
@@ -35,7 +36,7 @@ pub fn png(
     let scale = size[1].min(size[0]) as f32 / 900.0;
     let radius_px = 9.0 * scale.max(0.4);
     let stroke = StrokeStyle::themed(true, scale.max(0.6));
-    let camera = camera(name, surface, 0.5 * f64::from(size[0]) / f64::from(size[1]));
+    let camera = camera(preset(name), surface, 0.5 * f64::from(size[0]) / f64::from(size[1]));
     let on_surface = surface_handles(surface, constraints, &camera, radius_px);
     let mesh = &surface.surface.mesh;
     let left = SceneSurface {
@@ -81,9 +82,10 @@ fn source_bounds(source: &PreparedDomain) -> (crate::geometry::DVec2, crate::geo
     (bounds.min, bounds.max)
 }
 
-fn camera(name: &str, surface: &PreparedSurface, aspect: f64) -> OrbitCamera {
+/// Sees all of a surface, a preset from its own side.
+pub fn camera(preset: Option<SurfacePreset>, surface: &PreparedSurface, aspect: f64) -> OrbitCamera {
     let mesh = &surface.surface.mesh;
-    let mut camera = match preset(name).map(crate::surface::SurfacePreset::view) {
+    let mut camera = match preset.map(SurfacePreset::view) {
         Some([towards_eye, up]) => OrbitCamera::new(BoundingSphere::of(&mesh.vertices), towards_eye, up, aspect),
         None => OrbitCamera::before(&mesh.vertices, &mesh.triangles, aspect),
     };
@@ -91,7 +93,8 @@ fn camera(name: &str, surface: &PreparedSurface, aspect: f64) -> OrbitCamera {
     camera
 }
 
-fn surface_handles(
+/// The two points on the surface.
+pub fn surface_handles(
     surface: &PreparedSurface,
     constraints: &SurfaceConstraints,
     camera: &OrbitCamera,
@@ -109,7 +112,8 @@ fn surface_handles(
     [(surface.position(constraints.surface_point), interior), (on_loop, boundary)].map(handle)
 }
 
-fn planar_handles(source: &PreparedDomain, constraints: &SurfaceConstraints, radius_px: f32) -> [Handle; 2] {
+/// The two points in the plane.
+pub fn planar_handles(source: &PreparedDomain, constraints: &SurfaceConstraints, radius_px: f32) -> [Handle; 2] {
     let anchor = source.samples.position(source.samples.at_fraction(constraints.source_anchor));
     let [interior, boundary] = HANDLE_COLOURS;
     [(constraints.source_point, interior), (anchor, boundary)].map(|(position, colour)| Handle {

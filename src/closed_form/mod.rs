@@ -15,6 +15,7 @@
 //! fraction of the curve's, which is wrong by 1e-5 at most (the V and the blob).
 
 mod arc_length;
+mod crossing;
 mod measure;
 
 pub use arc_length::ArcLength;
@@ -36,12 +37,16 @@ pub struct ExactMap {
 impl ExactMap {
     /// The map of a session whose domains have these poles; `None` where it is not known. See [`Self::between`].
     pub fn of_session(session: &Session, poles: [DVec2; 2]) -> Option<Self> {
+        Self::between(Self::presets(session)?, &session.constraints(poles))
+    }
+
+    /// The presets of a session's outlines; `None` where one is loaded.
+    pub fn presets(session: &Session) -> Option<[Preset; 2]> {
         let preset = |outline: &OutlineSpec| match outline {
             OutlineSpec::Preset(preset) => Some(*preset),
             OutlineSpec::Points { .. } => None,
         };
-        let presets = [preset(&session.source.outline)?, preset(&session.target.outline)?];
-        Self::between(presets, &session.constraints(poles))
+        Some([preset(&session.source.outline)?, preset(&session.target.outline)?])
     }
 
     /// The map from one preset to another; `None` where it is not known in closed form, an

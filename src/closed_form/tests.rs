@@ -42,7 +42,7 @@ fn measures_rise_from_zero_to_one_and_are_inverted() {
                 let omega = measure.at(s);
                 assert!(omega >= before - 1e-15, "{preset} at {s}: {omega} after {before}");
                 before = omega;
-                // Back to the point, or to one with the same measure up to rounding: what a bisection's end is off by, times the kernel.
+                // Back to the point, or to one with the same measure up to rounding: what the inverse is off by, times the kernel.
                 let error = (measure.at(measure.inverse_at(omega)) - omega).abs();
                 assert!(error < 1e-10, "{preset} at {s}: {error:e}");
             }
@@ -79,7 +79,7 @@ fn on_the_disk_it_is_the_moebius_map_of_figure_7() {
         let x = f64::from(k) / 200.0;
         let image = disk::figure_7(Complex::cis(TAU * x)).arg().rem_euclid(TAU) / TAU;
         let error = (map.reparameterisation(Side::Source, x) - image).abs();
-        assert!(error < 1e-11, "at {x}: {error:e}, a bisection's end is 1e-12 off");
+        assert!(error < 1e-11, "at {x}: {error:e}, the inverse is 1e-12 off");
     }
 }
 

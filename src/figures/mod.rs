@@ -8,10 +8,12 @@
 //! | file | what | paper |
 //! |---|---|---|
 //! | `scenes` | domains, samples, constraints | captions of Figures 6–12 |
+//! | `surface_scenes` | the same with surfaces | captions of Figures 14, 16, 17 |
 //! | `disk_kernel` | kernel and measure on the disk | Figure 6 |
 //! | `moebius` | a Möbius map, both extensions | Figure 7 |
 //! | `crowding` | V-shape → blob by four ways | Figure 12 |
 //! | `convergence` | the same for rising m | Figure 15 |
+//! | `surfaces` | surfaces over planar domains | Figures 14, 16, 17 |
 //! | `bench` | times of this machine beside the paper's | Tables 1 and 2 |
 
 mod bench;
@@ -20,6 +22,8 @@ mod crowding;
 mod disk_kernel;
 mod moebius;
 mod scenes;
+mod surface_scenes;
+mod surfaces;
 mod table;
 
 pub use crate::closed_form::ArcLength;
@@ -32,11 +36,13 @@ pub use crowding::{BoundaryMap, CrowdingStudy, Method};
 pub use disk_kernel::DiskKernelStudy;
 pub use moebius::{GRID_CIRCLES, GRID_RAYS, MoebiusStudy, grid_point};
 pub use scenes::Scene;
+pub use surfaces::SurfaceStudy;
 pub use table::{Cell, Table};
 
-use crate::conformal::{MapError, PrepareError, PreparedDomain, prepare};
+use crate::conformal::{MapError, PrepareError, PreparedDomain, SurfaceMapError, prepare};
 use crate::laplace::NotConverged;
 use crate::session::DomainSpec;
+use crate::surface::{SurfacePreset, TopologyError};
 use crate::zipper::ZipperError;
 use std::sync::Arc;
 
@@ -56,8 +62,14 @@ pub enum Figure {
     Reshaping,
     /// Figure 12: the V-shape to the blob, through the disk and directly.
     Crowding,
+    /// Figure 14: the hemisphere over L-shapes.
+    LShapes,
     /// Figure 15: convergence on the V-shape.
     Convergence,
+    /// Figure 16: angle distortion of a head over the disk.
+    Head,
+    /// Figure 17: a face over several outlines.
+    Face,
 }
 
 /// How much of the paper's resolution is used.
@@ -96,6 +108,15 @@ pub enum FigureError {
     /// An iterative solver did not converge; scenes ask for none.
     #[error(transparent)]
     NotConverged(#[from] NotConverged),
+    /// A surface is no disk.
+    #[error(transparent)]
+    Topology(#[from] TopologyError),
+    /// There is no parameterization.
+    #[error(transparent)]
+    SurfaceMap(#[from] SurfaceMapError),
+    /// A surface is asked for where there is none.
+    #[error("the figure shows no surface")]
+    NoSurface,
     /// A session's outline is no valid one.
     #[error("the outline of a scene is not a simple polygon")]
     Outline,
@@ -103,14 +124,17 @@ pub enum FigureError {
 
 impl Figure {
     /// All of them, by number.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 10] = [
         Self::DiskKernel,
         Self::Moebius,
         Self::Options,
         Self::Distortion,
         Self::Reshaping,
         Self::Crowding,
+        Self::LShapes,
         Self::Convergence,
+        Self::Head,
+        Self::Face,
     ];
 
     /// The number in the paper.
@@ -122,7 +146,10 @@ impl Figure {
             Self::Distortion => 9,
             Self::Reshaping => 10,
             Self::Crowding => 12,
+            Self::LShapes => 14,
             Self::Convergence => 15,
+            Self::Head => 16,
+            Self::Face => 17,
         }
     }
 
@@ -140,7 +167,19 @@ impl Figure {
             Self::Distortion => "Angle distortion from the maple leaf to the cinquefoil",
             Self::Reshaping => "The gingerbread man, conformally reshaped",
             Self::Crowding => "From the V-shape to the blob: directly, and through the disk",
+            Self::LShapes => "The hemisphere over L-shaped domains",
             Self::Convergence => "Convergence on the V-shape",
+            Self::Head => "Angle distortion of a head over the disk",
+            Self::Face => "A face over planar domains",
+        }
+    }
+
+    /// riemap's surface in the place of the paper's, where its mesh belongs to others; another may be given.
+    pub fn stand_in(self) -> Option<SurfacePreset> {
+        match self {
+            Self::Head => Some(SurfacePreset::AnimalHead),
+            Self::Face => Some(SurfacePreset::HeightField),
+            _ => None,
         }
     }
 
@@ -177,6 +216,21 @@ impl Figure {
                 "the paper gives no x₂, y₂: the images of 0 and 1 under the blob's exact map",
                 "precomputed maps go through the centre −i of the V and the blob's pole of inaccessibility",
                 "of the paper's other algorithms the geodesic one (Zipper) is shown",
+            ],
+            Self::LShapes => &[
+                "the hemisphere is riemap's own with m = 900 as in the caption; its triangles are uniform, so that there are more than the paper's 4800",
+                "leftmost: the L to whose corners six equidistant points go when the pole goes to (1, 1)/√3 of its sides; by Schwarz and Christoffel its arms are √3 − 1 of them wide",
+                "the paper gives neither the other domains nor their constraints: the same L with x₁ in an arm, then two other Ls with their poles of inaccessibility; x₂ is the vertex farthest from the boundary, y₁ the concave corner",
+            ],
+            Self::Head => &[
+                "the paper's cow head is not part of riemap, whose own animal head stands in; --surface FILE takes another",
+                "the paper gives no constraints: the vertex farthest from the boundary goes to x₁ = 0, 0.4 and 0.8",
+                "the disk has 1000 uniform samples",
+            ],
+            Self::Face => &[
+                "the paper's face is not part of riemap, whose own height field stands in; --surface FILE takes another",
+                "outlines: riemap's own, with 1000 uniform samples and their corners",
+                "the paper gives no constraints: the tip of the nose (of a file with y up the vertex of largest z) goes to the pole of inaccessibility, the top of the loop to the top of the outline",
             ],
             Self::Convergence => &[
                 "constraints as in Figure 12",

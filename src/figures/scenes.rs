@@ -1,6 +1,6 @@
 //! The domains, resolutions and constraints of the figures, as sessions.
 
-use super::{Detail, Figure};
+use super::{Detail, Figure, surface_scenes};
 use crate::conformal::{Constraints, Direction, Extension, PrepareSettings};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
@@ -63,6 +63,9 @@ impl Figure {
             Self::Distortion => DISTORTION_SAMPLES.map(|m| distortion(m, detail)).to_vec(),
             Self::Reshaping => RESHAPED.map(|target| reshaping(target, detail)).to_vec(),
             Self::Crowding | Self::Convergence => vec![crowding(detail)],
+            Self::LShapes => surface_scenes::l_shapes(detail),
+            Self::Head => surface_scenes::heads(detail),
+            Self::Face => surface_scenes::faces(detail),
         }
     }
 }

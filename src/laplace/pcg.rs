@@ -8,6 +8,7 @@
 
 use super::pcg_run::PcgRun;
 use super::{Deadline, DirichletLaplacian, Lanes, LaplaceError};
+use std::ops::Range;
 
 /// A solve did not reach its tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -67,7 +68,7 @@ impl Pcg {
         self.len() == 0
     }
 
-    fn row(&self, row: usize) -> std::ops::Range<usize> {
+    fn row(&self, row: usize) -> Range<usize> {
         self.starts[row] as usize..self.starts[row + 1] as usize
     }
 
@@ -90,7 +91,7 @@ impl Pcg {
     }
 
     /// The product of two pieces of rows of the factor.
-    fn overlap(&self, mut a: std::ops::Range<usize>, mut b: std::ops::Range<usize>) -> f64 {
+    fn overlap(&self, mut a: Range<usize>, mut b: Range<usize>) -> f64 {
         let mut sum = 0.0;
         while !a.is_empty() && !b.is_empty() {
             match self.columns[a.start].cmp(&self.columns[b.start]) {
@@ -111,9 +112,10 @@ impl Pcg {
         self.advance(&mut PcgRun::default(), x, Deadline::NEVER).map(|_| ())
     }
 
-    /// `product = L̂ x`.
-    pub(super) fn multiply(&self, x: &[f64], product: &mut [f64]) {
-        for row in 0..x.len() {
+    /// `product = L̂ x`, by blocks of `rows` from the first to the last; a block needs nothing of `x` after itself,
+    /// and touches nothing of `product` there.
+    pub(super) fn multiply(&self, rows: Range<usize>, x: &[f64], product: &mut [f64]) {
+        for row in rows {
             let range = self.row(row);
             let mut sum = self.matrix[range.end - 1] * x[row];
             for entry in range.start..range.end - 1 {
@@ -126,9 +128,9 @@ impl Pcg {
         }
     }
 
-    /// Solves with the incomplete factor, in place.
-    pub(super) fn precondition(&self, x: &mut [f64]) {
-        for row in 0..x.len() {
+    /// The first half of solving with the incomplete factor, in place, by blocks of `rows` from the first to the last.
+    pub(super) fn sweep_forward(&self, rows: Range<usize>, x: &mut [f64]) {
+        for row in rows {
             let range = self.row(row);
             let mut sum = x[row];
             for entry in range.start..range.end - 1 {
@@ -136,7 +138,11 @@ impl Pcg {
             }
             x[row] = sum * self.factor[range.end - 1];
         }
-        for row in (0..x.len()).rev() {
+    }
+
+    /// The second half, by blocks of `rows` from the last to the first.
+    pub(super) fn sweep_backward(&self, rows: Range<usize>, x: &mut [f64]) {
+        for row in rows.rev() {
             let range = self.row(row);
             let value = x[row] * self.factor[range.end - 1];
             x[row] = value;

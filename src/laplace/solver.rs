@@ -125,8 +125,8 @@ impl Solver {
     }
 
     /// Goes on with [`Self::solve`] until it is done (true) or `deadline` is over. Between two looks
-    /// at the clock lie some milliseconds at most: some hundred supernodes, or an iteration of
-    /// conjugate gradients; so much is done by every call.
+    /// at the clock lie some milliseconds at most: some hundred supernodes, or one block of rows of an
+    /// iteration of conjugate gradients; so much is done by every call.
     ///
     /// The first call after [`SolveRun::restart`] finds b in `x`; until the end all arguments but the
     /// deadline must stay as they are. The solution is the same to the bit however often it was

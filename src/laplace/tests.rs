@@ -213,3 +213,37 @@ fn a_solve_can_be_left_for_another_one() {
         assert_eq!(whole, pieces, "{:?}", solver.kind());
     }
 }
+
+/// Three blocks of rows and a part of one: a chain with the diagonal 3, preconditioned by its diagonal.
+fn long_chain() -> Solver {
+    let n = 3 * 32_768 + 1000;
+    let entries = |first: f64, below: f64, diagonal: f64| {
+        std::iter::once(first).chain((1..n).flat_map(move |_| [below, diagonal])).collect::<Vec<f64>>()
+    };
+    let starts = std::iter::once(0).chain((0..n).map(|row| 2 * row + 1)).collect();
+    let columns = std::iter::once(0).chain((1..n).flat_map(|row| [row - 1, row])).collect();
+    let reciprocal = 3.0_f64.sqrt().recip();
+    let buffers =
+        PcgBuffers { starts, columns, matrix: entries(3.0, -1.0, 3.0), factor: entries(reciprocal, 0.0, reciprocal) };
+    Solver::from(Pcg::from_buffers(buffers).unwrap())
+}
+
+#[test]
+fn large_iterations_are_interrupted_block_by_block() {
+    let solver = long_chain();
+    let n = solver.len();
+    let right = |k: usize| (k as f64 * 0.3).sin();
+    let mut whole: Vec<[f64; 1]> = (0..n).map(|k| [right(k)]).collect();
+    let mut pieces = whole.clone();
+    solver.solve(solver.everything(), solver.everything(), &mut whole).unwrap();
+    let calls = interrupted(&solver, &mut SolveRun::default(), solver.everything(), &mut pieces);
+    assert_eq!(whole, pieces);
+    // 6 stages of 4 blocks each; at a condition of 5 it takes about 30 iterations
+    assert!(calls > 20 * 6 * 4, "{calls} calls");
+    for k in 0..n {
+        let [before, after] =
+            [k.checked_sub(1), Some(k + 1)].map(|j| j.and_then(|j| whole.get(j)).map_or(0.0, |x| x[0]));
+        let residual = 3.0 * whole[k][0] - before - after - right(k);
+        assert!(residual.abs() < 1e-10, "row {k}: {residual:e}");
+    }
+}

@@ -9,16 +9,16 @@
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember, remembered,
-    save_file, show_link, start,
+    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember,
+    remembered, save_file, show_link, start,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember, remembered,
-    save_file, show_link, start,
+    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember,
+    remembered, save_file, show_link, start,
 };
 
 use crate::conformal::Side;

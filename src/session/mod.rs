@@ -1,12 +1,16 @@
 //! Everything that a person can set, and the commands that set it.
 //!
 //! The UI emits [`Command`]s; [`Session::apply`] is the only door to a change.
-//! A session is small and plain: it is what links and files carry.
+//! A session is small and plain: it is what links ([`link`]) and files ([`file`]) carry.
 
+pub mod file;
 mod history;
+mod limits;
+pub mod link;
 mod surface;
 
 pub use history::History;
+pub use limits::{CELLS, GROWTH, OutOfRange, SAMPLES, SURFACE_BOUNDARY};
 pub use surface::{SurfaceShape, SurfaceSpec, SurfaceState};
 
 use crate::conformal::{Constraints, Direction, Extension, MapSettings, PrepareSettings, Side};

@@ -139,7 +139,14 @@ export class App {
 
   /** Clicks at a place of the window, and returns the file that the browser downloads then. */
   async download(at) {
-    const [download] = await Promise.all([this.#page.waitForEvent('download'), this.#page.mouse.click(...at)]);
+    const { mouse } = this.#page;
+    await mouse.move(...at);
+    await this.#frames();
+    const coming = this.#page.waitForEvent('download');
+    await mouse.down();
+    await this.#frames();
+    await mouse.up();
+    const download = await coming;
     const chunks = [];
     for await (const chunk of await download.createReadStream()) chunks.push(chunk);
     return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };

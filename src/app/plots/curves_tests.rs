@@ -1,6 +1,6 @@
 //! The curves against closed forms on the disk.
 
-use super::super::exact::ExactCurves;
+use super::super::exact::{ExactCurves, KeptExact};
 use super::*;
 use crate::closed_form::ExactMap;
 use crate::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, PreparedDomain, prepare};
@@ -159,4 +159,22 @@ fn a_flat_step_is_inverted_to_its_beginning() {
     assert_eq!(curve.inverse_at(0.5), 0.2);
     assert_eq!((curve.at(0.1), curve.at(0.45)), (0.25, 0.5));
     assert_eq!((curve.at(-1.0), curve.at(2.0)), (0.0, 1.0));
+}
+
+#[test]
+fn exact_curves_are_made_anew_only_when_what_they_are_made_of_changes() {
+    let at = |point: DVec2| Constraints {
+        source_point: point,
+        target_point: DVec2::ZERO,
+        source_anchor: 0.1,
+        target_anchor: 0.0,
+    };
+    let of = |point: DVec2| curves([point, DVec2::ZERO], [0.1, 0.0], Direction::Forward);
+    let (disks, mut kept) = (Some([Preset::Disk; 2]), KeptExact::default());
+    assert!(kept.update(disks, at(X), &of(X)) && kept.curves().is_some());
+    let first = kept.curves().cloned();
+    assert!(!kept.update(disks, at(X), &of(X)), "another extension of the same boundary map");
+    assert!(kept.update(disks, at(0.5 * X), &of(0.5 * X)) && kept.curves() != first.as_ref());
+    assert!(kept.update(disks, at(X), &of(X)) && kept.curves() == first.as_ref());
+    assert!(kept.update(None, at(X), &of(X)) && kept.curves().is_none(), "not known");
 }

@@ -2,7 +2,8 @@
 
 use super::curves::{Curve, Curves};
 use crate::closed_form::ExactMap;
-use crate::conformal::Side;
+use crate::conformal::{Constraints, Side};
+use crate::outline::Preset;
 
 /// Places of each boundary at which the exact curves are computed: with 160 a pixel of a plot is missed nowhere by the
 /// presets' curves.
@@ -38,6 +39,42 @@ impl ExactCurves {
         let backward = places[other as usize].iter().map(|&r| [exact.reparameterisation(other, r), r]);
         let reparameterisation = curve(forward.into_iter().chain(backward).collect());
         Self { measure, reparameterisation, difference }
+    }
+}
+
+/// What exact curves are made of: the outlines, where they are presets, the constraints, and the map's own curves.
+#[derive(Debug, PartialEq)]
+struct Parts {
+    presets: Option<[Preset; 2]>,
+    constraints: Constraints,
+    curves: Curves,
+}
+
+/// The exact curves of the last map, made anew only when what they are made of has changed: a map's extension alone
+/// may be refined, and a surface's has none.
+#[derive(Debug, Default)]
+pub struct KeptExact {
+    parts: Option<Parts>,
+    exact: Option<ExactCurves>,
+}
+
+impl KeptExact {
+    /// Renews them; whether anything was computed. No presets: the map is not known.
+    pub fn update(&mut self, presets: Option<[Preset; 2]>, constraints: Constraints, curves: &Curves) -> bool {
+        let is_same =
+            |parts: &Parts| parts.presets == presets && parts.constraints == constraints && parts.curves == *curves;
+        if self.parts.as_ref().is_some_and(is_same) {
+            return false;
+        }
+        let exact = presets.and_then(|presets| ExactMap::between(presets, &constraints));
+        self.exact = exact.map(|exact| ExactCurves::new(&exact, curves));
+        self.parts = Some(Parts { presets, constraints, curves: curves.clone() });
+        true
+    }
+
+    /// The curves; `None` where the map is not known in closed form.
+    pub fn curves(&self) -> Option<&ExactCurves> {
+        self.exact.as_ref()
     }
 }
 

@@ -11,7 +11,7 @@ mod curves;
 mod exact;
 
 pub use curves::{Curve, Curves};
-pub use exact::ExactCurves;
+pub use exact::{ExactCurves, KeptExact};
 
 pub use convergence::convergence_chart;
 
@@ -68,8 +68,8 @@ struct BoundaryPlace {
 pub struct Plots {
     /// With the generation of the map that they are of.
     curves: Option<(u64, Curves)>,
-    /// With the same; `None` inside where the map is not known in closed form.
-    exact: Option<(u64, Option<ExactCurves>)>,
+    /// With the same.
+    exact: Option<(u64, KeptExact)>,
     /// The kernel's axis.
     logarithmic: bool,
     /// The one on a phone.
@@ -113,20 +113,22 @@ impl Plots {
 
     fn update_exact(&mut self, model: &Model, generation: u64) {
         let is_known = self.exact.as_ref().is_some_and(|(known, _)| *known == generation);
-        let (false, Some(curves), [Some(source), Some(target)]) =
-            (is_known, self.curves(), Side::BOTH.map(|side| model.domain(side)))
+        let (false, Some((_, curves)), [Some(source), Some(target)]) =
+            (is_known, &self.curves, Side::BOTH.map(|side| model.domain(side)))
         else {
             return;
         };
-        let planar = model.surface().is_none();
-        let exact = ExactMap::of_session(model.session(), [source.pole, target.pole]).filter(|_| planar);
-        let exact = exact.map(|exact| ExactCurves::new(&exact, curves));
-        self.exact = Some((generation, exact));
+        let session = model.session();
+        let presets = ExactMap::presets(session).filter(|_| model.surface().is_none());
+        let (stamp, kept) = self.exact.get_or_insert_default();
+        kept.update(presets, session.constraints([source.pole, target.pole]), curves);
+        *stamp = generation;
     }
 
     /// The exact curves of the map in the plots, where they are known and the plots are open.
     pub fn exact(&self) -> Option<&ExactCurves> {
-        self.exact.as_ref().filter(|(generation, _)| self.generation() == Some(*generation))?.1.as_ref()
+        let (_, kept) = self.exact.as_ref().filter(|(generation, _)| self.generation() == Some(*generation))?;
+        kept.curves()
     }
 
     /// The marked point and its partner: fractions of arc length of source and target.

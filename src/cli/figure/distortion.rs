@@ -41,12 +41,12 @@ pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
         sheet.label(0, k, &shown.label, &format!("{triangles} triangles"));
         sheet.label(1, k, "", &shown.note());
     }
-    legend(&mut sheet.page, Sheet::bottom(rows.len()), maps.len());
+    legend(&mut sheet.page, Sheet::bottom(rows.len()), maps.len(), TOP_Q);
     Ok(sheet.finish(&maps))
 }
 
-/// The colours from Q = 1 to the top, with ticks.
-fn legend(page: &mut Page, top: f64, columns: usize) {
+/// The colours from Q = 1 to `top_q`, with ticks.
+pub fn legend(page: &mut Page, top: f64, columns: usize, top_q: f64) {
     const STEPS: u32 = 100;
     let width = 0.5 * PANEL * columns as f64;
     let left = LEFT + 0.5 * width;
@@ -57,9 +57,9 @@ fn legend(page: &mut Page, top: f64, columns: usize) {
         page.fill(corner, DVec2::new((1.0 - part) * width, 14.0), &rgb(ColourMap::Cividis.at(part)));
     }
     for k in 0..=5 {
-        let q = 1.0 + 0.1 * f64::from(k);
-        let x = left + width * (q - 1.0) / (TOP_Q - 1.0);
-        let name = if k == 5 { format!("≥ {q:.1}") } else { format!("{q:.1}") };
+        let part = f64::from(k) / 5.0;
+        let (q, x) = (1.0 + part * (top_q - 1.0), left + part * width);
+        let name = if k == 5 { format!("≥ {}", tick(q)) } else { tick(q) };
         page.text(DVec2::new(x, top + 30.0), Anchor::Middle, SMALL, colour::INK, &name);
     }
     page.text(DVec2::new(left - 14.0, top + 12.0), Anchor::End, LABEL, colour::INK, "Q");
@@ -71,13 +71,19 @@ fn legend(page: &mut Page, top: f64, columns: usize) {
     }
 }
 
+/// Two decimals, or one where that is all.
+fn tick(q: f64) -> String {
+    let text = format!("{q:.2}");
+    text.strip_suffix('0').map(str::to_owned).unwrap_or(text)
+}
+
 fn rgb(colour: [f32; 4]) -> String {
     let [r, g, b, _] = colour.map(|c| (255.0 * c).round());
     format!("rgb({r},{g},{b})")
 }
 
 /// A texture with a colour for each place along x.
-fn palette() -> RgbaImage {
+pub fn palette() -> RgbaImage {
     let bytes = |colour: [f32; 4]| Rgba(colour.map(|c| (255.0 * c).round() as u8));
     // square, so that it is not stretched
     RgbaImage::from_fn(COLOURS, COLOURS, |x, _| match x {
@@ -88,17 +94,17 @@ fn palette() -> RgbaImage {
 }
 
 /// Where a triangle finds its colour, at the middle of a column.
-fn place(triangle: &TriangleDistortion) -> DVec2 {
+fn place(triangle: &TriangleDistortion, top_q: f64) -> DVec2 {
     let column = match triangle {
         TriangleDistortion { flipped: true, .. } => FLIPPED,
         TriangleDistortion { collapsed: true, .. } => COLLAPSED,
-        _ => (f64::from(LAST) * ((triangle.q - 1.0) / (TOP_Q - 1.0)).clamp(0.0, 1.0)).round() as u32,
+        _ => (f64::from(LAST) * ((triangle.q - 1.0) / (top_q - 1.0)).clamp(0.0, 1.0)).round() as u32,
     };
     DVec2::new((f64::from(column) + 0.5) / f64::from(COLOURS), 0.5)
 }
 
 /// A mesh whose triangles have corners of their own, so that each has one colour.
-struct Coloured<'a> {
+pub struct Coloured<'a> {
     positions: Vec<DVec2>,
     coordinates: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
@@ -110,17 +116,29 @@ impl<'a> Coloured<'a> {
     fn new(shown: &'a Shown, side: Side) -> Self {
         let mesh = shown.map.mapped_mesh();
         let vertices = if side == Side::Source { mesh.vertices.as_slice() } else { shown.map.images() };
-        let corners = mesh.triangles.as_flattened();
-        let count = mesh.triangles.len() as u32;
+        let boundary = &shown.map.domain(side).samples.points;
+        Self::of(vertices, &mesh.triangles, &shown.triangles, boundary, TOP_Q)
+    }
+
+    /// A mesh with the distortion of each triangle; the last colour is that of `top_q`.
+    pub fn of(
+        vertices: &[DVec2],
+        triangles: &[[u32; 3]],
+        distortions: &[TriangleDistortion],
+        boundary: &'a [DVec2],
+        top_q: f64,
+    ) -> Self {
+        let count = triangles.len() as u32;
         Self {
-            positions: corners.iter().map(|&v| vertices[v as usize]).collect(),
-            coordinates: shown.triangles.iter().flat_map(|t| [place(t); 3]).collect(),
+            positions: triangles.as_flattened().iter().map(|&v| vertices[v as usize]).collect(),
+            coordinates: distortions.iter().flat_map(|t| [place(t, top_q); 3]).collect(),
             triangles: (0..count).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect(),
-            boundary: &shown.map.domain(side).samples.points,
+            boundary,
         }
     }
 
-    fn panel(&self) -> RasterPanel<'_> {
+    /// As it is drawn, with the texture of [`palette`].
+    pub fn panel(&self) -> RasterPanel<'_> {
         let style = TextureStyle {
             pattern: Pattern::Image,
             cells: 1.0,

@@ -1,6 +1,6 @@
 //! `riemap figure N`: makes a figure of the paper anew, as a drawing and a table.
 //!
-//! Plots are SVG; figures that show textured meshes also come as PNG, the bare pictures,
+//! Plots are SVG; figures that show textured meshes or surfaces also come as PNG, the bare pictures,
 //! which the SVG embeds between its labels. The numbers come from `figures`.
 
 mod crowding;
@@ -10,6 +10,7 @@ mod moebius;
 mod pictures;
 mod plot;
 mod raster;
+mod surfaces;
 mod svg;
 
 use super::CliError;
@@ -47,7 +48,14 @@ pub fn run(arguments: &FigureArguments) -> Result<(), CliError> {
     let figure = arguments.number.0;
     let outputs = outputs(figure, &arguments.out)?;
     let detail = if arguments.quick { Detail::Quick } else { Detail::Paper };
-    let drawing = draw(figure, detail)?;
+    let drawing = match (&arguments.surface, figure.stand_in()) {
+        (None, _) => draw(figure, detail)?,
+        (Some(name), Some(_)) => surfaces::draw(figure, detail, Some(name))?,
+        (Some(_), None) => {
+            let number = figure.number();
+            return Err(CliError::Usage(format!("--surface: figure {number} takes no surface, 16 and 17 do")));
+        }
+    };
     let mut files = Vec::new();
     for (path, format) in &outputs {
         let bytes = match format {
@@ -82,6 +90,7 @@ fn draw(figure: Figure, detail: Detail) -> Result<Drawing, CliError> {
         Figure::Reshaping => pictures::reshaping(detail),
         Figure::Crowding => crowding::figure_12(detail),
         Figure::Convergence => crowding::figure_15(detail),
+        Figure::LShapes | Figure::Head | Figure::Face => surfaces::draw(figure, detail, None),
     }
 }
 

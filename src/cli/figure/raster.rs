@@ -1,9 +1,10 @@
-//! Rows of textured meshes, drawn by wgpu on white.
+//! Rows of textured meshes and surfaces, drawn by wgpu on white.
 
 use crate::cli::CliError;
 use crate::geometry::{Bounds, DVec2};
 use crate::render::{
-    Camera, Handle, MeshGeometry, SceneDescription, SceneViewport, TextureStyle, headless_device, render_scene_with,
+    Camera, Handle, MeshGeometry, SceneDescription, SceneSurface, SceneViewport, TextureStyle, headless_device,
+    render_scene_with, render_surface_with,
 };
 use image::RgbaImage;
 
@@ -55,6 +56,20 @@ impl Raster {
         let scene = SceneDescription { viewports: &viewports, background: [1.0; 4], image, margin_px: 0.0 };
         let size = [PANEL_PX * panels.len() as u32, PANEL_PX];
         render_scene_with(&self.device, &self.queue, &scene, size).map_err(|error| CliError::Input(error.to_string()))
+    }
+}
+
+impl Raster {
+    /// Surfaces side by side.
+    pub fn surfaces(&self, surfaces: &[SceneSurface<'_>]) -> Result<RgbaImage, CliError> {
+        let mut row = RgbaImage::new(PANEL_PX * surfaces.len() as u32, PANEL_PX);
+        let scene = SceneDescription { viewports: &[], background: [1.0; 4], image: None, margin_px: 0.0 };
+        for (k, surface) in surfaces.iter().enumerate() {
+            let picture = render_surface_with(&self.device, &self.queue, surface, &scene, [PANEL_PX; 2]);
+            let picture = picture.map_err(|error| CliError::Input(error.to_string()))?;
+            image::imageops::replace(&mut row, &picture, i64::from(PANEL_PX) * k as i64, 0);
+        }
+        Ok(row)
     }
 }
 

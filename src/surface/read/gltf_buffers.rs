@@ -2,8 +2,11 @@
 
 use super::gltf::Document;
 use super::scalar::Scalar;
-use super::{Place, SurfaceError, base64};
+use super::{Place, SurfaceError};
 use crate::geometry::DVec3;
+use base64::alphabet::STANDARD;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
+use base64::{DecodeError, Engine as _};
 use std::borrow::Cow;
 
 /// The bytes of all buffers.
@@ -93,7 +96,19 @@ fn embedded(uri: &str, place: Place) -> Result<Vec<u8>, SurfaceError> {
     if !kind.ends_with(";base64") {
         return Err(SurfaceError::unsupported(place, "data that is not in base 64"));
     }
-    base64::decode(text).map_err(|position| {
+    BASE64.decode(text).map_err(|error| {
+        let position = match error {
+            DecodeError::InvalidByte(position, _) => position,
+            _ => text.len(),
+        };
         SurfaceError::malformed(place, format!("no base 64: character {position} of the data does not belong"))
     })
 }
+
+/// Base 64 (RFC 4648, section 4), taken with or without padding.
+const BASE64: GeneralPurpose = GeneralPurpose::new(
+    &STANDARD,
+    GeneralPurposeConfig::new()
+        .with_decode_padding_mode(DecodePaddingMode::Indifferent)
+        .with_decode_allow_trailing_bits(true),
+);

@@ -4,7 +4,6 @@
 //! byte with their errors, and a surface needs positions and faces only. No
 //! bytes make a reader panic, and none reads anything but these bytes.
 
-mod base64;
 mod error;
 mod faces;
 mod glb;

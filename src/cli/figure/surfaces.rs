@@ -1,0 +1,180 @@
+//! Figures 14, 16 and 17: planar domains above, the surface with their texture, or the colours of Q, below.
+
+use super::Drawing;
+use super::distortion::{Coloured, legend, palette};
+use super::pictures::{Sheet, style};
+use super::raster::{Raster, RasterPanel};
+use crate::cli::CliError;
+use crate::cli::flatten_arguments::{preset, read};
+use crate::cli::surface_picture::{camera, planar_handles, surface_handles};
+use crate::conformal::{Quality, TriangleDistortion, surface_distortions};
+use crate::figures::{Detail, Figure, FigureError, SurfaceStudy};
+use crate::geometry::DVec2;
+use crate::render::{
+    CellCode, CellStyle, ColourMap, OrbitCamera, SceneSurface, StrokeStyle, SurfaceGeometry, SurfaceHandle,
+};
+use crate::session::{Colouring, SurfaceShape};
+use crate::surface::SurfacePreset;
+
+/// Radius of a handle, and the ratio of panel pixels to points that strokes are drawn for.
+const HANDLE_PX: f32 = 8.0;
+const PIXELS_PER_POINT: f32 = 1.2;
+
+/// Q from 1 to here has a colour of its own. On riemap's head and on the paper's cow the means are 1.05 to 1.06, the
+/// largest values 1.24 to 1.40.
+const TOP_Q: f64 = 1.25;
+
+/// Room for the legend of Q.
+const LEGEND: f64 = 60.0;
+
+/// Draws one of them, with the surface of this name in the place of its own.
+pub fn draw(figure: Figure, detail: Detail, name: Option<&str>) -> Result<Drawing, CliError> {
+    let given = name.map(read).transpose()?;
+    let studies = SurfaceStudy::all(figure, detail, given.as_ref()).map_err(|error| about(name, &error))?;
+    let shown_preset = name.map_or_else(|| own_preset(&studies), preset);
+    let shown: Vec<Shown<'_>> = studies.iter().map(|study| Shown::new(study, shown_preset)).collect();
+    let raster = Raster::new()?;
+    let rows = [planar_row(&raster, &shown)?, raster.surfaces(&shown.iter().map(Shown::surface).collect::<Vec<_>>())?];
+    let is_coloured = shown.iter().any(Shown::is_coloured);
+    let title = format!("Figure {}: {}", figure.number(), figure.title());
+    let mut sheet = Sheet::new(&title, &rows, shown.len(), if is_coloured { LEGEND } else { 0.0 })?;
+    for (k, shown) in shown.iter().enumerate() {
+        sheet.label(0, k, &shown.study.label, if k == 0 { "x green, y magenta" } else { "" });
+        sheet.label(1, k, "", &shown.note());
+    }
+    if is_coloured {
+        legend(&mut sheet.page, Sheet::bottom(rows.len()), shown.len(), TOP_Q);
+    }
+    let findings = findings(name, &shown);
+    Ok(Drawing { svg: sheet.page.finish(), png: Some(sheet.png), table: SurfaceStudy::table(&studies), findings })
+}
+
+fn about(name: Option<&str>, error: &FigureError) -> CliError {
+    CliError::Input(name.map_or_else(|| error.to_string(), |name| format!("{name}: {error}")))
+}
+
+fn own_preset(studies: &[SurfaceStudy]) -> Option<SurfacePreset> {
+    match studies.first()?.session.surface.as_ref()?.spec.shape {
+        SurfaceShape::Preset { preset, .. } => Some(preset),
+        SurfaceShape::File { .. } => None,
+    }
+}
+
+fn findings(name: Option<&str>, shown: &[Shown<'_>]) -> Vec<String> {
+    let surface = shown.first().map(|shown| {
+        let prepared = shown.study.map.surface();
+        let mesh = &prepared.surface.mesh;
+        let name = name.map_or_else(String::new, |name| format!(" ({name})"));
+        let (m, triangles, flips) = (mesh.boundary_count, mesh.triangles.len(), prepared.flips.flips);
+        format!("surface{name}: m = {m}, {triangles} triangles, {flips} edges flipped to be Delaunay")
+    });
+    let maps = shown.iter().map(|shown| {
+        let Quality { q_max, flipped, collapsed, .. } = shown.quality();
+        format!(
+            "{}: {}, largest Q {q_max:.2}, {flipped} flipped, {collapsed} collapsed",
+            shown.study.label,
+            shown.note()
+        )
+    });
+    surface.into_iter().chain(maps).collect()
+}
+
+/// A study as it is drawn.
+struct Shown<'a> {
+    study: &'a SurfaceStudy,
+    triangles: Vec<TriangleDistortion>,
+    codes: Vec<CellCode>,
+    camera: OrbitCamera,
+    handles: [SurfaceHandle; 2],
+}
+
+impl<'a> Shown<'a> {
+    fn new(study: &'a SurfaceStudy, preset: Option<SurfacePreset>) -> Self {
+        let surface = study.map.surface();
+        let mut triangles = Vec::new();
+        surface_distortions(&surface.surface.mesh, study.map.images(), &mut triangles);
+        let camera = camera(preset, surface, 1.0);
+        let handles = surface_handles(surface, &study.constraints, &camera, HANDLE_PX);
+        let codes = triangles.iter().map(code).collect();
+        Self { study, triangles, codes, camera, handles }
+    }
+
+    /// Whether it shows Q in the place of a texture.
+    fn is_coloured(&self) -> bool {
+        self.study.session.colouring == Colouring::Angle
+    }
+
+    fn quality(&self) -> Quality {
+        Quality::summary(&self.triangles)
+    }
+
+    fn note(&self) -> String {
+        format!("Q_avg = {:.4}", self.quality().q_mean)
+    }
+
+    fn surface(&self) -> SceneSurface<'_> {
+        let mesh = &self.study.map.surface().surface.mesh;
+        let cells =
+            CellStyle { map: Some(ColourMap::Cividis), wire: None, marks: true, pixels_per_point: PIXELS_PER_POINT };
+        SceneSurface {
+            geometry: SurfaceGeometry {
+                positions: &mesh.vertices,
+                triangles: &mesh.triangles,
+                boundary_count: mesh.boundary_count,
+            },
+            texture_coordinates: self.study.map.images(),
+            codes: if self.is_coloured() { &self.codes } else { &[] },
+            cells: Some(cells).filter(|_| self.is_coloured()),
+            camera: self.camera,
+            style: style(&self.study.session, self.outline(), self.study.constraints.source_point),
+            stroke: Some(StrokeStyle::themed(false, PIXELS_PER_POINT)),
+            handles: &self.handles,
+        }
+    }
+
+    fn outline(&self) -> &'a [DVec2] {
+        &self.study.map.source().samples.points
+    }
+
+    /// The domain with its texture.
+    fn textured(&self) -> RasterPanel<'_> {
+        let mesh = &self.study.map.source().mesh;
+        RasterPanel {
+            positions: &mesh.vertices,
+            coordinates: &mesh.vertices,
+            triangles: &mesh.triangles,
+            boundary: self.outline(),
+            marks: self.marks(),
+            style: style(&self.study.session, self.outline(), self.study.constraints.source_point),
+        }
+    }
+
+    /// The surface's triangles as they lie in the domain.
+    fn coloured(&self) -> Coloured<'a> {
+        let map = &self.study.map;
+        Coloured::of(map.images(), &map.surface().surface.mesh.triangles, &self.triangles, self.outline(), TOP_Q)
+    }
+
+    fn marks(&self) -> Vec<(DVec2, [f32; 4])> {
+        let handles = planar_handles(self.study.map.source(), &self.study.constraints, HANDLE_PX);
+        handles.map(|handle| (handle.position, handle.colour)).to_vec()
+    }
+}
+
+fn planar_row(raster: &Raster, shown: &[Shown<'_>]) -> Result<image::RgbaImage, CliError> {
+    if !shown.iter().any(Shown::is_coloured) {
+        return raster.row(&shown.iter().map(Shown::textured).collect::<Vec<_>>(), None);
+    }
+    let meshes: Vec<Coloured<'_>> = shown.iter().map(Shown::coloured).collect();
+    let panels = meshes.iter().zip(shown).map(|(mesh, shown)| RasterPanel { marks: shown.marks(), ..mesh.panel() });
+    raster.row(&panels.collect::<Vec<_>>(), Some(&palette()))
+}
+
+/// The colour of a triangle on the surface, as in the plane.
+fn code(triangle: &TriangleDistortion) -> CellCode {
+    match triangle {
+        TriangleDistortion { flipped: true, .. } => CellCode::FLIPPED,
+        TriangleDistortion { collapsed: true, .. } => CellCode::COLLAPSED,
+        _ => CellCode::at((triangle.q - 1.0) / (TOP_Q - 1.0)),
+    }
+}

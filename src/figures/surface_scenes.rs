@@ -1,0 +1,151 @@
+//! The surfaces, outlines and constraints of Figures 14, 16 and 17, as sessions.
+
+use super::scenes::uniform;
+use super::{Detail, Scene};
+use crate::geometry::DVec2;
+use crate::outline::{Preset, Sampling};
+use crate::session::{
+    Colouring, DomainSpec, OutlineSpec, Session, SurfaceShape, SurfaceSpec, SurfaceState, TextureKind,
+};
+use crate::surface::SurfacePreset;
+
+/// m of the hemisphere in Figure 14.
+const HEMISPHERE_SAMPLES: u32 = 900;
+
+/// m of riemap's own head and face: about as many triangles (30,000) as the paper's.
+const SURFACE_SAMPLES: u32 = 375;
+
+/// Samples of the planar domains.
+const OUTLINE_SAMPLES: u32 = 1000;
+
+/// The arm's width of the L of [`l_of_six_points`], relative to its side: √3 − 1.
+const L_ARM: f64 = 0.732_050_807_568_877_3;
+
+/// x₁ in it, on the diagonal: 1/√3.
+const L_CENTRE: f64 = 0.577_350_269_189_625_8;
+
+/// |x₁| of Figure 16.
+const RADII: [f64; 3] = [0.0, 0.4, 0.8];
+
+/// The outlines of Figure 17, their tops, and the squares of the checkerboard across them: where the face's middle takes
+/// little of the outline, finer ones.
+const FACE_OUTLINES: [(Preset, f64, f64); 4] = [
+    (Preset::Disk, 0.25, 24.0),
+    (Preset::Gingerbread, 0.0, 36.0),
+    (Preset::Heart, 0.0, 24.0),
+    (Preset::MapleLeaf, 0.0, 36.0),
+];
+
+/// y₂ on riemap's face, an ellipse's loop from its right end on: the top.
+const FACE_TOP: f64 = 0.25;
+
+/// Squares of the checkerboard across the Ls.
+const L_SQUARES: f64 = 16.0;
+
+/// An L in a rectangle from the origin, its arms as wide as the concave corner `inner` is far from the axes; from
+/// that corner on, counter-clockwise.
+fn l_shape(size: DVec2, inner: DVec2) -> Vec<DVec2> {
+    let at = DVec2::new;
+    vec![inner, at(inner.x, size.y), at(0.0, size.y), DVec2::ZERO, at(size.x, 0.0), at(size.x, inner.y)]
+}
+
+/// The L to whose corners the disk's sixth roots of unity go, the first to the concave one.
+///
+/// By Schwarz and Christoffel f′(z) = (1 − z)/√(1 − z⁶) but for a factor. With the integrals P and R of 1/√(1 − r⁶) and
+/// r/√(1 − r⁶) over (0, 1), the diagonal is f(1) − f(−1) = 2P long, and 0 goes to P + R before
+/// the outer corner. As lengths of sides are integrals over arcs, side : arm : notch is 1 : √3 − 1 : 2 − √3.
+fn l_of_six_points() -> Vec<DVec2> {
+    l_shape(DVec2::ONE, DVec2::splat(L_ARM))
+}
+
+fn surface(preset: SurfacePreset, boundary: u32, anchor: f64) -> Option<SurfaceState> {
+    let spec = SurfaceSpec { shape: SurfaceShape::Preset { preset, boundary }, ..SurfaceSpec::default() };
+    Some(SurfaceState { spec, point: None, anchor })
+}
+
+fn over(outline: OutlineSpec, detail: Detail, surface: Option<SurfaceState>) -> Session {
+    let mut settings = uniform(detail.samples(OUTLINE_SAMPLES));
+    if let Sampling::Uniform { keep_corners, .. } = &mut settings.sampling {
+        *keep_corners = true;
+    }
+    Session { source: DomainSpec { outline, settings }, texture: TextureKind::Checker, surface, ..Session::default() }
+}
+
+/// Figure 14.
+pub(super) fn l_shapes(detail: Detail) -> Vec<Scene> {
+    // so that a sixth of the loop is at a vertex
+    let boundary = detail.samples(HEMISPHERE_SAMPLES) / 6 * 6;
+    let scene = |label: &str, points: Vec<DVec2>, interior: Option<DVec2>| {
+        let outline = OutlineSpec::Points { name: String::from("L"), points };
+        let session = over(outline, detail, surface(SurfacePreset::Hemisphere, boundary, 0.0));
+        let session = Session { interior: [interior, None], texture_scale: L_SQUARES, ..session };
+        Scene { label: label.to_owned(), session }
+    };
+    let narrow = l_shape(DVec2::ONE, DVec2::splat(0.45));
+    let unequal = l_shape(DVec2::new(1.0, 0.8), DVec2::new(0.3, 0.45));
+    vec![
+        scene("sixths to corners", l_of_six_points(), Some(DVec2::splat(L_CENTRE))),
+        scene("x₁ in an arm", l_of_six_points(), Some(DVec2::new(0.8, 0.36))),
+        scene("narrow arms", narrow, None),
+        scene("unequal arms", unequal, None),
+    ]
+}
+
+/// Figure 16.
+pub(super) fn heads(detail: Detail) -> Vec<Scene> {
+    let boundary = detail.samples(SURFACE_SAMPLES);
+    let scene = |radius: f64| {
+        let outline = OutlineSpec::Preset(Preset::Disk);
+        let session = over(outline, detail, surface(SurfacePreset::AnimalHead, boundary, 0.0));
+        let interior = [Some(DVec2::new(radius, 0.0)), None];
+        Scene {
+            label: format!("x₁ = {radius}"), session: Session { interior, colouring: Colouring::Angle, ..session }
+        }
+    };
+    RADII.map(scene).to_vec()
+}
+
+/// Figure 17.
+pub(super) fn faces(detail: Detail) -> Vec<Scene> {
+    let boundary = detail.samples(SURFACE_SAMPLES);
+    let scene = |(preset, top, texture_scale): (Preset, f64, f64)| {
+        let face = surface(SurfacePreset::HeightField, boundary, FACE_TOP);
+        let session = over(OutlineSpec::Preset(preset), detail, face);
+        let session = Session { anchor: [top, 0.0], texture_scale, ..session };
+        Scene { label: preset.title().to_owned(), session }
+    };
+    FACE_OUTLINES.map(scene).to_vec()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    /// ∫ g over (a, b) by the midpoint rule in the angle of which both ends' roots become smooth.
+    fn integral(g: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+        let steps = 2000;
+        let term = |k: i32| {
+            let angle = PI * (f64::from(k) + 0.5) / f64::from(steps);
+            g(0.5 * (a + b) - 0.5 * (b - a) * angle.cos()) * angle.sin()
+        };
+        0.5 * (b - a) * PI / f64::from(steps) * (0..steps).map(term).sum::<f64>()
+    }
+
+    #[test]
+    fn the_l_of_six_points_is_that_of_schwarz_and_christoffel() {
+        // |f′| on the circle
+        let speed = |t: f64| 2.0 * (0.5 * t).sin() / (2.0 * (3.0 * t).sin().abs()).sqrt();
+        let sixth = |k: f64| integral(speed, k * PI / 3.0, (k + 1.0) * PI / 3.0);
+        let [notch, arm, side] = [0.0, 1.0, 2.0].map(sixth);
+        assert!((notch + arm - side).abs() < 1e-5 * side, "it closes: {notch} + {arm} = {side}");
+        assert!((arm / side - L_ARM).abs() < 1e-5 && (L_ARM - (3.0_f64.sqrt() - 1.0)).abs() < 1e-15, "{arm} {side}");
+        // along the diagonal from the outer corner, f(−1), to f(0)
+        let to_centre = integral(|r| (1.0 + r) / (1.0 - r.powi(6)).sqrt(), 0.0, 1.0);
+        let along_axis = to_centre / 2.0_f64.sqrt() / side;
+        assert!(
+            (along_axis - L_CENTRE).abs() < 1e-5 && (3.0 * L_CENTRE * L_CENTRE - 1.0).abs() < 1e-15,
+            "{along_axis}"
+        );
+    }
+}

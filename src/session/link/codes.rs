@@ -1,0 +1,52 @@
+//! The numbers that stand for choices in a link. They never change; a new choice gets the next number.
+
+use super::LinkError;
+use crate::conformal::{Direction, Extension, KernelMode, Side};
+use crate::laplace::SolverKind;
+use crate::session::{Colouring, Comparison, TextureKind};
+
+/// A choice with a number.
+pub(super) trait Coded: Sized {
+    /// Its number.
+    fn code(self) -> u8;
+
+    /// The choice of a number. Errors: [`LinkError::Unknown`].
+    fn of(code: u8) -> Result<Self, LinkError>;
+}
+
+macro_rules! codes {
+    ($what:literal, $type:ty { $($value:path = $code:literal),+ $(,)? }) => {
+        impl Coded for $type {
+            fn code(self) -> u8 {
+                match self { $($value => $code),+ }
+            }
+
+            fn of(code: u8) -> Result<Self, LinkError> {
+                match code {
+                    $($code => Ok($value),)+
+                    _ => Err(LinkError::Unknown { what: $what, name: code.to_string() }),
+                }
+            }
+        }
+    };
+}
+
+codes!("direction", Direction { Direction::Forward = 0, Direction::Backward = 1 });
+codes!("extension", Extension { Extension::Harmonic = 0, Extension::CauchyGreen = 1 });
+codes!("side", Side { Side::Source = 0, Side::Target = 1 });
+codes!("kernel mode", KernelMode { KernelMode::Adjoint = 0, KernelMode::Table = 1 });
+codes!("solver", SolverKind { SolverKind::Direct = 0, SolverKind::Pcg = 1 });
+codes!("colouring", Colouring { Colouring::Texture = 0, Colouring::Angle = 1, Colouring::Area = 2 });
+codes!("texture", TextureKind {
+    TextureKind::Checker = 0,
+    TextureKind::Grid = 1,
+    TextureKind::Polar = 2,
+    TextureKind::Conformal = 3,
+    TextureKind::Image = 4,
+});
+codes!("comparison", Comparison {
+    Comparison::Off = 0,
+    Comparison::Fresh = 1,
+    Comparison::Precomputed = 2,
+    Comparison::Both = 3,
+});

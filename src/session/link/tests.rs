@@ -1,0 +1,282 @@
+//! Golden links, sizes, what does not fit, what is refused.
+
+use super::*;
+use crate::conformal::{Direction, Extension, KernelMode, PrepareSettings};
+use crate::laplace::SolverKind;
+use crate::mesh::{BarycentricPoint, Sizing};
+use crate::outline::{Preset, Sampling};
+use crate::session::{Colouring, Command, Comparison, SurfaceShape, SurfaceSpec, TextureKind};
+use crate::surface::SurfacePreset;
+
+fn round_trip(session: &Session) -> Decoded {
+    decode(&encode(session).unwrap().fragment).unwrap()
+}
+
+/// Another value than the default's everywhere.
+fn everything() -> Session {
+    let settings = [
+        PrepareSettings {
+            sampling: Sampling::Uniform { count: 1000, keep_corners: true },
+            sizing: Sizing::Uniform,
+            kernel: KernelMode::Table,
+            solver: SolverKind::Pcg,
+        },
+        PrepareSettings { sampling: Sampling::default(), sizing: Sizing::Graded(0.25), ..PrepareSettings::default() },
+    ];
+    let mut session = Session::default();
+    for (side, preset) in Side::BOTH.into_iter().zip([Preset::VShape, Preset::MapleLeaf]) {
+        let x = 0.125 * (1.0 + f64::from(side as u8));
+        session.apply(Command::SetOutline { side, outline: OutlineSpec::Preset(preset) });
+        session.apply(Command::SetSettings { side, settings: settings[side as usize] });
+        session.apply(Command::MoveInterior { side, point: DVec2::new(x, -1.0 / 3.0) });
+        session.apply(Command::MoveAnchor { side, fraction: 0.1 + x });
+    }
+    let shape = SurfaceShape::Preset { preset: SurfacePreset::AnimalHead, boundary: 123 };
+    for command in [
+        Command::SetDirection(Direction::Forward),
+        Command::SetExtension(Extension::CauchyGreen),
+        Command::SetTexture(TextureKind::Conformal),
+        Command::SetTextureScale(12.0),
+        Command::SetTextureSide(Side::Target),
+        Command::SetColouring(Colouring::Area),
+        Command::SetWireframe(true),
+        Command::SetPlots(true),
+        Command::SetComparison(Comparison::Precomputed),
+        Command::SetSurface(SurfaceSpec { shape, repair: true, ..SurfaceSpec::default() }),
+        Command::MoveSurfacePoint(BarycentricPoint { triangle: 77, weights: [0.25, 0.5, 0.25] }),
+        Command::MoveSurfaceAnchor(0.625),
+    ] {
+        session.apply(command);
+    }
+    session
+}
+
+/// A house, with corners on the 16-bit grid of its box: it comes back as it is.
+fn house() -> Session {
+    let corners = [(0.0, 0.0), (65535.0, 0.0), (65535.0, 40000.0), (32768.0, 65535.0), (0.0, 40000.0)];
+    let points = corners.map(DVec2::from).to_vec();
+    let mut session = Session::default();
+    session.apply(Command::SetOutline {
+        side: Side::Target,
+        outline: OutlineSpec::Points { name: "Häuschen".into(), points },
+    });
+    session.apply(Command::SetSurface(SurfaceSpec {
+        shape: SurfaceShape::File { name: "cow.obj".into() },
+        ..SurfaceSpec::default()
+    }));
+    session
+}
+
+/// Links of version 1 as they were sent. These strings must never change.
+const GOLDEN_DEFAULT: &str =
+    "s=1.eNplyLENQBEURuH_Fqq3xNuEVYgbNIoby7CJxHAioeFUXw6-kHJgccLWg4aiVlddA1CRrZT7PtHBbzYmH3YRpA";
+const GOLDEN_EVERYTHING: &str = "s=1.eNpVzT0Kg0AQBeD3kkJILpJmzzC5QMocYCArBlYRBBsPpwdQsNHawsJjqCsqfkwxf_AQ5CaLNLWcAoLEI9bUWeOshgDhtXK0lXy9rjxu-6KpPQm9XsD79vJ688al8NTkH6szkdVfsWSBnzNgNch1HgUzi8Uk-Q";
+const GOLDEN_HOUSE: &str = "s=1.eNptjE0KQFAcxP9DklzCCVyBpWv4ePlYUCRrZW3P2iWUnYvIBZxAD-ml8NvMTDMN6WGchiz3cuYGhElB312MFhE0Zx7Kwo9YSj8sfLOFQjnnJPFW3rlcr0Cz4vX2BcIY9p2h-lllZl7yVBcH7nIjBg";
+const GOLDEN_MISSING: &str =
+    "s=1.eNpdissJwCAUBPeF2Ec6eWklh5AcQgLBZrQTQfBsFx4tQ8QP6F5mGHZZn--9QFaQVnmGAYj7PH451a6FngnDgiuM3Eo_bHuVBIedGss";
+
+fn with_missing() -> Decoded {
+    let mut session = Session::default();
+    session.source.outline = OutlineSpec::Preset(Preset::Disk);
+    session.interior[1] = Some(DVec2::new(0.0, -0.5));
+    let interior = Some(DVec2::new(0.1, 0.2));
+    Decoded {
+        session,
+        missing: vec![MissingOutline { side: Side::Source, name: "long".into(), interior, anchor: 0.75 }],
+    }
+}
+
+#[test]
+fn golden_links_of_version_1_open_for_ever() {
+    let known = |session| Decoded { session, missing: Vec::new() };
+    for (link, expected) in [
+        (GOLDEN_DEFAULT, known(Session::default())),
+        (GOLDEN_EVERYTHING, known(everything())),
+        (GOLDEN_HOUSE, known(house())),
+        (GOLDEN_MISSING, with_missing()),
+    ] {
+        assert_eq!(decode(link), Ok(expected), "{link}");
+    }
+}
+
+/// 20,000 points on a circle that is rough by a hundredth.
+fn rough(count: u32) -> OutlineSpec {
+    let point = |k: u32| {
+        let noise = f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
+        DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / f64::from(count)) * (1.0 + 0.01 * noise)
+    };
+    OutlineSpec::Points { name: "rough".into(), points: (0..count).map(point).collect() }
+}
+
+#[test]
+fn the_usual_links_are_short() {
+    let mut dragged = Session::default();
+    for side in Side::BOTH {
+        dragged.apply(Command::MoveInterior { side, point: DVec2::new(0.123_456_789, -1.0 / 3.0) });
+        dragged.apply(Command::MoveAnchor { side, fraction: 0.7_f64.sqrt() });
+    }
+    let mut drawn = Session::default();
+    let leaf =
+        OutlineSpec::Points { name: "leaf".into(), points: Preset::MapleLeaf.outline().polygon.vertices().to_vec() };
+    drawn.apply(Command::SetOutline { side: Side::Source, outline: leaf });
+    for (name, session, most) in [
+        ("default", Session::default(), 110),
+        ("both dots dragged on both sides", dragged, 180),
+        ("everything", everything(), 250),
+        ("house and a surface", house(), 180),
+        ("a leaf of many points", drawn, MAX_LENGTH),
+    ] {
+        let Encoded { fragment, left_out } = encode(&session).unwrap();
+        println!("{name}: {} characters\n{fragment:.300}", fragment.len());
+        assert!(fragment.len() <= most && left_out.is_empty(), "{name}: {} characters", fragment.len());
+        let allowed = |c: char| c.is_ascii_alphanumeric() || "-_.=".contains(c);
+        assert!(fragment.chars().all(allowed), "{fragment}");
+    }
+}
+
+#[test]
+fn everything_comes_back() {
+    for session in [Session::default(), everything(), house()] {
+        assert_eq!(round_trip(&session), Decoded { session, missing: Vec::new() });
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_left_out_and_everything_else_stays() {
+    let mut session = everything();
+    session.surface = None;
+    session.source.outline = rough(20_000);
+    session.target.outline = rough(300);
+    let Encoded { fragment, left_out } = encode(&session).unwrap();
+    let [left_out] = left_out.as_slice() else { unreachable!("{left_out:?}") };
+    assert_eq!((left_out.side, left_out.name.as_str()), (Side::Source, "rough"));
+    assert!(matches!(left_out.reason, NotCarried::TooLong { points: 10_000.. }), "{left_out}");
+    let Decoded { session: found, missing } = decode(&fragment).unwrap();
+    let expected = MissingOutline {
+        side: Side::Source,
+        name: "rough".into(),
+        interior: session.interior[0],
+        anchor: session.anchor[0],
+    };
+    assert_eq!(missing, [expected]);
+    assert_eq!(found.source.outline, OutlineSpec::Preset(Preset::Disk));
+    assert_eq!((found.interior[0], found.anchor[0]), (None, 0.0), "the disk's own");
+    assert_eq!(found.source.settings, session.source.settings);
+    assert_eq!((found.interior[1], found.anchor[1]), (session.interior[1], session.anchor[1]));
+    assert!(matches!(found.target.outline, OutlineSpec::Points { ref points, .. } if points.len() == 300));
+
+    session.target.outline = rough(15_000);
+    let Encoded { fragment, left_out } = encode(&session).unwrap();
+    assert_eq!(left_out.len(), 2);
+    assert_eq!(decode(&fragment).unwrap().missing.len(), 2);
+}
+
+#[test]
+fn an_outline_that_16_bits_cannot_tell_travels_as_a_file() {
+    let spike = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
+    let mut session = Session::default();
+    session.target.outline = OutlineSpec::Points { name: "spike".into(), points: spike.map(DVec2::from).to_vec() };
+    let Encoded { fragment, left_out } = encode(&session).unwrap();
+    assert!(matches!(left_out[0].reason, NotCarried::NotSimple(_)), "{left_out:?}");
+    assert_eq!(decode(&fragment).unwrap().missing[0].name, "spike");
+}
+
+#[test]
+fn long_names_lose_their_ends_and_controls() {
+    let mut session = house();
+    let name = format!("\u{1b}[31m{}", "ü".repeat(100));
+    session.surface.as_mut().unwrap().spec.shape = SurfaceShape::File { name };
+    let found = round_trip(&session).session;
+    let expected = format!("[31m{}", "ü".repeat(44));
+    assert_eq!(found.surface.as_ref().unwrap().spec.shape, SurfaceShape::File { name: expected });
+    assert_eq!(round_trip(&found).session, found);
+}
+
+#[test]
+fn a_link_is_found_in_an_address_among_other_parts() {
+    let fragment = encode(&house()).unwrap().fragment;
+    for link in [
+        format!("https://example.org/riemap/?embed#{fragment}"),
+        format!("  #{fragment}\n"),
+        format!("#lock=texture&{fragment}&x=1"),
+    ] {
+        assert!(is_link(&link));
+        assert_eq!(decode(&link).unwrap().session, house(), "{link}");
+    }
+    for link in ["", "#", "https://example.org/?s=1.AwA#x", "heart.riemap", "xs=1.AwA"] {
+        assert!(!is_link(link) && decode(link) == Err(LinkError::NoSession), "{link}");
+    }
+}
+
+/// The link of a session whose wire form was tampered with.
+fn tampered(
+    change: impl FnOnce(&mut Session),
+    outlines: impl FnOnce(&mut [Prepared; 2]),
+) -> Result<Decoded, LinkError> {
+    let mut session = everything();
+    change(&mut session);
+    let mut prepared = [&session.source, &session.target].map(|domain| prepared(&domain.outline));
+    outlines(&mut prepared);
+    decode(&fragment(&session, &prepared).unwrap())
+}
+
+#[test]
+fn numbers_out_of_their_ranges_are_refused() {
+    let samples = |count| Sampling::Adaptive { target: Some(count) };
+    assert!(tampered(|_| (), |_| ()).is_ok());
+    let refused = |change: fn(&mut Session)| {
+        let found = tampered(change, |_| ());
+        assert!(matches!(found, Err(LinkError::OutOfRange(_))), "{found:?}");
+    };
+    refused(|s| s.texture_scale = f64::NAN);
+    refused(|s| s.interior[0] = Some(DVec2::new(f64::INFINITY, 0.0)));
+    refused(|s| s.anchor[1] = -1e300);
+    refused(|s| s.source.settings.sizing = Sizing::Graded(0.0));
+    let found = tampered(|s| s.source.settings.sampling = samples(u32::MAX), |_| ());
+    assert!(found.unwrap_err().to_string().contains("4294967295"));
+    assert!(encode(&Session { texture_scale: f64::NAN, ..Session::default() }).is_err());
+}
+
+#[test]
+fn what_is_not_known_here_is_named() {
+    let found = tampered(|_| (), |outlines| outlines[0] = Prepared::Preset("giraffe".into()));
+    assert_eq!(found, Err(LinkError::Unknown { what: "outline", name: "giraffe".into() }));
+    assert_eq!(decode("s=2.AAAA"), Err(LinkError::Version { found: "2".into() }));
+    assert_eq!(decode("s=123456789012345678.AAAA"), Err(LinkError::Version { found: "123456789".into() }));
+    for link in ["s=", "s=1", "s=1.", "s=.", "s=x.AwA", "s=1.eJwDAAAAAAE", "s=1.A", "s=01.AwA"] {
+        assert!(decode(link).is_err(), "{link}");
+    }
+}
+
+#[test]
+fn crossing_outlines_and_bad_names_are_refused() {
+    let crossed = |outlines: &mut [Prepared; 2]| {
+        // (0, 0), (1, 1), (1, 0), (0, 1), in steps modulo 2¹⁶
+        let steps = [[0, 0], [-1, -1], [0, 1], [1, -1]];
+        let bow_tie = serde_json::json!({ "low": [0.0, 0.0], "high": [1.0, 1.0], "smooth": false, "steps": steps });
+        let points = serde_json::from_value(bow_tie).unwrap();
+        outlines[1] = Prepared::Points { name: "x".into(), points };
+    };
+    let found = tampered(|_| (), crossed);
+    assert!(matches!(found, Err(LinkError::Outline { side: Side::Target, .. })), "{found:?}");
+    let name = "x".repeat(49);
+    let reason = NotCarried::TooLong { points: 0 };
+    let found = tampered(|_| (), |outlines| outlines[0] = Prepared::LeftOut { name, reason });
+    assert_eq!(found, Err(LinkError::Damaged));
+}
+
+#[test]
+fn a_damaged_link_says_that_it_is() {
+    let fragment = encode(&house()).unwrap().fragment;
+    for at in "s=1.".len()..fragment.len() {
+        assert!(decode(&fragment[..at]).is_err(), "cut at {at}");
+        for other in ["A", "_", "7", "=", "ü", ""]
+            .into_iter()
+            .filter(|other| !fragment[at..].starts_with(other) || other.is_empty())
+        {
+            let damaged = format!("{}{other}{}", &fragment[..at], &fragment[at + 1..]);
+            let found = decode(&damaged);
+            assert!(matches!(found, Err(LinkError::Damaged | LinkError::TooMuch)), "{other:?} at {at}: {found:?}");
+        }
+    }
+}

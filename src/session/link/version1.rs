@@ -1,0 +1,270 @@
+//! What a link of version 1 holds, in postcard's encoding: field after field, without names.
+//!
+//! Frozen: a field that moves, comes or goes would make every link of version 1 mean something
+//! else. What a [`Session`] gets later travels in [`Version1::later`], with a number of its own;
+//! until then these links mean its default. Built-in outlines and surfaces go by their names,
+//! other choices by the numbers of `codes`, so that new ones can be added.
+//!
+//! Interior points, anchors and weights are f64: they are a few of all bytes, the session that
+//! comes back is equal to the one that went, and in a crowded domain the map depends on every digit.
+
+use super::codes::Coded;
+use super::quantised::Quantised;
+use super::{Decoded, LinkError, MissingOutline};
+use crate::conformal::{PrepareSettings, Side, SurfaceSettings};
+use crate::geometry::{DVec2, SimplePolygon};
+use crate::mesh::{BarycentricPoint, Sizing};
+use crate::outline::{Preset, Sampling};
+use crate::session::{DomainSpec, OutlineSpec, Session, SurfaceShape, SurfaceSpec, SurfaceState};
+use serde::{Deserialize, Serialize};
+
+/// The outline that stands in for one that the link does not hold.
+const STAND_IN: Preset = Preset::Disk;
+
+/// The characters of a name.
+const MAX_NAME: usize = 48;
+
+/// A session.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Version1 {
+    domains: [Domain; 2],
+    interior: [Option<[f64; 2]>; 2],
+    anchor: [f64; 2],
+    direction: u8,
+    extension: u8,
+    texture: u8,
+    texture_scale: f64,
+    texture_side: u8,
+    colouring: u8,
+    wireframe: bool,
+    plots: bool,
+    comparison: u8,
+    surface: Option<Surface>,
+    later: Vec<Later>,
+}
+
+/// A setting that version 1 did not have when it was frozen; there is none so far.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Later {
+    code: u16,
+    value: Vec<u8>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Domain {
+    outline: WiredOutline,
+    sampling: WiredSampling,
+    sizing: WiredSizing,
+    kernel: u8,
+    solver: u8,
+}
+
+/// An outline. Here and below, the order of the variants is the format.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) enum WiredOutline {
+    /// By its name.
+    Preset(String),
+    /// With its points.
+    Points { name: String, points: Quantised },
+    /// It travels as a file.
+    File { name: String },
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+enum WiredSampling {
+    Adaptive(Option<u32>),
+    Uniform { count: u32, keep_corners: bool },
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+enum WiredSizing {
+    Uniform,
+    Graded(f64),
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Surface {
+    shape: Shape,
+    repair: bool,
+    intrinsic_delaunay: bool,
+    kernel: u8,
+    solver: u8,
+    point: Option<(u32, [f64; 3])>,
+    anchor: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+enum Shape {
+    Preset { name: String, boundary: u32 },
+    File { name: String },
+}
+
+impl Version1 {
+    /// Everything of `session` but for its outlines, which are given.
+    pub fn new(session: &Session, outlines: [WiredOutline; 2]) -> Self {
+        // By name, so that a field that a session gets is not forgotten here.
+        let Session {
+            version: _,
+            source,
+            target,
+            interior,
+            anchor,
+            direction,
+            extension,
+            texture,
+            texture_scale,
+            texture_side,
+            colouring,
+            wireframe,
+            plots,
+            comparison,
+            surface,
+        } = session;
+        let [first, second] = outlines;
+        Self {
+            domains: [Domain::new(first, source.settings), Domain::new(second, target.settings)],
+            interior: interior.map(|point| point.map(|p| p.to_array())),
+            anchor: *anchor,
+            direction: direction.code(),
+            extension: extension.code(),
+            texture: texture.code(),
+            texture_scale: *texture_scale,
+            texture_side: texture_side.code(),
+            colouring: colouring.code(),
+            wireframe: *wireframe,
+            plots: *plots,
+            comparison: comparison.code(),
+            surface: surface.as_ref().map(Surface::new),
+            later: Vec::new(),
+        }
+    }
+
+    /// The session. Its numbers are not checked yet, its outlines are.
+    pub fn session(self) -> Result<Decoded, LinkError> {
+        if let Some(later) = self.later.first() {
+            return Err(LinkError::Unknown { what: "setting", name: later.code.to_string() });
+        }
+        let (mut interior, mut anchor) = (self.interior.map(|point| point.map(DVec2::from_array)), self.anchor);
+        let mut missing = Vec::new();
+        let mut domain = |side: Side, wired: Domain| -> Result<DomainSpec, LinkError> {
+            let settings = wired.settings()?;
+            let outline = match wired.outline {
+                WiredOutline::Preset(name) => preset(&name)?,
+                WiredOutline::Points { name, points } => with_points(side, name, &points)?,
+                WiredOutline::File { name } => {
+                    let (interior, anchor) =
+                        (interior[side as usize].take(), std::mem::take(&mut anchor[side as usize]));
+                    missing.push(MissingOutline { side, name: checked_name(name)?, interior, anchor });
+                    OutlineSpec::Preset(STAND_IN)
+                }
+            };
+            Ok(DomainSpec { outline, settings })
+        };
+        let [source, target] = self.domains;
+        let session = Session {
+            version: 1,
+            source: domain(Side::Source, source)?,
+            target: domain(Side::Target, target)?,
+            interior,
+            anchor,
+            direction: Coded::of(self.direction)?,
+            extension: Coded::of(self.extension)?,
+            texture: Coded::of(self.texture)?,
+            texture_scale: self.texture_scale,
+            texture_side: Coded::of(self.texture_side)?,
+            colouring: Coded::of(self.colouring)?,
+            wireframe: self.wireframe,
+            plots: self.plots,
+            comparison: Coded::of(self.comparison)?,
+            surface: self.surface.map(Surface::state).transpose()?,
+        };
+        Ok(Decoded { session, missing })
+    }
+}
+
+impl Domain {
+    fn new(outline: WiredOutline, settings: PrepareSettings) -> Self {
+        let PrepareSettings { sampling, sizing, kernel, solver } = settings;
+        let sampling = match sampling {
+            Sampling::Adaptive { target } => WiredSampling::Adaptive(target),
+            Sampling::Uniform { count, keep_corners } => WiredSampling::Uniform { count, keep_corners },
+        };
+        let sizing = match sizing {
+            Sizing::Uniform => WiredSizing::Uniform,
+            Sizing::Graded(growth) => WiredSizing::Graded(growth),
+        };
+        Self { outline, sampling, sizing, kernel: kernel.code(), solver: solver.code() }
+    }
+
+    fn settings(&self) -> Result<PrepareSettings, LinkError> {
+        let sampling = match self.sampling {
+            WiredSampling::Adaptive(target) => Sampling::Adaptive { target },
+            WiredSampling::Uniform { count, keep_corners } => Sampling::Uniform { count, keep_corners },
+        };
+        let sizing = match self.sizing {
+            WiredSizing::Uniform => Sizing::Uniform,
+            WiredSizing::Graded(growth) => Sizing::Graded(growth),
+        };
+        Ok(PrepareSettings { sampling, sizing, kernel: Coded::of(self.kernel)?, solver: Coded::of(self.solver)? })
+    }
+}
+
+fn preset(name: &str) -> Result<OutlineSpec, LinkError> {
+    let unknown = |_| LinkError::Unknown { what: "outline", name: short_name(name) };
+    name.parse().map(OutlineSpec::Preset).map_err(unknown)
+}
+
+fn with_points(side: Side, name: String, points: &Quantised) -> Result<OutlineSpec, LinkError> {
+    let points = points.points();
+    SimplePolygon::try_from(points.clone()).map_err(|reason| LinkError::Outline { side, reason })?;
+    Ok(OutlineSpec::Points { name: checked_name(name)?, points })
+}
+
+impl Surface {
+    fn new(state: &SurfaceState) -> Self {
+        let SurfaceState { spec: SurfaceSpec { shape, repair, settings }, point, anchor } = state;
+        let SurfaceSettings { intrinsic_delaunay, kernel, solver } = *settings;
+        let shape = match shape {
+            SurfaceShape::Preset { preset, boundary } => {
+                Shape::Preset { name: preset.name().to_owned(), boundary: *boundary }
+            }
+            SurfaceShape::File { name } => Shape::File { name: short_name(name) },
+        };
+        Self {
+            shape,
+            repair: *repair,
+            intrinsic_delaunay,
+            kernel: kernel.code(),
+            solver: solver.code(),
+            point: point.map(|point| (point.triangle, point.weights)),
+            anchor: *anchor,
+        }
+    }
+
+    fn state(self) -> Result<SurfaceState, LinkError> {
+        let shape = match self.shape {
+            Shape::Preset { name, boundary } => {
+                let unknown = |_| LinkError::Unknown { what: "surface", name: short_name(&name) };
+                SurfaceShape::Preset { preset: name.parse().map_err(unknown)?, boundary }
+            }
+            Shape::File { name } => SurfaceShape::File { name: checked_name(name)? },
+        };
+        let settings = SurfaceSettings {
+            intrinsic_delaunay: self.intrinsic_delaunay,
+            kernel: Coded::of(self.kernel)?,
+            solver: Coded::of(self.solver)?,
+        };
+        let point = self.point.map(|(triangle, weights)| BarycentricPoint { triangle, weights });
+        Ok(SurfaceState { spec: SurfaceSpec { shape, repair: self.repair, settings }, point, anchor: self.anchor })
+    }
+}
+
+/// The beginning of a name, without what a terminal or a page could take for a command.
+pub(super) fn short_name(name: &str) -> String {
+    name.chars().filter(|c| !c.is_control()).take(MAX_NAME).collect()
+}
+
+/// A name as [`short_name`] makes them.
+fn checked_name(name: String) -> Result<String, LinkError> {
+    if short_name(&name) == name { Ok(name) } else { Err(LinkError::Damaged) }
+}

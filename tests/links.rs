@@ -1,0 +1,298 @@
+//! Links carry sessions: whatever a person can set comes back, and nothing that can be written into an address
+//! bar panics, hangs, or takes much memory.
+
+#![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use riemap::conformal::{Direction, Extension, KernelMode, PrepareSettings, Side, SurfaceSettings};
+use riemap::geometry::{Bounds, DVec2};
+use riemap::laplace::SolverKind;
+use riemap::mesh::{BarycentricPoint, Sizing};
+use riemap::outline::{Preset, Sampling};
+use riemap::session::link::{Decoded, MAX_LENGTH, decode, encode};
+use riemap::session::{
+    CELLS, Colouring, Comparison, DomainSpec, GROWTH, OutlineSpec, SAMPLES, SURFACE_BOUNDARY, Session, SurfaceShape,
+    SurfaceSpec, SurfaceState, TextureKind, file,
+};
+use riemap::surface::SurfacePreset;
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+use std::alloc::System;
+use std::sync::{Mutex, MutexGuard};
+
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+/// The allocator counts for all threads: one test at a time.
+fn alone() -> MutexGuard<'static, ()> {
+    static LOCK: Mutex<()> = Mutex::new(());
+    LOCK.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+}
+
+fn runner(cases: u32) -> TestRunner {
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
+}
+
+fn one_of<T: Clone + std::fmt::Debug + 'static>(all: &[T]) -> impl Strategy<Value = T> + use<T> {
+    prop::sample::select(all.to_vec())
+}
+
+/// Star-shaped, anywhere, of any size; sometimes too fine for 16 bits, sometimes too long for a link.
+fn drawn() -> impl Strategy<Value = OutlineSpec> {
+    let corners = prop_oneof![
+        9 => prop::collection::vec((-2.5_f64..0.0, 0.05_f64..0.95), 5..300),
+        1 => prop::collection::vec((-2.5_f64..0.0, 0.05_f64..0.95), 2000..6000),
+    ];
+    let name = "[a-zA-Z äöü\u{1}\u{1F600}]{0,60}";
+    (corners, name, -9_i32..9, -100.0..100.0, -1.0..1.0).prop_map(|(corners, name, exponent, x, y)| {
+        let step = std::f64::consts::TAU / corners.len() as f64;
+        let corner = |(k, (exponent, turn)): (usize, &(f64, f64))| {
+            10_f64.powf(*exponent) * DVec2::from_angle(step * (k as f64 + turn))
+        };
+        let scale = 10_f64.powi(exponent);
+        let points = corners.iter().enumerate().map(corner).map(|p| scale * (p + DVec2::new(x, y))).collect();
+        OutlineSpec::Points { name, points }
+    })
+}
+
+fn domain() -> impl Strategy<Value = DomainSpec> {
+    let outline = prop_oneof![one_of(&Preset::ALL).prop_map(OutlineSpec::Preset), drawn()];
+    let sampling = prop_oneof![
+        prop::option::of(SAMPLES).prop_map(|target| Sampling::Adaptive { target }),
+        (SAMPLES, any::<bool>()).prop_map(|(count, keep_corners)| Sampling::Uniform { count, keep_corners }),
+    ];
+    let sizing = prop_oneof![Just(Sizing::Uniform), GROWTH.prop_map(Sizing::Graded)];
+    (outline, sampling, sizing, kernel(), solver()).prop_map(|(outline, sampling, sizing, kernel, solver)| DomainSpec {
+        outline,
+        settings: PrepareSettings { sampling, sizing, kernel, solver },
+    })
+}
+
+fn kernel() -> impl Strategy<Value = KernelMode> {
+    one_of(&[KernelMode::Adjoint, KernelMode::Table])
+}
+
+fn solver() -> impl Strategy<Value = SolverKind> {
+    one_of(&[SolverKind::Direct, SolverKind::Pcg])
+}
+
+fn surface() -> impl Strategy<Value = SurfaceState> {
+    let shape = prop_oneof![
+        (one_of(&SurfacePreset::ALL), SURFACE_BOUNDARY)
+            .prop_map(|(preset, boundary)| SurfaceShape::Preset { preset, boundary }),
+        "[a-z]{1,20}\\.obj".prop_map(|name| SurfaceShape::File { name }),
+    ];
+    let settings = (any::<bool>(), kernel(), solver())
+        .prop_map(|(intrinsic_delaunay, kernel, solver)| SurfaceSettings { intrinsic_delaunay, kernel, solver });
+    let point = (any::<u32>(), 0.0..1.0, 0.0..1.0).prop_map(|(triangle, a, b): (u32, f64, f64)| {
+        let weights = [a * b, a * (1.0 - b), 1.0 - a];
+        BarycentricPoint { triangle, weights }
+    });
+    (shape, any::<bool>(), settings, prop::option::of(point), 0.0..1.0).prop_map(
+        |(shape, repair, settings, point, anchor)| SurfaceState {
+            spec: SurfaceSpec { shape, repair, settings },
+            point,
+            anchor,
+        },
+    )
+}
+
+fn session() -> impl Strategy<Value = Session> {
+    let point = || prop::option::of((-1e9..1e9, -1.0..1.0).prop_map(DVec2::from));
+    let textures =
+        [TextureKind::Checker, TextureKind::Grid, TextureKind::Polar, TextureKind::Conformal, TextureKind::Image];
+    let comparisons = [Comparison::Off, Comparison::Fresh, Comparison::Precomputed, Comparison::Both];
+    let first = (domain(), domain(), point(), point(), 0.0..1.0, 0.0..1.0);
+    let second = (
+        one_of(&[Direction::Forward, Direction::Backward]),
+        one_of(&[Extension::Harmonic, Extension::CauchyGreen]),
+        one_of(&textures),
+        CELLS,
+        one_of(&Side::BOTH),
+        one_of(&[Colouring::Texture, Colouring::Angle, Colouring::Area]),
+    );
+    let third = (any::<bool>(), any::<bool>(), one_of(&comparisons), prop::option::of(surface()));
+    (first, second, third).prop_map(|(first, second, third)| {
+        let (source, target, x1, x2, y1, y2) = first;
+        let (direction, extension, texture, texture_scale, texture_side, colouring) = second;
+        let (wireframe, plots, comparison, surface) = third;
+        Session {
+            version: 1,
+            source,
+            target,
+            interior: [x1, x2],
+            anchor: [y1, y2],
+            direction,
+            extension,
+            texture,
+            texture_scale,
+            texture_side,
+            colouring,
+            wireframe,
+            plots,
+            comparison,
+            surface,
+        }
+    })
+}
+
+/// Every point of `points` has one of `found` within half a step of 16 bits, and rounding.
+fn is_quantised(points: &[DVec2], found: &[DVec2]) -> bool {
+    let bounds = Bounds::of(points.iter().copied());
+    let step = bounds.size() / 65535.0;
+    // the coordinates' own rounding matters where they are far from the origin
+    let half = 0.5 * step + 4.0 * f64::EPSILON * bounds.min.abs().max(bounds.max.abs());
+    points.iter().all(|p| found.iter().any(|q| (*p - *q).abs().cmple(half).all()))
+}
+
+#[test]
+fn a_session_comes_back_and_the_second_time_exactly() {
+    let _alone = alone();
+    let (carried, missed) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
+    runner(300)
+        .run(&session(), |session| {
+            let encoded = encode(&session).unwrap();
+            prop_assert!(encoded.fragment.len() <= MAX_LENGTH);
+            let Decoded { session: found, missing } = decode(&encoded.fragment).unwrap();
+            let left_out: Vec<Side> = encoded.left_out.iter().map(|outline| outline.side).collect();
+            prop_assert_eq!(missing.iter().map(|outline| outline.side).collect::<Vec<_>>(), left_out.clone());
+            let mut expected = session.clone();
+            for outline in &missing {
+                let k = outline.side as usize;
+                prop_assert_eq!((outline.interior, outline.anchor), (session.interior[k], session.anchor[k]));
+                (expected.interior[k], expected.anchor[k]) = (None, 0.0);
+            }
+            for (side, wanted) in Side::BOTH.into_iter().zip([&mut expected.source, &mut expected.target]) {
+                let got = &found.domain(side).outline;
+                if let OutlineSpec::Points { points, .. } = &wanted.outline {
+                    if let OutlineSpec::Points { points: on_grid, .. } = got {
+                        prop_assert!(is_quantised(points, on_grid));
+                        carried.set(carried.get() + 1);
+                    } else {
+                        prop_assert!(left_out.contains(&side));
+                        missed.set(missed.get() + 1);
+                    }
+                    wanted.outline = got.clone();
+                }
+            }
+            prop_assert_eq!(&found, &expected);
+            let again = encode(&found).unwrap();
+            prop_assert_eq!(again.left_out, vec![]);
+            prop_assert_eq!(decode(&again.fragment).unwrap(), Decoded { session: found, missing: vec![] });
+            Ok(())
+        })
+        .unwrap();
+    println!("{} drawn outlines came back, {} travel as files", carried.get(), missed.get());
+    assert!(carried.get() > 100 && missed.get() > 10);
+}
+
+#[test]
+fn a_file_holds_a_session_bit_for_bit() {
+    let _alone = alone();
+    runner(50)
+        .run(&session(), |session| {
+            let text = file::write(&session).unwrap();
+            prop_assert_eq!(file::read(text.as_bytes()).unwrap(), session);
+            Ok(())
+        })
+        .unwrap();
+}
+
+/// What `decode` may allocate, all in all: 64 KiB unpacked, up to a mebibyte of room for either outline's steps
+/// as long as it says that there are so many, and the points with what their check needs.
+const MOST_BYTES: usize = 8 << 20;
+
+fn opens_or_says_why(link: &str) -> Result<bool, TestCaseError> {
+    let region = Region::new(ALLOCATOR);
+    let found = decode(link);
+    let bytes = region.change().bytes_allocated;
+    prop_assert!(bytes < MOST_BYTES, "{} bytes for {} characters", bytes, link.len());
+    if let Err(error) = &found {
+        prop_assert!(error.to_string().len() < 500, "{}", error);
+    }
+    prop_assert!(found.iter().all(|decoded| decoded.session.check().is_ok()));
+    Ok(found.is_ok())
+}
+
+fn base64url(bytes: &[u8]) -> String {
+    const ALPHABET: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+    let mut text = String::new();
+    for chunk in bytes.chunks(3) {
+        let bits = chunk.iter().fold(0_u32, |bits, &byte| bits << 8 | u32::from(byte)) << (8 * (3 - chunk.len()));
+        text.extend((0..=chunk.len()).map(|k| char::from(ALPHABET[(bits >> (18 - 6 * k)) as usize & 63])));
+    }
+    text
+}
+
+/// A payload of any bytes, as `deflate` would give it.
+fn link_of(bytes: &[u8]) -> String {
+    format!("s=1.{}", base64url(&miniz_oxide::deflate::compress_to_vec_zlib(bytes, 9)))
+}
+
+#[test]
+fn arbitrary_text_opens_or_says_why() {
+    let _alone = alone();
+    let text = prop_oneof!["\\PC{0,200}", "s=1\\.[A-Za-z0-9_-]{0,400}", "[#&s=1.AB]{0,40}"];
+    runner(2000).run(&text, |text| opens_or_says_why(&text).map(|_| ())).unwrap();
+}
+
+#[test]
+fn arbitrary_bytes_open_or_say_why() {
+    let _alone = alone();
+    let bytes = prop::collection::vec(any::<u8>(), 0..400);
+    runner(2000).run(&bytes, |bytes| opens_or_says_why(&link_of(&bytes)).map(|_| ())).unwrap();
+}
+
+/// Bytes that differ from a session's own in a few places get past the first checks.
+#[test]
+fn changed_bytes_open_or_say_why() {
+    let _alone = alone();
+    let opened = std::cell::Cell::new(0);
+    let changes = prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6);
+    runner(600)
+        .run(&(session(), changes), |(session, changes)| {
+            let fragment = encode(&session).unwrap().fragment;
+            let mut bytes = unpacked(&fragment);
+            for (at, value) in changes {
+                let at = at.index(bytes.len());
+                bytes[at] = value;
+            }
+            opened.set(opened.get() + u32::from(opens_or_says_why(&link_of(&bytes))?));
+            Ok(())
+        })
+        .unwrap();
+    println!("{} of 600 changed sessions opened", opened.get());
+    assert!(opened.get() > 10, "nothing got past the checks: is the checksum right?");
+}
+
+fn unpacked(fragment: &str) -> Vec<u8> {
+    let alphabet = |c: u8| match c {
+        b'A'..=b'Z' => c - b'A',
+        b'a'..=b'z' => c - b'a' + 26,
+        b'0'..=b'9' => c - b'0' + 52,
+        b'-' => 62,
+        _ => 63,
+    };
+    let mut bytes = Vec::new();
+    for chunk in fragment.as_bytes()["s=1.".len()..].chunks(4) {
+        let bits = chunk.iter().fold(0_u32, |bits, &c| bits << 6 | u32::from(alphabet(c))) << (6 * (4 - chunk.len()));
+        bytes.extend((0..chunk.len() - 1).map(|k| (bits >> (16 - 8 * k)) as u8));
+    }
+    miniz_oxide::inflate::decompress_to_vec_zlib(&bytes).unwrap()
+}
+
+/// Lengths that promise more than there is, and payloads that unpack to a thousand times their size.
+#[test]
+fn promises_and_bombs_take_little() {
+    let _alone = alone();
+    for zeros in [64 << 10, (64 << 10) + 1, 1 << 20, 6 << 20] {
+        assert!(!opens_or_says_why(&link_of(&vec![0; zeros])).unwrap(), "{zeros} zeros");
+    }
+    let name = b"\x01\x00"; // points, with an empty name
+    let mut promise = [&name[..], &[0; 32], &[0]].concat();
+    promise.extend([0xff, 0xff, 0xff, 0xff, 0x0f]); // 2³² − 1 steps
+    assert!(!opens_or_says_why(&link_of(&promise)).unwrap());
+    promise.resize(64 << 10, 1);
+    assert!(!opens_or_says_why(&link_of(&promise)).unwrap());
+}
