@@ -14,12 +14,14 @@ pub struct Keeper {
     left_out: Option<String>,
     /// Nothing has been kept yet.
     is_new: bool,
+    /// Whether the address and the kept copy follow, or the history alone.
+    is_public: bool,
 }
 
 impl Keeper {
-    /// Begins at `session`.
-    pub fn new(session: Session) -> Self {
-        Self { history: History::new(session), left_out: None, is_new: true }
+    /// Begins at `session`; `is_public`: the address and the copy for the next start follow it.
+    pub fn new(session: Session, is_public: bool) -> Self {
+        Self { history: History::new(session), left_out: None, is_new: true, is_public }
     }
 
     /// Undo and redo.
@@ -45,7 +47,7 @@ impl Keeper {
     /// Takes in a session that has come to rest.
     pub fn settle(&mut self, session: &Session) {
         let changed = self.history.settle(session);
-        if !(changed || std::mem::take(&mut self.is_new)) {
+        if !(changed || std::mem::take(&mut self.is_new)) || !self.is_public {
             return;
         }
         // What is left out of the link is in the copy.
@@ -64,33 +66,34 @@ impl Keeper {
 
 /// What has to travel as a file, in words.
 fn words(encoded: &link::Encoded) -> Option<String> {
-    let each = encoded
-        .left_out
-        .iter()
-        .map(|left| format!("the {} outline \"{}\" must travel as a file: {}", left.side, left.name, left.reason));
-    let all = each.collect::<Vec<_>>().join("; ");
+    let all = encoded.left_out.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
     (!all.is_empty()).then_some(all)
 }
 
 /// The session to start with: that of the address, else the one that was kept, else the default; and what went wrong.
+///
+/// After a reload the address is that of the kept session, which has what a link may have to leave out.
 pub fn first_session() -> (Session, Option<String>) {
-    if let Some(address) = platform::link() {
-        return match link::decode(&address) {
-            Ok(decoded) => {
-                let missing = missing(&decoded);
-                (decoded.session, missing)
-            }
-            Err(error) => (Session::default(), Some(format!("The link could not be opened: {error}"))),
-        };
-    }
     let kept = platform::remembered().and_then(|text| file::read(text.as_bytes()).ok());
-    (kept.unwrap_or_default(), None)
+    let Some(address) = platform::link() else { return (kept.unwrap_or_default(), None) };
+    let is_its_own =
+        |kept: &Session| link::encode(kept).is_ok_and(|encoded| address.trim_start_matches('#') == encoded.fragment);
+    if let Some(kept) = kept.filter(is_its_own) {
+        return (kept, None);
+    }
+    match link::decode(&address) {
+        Ok(decoded) => {
+            let missing = missing(&decoded);
+            (decoded.session, missing)
+        }
+        Err(error) => (Session::default(), Some(format!("The link could not be opened: {error}"))),
+    }
 }
 
 /// What a link says that it does not carry.
 pub fn missing(decoded: &link::Decoded) -> Option<String> {
     let each = decoded.missing.iter().map(|missing| {
-        format!("The link does not carry the {} outline \"{}\": open its file there.", missing.side, missing.name)
+        format!("The link does not carry the {}'s outline \"{}\": open its file there.", missing.side, missing.name)
     });
     let all = each.collect::<Vec<_>>().join(" ");
     (!all.is_empty()).then_some(all)

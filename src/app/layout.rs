@@ -8,7 +8,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, header, legend, plots, side_panel, status, surface, teaching, top_bar, viewport, words,
+    PHONE_WIDTH, RiemapApp, file_menu, header, legend, plots, side_panel, status, surface, teaching, top_bar, viewport,
+    words,
 };
 use crate::conformal::Side;
 use crate::session::Command;

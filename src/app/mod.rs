@@ -42,7 +42,6 @@ mod widgets;
 mod words;
 
 pub use action::{Action, Actions};
-pub use keeping::first_session;
 pub use model::Model;
 pub use stats::{Processor, Stats};
 
@@ -74,6 +73,8 @@ const REST_SECONDS: f64 = 0.15;
 /// What needs no screen: the session's state and the workers.
 pub struct Groundwork {
     model: Model,
+    /// Whether the session goes on where the last one ended, and is kept for the next.
+    resumes: bool,
     message: Option<String>,
     preparer: Preparer,
     mailbox: Mailbox,
@@ -81,15 +82,20 @@ pub struct Groundwork {
 }
 
 impl Groundwork {
-    /// Begins with the preparations of `session`: they run while the graphics start. `message` is what
-    /// the person should know about where it came from.
-    pub fn start((session, message): (Session, Option<String>)) -> Self {
+    /// Begins with the preparations of `session`: they run while the graphics start.
+    pub fn start(session: Session) -> Self {
         let (mailbox, events) = Mailbox::new();
         let (mut model, mut preparer) = (Model::new(session), Preparer::new(mailbox.clone()));
         for (subject, request) in model.take_requests(0.0) {
             preparer.request(subject, request);
         }
-        Self { model, message, preparer, mailbox, events }
+        Self { model, resumes: false, message: None, preparer, mailbox, events }
+    }
+
+    /// As [`Self::start`], with the session that the address or the last time has left; what went wrong with it is shown.
+    pub fn resume() -> Self {
+        let (session, message) = keeping::first_session();
+        Self { message, resumes: true, ..Self::start(session) }
     }
 
     /// Where events for the app are posted.
@@ -132,9 +138,9 @@ impl RiemapApp {
         groundwork: Groundwork,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Groundwork { model, message, preparer, mailbox, events } = groundwork;
+        let Groundwork { model, resumes, message, preparer, mailbox, events } = groundwork;
         mailbox.attach(&creation.egui_ctx);
-        let keeper = Keeper::new(model.session().clone());
+        let keeper = Keeper::new(model.session().clone(), resumes);
         let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
         if platform::asks_for_bench() {
             reports.open(Report::Bench);

@@ -4,7 +4,7 @@
 //! and its answers are dropped as stale. A panic in it is reported, not passed on.
 
 use super::{Event, FilePurpose, Mailbox, endings};
-use crate::app::{Groundwork, RiemapApp, first_session};
+use crate::app::{Groundwork, RiemapApp};
 use crate::conformal::Side;
 use crate::worker::{self, Finding, Request, Study, Subject};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,7 +17,7 @@ pub fn start() -> Result<(), String> {
         viewport: egui::ViewportBuilder::default().with_inner_size([1440.0, 900.0]).with_min_inner_size([360.0, 480.0]),
         ..Default::default()
     };
-    let groundwork = Groundwork::start(first_session());
+    let groundwork = Groundwork::resume();
     let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
     eframe::run_native("riemap", options, creator).map_err(|error| format!("The window could not be opened: {error}"))
 }

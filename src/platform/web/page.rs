@@ -1,7 +1,7 @@
 //! The page: canvas, loading indicator, messages when nothing can be drawn.
 
 use super::{address, bridge, files};
-use crate::app::{Groundwork, RiemapApp, first_session};
+use crate::app::{Groundwork, RiemapApp};
 use wasm_bindgen::JsCast;
 use web_sys::{Document, HtmlCanvasElement};
 
@@ -29,7 +29,7 @@ async fn run() -> Result<(), String> {
         .ok_or("The page has no canvas.")?;
     files::follow_drags(&document);
     let runner = eframe::WebRunner::new();
-    let groundwork = Groundwork::start(first_session());
+    let groundwork = Groundwork::resume();
     address::follow(groundwork.mailbox());
     let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
     runner.start(canvas, web_options(), creator).await.map_err(|error| {
