@@ -197,6 +197,7 @@ impl RiemapApp {
             handles,
             errors: self.errors(),
             notes: self.notes(),
+            undo: self.keeper.history().undo_count(),
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),

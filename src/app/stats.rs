@@ -94,6 +94,8 @@ pub struct Stats {
     pub errors: Vec<String>,
     /// The notes on the screen.
     pub notes: Vec<String>,
+    /// How many steps can be taken back.
+    pub undo: usize,
     /// What the meshes are painted with.
     pub colouring: Colouring,
     /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
@@ -135,6 +137,8 @@ pub struct ScreenFacts {
     pub errors: Vec<String>,
     /// The notes.
     pub notes: Vec<String>,
+    /// How many steps can be taken back.
+    pub undo: usize,
     /// The boundary point under the pointer and its partner.
     pub marked_boundary: Option<[f64; 2]>,
     /// The distance of the plotted reparameterisation from the exact one.
@@ -165,6 +169,7 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         frame_ms: model.shown().map(|map| map.timings).unwrap_or_default(),
         errors: screen.errors,
         notes: screen.notes,
+        undo: screen.undo,
         colouring: model.session().colouring,
         cauchy_green: screen.cauchy_green,
         extension_progress: model.extension_progress(),

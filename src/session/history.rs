@@ -54,6 +54,11 @@ impl History {
         !self.past.is_empty()
     }
 
+    /// How many steps back there are.
+    pub fn undo_count(&self) -> usize {
+        self.past.len()
+    }
+
     /// Whether there is a step forward.
     pub fn can_redo(&self) -> bool {
         !self.future.is_empty()

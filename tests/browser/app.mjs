@@ -137,6 +137,41 @@ export class App {
     );
   }
 
+  /** The page's address. */
+  address() {
+    return this.#page.url();
+  }
+
+  /** Loads the page again, and waits for its map. */
+  async reload() {
+    await this.#page.reload();
+    return this.until('a map is shown again', (stats) => stats.ready);
+  }
+
+  /** Waits until the address has another fragment than `before`, and returns it. */
+  async otherAddress(before) {
+    await this.#page.waitForFunction((old) => window.location.href !== old, before);
+    return this.address();
+  }
+
+  /** Goes to another fragment, as a person does who pastes a link into the address bar. */
+  paste(fragment) {
+    return this.#page.evaluate((hash) => (window.location.hash = hash), fragment);
+  }
+
+  /** Presses keys together, such as "Control+z". */
+  async press(keys) {
+    await this.#page.keyboard.press(keys);
+    await this.#frames();
+  }
+
+  /** Presses keys, and returns the file that the browser downloads then. */
+  async downloadBy(keys) {
+    const coming = this.#page.waitForEvent('download');
+    await this.press(keys);
+    return contentOf(await coming);
+  }
+
   /** Clicks at a place of the window, and returns the file that the browser downloads then. */
   async download(at) {
     const { mouse } = this.#page;
@@ -146,10 +181,7 @@ export class App {
     await mouse.down();
     await this.#frames();
     await mouse.up();
-    const download = await coming;
-    const chunks = [];
-    for await (const chunk of await download.createReadStream()) chunks.push(chunk);
-    return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
+    return contentOf(await coming);
   }
 
   /** Drops a file on the canvas at a place of the window, as from a file manager. */
@@ -178,6 +210,12 @@ export class App {
     const png = await this.#page.screenshot(folder ? { path: join(folder, `${name}.png`) } : {});
     return this.#page.evaluate(countColours, png.toString('base64'));
   }
+}
+
+async function contentOf(download) {
+  const chunks = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
 }
 
 function between(from, to, steps) {
