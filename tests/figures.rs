@@ -271,7 +271,8 @@ fn figures_16_and_17_stand_on_riemaps_own_surfaces() {
         for row in &csv.rows {
             assert_eq!(csv.number(row, "m2"), 93.0, "a quarter of 375");
             assert_eq!(csv.number(row, "flipped"), 0.0, "{row:?}");
-            assert!(csv.number(row, "q_mean") > 1.0 && csv.number(row, "q_mean") < 1.2, "{row:?}");
+            // 1500 triangles, sixteen times fewer than at full resolution, where it is below 1.06
+            assert!(csv.number(row, "q_mean") > 1.0 && csv.number(row, "q_mean") < 1.25, "{row:?}");
         }
         let inked = inked(&folder, number, columns);
         assert!(inked.iter().all(|share| (0.3..0.9).contains(share)), "{number}: {inked:?}");
@@ -296,9 +297,13 @@ fn the_papers_meshes_are_as_conformal_as_by_boundary_first_flattening() {
             assert_eq!((csv.number(row, "m2"), csv.number(row, "triangles2")), (m, triangles));
             println!("{file}: {} {}", csv.word(row, "scene"), csv.word(row, "q_mean"));
         }
+        let q = |row: usize| csv.number(&csv.rows[row], "q_mean");
+        if number == 16 {
+            // section 5.3: it grows only marginally as the point comes nearer to the boundary
+            assert!(q(0) < q(1) && q(1) < q(2) && q(2) < q(0) + 0.01, "{} {} {}", q(0), q(1), q(2));
+        }
         // the first scene of both: the nose in the disk's centre; no worse in the third decimal
-        let q = csv.number(&csv.rows[0], "q_mean");
-        assert!(q <= least + 5e-4, "{file}: {q}");
+        assert!(q(0) <= least + 5e-4, "{file}: {}", q(0));
     }
 }
 

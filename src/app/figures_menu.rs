@@ -12,13 +12,19 @@ use egui::{RichText, Role, Ui, WidgetInfo};
 /// The four ways of Figure 8 fit into one row of the menu, the low resolution above the high one.
 const SCENES_IN_A_ROW: usize = 4;
 
+/// The share of the window that the figures' list may take.
+const HEIGHT: f32 = 0.75;
+
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, actions: &mut Actions) {
     let (response, _) = MenuButton::from_button(egui::Button::new("Figures     ")).ui(ui, |ui| {
         ui.set_width(470.0);
-        for figure in Figure::ALL {
-            entry(ui, figure, actions);
-        }
+        let height = HEIGHT * ui.ctx().content_rect().height();
+        egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
+            for figure in Figure::ALL {
+                entry(ui, figure, actions);
+            }
+        });
         ui.separator();
         let bench = ui.button("Tables 1 and 2 · times on this machine, beside the paper's");
         if bench.on_hover_text("Takes a minute or two, in the background").clicked() {

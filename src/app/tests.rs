@@ -294,6 +294,20 @@ fn opening_a_session_brings_its_domains_points_and_looks() {
     assert!(model.map_error().is_none());
 }
 
+#[test]
+fn opening_a_figure_of_a_surface_brings_the_surface() {
+    use crate::figures::{Detail, Figure};
+    for figure in [Figure::LShapes, Figure::Head, Figure::Face] {
+        let mut model = prepared_model();
+        let scene = figure.scenes(Detail::Quick).remove(1);
+        model.dispatch(Command::Open(Box::new(scene.session.clone())), 0.0);
+        finish_preparations(&mut model);
+        assert_eq!(*model.session(), scene.session, "{figure:?}");
+        let map = model.surface_map().unwrap();
+        assert!(map.quality().q_mean < 1.3 && model.map_error().is_none(), "{figure:?}: {:?}", map.quality());
+    }
+}
+
 /// The app with its first map on the screen.
 fn ready_app(size: [f32; 2]) -> Harness<'static, RiemapApp> {
     let mut harness = Harness::builder()

@@ -220,7 +220,7 @@ impl Figure {
             Self::LShapes => &[
                 "the hemisphere is riemap's own with m = 900 as in the caption; its triangles are uniform, so that there are more than the paper's 4800",
                 "leftmost: the L to whose corners six equidistant points go when the pole goes to (1, 1)/√3 of its sides; by Schwarz and Christoffel its arms are √3 − 1 of them wide",
-                "the paper gives neither the other domains nor their constraints: the same L with x₁ in an arm, then two other Ls with their poles of inaccessibility; x₂ is the vertex farthest from the boundary, y₁ the concave corner",
+                "the paper gives neither the other domains nor their constraints: the same L with x₁ in an arm, then two other Ls with their poles of inaccessibility; x₂ is the hemisphere's pole (in the app, the vertex farthest from the boundary), y₁ the concave corner",
             ],
             Self::Head => &[
                 "the paper's cow head is not part of riemap, whose own animal head stands in; --surface FILE takes another",

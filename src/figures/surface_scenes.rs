@@ -58,17 +58,22 @@ fn l_of_six_points() -> Vec<DVec2> {
     l_shape(DVec2::ONE, DVec2::splat(L_ARM))
 }
 
-fn surface(preset: SurfacePreset, boundary: u32, anchor: f64) -> Option<SurfaceState> {
+fn surface(preset: SurfacePreset, boundary: u32, anchor: f64) -> SurfaceState {
     let spec = SurfaceSpec { shape: SurfaceShape::Preset { preset, boundary }, ..SurfaceSpec::default() };
-    Some(SurfaceState { spec, point: None, anchor })
+    SurfaceState { spec, point: None, anchor }
 }
 
-fn over(outline: OutlineSpec, detail: Detail, surface: Option<SurfaceState>) -> Session {
+fn over(outline: OutlineSpec, detail: Detail, surface: SurfaceState) -> Session {
     let mut settings = uniform(detail.samples(OUTLINE_SAMPLES));
     if let Sampling::Uniform { keep_corners, .. } = &mut settings.sampling {
         *keep_corners = true;
     }
-    Session { source: DomainSpec { outline, settings }, texture: TextureKind::Checker, surface, ..Session::default() }
+    Session {
+        source: DomainSpec { outline, settings },
+        texture: TextureKind::Checker,
+        surface: Some(surface),
+        ..Session::default()
+    }
 }
 
 /// Figure 14.
