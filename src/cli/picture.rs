@@ -52,7 +52,7 @@ pub fn draw(panels: &[Panel<'_>; 2], look: &Look<'_>, size: [u32; 2]) -> Result<
     let margin_px = margin_px(size);
     let scene =
         SceneDescription { viewports: &viewports, background: background(look.style.dark), image: None, margin_px };
-    render_scene(&scene, size).map_err(failed)
+    render_scene(&scene, size).map_err(|error| failed(&error))
 }
 
 /// Free space around what is drawn.
@@ -61,7 +61,7 @@ pub fn margin_px(size: [u32; 2]) -> f32 {
 }
 
 /// What the renderer says.
-pub fn failed(error: RenderError) -> CliError {
+pub fn failed(error: &RenderError) -> CliError {
     CliError::Input(error.to_string())
 }
 

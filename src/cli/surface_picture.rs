@@ -104,8 +104,8 @@ pub fn draw(
         image: None,
         margin_px: margin_px(size),
     };
-    let (device, queue, _) = headless_device().map_err(failed)?;
-    render_surface_with(&device, &queue, &surface, &scene, size).map_err(failed)
+    let (device, queue, _) = headless_device().map_err(|error| failed(&error))?;
+    render_surface_with(&device, &queue, &surface, &scene, size).map_err(|error| failed(&error))
 }
 
 fn camera(name: &str, surface: &PreparedSurface, aspect: f64) -> OrbitCamera {
