@@ -37,6 +37,11 @@ impl Cells {
         self.style
     }
 
+    /// The codes of the mapped mesh's triangles.
+    pub fn codes(&self) -> &[CellCode] {
+        &self.codes
+    }
+
     /// What the colours mean, where they are not the texture's.
     pub fn scale(&self) -> Option<&ColourScale> {
         self.scale.as_ref()
@@ -84,7 +89,7 @@ impl Cells {
         let another_mesh = self.uploaded.mesh != wanted.mesh;
         for side in Side::BOTH {
             let is_mapped = side == map.mapped_side();
-            let Some(positions) = (if is_mapped { map.planar } else { Some(map.images) }) else { continue };
+            let Some(positions) = map.places(side) else { continue };
             if another_mesh {
                 gpu.upload_cells(side, positions, map.triangles);
             } else if !is_mapped && self.uploaded.images != wanted.images {

@@ -30,6 +30,7 @@ mod shapes;
 mod side_panel;
 mod stats;
 mod status;
+pub mod still;
 mod surface;
 mod teaching;
 mod textured;
@@ -48,7 +49,7 @@ pub use stats::{Processor, Stats};
 use crate::conformal::{Extension, Side};
 use crate::export::SurfaceFormat;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
-use crate::render::{Pattern, TextureStyle};
+use crate::render::TextureStyle;
 use crate::session::{Command, Session, TextureKind, file, link};
 use cells::Cells;
 use files::{Content, FileError};
@@ -448,21 +449,7 @@ impl RiemapApp {
     }
 
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {
-        let session = self.model.session();
-        let pattern = match session.texture {
-            TextureKind::Grid => Pattern::Grid,
-            TextureKind::Conformal if self.model.pattern_home().is_none() => Pattern::Conformal,
-            // the conformal one, until there are disk coordinates
-            TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
-            TextureKind::Image if self.image_name.is_some() => Pattern::Image,
-            TextureKind::Checker | TextureKind::Image => Pattern::Checker,
-        };
-        let home = self.model.pattern_home().unwrap_or(session.texture_side);
-        let (bounds, pole) = match pattern {
-            Pattern::Conformal => (TextureStyle::DISK, glam::DVec2::ZERO),
-            _ => (self.model.extent(home)?, self.model.interior(home)?),
-        };
-        Some(TextureStyle { pattern, cells: session.texture_scale, bounds, pole, dark })
+        textured::style(&self.model, self.image_name.is_some(), dark)
     }
 }
 

@@ -9,7 +9,7 @@
 use super::model::Model;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
-use crate::render::MeshGeometry;
+use crate::render::{MeshGeometry, Pattern, TextureStyle};
 use crate::session::{Session, TextureKind};
 
 /// What changes when the map's images do.
@@ -27,11 +27,30 @@ pub fn home(session: &Session) -> Option<Side> {
     (session.texture != TextureKind::Conformal).then_some(side)
 }
 
+/// The pattern as it is drawn on both sides, as soon as there is something; without an image a checkerboard in its place.
+pub fn style(model: &Model, has_image: bool, dark: bool) -> Option<TextureStyle> {
+    let session = model.session();
+    let pattern = match session.texture {
+        TextureKind::Grid => Pattern::Grid,
+        TextureKind::Conformal if model.pattern_home().is_none() => Pattern::Conformal,
+        // the conformal one, until there are disk coordinates
+        TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
+        TextureKind::Image if has_image => Pattern::Image,
+        TextureKind::Checker | TextureKind::Image => Pattern::Checker,
+    };
+    let home = model.pattern_home().unwrap_or(session.texture_side);
+    let (bounds, pole) = match pattern {
+        Pattern::Conformal => (TextureStyle::DISK, DVec2::ZERO),
+        _ => (model.extent(home)?, model.interior(home)?),
+    };
+    Some(TextureStyle { pattern, cells: session.texture_scale, bounds, pole, dark })
+}
+
 /// What a side shows, as soon as there is something.
 pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
     let Some(home) = model.pattern_home() else {
-        let mesh = &model.map()?.domain(side).mesh;
-        let texture_coordinates = model.shown_grid().of(side);
+        let mesh = &model.shown_domain(side)?.mesh;
+        let texture_coordinates = disk_coordinates(model, side)?;
         return Some(MeshGeometry { positions: &mesh.vertices, texture_coordinates, triangles: &mesh.triangles });
     };
     if side == home {
@@ -51,11 +70,16 @@ pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
 
 /// What of it moves with the map's images.
 pub fn moved(model: &Model, side: Side) -> Option<Moved<'_>> {
+    let Some(home) = model.pattern_home() else { return disk_coordinates(model, side).map(Moved::Coordinates) };
     let map = model.map()?;
-    let Some(home) = model.pattern_home() else {
-        return Some(Moved::Coordinates(model.shown_grid().of(side)));
-    };
     let is_mapped = side == map.direction().mapped_side();
     let moved = if is_mapped { Moved::Coordinates(map.images()) } else { Moved::Positions(map.images()) };
     (side != home).then_some(moved)
+}
+
+/// Those of the mesh that a side shows in the plane; a surface has its own.
+fn disk_coordinates(model: &Model, side: Side) -> Option<&[DVec2]> {
+    let in_the_plane = side == Side::Source || model.surface().is_none();
+    let is_mapped = model.map().is_some() || model.surface_map().is_some();
+    (in_the_plane && is_mapped).then(|| model.shown_grid().of(side))
 }

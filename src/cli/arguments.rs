@@ -29,6 +29,10 @@ pub enum Subcommand {
     Map(MapArguments),
     /// Parameterizes a surface over an outline and writes it with texture coordinates.
     Flatten(Box<super::flatten_arguments::FlattenArguments>),
+    /// Draws the picture that the app shows of a session.
+    Render(RenderArguments),
+    /// Prints the link of a session's file: what comes after the app's address and #.
+    Link(LinkArguments),
     /// Prepares one outline; prints counts and timings.
     Prepare(PrepareArguments),
     /// Makes a figure of the paper anew: a drawing and a table of its numbers.
@@ -83,6 +87,46 @@ pub struct MapArguments {
     /// Print quality, timings and counts as JSON on stdout.
     #[arg(long)]
     pub json: bool,
+}
+
+/// `riemap render LINK`.
+#[derive(Debug, clap::Args)]
+pub struct RenderArguments {
+    /// A link, or the part of it after #, or a session's file (.riemap).
+    pub link: String,
+    /// The picture.
+    #[arg(long, value_name = "FILE.png")]
+    pub out: PathBuf,
+    /// Its size in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1600x900")]
+    pub size: Size,
+    /// Dark or light ground.
+    #[arg(long, default_value = "dark")]
+    pub theme: ThemeArgument,
+    /// The source's outline, where the link says that it travels as a file.
+    #[arg(long, value_name = "FILE")]
+    pub source: Option<String>,
+    /// The target's outline, likewise.
+    #[arg(long, value_name = "FILE")]
+    pub target: Option<String>,
+    /// The surface, where the session's comes from a file.
+    #[arg(long, value_name = "FILE")]
+    pub surface: Option<String>,
+}
+
+/// `riemap link SESSION.riemap`.
+#[derive(Debug, clap::Args)]
+pub struct LinkArguments {
+    /// The session's file (.riemap), or a link to be written anew.
+    pub session: String,
+}
+
+/// The ground of a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum ThemeArgument {
+    Dark,
+    Light,
 }
 
 /// `riemap prepare DOMAIN`.
@@ -311,10 +355,11 @@ impl NamedOutline {
     }
 }
 
-/// The bytes of a file, up to one more than a reader of outlines takes.
-fn read_file(name: &str) -> std::io::Result<Vec<u8>> {
+/// The bytes of a file, up to one more than the `most` that a reader takes.
+pub fn read_file(name: &str, most: usize) -> Result<Vec<u8>, CliError> {
     let mut bytes = Vec::new();
-    std::fs::File::open(name)?.take(outline::MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
+    let read = std::fs::File::open(name).and_then(|file| file.take(most as u64 + 1).read_to_end(&mut bytes));
+    read.map_err(|error| CliError::Input(format!("cannot read {name}: {error}")))?;
     Ok(bytes)
 }
 
@@ -324,7 +369,7 @@ pub fn read_outline(name: &str, repair: bool) -> Result<NamedOutline, CliError> 
         let preset = Preset::from_str(preset).map_err(|error| CliError::Input(error.to_string()))?;
         return Ok(NamedOutline { outline: preset.outline(), paper_samples: preset.paper_samples() });
     }
-    let bytes = read_file(name).map_err(|error| CliError::Input(format!("cannot read {name}: {error}")))?;
+    let bytes = read_file(name, outline::MAX_BYTES)?;
     let parse = if repair { outline::parse_repaired } else { outline::parse };
     let outline = parse(name, &bytes).map_err(|error| CliError::Input(format!("{name}: {error}")))?;
     Ok(NamedOutline { outline, paper_samples: None })

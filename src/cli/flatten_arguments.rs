@@ -1,12 +1,11 @@
 //! What can be said to `riemap flatten`, and its translation into the core's types.
 
 use super::CliError;
-use super::arguments::{Anchor, Discretisation, Point, Size};
+use super::arguments::{Anchor, Discretisation, Point, Size, read_file};
 use crate::conformal::PreparedSurface;
 use crate::geometry::DVec3;
 use crate::mesh::BarycentricPoint;
 use crate::surface::{MAX_BYTES, Surface, SurfacePreset, at_vertex, nearest_on_boundary, read_surface};
-use std::io::Read as _;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -184,8 +183,6 @@ pub fn read(name: &str) -> Result<Surface, CliError> {
         };
         return preset.surface(boundary).map_err(|error| input(&error));
     }
-    let mut bytes = Vec::new();
-    let file = std::fs::File::open(name).and_then(|file| file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes));
-    file.map_err(|error| CliError::Input(format!("cannot read {name}: {error}")))?;
+    let bytes = read_file(name, MAX_BYTES)?;
     read_surface(name, &bytes).map_err(|error| input(&error))
 }

@@ -1,4 +1,4 @@
-//! The command line: `riemap map`, `flatten`, `prepare`, `figure`, `bench`; headless and native only.
+//! The command line: `riemap map`, `flatten`, `render`, `link`, `prepare`, `figure`, `bench`; headless and native only.
 //!
 //! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
 //! are written whole or not at all.
@@ -14,6 +14,7 @@ mod output;
 mod picture;
 mod prepare;
 mod progress;
+mod render;
 mod surface_picture;
 mod tables;
 
@@ -44,6 +45,8 @@ pub fn run(command: &Subcommand) -> ExitCode {
     let result = match command {
         Subcommand::Map(arguments) => map::run(arguments),
         Subcommand::Flatten(arguments) => flatten::run(arguments),
+        Subcommand::Render(arguments) => render::run(arguments),
+        Subcommand::Link(arguments) => render::link(arguments),
         Subcommand::Prepare(arguments) => prepare::run(arguments),
         Subcommand::Figure(arguments) => figure::run(arguments),
         Subcommand::Bench(arguments) => bench::run(arguments),

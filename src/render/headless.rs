@@ -6,7 +6,8 @@
 
 use super::targets::attachment;
 use super::{
-    Camera, CellStyle, Handle, MeshGeometry, RenderError, SceneSurface, StrokeStyle, TextureStyle, ViewportRenderer,
+    Camera, CellCode, CellStyle, Handle, MeshGeometry, RenderError, SceneSurface, StrokeStyle, TextureStyle,
+    ViewportRenderer,
 };
 use glam::DVec2;
 use image::RgbaImage;
@@ -27,23 +28,23 @@ pub struct SceneViewport<'a> {
     pub camera: Option<Camera>,
     /// The texture.
     pub style: TextureStyle,
-    /// Edges over the texture.
-    pub wire: Option<SceneWire<'a>>,
+    /// Colours and edges of triangles, over the texture.
+    pub cells: Option<SceneCells<'a>>,
     /// Discs on top.
     pub handles: &'a [Handle],
 }
 
-/// A mesh of which the edges are shown.
+/// A mesh that is shown triangle by triangle.
 #[derive(Clone, Copy, Debug)]
-pub struct SceneWire<'a> {
+pub struct SceneCells<'a> {
     /// Where each vertex is drawn.
     pub positions: &'a [DVec2],
     /// Vertex indices.
     pub triangles: &'a [[u32; 3]],
+    /// The codes of the triangles; empty: 0 for all.
+    pub codes: &'a [CellCode],
     /// How.
-    pub style: StrokeStyle,
-    /// The device pixel ratio: edges fade where cells get lower than a few points.
-    pub pixels_per_point: f32,
+    pub style: CellStyle,
 }
 
 /// Viewports side by side, of equal width, on one background.
@@ -128,7 +129,7 @@ pub fn render_scene_with(
     render(device, queue, None, scene, size)
 }
 
-/// [`render_scene_with`], with a surface left of the viewports, of which there may be none, as wide as each of them.
+/// [`render_scene_with`], with a surface beside the viewports, of which there may be none, as wide as each of them.
 pub fn render_surface_with(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
@@ -177,9 +178,29 @@ fn check(
     Ok(())
 }
 
-/// The first column of viewport `k` of `count`.
-fn column(k: usize, count: usize, width: u32) -> u32 {
-    (k as u64 * u64::from(width) / count as u64) as u32
+/// How a picture is divided from left to right.
+#[derive(Clone, Copy, Debug)]
+struct Columns {
+    count: usize,
+    /// The one that a surface has.
+    surface: Option<usize>,
+}
+
+impl Columns {
+    fn new(surface: Option<&SceneSurface>, scene: &SceneDescription) -> Self {
+        let planar = scene.viewports.len();
+        let place = surface.map(|surface| if surface.right { planar } else { 0 });
+        Self { count: planar + usize::from(surface.is_some()), surface: place }
+    }
+
+    /// The left edge of column `k` in a picture of this width.
+    fn edge(self, k: usize, width: u32) -> u32 {
+        (k as u64 * u64::from(width) / self.count as u64) as u32
+    }
+
+    fn of_viewport(self, k: usize) -> usize {
+        k + usize::from(self.surface == Some(0))
+    }
 }
 
 fn draw(
@@ -189,25 +210,24 @@ fn draw(
     scene: &SceneDescription,
     size: [u32; 2],
 ) -> Result<wgpu::Texture, RenderError> {
-    let first = usize::from(surface.is_some());
-    let count = first + scene.viewports.len();
+    let columns = Columns::new(surface, scene);
     let mut renderer = ViewportRenderer::new(device, queue, TARGET_FORMAT, scene.viewports.len());
     if let Some(image) = scene.image {
         renderer.set_image(device, queue, image.as_raw(), image.width(), image.height())?;
     }
     let target = target_texture(device, size);
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("scene") });
-    let size_of = |k| [column(k + 1, count, size[0]) - column(k, count, size[0]), size[1]];
-    if let Some(surface) = surface {
-        surface.prepare(device, queue, &mut renderer, &mut encoder, size_of(0), scene.background)?;
+    let size_of = |k| [columns.edge(k + 1, size[0]) - columns.edge(k, size[0]), size[1]];
+    if let (Some(surface), Some(column)) = (surface, columns.surface) {
+        surface.prepare(device, queue, &mut renderer, &mut encoder, size_of(column), scene.background)?;
     }
     for (k, part) in scene.viewports.iter().enumerate() {
         upload(device, queue, &mut renderer, k, part)?;
-        let size_px = size_of(first + k);
+        let size_px = size_of(columns.of_viewport(k));
         let camera = part.camera.unwrap_or_else(|| fitted(part.geometry.positions, size_px, scene.margin_px));
         renderer.prepare(device, queue, &mut encoder, k, size_px, &camera, &part.style, scene.background);
     }
-    paint(&mut encoder, &renderer, [first, count], &target);
+    paint(&mut encoder, &renderer, columns, &target);
     queue.submit([encoder.finish()]);
     Ok(target)
 }
@@ -219,24 +239,21 @@ fn upload(
     viewport: usize,
     part: &SceneViewport,
 ) -> Result<(), RenderError> {
-    let wire = part.wire.as_ref();
+    let cells = part.cells.as_ref();
     let uploaded = renderer.set_mesh(device, queue, viewport, &part.geometry)
         && renderer.set_boundary(device, queue, viewport, part.boundary)
-        && wire.is_none_or(|wire| renderer.set_cells(device, queue, viewport, wire.positions, wire.triangles));
+        && cells.is_none_or(|cells| {
+            renderer.set_cells(device, queue, viewport, cells.positions, cells.triangles)
+                && (cells.codes.is_empty() || renderer.set_cell_codes(queue, viewport, &mut cells.codes.to_vec()))
+        });
     if !uploaded {
         let reason = format!("{} triangles do not fit on the graphics device", part.geometry.triangles.len());
         return Err(RenderError::Geometry { viewport, reason });
     }
-    renderer.set_cell_style(viewport, wire.map(SceneWire::cells));
+    renderer.set_cell_style(viewport, cells.map(|cells| cells.style));
     renderer.set_boundary_style(viewport, part.boundary_style);
     renderer.set_handles(device, queue, viewport, part.handles);
     Ok(())
-}
-
-impl SceneWire<'_> {
-    fn cells(&self) -> CellStyle {
-        CellStyle { map: None, wire: Some(self.style), marks: false, pixels_per_point: self.pixels_per_point }
-    }
 }
 
 fn fitted(positions: &[DVec2], size_px: [u32; 2], margin_px: f32) -> Camera {
@@ -246,13 +263,7 @@ fn fitted(positions: &[DVec2], size_px: [u32; 2], margin_px: f32) -> Camera {
     Camera::fit(bounds, size_px.map(|side| side as f32), margin_px)
 }
 
-/// Paints the columns, of which those before `first` are the surface's.
-fn paint(
-    encoder: &mut wgpu::CommandEncoder,
-    renderer: &ViewportRenderer,
-    [first, count]: [usize; 2],
-    target: &wgpu::Texture,
-) {
+fn paint(encoder: &mut wgpu::CommandEncoder, renderer: &ViewportRenderer, columns: Columns, target: &wgpu::Texture) {
     let view = target.create_view(&wgpu::TextureViewDescriptor::default());
     let clear = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
     let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -261,12 +272,13 @@ fn paint(
         ..Default::default()
     });
     let mut pass = pass.forget_lifetime();
-    for k in 0..count {
-        let (left, right) = (column(k, count, target.width()), column(k + 1, count, target.width()));
+    for k in 0..columns.count {
+        let [left, right] = [k, k + 1].map(|k| columns.edge(k, target.width()));
         pass.set_viewport(left as f32, 0.0, (right - left) as f32, target.height() as f32, 0.0, 1.0);
-        match k.checked_sub(first) {
-            Some(viewport) => renderer.paint(&mut pass, viewport),
-            None => renderer.paint_surface(&mut pass),
+        if columns.surface == Some(k) {
+            renderer.paint_surface(&mut pass);
+        } else {
+            renderer.paint(&mut pass, k - columns.of_viewport(0));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! A surface in a picture without a window, alone or left of planar viewports.
+//! A surface in a picture without a window, alone or beside planar viewports.
 
 use super::{CellCode, CellStyle, OrbitCamera, StrokeStyle, SurfaceFrame, SurfaceGeometry, SurfaceHandle};
 use super::{RenderError, TextureStyle, ViewportRenderer};
@@ -7,6 +7,8 @@ use glam::DVec2;
 /// The surface of a scene.
 #[derive(Clone, Debug)]
 pub struct SceneSurface<'a> {
+    /// Whether it is right of the planar viewports; else it is left of them.
+    pub right: bool,
     /// The surface.
     pub geometry: SurfaceGeometry<'a>,
     /// Where each vertex looks the texture up: its image in the plane.

@@ -48,7 +48,7 @@ pub use colour_map::{CellCode, ColourMap, flipped_colour};
 pub use error::{ImageError, RenderError};
 #[cfg(not(target_arch = "wasm32"))]
 pub use headless::{
-    SceneDescription, SceneViewport, SceneWire, headless_device, render_scene, render_scene_with, render_surface_with,
+    SceneCells, SceneDescription, SceneViewport, headless_device, render_scene, render_scene_with, render_surface_with,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use headless_surface::SceneSurface;

@@ -68,7 +68,7 @@ fn disk_pair(gpu: &Gpu, pattern: Pattern) -> RgbaImage {
         boundary_style: None,
         camera: None,
         style,
-        wire: None,
+        cells: None,
         handles,
     };
     let card = test_card();

@@ -54,7 +54,7 @@ pub fn square(style: TextureStyle) -> SceneViewport<'static> {
         boundary_style: None,
         camera: Some(Camera { center: DVec2::ZERO, units_per_pixel: 2.0 / 80.0 }),
         style,
-        wire: None,
+        cells: None,
         handles: &[],
     }
 }

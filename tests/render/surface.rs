@@ -39,6 +39,7 @@ impl Squares {
 
     fn scene(&self) -> SceneSurface<'_> {
         SceneSurface {
+            right: false,
             geometry: SurfaceGeometry {
                 positions: &self.positions,
                 triangles: &self.triangles,
@@ -195,6 +196,7 @@ fn hemisphere() -> (SurfaceMesh, Vec<DVec2>) {
 fn hemisphere_scene<'a>(mesh: &'a SurfaceMesh, images: &'a [DVec2], towards_eye: DVec3) -> SceneSurface<'a> {
     let mesh = &mesh.mesh;
     SceneSurface {
+        right: false,
         geometry: SurfaceGeometry {
             positions: &mesh.vertices,
             triangles: &mesh.triangles,

@@ -38,7 +38,14 @@ fn browser(places: &Places) -> Result<(), Failure> {
     let chromium = ensure_chromium()?;
     ensure_test_packages(places)?;
     let mut command = Command::new("node");
-    command.args(["--test", "--test-reporter=spec", "--test-concurrency=1", "app.test.mjs", "surfaces.test.mjs", "sessions.test.mjs"]);
+    command.args([
+        "--test",
+        "--test-reporter=spec",
+        "--test-concurrency=1",
+        "app.test.mjs",
+        "surfaces.test.mjs",
+        "sessions.test.mjs",
+    ]);
     command.current_dir(places.browser_tests());
     command.env("CHROMIUM", chromium).env("RIEMAP_DIST", places.dist());
     run("the web app in Chromium", &mut command)

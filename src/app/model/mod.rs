@@ -116,10 +116,11 @@ pub struct Model {
 }
 
 impl Model {
-    /// Wants both of the session's domains.
-    pub fn new(session: Session) -> Self {
+    /// Wants both of the session's domains, and its surface.
+    pub fn new(mut session: Session) -> Self {
         let sides = [Preparation::new(session.source.clone()), Preparation::new(session.target.clone())];
-        Self {
+        let surface = session.surface.take();
+        let mut model = Self {
             last_good_points: (session.interior, session.anchor),
             pattern_home: textured::home(&session),
             session,
@@ -155,7 +156,11 @@ impl Model {
             surface: SurfaceSide::default(),
             incoming_surface: None,
             last_good_surface: None,
+        };
+        if surface.is_some() {
+            model.open_surface(surface);
         }
+        model
     }
 
     /// What the map on the screen is made from.

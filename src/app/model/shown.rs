@@ -21,10 +21,15 @@ pub struct Shown<'a> {
     pub timings: FrameTimings,
 }
 
-impl Shown<'_> {
+impl<'a> Shown<'a> {
     /// The side whose mesh is mapped.
     pub fn mapped_side(&self) -> Side {
         self.direction.mapped_side()
+    }
+
+    /// Where the mapped mesh's vertices lie on a side; `None` on that of a surface.
+    pub fn places(&self, side: Side) -> Option<&'a [DVec2]> {
+        if side == self.mapped_side() { self.planar } else { Some(self.images) }
     }
 }
 

@@ -48,6 +48,12 @@ impl Model {
         self.surface.preparation.want(Wish::file(name, bytes));
     }
 
+    /// Takes the surface of a session, whose triangles come from a file.
+    pub fn open_surface_file(&mut self, state: SurfaceState, bytes: Vec<u8>) {
+        self.surface.preparation.want(Wish::of(state.spec.clone(), bytes));
+        self.incoming_surface = Some(state);
+    }
+
     /// Carries out a command about the surface, or begins to.
     pub(super) fn dispatch_surface(&mut self, command: Command) {
         match command {

@@ -31,7 +31,7 @@ pub fn upload(state: &RenderState, renderer: &mut ViewportRenderer, model: &Mode
 }
 
 /// Where the surface's vertices look the pattern up.
-fn coordinates<'a>(side: &'a SurfaceSide, model: &'a Model) -> Option<&'a [DVec2]> {
+pub fn coordinates<'a>(side: &'a SurfaceSide, model: &'a Model) -> Option<&'a [DVec2]> {
     match model.pattern_home() {
         Some(_) => Some(side.map()?.images()),
         None => Some(model.shown_grid().of(Side::Target)),

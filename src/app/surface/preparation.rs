@@ -20,8 +20,16 @@ pub struct Wish {
 impl Wish {
     /// A surface from a file.
     pub fn file(name: String, bytes: Vec<u8>) -> Self {
-        let shape = SurfaceShape::File { name: name.clone() };
-        let spec = SurfaceSpec { shape, ..SurfaceSpec::default() };
+        let shape = SurfaceShape::File { name };
+        Self::of(SurfaceSpec { shape, ..SurfaceSpec::default() }, bytes)
+    }
+
+    /// What `spec` says, of triangles from a file.
+    pub fn of(spec: SurfaceSpec, bytes: Vec<u8>) -> Self {
+        let name = match &spec.shape {
+            SurfaceShape::File { name } => name.clone(),
+            SurfaceShape::Preset { preset, .. } => preset.name().to_owned(),
+        };
         Self { spec, source: SurfaceSource::File { name, bytes: Arc::new(bytes) } }
     }
 }

@@ -90,7 +90,7 @@ impl RasterPanel<'_> {
             boundary_style: None,
             camera: Some(self.camera()),
             style: self.style,
-            wire: None,
+            cells: None,
             handles,
         }
     }

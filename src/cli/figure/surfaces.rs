@@ -6,12 +6,13 @@ use super::pictures::{Sheet, style};
 use super::raster::{Raster, RasterPanel};
 use crate::cli::CliError;
 use crate::cli::flatten_arguments::{preset, read};
-use crate::cli::surface_picture::{camera, planar_handles, surface_handles};
+use crate::cli::picture::HANDLE_COLOURS;
+use crate::cli::surface_picture::{camera, places, planar_places, surface_handles};
 use crate::conformal::{Quality, TriangleDistortion, surface_distortions};
 use crate::figures::{Detail, Figure, FigureError, SurfaceStudy};
 use crate::geometry::DVec2;
 use crate::render::{
-    CellCode, CellStyle, ColourMap, OrbitCamera, SceneSurface, StrokeStyle, SurfaceGeometry, SurfaceHandle,
+    CellCode, CellStyle, ColourMap, Handle, OrbitCamera, SceneSurface, StrokeStyle, SurfaceGeometry, SurfaceHandle,
 };
 use crate::session::{Colouring, SurfaceShape};
 use crate::surface::SurfacePreset;
@@ -94,7 +95,7 @@ impl<'a> Shown<'a> {
         let mut triangles = Vec::new();
         surface_distortions(&surface.surface.mesh, study.map.images(), &mut triangles);
         let camera = camera(preset, surface, 1.0);
-        let handles = surface_handles(surface, &study.constraints, &camera, HANDLE_PX);
+        let handles = surface_handles(surface, places(surface, &study.constraints), &camera, HANDLE_PX);
         let codes = triangles.iter().map(code).collect();
         Self { study, triangles, codes, camera, handles }
     }
@@ -117,6 +118,7 @@ impl<'a> Shown<'a> {
         let cells =
             CellStyle { map: Some(ColourMap::Cividis), wire: None, marks: true, pixels_per_point: PIXELS_PER_POINT };
         SceneSurface {
+            right: false,
             geometry: SurfaceGeometry {
                 positions: &mesh.vertices,
                 triangles: &mesh.triangles,
@@ -156,7 +158,9 @@ impl<'a> Shown<'a> {
     }
 
     fn marks(&self) -> Vec<(DVec2, [f32; 4])> {
-        let handles = planar_handles(self.study.map.source(), &self.study.constraints, HANDLE_PX);
+        let places = planar_places(self.study.map.source(), &self.study.constraints);
+        let handle = |k: usize| Handle { position: places[k], colour: HANDLE_COLOURS[k], radius_px: HANDLE_PX };
+        let handles = [0, 1].map(handle);
         handles.map(|handle| (handle.position, handle.colour)).to_vec()
     }
 }

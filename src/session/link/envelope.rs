@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn what_is_packed_is_unpacked_again() {
-        for bytes in [&b""[..], b"a", &[0; 1000], &[255; MAX_BYTES]] {
+        for bytes in [&b""[..], b"a", &[0; 1000], &vec![255; MAX_BYTES]] {
             assert_eq!(unpack(&pack(bytes).unwrap()).as_deref(), Ok(bytes));
         }
         assert_eq!(pack(&vec![0; MAX_BYTES + 1]), None);

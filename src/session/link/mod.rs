@@ -8,7 +8,7 @@
 //! | deflate and base 64 | `envelope` |
 //!
 //! Guarantees: [`decode`] gives a session that [`Session::check`] accepts, with simple polygons, or
-//! says why not; it does not panic, and takes less than 2 MiB and a few milliseconds, whatever it is
+//! says why not; it does not panic, and allocates less than 8 MiB in all, whatever it is
 //! given. Decoding what [`encode`] gave is the session again, but for the outlines' rounding to 16
 //! bits and the ends of long names; a second time nothing changes. A link of version 1 opens for ever.
 

@@ -1,0 +1,165 @@
+//! What both viewports show of a session, without a window: the model brought to rest, and what there is to draw.
+//!
+//! The model is the app's own, its workers run here and now; so a picture made from this shows what
+//! the app shows. It does not depend on how fast the machine is: no coarse map ever stands in.
+
+use super::cells::Cells;
+use super::model::Model;
+use super::surface;
+use super::textured;
+use crate::conformal::{PreparedSurface, Side};
+use crate::geometry::{DVec2, DVec3};
+use crate::render::{CellCode, CellStyle, MeshGeometry, OrbitCamera, TextureStyle};
+use crate::session::{Command, Session, SurfaceShape};
+use crate::worker;
+
+/// A session whose map is complete.
+#[derive(Debug)]
+pub struct Still {
+    model: Model,
+    cells: Cells,
+}
+
+/// Why there is nothing to show.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct StillError(String);
+
+/// The mapped mesh on one side, to be drawn triangle by triangle.
+#[derive(Debug, Clone, Copy)]
+pub struct StillCells<'a> {
+    /// Where its vertices lie; `None` on a surface.
+    pub positions: Option<&'a [DVec2]>,
+    /// Its triangles.
+    pub triangles: &'a [[u32; 3]],
+    /// Their codes.
+    pub codes: &'a [CellCode],
+    /// How they are shown.
+    pub style: CellStyle,
+}
+
+/// The surface in the target's place.
+#[derive(Debug, Clone, Copy)]
+pub struct StillSurface<'a> {
+    /// It.
+    pub surface: &'a PreparedSurface,
+    /// Where each vertex looks the pattern up.
+    pub coordinates: &'a [DVec2],
+    /// The interior and the boundary point.
+    pub points: [DVec3; 2],
+}
+
+impl Still {
+    /// Prepares and maps, which may take seconds. The triangles of a surface from a file come with
+    /// it. `pixels_per_point` scales what is drawn over the triangles.
+    ///
+    /// Errors: what the app would say beside an outline or a surface, in words for the person.
+    pub fn new(session: Session, surface_file: Option<Vec<u8>>, pixels_per_point: f32) -> Result<Self, StillError> {
+        let mut model = begin(session, surface_file)?;
+        model.update_ms = f64::INFINITY; // nobody waits for a frame
+        settle(&mut model)?;
+        model.measure();
+        let mut cells = Cells::default();
+        cells.update(&model, None, pixels_per_point);
+        Ok(Self { model, cells })
+    }
+
+    /// The session; its points may have been moved into the domains.
+    pub fn session(&self) -> &Session {
+        self.model.session()
+    }
+
+    /// The texture, the same on both sides.
+    pub fn style(&self, dark: bool) -> Option<TextureStyle> {
+        textured::style(&self.model, false, dark)
+    }
+
+    /// The textured mesh of a side in the plane.
+    pub fn geometry(&self, side: Side) -> Option<MeshGeometry<'_>> {
+        textured::geometry(&self.model, side)
+    }
+
+    /// The outline of a side in the plane.
+    pub fn boundary(&self, side: Side) -> Option<&[DVec2]> {
+        Some(&self.model.shown_domain(side)?.samples.points)
+    }
+
+    /// The interior and the boundary point of a side in the plane.
+    pub fn points(&self, side: Side) -> Option<[DVec2; 2]> {
+        Some([self.model.interior(side)?, self.model.anchor(side)?])
+    }
+
+    /// The mapped mesh on a side, where the session shows more of it than the texture.
+    pub fn cells(&self, side: Side) -> Option<StillCells<'_>> {
+        let (style, map) = (self.cells.style()?, self.model.shown()?);
+        Some(StillCells { positions: map.places(side), triangles: map.triangles, codes: self.cells.codes(), style })
+    }
+
+    /// The surface, if there is one.
+    pub fn surface(&self) -> Option<StillSurface<'_>> {
+        let (side, _) = self.model.surface()?;
+        Some(StillSurface {
+            surface: side.surface()?,
+            coordinates: surface::gpu::coordinates(side, &self.model)?,
+            points: [self.model.surface_point()?, self.model.surface_anchor()?],
+        })
+    }
+
+    /// From where the surface is seen at first, in a viewport of this width over height.
+    pub fn camera(&self, aspect: f64) -> Option<OrbitCamera> {
+        let (side, state) = self.model.surface()?;
+        side.first_view(state, aspect)
+    }
+}
+
+fn begin(session: Session, surface_file: Option<Vec<u8>>) -> Result<Model, StillError> {
+    let mut model = Model::new(Session { surface: None, ..session.clone() });
+    match (session.surface.as_ref(), surface_file) {
+        (None, None) => {}
+        (Some(state), Some(bytes)) if matches!(state.spec.shape, SurfaceShape::File { .. }) => {
+            model.open_surface_file(state.clone(), bytes);
+        }
+        (Some(state), None) if matches!(state.spec.shape, SurfaceShape::Preset { .. }) => {
+            model.dispatch(Command::Open(Box::new(session)), 0.0);
+        }
+        (Some(state), None) => {
+            let SurfaceShape::File { name } = &state.spec.shape else { return Ok(model) };
+            return Err(StillError(format!("the session's surface \"{name}\" travels as a file of its own")));
+        }
+        (_, Some(_)) => return Err(StillError(String::from("the session has no surface from a file"))),
+    }
+    Ok(model)
+}
+
+/// Prepares and maps until there is nothing left to do.
+fn settle(model: &mut Model) -> Result<(), StillError> {
+    loop {
+        for (subject, request) in model.take_requests(f64::INFINITY) {
+            worker::run(&request, &mut |generation, response| model.accept(subject, generation, response));
+        }
+        if let Some(error) = trouble(model) {
+            return Err(StillError(error));
+        }
+        let changes = model.refresh(false);
+        if let Some(error) = trouble(model) {
+            return Err(StillError(error));
+        }
+        let is_home = model.pattern_home() == textured::home(model.session());
+        if model.is_ready() && is_home && model.extension_progress() == 1.0 {
+            return Ok(());
+        }
+        if changes == super::Changes::default() && !model.is_pending() {
+            return Err(StillError(String::from("there is no map of this session")));
+        }
+    }
+}
+
+fn trouble(model: &Model) -> Option<String> {
+    let outline = |side| {
+        let trouble = model.side(side).error.as_ref()?;
+        Some(format!("the {side}: {}", trouble.text))
+    };
+    let surface = model.surface_side().preparation.error.as_ref().map(|trouble| trouble.text.clone());
+    let map = model.map_error().map(|(_, text)| text.to_owned());
+    Side::BOTH.into_iter().find_map(outline).or(surface).or(map)
+}

@@ -1,0 +1,225 @@
+//! `riemap render` and `riemap link`: a session becomes a picture, and a file becomes a link.
+
+#![cfg(feature = "app")]
+#![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
+
+use image::RgbImage;
+use riemap::conformal::{Extension, Side};
+use riemap::geometry::DVec2;
+use riemap::mesh::Sizing;
+use riemap::outline::{Preset, Sampling};
+use riemap::session::{
+    Colouring, Command as Change, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind, file, link,
+};
+use riemap::surface::SurfacePreset;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn riemap(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_riemap")).args(arguments).output().unwrap()
+}
+
+/// An empty folder for one test.
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("sessions-{name}"));
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn written(folder: &Path, name: &str, content: &str) -> String {
+    let path = folder.join(name);
+    std::fs::write(&path, content).unwrap();
+    path.display().to_string()
+}
+
+/// The picture that a link or file becomes.
+fn rendered(folder: &Path, link: &str, more: &[&str]) -> RgbImage {
+    let out = folder.join("picture.png").display().to_string();
+    let arguments = [&["render", link, "--size", "320x160", "--out", &out], more].concat();
+    let output = riemap(&arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    let picture = image::open(&out).unwrap().to_rgb8();
+    std::fs::remove_file(&out).unwrap();
+    assert_eq!(picture.dimensions(), (320, 160));
+    picture
+}
+
+fn fails(arguments: &[&str], status: i32, words: &[&str]) {
+    let output = riemap(arguments);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
+    assert!(!stderr.contains("panicked"), "{arguments:?}: {stderr}");
+    for word in words {
+        assert!(stderr.contains(word), "{arguments:?}: no {word:?} in: {stderr}");
+    }
+}
+
+/// The default session, coarser: these tests are about pictures, not about accuracy.
+fn coarse() -> Session {
+    let mut session = Session::default();
+    for side in Side::BOTH {
+        let mut settings = session.domain(side).settings;
+        (settings.sampling, settings.sizing) = (Sampling::Adaptive { target: Some(200) }, Sizing::Graded(0.25));
+        session.apply(Change::SetSettings { side, settings });
+    }
+    session
+}
+
+fn link_of(session: &Session) -> String {
+    link::encode(session).unwrap().fragment
+}
+
+/// How many pixels of two pictures differ visibly.
+fn differences(a: &RgbImage, b: &RgbImage) -> usize {
+    let differs = |(p, q): (&image::Rgb<u8>, &image::Rgb<u8>)| p.0.iter().zip(q.0).any(|(&c, d)| c.abs_diff(d) > 8);
+    a.pixels().zip(b.pixels()).filter(|&pair| differs(pair)).count()
+}
+
+/// The pixels of a half, from left to right, that are not the ground.
+fn drawn(picture: &RgbImage, half: u32) -> usize {
+    let ground = *picture.get_pixel(0, 0);
+    picture.enumerate_pixels().filter(|(x, _, pixel)| x / 160 == half && **pixel != ground).count()
+}
+
+#[test]
+fn a_link_an_address_and_a_file_are_the_same_picture() {
+    let folder = folder("same");
+    let session = coarse();
+    let fragment = link_of(&session);
+    let picture = rendered(&folder, &fragment, &[]);
+    assert_eq!(picture.get_pixel(0, 0).0, [13, 17, 23], "the app's dark ground");
+    for half in 0..2 {
+        let share = drawn(&picture, half) as f64 / (160.0 * 160.0);
+        assert!((0.2..0.8).contains(&share), "half {half}: {share}");
+    }
+    let address = format!("https://example.org/riemap/#{fragment}");
+    assert_eq!(rendered(&folder, &address, &[]), picture);
+    let saved = written(&folder, "a.riemap", &file::write(&session).unwrap());
+    assert_eq!(rendered(&folder, &saved, &[]), picture);
+    let light = rendered(&folder, &fragment, &["--theme", "light"]);
+    assert_eq!(light.get_pixel(0, 0).0, [255; 3]);
+}
+
+#[test]
+fn what_a_person_sets_is_seen() {
+    let folder = folder("seen");
+    let before = rendered(&folder, &link_of(&coarse()), &[]);
+    for (name, change) in [
+        ("point", Change::MoveInterior { side: Side::Source, point: DVec2::new(0.0, -0.3) }),
+        ("anchor", Change::MoveAnchor { side: Side::Target, fraction: 0.4 }),
+        ("grid", Change::SetTexture(TextureKind::Grid)),
+        ("conformal", Change::SetTexture(TextureKind::Conformal)),
+        ("scale", Change::SetTextureScale(20.0)),
+        ("side", Change::SetTextureSide(Side::Target)),
+        ("angle", Change::SetColouring(Colouring::Angle)),
+        ("area", Change::SetColouring(Colouring::Area)),
+        ("mesh", Change::SetWireframe(true)),
+    ] {
+        let mut session = coarse();
+        session.apply(change);
+        let changed = differences(&before, &rendered(&folder, &link_of(&session), &[]));
+        println!("{name}: {changed} pixels");
+        assert!(changed > 1000, "{name}: only {changed} pixels differ");
+    }
+    // the other extension differs by little, but must be complete
+    let mut session = coarse();
+    session.apply(Change::SetExtension(Extension::CauchyGreen));
+    let changed = differences(&before, &rendered(&folder, &link_of(&session), &[]));
+    assert!(changed < 8000, "Cauchy–Green: {changed} pixels differ");
+}
+
+#[test]
+fn a_surface_stands_on_the_right() {
+    let folder = folder("surface");
+    let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
+    let mut session = coarse();
+    session.apply(Change::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    let picture = rendered(&folder, &link_of(&session), &[]);
+    let plane = rendered(&folder, &link_of(&coarse()), &[]);
+    let half = |picture: &RgbImage, half: u32| image::imageops::crop_imm(picture, 160 * half, 0, 160, 160).to_image();
+    assert_eq!(half(&picture, 0), half(&plane, 0), "the source is the same as before");
+    let changed = differences(&half(&picture, 1), &half(&plane, 1));
+    assert!(changed > 3000 && drawn(&picture, 1) > 5000, "{changed} pixels differ");
+    // the pattern of the disk has coordinates of its own on both sides
+    session.apply(Change::SetTexture(TextureKind::Conformal));
+    let polar = rendered(&folder, &link_of(&session), &[]);
+    for k in 0..2 {
+        assert!(differences(&half(&polar, k), &half(&picture, k)) > 1000, "half {k}");
+    }
+    let mut planar = coarse();
+    planar.apply(Change::SetTexture(TextureKind::Conformal));
+    let planar = rendered(&folder, &link_of(&planar), &[]);
+    assert_eq!(half(&polar, 0), half(&planar, 0), "the source has the same disk coordinates with a surface");
+}
+
+#[test]
+fn a_surface_from_a_file_is_asked_for() {
+    let folder = folder("surface-file");
+    let pyramid = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0.7\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    let path = written(&folder, "pyramid.obj", pyramid);
+    let mut session = coarse();
+    let shape = SurfaceShape::File { name: "pyramid.obj".into() };
+    session.apply(Change::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    let link = link_of(&session);
+    let out = folder.join("x.png").display().to_string();
+    fails(&["render", &link, "--out", &out], 1, &["pyramid.obj", "file"]);
+    assert!(drawn(&rendered(&folder, &link, &["--surface", &path]), 1) > 2000);
+    fails(&["render", &link_of(&coarse()), "--out", &out, "--surface", &path], 1, &["no surface"]);
+}
+
+#[test]
+fn an_outline_that_a_link_leaves_out_comes_from_a_file() {
+    let folder = folder("left-out");
+    let points: Vec<DVec2> = (0..12_000)
+        .map(|k: u32| {
+            let noise = f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
+            DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 12_000.0) * (1.0 + 0.002 * noise)
+        })
+        .collect();
+    let outline = written(&folder, "rough.json", &serde_json::to_string(&points).unwrap());
+    let mut session = coarse();
+    session.apply(Change::SetOutline {
+        side: Side::Source,
+        outline: OutlineSpec::Points { name: "rough".into(), points },
+    });
+    session.apply(Change::MoveInterior { side: Side::Source, point: DVec2::new(0.3, 0.1) });
+    session.apply(Change::MoveAnchor { side: Side::Source, fraction: 0.3 });
+    let saved = written(&folder, "rough.riemap", &file::write(&session).unwrap());
+    let output = riemap(&["link", &saved]);
+    assert!(output.status.success());
+    let notes = String::from_utf8(output.stderr).unwrap();
+    assert!(notes.contains("\"rough\"") && notes.contains("file"), "{notes}");
+    let link = String::from_utf8(output.stdout).unwrap();
+    let out = folder.join("x.png").display().to_string();
+    fails(&["render", &link, "--out", &out], 1, &["rough", "--source"]);
+    assert_eq!(rendered(&folder, &link, &["--source", &outline]), rendered(&folder, &saved, &[]));
+    fails(&["render", &saved, "--out", &out, "--source", &outline], 2, &["--source"]);
+}
+
+#[test]
+fn a_file_s_link_is_printed() {
+    let folder = folder("link");
+    let mut session = coarse();
+    session.apply(Change::SetOutline { side: Side::Target, outline: OutlineSpec::Preset(Preset::Star) });
+    let saved = written(&folder, "star.riemap", &file::write(&session).unwrap());
+    let output = riemap(&["link", &saved]);
+    assert!(output.status.success() && output.stderr.is_empty());
+    let printed = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(link::decode(&printed).unwrap().session, session, "{printed}");
+}
+
+#[test]
+fn what_cannot_be_opened_says_why() {
+    let folder = folder("refused");
+    let out = folder.join("x.png").display().to_string();
+    let fragment = link_of(&coarse());
+    let at_out = |link: &str, words: &[&str]| fails(&["render", link, "--out", &out], 1, words);
+    at_out(&fragment[..fragment.len() - 3], &["damaged"]);
+    at_out("https://example.org/#s=2.AAAA", &["format 2"]);
+    at_out("nowhere.riemap", &["nowhere.riemap"]);
+    at_out(&written(&folder, "other.riemap", "{\"a\": 1}"), &["other.riemap", "no session"]);
+    fails(&["render", &fragment, "--out", "x.jpg"], 2, &["png"]);
+    fails(&["render", &fragment], 2, &["--out"]);
+    assert!(!folder.join("x.png").exists());
+}
