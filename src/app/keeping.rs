@@ -12,7 +12,7 @@ pub struct Keeper {
     history: History,
     /// Why the address does not carry all of the session.
     left_out: Option<String>,
-    /// Nothing has been kept yet.
+    /// No session has come to rest yet.
     is_new: bool,
     /// Whether the address and the kept copy follow, or the history alone.
     is_public: bool,
@@ -44,10 +44,13 @@ impl Keeper {
         self.left_out.as_deref()
     }
 
-    /// Takes in a session that has come to rest.
+    /// Takes in a session that has come to rest; the first one is where the history begins.
     pub fn settle(&mut self, session: &Session) {
-        let changed = self.history.settle(session);
-        if !(changed || std::mem::take(&mut self.is_new)) || !self.is_public {
+        let is_first = std::mem::take(&mut self.is_new);
+        if is_first {
+            self.history = History::new(session.clone());
+        }
+        if !(is_first || self.history.settle(session)) || !self.is_public {
             return;
         }
         // What is left out of the link is in the copy.
