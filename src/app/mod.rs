@@ -325,7 +325,7 @@ impl RiemapApp {
         match file::write(self.model.session()) {
             Ok(text) => {
                 let name = format!("map.{}", file::EXTENSION);
-                platform::save_file(name, text.into_bytes(), self.mailbox.clone());
+                platform::save_file(&name, text.into_bytes(), self.mailbox.clone());
             }
             Err(error) => self.message = Some(format!("The session was not saved: {error}")),
         }
@@ -362,7 +362,7 @@ impl RiemapApp {
 
     fn export_surface(&mut self, format: SurfaceFormat) {
         match surface::export::surface_file(&self.model, format, self.unit_coordinates) {
-            Some(Ok(file)) => platform::save_file(file.name, file.bytes, self.mailbox.clone()),
+            Some(Ok(file)) => platform::save_file(&file.name, file.bytes, self.mailbox.clone()),
             Some(Err(reason)) => self.message = Some(reason),
             None => {}
         }

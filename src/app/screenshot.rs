@@ -12,7 +12,7 @@ const NAME: &str = "riemap.png";
 pub fn save(context: &Context, area: Rect, mailbox: Mailbox) {
     let pixels_per_point = context.pixels_per_point();
     context.request_screenshot(move |picture| match encode(&picture.region(&area, Some(pixels_per_point))) {
-        Ok(bytes) => platform::save_file(String::from(NAME), bytes, mailbox),
+        Ok(bytes) => platform::save_file(NAME, bytes, mailbox),
         Err(reason) => mailbox.post(platform::Event::NotSaved { name: String::from(NAME), reason }),
     });
 }

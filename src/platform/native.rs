@@ -94,8 +94,8 @@ pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
 }
 
 /// Lets the person choose where a file goes, and writes it there.
-pub fn save_file(name: String, bytes: Vec<u8>, mailbox: Mailbox) {
-    let dialog = rfd::AsyncFileDialog::new().set_file_name(&name).save_file();
+pub fn save_file(name: &str, bytes: Vec<u8>, mailbox: Mailbox) {
+    let dialog = rfd::AsyncFileDialog::new().set_file_name(name).save_file();
     thread::spawn(move || {
         if let Some(file) = pollster::block_on(dialog)
             && let Err(error) = std::fs::write(file.path(), bytes)

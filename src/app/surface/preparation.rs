@@ -104,13 +104,11 @@ impl SurfacePreparation {
             (self.due, self.running, self.error) = (false, None, None);
             return false;
         }
-        match self.source_of(&spec.shape) {
-            Some(source) => self.want(Wish { spec: spec.clone(), source }),
-            None => {
-                let text = "This surface travels as a file of its own: open that file here, or drop it.";
-                let SurfaceShape::File { name } = &spec.shape else { return true };
-                self.error = Some(Trouble::new(format!("{name}: {text}")));
-            }
+        if let Some(source) = self.source_of(&spec.shape) {
+            self.want(Wish { spec: spec.clone(), source });
+        } else if let SurfaceShape::File { name } = &spec.shape {
+            let text = "This surface travels as a file of its own: open that file here, or drop it.";
+            self.error = Some(Trouble::new(format!("{name}: {text}")));
         }
         true
     }
@@ -169,7 +167,7 @@ impl SurfacePreparation {
             }
             Response::Failed(failure) => {
                 self.running = None;
-                self.fail(failure);
+                self.fail(&failure);
             }
             Response::Domain(_) => {} // no answer to this request
         }
@@ -188,7 +186,7 @@ impl SurfacePreparation {
     }
 
     /// The wish stays while its message offers a remedy.
-    fn fail(&mut self, failure: Failure) {
+    fn fail(&mut self, failure: &Failure) {
         let name = self.wanted.as_ref().map(|wish| crate::app::words::surface(&wish.spec.shape)).unwrap_or_default();
         let text = format!("{name}: {}", failure.text);
         let remedy = failure.repairable.then_some(Remedy::RepairSurface);

@@ -96,9 +96,9 @@ fn move_eye(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &Handle
         let pans = shift || !response.dragged_by(PointerButton::Primary);
         view.let_spin(Vec2::ZERO);
         if pans {
-            view.pan(response.drag_delta())
+            view.pan(response.drag_delta());
         } else {
-            view.turn(response.drag_delta())
+            view.turn(response.drag_delta());
         }
         ui.set_cursor_icon(if pans { CursorIcon::Move } else { CursorIcon::AllScroll });
     } else if response.drag_stopped_by(PointerButton::Primary) && !shift {

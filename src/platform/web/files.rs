@@ -26,9 +26,9 @@ pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
 
 /// Gives a file to the browser's downloads.
 #[allow(clippy::needless_pass_by_value, reason = "on the desktop they go into a thread")]
-pub fn save_file(name: String, bytes: Vec<u8>, mailbox: Mailbox) {
-    if let Err(error) = download(&name, &bytes) {
-        mailbox.post(Event::NotSaved { name, reason: super::worker_handle::describe(&error) });
+pub fn save_file(name: &str, bytes: Vec<u8>, mailbox: Mailbox) {
+    if let Err(error) = download(name, &bytes) {
+        mailbox.post(Event::NotSaved { name: name.to_owned(), reason: super::worker_handle::describe(&error) });
     }
 }
 
