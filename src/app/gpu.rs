@@ -50,9 +50,10 @@ impl Gpu {
         self.extension.as_ref().zip(map).is_some_and(|(extension, map)| extension.serves(map))
     }
 
-    /// Uploads what has changed.
-    pub fn upload(&mut self, model: &Model, changes: Changes) {
-        self.with_renderer(|renderer| surface::gpu::upload(&self.state, renderer, model, changes));
+    /// Uploads what has changed; whether a surface fits on the device.
+    pub fn upload(&mut self, model: &Model, changes: Changes) -> bool {
+        let upload = |renderer: &mut ViewportRenderer| surface::gpu::upload(&self.state, renderer, model, changes);
+        let fits = self.with_renderer(upload) != Some(false);
         if changes.meshes {
             for side in Side::BOTH {
                 if let Some(domain) = model.shown_domain(side) {
@@ -68,6 +69,7 @@ impl Gpu {
         if changes.meshes || changes.map {
             self.extend(model);
         }
+        fits
     }
 
     /// Replaces the images in the picture by those of the compute shader, if it serves.

@@ -185,7 +185,9 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         let view = &app.views[side as usize];
         let solid = side == Side::Target && app.model.surface().is_some();
         if solid {
-            surface::viewport::paint_surface(ui, &app.orbit, style.as_ref(), app.cells.style());
+            // until its first map is there, the GPU may have another one
+            let style = style.as_ref().filter(|_| app.model.surface_map().is_some());
+            surface::viewport::paint_surface(ui, &app.orbit, style, app.cells.style());
         } else {
             viewport::paint_mesh(ui, side, view, style.as_ref());
         }

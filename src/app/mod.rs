@@ -250,7 +250,7 @@ impl RiemapApp {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
             Ok(Content::Image(picture)) => self.use_image(&picture),
             Ok(Content::Session(session)) => self.open_session(*session),
-            Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(name, bytes),
+            Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(&name, bytes),
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
             Err(FileError::Common(message)) => self.message = Some(message),
         }
@@ -434,8 +434,11 @@ impl RiemapApp {
     /// Uploads, and asks for another frame: the status line was laid out before the change.
     fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
         context.request_repaint();
-        if let Some(gpu) = &mut self.gpu {
-            gpu.upload(&self.model, changes);
+        if let Some(gpu) = &mut self.gpu
+            && !gpu.upload(&self.model, changes)
+        {
+            self.message =
+                Some(String::from("This surface is too large for the graphics device: it is mapped but not shown."));
         }
         let extended = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
         self.model.set_refines(if extended { Refines::AtRest } else { Refines::InRefresh });

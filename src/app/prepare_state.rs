@@ -111,6 +111,7 @@ impl Preparation {
     pub fn want_outline(&mut self, outline: OutlineSpec, notes: Vec<OutlineNote>) {
         self.wanted.outline = outline;
         self.incoming_notes = notes;
+        self.running = None;
         self.due = Some(f64::NEG_INFINITY);
     }
 
@@ -123,6 +124,7 @@ impl Preparation {
             return false;
         }
         self.incoming_notes = Vec::new();
+        self.running = None;
         self.due = Some(f64::NEG_INFINITY);
         true
     }

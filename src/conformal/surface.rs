@@ -151,6 +151,11 @@ impl PreparedSurface {
         self.tree.get_or_init(|| SurfaceTree::new(&self.surface.mesh))
     }
 
+    /// The tree, if somebody has asked for it: it takes a while for millions of triangles.
+    pub fn tree_if_made(&self) -> Option<&SurfaceTree> {
+        self.tree.get()
+    }
+
     /// The place of a point of the boundary loop in space.
     pub fn boundary_position(&self, point: BoundaryPoint) -> DVec3 {
         let (m, edge) = (self.surface.mesh.boundary_count, point.edge);

@@ -86,7 +86,7 @@ pub struct SurfaceViewport {
 }
 
 impl ViewportRenderer {
-    /// Replaces the surface; all texture coordinates are (0, 0), all codes 0. Buffers are kept where they
+    /// Replaces the surface; all texture coordinates are (0, 0), and the codes have to be set anew. Buffers are kept where they
     /// are large enough.
     ///
     /// False, and the old surface stays, for an inconsistent one ([`SurfaceGeometry::check`]); false, and none is

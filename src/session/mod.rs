@@ -267,8 +267,11 @@ impl Session {
                 self.surface = self.surface.take().filter(|_| side == Side::Source);
             }
             Command::SetSurface(spec) => {
-                let old = self.surface.take().filter(|old| old.spec.shape == spec.shape);
-                self.surface = Some(SurfaceState { spec, ..old.unwrap_or_default() });
+                let mut old = self.surface.take().filter(|old| old.spec.shape.is_like(&spec.shape)).unwrap_or_default();
+                if old.spec.shape != spec.shape {
+                    old.point = None; // its triangles are others
+                }
+                self.surface = Some(SurfaceState { spec, ..old });
             }
             Command::MoveSurfacePoint(point) => {
                 if let Some(surface) = &mut self.surface {

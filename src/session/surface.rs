@@ -23,6 +23,14 @@ pub enum SurfaceShape {
 }
 
 impl SurfaceShape {
+    /// Whether the other is the same but for its resolution.
+    pub fn is_like(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Preset { preset, .. }, Self::Preset { preset: other, .. }) => preset == other,
+            _ => self == other,
+        }
+    }
+
     /// A preset at its usual resolution.
     pub fn preset(preset: SurfacePreset) -> Self {
         Self::Preset { preset, boundary: SurfacePreset::USUAL_BOUNDARY }

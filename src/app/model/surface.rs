@@ -3,14 +3,14 @@
 //! The planar map sleeps behind it and is made anew when the surface goes.
 
 use super::{Changes, Model};
-use crate::app::surface::{Advance, Arrival, SurfaceSide, Wish};
+use crate::app::surface::{Advance, Arrival, SurfaceSide};
 use crate::app::teaching::disk_grid::GridMap;
 use crate::app::textured;
 use crate::conformal::{Side, SurfaceConstraints, SurfaceMap, SurfaceMapError};
 use crate::geometry::DVec3;
 use crate::laplace::Deadline;
 use crate::mesh::BarycentricPoint;
-use crate::session::{Command, SurfaceSpec, SurfaceState};
+use crate::session::{Command, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::worker::{Request, Response};
 use std::sync::Arc;
 
@@ -30,36 +30,42 @@ impl Model {
         &self.surface
     }
 
-    /// The interior point of the surface, where its handle is.
+    /// The interior point of the surface, where its handle is, once it is mapped.
     pub fn surface_point(&self) -> Option<DVec3> {
-        let (side, state) = self.surface()?;
+        let (side, state) = self.surface().filter(|(side, _)| side.map().is_some())?;
         side.place(state)
     }
 
-    /// The boundary point of the surface, where its handle is.
+    /// The boundary point of the surface, where its handle is, once it is mapped.
     pub fn surface_anchor(&self) -> Option<DVec3> {
-        let (side, state) = self.surface()?;
+        let (side, state) = self.surface().filter(|(side, _)| side.map().is_some())?;
         side.anchor_place(state)
     }
 
-    /// Begins to prepare a surface that a person has opened or dropped.
-    pub fn want_surface_file(&mut self, name: String, bytes: Vec<u8>) {
-        self.incoming_surface = None;
-        self.surface.preparation.want(Wish::file(name, bytes));
+    /// Begins to prepare a surface that a person has opened or dropped. If a session waits for the file of
+    /// that name, it comes with the session's points.
+    pub fn want_surface_file(&mut self, name: &str, bytes: Vec<u8>) {
+        self.outline_hides_surface = false;
+        let is_awaited =
+            |state: &SurfaceState| matches!(&state.spec.shape, SurfaceShape::File { name: awaited } if awaited == name);
+        match self.incoming_surface.take().filter(is_awaited) {
+            Some(state) => self.open_surface_file(state, bytes),
+            None => self.surface.preparation.want_file(name, bytes),
+        }
     }
 
     /// Takes the surface of a session, whose triangles come from a file.
     pub fn open_surface_file(&mut self, state: SurfaceState, bytes: Vec<u8>) {
-        self.surface.preparation.want(Wish::of(state.spec.clone(), bytes));
+        self.surface.preparation.want_file_of(state.spec.clone(), bytes);
         self.incoming_surface = Some(state);
     }
 
     /// Carries out a command about the surface, or begins to.
-    pub(super) fn dispatch_surface(&mut self, command: Command) {
+    pub(super) fn dispatch_surface(&mut self, command: Command, now: f64) {
         match command {
             Command::SetSurface(spec) => {
-                self.incoming_surface = None;
-                if !self.surface.preparation.want_spec(&spec) {
+                (self.incoming_surface, self.outline_hides_surface) = (None, false);
+                if !self.surface.preparation.want_spec(&spec, now) {
                     let is_new = self.session.surface.as_ref().is_none_or(|shown| shown.spec.shape != spec.shape);
                     self.show_surface(spec, is_new);
                 }
@@ -86,7 +92,8 @@ impl Model {
     /// Takes the surface of a session that is opened: at once, or when it is prepared.
     pub(super) fn open_surface(&mut self, wanted: Option<SurfaceState>) {
         let Some(wanted) = wanted else { return self.close_surface() };
-        if self.surface.preparation.want_spec(&wanted.spec) {
+        self.outline_hides_surface = false;
+        if self.surface.preparation.want_spec(&wanted.spec, f64::NEG_INFINITY) {
             self.incoming_surface = Some(wanted);
         } else {
             self.session.surface = Some(wanted);
@@ -94,8 +101,8 @@ impl Model {
         }
     }
 
-    pub(super) fn take_surface_request(&mut self) -> Option<Request> {
-        self.surface.preparation.take_request()
+    pub(super) fn take_surface_request(&mut self, now: f64) -> Option<Request> {
+        self.surface.preparation.take_request(now)
     }
 
     /// Takes in an answer of the surface's worker.
@@ -109,12 +116,18 @@ impl Model {
     }
 
     fn show_surface(&mut self, spec: SurfaceSpec, is_new: bool) {
-        if is_new {
+        let shown = self.session.surface.as_ref();
+        let is_finer = shown.is_some_and(|shown| shown.spec.shape.is_like(&spec.shape) && shown.spec != spec);
+        let place = self.surface_point().filter(|_| is_finer && shown.is_some_and(|shown| shown.point.is_some()));
+        if is_new && !is_finer {
             self.session.surface = None;
             self.refit[Side::Target as usize] = true;
         }
         self.session.apply(Command::SetSurface(spec));
         self.surface.renew();
+        if let (Some(place), Some(state)) = (place, &mut self.session.surface) {
+            state.point = self.surface.nearest(place);
+        }
         self.domains_changed = true;
     }
 
@@ -197,14 +210,25 @@ impl Model {
             self.map_error = None;
             return;
         };
-        (self.session.interior, self.session.anchor) = self.last_good_points;
-        if let (Some(state), Some(good)) = (&mut self.session.surface, &self.last_good_surface)
-            && state.spec == good.spec
-        {
-            (state.point, state.anchor) = (good.point, good.anchor);
+        if self.surface.is_stuck() {
+            // the first map of a surface or over an outline: no points of before fit
+            self.begin_at_the_middles();
+        } else {
+            (self.session.interior, self.session.anchor) = self.last_good_points;
+            if let (Some(state), Some(good)) = (&mut self.session.surface, &self.last_good_surface) {
+                (state.point, state.anchor) = (good.point, good.anchor);
+            }
         }
         let side = if matches!(error, SurfaceMapError::Planar(_)) { Side::Source } else { Side::Target };
         self.map_error = Some((side, error.to_string()));
+    }
+
+    /// Tries once more with the default points, unless they were those that failed.
+    fn begin_at_the_middles(&mut self) {
+        let Some(state) = &mut self.session.surface else { return };
+        let point = state.point.take();
+        let interior = self.session.interior[Side::Source as usize].take();
+        self.points_changed = point.is_some() || interior.is_some();
     }
 
     /// What was noticed when the surface was read, and how it was repaired.

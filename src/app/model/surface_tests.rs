@@ -111,7 +111,7 @@ fn the_plane_comes_back_as_it_was() {
 #[test]
 fn a_bad_file_leaves_the_surface_that_is_there() {
     let mut model = with_hemisphere();
-    model.want_surface_file("bad.obj".into(), b"v 0 0 nan".to_vec());
+    model.want_surface_file("bad.obj", b"v 0 0 nan".to_vec());
     settle(&mut model);
     assert!(model.surface_side().preparation.error.as_ref().unwrap().text.contains("bad.obj"));
     let preset = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
@@ -126,11 +126,11 @@ fn another_file_of_the_same_name_is_another_surface() {
         let [middle, corner] = [format!("v 0.5 0.5 {height}\n"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n".into()];
         format!("{middle}{corner}f 2 3 1\nf 3 4 1\nf 4 5 1\nf 5 2 1\n").into_bytes()
     };
-    model.want_surface_file("a.obj".into(), square(0.0));
+    model.want_surface_file("a.obj", square(0.0));
     settle(&mut model);
     model.dispatch(Command::MoveSurfaceAnchor(0.3), 0.0);
     model.refresh(false);
-    model.want_surface_file("a.obj".into(), square(0.5));
+    model.want_surface_file("a.obj", square(0.5));
     settle(&mut model);
     assert_eq!(model.session().surface.as_ref().unwrap().anchor, 0.0);
     assert_eq!(model.surface_point().unwrap().z, 0.5, "the middle is its only interior vertex");
@@ -166,4 +166,91 @@ fn the_pattern_of_the_disk_has_coordinates_on_the_surface() {
     let at: DVec2 = corners.iter().zip(x.weights).map(|(&v, w)| w * coordinates[v as usize]).sum();
     assert!(at.length() < 0.02, "g(x) = {at}");
     assert_eq!(model.teaching().grid.of(Side::Source).len(), model.domain(Side::Source).unwrap().mesh.vertices.len());
+}
+
+#[test]
+fn a_model_that_begins_with_a_surface_prepares_it() {
+    let session = with_hemisphere().session().clone();
+    let mut model = Model::new(session.clone());
+    assert!(model.surface().is_none());
+    settle(&mut model);
+    assert!(model.is_ready() && model.surface_map().is_some());
+    assert_eq!(model.session(), &session);
+}
+
+#[test]
+fn opening_brings_a_surface_and_another_outline_behind_it() {
+    let mut model = with_hemisphere();
+    let with_surface = model.session().clone();
+    model.dispatch(Command::SetOutline { side: Side::Target, outline: OutlineSpec::Preset(Preset::Star) }, 0.0);
+    settle(&mut model);
+    assert!(model.surface().is_none());
+    model.dispatch(Command::Open(Box::new(with_surface.clone())), 0.0);
+    settle(&mut model);
+    assert_eq!(model.session(), &with_surface, "outline and surface are both back");
+    assert!(model.surface_map().is_some() && model.is_ready());
+}
+
+#[test]
+fn choosing_the_outline_that_is_there_calls_a_surface_off() {
+    let mut model = planar();
+    let outline = model.session().target.outline.clone();
+    model.dispatch(Command::SetSurface(spec(SurfacePreset::Saddle, 40)), 0.0);
+    model.dispatch(Command::SetOutline { side: Side::Target, outline }, 0.0);
+    settle(&mut model);
+    assert!(model.surface().is_none() && model.is_ready());
+}
+
+#[test]
+fn a_finer_surface_keeps_its_points_where_they_are() {
+    let mut model = with_hemisphere();
+    let point = BarycentricPoint { triangle: 40, weights: [0.2, 0.3, 0.5] };
+    let point = model.surface().unwrap().0.interior_near(point).unwrap();
+    model.dispatch(Command::MoveSurfacePoint(point), 0.0);
+    model.dispatch(Command::MoveSurfaceAnchor(0.3), 0.0);
+    model.refresh(false);
+    let before = model.surface_point().unwrap();
+    model.dispatch(Command::SetSurface(spec(SurfacePreset::Hemisphere, 90)), 0.0);
+    settle(&mut model);
+    assert!(model.surface_point().unwrap().distance(before) < 0.05, "{} for {before}", model.surface_point().unwrap());
+    assert_eq!(model.session().surface.as_ref().unwrap().anchor, 0.3);
+}
+
+#[test]
+fn a_point_that_the_first_map_refuses_gives_way_to_the_default() {
+    let mut model = planar();
+    let mut session = model.session().clone();
+    session.apply(Command::SetSurface(spec(SurfacePreset::Hemisphere, 60)));
+    session.apply(Command::MoveSurfacePoint(BarycentricPoint { triangle: 0, weights: [-1.0, 1.0, 1.0] }));
+    model.dispatch(Command::Open(Box::new(session)), 0.0);
+    settle(&mut model);
+    model.refresh(false);
+    assert!(model.is_ready() && model.surface_map().is_some());
+    assert_eq!(model.session().surface.as_ref().unwrap().point, None);
+}
+
+#[test]
+fn a_session_that_waits_for_its_file_takes_it_with_its_points() {
+    let mut model = planar();
+    let file = b"v 0.5 0.5 0\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 2 3 1\nf 3 4 1\nf 4 5 1\nf 5 2 1\n".to_vec();
+    let mut session = model.session().clone();
+    let shape = SurfaceShape::File { name: "square.obj".into() };
+    session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    session.apply(Command::MoveSurfaceAnchor(0.6));
+    model.dispatch(Command::Open(Box::new(session.clone())), 0.0);
+    settle(&mut model);
+    assert!(model.surface().is_none() && model.surface_side().preparation.error.is_some());
+    model.want_surface_file("square.obj", file);
+    settle(&mut model);
+    assert_eq!(model.session().surface, session.surface);
+}
+
+#[test]
+fn the_source_shows_the_disk_pattern_too() {
+    let mut model = with_hemisphere();
+    model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
+    model.refresh(false);
+    let geometry = crate::app::textured::geometry(&model, Side::Source).unwrap();
+    assert_eq!(geometry.texture_coordinates, model.shown_grid().of(Side::Source));
+    assert!(geometry.texture_coordinates.iter().all(|g| g.length() < 1.0 + 1e-9), "in the disk");
 }

@@ -18,7 +18,7 @@ impl Model {
             Command::SetSurface(_)
             | Command::MoveSurfacePoint(_)
             | Command::MoveSurfaceAnchor(_)
-            | Command::CloseSurface => self.dispatch_surface(command),
+            | Command::CloseSurface => self.dispatch_surface(command, now),
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
             Command::Open(session) => self.open(&session),
@@ -42,6 +42,7 @@ impl Model {
     /// Shows another session: at once but for its domains, which come with their points when they are prepared.
     fn open(&mut self, session: &Session) {
         let shown = self.session.clone();
+        self.outline_hides_surface = false;
         for side in Side::BOTH {
             let k = side as usize;
             self.incoming_points[k] = None;
@@ -67,8 +68,13 @@ impl Model {
     }
 
     fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
-        if side == Side::Target && self.session.surface.is_some() && self.side(side).wanted().outline == outline {
-            return self.close_surface();
+        if side == Side::Target {
+            self.incoming_surface = None;
+            self.surface.preparation.give_up();
+            if self.session.surface.is_some() && self.side(side).wanted().outline == outline {
+                return self.close_surface();
+            }
+            self.outline_hides_surface = true;
         }
         self.incoming_points[side as usize] = None;
         self.side_mut(side).error = None;
@@ -95,8 +101,7 @@ impl Model {
     /// Closes the messages about a subject.
     pub fn dismiss(&mut self, subject: Subject) {
         let Subject::Domain(side) = subject else {
-            self.surface.preparation.error = None;
-            return;
+            return self.surface.preparation.dismiss();
         };
         self.side_mut(side).error = None;
         self.map_error = self.map_error.take().filter(|(at, _)| *at != side);
@@ -106,7 +111,7 @@ impl Model {
     pub fn take_requests(&mut self, now: f64) -> Vec<(Subject, Request)> {
         let of_side = |side| Some((Subject::Domain(side), self.side_mut(side).take_request(now)?));
         let mut requests: Vec<_> = Side::BOTH.into_iter().filter_map(of_side).collect();
-        requests.extend(self.take_surface_request().map(|request| (Subject::Surface, request)));
+        requests.extend(self.take_surface_request(now).map(|request| (Subject::Surface, request)));
         for side in Side::BOTH {
             if !self.side(side).is_busy() {
                 self.incoming_points[side as usize] = None; // their domain was refused
@@ -117,7 +122,8 @@ impl Model {
 
     /// When the next request will be due.
     pub fn next_due(&self) -> Option<f64> {
-        self.sides.iter().filter_map(Preparation::due).reduce(f64::min)
+        let surface = self.surface.preparation.due();
+        self.sides.iter().filter_map(Preparation::due).chain(surface).reduce(f64::min)
     }
 
     /// Takes in an answer of a worker.
@@ -126,20 +132,24 @@ impl Model {
         let progress = self.side_mut(side).accept(generation, response);
         if matches!(progress, Progress::Failed) {
             self.incoming_points[side as usize] = None;
+            self.outline_hides_surface &= side == Side::Source;
         }
         if let Progress::Ready { spec, new_outline } = progress {
             if new_outline && spec.outline != self.session.domain(side).outline {
-                if side == Side::Target {
-                    self.surface.preparation.give_up();
-                }
+                let surface = self.session.surface.take();
                 self.session.apply(Command::SetOutline { side, outline: spec.outline });
+                self.session.surface = surface;
+            }
+            if side == Side::Target && std::mem::take(&mut self.outline_hides_surface) {
+                self.session.surface = None;
             }
             self.session.apply(Command::SetSettings { side, settings: spec.settings });
             if let Some((interior, anchor)) = self.incoming_points[side as usize].take() {
                 (self.session.interior[side as usize], self.session.anchor[side as usize]) = (interior, anchor);
             }
-            self.refit[side as usize] |= new_outline;
-            self.domains_changed = true;
+            let is_hidden = side == Side::Target && self.session.surface.is_some();
+            self.refit[side as usize] |= new_outline && !is_hidden;
+            self.domains_changed |= !is_hidden;
         }
     }
 

@@ -180,10 +180,12 @@ impl Plots {
     /// All three in a row.
     pub fn show_row(&mut self, ui: &mut Ui, model: &Model) {
         self.update(model);
+        let none = Overlays::default();
+        let overlays = overlays_of(model).unwrap_or(&none);
         ui.spacing_mut().item_spacing.x = 18.0;
         ui.columns_const(|columns: &mut [Ui; KINDS.len()]| {
             for (ui, kind) in columns.iter_mut().zip(&KINDS) {
-                self.show_plot(ui, kind, model.teaching().overlays());
+                self.show_plot(ui, kind, overlays);
             }
         });
         self.settle(ui);
@@ -192,13 +194,15 @@ impl Plots {
     /// One of them, under a switch.
     pub fn show_one(&mut self, ui: &mut Ui, model: &Model) {
         self.update(model);
+        let none = Overlays::default();
+        let overlays = overlays_of(model).unwrap_or(&none);
         let short = [("Kernel", 0), ("Measure", 1), ("Reparam.", 2)];
         let kinds = short.map(|(label, k): (&'static str, usize)| Segment { label, ..KINDS[k] });
         if let Some(kind) = segmented(ui, &kinds, self.shown) {
             self.shown = kind;
         }
         if let Some(kind) = KINDS.iter().find(|kind| kind.value == self.shown) {
-            self.show_plot(ui, kind, model.teaching().overlays());
+            self.show_plot(ui, kind, overlays);
         }
         self.settle(ui);
     }
@@ -252,4 +256,9 @@ impl Plots {
             self.logarithmic = !self.logarithmic;
         }
     }
+}
+
+/// What is compared with the map; of plane outlines only.
+fn overlays_of(model: &Model) -> Option<&Overlays> {
+    model.surface().is_none().then(|| model.teaching().overlays())
 }

@@ -9,9 +9,10 @@ use crate::render::{
 };
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
 
-/// Uploads what has changed of the surface, while one is shown.
-pub fn upload(state: &RenderState, renderer: &mut ViewportRenderer, model: &Model, changes: Changes) {
-    let Some((side, _)) = model.surface() else { return };
+/// Uploads what has changed of the surface, while one is shown; whether it fits on the device.
+pub fn upload(state: &RenderState, renderer: &mut ViewportRenderer, model: &Model, changes: Changes) -> bool {
+    let Some((side, _)) = model.surface() else { return true };
+    let mut fits = true;
     if changes.meshes
         && let Some(surface) = side.surface()
     {
@@ -21,13 +22,14 @@ pub fn upload(state: &RenderState, renderer: &mut ViewportRenderer, model: &Mode
             triangles: &mesh.triangles,
             boundary_count: mesh.boundary_count,
         };
-        renderer.set_surface(&state.device, &state.queue, &geometry);
+        fits = renderer.set_surface(&state.device, &state.queue, &geometry);
     }
     if (changes.meshes || changes.images)
         && let Some(coordinates) = coordinates(side, model)
     {
         renderer.set_surface_coordinates(&state.queue, coordinates);
     }
+    fits
 }
 
 /// Where the surface's vertices look the pattern up.

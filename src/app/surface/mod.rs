@@ -22,5 +22,5 @@ pub mod viewport;
 
 pub use orbit::OrbitView;
 pub use picture::surface_picture;
-pub use preparation::{Arrival, SurfacePreparation, Wish};
+pub use preparation::{Arrival, SurfacePreparation};
 pub use side::{Advance, SurfaceSide};

@@ -17,23 +17,6 @@ pub struct Wish {
     source: SurfaceSource,
 }
 
-impl Wish {
-    /// A surface from a file.
-    pub fn file(name: String, bytes: Vec<u8>) -> Self {
-        let shape = SurfaceShape::File { name };
-        Self::of(SurfaceSpec { shape, ..SurfaceSpec::default() }, bytes)
-    }
-
-    /// What `spec` says, of triangles from a file.
-    pub fn of(spec: SurfaceSpec, bytes: Vec<u8>) -> Self {
-        let name = match &spec.shape {
-            SurfaceShape::File { name } => name.clone(),
-            SurfaceShape::Preset { preset, .. } => preset.name().to_owned(),
-        };
-        Self { spec, source: SurfaceSource::File { name, bytes: Arc::new(bytes) } }
-    }
-}
-
 /// A surface that has come.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arrival {
@@ -43,11 +26,18 @@ pub struct Arrival {
     pub is_new: bool,
 }
 
+/// How long the slider of a surface by formula must rest before it is prepared, in seconds; as for outlines.
+const SETTLE_SECONDS: f64 = 0.12;
+
+/// The most bytes of opened files that are kept, to go back to.
+const MOST_KEPT_BYTES: usize = 256 << 20;
+
 /// The way from a wish to a prepared surface.
 #[derive(Debug, Default)]
 pub struct SurfacePreparation {
     wanted: Option<Wish>,
-    due: bool,
+    /// When the wish becomes a request.
+    due: Option<f64>,
     generation: u64,
     running: Option<Running>,
     /// What is there, and what it was prepared from.
@@ -56,6 +46,8 @@ pub struct SurfacePreparation {
     pub error: Option<Trouble>,
     /// What was noticed when the surface was read.
     pub notes: Vec<String>,
+    /// The files that were opened, the last one at the end: undo goes back to them. No two have one name.
+    files: Vec<(String, Arc<Vec<u8>>)>,
 }
 
 #[derive(Debug)]
@@ -82,7 +74,7 @@ impl SurfacePreparation {
 
     /// Whether something is wanted that is not there yet.
     pub fn is_busy(&self) -> bool {
-        self.due || self.running.is_some()
+        self.due.is_some() || self.running.is_some()
     }
 
     /// The stage that the worker is in.
@@ -90,22 +82,57 @@ impl SurfacePreparation {
         self.running.as_ref().and_then(|running| running.stage)
     }
 
-    /// Wants a surface, at once.
-    pub fn want(&mut self, wish: Wish) {
-        self.error = None;
+    /// Wants a surface, at once; what is under way is not wanted any more.
+    fn want(&mut self, wish: Wish, due: f64) {
+        (self.error, self.running) = (None, None);
         self.wanted = Some(wish);
-        self.due = true;
+        self.due = Some(due);
     }
 
-    /// Wants what `spec` says, at once; whether it has to be prepared. A file's triangles must be here already.
-    pub fn want_spec(&mut self, spec: &SurfaceSpec) -> bool {
+    /// Wants a file that was opened. Another one of the same name is called anew: "head (2).obj".
+    pub fn want_file(&mut self, name: &str, bytes: Vec<u8>) {
+        let (name, bytes) = self.keep_file(name, bytes);
+        let spec = SurfaceSpec { shape: SurfaceShape::File { name: name.clone() }, ..SurfaceSpec::default() };
+        self.want(Wish { spec, source: SurfaceSource::File { name, bytes } }, f64::NEG_INFINITY);
+    }
+
+    /// Wants what `spec` says, with the file that it names.
+    pub fn want_file_of(&mut self, spec: SurfaceSpec, bytes: Vec<u8>) {
+        let SurfaceShape::File { name } = &spec.shape else { return };
+        let (name, bytes) = self.keep_file(&name.clone(), bytes);
+        self.want(Wish { spec, source: SurfaceSource::File { name, bytes } }, f64::NEG_INFINITY);
+    }
+
+    fn keep_file(&mut self, name: &str, bytes: Vec<u8>) -> (String, Arc<Vec<u8>>) {
+        let numbered = |number: usize| match (number, name.rsplit_once('.')) {
+            (1, _) => name.to_owned(),
+            (_, Some((stem, ending))) => format!("{stem} ({number}).{ending}"),
+            (_, None) => format!("{name} ({number})"),
+        };
+        let is_free = |name: &String| self.files.iter().all(|(known, there)| known != name || **there == bytes);
+        let name = (1..).map(numbered).find(is_free).unwrap_or_else(|| name.to_owned());
+        self.files.retain(|(known, _)| *known != name);
+        let bytes = Arc::new(bytes);
+        self.files.push((name.clone(), Arc::clone(&bytes)));
+        let mut kept: usize = self.files.iter().map(|(_, bytes)| bytes.len()).sum();
+        while kept > MOST_KEPT_BYTES && self.files.len() > 1 {
+            kept -= self.files.remove(0).1.len();
+        }
+        (name, bytes)
+    }
+
+    /// Wants what `spec` says: at once, or after `now` when another resolution of a formula has rested. Whether
+    /// it has to be prepared. A file's triangles must be here already.
+    pub fn want_spec(&mut self, spec: &SurfaceSpec, now: f64) -> bool {
         if let Some((wish, _)) = self.there.as_ref().filter(|(wish, _)| wish.spec == *spec) {
             self.wanted = Some(wish.clone());
-            (self.due, self.running, self.error) = (false, None, None);
+            (self.due, self.running, self.error) = (None, None, None);
             return false;
         }
         if let Some(source) = self.source_of(&spec.shape) {
-            self.want(Wish { spec: spec.clone(), source });
+            let slides = self.wanted().is_some_and(|old| old.shape != spec.shape && old.shape.is_like(&spec.shape));
+            let due = if slides { now + SETTLE_SECONDS } else { f64::NEG_INFINITY };
+            self.want(Wish { spec: spec.clone(), source }, due);
         } else if let SurfaceShape::File { name } = &spec.shape {
             let text = "This surface travels as a file of its own: open that file here, or drop it.";
             self.error = Some(Trouble::new(format!("{name}: {text}")));
@@ -119,17 +146,23 @@ impl SurfacePreparation {
                 Some(SurfaceSource::Preset { preset: *preset, boundary: *boundary })
             }
             SurfaceShape::File { name: wanted } => {
-                let known = [self.wanted.as_ref(), self.there.as_ref().map(|(wish, _)| wish)];
-                let mut sources = known.into_iter().flatten().map(|wish| &wish.source);
-                sources.find(|source| matches!(source, SurfaceSource::File { name, .. } if name == wanted)).cloned()
+                let (name, bytes) = self.files.iter().find(|(name, _)| name == wanted)?;
+                Some(SurfaceSource::File { name: name.clone(), bytes: Arc::clone(bytes) })
             }
         }
     }
 
     /// Does not want a surface any more; the one that is there is kept for the next time.
     pub fn give_up(&mut self) {
-        (self.due, self.running, self.error) = (false, None, None);
+        (self.due, self.running, self.error) = (None, None, None);
         self.generation += 1;
+    }
+
+    /// Closes the message: what could not be prepared is not wanted any more.
+    pub fn dismiss(&mut self) {
+        if self.error.take().is_some() && !self.is_busy() {
+            self.wanted = self.there.as_ref().map(|(wish, _)| wish.clone());
+        }
     }
 
     /// Does what the message offers.
@@ -137,13 +170,19 @@ impl SurfacePreparation {
         let remedy = self.error.take().and_then(|trouble| trouble.remedy);
         if let Some(wish) = &mut self.wanted {
             wish.spec.repair |= matches!(remedy, Some(Remedy::RepairSurface));
-            self.due = remedy.is_some();
+            self.due = remedy.map(|_| f64::NEG_INFINITY);
         }
     }
 
+    /// When [`Self::take_request`] should be called again.
+    pub fn due(&self) -> Option<f64> {
+        self.due
+    }
+
     /// The request that is due, if any.
-    pub fn take_request(&mut self) -> Option<Request> {
-        let wish = self.wanted.clone().filter(|_| std::mem::take(&mut self.due))?;
+    pub fn take_request(&mut self, now: f64) -> Option<Request> {
+        self.due.take_if(|due| *due <= now)?;
+        let wish = self.wanted.clone()?;
         self.generation += 1;
         let SurfaceSpec { repair, settings, .. } = wish.spec;
         let task = Task::Surface { source: wish.source.clone(), repair, settings };
@@ -218,21 +257,21 @@ mod tests {
     #[test]
     fn a_wish_becomes_a_surface_and_is_not_prepared_twice() {
         let mut preparation = SurfacePreparation::default();
-        assert!(preparation.want_spec(&hemisphere()));
-        let request = preparation.take_request().unwrap();
-        assert!(preparation.is_busy() && preparation.take_request().is_none());
+        assert!(preparation.want_spec(&hemisphere(), 0.0));
+        let request = preparation.take_request(f64::INFINITY).unwrap();
+        assert!(preparation.is_busy() && preparation.take_request(f64::INFINITY).is_none());
         assert_eq!(answer(&mut preparation, &request), Some(Arrival { spec: hemisphere(), is_new: true }));
         assert!(preparation.surface().is_some() && !preparation.is_busy());
-        assert!(!preparation.want_spec(&hemisphere()));
+        assert!(!preparation.want_spec(&hemisphere(), 0.0));
     }
 
     #[test]
     fn answers_to_a_superseded_request_change_nothing() {
         let mut preparation = SurfacePreparation::default();
-        preparation.want_spec(&hemisphere());
-        let first = preparation.take_request().unwrap();
-        preparation.want(Wish::file("a.obj".into(), Vec::new()));
-        let second = preparation.take_request().unwrap();
+        preparation.want_spec(&hemisphere(), 0.0);
+        let first = preparation.take_request(f64::INFINITY).unwrap();
+        preparation.want_file("a.obj", Vec::new());
+        let second = preparation.take_request(f64::INFINITY).unwrap();
         assert_eq!(answer(&mut preparation, &first), None);
         assert!(preparation.surface().is_none());
         assert_eq!(answer(&mut preparation, &second), None);
@@ -243,12 +282,12 @@ mod tests {
     fn a_repair_that_is_offered_is_made_when_it_is_asked_for() {
         let mut preparation = SurfacePreparation::default();
         let loose = b"v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 2 3 4\n".to_vec();
-        preparation.want(Wish::file("loose.obj".into(), loose));
-        let request = preparation.take_request().unwrap();
+        preparation.want_file("loose.obj", loose);
+        let request = preparation.take_request(f64::INFINITY).unwrap();
         assert_eq!(answer(&mut preparation, &request), None);
         assert_eq!(preparation.error.as_ref().unwrap().remedy, Some(Remedy::RepairSurface));
         preparation.remedy();
-        let request = preparation.take_request().unwrap();
+        let request = preparation.take_request(f64::INFINITY).unwrap();
         assert!(answer(&mut preparation, &request).unwrap().spec.repair);
         assert_eq!(preparation.surface().unwrap().surface.repairs.len(), 1);
     }
@@ -257,7 +296,35 @@ mod tests {
     fn a_file_that_is_not_here_is_asked_for() {
         let mut preparation = SurfacePreparation::default();
         let shape = SurfaceShape::File { name: "cow.obj".into() };
-        assert!(preparation.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }));
+        assert!(preparation.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, 0.0));
         assert!(preparation.error.as_ref().unwrap().text.starts_with("cow.obj: ") && !preparation.is_busy());
+    }
+
+    #[test]
+    fn files_of_one_name_stay_apart_and_can_be_gone_back_to() {
+        let mut preparation = SurfacePreparation::default();
+        for bytes in [b"1", b"2", b"1"] {
+            preparation.want_file("a.obj", bytes.to_vec());
+        }
+        let name = |preparation: &SurfacePreparation| preparation.wanted().unwrap().shape.clone();
+        assert_eq!(name(&preparation), SurfaceShape::File { name: "a.obj".into() });
+        let second = SurfaceShape::File { name: "a (2).obj".into() };
+        assert!(preparation.want_spec(&SurfaceSpec { shape: second.clone(), ..SurfaceSpec::default() }, 0.0));
+        let Some(Task::Surface { source, .. }) = preparation.take_request(0.0).map(|request| request.task) else {
+            unreachable!("a surface was wanted")
+        };
+        assert_eq!(source, SurfaceSource::File { name: "a (2).obj".into(), bytes: Arc::new(b"2".to_vec()) });
+        assert_eq!(name(&preparation), second);
+    }
+
+    #[test]
+    fn a_resolution_waits_until_the_slider_rests() {
+        let mut preparation = SurfacePreparation::default();
+        preparation.want_spec(&hemisphere(), 0.0);
+        preparation.take_request(0.0).unwrap();
+        let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 30 };
+        preparation.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, 1.0);
+        assert!(preparation.take_request(1.0).is_none() && preparation.is_busy());
+        assert!(preparation.take_request(1.0 + SETTLE_SECONDS).is_some());
     }
 }

@@ -31,6 +31,8 @@ pub struct SurfaceSide {
     next: Option<SurfaceMap>,
     /// The constraints that the map is on its way to.
     under_way: Option<SurfaceConstraints>,
+    /// The next map was refused with its constraints; it waits for others.
+    is_stuck: bool,
 }
 
 impl SurfaceSide {
@@ -41,7 +43,7 @@ impl SurfaceSide {
             let BoundingSphere { center, radius } = BoundingSphere::of(&surface.surface.mesh.vertices);
             BoundingSphere { center, radius: ROOM * radius }
         });
-        (self.map, self.next, self.under_way) = (None, None, None);
+        (self.map, self.next, self.under_way, self.is_stuck) = (None, None, None, false);
     }
 
     /// The surface.
@@ -121,13 +123,24 @@ impl SurfaceSide {
 
     /// Begins with a map over another outline, or of another surface.
     pub fn begin(&mut self, source: &Arc<PreparedDomain>) {
-        self.under_way = None;
+        (self.under_way, self.is_stuck) = (None, false);
         self.next = self.shown.as_ref().map(|surface| SurfaceMap::unmapped(Arc::clone(source), Arc::clone(surface)));
     }
 
     /// Whether the map is on its way.
     pub fn is_under_way(&self) -> bool {
-        self.next.is_some() || self.under_way.is_some()
+        !self.is_stuck && (self.next.is_some() || self.under_way.is_some())
+    }
+
+    /// Whether the first map of a surface, or over an outline, was refused.
+    pub fn is_stuck(&self) -> bool {
+        self.is_stuck
+    }
+
+    /// The point of the surface nearest to a place.
+    pub fn nearest(&self, place: DVec3) -> Option<BarycentricPoint> {
+        let found = self.shown.as_ref()?.tree().nearest(place)?.0;
+        self.interior_near(found)
     }
 
     /// Goes on with the map until `deadline` is over. One that takes several frames comes to where the points were
@@ -135,7 +148,11 @@ impl SurfaceSide {
     pub fn advance(&mut self, wanted: &SurfaceConstraints, deadline: Deadline) -> Result<Advance, SurfaceMapError> {
         let Some(map) = self.next.as_mut().or(self.map.as_mut()) else { return Ok(Advance::Unfinished) };
         let constraints = *self.under_way.get_or_insert(*wanted);
-        let is_done = map.advance(&constraints, deadline).inspect_err(|_| self.under_way = None)?;
+        let is_done = map.advance(&constraints, deadline).inspect_err(|_| {
+            (self.under_way, self.is_stuck) = (None, self.next.is_some());
+        });
+        let is_done = is_done?;
+        self.is_stuck = false;
         if !is_done {
             return Ok(Advance::Unfinished);
         }

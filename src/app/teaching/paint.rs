@@ -63,6 +63,9 @@ pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
 pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static str)> {
     let teaching = model.teaching();
     let mut entries = Vec::new();
+    if model.surface().is_some() {
+        return entries; // both are of plane outlines
+    }
     let ways: Vec<DiskWay> = teaching.through_disk.all_found().map(|(way, _)| way).collect();
     if !ways.is_empty() {
         let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
