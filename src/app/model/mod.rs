@@ -113,8 +113,6 @@ pub struct Model {
     /// The state of a session's surface that is being prepared.
     incoming_surface: Option<SurfaceState>,
     last_good_surface: Option<SurfaceState>,
-    /// A person wants an outline in the surface's place; it goes when the outline is there.
-    outline_hides_surface: bool,
 }
 
 impl Model {
@@ -158,7 +156,6 @@ impl Model {
             surface: SurfaceSide::default(),
             incoming_surface: None,
             last_good_surface: None,
-            outline_hides_surface: false,
         };
         if surface.is_some() {
             model.open_surface(surface);

@@ -45,7 +45,7 @@ impl Model {
     /// Begins to prepare a surface that a person has opened or dropped. If a session waits for the file of
     /// that name, it comes with the session's points.
     pub fn want_surface_file(&mut self, name: &str, bytes: Vec<u8>) {
-        self.outline_hides_surface = false;
+        self.surface.gives_way = false;
         let is_awaited =
             |state: &SurfaceState| matches!(&state.spec.shape, SurfaceShape::File { name: awaited } if awaited == name);
         match self.incoming_surface.take().filter(is_awaited) {
@@ -64,7 +64,8 @@ impl Model {
     pub(super) fn dispatch_surface(&mut self, command: Command, now: f64) {
         match command {
             Command::SetSurface(spec) => {
-                (self.incoming_surface, self.outline_hides_surface) = (None, false);
+                self.incoming_surface = None;
+                self.surface.gives_way = false;
                 if !self.surface.preparation.want_spec(&spec, now) {
                     let is_new = self.session.surface.as_ref().is_none_or(|shown| shown.spec.shape != spec.shape);
                     self.show_surface(spec, is_new);
@@ -92,7 +93,7 @@ impl Model {
     /// Takes the surface of a session that is opened: at once, or when it is prepared.
     pub(super) fn open_surface(&mut self, wanted: Option<SurfaceState>) {
         let Some(wanted) = wanted else { return self.close_surface() };
-        self.outline_hides_surface = false;
+        self.surface.gives_way = false;
         if self.surface.preparation.want_spec(&wanted.spec, f64::NEG_INFINITY) {
             self.incoming_surface = Some(wanted);
         } else {

@@ -42,7 +42,7 @@ impl Model {
     /// Shows another session: at once but for its domains, which come with their points when they are prepared.
     fn open(&mut self, session: &Session) {
         let shown = self.session.clone();
-        self.outline_hides_surface = false;
+        self.surface.gives_way = false;
         for side in Side::BOTH {
             let k = side as usize;
             self.incoming_points[k] = None;
@@ -74,7 +74,7 @@ impl Model {
             if self.session.surface.is_some() && self.side(side).wanted().outline == outline {
                 return self.close_surface();
             }
-            self.outline_hides_surface = true;
+            self.surface.gives_way = true;
         }
         self.incoming_points[side as usize] = None;
         self.side_mut(side).error = None;
@@ -132,7 +132,7 @@ impl Model {
         let progress = self.side_mut(side).accept(generation, response);
         if matches!(progress, Progress::Failed) {
             self.incoming_points[side as usize] = None;
-            self.outline_hides_surface &= side == Side::Source;
+            self.surface.gives_way &= side == Side::Source;
         }
         if let Progress::Ready { spec, new_outline } = progress {
             if new_outline && spec.outline != self.session.domain(side).outline {
@@ -140,7 +140,7 @@ impl Model {
                 self.session.apply(Command::SetOutline { side, outline: spec.outline });
                 self.session.surface = surface;
             }
-            if side == Side::Target && std::mem::take(&mut self.outline_hides_surface) {
+            if side == Side::Target && std::mem::take(&mut self.surface.gives_way) {
                 self.session.surface = None;
             }
             self.session.apply(Command::SetSettings { side, settings: spec.settings });

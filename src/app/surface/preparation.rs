@@ -110,7 +110,7 @@ impl SurfacePreparation {
             (_, None) => format!("{name} ({number})"),
         };
         let is_free = |name: &String| self.files.iter().all(|(known, there)| known != name || **there == bytes);
-        let name = (1..).map(numbered).find(is_free).unwrap_or_else(|| name.to_owned());
+        let name = (1..=self.files.len() + 1).map(numbered).find(is_free).unwrap_or_else(|| name.to_owned());
         self.files.retain(|(known, _)| *known != name);
         let bytes = Arc::new(bytes);
         self.files.push((name.clone(), Arc::clone(&bytes)));

@@ -23,6 +23,8 @@ const ROOM: f64 = 1.12;
 pub struct SurfaceSide {
     /// The way to the next surface.
     pub preparation: SurfacePreparation,
+    /// A person wants an outline in its place: it goes when the outline is there.
+    pub gives_way: bool,
     /// The surface that is shown; the map may still be missing.
     shown: Option<Arc<PreparedSurface>>,
     map: Option<SurfaceMap>,
