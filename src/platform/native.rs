@@ -33,6 +33,10 @@ impl Preparer {
         Self { mailbox }
     }
 
+    /// A thread needs no warming.
+    #[allow(clippy::unused_self, reason = "in the browser there are workers")]
+    pub fn warm(&mut self) {}
+
     /// Starts to carry out `request`.
     pub fn request(&mut self, subject: Subject, request: Request) {
         let mailbox = self.mailbox.clone();

@@ -18,7 +18,7 @@ pub struct Preparer {
 
 impl Preparer {
     /// Answers go to `mailbox`. The domains' workers start at once, to be ready for the first
-    /// request; the surfaces' with its first one.
+    /// request; the surfaces' when there is time, or with its first one.
     pub fn new(mailbox: Mailbox) -> Self {
         let mut preparer = Self { mailbox, workers: Default::default() };
         for side in Side::BOTH {
@@ -33,6 +33,13 @@ impl Preparer {
         let Some(worker) = self.ensure_idle(subject) else { return };
         if let Err(reason) = worker.post(&messages::encode_request(&request)) {
             self.mailbox.post(Event::WorkerDied { subject, reason });
+        }
+    }
+
+    /// Starts what has not been needed yet, now that there is time for it.
+    pub fn warm(&mut self) {
+        if self.workers[Subject::Surface.index()].is_none() {
+            self.ensure_idle(Subject::Surface);
         }
     }
 
