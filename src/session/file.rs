@@ -69,7 +69,7 @@ pub fn write(session: &Session) -> Result<String, FileError> {
     serde_json::to_string_pretty(&written).map(|text| text + "\n").map_err(|error| malformed(&error))
 }
 
-/// As [`write()`], on one line: a third of the time and half of the length where an outline has many points.
+/// As [`write()`], on one line: half of the time and of the length where an outline has many points.
 pub fn write_compact(session: &Session) -> Result<String, FileError> {
     session.check()?;
     serde_json::to_string(&Written { riemap: FORMAT, session }).map_err(|error| malformed(&error))

@@ -18,7 +18,7 @@ use crate::session::link::{self, MissingOutline};
 use crate::session::{Command, History, Session, file};
 
 /// From this many points on a session is large: its copy is made at most once in [`COPY_SECONDS`].
-/// 20,000 points take 4 ms to write, a quarter of a frame, and a browser longer to store.
+/// 20,000 points take 2 ms to write on a desktop, and several times that in a browser, which also has to store them.
 const LARGE_POINTS: usize = 20_000;
 /// How often a large session is copied, in seconds: what a crash costs at most.
 const COPY_SECONDS: f64 = 5.0;
