@@ -6,7 +6,7 @@ use super::action::{Action, Actions};
 use super::header::Surroundings;
 use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
-use super::widgets::{chevron, message_box};
+use super::widgets::{chevron, message_box, notice_box};
 use super::{
     PHONE_WIDTH, RiemapApp, file_menu, header, legend, plots, side_panel, status, surface, teaching, top_bar, viewport,
     words,
@@ -230,9 +230,9 @@ fn divide(rect: Rect, stacked: bool) -> [Rect; 2] {
     }
 }
 
-/// The texture and exports belong to both sides: their message lies over the middle.
+/// The texture and exports belong to both sides: their message lies over the middle, or a notice.
 fn common_message(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
-    let Some(message) = &app.message else { return };
+    let Some(message) = &app.message else { return notice(app, ui) };
     let area = ui.max_rect();
     let width = (area.width() - 32.0).min(460.0);
     let place = Rect::from_min_size(pos2(area.center().x - 0.5 * width, area.bottom() - 110.0), vec2(width, 100.0));
@@ -241,4 +241,17 @@ fn common_message(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
             actions.push(Action::DismissMessage);
         }
     });
+}
+
+fn notice(app: &RiemapApp, ui: &mut Ui) {
+    let Some((text, until)) = app.notice else { return };
+    let left = until - ui.input(|input| input.time);
+    if left <= 0.0 {
+        return;
+    }
+    ui.ctx().request_repaint_after_secs(left as f32);
+    let area = ui.max_rect();
+    let size = vec2(140.0, 34.0);
+    let place = Rect::from_min_size(pos2(area.center().x - 0.5 * size.x, area.bottom() - 64.0), size);
+    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| notice_box(ui, text));
 }

@@ -50,12 +50,13 @@ use crate::conformal::{Extension, Side};
 use crate::export::SurfaceFormat;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
-use crate::session::{Command, Session, TextureKind, file, link};
+use crate::session::link::{self, MissingOutline};
+use crate::session::{Command, Session, TextureKind, file};
 use cells::Cells;
 use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;
-use keeping::Keeper;
+use keeping::{Keeper, Start};
 use model::{Changes, Refines};
 use plots::Plots;
 use reports::{Report, Reports};
@@ -71,11 +72,16 @@ pub const PHONE_WIDTH: f32 = 700.0;
 /// How long the map must rest before an expensive quality is computed, in seconds.
 const REST_SECONDS: f64 = 0.15;
 
+/// How long a notice is shown, in seconds: two words are read in one, once they have been seen.
+const NOTICE_SECONDS: f64 = 3.0;
+
 /// What needs no screen: the session's state and the workers.
 pub struct Groundwork {
     model: Model,
     /// Whether the session goes on where the last one ended, and is kept for the next.
     resumes: bool,
+    /// The outlines that the session's link only names.
+    missing: Vec<MissingOutline>,
     message: Option<String>,
     preparer: Preparer,
     mailbox: Mailbox,
@@ -90,13 +96,13 @@ impl Groundwork {
         for (subject, request) in model.take_requests(0.0) {
             preparer.request(subject, request);
         }
-        Self { model, resumes: false, message: None, preparer, mailbox, events }
+        Self { model, resumes: false, missing: Vec::new(), message: None, preparer, mailbox, events }
     }
 
     /// As [`Self::start`], with the session that the address or the last time has left; what went wrong with it is shown.
     pub fn resume() -> Self {
-        let (session, message) = keeping::first_session();
-        Self { message, resumes: true, ..Self::start(session) }
+        let Start { session, missing, message } = keeping::first_session();
+        Self { missing, message, resumes: true, ..Self::start(session) }
     }
 
     /// Where events for the app are posted.
@@ -127,6 +133,8 @@ pub struct RiemapApp {
     image_name: Option<String>,
     /// What is wrong with an image or a file that was to be saved.
     message: Option<String>,
+    /// What has gone well and cannot be seen, and when it need not be said any more.
+    notice: Option<(&'static str, f64)>,
     /// Whether exported texture coordinates are scaled into the unit box.
     unit_coordinates: bool,
     last_change: f64,
@@ -139,9 +147,10 @@ impl RiemapApp {
         groundwork: Groundwork,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Groundwork { model, resumes, message, preparer, mailbox, events } = groundwork;
+        let Groundwork { model, resumes, missing, message, preparer, mailbox, events } = groundwork;
         mailbox.attach(&creation.egui_ctx);
-        let keeper = Keeper::new(model.session().clone(), resumes);
+        let mut keeper = Keeper::new(model.session().clone(), resumes);
+        keeper.open_link(missing);
         let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
         if platform::asks_for_bench() {
             reports.open(Report::Bench);
@@ -165,6 +174,7 @@ impl RiemapApp {
             laboratory,
             image_name: None,
             message,
+            notice: None,
             unit_coordinates: true,
             last_change: 0.0,
         })
@@ -208,6 +218,7 @@ impl RiemapApp {
 
     /// Shows another session in place of this one; what it shares is not prepared again.
     pub fn open_session(&mut self, session: Session) {
+        self.keeper.touch();
         self.model.dispatch(Command::Open(Box::new(session)), 0.0);
         self.mailbox.wake();
     }
@@ -245,6 +256,7 @@ impl RiemapApp {
     }
 
     fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
+        self.keeper.touch();
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
         match files::read(purpose, name, bytes, limit) {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
@@ -285,7 +297,10 @@ impl RiemapApp {
         let now = context.input(|input| input.time);
         for action in actions {
             match action {
-                Action::Session(command) => self.model.dispatch(command, now),
+                Action::Session(command) => {
+                    self.keeper.touch();
+                    self.model.dispatch(command, now);
+                }
                 Action::Undo => self.step(Keeper::undo),
                 Action::Redo => self.step(Keeper::redo),
                 Action::New => self.open_session(Session::default()),
@@ -314,10 +329,12 @@ impl RiemapApp {
     }
 
     /// Goes to another step; what is being dragged is let go of.
-    fn step(&mut self, to: impl Fn(&mut Keeper) -> Option<Session>) {
+    fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
         self.handles.release();
-        if let Some(session) = to(&mut self.keeper) {
-            self.open_session(session);
+        let at_rest = self.model.is_ready().then(|| self.model.session());
+        if let Some(session) = to(&mut self.keeper, at_rest) {
+            self.model.dispatch(Command::Open(Box::new(session)), 0.0);
+            self.mailbox.wake();
         }
     }
 
@@ -335,7 +352,9 @@ impl RiemapApp {
         match link::encode(self.model.session()) {
             Ok(encoded) => {
                 context.copy_text(platform::address_with(&encoded.fragment));
-                self.message = self.keeper.left_out().map(|text| format!("The link was copied, but {text}"));
+                self.message = keeping::link_report(self.model.session(), &encoded, self.keeper.missing());
+                let until = context.input(|input| input.time) + NOTICE_SECONDS;
+                self.notice = self.message.is_none().then_some(("Link copied", until));
             }
             Err(error) => self.message = Some(format!("There is no link to this session: {error}")),
         }
@@ -345,7 +364,8 @@ impl RiemapApp {
     fn open_link(&mut self, address: &str) {
         match link::decode(address) {
             Ok(decoded) => {
-                self.message = keeping::missing(&decoded);
+                self.message = keeping::missing_text(&decoded.missing);
+                self.keeper.open_link(decoded.missing);
                 self.open_session(decoded.session);
             }
             Err(error) => self.message = Some(format!("The link could not be opened: {error}")),
@@ -354,9 +374,26 @@ impl RiemapApp {
 
     /// Keeps the session once it has come to rest.
     fn keep(&mut self, context: &egui::Context) {
-        let held = context.input(|input| input.pointer.any_down());
-        if !held && self.model.is_ready() {
-            self.keeper.settle(self.model.session());
+        let (held, now) = context.input(|input| (input.pointer.any_down(), input.time));
+        if held || !self.model.is_ready() {
+            return;
+        }
+        let settled = self.keeper.settle(self.model.session(), now);
+        for command in settled.moves {
+            self.model.dispatch(command, now);
+            context.request_repaint();
+        }
+        if let Some(fragment) = settled.address {
+            platform::show_link(&fragment);
+        }
+        if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(&text))
+            && let Some(message) = self.keeper.not_kept(&reason)
+        {
+            self.message = Some(message);
+            context.request_repaint();
+        }
+        if let Some(seconds) = settled.copy_due {
+            context.request_repaint_after_secs(seconds as f32);
         }
     }
 

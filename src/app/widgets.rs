@@ -181,6 +181,17 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&str>) -> Option<Mess
         .inner
 }
 
+/// A few words about what has gone well, in a box that goes away by itself.
+pub fn notice_box(ui: &mut Ui, text: &str) {
+    let palette = Palette::of(ui.visuals());
+    Frame::new()
+        .fill(palette.panel)
+        .stroke(Stroke::new(1.0, palette.border))
+        .corner_radius(CornerRadius::same(ROUNDING + 2))
+        .inner_margin(Margin::symmetric(12, 8))
+        .show(ui, |ui| ui.vertical_centered(|ui| ui.label(RichText::new(text).color(palette.text))));
+}
+
 /// A chevron at the right end of a button that opens something, down or up.
 pub fn chevron(ui: &Ui, button: Rect, up: bool) {
     let center = button.right_center() - vec2(13.0, 0.0);

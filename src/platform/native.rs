@@ -136,13 +136,11 @@ pub fn address_with(fragment: &str) -> String {
     format!("#{fragment}")
 }
 
-/// Keeps a text for [`remembered`].
-pub fn remember(text: &str) {
-    let Some(path) = kept_at() else { return };
+/// Keeps a text for [`remembered`], or says why not.
+pub fn remember(text: &str) -> Result<(), String> {
+    let path = kept_at().ok_or("there is no folder for it")?;
     let written = path.parent().map_or(Ok(()), std::fs::create_dir_all).and_then(|()| std::fs::write(&path, text));
-    if let Err(error) = written {
-        log::warn!("the session could not be kept in {}: {error}", path.display());
-    }
+    written.map_err(|error| format!("{}: {error}", path.display()))
 }
 
 /// What was kept last.

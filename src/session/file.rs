@@ -69,6 +69,23 @@ pub fn write(session: &Session) -> Result<String, FileError> {
     serde_json::to_string_pretty(&written).map(|text| text + "\n").map_err(|error| malformed(&error))
 }
 
+/// As [`write()`], on one line: half of the time and of the length where an outline has many points.
+pub fn write_compact(session: &Session) -> Result<String, FileError> {
+    session.check()?;
+    serde_json::to_string(&Written { riemap: FORMAT, session }).map_err(|error| malformed(&error))
+}
+
+/// Whether the numbers of a session are in their ranges and its outlines simple polygons.
+pub fn check(session: &Session) -> Result<(), FileError> {
+    session.check()?;
+    for side in Side::BOTH {
+        if let outline @ OutlineSpec::Points { .. } = &session.domain(side).outline {
+            outline.polygon().map_err(|reason| FileError::Outline { side, reason })?;
+        }
+    }
+    Ok(())
+}
+
 /// The session of a file. Its numbers are in their ranges, its outlines simple polygons.
 pub fn read(bytes: &[u8]) -> Result<Session, FileError> {
     if bytes.len() > MAX_BYTES {
@@ -82,12 +99,7 @@ pub fn read(bytes: &[u8]) -> Result<Session, FileError> {
         None => return Err(FileError::NoSession),
     }
     let session: Session = serde_json::from_slice(bytes).map_err(|error| malformed(&error))?;
-    session.check()?;
-    for side in Side::BOTH {
-        if let outline @ OutlineSpec::Points { .. } = &session.domain(side).outline {
-            outline.polygon().map_err(|reason| FileError::Outline { side, reason })?;
-        }
-    }
+    check(&session)?;
     Ok(session)
 }
 
@@ -125,6 +137,9 @@ mod tests {
             let text = write(&session).unwrap();
             assert!(text.starts_with("{\n  \"riemap\": 1,\n"), "{text}");
             assert_eq!(read(text.as_bytes()), Ok(session.clone()));
+            let compact = write_compact(&session).unwrap();
+            assert!(compact.len() < text.len() && !compact.contains('\n'), "{compact}");
+            assert_eq!(read(compact.as_bytes()), Ok(session.clone()));
             assert_eq!(read(format!("\u{feff}{text}").as_bytes()), Ok(session));
         }
     }
@@ -159,6 +174,11 @@ mod tests {
         let crossed = json!([[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]);
         let found = changed(|value| value["source"]["outline"]["points"]["points"] = crossed);
         assert!(matches!(found, Err(FileError::Outline { side: Side::Source, .. })), "{found:?}");
+        let crossed = [(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from).to_vec();
+        let mut bow_tie = drawn();
+        bow_tie.target.outline = OutlineSpec::Points { name: "bow tie".into(), points: crossed };
+        assert_eq!((check(&drawn()), bow_tie.check()), (Ok(()), Ok(())));
+        assert!(matches!(check(&bow_tie), Err(FileError::Outline { side: Side::Target, .. })));
         let infinite = write(&drawn()).unwrap().replace("0.35", "1e999");
         assert!(matches!(read(infinite.as_bytes()), Err(FileError::Malformed(_))), "{infinite}");
         let mut session = drawn();

@@ -2,7 +2,7 @@
 //!
 //! What happens between two of them, a drag or the way of a slider, is one step.
 
-use super::{OutlineSpec, Session};
+use super::Session;
 
 /// The most steps that are kept.
 const MOST_STEPS: usize = 200;
@@ -35,6 +35,18 @@ impl History {
         true
     }
 
+    /// Takes `session` for the present one: what a step led to. The way to it and on from it stays.
+    pub fn amend(&mut self, session: &Session) {
+        if *session != self.now {
+            self.now = session.clone();
+        }
+    }
+
+    /// The present session.
+    pub fn now(&self) -> &Session {
+        &self.now
+    }
+
     /// One step back; `None` at the beginning.
     pub fn undo(&mut self) -> Option<&Session> {
         let before = self.past.pop()?;
@@ -65,21 +77,11 @@ impl History {
     }
 
     fn forget_the_oldest(&mut self) {
-        let mut points: usize = self.past.iter().map(points).sum();
+        let mut points: usize = self.past.iter().map(Session::loaded_points).sum();
         while self.past.len() > MOST_STEPS || (points > MOST_POINTS && self.past.len() > 1) {
-            points -= self::points(&self.past.remove(0));
+            points -= self.past.remove(0).loaded_points();
         }
     }
-}
-
-fn points(session: &Session) -> usize {
-    [&session.source, &session.target]
-        .iter()
-        .map(|domain| match &domain.outline {
-            OutlineSpec::Preset(_) => 0,
-            OutlineSpec::Points { points, .. } => points.len(),
-        })
-        .sum()
 }
 
 #[cfg(test)]
@@ -88,7 +90,7 @@ mod tests {
     use super::*;
     use crate::conformal::Side;
     use crate::geometry::DVec2;
-    use crate::session::Command;
+    use crate::session::{Command, OutlineSpec};
 
     fn scaled(scale: f64) -> Session {
         let mut session = Session::default();
@@ -108,6 +110,19 @@ mod tests {
         assert!(!history.settle(&scaled(2.0)) && history.can_redo(), "what was undone to is no new step");
         assert!(history.settle(&scaled(9.0)) && !history.can_redo());
         assert_eq!(history.undo(), Some(&scaled(2.0)));
+    }
+
+    /// The session that was gone back to does not come to rest as it was: its preparation failed, say.
+    #[test]
+    fn what_a_step_led_to_is_no_step_of_its_own() {
+        let mut history = History::new(scaled(1.0));
+        assert!(history.settle(&scaled(2.0)) && history.settle(&scaled(3.0)));
+        assert_eq!(history.undo(), Some(&scaled(2.0)));
+        history.amend(&scaled(2.5));
+        assert_eq!((history.now(), history.undo_count()), (&scaled(2.5), 1));
+        assert_eq!(history.redo(), Some(&scaled(3.0)));
+        assert_eq!(history.undo(), Some(&scaled(2.5)));
+        assert_eq!(history.undo(), Some(&scaled(1.0)));
     }
 
     #[test]

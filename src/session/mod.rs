@@ -256,6 +256,15 @@ impl Session {
         }
     }
 
+    /// How many points of loaded outlines it holds.
+    pub fn loaded_points(&self) -> usize {
+        let of_domain = |domain: &DomainSpec| match &domain.outline {
+            OutlineSpec::Preset(_) => 0,
+            OutlineSpec::Points { points, .. } => points.len(),
+        };
+        of_domain(&self.source) + of_domain(&self.target)
+    }
+
     /// Carries out a command. A new outline resets that side's two points, and one for the target
     /// takes a surface's place; a new surface has points of its own.
     pub fn apply(&mut self, command: Command) {

@@ -31,12 +31,13 @@ pub fn address_with(fragment: &str) -> String {
     format!("{page}#{fragment}")
 }
 
-/// Keeps a text for [`remembered`], unless the browser does not let the page store anything.
-pub fn remember(text: &str) {
-    let kept = |window: Window| window.local_storage().ok()??.set_item(KEY, text).ok();
-    if web_sys::window().and_then(kept).is_none() {
-        log::warn!("the browser does not keep the session");
-    }
+/// Keeps a text for [`remembered`], or says why not: the page may store nothing, or not so much.
+pub fn remember(text: &str) -> Result<(), String> {
+    let storage = |window: Window| window.local_storage().ok()?;
+    let storage = web_sys::window().and_then(storage).ok_or("the browser lets this page store nothing")?;
+    storage
+        .set_item(KEY, text)
+        .map_err(|_| format!("its {} characters are more than the browser lets this page store", text.len()))
 }
 
 /// What was kept last.

@@ -2,7 +2,7 @@
 //!
 //! * `riemap.stats()` → [`Stats`](crate::app::Stats) as an object,
 //! * `riemap.session()` → the session as an object,
-//! * `riemap.open_session(object)` → `null`, or why the object is no session; the map follows
+//! * `riemap.open_session(object)` → `null`, or why the object is no session that can be used; the map follows
 //!   when its domains are prepared,
 //! * `riemap.load_outline("source" | "target", file_name, text)` → `true` if the side is known,
 //! * `riemap.load_file("source" | "target", file_name, bytes)` → the same, for any file that can be dropped.
@@ -11,6 +11,7 @@
 
 use crate::app::RiemapApp;
 use crate::conformal::Side;
+use crate::session::{Session, file};
 use eframe::WebRunner;
 use js_sys::{Object, Reflect};
 use serde::Serialize;
@@ -36,12 +37,12 @@ pub fn install(runner: &WebRunner) {
         });
     let app = runner.clone();
     let open = Closure::<dyn Fn(JsValue) -> JsValue>::new(move |value: JsValue| {
-        with_app(&app, |app| match from_js(&value) {
+        with_app(&app, |app| match session_of(&value) {
             Ok(session) => {
                 app.open_session(session);
                 JsValue::NULL
             }
-            Err(error) => error.to_string().into(),
+            Err(reason) => reason.into(),
         })
     });
     let app = runner.clone();
@@ -73,6 +74,13 @@ fn to_js(value: &impl Serialize) -> JsValue {
 fn from_js<T: DeserializeOwned>(value: &JsValue) -> serde_json::Result<T> {
     let text = js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string());
     serde_json::from_str(&text.unwrap_or_default())
+}
+
+/// A session that can be opened, or why it cannot.
+fn session_of(value: &JsValue) -> Result<Session, String> {
+    let session: Session = from_js(value).map_err(|error| error.to_string())?;
+    file::check(&session).map_err(|error| error.to_string())?;
+    Ok(session)
 }
 
 fn side_named(name: &str) -> Option<Side> {

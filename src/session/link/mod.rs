@@ -21,7 +21,7 @@ use super::{OutOfRange, OutlineSpec, Session};
 use crate::conformal::Side;
 use crate::geometry::{DVec2, PolygonError};
 use quantised::Quantised;
-use version1::{Version1, WiredOutline, short_name};
+use version1::{STAND_IN, Version1, WiredOutline, short_name};
 
 /// The most characters of a fragment: what address bars, messengers and QR codes' readers still take.
 pub const MAX_LENGTH: usize = 8 << 10;
@@ -89,6 +89,18 @@ pub struct MissingOutline {
     pub interior: Option<DVec2>,
     /// Where the boundary point is, as a fraction of arc length.
     pub anchor: f64,
+}
+
+impl MissingOutline {
+    /// Whether `outline` has the name that the link gives, whose end may have been cut off.
+    pub fn is_named(&self, outline: &OutlineSpec) -> bool {
+        matches!(outline, OutlineSpec::Points { name, .. } if short_name(name) == self.name)
+    }
+
+    /// Whether `outline` is the disk that [`Decoded`] has in the place of a missing one.
+    pub fn is_stand_in(outline: &OutlineSpec) -> bool {
+        *outline == OutlineSpec::Preset(STAND_IN)
+    }
 }
 
 /// Why a link is not opened.

@@ -8,11 +8,18 @@
 //! Guarantees: what [`Quantised::of`] gives is a simple polygon again, with the same box, and
 //! quantising that changes nothing. Points that come to lie on their predecessor are dropped.
 
-use super::NotCarried;
+use super::envelope::{self, MAX_BYTES};
+use super::{MAX_LENGTH, NotCarried};
 use crate::geometry::{Bounds, DVec2, PolygonError, SimplePolygon};
 
 /// The largest `q`.
 const LAST: f64 = u16::MAX as f64;
+
+/// The least that a point takes before deflating: a byte for each of its two steps.
+const LEAST_BYTES: usize = 2;
+/// How many characters shorter the steps may get when they are deflated with the rest of a session: more
+/// than that rest takes itself without outlines. Were it more, an outline that just fits would travel as a file.
+const SLACK: usize = 256;
 
 /// A quantised outline, as it is written.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -27,22 +34,30 @@ pub(super) struct Quantised {
 type Cell = [u16; 2];
 
 impl Quantised {
-    /// The outline through `points`. Errors: on the grid it is not a simple polygon any more.
+    /// The outline through `points`. Errors: no link is long enough for it, or on the grid it is not a
+    /// simple polygon any more. The length comes first: it is known sooner.
     pub fn of(points: &[DVec2]) -> Result<Self, NotCarried> {
         if let Some(index) = points.iter().position(|p| !p.is_finite()) {
             return Err(NotCarried::NotSimple(PolygonError::NotFinite { index, at: points[index] }));
         }
         let bounds = Bounds::of(points.iter().copied());
         let cells = cells(points, bounds);
+        let too_long = NotCarried::TooLong { points: cells.len() };
+        if cells.len() > MAX_BYTES / LEAST_BYTES {
+            return Err(too_long);
+        }
+        let [steps, changes] = [false, true].map(|smooth| differences(&cells, smooth));
+        let smooth = length(&changes) < length(&steps);
+        let steps = if smooth { changes } else { steps };
+        if !may_fit(&steps) {
+            return Err(too_long);
+        }
         let on_grid: Vec<DVec2> = cells.iter().map(|&cell| place(cell, bounds)).collect();
         SimplePolygon::try_from(on_grid.clone()).map_err(NotCarried::NotSimple)?;
         let again = Bounds::of(on_grid.iter().copied());
         if again != bounds || self::cells(&on_grid, again) != cells {
             return Err(NotCarried::Inexact);
         }
-        let [steps, changes] = [false, true].map(|smooth| differences(&cells, smooth));
-        let smooth = length(&changes) < length(&steps);
-        let steps = if smooth { changes } else { steps };
         Ok(Self { low: bounds.min.to_array(), high: bounds.max.to_array(), smooth, steps })
     }
 
@@ -112,6 +127,12 @@ fn length(steps: &[(i16, i16)]) -> usize {
     steps.iter().map(|&(dx, dy)| of(dx) + of(dy)).sum()
 }
 
+/// Whether the steps alone are not too long for a link already.
+fn may_fit(steps: &[(i16, i16)]) -> bool {
+    let packed = postcard::to_allocvec(steps).ok().and_then(|bytes| envelope::pack(&bytes));
+    packed.is_some_and(|text| text.len() <= MAX_LENGTH + SLACK)
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
@@ -174,6 +195,20 @@ mod tests {
         let house = [(0.0, 0.0), (1.0, 0.0), (1.0, 0.625), (0.5, 1.0), (0.0, 0.625)];
         let points = house.map(|p| DVec2::from(p) + 1e12);
         assert_eq!(Quantised::of(&points).unwrap().points(), points);
+    }
+
+    /// A staircase of `n` steps deflates to nothing: only its number of points is too large.
+    #[test]
+    fn too_many_points_are_refused_by_their_number() {
+        let staircase = |n: u32| -> Vec<DVec2> {
+            let steps = (0..n).map(|k| DVec2::new(f64::from(k.div_ceil(2)), f64::from(k / 2)));
+            steps.chain([DVec2::new(0.0, f64::from(n / 2))]).collect()
+        };
+        let limit = (MAX_BYTES / LEAST_BYTES) as u32;
+        // their number, the first and the last step take a few bytes more
+        assert!(Quantised::of(&staircase(limit - 8)).is_ok());
+        let found = Quantised::of(&staircase(limit));
+        assert_eq!(found, Err(NotCarried::TooLong { points: limit as usize + 1 }));
     }
 
     #[test]

@@ -19,7 +19,7 @@ use crate::session::{DomainSpec, OutlineSpec, Session, SurfaceShape, SurfaceSpec
 use serde::{Deserialize, Serialize};
 
 /// The outline that stands in for one that the link does not hold.
-const STAND_IN: Preset = Preset::Disk;
+pub(super) const STAND_IN: Preset = Preset::Disk;
 
 /// The characters of a name.
 const MAX_NAME: usize = 48;

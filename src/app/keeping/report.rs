@@ -1,0 +1,47 @@
+//! What the sender of a link is told: what is not in it.
+
+use crate::session::link::{Encoded, MissingOutline};
+use crate::session::{Session, SurfaceShape, TextureKind};
+
+/// What the `encoded` link of `session` does not carry, or `None`; `missing`: the outlines that a disk stands in for.
+pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -> Option<String> {
+    let outlines = encoded.left_out.iter().map(ToString::to_string);
+    let missing = missing.iter().map(|outline| {
+        format!("a disk stands in for the {}'s outline \"{}\", which is not here", outline.side, outline.name)
+    });
+    let surface = session.surface.as_ref().and_then(|surface| match &surface.spec.shape {
+        SurfaceShape::File { name } => Some(format!("the surface \"{name}\" is not in it and travels as a file")),
+        SurfaceShape::Preset { .. } => None,
+    });
+    let image = (session.texture == TextureKind::Image).then(|| String::from("the image is not in it"));
+    let all: Vec<String> = outlines.chain(missing).chain(surface).chain(image).collect();
+    (!all.is_empty()).then(|| format!("The link was copied, but {}.", all.join("; ")))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::conformal::Side;
+    use crate::geometry::DVec2;
+    use crate::session::{Command, OutlineSpec, SurfaceSpec, link};
+
+    #[test]
+    fn everything_that_is_not_in_the_link_is_named() {
+        let mut session = Session::default();
+        assert_eq!(link_report(&session, &link::encode(&session).unwrap(), &[]), None);
+        let name = String::from("spike");
+        let spike =
+            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
+        let points = spike.map(DVec2::from).to_vec();
+        session.apply(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Points { name, points } });
+        let shape = SurfaceShape::File { name: "cow.obj".into() };
+        session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+        session.apply(Command::SetTexture(TextureKind::Image));
+        let missing = MissingOutline { side: Side::Target, name: "long".into(), interior: None, anchor: 0.0 };
+        let report = link_report(&session, &link::encode(&session).unwrap(), &[missing]).unwrap();
+        for word in ["spike", "cow.obj", "image", "long"] {
+            assert!(report.contains(word), "no {word:?} in: {report}");
+        }
+    }
+}
