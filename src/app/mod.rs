@@ -378,6 +378,7 @@ impl RiemapApp {
         if held || !self.model.is_ready() {
             return;
         }
+        self.preparer.warm();
         let settled = self.keeper.settle(self.model.session(), now);
         for command in settled.moves {
             self.model.dispatch(command, now);
