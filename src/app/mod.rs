@@ -365,8 +365,8 @@ impl RiemapApp {
         match link::decode(address) {
             Ok(decoded) => {
                 self.message = keeping::missing_text(&decoded.missing);
-                self.keeper.open_link(decoded.missing);
                 self.open_session(decoded.session);
+                self.keeper.open_link(decoded.missing);
             }
             Err(error) => self.message = Some(format!("The link could not be opened: {error}")),
         }

@@ -9,19 +9,15 @@
 //! * While an outline is missing that the opened link only names, the address stays that link.
 
 mod first;
+mod public;
 mod report;
 
 pub use first::{Start, first_session, missing_text};
 pub use report::link_report;
 
-use crate::session::link::{self, MissingOutline};
-use crate::session::{Command, History, Session, file};
-
-/// From this many points on a session is large: its copy is made at most once in [`COPY_SECONDS`].
-/// 20,000 points take 2 ms to write on a desktop, and several times that in a browser, which also has to store them.
-const LARGE_POINTS: usize = 20_000;
-/// How often a large session is copied, in seconds: what a crash costs at most.
-const COPY_SECONDS: f64 = 5.0;
+use crate::session::link::MissingOutline;
+use crate::session::{Command, History, Session};
+use public::Public;
 
 /// What is to be done when a session has come to rest.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -36,28 +32,32 @@ pub struct Settled {
     pub copy_due: Option<f64>,
 }
 
+/// What will come to rest next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Coming {
+    /// What the person has changed.
+    Change,
+    /// What a step led to.
+    Step,
+    /// What a link or the last time has left.
+    Opened,
+    /// What a link has left, with the points of an outline that was missing.
+    Completed,
+}
+
 /// The keeper of sessions.
 #[derive(Debug)]
 pub struct Keeper {
     history: History,
     /// No session has come to rest yet.
     is_new: bool,
-    /// Whether the address and the kept copy follow, or the history alone.
-    is_public: bool,
-    /// What comes to rest next is what a step led to.
-    is_stepping: bool,
-    /// What comes to rest next is what a link held.
-    is_opening: bool,
-    /// What comes to rest next has got the points of a missing outline.
-    is_completing: bool,
+    coming: Coming,
     /// The outlines that the opened link only names.
     missing: Vec<MissingOutline>,
     /// Whether address and copy wait for them.
     waits: bool,
-    owes_address: bool,
-    owes_copy: bool,
-    copied_at: Option<f64>,
-    has_complained: bool,
+    /// The address and the kept copy, if they follow.
+    public: Option<Public>,
 }
 
 impl Keeper {
@@ -66,16 +66,10 @@ impl Keeper {
         Self {
             history: History::new(session),
             is_new: true,
-            is_public,
-            is_stepping: false,
-            is_opening: false,
-            is_completing: false,
+            coming: Coming::Opened,
             missing: Vec::new(),
             waits: false,
-            owes_address: false,
-            owes_copy: false,
-            copied_at: None,
-            has_complained: false,
+            public: is_public.then(Public::default),
         }
     }
 
@@ -95,7 +89,7 @@ impl Keeper {
         if self.is_new && at_rest.is_none() {
             return None;
         }
-        let is_under_way = at_rest.is_none() && !self.is_stepping;
+        let is_under_way = at_rest.is_none() && self.coming != Coming::Step;
         self.leave_link(at_rest);
         let before = if is_under_way { Some(self.history.now()) } else { self.history.undo() }.cloned();
         self.began_step(before)
@@ -103,7 +97,7 @@ impl Keeper {
 
     /// The session after; there is none while a change is under way.
     pub fn redo(&mut self, at_rest: Option<&Session>) -> Option<Session> {
-        if at_rest.is_none() && !self.is_stepping {
+        if at_rest.is_none() && self.coming != Coming::Step {
             return None;
         }
         self.leave_link(at_rest);
@@ -115,25 +109,29 @@ impl Keeper {
     fn leave_link(&mut self, at_rest: Option<&Session>) {
         match at_rest {
             Some(session) => self.take_in(session),
-            None if std::mem::take(&mut self.is_opening) => self.missing.clear(),
+            None if self.coming == Coming::Opened => {
+                self.missing.clear();
+                self.waits = false;
+            }
             None => {}
         }
     }
 
     fn began_step(&mut self, session: Option<Session>) -> Option<Session> {
-        self.is_stepping |= session.is_some();
+        if session.is_some() {
+            self.coming = Coming::Step;
+        }
         session
     }
 
     /// The person changes something: what comes to rest next is a step of its own.
     pub fn touch(&mut self) {
-        self.is_stepping = false;
+        self.coming = Coming::Change;
     }
 
     /// A link is being opened that only names the `missing` outlines.
     pub fn open_link(&mut self, missing: Vec<MissingOutline>) {
-        self.touch();
-        self.is_opening = true;
+        self.coming = Coming::Opened;
         self.waits = !missing.is_empty();
         self.missing = missing;
     }
@@ -145,27 +143,15 @@ impl Keeper {
             return Settled { moves, ..Settled::default() };
         }
         self.take_in(session);
-        if !self.is_public || self.waits {
-            return Settled::default();
+        match &mut self.public {
+            Some(public) if !self.waits => public.pay(session, now),
+            _ => Settled::default(),
         }
-        // Copy link says why there is none.
-        let link = |_| link::encode(session).ok().map(|encoded| encoded.fragment);
-        let address = std::mem::take(&mut self.owes_address).then_some(()).and_then(link);
-        let is_large = session.loaded_points() > LARGE_POINTS;
-        let due = self.copied_at.filter(|_| is_large).map_or(0.0, |at| at + COPY_SECONDS - now);
-        if !self.owes_copy || due > 0.0 {
-            let copy_due = self.owes_copy.then_some(due);
-            return Settled { address, copy_due, ..Settled::default() };
-        }
-        self.owes_copy = false;
-        self.copied_at = Some(now);
-        Settled { address, copy: file::write_compact(session).ok(), ..Settled::default() }
     }
 
     /// What to say about a copy that could not be kept: once is enough.
     pub fn not_kept(&mut self, reason: &str) -> Option<String> {
-        let is_news = !std::mem::replace(&mut self.has_complained, true);
-        is_news.then(|| format!("The session is not kept for the next time: {reason}. Save it as a file instead."))
+        self.public.as_mut()?.not_kept(reason)
     }
 
     /// What gives the outlines their points that are there now and were missing.
@@ -180,29 +166,30 @@ impl Keeper {
             }
             !is_there
         });
-        self.is_completing |= !moves.is_empty();
+        if !moves.is_empty() {
+            self.coming = Coming::Completed;
+        }
         moves
     }
 
     fn take_in(&mut self, session: &Session) {
         let is_first = std::mem::take(&mut self.is_new);
-        let has_stepped = std::mem::take(&mut self.is_stepping);
-        let is_opening = std::mem::take(&mut self.is_opening) || is_first;
-        let is_completing = std::mem::take(&mut self.is_completing);
+        let came = std::mem::replace(&mut self.coming, Coming::Change);
         let changed = if is_first {
             self.history = History::new(session.clone());
             true
-        } else if has_stepped {
+        } else if came == Coming::Step {
             self.history.amend(session);
             true
         } else {
             self.history.settle(session)
         };
         self.missing.retain(|missing| MissingOutline::is_stand_in(&session.domain(missing.side).outline));
-        let is_other_change = changed && !is_opening && !is_completing;
-        self.waits &= !is_other_change && !self.missing.is_empty();
-        self.owes_address |= changed;
-        self.owes_copy |= changed && !is_opening;
+        let ends_waiting = changed && matches!(came, Coming::Change | Coming::Step);
+        self.waits &= !ends_waiting && !self.missing.is_empty();
+        if let Some(public) = self.public.as_mut().filter(|_| changed) {
+            public.note_change(came != Coming::Opened);
+        }
     }
 }
 

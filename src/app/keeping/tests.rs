@@ -1,10 +1,12 @@
 //! Steps whose outcome is another one, links that are only opened, outlines that come later.
 
+use super::public::{COPY_SECONDS, LARGE_POINTS};
 use super::*;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::session::OutlineSpec;
-use crate::session::link::Decoded;
+use crate::session::file;
+use crate::session::link::{self, Decoded};
 
 fn scaled(scale: f64) -> Session {
     let mut session = Session::default();
@@ -28,7 +30,7 @@ fn keeper(scales: &[f64]) -> Keeper {
 }
 
 fn address(session: &Session) -> Option<String> {
-    Some(link::encode(session).unwrap().fragment)
+    link::encode(session).ok().map(|encoded| encoded.fragment)
 }
 
 #[test]
@@ -78,11 +80,32 @@ fn the_copy_follows_changes_and_not_what_is_merely_opened() {
     let opened = keeper.settle(&scaled(9.0), 0.2);
     assert_eq!(opened, Settled { address: address(&scaled(9.0)), ..Settled::default() });
     assert_eq!(keeper.history().undo_count(), 1);
+    keeper.touch();
     let changed = keeper.settle(&scaled(10.0), 0.3);
     assert_eq!(file::read(changed.copy.unwrap().as_bytes()), Ok(scaled(10.0)));
     let mut private = Keeper::new(scaled(2.0), false);
     private.settle(&scaled(2.0), 0.0);
     assert_eq!(private.settle(&scaled(3.0), 0.0), Settled::default());
+}
+
+/// The first map takes seconds to prepare: what is set meanwhile is kept.
+#[test]
+fn a_change_before_the_first_rest_is_copied() {
+    let mut keeper = Keeper::new(scaled(2.0), true);
+    keeper.touch();
+    let copy = keeper.settle(&scaled(3.0), 0.0).copy;
+    assert_eq!(file::read(copy.unwrap().as_bytes()), Ok(scaled(3.0)));
+    assert_eq!(keeper.history().undo_count(), 0);
+}
+
+#[test]
+fn a_link_that_is_taken_back_while_it_is_prepared_leaves_nothing() {
+    let (_, Decoded { session: _, missing }) = with_missing();
+    let mut keeper = keeper(&[2.0, 3.0]);
+    keeper.open_link(missing);
+    assert_eq!(keeper.undo(None), Some(scaled(3.0)));
+    assert!(keeper.missing().is_empty());
+    assert_eq!(keeper.settle(&scaled(3.0), 1.0).address, address(&scaled(3.0)));
 }
 
 #[test]
