@@ -17,6 +17,7 @@ mod gpu;
 mod gpu_extension;
 mod handles;
 mod header;
+mod incoming;
 mod keeping;
 mod layout;
 mod legend;
@@ -26,6 +27,7 @@ mod plots;
 mod prepare_state;
 mod reports;
 mod screenshot;
+mod sessions;
 mod shapes;
 mod side_panel;
 mod stats;
@@ -50,10 +52,9 @@ use crate::conformal::{Extension, Side};
 use crate::export::SurfaceFormat;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
-use crate::session::link::{self, MissingOutline};
-use crate::session::{Command, Session, TextureKind, file};
+use crate::session::link::MissingOutline;
+use crate::session::{Command, Session};
 use cells::Cells;
-use files::{Content, FileError};
 use gpu::Gpu;
 use handles::HandleState;
 use keeping::{Keeper, Start};
@@ -241,57 +242,6 @@ impl RiemapApp {
         outlines.chain(self.model.surface_notes()).collect()
     }
 
-    /// What happened since the last frame.
-    fn take_events(&mut self) {
-        while let Ok(event) = self.events.try_recv() {
-            match event {
-                Event::Worker { subject, generation, response } => self.model.accept(subject, generation, response),
-                Event::WorkerDied { subject, reason } => self.model.worker_died(subject, &reason),
-                Event::Found { study, finding } => self.reports.accept(study, finding),
-                Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
-                Event::Link(address) => self.open_link(&address),
-                Event::NotSaved { name, reason } => self.message = Some(format!("{name} was not saved: {reason}")),
-            }
-        }
-    }
-
-    fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
-        self.keeper.touch();
-        let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
-        match files::read(purpose, name, bytes, limit) {
-            Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
-            Ok(Content::Image(picture)) => self.use_image(&picture),
-            Ok(Content::Session(session)) => self.open_session(*session),
-            Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(&name, bytes),
-            Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
-            Err(FileError::Common(message)) => self.message = Some(message),
-        }
-    }
-
-    fn use_image(&mut self, picture: &files::Picture) {
-        let (width, height) = picture.pixels.dimensions();
-        let used = self.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(picture.pixels.as_raw(), width, height));
-        match used {
-            Ok(()) => {
-                self.image_name = Some(picture.name.clone());
-                self.message = None;
-                self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
-            }
-            Err(error) => self.message = Some(format!("{}: {error}", picture.name)),
-        }
-    }
-
-    /// Reads the files that were dropped, for the side that they were dropped over.
-    fn take_dropped(&self, context: &egui::Context) {
-        let dropped = context.input(|input| input.raw.dropped_files.clone());
-        let place = platform::drop_position(context);
-        let over_target = place.is_some_and(|place| self.views[Side::Target as usize].rect.contains(place));
-        let side = if over_target { Side::Target } else { Side::Source };
-        for file in &dropped {
-            platform::read_dropped(file, side, self.mailbox.clone());
-        }
-    }
-
     /// The one place where wishes become changes.
     fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
         let now = context.input(|input| input.time);
@@ -325,76 +275,6 @@ impl RiemapApp {
                 Action::ToggleTheme => theme::toggle(context),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
             }
-        }
-    }
-
-    /// Goes to another step; what is being dragged is let go of.
-    fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
-        self.handles.release();
-        let at_rest = self.model.is_ready().then(|| self.model.session());
-        if let Some(session) = to(&mut self.keeper, at_rest) {
-            self.model.dispatch(Command::Open(Box::new(session)), 0.0);
-            self.mailbox.wake();
-        }
-    }
-
-    fn save_session(&mut self) {
-        match file::write(self.model.session()) {
-            Ok(text) => {
-                let name = format!("map.{}", file::EXTENSION);
-                platform::save_file(&name, text.into_bytes(), self.mailbox.clone());
-            }
-            Err(error) => self.message = Some(format!("The session was not saved: {error}")),
-        }
-    }
-
-    fn copy_link(&mut self, context: &egui::Context) {
-        match link::encode(self.model.session()) {
-            Ok(encoded) => {
-                context.copy_text(platform::address_with(&encoded.fragment));
-                self.message = keeping::link_report(self.model.session(), &encoded, self.keeper.missing());
-                let until = context.input(|input| input.time) + NOTICE_SECONDS;
-                self.notice = self.message.is_none().then_some(("Link copied", until));
-            }
-            Err(error) => self.message = Some(format!("There is no link to this session: {error}")),
-        }
-    }
-
-    /// Shows what another link carries.
-    fn open_link(&mut self, address: &str) {
-        match link::decode(address) {
-            Ok(decoded) => {
-                self.message = keeping::missing_text(&decoded.missing);
-                self.open_session(decoded.session);
-                self.keeper.open_link(decoded.missing);
-            }
-            Err(error) => self.message = Some(format!("The link could not be opened: {error}")),
-        }
-    }
-
-    /// Keeps the session once it has come to rest.
-    fn keep(&mut self, context: &egui::Context) {
-        let (held, now) = context.input(|input| (input.pointer.any_down(), input.time));
-        if held || !self.model.is_ready() {
-            return;
-        }
-        self.preparer.warm();
-        let settled = self.keeper.settle(self.model.session(), now);
-        for command in settled.moves {
-            self.model.dispatch(command, now);
-            context.request_repaint();
-        }
-        if let Some(fragment) = settled.address {
-            platform::show_link(&fragment);
-        }
-        if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(&text))
-            && let Some(message) = self.keeper.not_kept(&reason)
-        {
-            self.message = Some(message);
-            context.request_repaint();
-        }
-        if let Some(seconds) = settled.copy_due {
-            context.request_repaint_after_secs(seconds as f32);
         }
     }
 

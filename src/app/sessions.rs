@@ -1,0 +1,78 @@
+//! What the app does with whole sessions: steps, files, links, and keeping them.
+
+use super::keeping::{self, Keeper};
+use super::{NOTICE_SECONDS, RiemapApp};
+use crate::platform;
+use crate::session::{Command, Session, file, link};
+
+impl RiemapApp {
+    /// Goes to another step; what is being dragged is let go of.
+    pub(super) fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
+        self.handles.release();
+        let at_rest = self.model.is_ready().then(|| self.model.session());
+        if let Some(session) = to(&mut self.keeper, at_rest) {
+            self.model.dispatch(Command::Open(Box::new(session)), 0.0);
+            self.mailbox.wake();
+        }
+    }
+
+    pub(super) fn save_session(&mut self) {
+        match file::write(self.model.session()) {
+            Ok(text) => {
+                let name = format!("map.{}", file::EXTENSION);
+                platform::save_file(&name, text.into_bytes(), self.mailbox.clone());
+            }
+            Err(error) => self.message = Some(format!("The session was not saved: {error}")),
+        }
+    }
+
+    pub(super) fn copy_link(&mut self, context: &egui::Context) {
+        match link::encode(self.model.session()) {
+            Ok(encoded) => {
+                context.copy_text(platform::address_with(&encoded.fragment));
+                self.message = keeping::link_report(self.model.session(), &encoded, self.keeper.missing());
+                let until = context.input(|input| input.time) + NOTICE_SECONDS;
+                self.notice = self.message.is_none().then_some(("Link copied", until));
+            }
+            Err(error) => self.message = Some(format!("There is no link to this session: {error}")),
+        }
+    }
+
+    /// Shows what another link carries.
+    pub(super) fn open_link(&mut self, address: &str) {
+        match link::decode(address) {
+            Ok(decoded) => {
+                self.message = keeping::missing_text(&decoded.missing);
+                self.open_session(decoded.session);
+                self.keeper.open_link(decoded.missing);
+            }
+            Err(error) => self.message = Some(format!("The link could not be opened: {error}")),
+        }
+    }
+
+    /// Keeps the session once it has come to rest.
+    pub(super) fn keep(&mut self, context: &egui::Context) {
+        let (held, now) = context.input(|input| (input.pointer.any_down(), input.time));
+        if held || !self.model.is_ready() {
+            return;
+        }
+        self.preparer.warm();
+        let settled = self.keeper.settle(self.model.session(), now);
+        for command in settled.moves {
+            self.model.dispatch(command, now);
+            context.request_repaint();
+        }
+        if let Some(fragment) = settled.address {
+            platform::show_link(&fragment);
+        }
+        if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(&text))
+            && let Some(message) = self.keeper.not_kept(&reason)
+        {
+            self.message = Some(message);
+            context.request_repaint();
+        }
+        if let Some(seconds) = settled.copy_due {
+            context.request_repaint_after_secs(seconds as f32);
+        }
+    }
+}
