@@ -68,8 +68,15 @@ impl Cells {
         self.coloured = Some(wanted);
         let triangles = model.triangles();
         let direction = model.shown().map_or(session.direction, |map| map.direction);
-        self.scale = ColourScale::new(session.colouring, direction, triangles, self.scale.as_ref());
+        // what fills a hole is not measured, and grey
+        let repaired = model.surface_map().filter(|map| !map.surface().surface.repairs.is_empty());
+        let given: Option<Vec<_>> = repaired.map(|map| map.given(triangles).copied().collect());
+        let measured = given.as_deref().unwrap_or(triangles);
+        self.scale = ColourScale::new(session.colouring, direction, measured, self.scale.as_ref());
         colouring::codes(self.scale.as_ref(), triangles, &mut self.codes);
+        if let Some(map) = repaired {
+            colouring::grey_added(&map.surface().surface.triangle_origins, &mut self.codes);
+        }
         self.recoloured = true;
     }
 

@@ -8,6 +8,7 @@
 use crate::conformal::{Direction, Histogram, TriangleDistortion};
 use crate::render::{CellCode, ColourMap};
 use crate::session::Colouring;
+use crate::surface::ADDED;
 
 /// Q from 1 to here: 1.5 is an angle of 90° seen as 67°, plainly wrong to the eye.
 const ANGLE_TOP: f64 = 1.5;
@@ -116,6 +117,13 @@ pub fn codes(scale: Option<&ColourScale>, triangles: &[TriangleDistortion], code
     }));
 }
 
+/// Greys the triangles that a repair has added, by where the triangles come from: they are nobody's.
+pub fn grey_added(origins: &[u32], codes: &mut [CellCode]) {
+    for (code, _) in codes.iter_mut().zip(origins).filter(|(_, origin)| **origin == ADDED) {
+        *code = CellCode::COLLAPSED;
+    }
+}
+
 fn area_range(triangles: &[TriangleDistortion], before: Option<f64>) -> f64 {
     // the area beyond range k − 1 but not beyond range k; last, that beyond all
     let mut between = [0.0; AREA_RANGES.len() + 1];
@@ -189,6 +197,13 @@ mod tests {
         assert_eq!(found, [CellCode::at(0.5), CellCode::FLIPPED, CellCode::COLLAPSED]);
         codes(None, &triangles, &mut found);
         assert_eq!(found[1..], [CellCode::FLIPPED, CellCode::COLLAPSED]);
+    }
+
+    #[test]
+    fn what_a_repair_has_added_is_grey() {
+        let mut codes = [CellCode::at(0.5), CellCode::FLIPPED, CellCode::at(0.25)];
+        grey_added(&[0, ADDED, 1], &mut codes);
+        assert_eq!(codes, [CellCode::at(0.5), CellCode::COLLAPSED, CellCode::at(0.25)]);
     }
 
     #[test]

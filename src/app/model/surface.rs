@@ -11,6 +11,7 @@ use crate::geometry::DVec3;
 use crate::laplace::Deadline;
 use crate::mesh::BarycentricPoint;
 use crate::session::{Command, SurfaceShape, SurfaceSpec, SurfaceState};
+use crate::surface::RepairNote;
 use crate::worker::{Request, Response};
 use std::sync::Arc;
 
@@ -235,8 +236,12 @@ impl Model {
     /// What was noticed when the surface was read, and how it was repaired.
     pub fn surface_notes(&self) -> Vec<String> {
         let Some((side, _)) = self.surface() else { return Vec::new() };
+        let words = |repair: &RepairNote| match repair {
+            RepairNote::FilledHoles { .. } => format!("{repair}: grey in the colours of distortion"),
+            _ => repair.to_string(),
+        };
         let repairs = side.surface().into_iter().flat_map(|surface| &surface.surface.repairs);
-        side.preparation.notes.iter().cloned().chain(repairs.map(ToString::to_string)).collect()
+        side.preparation.notes.iter().cloned().chain(repairs.map(words)).collect()
     }
 
     /// Where the interior handle goes when the pointer's ray meets the surface at `found`.
