@@ -39,6 +39,9 @@ impl FrameMeter {
     }
 }
 
+/// The room that the backend's name needs.
+const BACKEND_FROM: f32 = 52.0;
+
 /// Shows the line.
 pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapter: &str, narrow: bool) {
     let palette = Palette::of(ui.visuals());
@@ -76,7 +79,9 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
                 };
                 ui.label(weak(String::from(hint)));
             }
-            ui.label(weak(String::from(backend))).on_hover_text(adapter);
+            if ui.available_width() >= BACKEND_FROM {
+                ui.label(weak(String::from(backend))).on_hover_text(adapter);
+            }
         });
     });
 }

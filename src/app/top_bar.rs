@@ -13,13 +13,18 @@ use egui::{Align, Layout, Response, RichText, Role, Shape, Stroke, Ui, WidgetInf
 /// What opens the plots.
 const PLOTS_TOOLTIP: &str = "Poisson kernel, harmonic measure and reparameterisation along the boundaries (P)";
 
+/// A bar that is less wide has room for its buttons only.
+const WORDMARK_FROM: f32 = 356.0;
+
 /// Shows the bar.
 pub fn show(ui: &mut Ui, model: &Model, keeper: &Keeper, narrow: bool, actions: &mut Actions) {
     ui.horizontal_centered(|ui| {
         let palette = Palette::of(ui.visuals());
-        ui.label(RichText::new("riemap").font(theme::bold(18.0)).color(palette.text))
-            .on_hover_text("The conformal map between two outlines, by matching harmonic measure");
-        ui.add_space(if narrow { 2.0 } else { 10.0 });
+        if ui.available_width() >= WORDMARK_FROM {
+            ui.label(RichText::new("riemap").font(theme::bold(18.0)).color(palette.text))
+                .on_hover_text("The conformal map between two outlines, by matching harmonic measure");
+            ui.add_space(if narrow { 2.0 } else { 10.0 });
+        }
         file_menu::menu_button(ui, keeper, actions);
         for side in Side::BOTH {
             shapes::menu_button(ui, words::side(side), side, model, actions);
