@@ -7,6 +7,7 @@ use super::{Event, FilePurpose, Mailbox, endings};
 use crate::app::{Groundwork, RiemapApp};
 use crate::conformal::Side;
 use crate::worker::{self, Finding, Request, Study, Subject};
+use etcetera::BaseStrategy as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::thread;
@@ -149,6 +150,6 @@ pub fn remembered() -> Option<String> {
 }
 
 fn kept_at() -> Option<PathBuf> {
-    let folders = directories::ProjectDirs::from("", "", "riemap")?;
-    Some(folders.data_local_dir().join("last.riemap"))
+    let folders = etcetera::choose_base_strategy().ok()?;
+    Some(folders.data_dir().join("riemap").join("last.riemap"))
 }

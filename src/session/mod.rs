@@ -1,7 +1,7 @@
 //! Everything that a person can set, and the commands that set it.
 //!
 //! The UI emits [`Command`]s; [`Session::apply`] is the only door to a change.
-//! A session is small and plain: it is what links ([`link`]) and files ([`file`]) carry.
+//! A session is small and plain: it is what links ([`link`]) and files ([`mod@file`]) carry.
 
 pub mod file;
 mod history;
