@@ -13,7 +13,7 @@
 
 use super::half::{Change, Half};
 use super::refinement::Refinement;
-use super::stage::Stage;
+use super::stage::{Stage, Staged};
 use super::{
     BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, Extension, ExtensionScratch, HarmonicMeasure,
     KernelScratch, MapSettings, PreparedDomain, Quality, Side, advance_extension, match_measures,
@@ -83,7 +83,7 @@ pub struct ConformalMap {
 
 /// An update that is under way.
 #[derive(Debug)]
-struct Run {
+pub(super) struct Run {
     constraints: Constraints,
     settings: MapSettings,
     /// By side.
@@ -166,25 +166,6 @@ impl ConformalMap {
         Ok(Some(run))
     }
 
-    fn begin_stage(&mut self, run: &mut Run) {
-        match run.stage {
-            Stage::Kernel(side) => {
-                let start = Instant::now();
-                self.halves[side as usize].begin(&run.changes[side as usize], &mut self.kernel_scratch);
-                run.stage.add_time(&mut run.timings, start);
-            }
-            Stage::Extension => {
-                self.match_boundaries(run);
-                let start = Instant::now();
-                let mapped = run.settings.direction.mapped_side();
-                let [domain, other] = [mapped, mapped.other()].map(|side| &self.halves[side as usize].domain);
-                let boundary = self.coming.images(&other.samples);
-                domain.system().begin_extension(boundary, &mut self.extension_scratch);
-                run.stage.add_time(&mut run.timings, start);
-            }
-        }
-    }
-
     fn match_boundaries(&mut self, run: &mut Run) {
         let start = Instant::now();
         let mapped = run.settings.direction.mapped_side();
@@ -192,38 +173,6 @@ impl ConformalMap {
             .map(|side| self.halves[side as usize].measured.coming_measure(run.changes[side as usize].renewal()));
         match_measures(mapped, other, &mut self.coming);
         run.timings.matching += start.elapsed().as_secs_f64() * 1e3;
-    }
-
-    fn go_on(&mut self, run: &mut Run, deadline: Deadline) -> Result<bool, MapError> {
-        loop {
-            let start = Instant::now();
-            let is_done = self.advance_stage(run, deadline)?;
-            run.stage.add_time(&mut run.timings, start);
-            if !is_done {
-                return Ok(false);
-            }
-            let Some(next) = run.stage.next() else { return Ok(true) };
-            run.stage = next;
-            self.begin_stage(run);
-            if deadline.is_over() {
-                return Ok(false);
-            }
-        }
-    }
-
-    fn advance_stage(&mut self, run: &Run, deadline: Deadline) -> Result<bool, MapError> {
-        match run.stage {
-            Stage::Kernel(side) => {
-                let change = &run.changes[side as usize];
-                self.halves[side as usize].advance(side, &run.constraints, change, &mut self.kernel_scratch, deadline)
-            }
-            Stage::Extension => {
-                let side = run.settings.direction.mapped_side();
-                let domain = &self.halves[side as usize].domain;
-                advance_extension(domain, &mut self.extension_scratch, &mut self.images, deadline)
-                    .map_err(|error| MapError::NotConverged { side, error })
-            }
-        }
     }
 
     /// Shows what an update has come to; its images are there already.
@@ -348,5 +297,48 @@ impl ConformalMap {
         let corners = mesh.triangles[found.triangle as usize];
         let images = (!self.images.is_empty()).then_some(&self.images)?;
         Some(corners.iter().zip(found.weights).map(|(&v, w)| w * images[v as usize]).sum())
+    }
+}
+
+impl Staged for ConformalMap {
+    type Run = Run;
+    type Error = MapError;
+
+    fn progress(run: &mut Run) -> (&mut Stage, &mut FrameTimings) {
+        (&mut run.stage, &mut run.timings)
+    }
+
+    fn begin_stage(&mut self, run: &mut Run) {
+        match run.stage {
+            Stage::Kernel(side) => {
+                let start = Instant::now();
+                self.halves[side as usize].begin(&run.changes[side as usize], &mut self.kernel_scratch);
+                run.stage.add_time(&mut run.timings, start);
+            }
+            Stage::Extension => {
+                self.match_boundaries(run);
+                let start = Instant::now();
+                let mapped = run.settings.direction.mapped_side();
+                let [domain, other] = [mapped, mapped.other()].map(|side| &self.halves[side as usize].domain);
+                let boundary = self.coming.images(&other.samples);
+                domain.system().begin_extension(boundary, &mut self.extension_scratch);
+                run.stage.add_time(&mut run.timings, start);
+            }
+        }
+    }
+
+    fn advance_stage(&mut self, run: &Run, deadline: Deadline) -> Result<bool, MapError> {
+        match run.stage {
+            Stage::Kernel(side) => {
+                let change = &run.changes[side as usize];
+                self.halves[side as usize].advance(side, &run.constraints, change, &mut self.kernel_scratch, deadline)
+            }
+            Stage::Extension => {
+                let side = run.settings.direction.mapped_side();
+                let domain = &self.halves[side as usize].domain;
+                advance_extension(domain, &mut self.extension_scratch, &mut self.images, deadline)
+                    .map_err(|error| MapError::NotConverged { side, error })
+            }
+        }
     }
 }

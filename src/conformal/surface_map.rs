@@ -7,7 +7,7 @@
 
 use super::half::{Change, Half, on_boundary};
 use super::measured::{Measured, Renewal};
-use super::stage::Stage;
+use super::stage::{Stage, Staged};
 use super::surface::{advance_surface_kernel, begin_surface_kernel};
 use super::{
     BoundaryCorrespondence, Constraints, ExtensionScratch, FrameTimings, HarmonicMeasure, KernelScratch, MapError,
@@ -93,7 +93,7 @@ pub struct SurfaceMap {
 
 /// An update that is under way.
 #[derive(Debug)]
-struct Run {
+pub(super) struct Run {
     constraints: SurfaceConstraints,
     planar: Constraints,
     change: Change,
@@ -168,19 +168,6 @@ impl SurfaceMap {
         Ok(Some(run))
     }
 
-    fn begin_stage(&mut self, run: &mut Run) {
-        let start = Instant::now();
-        match run.stage {
-            Stage::Kernel(Side::Source) => self.source.begin(&run.change, &mut self.kernel_scratch),
-            Stage::Kernel(Side::Target) if run.renewal.kernel => {
-                begin_surface_kernel(&self.surface, run.constraints.surface_point, &mut self.kernel_scratch);
-            }
-            Stage::Kernel(Side::Target) => {}
-            Stage::Extension => return self.begin_extension(run),
-        }
-        run.stage.add_time(&mut run.timings, start);
-    }
-
     fn begin_extension(&mut self, run: &mut Run) {
         let start = Instant::now();
         let mapped = self.measured.coming_measure(run.renewal);
@@ -190,48 +177,6 @@ impl SurfaceMap {
         let boundary = self.coming.images(&self.source.domain.samples);
         self.surface.system().begin_extension(boundary, &mut self.extension_scratch);
         run.stage.add_time(&mut run.timings, start);
-    }
-
-    fn go_on(&mut self, run: &mut Run, deadline: Deadline) -> Result<bool, SurfaceMapError> {
-        loop {
-            let start = Instant::now();
-            let is_done = self.advance_stage(run, deadline)?;
-            run.stage.add_time(&mut run.timings, start);
-            if !is_done {
-                return Ok(false);
-            }
-            let Some(next) = run.stage.next() else { return Ok(true) };
-            run.stage = next;
-            self.begin_stage(run);
-            if deadline.is_over() {
-                return Ok(false);
-            }
-        }
-    }
-
-    fn advance_stage(&mut self, run: &Run, deadline: Deadline) -> Result<bool, SurfaceMapError> {
-        let Run { constraints, planar, change, renewal, .. } = run;
-        match run.stage {
-            Stage::Kernel(Side::Source) => {
-                Ok(self.source.advance(Side::Source, planar, change, &mut self.kernel_scratch, deadline)?)
-            }
-            Stage::Kernel(Side::Target) => {
-                let (surface, scratch) = (&self.surface, &mut self.kernel_scratch);
-                let (point, coming) = (constraints.surface_point, &mut self.measured.coming_kernel);
-                if renewal.kernel && !advance_surface_kernel(surface, point, scratch, coming, deadline)? {
-                    return Ok(false);
-                }
-                if renewal.measure {
-                    let anchor = surface.at_fraction(constraints.surface_anchor);
-                    self.measured.set_measure(&surface.edge_lengths, anchor, *renewal);
-                }
-                Ok(true)
-            }
-            Stage::Extension => {
-                let system = self.surface.system();
-                Ok(system.advance_extension(&mut self.extension_scratch, &mut self.images, deadline)?)
-            }
-        }
     }
 
     /// Shows what an update has come to; its images are there already.
@@ -324,5 +269,52 @@ impl SurfaceMap {
     /// Angle distortion and flips of [`Self::distortions`]; shapes are those of the given triangles, not of the flipped ones.
     pub fn quality(&self) -> Quality {
         Quality::summary(&self.distortions())
+    }
+}
+
+impl Staged for SurfaceMap {
+    type Run = Run;
+    type Error = SurfaceMapError;
+
+    fn progress(run: &mut Run) -> (&mut Stage, &mut FrameTimings) {
+        (&mut run.stage, &mut run.timings)
+    }
+
+    fn begin_stage(&mut self, run: &mut Run) {
+        let start = Instant::now();
+        match run.stage {
+            Stage::Kernel(Side::Source) => self.source.begin(&run.change, &mut self.kernel_scratch),
+            Stage::Kernel(Side::Target) if run.renewal.kernel => {
+                begin_surface_kernel(&self.surface, run.constraints.surface_point, &mut self.kernel_scratch);
+            }
+            Stage::Kernel(Side::Target) => {}
+            Stage::Extension => return self.begin_extension(run),
+        }
+        run.stage.add_time(&mut run.timings, start);
+    }
+
+    fn advance_stage(&mut self, run: &Run, deadline: Deadline) -> Result<bool, SurfaceMapError> {
+        let Run { constraints, planar, change, renewal, .. } = run;
+        match run.stage {
+            Stage::Kernel(Side::Source) => {
+                Ok(self.source.advance(Side::Source, planar, change, &mut self.kernel_scratch, deadline)?)
+            }
+            Stage::Kernel(Side::Target) => {
+                let (surface, scratch) = (&self.surface, &mut self.kernel_scratch);
+                let (point, coming) = (constraints.surface_point, &mut self.measured.coming_kernel);
+                if renewal.kernel && !advance_surface_kernel(surface, point, scratch, coming, deadline)? {
+                    return Ok(false);
+                }
+                if renewal.measure {
+                    let anchor = surface.at_fraction(constraints.surface_anchor);
+                    self.measured.set_measure(&surface.edge_lengths, anchor, *renewal);
+                }
+                Ok(true)
+            }
+            Stage::Extension => {
+                let system = self.surface.system();
+                Ok(system.advance_extension(&mut self.extension_scratch, &mut self.images, deadline)?)
+            }
+        }
     }
 }
