@@ -6,12 +6,13 @@
 //!
 //! Dependencies between the modules run one way:
 //! `geometry → outline, mesh → surface, laplace → conformal → session, worker, export → figures → render → app`.
-//! `zipper`, a map through the disk for comparison, stands beside `conformal` and uses no mesh; `closed_form`,
+//! `drawing`, outlines by hand, stands beside `outline`. `zipper`, a map through the disk for comparison, stands beside `conformal` and uses no mesh; `closed_form`,
 //! the presets' maps that are known exactly, stands beside `session`.
 //! Without the default feature `app` only the numerical core is built.
 
 pub mod closed_form;
 pub mod conformal;
+pub mod drawing;
 pub mod exact;
 pub mod export;
 pub mod figures;
