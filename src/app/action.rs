@@ -1,5 +1,6 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
+use super::editing::EditAction;
 use super::reports::Report;
 use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
@@ -30,6 +31,8 @@ pub enum Action {
     OpenImage,
     /// Show all of a side's outline.
     Fit(Side),
+    /// Reshape an outline by hand.
+    Edit(EditAction),
     /// Do what the message about a subject offers.
     Remedy(Subject),
     /// Close the message about a subject.

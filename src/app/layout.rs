@@ -8,8 +8,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, file_menu, header, legend, plots, side_panel, status, surface, teaching, top_bar, viewport,
-    words,
+    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, plots, side_panel, status, surface, teaching, top_bar,
+    viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -34,6 +34,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
+    editing::keys(ui, &app.editor, &app.views, &mut actions);
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
@@ -156,6 +157,9 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
         let boundary = if let Some(scene) = scene {
             app.orbit.place(view.rect, ui.pixels_per_point(), scene);
             surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, &mut actions)
+        } else if app.editor.side() == Some(side) {
+            editing::interact(ui, side, view, &mut app.editor, &mut actions);
+            None
         } else {
             viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions)
         };
@@ -179,7 +183,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     if let Some(gpu) = &app.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
-    let around = Surroundings { narrow, folded: !app.panels_open };
+    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         let view = &app.views[side as usize];
@@ -208,6 +212,8 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
             marked.inspect(|&at| viewport::paint_boundary_mark(ui, side, &app.model, view, at));
             viewport::paint_dots(ui, side, &app.model, view, &app.handles);
         }
+        editing::paint(ui, side, view, &app.editor);
+        editing::show_bar(ui, side, view.rect, narrow, &app.editor, actions);
         viewport::paint_progress(ui, side, &app.model, view.rect);
         viewport::paint_drop_target(ui, side, view.rect);
     }

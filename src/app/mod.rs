@@ -10,6 +10,7 @@ mod cells;
 mod colouring;
 mod dots;
 mod draft;
+mod editing;
 mod figures_menu;
 mod file_menu;
 mod files;
@@ -55,6 +56,7 @@ use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
 use crate::session::{Command, Session};
 use cells::Cells;
+use editing::Editor;
 use gpu::Gpu;
 use handles::HandleState;
 use keeping::{Keeper, Start};
@@ -125,6 +127,7 @@ pub struct RiemapApp {
     cells: Cells,
     plots: Plots,
     handles: HandleState,
+    editor: Editor,
     meter: FrameMeter,
     panels_open: bool,
     sheet_open: bool,
@@ -167,6 +170,7 @@ impl RiemapApp {
             cells: Cells::default(),
             plots: Plots::default(),
             handles: HandleState::default(),
+            editor: Editor::default(),
             meter: FrameMeter::default(),
             panels_open: true,
             sheet_open: false,
@@ -213,6 +217,7 @@ impl RiemapApp {
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
+            editing: editing::stats(&self.editor, &self.views),
         };
         stats::collect(&self.model, screen)
     }
@@ -261,6 +266,10 @@ impl RiemapApp {
                 Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
                 Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
                 Action::Fit(side) => self.views[side as usize].fit(),
+                Action::Edit(action) => {
+                    self.keeper.touch();
+                    self.editor.act(action, &mut self.model, &mut self.views);
+                }
                 Action::Remedy(subject) => self.model.remedy(subject),
                 Action::Dismiss(subject) => self.model.dismiss(subject),
                 Action::OpenReport(report) => self.reports.open(report),
@@ -289,6 +298,7 @@ impl RiemapApp {
     /// Sends what is due to the workers, updates the map, uploads.
     fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
+        self.editor.follow(&mut self.model, &mut self.views);
         for (subject, request) in self.model.take_requests(now) {
             self.preparer.request(subject, request);
         }

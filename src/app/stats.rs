@@ -1,5 +1,6 @@
 //! The numbers on the screen as one plain record, for `window.riemap.stats()` and for tests.
 
+use super::editing::EditingStats;
 use super::model::Model;
 use super::teaching::through_disk::Found;
 use crate::conformal::{FrameTimings, PrepareTimings, Side};
@@ -118,6 +119,8 @@ pub struct Stats {
     pub walks: (u64, Option<f64>),
     /// Where the handles are.
     pub handles: HandlePositions,
+    /// The outline that is being reshaped.
+    pub editing: Option<EditingStats>,
     /// The image of the mapped side's interior point under the piecewise linear map.
     pub image_of_mapped_point: Option<[f64; 2]>,
     /// Where it should be: the other side's interior point.
@@ -145,6 +148,8 @@ pub struct ScreenFacts {
     pub exact_difference: Option<f64>,
     /// Where the Cauchy–Green extension comes from.
     pub cauchy_green: Option<Processor>,
+    /// The outline that is being reshaped.
+    pub editing: Option<EditingStats>,
 }
 
 /// Collects the record.
@@ -184,6 +189,7 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         exact_difference: screen.exact_difference,
         walks: (model.teaching().walks.count(), model.teaching().walks.deviation()),
         handles: screen.handles,
+        editing: screen.editing,
         image_of_mapped_point: image_of_point(model, mapped),
         expected: model.interior(mapped.other()).map(|point| point.to_array()),
         boundary_checksum: boundary_checksum(model),

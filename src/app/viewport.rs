@@ -35,13 +35,14 @@ pub fn interact(
     actions: &mut Actions,
 ) -> Option<f64> {
     let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
-    if pinch(ui, &response, view, handles) {
+    if pinch(ui, &response, view) {
+        handles.release();
         return None;
     }
     let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
     dots::grab_and_release(ui, &response, side, places, handles);
     drag_handle(ui, side, model, view, handles, actions);
-    move_camera(ui, &response, view, handles);
+    move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
     boundary_under_pointer(&response, side, model, view, handles)
 }
 
@@ -59,13 +60,12 @@ fn boundary_under_pointer(
     near.then(|| samples.fraction_at(nearest))
 }
 
-/// Two fingers: pans and zooms, and lets go of what one finger had. Returns whether there are two.
-fn pinch(ui: &Ui, response: &Response, view: &mut View, handles: &mut HandleState) -> bool {
+/// Two fingers: pans and zooms. Returns whether there are two: then what one finger had is let go of.
+pub fn pinch(ui: &Ui, response: &Response, view: &mut View) -> bool {
     let Some(touch) = ui.input(egui::InputState::multi_touch) else { return false };
     if !response.rect.contains(touch.center_pos) {
         return false;
     }
-    handles.release();
     view.pan(touch.translation_delta);
     view.zoom(touch.zoom_delta, touch.center_pos);
     true
@@ -83,12 +83,13 @@ fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Handle
     actions.extend(command.map(Action::Session));
 }
 
-fn move_camera(ui: &Ui, response: &Response, view: &mut View, handles: &HandleState) {
-    if response.dragged() && handles.grip.is_none() {
+/// Drags and scrolls the picture; not while something in it is `held`. A double-click fits it, where that is `fits`.
+pub fn move_camera(ui: &Ui, response: &Response, view: &mut View, held: bool, fits: bool) {
+    if response.dragged() && !held {
         view.pan(response.drag_delta());
         ui.set_cursor_icon(CursorIcon::Move);
     }
-    if response.double_clicked() && handles.hovered.is_none() {
+    if response.double_clicked() && fits {
         view.fit();
     }
     if let Some(pointer) = response.hover_pos() {
@@ -161,7 +162,7 @@ pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
     let (surface, outline) = (&model.surface_side().preparation, model.side(side));
     let stage = if side == Side::Target && surface.is_busy() {
         surface.stage()
-    } else if outline.is_busy() {
+    } else if outline.is_busy() && !outline.is_in_hand() {
         outline.stage()
     } else {
         return;

@@ -8,11 +8,18 @@ use super::DrawingError;
 use super::carry::nearest;
 use super::handles::{handles, is_sharp};
 use super::hermite;
+use super::simplify::simplified_ring;
 use super::smooth::smoothed;
 use crate::geometry::{Bounds, DVec2, PolygonError, SimplePolygon};
 
 /// Fewer handles than a triangle has cannot hold an outline.
 const LEAST_HANDLES: usize = 3;
+
+/// An outline with more vertices is thinned: they cost 1 ms for a thousand with every move of a handle.
+const DENSE: usize = 500;
+
+/// By how much, as a part of the size: a thirtieth of a pixel in a picture of a thousand.
+const INVISIBLE: f64 = 3e-5;
 
 /// A closed chain of vertices, some of them handles.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,8 +31,16 @@ pub struct Shape {
 
 impl Shape {
     /// Chooses handles: all vertices of a polygon that has few, else those that the outline is known by.
+    /// Of very many vertices those are left out that nobody could see; the first one stays.
     pub fn new(polygon: &SimplePolygon) -> Self {
-        Self::of(polygon.vertices().to_vec())
+        let vertices = polygon.vertices();
+        if vertices.len() <= DENSE {
+            return Self::of(vertices.to_vec());
+        }
+        let kept = simplified_ring(vertices, INVISIBLE * polygon.bounds().size().max_element());
+        let thinned = Self::of(kept.into_iter().map(|k| vertices[k]).collect());
+        // in a channel narrower than that the sides could meet
+        if thinned.polygon().is_ok() { thinned } else { Self::of(vertices.to_vec()) }
     }
 
     fn of(vertices: Vec<DVec2>) -> Self {

@@ -1,0 +1,48 @@
+//! What lies over the picture of an edited side: the outline in hand, its handles, where it crosses itself.
+
+use super::{Editor, Reshaping};
+use crate::app::theme::Palette;
+use crate::app::view::View;
+use crate::conformal::Side;
+use egui::{CornerRadius, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2};
+
+/// Half the side of a handle's square, in points: at rest, and under the pointer or selected.
+const HALF: [f32; 2] = [4.0, 6.5];
+
+/// The radius of the ring around a crossing.
+const RING: f32 = 16.0;
+
+/// Paints the outline in hand and its handles.
+pub fn paint(ui: &Ui, side: Side, view: &View, editor: &Editor) {
+    let Some(reshaping) = editor.reshaping(side) else { return };
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(view.rect);
+    let crossed = reshaping.crossing().is_some();
+    let colour = if crossed { palette.error_edge } else { palette.accent_soft };
+    let outline: Vec<Pos2> = reshaping.shape().vertices().iter().map(|&p| view.to_screen(p)).collect();
+    painter.add(Shape::closed_line(outline, Stroke::new(if crossed { 2.5 } else { 1.5 }, colour)));
+    if let Some(at) = reshaping.crossing().and_then(|crossing| crossing.at) {
+        let place = view.to_screen(at);
+        painter.circle_stroke(place, RING, Stroke::new(5.0, palette.canvas));
+        painter.circle_stroke(place, RING, Stroke::new(3.0, palette.error_edge));
+    }
+    for (handle, at) in reshaping.shape().handles().enumerate() {
+        square(&painter, &palette, view.to_screen(at), look(reshaping, editor, handle));
+    }
+}
+
+/// Whether a handle is large, and whether it is selected.
+fn look(reshaping: &Reshaping, editor: &Editor, handle: usize) -> (bool, bool) {
+    let selected = reshaping.selected == Some(handle);
+    let in_hand = reshaping.grabbed() == Some(handle);
+    let hovered = reshaping.grabbed().is_none() && editor.hovered == Some(handle);
+    (selected || in_hand || hovered, selected)
+}
+
+fn square(painter: &Painter, palette: &Palette, place: Pos2, (large, selected): (bool, bool)) {
+    let rect = Rect::from_center_size(place, Vec2::splat(2.0 * HALF[usize::from(large)]));
+    let fill = if selected { palette.accent } else { palette.raised };
+    let edge = if selected { palette.on_accent } else { palette.accent };
+    painter.rect_filled(rect.expand(1.5), CornerRadius::same(2), palette.canvas.gamma_multiply(0.6));
+    painter.rect(rect, CornerRadius::same(2), fill, Stroke::new(1.5, edge), StrokeKind::Inside);
+}

@@ -1,0 +1,39 @@
+//! The outline in hand as a plain record, for `window.riemap.stats()` and for tests.
+
+use super::Editor;
+use crate::app::view::View;
+use crate::conformal::Side;
+use crate::geometry::DVec2;
+use serde::Serialize;
+
+/// An outline that is being reshaped.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EditingStats {
+    /// Whose.
+    pub side: Side,
+    /// Where its handles are, in CSS pixels of the page.
+    pub handles: Vec<[f32; 2]>,
+    /// The handle that keys and buttons mean.
+    pub selected: Option<usize>,
+    /// Where it crosses itself on the screen.
+    pub crossing: Option<[f32; 2]>,
+    /// The message beside it.
+    pub message: Option<String>,
+}
+
+/// What is edited.
+pub fn stats(editor: &Editor, views: &[View; 2]) -> Option<EditingStats> {
+    let side = editor.side()?;
+    let reshaping = editor.reshaping(side)?;
+    let place = |at: DVec2| {
+        let place = views[side as usize].to_screen(at);
+        [place.x, place.y]
+    };
+    Some(EditingStats {
+        side,
+        handles: reshaping.shape().handles().map(place).collect(),
+        selected: reshaping.selected,
+        crossing: reshaping.crossing().and_then(|crossing| crossing.at).map(place),
+        message: editor.message().map(String::from),
+    })
+}
