@@ -18,13 +18,16 @@ mod gpu;
 mod gpu_extension;
 mod handles;
 mod header;
+mod help_menu;
 mod incoming;
 mod keeping;
+mod language;
 mod layout;
 mod legend;
 mod method;
 mod model;
 mod plots;
+mod preferences;
 mod prepare_state;
 mod reports;
 mod screenshot;
@@ -62,6 +65,7 @@ use handles::HandleState;
 use keeping::{Keeper, Start};
 use model::{Changes, Refines};
 use plots::Plots;
+use preferences::Preferences;
 use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
@@ -86,6 +90,7 @@ pub struct Groundwork {
     /// The outlines that the session's link only names.
     missing: Vec<MissingOutline>,
     message: Option<String>,
+    preferences: Preferences,
     preparer: Preparer,
     mailbox: Mailbox,
     events: mpsc::Receiver<Event>,
@@ -99,13 +104,23 @@ impl Groundwork {
         for (subject, request) in model.take_requests(0.0) {
             preparer.request(subject, request);
         }
-        Self { model, resumes: false, missing: Vec::new(), message: None, preparer, mailbox, events }
+        Self {
+            model,
+            resumes: false,
+            missing: Vec::new(),
+            message: None,
+            preferences: Preferences::fixed(),
+            preparer,
+            mailbox,
+            events,
+        }
     }
 
-    /// As [`Self::start`], with the session that the address or the last time has left; what went wrong with it is shown.
+    /// As [`Self::start`], with the session and the preferences that the address or the last time has left; what went
+    /// wrong with the session is shown.
     pub fn resume() -> Self {
         let Start { session, missing, message } = keeping::first_session();
-        Self { missing, message, resumes: true, ..Self::start(session) }
+        Self { missing, message, resumes: true, preferences: Preferences::remembered(), ..Self::start(session) }
     }
 
     /// Where events for the app are posted.
@@ -139,6 +154,7 @@ pub struct RiemapApp {
     message: Option<String>,
     /// What has gone well and cannot be seen, and when it need not be said any more.
     notice: Option<(&'static str, f64)>,
+    preferences: Preferences,
     /// Whether exported texture coordinates are scaled into the unit box.
     unit_coordinates: bool,
     last_change: f64,
@@ -151,7 +167,8 @@ impl RiemapApp {
         groundwork: Groundwork,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Groundwork { model, resumes, missing, message, preparer, mailbox, events } = groundwork;
+        let Groundwork { model, resumes, missing, message, preferences, preparer, mailbox, events } = groundwork;
+        preferences.apply(&creation.egui_ctx);
         mailbox.attach(&creation.egui_ctx);
         let mut keeper = Keeper::new(model.session().clone(), resumes);
         keeper.open_link(missing);
@@ -180,6 +197,7 @@ impl RiemapApp {
             image_name: None,
             message,
             notice: None,
+            preferences,
             unit_coordinates: true,
             last_change: 0.0,
         })
@@ -281,10 +299,16 @@ impl RiemapApp {
                     screenshot::save(context, a.union(b), self.mailbox.clone());
                 }
                 Action::Walks(action) => self.model.act_on_walks(action),
-                Action::ToggleTheme => theme::toggle(context),
+                Action::Prefer(preferences) => self.prefer(context, preferences),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
             }
         }
+    }
+
+    fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {
+        self.preferences = preferences;
+        preferences.apply(context);
+        preferences.remember();
     }
 
     fn export_surface(&mut self, format: SurfaceFormat) {
@@ -424,6 +448,8 @@ impl eframe::App for RiemapApp {
     }
 }
 
+#[cfg(test)]
+mod language_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;

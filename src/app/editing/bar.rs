@@ -2,6 +2,7 @@
 
 use super::{Change, EditAction, Editor};
 use crate::app::action::{Action, Actions};
+use crate::app::language::tr;
 use crate::app::theme::{Palette, ROUNDING};
 use crate::app::widgets::message_box;
 use crate::conformal::Side;
@@ -12,8 +13,8 @@ const THUMB: f32 = 40.0;
 /// Free space below the bar: the legend is there.
 const ABOVE_LEGEND: f32 = 40.0;
 
-const HANDLES: &str = "Drag a square to reshape the outline. Double-click on the outline for another one; \
-    a right click or a long press takes one away. Arrow keys move the selected one (finely with Shift), N goes to the next.";
+const HANDLES_TOOLTIP: &str = "Drag a square to reshape the outline. Double-click on the outline for another one; \
+    a right click or a long press takes one away. Arrow keys move the selected one (finely with Shift), N goes to the next; Escape ends.";
 
 /// Shows the bar of an edited side at the lower edge of its picture.
 pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, actions: &mut Actions) {
@@ -45,8 +46,9 @@ pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, 
 }
 
 fn buttons(ui: &mut Ui, height: f32, selected: Option<usize>, actions: &mut Actions) {
-    let mut button = |ui: &mut Ui, label: &str, tooltip: &str, action: Option<EditAction>| {
-        let button = Button::new(label).min_size(vec2(0.0, height));
+    let mut button = |ui: &mut Ui, label: &'static str, tooltip: &'static str, action: Option<EditAction>| {
+        let button = Button::new(tr(label)).min_size(vec2(0.0, height));
+        let tooltip = tr(tooltip);
         let response = ui.add_enabled(action.is_some(), button).on_hover_text(tooltip).on_disabled_hover_text(tooltip);
         if let Some(action) = action.filter(|_| response.clicked()) {
             actions.push(Action::Edit(action));
@@ -58,5 +60,5 @@ fn buttons(ui: &mut Ui, height: f32, selected: Option<usize>, actions: &mut Acti
     button(ui, "Mirror", "Exchange left and right, the two points too", change(Change::Mirror));
     let delete = selected.and_then(|handle| change(Change::Remove(handle)));
     button(ui, "Delete", "Take the selected handle away (Delete)", delete);
-    button(ui, "Done", &format!("No more changes (Escape).\n\n{HANDLES}"), Some(EditAction::Leave));
+    button(ui, "Done", HANDLES_TOOLTIP, Some(EditAction::Leave));
 }

@@ -18,14 +18,15 @@ pub use paint::paint;
 pub use record::{EditingStats, stats};
 pub use reshaping::{Change, Reshaping};
 
+use super::language::tr;
 use super::model::Model;
 use super::view::View;
 use super::words;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 
-/// What is added to the name of an outline that was reshaped.
-const EDITED: &str = " (edited)";
+/// What is added to the name of an outline that was reshaped, in any language.
+const EDITED: &str = "*";
 
 /// A step of a person who edits.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -112,7 +113,8 @@ impl Editor {
             EditAction::Drag(to) => reshaping.drag(to, model),
             EditAction::Release => {
                 if reshaping.release(model) {
-                    self.refusal = Some(String::from("The outline crossed itself there: the last good one was kept."));
+                    self.refusal =
+                        Some(String::from(tr("The outline crossed itself there: the last good one was kept.")));
                 }
             }
             EditAction::Select(handle) => reshaping.selected = handle,

@@ -13,7 +13,7 @@ mod page;
 mod preparer;
 mod worker_handle;
 
-pub use address::{address_with, link, remember, remembered, show_link};
+pub use address::{address_with, languages, link, remember, remembered, say_language, show_link};
 pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use laboratory::Laboratory;
 pub use page::asks_for_bench;
