@@ -155,12 +155,14 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
         let margins = Margins { bottom: margins.bottom + below, ..margins };
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
         let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
-        let boundary = if let Some(scene) = scene {
+        if let Some(scene) = scene {
             app.orbit.place(view.rect, ui.pixels_per_point(), scene);
-            surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, &mut actions)
-        } else if app.editor.side() == Some(side) {
+        }
+        let boundary = if app.editor.side() == Some(side) {
             editing::interact(ui, side, view, &mut app.editor, &mut actions);
             None
+        } else if scene.is_some() {
+            surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, &mut actions)
         } else {
             viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions)
         };

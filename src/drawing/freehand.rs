@@ -1,6 +1,6 @@
 //! A freehand stroke becomes a smooth closed outline with the corners that it has.
 //!
-//! The tails beyond a crossing near the ends are cut off; of the rest, Douglas and Peucker's
+//! The tails beyond a crossing near the ends, or beyond where the end passes the beginning, are cut off; of the rest, Douglas and Peucker's
 //! points are joined by a centripetal Catmull–Rom spline that may turn sharply where the stroke does.
 
 use super::{DrawingError, closed_curve, simplified};
@@ -49,7 +49,25 @@ fn without_tails(chain: &[DVec2]) -> Vec<DVec2> {
     while let Some((at, i, j)) = first_crossing_of_ends(&chain) {
         chain = [&[at], &chain[i + 1..=j]].concat();
     }
+    end_near_beginning(&mut chain);
     chain
+}
+
+/// An end that runs past the beginning without crossing it is cut off where it passes nearest to it.
+fn end_near_beginning(chain: &mut Vec<DVec2>) {
+    let lengths: Vec<f64> = chain.windows(2).map(|w| w[0].distance(w[1])).collect();
+    let tails = edges_within(lengths.iter().rev(), TAIL * lengths.iter().sum::<f64>());
+    let nearest = |j: usize| {
+        let (a, d) = (chain[j], chain[j + 1] - chain[j]);
+        let part = ((chain[0] - a).dot(d) / d.length_squared()).clamp(0.0, 1.0);
+        (a + part * d, j)
+    };
+    let passes = (lengths.len() - tails..lengths.len()).map(nearest);
+    let first = chain.first().copied().unwrap_or_default();
+    if let Some((at, j)) = passes.min_by(|(p, _), (q, _)| p.distance(first).total_cmp(&q.distance(first))) {
+        chain.truncate(j + 1);
+        chain.push(at);
+    }
 }
 
 /// The first crossing of an edge near the beginning with one near the end: where, and the edges.

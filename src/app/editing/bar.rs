@@ -1,6 +1,6 @@
 //! The small bar over the picture of an edited side: what can be done, and what went wrong.
 
-use super::{Change, EditAction, Editor};
+use super::{Change, Drawing, EditAction, Editor, Pen};
 use crate::app::action::{Action, Actions};
 use crate::app::language::tr;
 use crate::app::theme::{Palette, ROUNDING};
@@ -18,7 +18,9 @@ const HANDLES_TOOLTIP: &str = "Drag a square to reshape the outline. Double-clic
 
 /// Shows the bar of an edited side at the lower edge of its picture.
 pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, actions: &mut Actions) {
-    let Some(reshaping) = editor.reshaping(side) else { return };
+    if editor.side() != Some(side) {
+        return;
+    }
     let palette = Palette::of(ui.visuals());
     let bottom = rect.bottom() - if narrow { 8.0 } else { ABOVE_LEGEND };
     let area = Rect::from_min_max(pos2(rect.left() + 10.0, rect.top()), pos2(rect.right() - 10.0, bottom));
@@ -33,7 +35,11 @@ pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, 
             frame.show(ui, |ui| {
                 ui.spacing_mut().item_spacing.x = 4.0;
                 let height = if narrow { THUMB } else { 28.0 };
-                buttons(ui, height, reshaping.selected, actions);
+                if let Some(drawing) = editor.drawing(side) {
+                    drawing_buttons(ui, height, drawing, actions);
+                } else if let Some(reshaping) = editor.reshaping(side) {
+                    buttons(ui, height, reshaping.selected, actions);
+                }
             });
         });
         if let Some(text) = editor.message() {
@@ -45,20 +51,49 @@ pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, 
     });
 }
 
+/// What the pens want from the person.
+fn pen_words(pen: Pen) -> &'static str {
+    match pen {
+        Pen::Freehand => tr("Draw around the shape in one go"),
+        Pen::Lines => tr("Click the corners one by one"),
+        Pen::Curve => tr("Click points along the curve"),
+    }
+}
+
+fn drawing_buttons(ui: &mut Ui, height: f32, drawing: &Drawing, actions: &mut Actions) {
+    ui.label(pen_words(drawing.pen()));
+    let count = drawing.points().len();
+    if drawing.pen() != Pen::Freehand {
+        let back = (count > 0).then_some(EditAction::TakeBack);
+        button(ui, height, ["Back", "Take the last point back (Backspace)"], back, actions);
+        let close = (count >= 3).then_some(EditAction::Close);
+        button(
+            ui,
+            height,
+            ["Close", "Join the last point to the first (Enter, or click the first point)"],
+            close,
+            actions,
+        );
+    }
+    button(ui, height, ["Cancel", "Draw nothing (Escape)"], Some(EditAction::Leave), actions);
+}
+
+/// A button of the bar, by its label and its tooltip; without an action it is greyed.
+fn button(ui: &mut Ui, height: f32, words: [&'static str; 2], action: Option<EditAction>, actions: &mut Actions) {
+    let [label, tooltip] = words.map(tr);
+    let button = Button::new(label).min_size(vec2(0.0, height));
+    let response = ui.add_enabled(action.is_some(), button).on_hover_text(tooltip).on_disabled_hover_text(tooltip);
+    if let Some(action) = action.filter(|_| response.clicked()) {
+        actions.push(Action::Edit(action));
+    }
+}
+
 fn buttons(ui: &mut Ui, height: f32, selected: Option<usize>, actions: &mut Actions) {
-    let mut button = |ui: &mut Ui, label: &'static str, tooltip: &'static str, action: Option<EditAction>| {
-        let button = Button::new(tr(label)).min_size(vec2(0.0, height));
-        let tooltip = tr(tooltip);
-        let response = ui.add_enabled(action.is_some(), button).on_hover_text(tooltip).on_disabled_hover_text(tooltip);
-        if let Some(action) = action.filter(|_| response.clicked()) {
-            actions.push(Action::Edit(action));
-        }
-    };
     let change = |change| Some(EditAction::Change(change));
     let smooth = "Round the corners: coordinates spread along the outline as heat does; the area stays";
-    button(ui, "Smooth", smooth, change(Change::Smooth));
-    button(ui, "Mirror", "Exchange left and right, the two points too", change(Change::Mirror));
+    button(ui, height, ["Smooth", smooth], change(Change::Smooth), actions);
+    button(ui, height, ["Mirror", "Exchange left and right, the two points too"], change(Change::Mirror), actions);
     let delete = selected.and_then(|handle| change(Change::Remove(handle)));
-    button(ui, "Delete", "Take the selected handle away (Delete)", delete);
-    button(ui, "Done", HANDLES_TOOLTIP, Some(EditAction::Leave));
+    button(ui, height, ["Delete", "Take the selected handle away (Delete)"], delete, actions);
+    button(ui, height, ["Done", HANDLES_TOOLTIP], Some(EditAction::Leave), actions);
 }

@@ -1,9 +1,9 @@
-//! Gestures and keys over a picture whose outline is being reshaped.
+//! Gestures and keys over a picture whose outline is being drawn or reshaped.
 //!
 //! A press on a handle takes it in hand; one beside it moves the picture, a double-click on the
 //! boundary sets another handle there, a long press or a right click on a handle takes it away.
 
-use super::{Change, EditAction, Editor, Reshaping};
+use super::{Change, EditAction, Editor, Reshaping, pen};
 use crate::app::action::{Action, Actions};
 use crate::app::handles::GRAB_RADIUS;
 use crate::app::view::View;
@@ -20,6 +20,9 @@ const FINE_NUDGE: f32 = 0.5;
 /// Turns gestures over the picture of an edited side into steps and camera moves.
 pub fn interact(ui: &Ui, side: Side, view: &mut View, editor: &mut Editor, actions: &mut Actions) {
     let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
+    if let Some(drawing) = editor.drawing(side) {
+        return pen::interact(ui, &response, view, drawing, actions);
+    }
     let Some(reshaping) = editor.reshaping(side) else { return };
     let grabbed = reshaping.grabbed();
     if viewport::pinch(ui, &response, view) {
@@ -109,13 +112,22 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     if pressed(Key::E) {
         let pointer = ui.input(|input| input.pointer.latest_pos());
         let over_target = pointer.is_some_and(|at| views[Side::Target as usize].rect.contains(at));
-        let side = editor.side().unwrap_or(if over_target { Side::Target } else { Side::Source });
+        let reshaped = Side::BOTH.into_iter().find(|&side| editor.reshaping(side).is_some());
+        let side = reshaped.unwrap_or(if over_target { Side::Target } else { Side::Source });
         push(EditAction::Toggle(side));
     }
-    let Some(reshaping) = editor.side().and_then(|side| editor.reshaping(side)) else { return };
+    let Some(side) = editor.side() else { return };
     if pressed(Key::Escape) {
         push(EditAction::Leave);
     }
+    if editor.drawing(side).is_some() {
+        for (key, action) in [(Key::Enter, EditAction::Close), (Key::Backspace, EditAction::TakeBack)] {
+            if pressed(key) {
+                push(action);
+            }
+        }
+    }
+    let Some(reshaping) = editor.reshaping(side) else { return };
     let count = reshaping.shape().handle_count();
     if pressed(Key::N) {
         push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + 1) % count))));

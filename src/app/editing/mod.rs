@@ -1,17 +1,20 @@
-//! Outlines by hand, in the pictures: reshaping one by its handles.
+//! Outlines by hand, in the pictures: drawing one, reshaping one by its handles.
 //!
 //! An [`Editor`] is a state without a screen: gestures, keys and buttons become [`EditAction`]s,
 //! [`Editor::act`] carries them out and tells the model what to prepare. What the person sees of it is
 //! in `paint` and `bar`, what the person does in `gestures`.
 
 mod bar;
+mod drawing;
 mod gestures;
 mod live;
 mod paint;
+mod pen;
 mod record;
 mod reshaping;
 
 pub use bar::show as show_bar;
+pub use drawing::{Drawing, Pen};
 pub use gestures::{interact, keys};
 pub use live::Reshaped;
 pub use paint::paint;
@@ -24,6 +27,9 @@ use super::view::View;
 use super::words;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
+use crate::outline::Outline;
+use egui::vec2;
+use reshaping::Crossing;
 
 /// What is added to the name of an outline that was reshaped, in any language.
 const EDITED: &str = "*";
@@ -33,6 +39,16 @@ const EDITED: &str = "*";
 pub enum EditAction {
     /// Reshape the outline of a side; once more: no more.
     Toggle(Side),
+    /// Draw another one for a side.
+    Draw(Side, Pen),
+    /// The stroke goes on, or a point was clicked.
+    Point(DVec2),
+    /// Take the last point back.
+    TakeBack,
+    /// The stroke came to nothing.
+    Clear,
+    /// Close what is drawn.
+    Close,
     /// No more.
     Leave,
     /// Take a handle in hand.
@@ -49,10 +65,16 @@ pub enum EditAction {
     Dismiss,
 }
 
+#[derive(Debug)]
+enum Work {
+    Reshaping(Reshaping),
+    Drawing(Drawing),
+}
+
 /// What is edited, if anything.
 #[derive(Debug, Default)]
 pub struct Editor {
-    reshaping: Option<Reshaping>,
+    work: Option<Work>,
     /// Whether the view showed all of the outline before: it does again afterwards.
     was_fitted: bool,
     /// The handle under the pointer.
@@ -64,34 +86,55 @@ pub struct Editor {
 impl Editor {
     /// The outline of this side under the hand.
     pub fn reshaping(&self, side: Side) -> Option<&Reshaping> {
-        self.reshaping.as_ref().filter(|reshaping| reshaping.side() == side)
+        match &self.work {
+            Some(Work::Reshaping(reshaping)) if reshaping.side() == side => Some(reshaping),
+            _ => None,
+        }
+    }
+
+    /// What is drawn for this side.
+    pub fn drawing(&self, side: Side) -> Option<&Drawing> {
+        match &self.work {
+            Some(Work::Drawing(drawing)) if drawing.side() == side => Some(drawing),
+            _ => None,
+        }
     }
 
     /// The side that is edited.
     pub fn side(&self) -> Option<Side> {
-        self.reshaping.as_ref().map(Reshaping::side)
+        match self.work.as_ref()? {
+            Work::Reshaping(reshaping) => Some(reshaping.side()),
+            Work::Drawing(drawing) => Some(drawing.side()),
+        }
+    }
+
+    /// Where the outline in hand, or what was drawn, crosses itself, and what is said about it.
+    pub fn crossing(&self) -> Option<&Crossing> {
+        match self.work.as_ref()? {
+            Work::Reshaping(reshaping) => reshaping.crossing(),
+            Work::Drawing(drawing) => drawing.crossing(),
+        }
     }
 
     /// What is to be said about the outline in hand, or about a change that was not made.
     pub fn message(&self) -> Option<&str> {
-        let crossing = self.reshaping.as_ref().and_then(Reshaping::crossing);
-        crossing.map(|crossing| crossing.text.as_str()).or(self.refusal.as_deref())
+        self.crossing().map(|crossing| crossing.text.as_str()).or(self.refusal.as_deref())
     }
 
     /// Lets go without a word to the model: what was in hand is about to be replaced.
     pub fn drop_handle(&mut self) {
-        if let Some(reshaping) = &mut self.reshaping {
+        if let Some(Work::Reshaping(reshaping)) = &mut self.work {
             reshaping.drop_handle();
         }
     }
 
     /// Takes in what became of the outline by other means; a surface in its place ends the editing.
     pub fn follow(&mut self, model: &mut Model, views: &mut [View; 2]) {
-        let hidden = self.side() == Some(Side::Target) && model.surface().is_some();
+        let Some(Work::Reshaping(reshaping)) = &mut self.work else { return };
+        let hidden = reshaping.side() == Side::Target && model.surface().is_some();
         if hidden {
-            return self.leave(model, views);
-        }
-        if let Some(reshaping) = &mut self.reshaping {
+            self.leave(model, views);
+        } else {
             reshaping.follow(model);
         }
     }
@@ -99,12 +142,43 @@ impl Editor {
     /// Carries out a step.
     pub fn act(&mut self, action: EditAction, model: &mut Model, views: &mut [View; 2]) {
         match action {
-            EditAction::Toggle(side) if self.side() == Some(side) => return self.leave(model, views),
-            EditAction::Toggle(side) => return self.begin(side, model, views),
-            EditAction::Leave => return self.leave(model, views),
+            EditAction::Toggle(side) if self.reshaping(side).is_some() => self.leave(model, views),
+            EditAction::Toggle(side) => self.begin(side, model, views),
+            EditAction::Draw(side, pen) => {
+                self.leave(model, views);
+                self.work = Some(Work::Drawing(Drawing::new(side, pen)));
+            }
+            EditAction::Leave => self.leave(model, views),
+            _ => match self.work {
+                Some(Work::Reshaping(_)) => self.reshape(action, model),
+                Some(Work::Drawing(_)) => self.draw(action, model, views),
+                None => {}
+            },
+        }
+    }
+
+    fn draw(&mut self, action: EditAction, model: &mut Model, views: &mut [View; 2]) {
+        let Some(Work::Drawing(drawing)) = &mut self.work else { return };
+        match action {
+            EditAction::Point(point) => drawing.add(point),
+            EditAction::TakeBack => drawing.take_back(),
+            EditAction::Clear | EditAction::Dismiss => drawing.clear(),
+            EditAction::Close => {
+                let side = drawing.side();
+                let view = &views[side as usize];
+                let pixel = view.to_world(view.rect.min + vec2(1.0, 0.0)).distance(view.to_world(view.rect.min));
+                if let Some(polygon) = drawing.close(pixel) {
+                    let outline = Outline { name: String::from(tr("Drawing")), polygon, notes: Vec::new() };
+                    model.want_loaded(side, outline);
+                    self.leave(model, views);
+                }
+            }
             _ => {}
         }
-        let Some(reshaping) = &mut self.reshaping else { return };
+    }
+
+    fn reshape(&mut self, action: EditAction, model: &mut Model) {
+        let Some(Work::Reshaping(reshaping)) = &mut self.work else { return };
         if !matches!(action, EditAction::Select(_) | EditAction::Drag(_)) {
             self.refusal = None;
         }
@@ -121,7 +195,7 @@ impl Editor {
             EditAction::Change(change) => {
                 self.refusal = reshaping.change(change, model).err().map(|error| error.to_string());
             }
-            EditAction::Dismiss | EditAction::Toggle(_) | EditAction::Leave => {}
+            _ => {}
         }
     }
 
@@ -132,14 +206,15 @@ impl Editor {
         }
         let name = words::outline(&model.side(side).wanted().outline);
         let name = format!("{}{EDITED}", name.strip_suffix(EDITED).unwrap_or(name));
-        self.reshaping = Reshaping::new(side, name, model);
+        let Some(reshaping) = Reshaping::new(side, name, model) else { return };
+        self.work = Some(Work::Reshaping(reshaping));
         let view = &mut views[side as usize];
         self.was_fitted = view.is_fitted();
         view.stay();
     }
 
     fn leave(&mut self, model: &mut Model, views: &mut [View; 2]) {
-        if let Some(mut reshaping) = self.reshaping.take() {
+        if let Some(Work::Reshaping(mut reshaping)) = self.work.take() {
             reshaping.release(model);
             if self.was_fitted {
                 views[reshaping.side() as usize].fit();

@@ -1,6 +1,7 @@
 //! What lies over the picture of an edited side: the outline in hand, its handles, where it crosses itself.
 
-use super::{Editor, Reshaping};
+use super::reshaping::Crossing;
+use super::{Drawing, Editor, Pen, Reshaping};
 use crate::app::theme::Palette;
 use crate::app::view::View;
 use crate::conformal::Side;
@@ -12,8 +13,14 @@ const HALF: [f32; 2] = [4.0, 6.5];
 /// The radius of the ring around a crossing.
 const RING: f32 = 16.0;
 
-/// Paints the outline in hand and its handles.
+/// How much of what is under a drawing is hidden by the sheet that it is drawn on.
+const SHEET: f32 = 0.78;
+
+/// Paints what is drawn, or the outline in hand and its handles.
 pub fn paint(ui: &Ui, side: Side, view: &View, editor: &Editor) {
+    if let Some(drawing) = editor.drawing(side) {
+        paint_drawing(ui, view, drawing);
+    }
     let Some(reshaping) = editor.reshaping(side) else { return };
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
@@ -21,13 +28,38 @@ pub fn paint(ui: &Ui, side: Side, view: &View, editor: &Editor) {
     let colour = if crossed { palette.error_edge } else { palette.accent_soft };
     let outline: Vec<Pos2> = reshaping.shape().vertices().iter().map(|&p| view.to_screen(p)).collect();
     painter.add(Shape::closed_line(outline, Stroke::new(if crossed { 2.5 } else { 1.5 }, colour)));
-    if let Some(at) = reshaping.crossing().and_then(|crossing| crossing.at) {
+    ring(&painter, &palette, view, reshaping.crossing());
+    for (handle, at) in reshaping.shape().handles().enumerate() {
+        square(&painter, &palette, view.to_screen(at), look(reshaping, editor, handle));
+    }
+}
+
+/// The place where the outline crosses itself.
+fn ring(painter: &Painter, palette: &Palette, view: &View, crossing: Option<&Crossing>) {
+    if let Some(at) = crossing.and_then(|crossing| crossing.at) {
         let place = view.to_screen(at);
         painter.circle_stroke(place, RING, Stroke::new(5.0, palette.canvas));
         painter.circle_stroke(place, RING, Stroke::new(3.0, palette.error_edge));
     }
-    for (handle, at) in reshaping.shape().handles().enumerate() {
-        square(&painter, &palette, view.to_screen(at), look(reshaping, editor, handle));
+}
+
+/// A drawing on a sheet over the picture, with the edge that would close it.
+fn paint_drawing(ui: &Ui, view: &View, drawing: &Drawing) {
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(view.rect);
+    painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas.gamma_multiply(SHEET));
+    let ink = if drawing.crossing().is_some() { palette.error_edge } else { palette.accent_soft };
+    let clicks = drawing.pen() != Pen::Freehand;
+    let pointer = ui.input(|input| input.pointer.latest_pos()).filter(|at| clicks && view.rect.contains(*at));
+    let next = pointer.filter(|_| drawing.crossing().is_none()).map(|at| view.to_world(at));
+    let chain: Vec<Pos2> = drawing.chain(next).into_iter().map(|p| view.to_screen(p)).collect();
+    if let (Some(&first), Some(&last)) = (chain.first(), chain.last()) {
+        painter.line_segment([last, first], Stroke::new(1.0, palette.weak));
+    }
+    painter.line(chain, Stroke::new(2.5, ink));
+    ring(&painter, &palette, view, drawing.crossing());
+    for (k, &at) in drawing.points().iter().enumerate().filter(|_| clicks) {
+        square(&painter, &palette, view.to_screen(at), (k == 0, false));
     }
 }
 

@@ -6,13 +6,15 @@ use crate::conformal::Side;
 use crate::geometry::DVec2;
 use serde::Serialize;
 
-/// An outline that is being reshaped.
+/// An outline that is being drawn or reshaped.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EditingStats {
     /// Whose.
     pub side: Side,
-    /// Where its handles are, in CSS pixels of the page.
+    /// Where its handles are, or the points of what is drawn, in CSS pixels of the page.
     pub handles: Vec<[f32; 2]>,
+    /// Whether it is being drawn.
+    pub draws: bool,
     /// The handle that keys and buttons mean.
     pub selected: Option<usize>,
     /// Where it crosses itself on the screen.
@@ -24,16 +26,20 @@ pub struct EditingStats {
 /// What is edited.
 pub fn stats(editor: &Editor, views: &[View; 2]) -> Option<EditingStats> {
     let side = editor.side()?;
-    let reshaping = editor.reshaping(side)?;
     let place = |at: DVec2| {
         let place = views[side as usize].to_screen(at);
         [place.x, place.y]
     };
     Some(EditingStats {
         side,
-        handles: reshaping.shape().handles().map(place).collect(),
-        selected: reshaping.selected,
-        crossing: reshaping.crossing().and_then(|crossing| crossing.at).map(place),
+        handles: match (editor.reshaping(side), editor.drawing(side)) {
+            (Some(reshaping), _) => reshaping.shape().handles().map(place).collect(),
+            (None, Some(drawing)) => drawing.points().iter().copied().map(place).collect(),
+            (None, None) => Vec::new(),
+        },
+        draws: editor.drawing(side).is_some(),
+        selected: editor.reshaping(side).and_then(|reshaping| reshaping.selected),
+        crossing: editor.crossing().and_then(|crossing| crossing.at).map(place),
         message: editor.message().map(String::from),
     })
 }
