@@ -28,12 +28,20 @@ pub enum Action {
     CopyLink,
     /// Show the dialog for an outline.
     OpenOutline(Side),
+    /// Show the dialog for a picture to trace for this side.
+    OpenTrace(Side),
+    /// Trace the picture that has just become the texture.
+    TraceImage,
+    /// Leave it the texture.
+    DismissOffer,
     /// Show the dialog for the texture image.
     OpenImage,
     /// Show all of a side's outline.
     Fit(Side),
-    /// Reshape an outline by hand.
+    /// Draw or reshape an outline by hand.
     Edit(EditAction),
+    /// Take a pasted text as the source's outline.
+    PasteText(String),
     /// Do what the message about a subject offers.
     Remedy(Subject),
     /// Close the message about a subject.

@@ -9,8 +9,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, plots, side_panel, status, surface, teaching, top_bar,
-    viewport, words,
+    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, plots, side_panel, status, surface, teaching,
+    top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -36,6 +36,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
     editing::keys(ui, &app.editor, &app.views, &mut actions);
+    actions.extend(editing::pasted(ui).map(Action::PasteText));
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
@@ -159,7 +160,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
             app.orbit.place(view.rect, ui.pixels_per_point(), scene);
         }
         let boundary = if app.editor.side() == Some(side) {
-            editing::interact(ui, side, view, &mut app.editor, &mut actions);
+            editing::interact(ui, side, &app.model, view, &mut app.editor, &mut app.handles, &mut actions);
             None
         } else if scene.is_some() {
             surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, &mut actions)
@@ -178,6 +179,8 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     paint(app, ui, narrow, &mut actions);
     common_message(app, ui, &mut actions);
     app.reports.show(&context);
+    offer::show(ui, &mut app.offer, &mut actions);
+    editing::show_paste(&context, &mut app.editor, &mut actions);
     app.carry_out(&context, actions);
 }
 
@@ -220,7 +223,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         viewport::paint_progress(ui, side, &app.model, view.rect);
         viewport::paint_drop_target(ui, side, view.rect);
     }
-    if !app.handles.ever_dragged && app.model.shown().is_some() {
+    if !app.handles.ever_dragged && app.model.shown().is_some() && app.editor.side().is_none() {
         viewport::paint_hint(ui, &app.model, &app.views[0]);
     }
     let [a, b] = app.views.each_ref().map(|view| view.rect);

@@ -26,6 +26,7 @@ mod layout;
 mod legend;
 mod method;
 mod model;
+mod offer;
 mod plots;
 mod preferences;
 mod prepare_state;
@@ -42,6 +43,7 @@ mod teaching;
 mod textured;
 mod theme;
 mod top_bar;
+mod tracing;
 mod trouble;
 mod view;
 mod viewport;
@@ -64,6 +66,7 @@ use gpu::Gpu;
 use handles::HandleState;
 use keeping::{Keeper, Start};
 use model::{Changes, Refines};
+use offer::Offer;
 use plots::Plots;
 use preferences::Preferences;
 use reports::{Report, Reports};
@@ -150,6 +153,8 @@ pub struct RiemapApp {
     reports: Reports,
     laboratory: Laboratory,
     image_name: Option<String>,
+    /// The picture that can be traced now.
+    offer: Option<Offer>,
     /// What is wrong with an image or a file that was to be saved.
     message: Option<String>,
     /// What has gone well and cannot be seen, and when it need not be said any more.
@@ -195,6 +200,7 @@ impl RiemapApp {
             reports,
             laboratory,
             image_name: None,
+            offer: None,
             message,
             notice: None,
             preferences,
@@ -281,12 +287,19 @@ impl RiemapApp {
                 Action::SaveSession => self.save_session(),
                 Action::CopyLink => self.copy_link(context),
                 Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
+                Action::OpenTrace(side) => platform::pick_file(FilePurpose::Trace(side), self.mailbox.clone()),
+                Action::TraceImage => self.trace_image(),
+                Action::DismissOffer => self.offer = None,
                 Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
                 Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
                 Action::Fit(side) => self.views[side as usize].fit(),
                 Action::Edit(action) => {
                     self.keeper.touch();
                     self.editor.act(action, &mut self.model, &mut self.views);
+                }
+                Action::PasteText(text) => {
+                    self.keeper.touch();
+                    self.editor.take_text(text, &mut self.model, &mut self.views);
                 }
                 Action::Remedy(subject) => self.model.remedy(subject),
                 Action::Dismiss(subject) => self.model.dismiss(subject),

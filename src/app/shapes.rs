@@ -110,6 +110,18 @@ fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
             ui.close();
         }
     }
+    let paste =
+        ui.button(tr("Paste…")).on_hover_text(tr("SVG path data or coordinates; Ctrl+V anywhere is the source's"));
+    if paste.clicked() {
+        actions.push(Action::Edit(EditAction::OpenPaste(side)));
+        ui.close();
+    }
+    let trace =
+        ui.button(tr("Trace a picture…")).on_hover_text(tr("The outline of the largest shape in a PNG or JPEG"));
+    if trace.clicked() {
+        actions.push(Action::OpenTrace(side));
+        ui.close();
+    }
 }
 
 fn cells(ui: &mut Ui, all: &[Shown], columns: usize, side: Side, current: Option<Shown>, actions: &mut Actions) {

@@ -40,11 +40,24 @@ pub fn interact(
         handles.release();
         return None;
     }
-    let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
-    dots::grab_and_release(ui, &response, side, places, handles);
-    drag_handle(ui, side, model, view, handles, actions);
+    drag_dots(ui, &response, side, model, view, handles, actions);
     move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
     boundary_under_pointer(&response, side, model, view, handles)
+}
+
+/// Grabs, drags and lets go of the side's two dots.
+pub fn drag_dots(
+    ui: &Ui,
+    response: &Response,
+    side: Side,
+    model: &Model,
+    view: &View,
+    handles: &mut HandleState,
+    actions: &mut Actions,
+) {
+    let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
+    dots::grab_and_release(ui, response, side, places, handles);
+    drag_handle(ui, side, model, view, handles, actions);
 }
 
 fn boundary_under_pointer(

@@ -6,6 +6,19 @@
 use super::hermite;
 use crate::geometry::DVec2;
 
+/// A turn of a simplified chain by more than this (60°) is meant as a corner: on a circle of
+/// a finger's width the turns are below 50°, at the tips of a hastily drawn star above 90°.
+const CORNER: f64 = std::f64::consts::FRAC_PI_3;
+
+/// The [`closed_curve`] through the `points` of a simplified chain, with corners where they turn sharply.
+pub fn curve_with_corners(points: &[DVec2]) -> Vec<DVec2> {
+    let n = points.len();
+    closed_curve(points, |k| {
+        let (p, q, r) = (points[(k + n - 1) % n], points[k % n], points[(k + 1) % n]);
+        (q - p).angle_to(r - q).abs() > CORNER
+    })
+}
+
 /// The closed curve through `points` as a dense polygon; at those that are `corners` it may turn sharply.
 /// Fewer than three points, or repeated neighbours, are given back as they are but for the repetition.
 pub fn closed_curve(points: &[DVec2], corners: impl Fn(usize) -> bool) -> Vec<DVec2> {

@@ -3,12 +3,8 @@
 //! The tails beyond a crossing near the ends, or beyond where the end passes the beginning, are cut off; of the rest, Douglas and Peucker's
 //! points are joined by a centripetal Catmull–Rom spline that may turn sharply where the stroke does.
 
-use super::{DrawingError, closed_curve, simplified};
+use super::{DrawingError, curve_with_corners, simplified};
 use crate::geometry::{DVec2, Side, side};
-
-/// A turn of the simplified stroke by more than this (60°) is meant as a corner: on a circle of
-/// a finger's width the turns are below 50°, at the tips of a hastily drawn star above 90°.
-const CORNER: f64 = std::f64::consts::FRAC_PI_3;
 
 /// The part of a stroke, from either end, in which a crossing is an overshoot.
 const TAIL: f64 = 0.25;
@@ -34,12 +30,7 @@ pub fn freehand(stroke: &[DVec2], tolerance: f64) -> Result<Vec<DVec2>, DrawingE
     if points.len() < 3 || size < LEAST_SIZE * tolerance {
         return Err(DrawingError::TooShort);
     }
-    let n = points.len();
-    let is_corner = |k: usize| {
-        let (p, q, r) = (points[(k + n - 1) % n], points[k % n], points[(k + 1) % n]);
-        (q - p).angle_to(r - q).abs() > CORNER
-    };
-    Ok(closed_curve(&points, is_corner))
+    Ok(curve_with_corners(&points))
 }
 
 /// The chain between the crossings of its beginning with its end; without one, all of it.

@@ -15,11 +15,11 @@ mod simplify;
 mod smooth;
 
 pub use carry::carried_fraction;
-pub use curve::closed_curve;
+pub use curve::{closed_curve, curve_with_corners};
 pub use error::DrawingError;
 pub use freehand::freehand;
 pub use shape::{Axis, Shape};
-pub use simplify::simplified;
+pub use simplify::{simplified, simplified_ring};
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]

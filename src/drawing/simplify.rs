@@ -25,7 +25,7 @@ pub fn simplified(chain: &[DVec2], tolerance: f64) -> Vec<usize> {
 ///
 /// It is cut at the first point and the one farthest from it; a corner at the cut stays a corner, and
 /// the first point remains even on a smooth piece.
-pub(super) fn simplified_ring(ring: &[DVec2], tolerance: f64) -> Vec<usize> {
+pub fn simplified_ring(ring: &[DVec2], tolerance: f64) -> Vec<usize> {
     let Some(&first) = ring.first() else { return Vec::new() };
     let far = (0..ring.len()).max_by(|&i, &j| first.distance(ring[i]).total_cmp(&first.distance(ring[j]))).unwrap_or(0);
     let back: Vec<DVec2> = ring[far..].iter().copied().chain([first]).collect();

@@ -5,7 +5,8 @@
 
 use super::{Change, EditAction, Editor, Reshaping, pen};
 use crate::app::action::{Action, Actions};
-use crate::app::handles::GRAB_RADIUS;
+use crate::app::handles::{GRAB_RADIUS, HandleState};
+use crate::app::model::Model;
 use crate::app::view::View;
 use crate::app::viewport::{self, BOUNDARY_REACH};
 use crate::conformal::Side;
@@ -17,8 +18,17 @@ const NUDGE: f32 = 4.0;
 /// The same with Shift.
 const FINE_NUDGE: f32 = 0.5;
 
-/// Turns gestures over the picture of an edited side into steps and camera moves.
-pub fn interact(ui: &Ui, side: Side, view: &mut View, editor: &mut Editor, actions: &mut Actions) {
+/// Turns gestures over the picture of an edited side into steps and camera moves. The dots can be
+/// dragged as ever, where no handle is under the pointer.
+pub fn interact(
+    ui: &Ui,
+    side: Side,
+    model: &Model,
+    view: &mut View,
+    editor: &mut Editor,
+    dots: &mut HandleState,
+    actions: &mut Actions,
+) {
     let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
     if let Some(drawing) = editor.drawing(side) {
         return pen::interact(ui, &response, view, drawing, actions);
@@ -30,7 +40,14 @@ pub fn interact(ui: &Ui, side: Side, view: &mut View, editor: &mut Editor, actio
         return;
     }
     let pointer = ui.input(|input| input.pointer.interact_pos()).filter(|_| response.contains_pointer());
-    let under = pointer.and_then(|pointer| handle_near(reshaping, view, pointer));
+    let under = pointer.filter(|_| dots.grip.is_none()).and_then(|pointer| handle_near(reshaping, view, pointer));
+    if grabbed.is_none() && under.is_none() {
+        viewport::drag_dots(ui, &response, side, model, view, dots, actions);
+        if dots.grip.is_some() || dots.hovered.is_some() {
+            editor.hovered = None;
+            return;
+        }
+    }
     match grabbed {
         Some(handle) => drag(ui, &response, reshaping, view, handle, actions),
         None => press(ui, &response, reshaping, view, pointer, under, actions),

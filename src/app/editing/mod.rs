@@ -9,6 +9,7 @@ mod drawing;
 mod gestures;
 mod live;
 mod paint;
+mod paste;
 mod pen;
 mod record;
 mod reshaping;
@@ -18,6 +19,7 @@ pub use drawing::{Drawing, Pen};
 pub use gestures::{interact, keys};
 pub use live::Reshaped;
 pub use paint::paint;
+pub use paste::{pasted, show as show_paste};
 pub use record::{EditingStats, stats};
 pub use reshaping::{Change, Reshaping};
 
@@ -29,6 +31,7 @@ use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::outline::Outline;
 use egui::vec2;
+use paste::Paste;
 use reshaping::Crossing;
 
 /// What is added to the name of an outline that was reshaped, in any language.
@@ -63,6 +66,12 @@ pub enum EditAction {
     Change(Change),
     /// The message has been read.
     Dismiss,
+    /// Open the window for pasted text, for a side.
+    OpenPaste(Side),
+    /// Take what is written in it.
+    TakePasted,
+    /// Close it.
+    ClosePaste,
 }
 
 #[derive(Debug)]
@@ -81,6 +90,8 @@ pub struct Editor {
     hovered: Option<usize>,
     /// Why the last change was not made.
     refusal: Option<String>,
+    /// The window for pasted text, while it is open.
+    paste: Option<Paste>,
 }
 
 impl Editor {
@@ -149,12 +160,27 @@ impl Editor {
                 self.work = Some(Work::Drawing(Drawing::new(side, pen)));
             }
             EditAction::Leave => self.leave(model, views),
+            EditAction::OpenPaste(side) => self.paste = Some(Paste::new(side)),
+            EditAction::ClosePaste => self.paste = None,
+            EditAction::TakePasted => {
+                if let Some((side, outline)) = self.paste.as_mut().and_then(Paste::take) {
+                    self.paste = None;
+                    self.leave(model, views);
+                    model.want_loaded(side, outline);
+                }
+            }
             _ => match self.work {
                 Some(Work::Reshaping(_)) => self.reshape(action, model),
                 Some(Work::Drawing(_)) => self.draw(action, model, views),
                 None => {}
             },
         }
+    }
+
+    /// Text was pasted while no field had the keyboard: an outline for the source; what is none is shown in the window.
+    pub fn take_text(&mut self, text: String, model: &mut Model, views: &mut [View; 2]) {
+        self.paste = Some(Paste::with(Side::Source, text));
+        self.act(EditAction::TakePasted, model, views);
     }
 
     fn draw(&mut self, action: EditAction, model: &mut Model, views: &mut [View; 2]) {
