@@ -100,9 +100,9 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
 /// The ways to draw an outline.
 fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
     let pens = [
-        (Pen::Freehand, tr("Draw freehand"), tr("Around the shape in one stroke; corners stay corners")),
-        (Pen::Lines, tr("Draw lines"), tr("Straight edges between clicked points")),
-        (Pen::Curve, tr("Draw a curve"), tr("A smooth curve through clicked points")),
+        (Pen::Freehand, tr("Draw freehand"), tr("Around the shape in one stroke; corners stay corners (D)")),
+        (Pen::Lines, tr("Draw lines"), tr("Straight edges between clicked points (L)")),
+        (Pen::Curve, tr("Draw a curve"), tr("A smooth curve through clicked points (C)")),
     ];
     for (pen, label, tooltip) in pens {
         if ui.button(label).on_hover_text(tooltip).clicked() {

@@ -3,7 +3,7 @@
 //! A press on a handle takes it in hand; one beside it moves the picture, a double-click on the
 //! boundary sets another handle there, a long press or a right click on a handle takes it away.
 
-use super::{Change, EditAction, Editor, Reshaping, pen};
+use super::{Change, EditAction, Editor, Pen, Reshaping, pen};
 use crate::app::action::{Action, Actions};
 use crate::app::handles::{GRAB_RADIUS, HandleState};
 use crate::app::model::Model;
@@ -118,7 +118,7 @@ fn shifted(view: &View, at: DVec2, by: Vec2) -> DVec2 {
     at + view.to_world(view.rect.center() + by) - view.to_world(view.rect.center())
 }
 
-/// E begins and ends, Escape ends; while reshaping, the arrows move the selected handle, Delete takes it
+/// E begins and ends to reshape, D, L and C begin to draw, Escape ends; while reshaping, the arrows move the selected handle, Delete takes it
 /// away, N goes to the next one. Not while a control has the keyboard.
 pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) {
     if ui.memory(|memory| memory.focused().is_some()) {
@@ -126,12 +126,17 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     }
     let mut push = |action| actions.push(Action::Edit(action));
     let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    let pointer = ui.input(|input| input.pointer.latest_pos());
+    let over_target = pointer.is_some_and(|at| views[Side::Target as usize].rect.contains(at));
+    let meant = if over_target { Side::Target } else { Side::Source };
     if pressed(Key::E) {
-        let pointer = ui.input(|input| input.pointer.latest_pos());
-        let over_target = pointer.is_some_and(|at| views[Side::Target as usize].rect.contains(at));
         let reshaped = Side::BOTH.into_iter().find(|&side| editor.reshaping(side).is_some());
-        let side = reshaped.unwrap_or(if over_target { Side::Target } else { Side::Source });
-        push(EditAction::Toggle(side));
+        push(EditAction::Toggle(reshaped.unwrap_or(meant)));
+    }
+    for (key, pen) in [(Key::D, Pen::Freehand), (Key::L, Pen::Lines), (Key::C, Pen::Curve)] {
+        if pressed(key) {
+            push(EditAction::Draw(meant, pen));
+        }
     }
     let Some(side) = editor.side() else { return };
     if pressed(Key::Escape) {
