@@ -36,6 +36,16 @@ impl Paste {
         Self { side, text, error: None }
     }
 
+    /// For which side.
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
+    /// Why the text is no outline.
+    pub fn error(&self) -> Option<&str> {
+        self.error.as_deref()
+    }
+
     /// The outline that is written in it; where there is none, the reason is kept.
     pub fn take(&mut self) -> Option<(Side, Outline)> {
         match parse(tr("Pasted"), self.text.as_bytes()) {

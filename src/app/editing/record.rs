@@ -1,12 +1,13 @@
 //! The outline in hand as a plain record, for `window.riemap.stats()` and for tests.
 
 use super::Editor;
+use super::paste::Paste;
 use crate::app::view::View;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use serde::Serialize;
 
-/// An outline that is being drawn or reshaped.
+/// An outline that is being drawn, reshaped or pasted.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EditingStats {
     /// Whose.
@@ -19,13 +20,14 @@ pub struct EditingStats {
     pub selected: Option<usize>,
     /// Where it crosses itself on the screen.
     pub crossing: Option<[f32; 2]>,
-    /// The message beside it.
+    /// What is said about it.
     pub message: Option<String>,
 }
 
 /// What is edited.
 pub fn stats(editor: &Editor, views: &[View; 2]) -> Option<EditingStats> {
-    let side = editor.side()?;
+    let pasting = editor.paste.as_ref();
+    let side = editor.side().or_else(|| pasting.map(Paste::side))?;
     let place = |at: DVec2| {
         let place = views[side as usize].to_screen(at);
         [place.x, place.y]
@@ -40,6 +42,6 @@ pub fn stats(editor: &Editor, views: &[View; 2]) -> Option<EditingStats> {
         draws: editor.drawing(side).is_some(),
         selected: editor.reshaping(side).and_then(|reshaping| reshaping.selected),
         crossing: editor.crossing().and_then(|crossing| crossing.at).map(place),
-        message: editor.message().map(String::from),
+        message: editor.message().or_else(|| pasting?.error()).map(String::from),
     })
 }
