@@ -20,11 +20,13 @@ mod header;
 mod help_menu;
 mod incoming;
 mod keeping;
+mod keyboard;
 mod language;
 mod layout;
 mod legend;
 mod method;
 mod model;
+mod nudge;
 mod plots;
 mod preferences;
 mod prepare_state;
@@ -33,6 +35,7 @@ mod screenshot;
 mod sessions;
 mod shapes;
 mod side_panel;
+mod spoken;
 mod stats;
 mod status;
 pub mod still;
@@ -61,6 +64,7 @@ use cells::Cells;
 use gpu::Gpu;
 use handles::HandleState;
 use keeping::{Keeper, Start};
+use keyboard::Keyboard;
 use model::{Changes, Refines};
 use plots::Plots;
 use preferences::Preferences;
@@ -143,6 +147,7 @@ pub struct RiemapApp {
     meter: FrameMeter,
     panels_open: bool,
     sheet_open: bool,
+    keyboard: Keyboard,
     keeper: Keeper,
     reports: Reports,
     laboratory: Laboratory,
@@ -187,6 +192,7 @@ impl RiemapApp {
             meter: FrameMeter::default(),
             panels_open: true,
             sheet_open: false,
+            keyboard: Keyboard::default(),
             keeper,
             reports,
             laboratory,
@@ -331,6 +337,7 @@ impl RiemapApp {
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {
+            platform::describe(&spoken::state(self));
             let refined = self.model.refine_at_rest();
             if refined.images {
                 self.show_changes(context, refined);
@@ -409,23 +416,15 @@ impl eframe::App for RiemapApp {
         let since_last = ui.input(|input| input.unstable_dt);
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
         layout::show(self, ui);
+        let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
+        if let Some(spoken) = spoken {
+            platform::say(&spoken);
+        }
     }
 
-    /// Tab folds the panels, unless a control has the keyboard.
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
-        if context.memory(|memory| memory.focused().is_some()) {
-            return;
-        }
-        input.events.retain(|event| {
-            let egui::Event::Key { key: egui::Key::Tab, pressed, modifiers, .. } = event else { return true };
-            if modifiers.any() {
-                return true;
-            }
-            if *pressed {
-                self.panels_open = !self.panels_open;
-            }
-            false
-        });
+        let folds = self.keyboard.take_in(context, input);
+        self.panels_open ^= folds % 2 == 1;
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
