@@ -10,6 +10,7 @@ mod cells;
 mod colouring;
 mod dots;
 mod draft;
+mod explore;
 mod figures_menu;
 mod file_menu;
 mod files;
@@ -61,6 +62,7 @@ use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
 use crate::session::{Command, Session};
 use cells::Cells;
+use explore::{Explore, ExploreAction};
 use gpu::Gpu;
 use handles::HandleState;
 use keeping::{Keeper, Start};
@@ -73,6 +75,7 @@ use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::mpsc;
 use surface::OrbitView;
+use teaching::walks::WalkAction;
 use view::View;
 
 /// Below this width (in points) the viewports are stacked and the controls become a sheet.
@@ -148,6 +151,7 @@ pub struct RiemapApp {
     panels_open: bool,
     sheet_open: bool,
     keyboard: Keyboard,
+    explore: Explore,
     keeper: Keeper,
     reports: Reports,
     laboratory: Laboratory,
@@ -193,6 +197,7 @@ impl RiemapApp {
             panels_open: true,
             sheet_open: false,
             keyboard: Keyboard::default(),
+            explore: Explore::default(),
             keeper,
             reports,
             laboratory,
@@ -296,9 +301,20 @@ impl RiemapApp {
                     screenshot::save(context, a.union(b), self.mailbox.clone());
                 }
                 Action::Walks(action) => self.model.act_on_walks(action),
+                Action::Explore(action) => self.explore(action),
                 Action::Prefer(preferences) => self.prefer(context, preferences),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
             }
+        }
+    }
+
+    fn explore(&mut self, action: ExploreAction) {
+        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session());
+        if let Some(session) = session {
+            self.open_session(session);
+        }
+        if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
+            self.model.act_on_walks(WalkAction::Toggle);
         }
     }
 
