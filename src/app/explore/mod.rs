@@ -10,7 +10,7 @@ use crate::session::Session;
 use egui::{Context, TextureHandle};
 
 /// What the menu opens.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExploreAction {
     /// The gallery.
     Gallery,
