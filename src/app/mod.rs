@@ -350,6 +350,8 @@ impl RiemapApp {
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
+            // what is said of the picture waits until it rests
+            context.request_repaint_after_secs(REST_SECONDS as f32);
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {

@@ -233,7 +233,7 @@ impl Plots {
         let inks = Self::inks(ui.visuals().dark_mode);
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
-            ui.spacing_mut().interact_size.y = 20.0;
+            ui.spacing_mut().interact_size.y = theme::control_height(ui, 20.0);
             let title = RichText::new(tr(kind.label)).font(theme::bold(12.5)).color(palette.text);
             ui.label(title).on_hover_text(tr(kind.tooltip));
             if kind.value == Kind::Kernel {
