@@ -151,6 +151,9 @@ pub struct RiemapApp {
     panels_open: bool,
     sheet_open: bool,
     keyboard: Keyboard,
+    /// How many times a control was said, and whether the theme is dark: for [`Stats`].
+    spoken: u64,
+    dark: bool,
     explore: Explore,
     keeper: Keeper,
     reports: Reports,
@@ -197,6 +200,8 @@ impl RiemapApp {
             panels_open: true,
             sheet_open: false,
             keyboard: Keyboard::default(),
+            spoken: 0,
+            dark: true,
             explore: Explore::default(),
             keeper,
             reports,
@@ -239,6 +244,8 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             undo: self.keeper.history().undo_count(),
+            dark: self.dark,
+            spoken: self.spoken,
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
@@ -433,10 +440,12 @@ impl eframe::App for RiemapApp {
         });
         let since_last = ui.input(|input| input.unstable_dt);
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
+        self.dark = ui.visuals().dark_mode;
         layout::show(self, ui);
         let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
         if let Some(spoken) = spoken {
             platform::say(&spoken);
+            self.spoken += 1;
         }
     }
 
