@@ -465,6 +465,8 @@ impl eframe::App for RiemapApp {
 }
 
 #[cfg(test)]
+mod colour_vision_tests;
+#[cfg(test)]
 mod language_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]

@@ -267,3 +267,13 @@ impl Plots {
 fn overlays_of(model: &Model) -> Option<&Overlays> {
     model.surface().is_none().then(|| model.teaching().overlays())
 }
+
+/// The inks that stand side by side in a plot, for each plot and theme.
+#[cfg(test)]
+pub fn inks_of_plots() -> Vec<Vec<egui::Color32>> {
+    let of_theme = |theme: usize| {
+        let [source, target] = chart::SIDE_INKS[theme];
+        [vec![source, target, chart::WALK_INKS[theme]], chart::MAP_INKS[theme].to_vec()]
+    };
+    [0, 1].into_iter().flat_map(of_theme).collect()
+}
