@@ -155,7 +155,7 @@ for (const backend of BACKENDS) {
         for (const [scene, preset] of [
           [/^sixths to corners, button/, 'hemisphere'],
           [/^x₁ = 0, button/, 'animal-head'],
-          [/^Star, button/, 'height-field'],
+          [/^Maple leaf, button/, 'height-field'],
         ]) {
           await app.walkTo(/^Figures, button/);
           await app.press('Space');
