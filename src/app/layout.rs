@@ -10,7 +10,7 @@ use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
     PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, plots, side_panel, status, surface, teaching,
-    top_bar, viewport, words,
+    theme, top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -31,6 +31,7 @@ const SHEET_SHARE: f32 = 0.42;
 /// One frame: panels, then what they ask for, then the pictures.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     let narrow = ui.available_width() < PHONE_WIDTH;
+    theme::suit_pointer(ui.ctx(), narrow || ui.input(egui::InputState::has_touch_screen));
     let mut actions = Actions::new();
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
@@ -181,6 +182,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     app.reports.show(&context);
     offer::show(ui, &mut app.offer, &mut actions);
     editing::show_paste(&context, &mut app.editor, &mut actions);
+    app.explore.show(&context, &mut actions);
     app.carry_out(&context, actions);
 }
 

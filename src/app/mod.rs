@@ -11,6 +11,7 @@ mod colouring;
 mod dots;
 mod draft;
 mod editing;
+mod explore;
 mod figures_menu;
 mod file_menu;
 mod files;
@@ -21,11 +22,13 @@ mod header;
 mod help_menu;
 mod incoming;
 mod keeping;
+mod keyboard;
 mod language;
 mod layout;
 mod legend;
 mod method;
 mod model;
+mod nudge;
 mod offer;
 mod plots;
 mod preferences;
@@ -35,6 +38,7 @@ mod screenshot;
 mod sessions;
 mod shapes;
 mod side_panel;
+mod spoken;
 mod stats;
 mod status;
 pub mod still;
@@ -62,9 +66,11 @@ use crate::session::link::MissingOutline;
 use crate::session::{Command, Session};
 use cells::Cells;
 use editing::Editor;
+use explore::{Explore, ExploreAction};
 use gpu::Gpu;
 use handles::HandleState;
 use keeping::{Keeper, Start};
+use keyboard::Keyboard;
 use model::{Changes, Refines};
 use offer::Offer;
 use plots::Plots;
@@ -74,6 +80,7 @@ use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::mpsc;
 use surface::OrbitView;
+use teaching::walks::WalkAction;
 use view::View;
 
 /// Below this width (in points) the viewports are stacked and the controls become a sheet.
@@ -149,6 +156,11 @@ pub struct RiemapApp {
     meter: FrameMeter,
     panels_open: bool,
     sheet_open: bool,
+    keyboard: Keyboard,
+    /// How many times a control was said, and whether the theme is dark: for [`Stats`].
+    spoken: u64,
+    dark: bool,
+    explore: Explore,
     keeper: Keeper,
     reports: Reports,
     laboratory: Laboratory,
@@ -196,6 +208,10 @@ impl RiemapApp {
             meter: FrameMeter::default(),
             panels_open: true,
             sheet_open: false,
+            keyboard: Keyboard::default(),
+            spoken: 0,
+            dark: true,
+            explore: Explore::default(),
             keeper,
             reports,
             laboratory,
@@ -238,6 +254,8 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             undo: self.keeper.history().undo_count(),
+            dark: self.dark,
+            spoken: self.spoken,
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
@@ -312,9 +330,20 @@ impl RiemapApp {
                     screenshot::save(context, a.union(b), self.mailbox.clone());
                 }
                 Action::Walks(action) => self.model.act_on_walks(action),
+                Action::Explore(action) => self.explore(action),
                 Action::Prefer(preferences) => self.prefer(context, preferences),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
             }
+        }
+    }
+
+    fn explore(&mut self, action: ExploreAction) {
+        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session());
+        if let Some(session) = session {
+            self.open_session(session);
+        }
+        if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
+            self.model.act_on_walks(WalkAction::Toggle);
         }
     }
 
@@ -351,9 +380,12 @@ impl RiemapApp {
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
+            // what is said of the picture waits until it rests
+            context.request_repaint_after_secs(REST_SECONDS as f32);
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {
+            platform::describe(&spoken::state(self));
             let refined = self.model.refine_at_rest();
             if refined.images {
                 self.show_changes(context, refined);
@@ -431,24 +463,18 @@ impl eframe::App for RiemapApp {
         });
         let since_last = ui.input(|input| input.unstable_dt);
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
+        self.dark = ui.visuals().dark_mode;
         layout::show(self, ui);
+        let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
+        if let Some(spoken) = spoken {
+            platform::say(&spoken);
+            self.spoken += 1;
+        }
     }
 
-    /// Tab folds the panels, unless a control has the keyboard.
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
-        if context.memory(|memory| memory.focused().is_some()) {
-            return;
-        }
-        input.events.retain(|event| {
-            let egui::Event::Key { key: egui::Key::Tab, pressed, modifiers, .. } = event else { return true };
-            if modifiers.any() {
-                return true;
-            }
-            if *pressed {
-                self.panels_open = !self.panels_open;
-            }
-            false
-        });
+        let folds = self.keyboard.take_in(context, input);
+        self.panels_open ^= folds % 2 == 1;
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
@@ -461,6 +487,8 @@ impl eframe::App for RiemapApp {
     }
 }
 
+#[cfg(test)]
+mod colour_vision_tests;
 #[cfg(test)]
 mod language_tests;
 #[cfg(test)]

@@ -97,6 +97,10 @@ pub struct Stats {
     pub notes: Vec<String>,
     /// How many steps can be taken back.
     pub undo: usize,
+    /// Whether the dark theme is shown.
+    pub dark: bool,
+    /// How many times a control was said to those who hear the screen.
+    pub spoken: u64,
     /// What the meshes are painted with.
     pub colouring: Colouring,
     /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
@@ -142,6 +146,10 @@ pub struct ScreenFacts {
     pub notes: Vec<String>,
     /// How many steps can be taken back.
     pub undo: usize,
+    /// Whether the dark theme is shown.
+    pub dark: bool,
+    /// How many times a control was said to those who hear the screen.
+    pub spoken: u64,
     /// The boundary point under the pointer and its partner.
     pub marked_boundary: Option<[f64; 2]>,
     /// The distance of the plotted reparameterisation from the exact one.
@@ -175,6 +183,8 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         errors: screen.errors,
         notes: screen.notes,
         undo: screen.undo,
+        dark: screen.dark,
+        spoken: screen.spoken,
         colouring: model.session().colouring,
         cauchy_green: screen.cauchy_green,
         extension_progress: model.extension_progress(),

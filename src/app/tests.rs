@@ -445,3 +445,24 @@ fn the_app_prepares_shows_and_answers_to_a_drag() {
     let [u, v] = after.handles.x1.unwrap();
     assert!((u - x - 12.0).abs() < 0.6 && (v - y - 9.0).abs() < 0.6, "from {x}, {y} to {u}, {v}");
 }
+
+#[test]
+fn on_a_phone_everything_that_is_pressed_is_as_large_as_a_fingertip() {
+    let mut harness = ready_app([390.0, 844.0]);
+    harness.state_mut().sheet_open = true;
+    harness.run_steps(20);
+    let mut checked = 0;
+    for node in harness.root().children_recursive() {
+        let accessible = node.accesskit_node();
+        let is_pressed = matches!(
+            accessible.role(),
+            egui::Role::Button | egui::Role::RadioButton | egui::Role::CheckBox | egui::Role::Slider
+        );
+        if is_pressed && let Some(bounds) = accessible.bounding_box() {
+            let (width, height) = (bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
+            assert!(width.min(height) >= 39.9, "{:?}: {width} × {height}", accessible.label());
+            checked += 1;
+        }
+    }
+    assert!(checked > 20, "only {checked} controls");
+}

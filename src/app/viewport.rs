@@ -11,6 +11,7 @@ use super::gpu::ViewportCallback;
 use super::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
 use super::language::tr;
 use super::model::Model;
+use super::nudge::{self, EyeMove, Nudge};
 use super::theme::Palette;
 use super::view::View;
 use super::widgets::caption_font;
@@ -42,10 +43,16 @@ pub fn interact(
     }
     drag_dots(ui, &response, side, model, view, handles, actions);
     move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
+    match nudge::of_viewport(ui, &response, side) {
+        Some(EyeMove::Step(step)) => view.pan(-step),
+        Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
+        Some(EyeMove::Fit) => view.fit(),
+        None => {}
+    }
     boundary_under_pointer(&response, side, model, view, handles)
 }
 
-/// Grabs, drags and lets go of the side's two dots.
+/// Grabs, drags and lets go of the side's two dots, or moves them by keys.
 pub fn drag_dots(
     ui: &Ui,
     response: &Response,
@@ -58,6 +65,9 @@ pub fn drag_dots(
     let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
     dots::grab_and_release(ui, response, side, places, handles);
     drag_handle(ui, side, model, view, handles, actions);
+    if let Some(nudge) = nudge::of_dots(ui, side, places, handles) {
+        actions.extend(nudged(side, model, view, nudge).map(Action::Session));
+    }
 }
 
 fn boundary_under_pointer(
@@ -95,6 +105,18 @@ fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Handle
         HandleKind::Boundary => model.anchor_near(side, at).map(|fraction| Command::MoveAnchor { side, fraction }),
     };
     actions.extend(command.map(Action::Session));
+}
+
+fn nudged(side: Side, model: &Model, view: &View, nudge: Nudge) -> Option<Command> {
+    match nudge {
+        Nudge::Interior(step) => {
+            let at = view.to_world(view.to_screen(model.interior(side)?) + step);
+            model.interior_near(side, at).map(|point| Command::MoveInterior { side, point })
+        }
+        Nudge::Boundary(step) => {
+            Some(Command::MoveAnchor { side, fraction: model.session().anchor[side as usize] + step })
+        }
+    }
 }
 
 /// Drags and scrolls the picture; not while something in it is `held`. A double-click fits it, where that is `fits`.

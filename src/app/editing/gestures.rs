@@ -119,9 +119,9 @@ fn shifted(view: &View, at: DVec2, by: Vec2) -> DVec2 {
 }
 
 /// E begins and ends to reshape, D, L and C begin to draw, Escape ends; while reshaping, the arrows move the selected handle, Delete takes it
-/// away, N goes to the next one. Not while a control has the keyboard.
+/// away, N goes to the next one and takes the keyboard from the control that has it. Not while a text is written.
 pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) {
-    if ui.memory(|memory| memory.focused().is_some()) {
+    if ui.ctx().text_edit_focused() {
         return;
     }
     let mut push = |action| actions.push(Action::Edit(action));
@@ -151,13 +151,18 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     }
     let Some(reshaping) = editor.reshaping(side) else { return };
     let count = reshaping.shape().handle_count();
+    let focused = ui.memory(egui::Memory::focused);
+    if let Some(id) = focused.filter(|_| ui.input(|input| input.key_pressed(Key::N))) {
+        ui.memory_mut(|memory| memory.surrender_focus(id));
+    }
     if pressed(Key::N) {
         push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + 1) % count))));
     }
     if ui.input_mut(|input| input.consume_key(Modifiers::SHIFT, Key::N)) {
         push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + count - 1) % count))));
     }
-    let Some(selected) = reshaping.selected.filter(|_| reshaping.grabbed().is_none()) else { return };
+    let free = focused.is_none() && reshaping.grabbed().is_none();
+    let Some(selected) = reshaping.selected.filter(|_| free) else { return };
     if pressed(Key::Delete) || pressed(Key::Backspace) {
         push(EditAction::Change(Change::Remove(selected)));
     }
