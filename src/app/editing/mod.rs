@@ -30,6 +30,7 @@ use super::words;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::outline::Outline;
+use crate::session::OutlineSpec;
 use egui::vec2;
 use paste::Paste;
 use reshaping::Crossing;
@@ -230,7 +231,10 @@ impl Editor {
         if side == Side::Target && model.surface().is_some() {
             return;
         }
-        let name = words::outline(&model.side(side).wanted().outline);
+        let name = match &model.side(side).wanted().outline {
+            OutlineSpec::Preset(preset) => tr(words::preset(*preset)),
+            OutlineSpec::Points { name, .. } => name,
+        };
         let name = format!("{}{EDITED}", name.strip_suffix(EDITED).unwrap_or(name));
         let Some(reshaping) = Reshaping::new(side, name, model) else { return };
         self.work = Some(Work::Reshaping(reshaping));
