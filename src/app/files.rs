@@ -152,13 +152,13 @@ mod tests {
     #[test]
     fn a_picture_that_is_to_be_traced_becomes_an_outline() {
         let mut bytes = std::io::Cursor::new(Vec::new());
-        let ink = |x: u32, y: u32| if (20..60).contains(&x) && (30..50).contains(&y) { [0; 3] } else { [255; 3] };
-        let picture = image::RgbImage::from_fn(100, 80, |x, y| image::Rgb(ink(x, y)));
+        let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { [0; 3] } else { [255; 3] };
+        let picture = image::RgbImage::from_fn(300, 240, |x, y| image::Rgb(ink(x, y)));
         picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
         let content = read(FilePurpose::Trace(Side::Target), "box.png", Ok(bytes.into_inner()), 32);
         let Ok(Content::Outline(Side::Target, outline)) = content else { panic!("not traced") };
         assert_eq!(outline.name, "box");
-        assert!((outline.polygon.area() - 800.0).abs() < 8.0, "{}", outline.polygon.area());
+        assert!((outline.polygon.area() / 7200.0 - 1.0).abs() < 0.02, "{}", outline.polygon.area());
         let error = read(FilePurpose::Trace(Side::Target), "blank.png", Ok(png(30, 20)), 32).err();
         let Some(FileError::Outline(Side::Target, trouble)) = error else { panic!("{error:?}") };
         assert!(trouble.text.starts_with("blank.png: the whole picture has one colour"), "{}", trouble.text);

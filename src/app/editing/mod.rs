@@ -14,11 +14,11 @@ mod pen;
 mod record;
 mod reshaping;
 
-pub use bar::show as show_bar;
+pub use bar::{ROOM, show as show_bar};
 pub use drawing::{Drawing, Pen};
 pub use gestures::{interact, keys};
 pub use live::Reshaped;
-pub use paint::paint;
+pub use paint::{paint, paint_sheet};
 pub use paste::{pasted, show as show_paste};
 pub use record::{EditingStats, stats};
 pub use reshaping::{Change, Reshaping};
@@ -170,8 +170,14 @@ impl Editor {
                     model.want_loaded(side, outline);
                 }
             }
-            _ => match self.work {
-                Some(Work::Reshaping(_)) => self.reshape(action, model),
+            _ => match &self.work {
+                Some(Work::Reshaping(reshaping)) => {
+                    if matches!(action, EditAction::Grab(_) | EditAction::Change(_)) {
+                        // while the outline changes, what is in hand stays under the pointer
+                        views[reshaping.side() as usize].stay();
+                    }
+                    self.reshape(action, model);
+                }
                 Some(Work::Drawing(_)) => self.draw(action, model, views),
                 None => {}
             },
@@ -238,9 +244,7 @@ impl Editor {
         let name = format!("{}{EDITED}", name.strip_suffix(EDITED).unwrap_or(name));
         let Some(reshaping) = Reshaping::new(side, name, model) else { return };
         self.work = Some(Work::Reshaping(reshaping));
-        let view = &mut views[side as usize];
-        self.was_fitted = view.is_fitted();
-        view.stay();
+        self.was_fitted = views[side as usize].is_fitted();
     }
 
     fn leave(&mut self, model: &mut Model, views: &mut [View; 2]) {
