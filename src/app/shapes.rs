@@ -91,36 +91,29 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     });
     ui.separator();
     ui.horizontal_wrapped(|ui| by_hand(ui, side, actions));
-    if ui.button(tr("Open a file…")).on_hover_text(tr(super::header::open_tooltip(side))).clicked() {
-        actions.push(Action::OpenOutline(side));
-        ui.close();
-    }
 }
 
-/// The ways to draw an outline.
+/// The ways to an outline of one's own: pens, text, pictures, files.
 fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
-    let pens = [
-        (Pen::Freehand, tr("Draw freehand"), tr("Around the shape in one stroke; corners stay corners (D)")),
-        (Pen::Lines, tr("Draw lines"), tr("Straight edges between clicked points (L)")),
-        (Pen::Curve, tr("Draw a curve"), tr("A smooth curve through clicked points (C)")),
+    let draw = |pen| Action::Edit(EditAction::Draw(side, pen));
+    let ways = [
+        (tr("Draw freehand"), tr("Around the shape in one stroke; corners stay corners (D)"), draw(Pen::Freehand)),
+        (tr("Draw lines"), tr("Straight edges between clicked points (L)"), draw(Pen::Lines)),
+        (tr("Draw a curve"), tr("A smooth curve through clicked points (C)"), draw(Pen::Curve)),
+        (
+            tr("Paste…"),
+            tr("SVG path data or coordinates; Ctrl+V anywhere is the source's"),
+            Action::Edit(EditAction::OpenPaste(side)),
+        ),
+        (tr("Trace a picture…"), tr("The outline of the largest shape in a PNG or JPEG"), Action::OpenTrace(side)),
+        (tr("Open a file…"), tr(super::header::open_tooltip(side)), Action::OpenOutline(side)),
     ];
-    for (pen, label, tooltip) in pens {
-        if ui.button(label).on_hover_text(tooltip).clicked() {
-            actions.push(Action::Edit(EditAction::Draw(side, pen)));
+    for (label, tooltip, action) in ways {
+        let button = egui::Button::new(label).frame_when_inactive(true);
+        if ui.add(button).on_hover_text(tooltip).clicked() {
+            actions.push(action);
             ui.close();
         }
-    }
-    let paste =
-        ui.button(tr("Paste…")).on_hover_text(tr("SVG path data or coordinates; Ctrl+V anywhere is the source's"));
-    if paste.clicked() {
-        actions.push(Action::Edit(EditAction::OpenPaste(side)));
-        ui.close();
-    }
-    let trace =
-        ui.button(tr("Trace a picture…")).on_hover_text(tr("The outline of the largest shape in a PNG or JPEG"));
-    if trace.clicked() {
-        actions.push(Action::OpenTrace(side));
-        ui.close();
     }
 }
 

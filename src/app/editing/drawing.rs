@@ -92,8 +92,10 @@ impl Drawing {
         match self.polygon(pixel) {
             Ok(polygon) => Some(polygon),
             Err(error) => {
-                let at = if let DrawingError::Outline(error) = &error { error.place() } else { None };
-                self.crossing = Some(Crossing { at, text: error.to_string() });
+                self.crossing = Some(match error {
+                    DrawingError::Outline(error) => Crossing::of(&error, &self.points),
+                    other => Crossing { at: None, text: other.to_string() },
+                });
                 None
             }
         }

@@ -96,7 +96,7 @@ pub fn show(context: &Context, editor: &mut Editor, actions: &mut Actions) {
 fn content(ui: &mut Ui, paste: &mut Paste, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     ui.add(Label::new(RichText::new(tr(KINDS)).small().color(palette.weak)).wrap());
-    ScrollArea::vertical().max_height(FIELD).show(ui, |ui| {
+    ScrollArea::vertical().max_height(FIELD).min_scrolled_height(FIELD).show(ui, |ui| {
         let field = TextEdit::multiline(&mut paste.text)
             .font(FontId::monospace(12.0))
             .desired_width(f32::INFINITY)

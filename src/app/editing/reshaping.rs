@@ -7,7 +7,7 @@ use super::live::Reshaped;
 use crate::app::model::Model;
 use crate::conformal::Side;
 use crate::drawing::{DrawingError, Shape, carried_fraction};
-use crate::geometry::{DVec2, PolygonError};
+use crate::geometry::{Bounds, DVec2, PolygonError};
 use crate::session::OutlineSpec;
 
 /// A change of the outline.
@@ -32,6 +32,22 @@ pub struct Crossing {
     pub at: Option<DVec2>,
     /// What is wrong, in words.
     pub text: String,
+}
+
+impl Crossing {
+    /// What is wrong with `chain`, its place in no more digits than can be seen.
+    pub fn of(error: &PolygonError, chain: &[DVec2]) -> Self {
+        let size = Bounds::of(chain.iter().copied()).size().max_element();
+        let digits = (3.0 - size.log10().floor()).clamp(0.0, 12.0);
+        let scale = 10_f64.powi(if digits.is_finite() { digits as i32 } else { 0 });
+        let short = |at: DVec2| (scale * at).round() / scale;
+        let said = match *error {
+            PolygonError::EdgesCross { first, second, at } => PolygonError::EdgesCross { first, second, at: short(at) },
+            PolygonError::EdgesTouch { first, second, at } => PolygonError::EdgesTouch { first, second, at: short(at) },
+            ref other => other.clone(),
+        };
+        Self { at: error.place(), text: said.to_string() }
+    }
 }
 
 /// An outline with its two points.
@@ -189,7 +205,7 @@ impl Reshaping {
                 Some(form)
             }
             Err(error) => {
-                self.crossing = Some(Crossing { at: error.place(), text: error.to_string() });
+                self.crossing = Some(Crossing::of(&error, self.shape.vertices()));
                 None
             }
         }

@@ -5,9 +5,14 @@ use crate::app::editing::Reshaped;
 use crate::app::prepare_state::{Preparation, Progress};
 use crate::app::trouble::Remedy;
 use crate::conformal::Side;
+use crate::geometry::DVec2;
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, DomainSpec, OutlineSpec, Session};
 use crate::worker::{Request, Response, Subject};
+
+/// The distance from the boundary that a point is pushed to, in sizes of the domain: nearer, the map
+/// squeezes nearly everything into a place too small to be seen.
+const PUSH: f64 = 0.05;
 
 impl Model {
     /// Carries out a command, or begins to: what needs a preparation takes effect when it is done.
@@ -173,11 +178,22 @@ impl Model {
     /// A reshaped outline is prepared. The view stays as it is, and the settings while the outline is in a hand.
     fn take_reshaped(&mut self, side: Side, spec: DomainSpec, reshaped: Reshaped) {
         let Reshaped { interior, anchor, in_hand } = reshaped;
+        let interior = interior.and_then(|point| self.pushed_inside(side, point));
         self.session.apply(Command::ReshapeOutline { side, outline: spec.outline, interior, anchor });
         if !in_hand {
             self.session.apply(Command::SetSettings { side, settings: spec.settings });
         }
         self.domains_changed = true;
+    }
+
+    /// The interior point of a side that was reshaped: where the outline has run over it, well inside,
+    /// for a map that has anything to see.
+    fn pushed_inside(&self, side: Side, point: DVec2) -> Option<DVec2> {
+        if self.interior_near(side, point)?.distance(point) == 0.0 {
+            return Some(point);
+        }
+        let (low, high) = self.extent(side)?;
+        Some(self.domain(side)?.nearest_inside(point, PUSH * (high - low).max_element()))
     }
 
     /// The worker of a subject stopped.
