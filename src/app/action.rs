@@ -3,7 +3,7 @@
 use super::reports::Report;
 use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
-use crate::export::SurfaceFormat;
+use crate::export::FileFormat;
 use crate::session::Command;
 use crate::worker::Subject;
 
@@ -41,7 +41,7 @@ pub enum Action {
     /// Texture coordinates of exports go into the unit box, or stay the outline's own.
     ScaleCoordinates(bool),
     /// Save the surface with its texture coordinates.
-    ExportSurface(SurfaceFormat),
+    ExportSurface(FileFormat),
     /// Save a picture of both viewports.
     ExportPicture,
     /// Start, pause or clear the random walks, or change their speed.

@@ -10,6 +10,7 @@ mod cells;
 mod colouring;
 mod dots;
 mod draft;
+pub mod exporting;
 mod figures_menu;
 mod file_menu;
 mod files;
@@ -21,6 +22,7 @@ mod incoming;
 mod keeping;
 mod layout;
 mod legend;
+mod looping;
 mod method;
 mod model;
 mod plots;
@@ -49,7 +51,7 @@ pub use model::Model;
 pub use stats::{Processor, Stats};
 
 use crate::conformal::{Extension, Side};
-use crate::export::SurfaceFormat;
+use crate::export::FileFormat;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
@@ -278,8 +280,9 @@ impl RiemapApp {
         }
     }
 
-    fn export_surface(&mut self, format: SurfaceFormat) {
-        match surface::export::surface_file(&self.model, format, self.unit_coordinates) {
+    fn export_surface(&mut self, format: FileFormat) {
+        let wish = exporting::FileWish { format, side: None, unit: self.unit_coordinates };
+        match exporting::file(&self.model, wish) {
             Some(Ok(file)) => platform::save_file(&file.name, file.bytes, self.mailbox.clone()),
             Some(Err(reason)) => self.message = Some(reason),
             None => {}

@@ -4,7 +4,7 @@ use crate::app::action::{Action, Actions};
 use crate::app::model::Model;
 use crate::app::theme::Palette;
 use crate::app::widgets::{Segment, captioned_slider, group_heading, grouped, segmented};
-use crate::export::SurfaceFormat;
+use crate::export::FileFormat;
 use crate::session::{Command, SurfaceShape, SurfaceSpec};
 use egui::{Label, RichText, Ui};
 
@@ -55,7 +55,7 @@ pub fn export(ui: &mut Ui, model: &Model, unit: bool, actions: &mut Actions) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         ui.spacing_mut().button_padding.x = 5.0;
-        for format in SurfaceFormat::ALL {
+        for format in FileFormat::SURFACE {
             let button = ui.add_enabled(ready, egui::Button::new(format.extension().to_uppercase()));
             if button.on_hover_text(tooltip(format)).clicked() {
                 actions.push(Action::ExportSurface(format));
@@ -68,13 +68,13 @@ pub fn export(ui: &mut Ui, model: &Model, unit: bool, actions: &mut Actions) {
     });
 }
 
-fn tooltip(format: SurfaceFormat) -> &'static str {
+fn tooltip(format: FileFormat) -> &'static str {
     match format {
-        SurfaceFormat::Obj => "Wavefront OBJ: the vertices in their order, each with its texture coordinate",
-        SurfaceFormat::Ply => "PLY, ascii: x y z s t for each vertex",
-        SurfaceFormat::Glb => "Binary glTF with texture coordinates",
-        SurfaceFormat::Csv => "A table: x, y, z, u, v for each vertex",
-        SurfaceFormat::Svg => "The edges of the layout in the outline",
+        FileFormat::Obj => "Wavefront OBJ: the vertices in their order, each with its texture coordinate",
+        FileFormat::Ply => "PLY, ascii: x y z s t for each vertex",
+        FileFormat::Glb => "Binary glTF with texture coordinates",
+        FileFormat::Csv => "A table: x, y, z, u, v for each vertex",
+        FileFormat::Svg => "The edges of the layout in the outline",
     }
 }
 
