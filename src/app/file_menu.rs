@@ -2,6 +2,7 @@
 
 use super::action::{Action, Actions};
 use super::keeping::Keeper;
+use super::language::tr;
 use super::widgets::chevron;
 use egui::containers::menu::MenuButton;
 use egui::{Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
@@ -15,18 +16,18 @@ const LINK_TOOLTIP: &str = "The address carries everything that is set: it opens
 
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
-    let (response, _) = MenuButton::from_button(egui::Button::new("File     ")).ui(ui, |ui| {
+    let (response, _) = MenuButton::from_button(egui::Button::new(format!("{}     ", tr("File")))).ui(ui, |ui| {
         ui.set_width(190.0);
         for (entry, enabled, action) in entries(keeper) {
             let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
-            let button = egui::Button::new(entry.label).shortcut_text(shortcut).min_size(egui::vec2(190.0, 40.0));
-            if ui.add_enabled(enabled, button).on_hover_text(entry.tooltip).clicked() {
+            let button = egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, 40.0));
+            if ui.add_enabled(enabled, button).on_hover_text(tr(entry.tooltip)).clicked() {
                 actions.push(action);
                 ui.close();
             }
         }
     });
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "File"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("File")));
     chevron(ui, response.rect, false);
 }
 

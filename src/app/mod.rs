@@ -18,20 +18,26 @@ mod gpu;
 mod gpu_extension;
 mod handles;
 mod header;
+mod help_menu;
 mod incoming;
 mod keeping;
+mod keyboard;
+mod language;
 mod layout;
 mod legend;
 mod looping;
 mod method;
 mod model;
+mod nudge;
 mod plots;
+mod preferences;
 mod prepare_state;
 mod reports;
 mod screenshot;
 mod sessions;
 mod shapes;
 mod side_panel;
+mod spoken;
 mod stats;
 mod status;
 pub mod still;
@@ -60,8 +66,10 @@ use cells::Cells;
 use gpu::Gpu;
 use handles::HandleState;
 use keeping::{Keeper, Start};
+use keyboard::Keyboard;
 use model::{Changes, Refines};
 use plots::Plots;
+use preferences::Preferences;
 use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
@@ -86,6 +94,7 @@ pub struct Groundwork {
     /// The outlines that the session's link only names.
     missing: Vec<MissingOutline>,
     message: Option<String>,
+    preferences: Preferences,
     preparer: Preparer,
     mailbox: Mailbox,
     events: mpsc::Receiver<Event>,
@@ -99,13 +108,23 @@ impl Groundwork {
         for (subject, request) in model.take_requests(0.0) {
             preparer.request(subject, request);
         }
-        Self { model, resumes: false, missing: Vec::new(), message: None, preparer, mailbox, events }
+        Self {
+            model,
+            resumes: false,
+            missing: Vec::new(),
+            message: None,
+            preferences: Preferences::fixed(),
+            preparer,
+            mailbox,
+            events,
+        }
     }
 
-    /// As [`Self::start`], with the session that the address or the last time has left; what went wrong with it is shown.
+    /// As [`Self::start`], with the session and the preferences that the address or the last time has left; what went
+    /// wrong with the session is shown.
     pub fn resume() -> Self {
         let Start { session, missing, message } = keeping::first_session();
-        Self { missing, message, resumes: true, ..Self::start(session) }
+        Self { missing, message, resumes: true, preferences: Preferences::remembered(), ..Self::start(session) }
     }
 
     /// Where events for the app are posted.
@@ -130,6 +149,7 @@ pub struct RiemapApp {
     meter: FrameMeter,
     panels_open: bool,
     sheet_open: bool,
+    keyboard: Keyboard,
     keeper: Keeper,
     reports: Reports,
     laboratory: Laboratory,
@@ -138,6 +158,7 @@ pub struct RiemapApp {
     message: Option<String>,
     /// What has gone well and cannot be seen, and when it need not be said any more.
     notice: Option<(&'static str, f64)>,
+    preferences: Preferences,
     /// Whether exported texture coordinates are scaled into the unit box.
     unit_coordinates: bool,
     last_change: f64,
@@ -150,7 +171,8 @@ impl RiemapApp {
         groundwork: Groundwork,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Groundwork { model, resumes, missing, message, preparer, mailbox, events } = groundwork;
+        let Groundwork { model, resumes, missing, message, preferences, preparer, mailbox, events } = groundwork;
+        preferences.apply(&creation.egui_ctx);
         mailbox.attach(&creation.egui_ctx);
         let mut keeper = Keeper::new(model.session().clone(), resumes);
         keeper.open_link(missing);
@@ -172,12 +194,14 @@ impl RiemapApp {
             meter: FrameMeter::default(),
             panels_open: true,
             sheet_open: false,
+            keyboard: Keyboard::default(),
             keeper,
             reports,
             laboratory,
             image_name: None,
             message,
             notice: None,
+            preferences,
             unit_coordinates: true,
             last_change: 0.0,
         })
@@ -274,10 +298,16 @@ impl RiemapApp {
                     screenshot::save(context, a.union(b), self.mailbox.clone());
                 }
                 Action::Walks(action) => self.model.act_on_walks(action),
-                Action::ToggleTheme => theme::toggle(context),
+                Action::Prefer(preferences) => self.prefer(context, preferences),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
             }
         }
+    }
+
+    fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {
+        self.preferences = preferences;
+        preferences.apply(context);
+        preferences.remember();
     }
 
     fn export_surface(&mut self, format: FileFormat) {
@@ -310,6 +340,7 @@ impl RiemapApp {
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {
+            platform::describe(&spoken::state(self));
             let refined = self.model.refine_at_rest();
             if refined.images {
                 self.show_changes(context, refined);
@@ -388,23 +419,15 @@ impl eframe::App for RiemapApp {
         let since_last = ui.input(|input| input.unstable_dt);
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
         layout::show(self, ui);
+        let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
+        if let Some(spoken) = spoken {
+            platform::say(&spoken);
+        }
     }
 
-    /// Tab folds the panels, unless a control has the keyboard.
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
-        if context.memory(|memory| memory.focused().is_some()) {
-            return;
-        }
-        input.events.retain(|event| {
-            let egui::Event::Key { key: egui::Key::Tab, pressed, modifiers, .. } = event else { return true };
-            if modifiers.any() {
-                return true;
-            }
-            if *pressed {
-                self.panels_open = !self.panels_open;
-            }
-            false
-        });
+        let folds = self.keyboard.take_in(context, input);
+        self.panels_open ^= folds % 2 == 1;
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
@@ -417,6 +440,8 @@ impl eframe::App for RiemapApp {
     }
 }
 
+#[cfg(test)]
+mod language_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;

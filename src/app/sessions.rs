@@ -2,7 +2,7 @@
 
 use super::keeping::{self, Keeper};
 use super::{NOTICE_SECONDS, RiemapApp};
-use crate::platform;
+use crate::platform::{self, Kept};
 use crate::session::{Command, Session, file, link};
 
 impl RiemapApp {
@@ -52,7 +52,7 @@ impl RiemapApp {
 
     /// Keeps the session once it has come to rest.
     pub(super) fn keep(&mut self, context: &egui::Context) {
-        let (held, now) = context.input(|input| (input.pointer.any_down(), input.time));
+        let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
         if held || !self.model.is_ready() {
             return;
         }
@@ -65,7 +65,7 @@ impl RiemapApp {
         if let Some(fragment) = settled.address {
             platform::show_link(&fragment);
         }
-        if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(&text))
+        if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(Kept::Session, &text))
             && let Some(message) = self.keeper.not_kept(&reason)
         {
             self.message = Some(message);

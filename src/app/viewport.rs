@@ -9,7 +9,9 @@ use super::action::{Action, Actions};
 use super::dots::{self, Dot};
 use super::gpu::ViewportCallback;
 use super::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
+use super::language::tr;
 use super::model::Model;
+use super::nudge::{self, EyeMove, Nudge};
 use super::theme::Palette;
 use super::view::View;
 use super::widgets::caption_font;
@@ -41,7 +43,16 @@ pub fn interact(
     let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
     dots::grab_and_release(ui, &response, side, places, handles);
     drag_handle(ui, side, model, view, handles, actions);
+    if let Some(nudge) = nudge::of_dots(ui, side, places, handles) {
+        actions.extend(nudged(side, model, view, nudge).map(Action::Session));
+    }
     move_camera(ui, &response, view, handles);
+    match nudge::of_viewport(ui, &response, side) {
+        Some(EyeMove::Step(step)) => view.pan(-step),
+        Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
+        Some(EyeMove::Fit) => view.fit(),
+        None => {}
+    }
     boundary_under_pointer(&response, side, model, view, handles)
 }
 
@@ -81,6 +92,18 @@ fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Handle
         HandleKind::Boundary => model.anchor_near(side, at).map(|fraction| Command::MoveAnchor { side, fraction }),
     };
     actions.extend(command.map(Action::Session));
+}
+
+fn nudged(side: Side, model: &Model, view: &View, nudge: Nudge) -> Option<Command> {
+    match nudge {
+        Nudge::Interior(step) => {
+            let at = view.to_world(view.to_screen(model.interior(side)?) + step);
+            model.interior_near(side, at).map(|point| Command::MoveInterior { side, point })
+        }
+        Nudge::Boundary(step) => {
+            Some(Command::MoveAnchor { side, fraction: model.session().anchor[side as usize] + step })
+        }
+    }
 }
 
 fn move_camera(ui: &Ui, response: &Response, view: &mut View, handles: &HandleState) {
@@ -143,7 +166,7 @@ pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
     let galley = painter.layout_no_wrap(
-        String::from("drag a dot"),
+        String::from(tr("drag a dot")),
         egui::TextStyle::Body.resolve(ui.style()),
         palette.on_accent,
     );
@@ -194,7 +217,7 @@ pub fn paint_drop_target(ui: &Ui, side: Side, rect: Rect) {
         Side::Target => "Drop an outline or a surface for this side, or an image as the texture",
     };
     let galley =
-        painter.layout(words.into(), egui::TextStyle::Body.resolve(ui.style()), palette.text, rect.width() - 60.0);
+        painter.layout(tr(words).into(), egui::TextStyle::Body.resolve(ui.style()), palette.text, rect.width() - 60.0);
     let label = Rect::from_center_size(rect.center(), galley.size() + vec2(24.0, 16.0));
     painter.rect_filled(label, CornerRadius::same(8), palette.raised);
     painter.galley(label.min + vec2(12.0, 8.0), galley, palette.text);

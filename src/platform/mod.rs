@@ -2,28 +2,38 @@
 //!
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
 //! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`save_file`],
-//! [`drop_position`], [`asks_for_bench`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`]. Whatever happens outside of a frame arrives as an
+//! [`drop_position`], [`asks_for_bench`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
+//! [`languages`], [`say_language`], [`say`], [`describe`]. Whatever happens outside of a frame arrives as an
 //! [`Event`] in the app's mailbox, in order, and wakes the app.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember,
-    remembered, save_file, show_link, start,
+    Laboratory, Preparer, address_with, asks_for_bench, describe, drop_position, languages, link, pick_file,
+    read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember,
-    remembered, save_file, show_link, start,
+    Laboratory, Preparer, address_with, asks_for_bench, describe, drop_position, languages, link, pick_file,
+    read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
 };
 
 use crate::conformal::Side;
 use crate::worker::{Finding, Response, Study, Subject};
 use std::sync::{Arc, OnceLock, mpsc};
+
+/// What is kept from one time to the next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kept {
+    /// The session.
+    Session,
+    /// What the person prefers.
+    Preferences,
+}
 
 /// What a file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
