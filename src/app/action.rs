@@ -1,10 +1,10 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
+use super::playing::PlayAction;
 use super::preferences::Preferences;
 use super::reports::Report;
 use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
-use crate::export::FileFormat;
 use crate::session::Command;
 use crate::worker::Subject;
 
@@ -39,12 +39,14 @@ pub enum Action {
     OpenReport(Report),
     /// Close the message about the image or a file.
     DismissMessage,
-    /// Texture coordinates of exports go into the unit box, or stay the outline's own.
-    ScaleCoordinates(bool),
-    /// Save the surface with its texture coordinates.
-    ExportSurface(FileFormat),
-    /// Save a picture of both viewports.
-    ExportPicture,
+    /// Show the window of exports.
+    OpenExport,
+    /// Save what is chosen there, or begin to make it.
+    SaveExport,
+    /// Give up what is being made.
+    CancelExport,
+    /// Set the points in motion, or stop them.
+    Play(PlayAction),
     /// Start, pause or clear the random walks, or change their speed.
     Walks(WalkAction),
     /// Look and speak like this, now and the next time.

@@ -9,8 +9,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, file_menu, header, legend, plots, side_panel, status, surface, teaching, top_bar, viewport,
-    words,
+    PHONE_WIDTH, RiemapApp, file_menu, header, legend, play_panel, plots, side_panel, status, surface, teaching,
+    top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -35,6 +35,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
+    play_panel::keys(ui, &mut actions);
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
@@ -84,7 +85,7 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     Panel::left("controls").exact_size(PANEL_WIDTH).resizable(false).frame(frame).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - SCROLL_BAR);
-            side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
+            side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
         });
     });
 }
@@ -114,7 +115,7 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         } else if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
-                side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
+                side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
                 ui.add_space(10.0);
             });
         }
@@ -172,6 +173,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     paint(app, ui, narrow, &mut actions);
     common_message(app, ui, &mut actions);
     app.reports.show(&context);
+    app.show_exporter(&context, narrow, &mut actions);
     app.carry_out(&context, actions);
 }
 

@@ -148,6 +148,11 @@ impl Film {
         Ok(Self { settings, encoder, count: 0 })
     }
 
+    /// How it is written.
+    pub fn format(&self) -> FilmFormat {
+        self.settings.format
+    }
+
     /// How many pictures it has.
     pub fn count(&self) -> u32 {
         self.count
@@ -232,10 +237,10 @@ fn encoder_error(error: &dyn std::error::Error) -> FilmError {
 
 /// What the PNG encoder writes to and does not give back.
 #[derive(Debug, Clone, Default)]
-struct SharedBytes(Arc<Mutex<Vec<u8>>>);
+pub(super) struct SharedBytes(Arc<Mutex<Vec<u8>>>);
 
 impl SharedBytes {
-    fn take(&self) -> Vec<u8> {
+    pub(super) fn take(&self) -> Vec<u8> {
         std::mem::take(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }

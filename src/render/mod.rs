@@ -30,6 +30,7 @@ mod orbit_camera;
 mod palette;
 mod pattern_uniform;
 mod placement;
+mod png_file;
 mod readback;
 mod scene;
 mod scene_surface;
@@ -54,6 +55,7 @@ pub use film::{Film, FilmError, FilmFormat, FilmSettings, MOST_FRAMES, SECONDS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use headless::{Studio, headless_device, render_scene, render_scene_with, render_surface_with};
 pub use orbit_camera::{BoundingSphere, OrbitCamera};
+pub use png_file::PngFile;
 pub use readback::Readback;
 pub use scene::{SceneCells, SceneDescription, SceneRenderer, SceneViewport};
 pub use scene_surface::SceneSurface;

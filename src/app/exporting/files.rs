@@ -27,11 +27,6 @@ pub struct FileWish {
     pub unit: bool,
 }
 
-/// What the shown map, planar or of a surface, can be written as.
-pub fn formats(model: &Model) -> &'static [FileFormat] {
-    if model.surface().is_some() { &FileFormat::SURFACE } else { &FileFormat::PLANAR }
-}
-
 /// The map that is shown as a file. `None` while there is no map. Errors: in words.
 pub fn file(model: &Model, wish: FileWish) -> Option<Result<ReadyFile, String>> {
     if model.surface().is_some() {

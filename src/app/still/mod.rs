@@ -82,6 +82,24 @@ impl Still {
         textured::style(&self.model, has_image, dark)
     }
 
+    /// What a model shows, on the same prepared domains: [`Self::advance`] brings its map to rest.
+    pub(super) fn of(model: &Model, pixels_per_point: f32) -> Self {
+        Self { model: model.twin(), cells: Cells::default(), pixels_per_point }
+    }
+
+    /// Spends a frame's share on the map; whether it is complete.
+    pub(super) fn advance(&mut self) -> Result<bool, StillError> {
+        self.model.refresh(false);
+        if let Some(error) = trouble(&self.model) {
+            return Err(StillError(error));
+        }
+        let is_complete = is_complete(&self.model);
+        if is_complete {
+            self.rest();
+        }
+        Ok(is_complete)
+    }
+
     /// The loop along `path` that begins here; `None` where nothing would move.
     pub fn way(&self, path: Path) -> Option<Loop> {
         looping::begin(&self.model, path)
@@ -89,14 +107,14 @@ impl Still {
 
     /// Goes to another place in the family of maps, and waits for the map there.
     pub fn go(&mut self, place: Place) -> Result<(), StillError> {
-        self.move_to(place);
+        self.head_for(place);
         settle(&mut self.model)?;
         self.rest();
         Ok(())
     }
 
     /// Wants another place: [`Self::advance`] goes there.
-    fn move_to(&mut self, place: Place) {
+    pub(super) fn head_for(&mut self, place: Place) {
         for command in looping::commands(place) {
             self.model.dispatch(command, 0.0);
         }
@@ -169,14 +187,19 @@ fn settle(model: &mut Model) -> Result<(), StillError> {
         if let Some(error) = trouble(model) {
             return Err(StillError(error));
         }
-        let is_home = model.pattern_home() == textured::home(model.session());
-        if model.is_ready() && is_home && model.extension_progress() == 1.0 {
+        if is_complete(model) {
             return Ok(());
         }
         if changes == super::Changes::default() && !model.is_pending() {
             return Err(StillError(String::from("there is no map of this session")));
         }
     }
+}
+
+/// Whether the map is the full one, with its whole extension, and the pattern is where it is wanted.
+fn is_complete(model: &Model) -> bool {
+    let is_home = model.pattern_home() == textured::home(model.session());
+    model.is_ready() && is_home && model.extension_progress() == 1.0
 }
 
 fn trouble(model: &Model) -> Option<String> {

@@ -35,7 +35,8 @@ impl Shot {
         self.side.is_none_or(|only| only == side)
     }
 
-    fn aspect(&self) -> f64 {
+    /// Width over height of one side in it.
+    pub fn aspect(&self) -> f64 {
         let columns = if self.side.is_some() { 1.0 } else { 2.0 };
         f64::from(self.size[0]) / columns / f64::from(self.size[1])
     }
