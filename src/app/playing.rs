@@ -144,3 +144,7 @@ impl Run {
 fn domains(model: &Model) -> [Option<Arc<PreparedDomain>>; 2] {
     Side::BOTH.map(|side| model.domain(side).cloned())
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

@@ -10,7 +10,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
 /// A model with both domains prepared, coarsely.
-fn prepared_model() -> Model {
+pub fn prepared_model() -> Model {
     let mut session = Session::default();
     let sampling = Sampling::Uniform { count: 120, keep_corners: false };
     for side in Side::BOTH {

@@ -16,3 +16,7 @@ mod wish;
 
 pub use files::{FileWish, ReadyFile, file, panel};
 pub use window::Exporter;
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

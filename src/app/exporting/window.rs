@@ -13,7 +13,8 @@ use egui::{Button, DragValue, Grid, Key, Modifiers, ProgressBar, Response, RichT
 use std::collections::BTreeMap;
 
 /// Sizes that can be had by one click.
-const SIZES: [[u32; 2]; 4] = [[800, 450], [1600, 900], [3840, 2160], [1080, 1080]];
+const SIZES: [([u32; 2], &str); 4] =
+    [([800, 450], "800 × 450"), ([1600, 900], "1600 × 900"), ([3840, 2160], "3840 × 2160"), ([1080, 1080], "1080 × 1080")];
 /// Sides of a picture, in pixels; fewer where the graphics device has smaller textures.
 const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 /// The height of what a finger touches.
@@ -216,10 +217,8 @@ impl Exporter {
         let most = around.max_side.min(*SIDES.end());
         ui.vertical(|ui| {
             ui.horizontal_wrapped(|ui| {
-                for size in SIZES.into_iter().filter(|size| size.iter().all(|&side| side <= most)) {
-                    let label = format!("{} × {}", size[0], size[1]);
-                    let button = Button::selectable(self.wish.size == size, label).min_size(vec2(0.0, height));
-                    if ui.add(button.frame_when_inactive(true)).clicked() {
+                for (size, label) in SIZES.into_iter().filter(|(size, _)| size.iter().all(|&side| side <= most)) {
+                    if self.choice(ui, label, label, self.wish.size == size, height).clicked() {
                         self.wish.size = size;
                     }
                 }

@@ -57,28 +57,28 @@ impl Kind {
         }
     }
 
-    /// What is in it, in a sentence.
+    /// What is in it.
     pub fn explained(self, on_surface: bool) -> &'static str {
         match (self, on_surface) {
-            (Self::Picture, _) => tr("The picture, of any size."),
-            (Self::Film(FilmFormat::Png), _) => tr("A turn of the points that goes on for ever, in all its colours."),
-            (Self::Film(FilmFormat::Gif), _) => tr("A turn of the points that goes on for ever, in 256 colours."),
+            (Self::Picture, _) => tr("The picture, of any size"),
+            (Self::Film(FilmFormat::Png), _) => tr("A turn of the points that goes on for ever, in all its colours"),
+            (Self::Film(FilmFormat::Gif), _) => tr("A turn of the points that goes on for ever, in 256 colours"),
             (Self::File(FileFormat::Svg), false) => {
-                tr("Outlines, the pattern's lines, the points, and the mesh where it is shown.")
+                tr("Outlines, the pattern's lines, the points, and the mesh where it is shown")
             }
-            (Self::File(FileFormat::Svg), true) => tr("The edges of the surface's layout in the outline."),
+            (Self::File(FileFormat::Svg), true) => tr("The edges of the surface's layout in the outline"),
             (Self::File(FileFormat::Csv), false) => {
-                tr("A table of boundary points that are mapped to each other: arc lengths, places, harmonic measure.")
+                tr("A table of boundary points that are mapped to each other: arc lengths, places, harmonic measure")
             }
-            (Self::File(FileFormat::Csv), true) => tr("A table: x, y, z, u, v for each vertex."),
+            (Self::File(FileFormat::Csv), true) => tr("A table: x, y, z, u, v for each vertex"),
             (Self::File(FileFormat::Obj), false) => {
-                tr("Wavefront OBJ: the mesh in the target, its texture coordinates in the source.")
+                tr("Wavefront OBJ: the mesh in the target, its texture coordinates in the source")
             }
             (Self::File(FileFormat::Obj), true) => {
-                tr("Wavefront OBJ: the vertices in their order, each with its texture coordinate.")
+                tr("Wavefront OBJ: the vertices in their order, each with its texture coordinate")
             }
-            (Self::File(FileFormat::Ply), _) => tr("PLY, ascii: x y z s t for each vertex."),
-            (Self::File(FileFormat::Glb), _) => tr("Binary glTF with texture coordinates."),
+            (Self::File(FileFormat::Ply), _) => tr("PLY, ascii: x y z s t for each vertex"),
+            (Self::File(FileFormat::Glb), _) => tr("Binary glTF with texture coordinates"),
         }
     }
 
