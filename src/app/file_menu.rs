@@ -13,7 +13,11 @@ const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Mod
 const REDO_TOO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Y);
 const SAVE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::S);
 
+const EXPORT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::E);
+
 const LINK_TOOLTIP: &str = "The address carries everything that is set: it opens the same picture in another browser";
+
+const EXPORT_TOOLTIP: &str = "Pictures, animations, vector graphics, tables, meshes";
 
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
@@ -39,7 +43,7 @@ struct Entry {
     shortcut: Option<KeyboardShortcut>,
 }
 
-fn entries(keeper: &Keeper) -> [(Entry, bool, Action); 6] {
+fn entries(keeper: &Keeper) -> [(Entry, bool, Action); 7] {
     let entry = |label, tooltip, shortcut| Entry { label, tooltip, shortcut };
     let history = keeper.history();
     [
@@ -49,6 +53,7 @@ fn entries(keeper: &Keeper) -> [(Entry, bool, Action); 6] {
         (entry("Open…", "A session from a .riemap file", None), true, Action::OpenSession),
         (entry("Save…", "The session as a .riemap file", Some(SAVE)), true, Action::SaveSession),
         (entry("Copy link", LINK_TOOLTIP, None), true, Action::CopyLink),
+        (entry("Export…", EXPORT_TOOLTIP, Some(EXPORT)), true, Action::OpenExport),
     ]
 }
 
@@ -59,14 +64,20 @@ pub fn keys(ui: &Ui, actions: &mut Actions) {
     }
     ui.input_mut(|input| {
         // the longer shortcut first: the shorter one would match it too
-        for (shortcut, action) in
-            [(REDO, Action::Redo), (UNDO, Action::Undo), (REDO_TOO, Action::Redo), (SAVE, Action::SaveSession)]
-        {
+        for (shortcut, action) in [
+            (REDO, Action::Redo),
+            (UNDO, Action::Undo),
+            (REDO_TOO, Action::Redo),
+            (SAVE, Action::SaveSession),
+            (EXPORT, Action::OpenExport),
+        ] {
             if input.consume_shortcut(&shortcut) {
                 actions.push(action);
             }
         }
         // a browser's own reaction to the keys is kept out
-        input.events.retain(|event| !matches!(event, Event::Key { key: Key::S, modifiers, .. } if modifiers.command));
+        let is_ours =
+            |event: &Event| matches!(event, Event::Key { key: Key::S | Key::E, modifiers, .. } if modifiers.command);
+        input.events.retain(|event| !is_ours(event));
     });
 }

@@ -7,6 +7,7 @@ use super::offer::Offer;
 use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose};
 use crate::session::{Command, TextureKind};
+use std::sync::Arc;
 
 impl RiemapApp {
     /// What happened since the last frame.
@@ -45,7 +46,7 @@ impl RiemapApp {
     fn take(&mut self, content: Result<Content, FileError>) {
         match content {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
-            Ok(Content::Image(picture)) => self.use_image(&picture),
+            Ok(Content::Image(picture)) => self.use_image(picture),
             Ok(Content::Session(session)) => self.open_session(*session),
             Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(&name, bytes),
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
@@ -53,12 +54,13 @@ impl RiemapApp {
         }
     }
 
-    pub(super) fn use_image(&mut self, picture: &files::Picture) {
+    pub(super) fn use_image(&mut self, picture: files::Picture) {
         let (width, height) = picture.pixels.dimensions();
         let used = self.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(picture.pixels.as_raw(), width, height));
         match used {
             Ok(()) => {
-                self.image_name = Some(picture.name.clone());
+                self.image_name = Some(picture.name);
+                self.image = Some(Arc::new(picture.pixels));
                 self.message = None;
                 self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
             }

@@ -9,8 +9,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, plots, side_panel, status, surface, teaching,
-    theme, top_bar, viewport, words,
+    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, side_panel, status, surface,
+    teaching, theme, top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -38,6 +38,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     file_menu::keys(ui, &mut actions);
     editing::keys(ui, &app.editor, &app.views, &mut actions);
     actions.extend(editing::pasted(ui).map(Action::PasteText));
+    play_panel::keys(ui, &mut actions);
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
@@ -87,7 +88,7 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     Panel::left("controls").exact_size(PANEL_WIDTH).resizable(false).frame(frame).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - SCROLL_BAR);
-            side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
+            side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
         });
     });
 }
@@ -117,7 +118,7 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         } else if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
-                side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
+                side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
                 ui.add_space(10.0);
             });
         }
@@ -183,6 +184,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     offer::show(ui, &mut app.offer, &mut actions);
     editing::show_paste(&context, &mut app.editor, &mut actions);
     app.explore.show(&context, &mut actions);
+    app.show_exporter(&context, narrow, &mut actions);
     app.carry_out(&context, actions);
 }
 

@@ -12,6 +12,7 @@ mod dots;
 mod draft;
 mod editing;
 mod explore;
+pub mod exporting;
 mod figures_menu;
 mod file_menu;
 mod files;
@@ -26,15 +27,17 @@ mod keyboard;
 mod language;
 mod layout;
 mod legend;
+mod looping;
 mod method;
 mod model;
 mod nudge;
 mod offer;
+mod play_panel;
+mod playing;
 mod plots;
 mod preferences;
 mod prepare_state;
 mod reports;
-mod screenshot;
 mod sessions;
 mod shapes;
 mod side_panel;
@@ -59,7 +62,6 @@ pub use model::Model;
 pub use stats::{Processor, Stats};
 
 use crate::conformal::{Extension, Side};
-use crate::export::SurfaceFormat;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
@@ -67,18 +69,21 @@ use crate::session::{Command, Session};
 use cells::Cells;
 use editing::Editor;
 use explore::{Explore, ExploreAction};
+use exporting::Exporter;
 use gpu::Gpu;
 use handles::HandleState;
+use image::RgbaImage;
 use keeping::{Keeper, Start};
 use keyboard::Keyboard;
 use model::{Changes, Refines};
 use offer::Offer;
+use playing::Player;
 use plots::Plots;
 use preferences::Preferences;
 use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
-use std::sync::mpsc;
+use std::sync::{Arc, mpsc};
 use surface::OrbitView;
 use teaching::walks::WalkAction;
 use view::View;
@@ -164,16 +169,18 @@ pub struct RiemapApp {
     keeper: Keeper,
     reports: Reports,
     laboratory: Laboratory,
+    player: Player,
+    exporter: Exporter,
     image_name: Option<String>,
     /// The picture that can be traced now.
     offer: Option<Offer>,
+    /// The texture of that name.
+    image: Option<Arc<RgbaImage>>,
     /// What is wrong with an image or a file that was to be saved.
     message: Option<String>,
     /// What has gone well and cannot be seen, and when it need not be said any more.
     notice: Option<(&'static str, f64)>,
     preferences: Preferences,
-    /// Whether exported texture coordinates are scaled into the unit box.
-    unit_coordinates: bool,
     last_change: f64,
 }
 
@@ -215,12 +222,14 @@ impl RiemapApp {
             keeper,
             reports,
             laboratory,
+            player: Player::default(),
+            exporter: Exporter::default(),
             image_name: None,
             offer: None,
+            image: None,
             message,
             notice: None,
             preferences,
-            unit_coordinates: true,
             last_change: 0.0,
         })
     }
@@ -256,6 +265,9 @@ impl RiemapApp {
             undo: self.keeper.history().undo_count(),
             dark: self.dark,
             spoken: self.spoken,
+            playing: self.player.is_playing(),
+            export: self.exporter.places().cloned(),
+            export_count: self.exporter.count(),
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
@@ -295,6 +307,9 @@ impl RiemapApp {
         for action in actions {
             match action {
                 Action::Session(command) => {
+                    if command.moves_points() {
+                        self.player.pause();
+                    }
                     self.keeper.touch();
                     self.model.dispatch(command, now);
                 }
@@ -323,12 +338,10 @@ impl RiemapApp {
                 Action::Dismiss(subject) => self.model.dismiss(subject),
                 Action::OpenReport(report) => self.reports.open(report),
                 Action::DismissMessage => self.message = None,
-                Action::ScaleCoordinates(unit) => self.unit_coordinates = unit,
-                Action::ExportSurface(format) => self.export_surface(format),
-                Action::ExportPicture => {
-                    let [a, b] = self.views.each_ref().map(|view| view.rect);
-                    screenshot::save(context, a.union(b), self.mailbox.clone());
-                }
+                Action::OpenExport => self.exporter.open(),
+                Action::SaveExport => self.save_export(context),
+                Action::CancelExport => self.exporter.cancel(),
+                Action::Play(action) => self.player.act(action, &self.model),
                 Action::Walks(action) => self.model.act_on_walks(action),
                 Action::Explore(action) => self.explore(action),
                 Action::Prefer(preferences) => self.prefer(context, preferences),
@@ -353,14 +366,6 @@ impl RiemapApp {
         preferences.remember();
     }
 
-    fn export_surface(&mut self, format: SurfaceFormat) {
-        match surface::export::surface_file(&self.model, format, self.unit_coordinates) {
-            Some(Ok(file)) => platform::save_file(&file.name, file.bytes, self.mailbox.clone()),
-            Some(Err(reason)) => self.message = Some(reason),
-            None => {}
-        }
-    }
-
     /// Sends what is due to the workers, updates the map, uploads.
     fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
@@ -374,8 +379,13 @@ impl RiemapApp {
         if let Some(study) = self.reports.take_study() {
             self.laboratory.begin(study);
         }
+        let is_held = self.handles.grip.is_some();
+        if is_held {
+            self.player.pause();
+        }
+        self.play(context, now);
         // A dot that is held still rests.
-        let moves = self.handles.grip.is_some() && now - self.last_change < REST_SECONDS;
+        let moves = self.player.is_playing() || (is_held && now - self.last_change < REST_SECONDS);
         let changes = self.model.refresh(moves);
         if changes != Changes::default() {
             self.last_change = now;
@@ -415,9 +425,21 @@ impl RiemapApp {
         if let Some(delay) = self.model.teach(now) {
             context.request_repaint_after_secs(delay as f32);
         }
+        self.work_on_export(context);
         self.keep(context);
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
+    }
+
+    /// Moves the points that are in motion.
+    fn play(&mut self, context: &egui::Context, now: f64) {
+        for command in self.player.advance(&self.model, now) {
+            self.keeper.touch();
+            self.model.dispatch(command, now);
+        }
+        if self.player.is_playing() {
+            context.request_repaint();
+        }
     }
 
     /// Another surface is seen from where it shows the most.

@@ -6,6 +6,8 @@ use super::action::{Action, Actions};
 use super::language::{tr, tr_with};
 use super::method;
 use super::model::Model;
+use super::play_panel;
+use super::playing::Player;
 use super::theme::Palette;
 use super::widgets::{Segment, captioned_slider, group_heading, segmented};
 use super::{surface, teaching, words};
@@ -46,7 +48,7 @@ const TEXTURES: [Segment<TextureKind>; 4] = [
 ];
 
 /// Shows all groups.
-pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, unit_coordinates: bool, actions: &mut Actions) {
+pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str>, actions: &mut Actions) {
     let planar = model.surface().is_none();
     if planar {
         group_heading(ui, tr("Map"));
@@ -55,10 +57,10 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, unit_coordinat
         }
     } else {
         surface::panel::show(ui, model, actions);
-        surface::panel::export(ui, model, unit_coordinates, actions);
     }
     shown(ui, model, actions);
     texture(ui, model, image_name, actions);
+    play_panel::show(ui, model, player, actions);
     method::show(ui, model, actions);
     teaching::panel::show(ui, model, actions);
     for side in Side::BOTH.into_iter().filter(|side| planar || *side == Side::Source) {

@@ -257,6 +257,37 @@ export class App {
     return contentOf(await coming);
   }
 
+  /** Clicks at a place of the window. */
+  async click(at) {
+    const { mouse } = this.#page;
+    await mouse.move(...at);
+    await this.#frames();
+    await mouse.click(...at);
+    await this.#frames();
+  }
+
+  /** Writes into the number at a place of the window. */
+  async type(at, text) {
+    await this.click(at);
+    await this.press('Control+a');
+    await this.#page.keyboard.type(text);
+    await this.press('Enter');
+  }
+
+  /** The red, green, blue and alpha of some pixels of a PNG. */
+  pixelsOf(png, places) {
+    return this.#page.evaluate(
+      async ([base64, wanted]) => {
+        const blob = await (await fetch(`data:image/png;base64,${base64}`)).blob();
+        const bitmap = await createImageBitmap(blob, { premultiplyAlpha: 'none' });
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        context.drawImage(bitmap, 0, 0);
+        return wanted.map(([x, y]) => [...context.getImageData(x, y, 1, 1).data]);
+      },
+      [png.toString('base64'), places],
+    );
+  }
+
   /** Drops a file on the canvas at a place of the window, as from a file manager. */
   async dropFile(at, name, text) {
     await this.#page.evaluate(
