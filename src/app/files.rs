@@ -150,6 +150,21 @@ mod tests {
     }
 
     #[test]
+    fn a_picture_that_is_to_be_traced_becomes_an_outline() {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { [0; 3] } else { [255; 3] };
+        let picture = image::RgbImage::from_fn(300, 240, |x, y| image::Rgb(ink(x, y)));
+        picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+        let content = read(FilePurpose::Trace(Side::Target), "box.png", Ok(bytes.into_inner()), 32);
+        let Ok(Content::Outline(Side::Target, outline)) = content else { panic!("not traced") };
+        assert_eq!(outline.name, "box");
+        assert!((outline.polygon.area() / 7200.0 - 1.0).abs() < 0.02, "{}", outline.polygon.area());
+        let error = read(FilePurpose::Trace(Side::Target), "blank.png", Ok(png(30, 20)), 32).err();
+        let Some(FileError::Outline(Side::Target, trouble)) = error else { panic!("{error:?}") };
+        assert!(trouble.text.starts_with("blank.png: the whole picture has one colour"), "{}", trouble.text);
+    }
+
+    #[test]
     fn what_is_no_image_is_told_with_the_files_name() {
         let Err(FileError::Common(message)) = read(FilePurpose::Image, "x.png", Ok(b"text".to_vec()), 32) else {
             panic!()

@@ -155,7 +155,8 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
         let rect = rects[side as usize];
         let below =
             if narrow && side == LEGEND_SIDE && app.cells.scale().is_some() { legend::height(rect) } else { 0.0 };
-        let margins = Margins { bottom: margins.bottom + below, ..margins };
+        let bar = if narrow && app.editor.side() == Some(side) { editing::ROOM } else { 0.0 };
+        let margins = Margins { bottom: margins.bottom + below + bar, ..margins };
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
         let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
         if let Some(scene) = scene {
@@ -205,6 +206,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         } else {
             viewport::paint_mesh(ui, side, view, style.as_ref());
         }
+        editing::paint_sheet(ui, side, view, &app.editor);
         let is_fitted = if solid { app.orbit.is_fitted() } else { view.is_fitted() };
         header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
         if !narrow {
@@ -215,7 +217,9 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
             legend::paint(ui, view.rect, scale, narrow);
         }
         let marked = app.plots.marked().map(|marked| marked[side as usize]);
-        if solid {
+        if app.editor.drawing(side).is_some() {
+            // the dots are those of the outline under the sheet
+        } else if solid {
             marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.orbit, at));
             surface::viewport::paint_dots(ui, &app.model, &app.orbit, &app.handles);
         } else {

@@ -180,10 +180,10 @@ mod tests {
     const WHITE: Rgba<u8> = Rgba([255, 255, 255, 255]);
     const INK: Rgba<u8> = Rgba([30, 40, 60, 255]);
 
-    /// A picture of what is `inside`, without grey edges.
+    /// A picture of what is `inside`, 200 by 160 with three pixels to the unit, without grey edges.
     fn picture(colours: [Rgba<u8>; 2], inside: impl Fn(f64, f64) -> bool) -> RgbaImage {
-        let colour = |x: u32, y: u32| colours[usize::from(inside(f64::from(x) + 0.5, f64::from(y) + 0.5))];
-        RgbaImage::from_fn(200, 160, colour)
+        let place = |pixel: u32| (f64::from(pixel) + 0.5) / 3.0;
+        RgbaImage::from_fn(600, 480, |x, y| colours[usize::from(inside(place(x), place(y)))])
     }
 
     fn is_in_disk(x: f64, y: f64) -> bool {
@@ -192,10 +192,10 @@ mod tests {
 
     fn assert_is_disk(outline: &Outline) {
         let area = outline.polygon.area();
-        let expected = std::f64::consts::PI * 2500.0;
+        let expected = std::f64::consts::PI * 150.0 * 150.0;
         assert!((area / expected - 1.0).abs() < 0.01, "{area}, expected {expected}");
         let bounds = outline.polygon.bounds();
-        assert!(bounds.center().distance(DVec2::new(90.0, 100.0)) < 1.0, "y upwards: {}", bounds.center());
+        assert!(bounds.center().distance(DVec2::new(270.0, 300.0)) < 1.0, "y upwards: {}", bounds.center());
         assert!(outline.polygon.vertices().len() < 400, "{}", outline.polygon.vertices().len());
     }
 
@@ -223,8 +223,8 @@ mod tests {
     fn a_square_keeps_its_corners_also_at_the_edge_of_the_picture() {
         let outline = trace("square", &picture([WHITE, INK], |x, y| x < 80.0 && y > 60.0)).unwrap();
         let polygon = &outline.polygon;
-        assert!((polygon.area() / 8000.0 - 1.0).abs() < 0.01, "{}", polygon.area());
-        for corner in [(0.0, 0.0), (80.0, 0.0), (80.0, 100.0), (0.0, 100.0)].map(DVec2::from) {
+        assert!((polygon.area() / 72_000.0 - 1.0).abs() < 0.01, "{}", polygon.area());
+        for corner in [(0.0, 0.0), (240.0, 0.0), (240.0, 300.0), (0.0, 300.0)].map(DVec2::from) {
             let nearest = polygon.vertices().iter().map(|p| p.distance(corner)).fold(f64::INFINITY, f64::min);
             assert!(nearest < 1.5, "{corner}: {nearest}");
         }

@@ -6,7 +6,7 @@ use crate::app::language::tr;
 use crate::app::theme::{Palette, ROUNDING};
 use crate::app::widgets::message_box;
 use crate::conformal::Side;
-use egui::{Align, Button, CornerRadius, Frame, Layout, Margin, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Area, Button, CornerRadius, Frame, Id, Margin, Order, Rect, RichText, Stroke, Ui, pos2, vec2};
 
 /// The height of the buttons on a phone, enough for a thumb.
 const THUMB: f32 = 40.0;
@@ -16,6 +16,9 @@ const ABOVE_LEGEND: f32 = 40.0;
 const HANDLES_TOOLTIP: &str = "Drag a square to reshape the outline. Double-click on the outline for another one; \
     a right click or a long press takes one away. Arrow keys move the selected one (finely with Shift), N goes to the next; Escape ends.";
 
+/// How much of a phone's picture is free for the bar.
+pub const ROOM: f32 = 62.0;
+
 /// Shows the bar of an edited side at the lower edge of its picture.
 pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, actions: &mut Actions) {
     if editor.side() != Some(side) {
@@ -23,16 +26,27 @@ pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, 
     }
     let palette = Palette::of(ui.visuals());
     let bottom = rect.bottom() - if narrow { 8.0 } else { ABOVE_LEGEND };
-    let area = Rect::from_min_max(pos2(rect.left() + 10.0, rect.top()), pos2(rect.right() - 10.0, bottom));
-    ui.scope_builder(UiBuilder::new().max_rect(area).layout(Layout::bottom_up(Align::Center)), |ui| {
-        let frame = Frame::new()
-            .fill(palette.raised)
-            .stroke(Stroke::new(1.0, palette.border))
-            .corner_radius(CornerRadius::same(ROUNDING + 4))
-            .inner_margin(Margin::same(6));
-        let width = if narrow { 300.0 } else { 330.0 };
-        ui.allocate_ui_with_layout(vec2(width, THUMB), Layout::left_to_right(Align::Center), |ui| {
-            frame.show(ui, |ui| {
+    let frame = Frame::new()
+        .fill(palette.raised)
+        .stroke(Stroke::new(1.0, palette.border))
+        .corner_radius(CornerRadius::same(ROUNDING + 4))
+        .inner_margin(Margin::same(6));
+    let area = Area::new(Id::unique(("edit bar", side)))
+        .order(Order::Middle)
+        .pivot(Align2::CENTER_BOTTOM)
+        .fixed_pos(pos2(rect.center().x, bottom));
+    area.show(ui.ctx(), |ui| {
+        ui.set_max_width((rect.width() - 20.0).min(460.0));
+        if let Some(text) = editor.message()
+            && message_box(ui, text, None).is_some()
+        {
+            actions.push(Action::Edit(EditAction::Dismiss));
+        }
+        frame.show(ui, |ui| {
+            if let Some(drawing) = editor.drawing(side) {
+                ui.label(RichText::new(pen_words(drawing.pen())).color(palette.text));
+            }
+            ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 4.0;
                 let height = if narrow { THUMB } else { 28.0 };
                 if let Some(drawing) = editor.drawing(side) {
@@ -42,12 +56,6 @@ pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, 
                 }
             });
         });
-        if let Some(text) = editor.message() {
-            ui.set_max_width(area.width().min(460.0));
-            if message_box(ui, text, None).is_some() {
-                actions.push(Action::Edit(EditAction::Dismiss));
-            }
-        }
     });
 }
 
@@ -61,7 +69,6 @@ fn pen_words(pen: Pen) -> &'static str {
 }
 
 fn drawing_buttons(ui: &mut Ui, height: f32, drawing: &Drawing, actions: &mut Actions) {
-    ui.label(pen_words(drawing.pen()));
     let count = drawing.points().len();
     if drawing.pen() != Pen::Freehand {
         let back = (count > 0).then_some(EditAction::TakeBack);

@@ -14,11 +14,11 @@ mod pen;
 mod record;
 mod reshaping;
 
-pub use bar::show as show_bar;
+pub use bar::{ROOM, show as show_bar};
 pub use drawing::{Drawing, Pen};
 pub use gestures::{interact, keys};
 pub use live::Reshaped;
-pub use paint::paint;
+pub use paint::{paint, paint_sheet};
 pub use paste::{pasted, show as show_paste};
 pub use record::{EditingStats, stats};
 pub use reshaping::{Change, Reshaping};
@@ -30,6 +30,7 @@ use super::words;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::outline::Outline;
+use crate::session::OutlineSpec;
 use egui::vec2;
 use paste::Paste;
 use reshaping::Crossing;
@@ -169,8 +170,14 @@ impl Editor {
                     model.want_loaded(side, outline);
                 }
             }
-            _ => match self.work {
-                Some(Work::Reshaping(_)) => self.reshape(action, model),
+            _ => match &self.work {
+                Some(Work::Reshaping(reshaping)) => {
+                    if matches!(action, EditAction::Grab(_) | EditAction::Change(_)) {
+                        // while the outline changes, what is in hand stays under the pointer
+                        views[reshaping.side() as usize].stay();
+                    }
+                    self.reshape(action, model);
+                }
                 Some(Work::Drawing(_)) => self.draw(action, model, views),
                 None => {}
             },
@@ -230,13 +237,14 @@ impl Editor {
         if side == Side::Target && model.surface().is_some() {
             return;
         }
-        let name = words::outline(&model.side(side).wanted().outline);
+        let name = match &model.side(side).wanted().outline {
+            OutlineSpec::Preset(preset) => tr(words::preset(*preset)),
+            OutlineSpec::Points { name, .. } => name,
+        };
         let name = format!("{}{EDITED}", name.strip_suffix(EDITED).unwrap_or(name));
         let Some(reshaping) = Reshaping::new(side, name, model) else { return };
         self.work = Some(Work::Reshaping(reshaping));
-        let view = &mut views[side as usize];
-        self.was_fitted = view.is_fitted();
-        view.stay();
+        self.was_fitted = views[side as usize].is_fitted();
     }
 
     fn leave(&mut self, model: &mut Model, views: &mut [View; 2]) {

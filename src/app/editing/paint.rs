@@ -16,6 +16,14 @@ const RING: f32 = 16.0;
 /// How much of what is under a drawing is hidden by the sheet that it is drawn on.
 const SHEET: f32 = 0.78;
 
+/// Covers the picture of a side that is drawn for with a sheet.
+pub fn paint_sheet(ui: &Ui, side: Side, view: &View, editor: &Editor) {
+    if editor.drawing(side).is_some() {
+        let canvas = Palette::of(ui.visuals()).canvas;
+        ui.painter_at(view.rect).rect_filled(view.rect, CornerRadius::ZERO, canvas.gamma_multiply(SHEET));
+    }
+}
+
 /// Paints what is drawn, or the outline in hand and its handles.
 pub fn paint(ui: &Ui, side: Side, view: &View, editor: &Editor) {
     if let Some(drawing) = editor.drawing(side) {
@@ -47,7 +55,6 @@ fn ring(painter: &Painter, palette: &Palette, view: &View, crossing: Option<&Cro
 fn paint_drawing(ui: &Ui, view: &View, drawing: &Drawing) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
-    painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas.gamma_multiply(SHEET));
     let ink = if drawing.crossing().is_some() { palette.error_edge } else { palette.accent_soft };
     let clicks = drawing.pen() != Pen::Freehand;
     let pointer = ui.input(|input| input.pointer.latest_pos()).filter(|at| clicks && view.rect.contains(*at));

@@ -7,7 +7,7 @@ use crate::app::action::{Action, Actions};
 use crate::app::handles::GRAB_RADIUS;
 use crate::app::view::View;
 use crate::app::viewport;
-use egui::{CursorIcon, Response, Ui};
+use egui::{CursorIcon, Event, Pos2, Response, Ui};
 
 /// A second click this near the first one, in points, is a double-click and means the end.
 const SAME_PLACE: f32 = 6.0;
@@ -30,15 +30,7 @@ pub fn interact(ui: &Ui, response: &Response, view: &mut View, drawing: &Drawing
     let at = view.to_world(pointer);
     if freehand {
         if response.dragged() || response.is_pointer_button_down_on() {
-            // all that the pointer did since the last frame, so that a quick stroke stays round
-            let moves = ui.input(|input| {
-                let places = input.events.iter().filter_map(|event| match event {
-                    egui::Event::PointerMoved(place) => Some(*place),
-                    _ => None,
-                });
-                places.collect::<Vec<_>>()
-            });
-            moves.into_iter().for_each(|place| push(EditAction::Point(view.to_world(place))));
+            places_since_last_frame(ui).into_iter().for_each(|place| push(EditAction::Point(view.to_world(place))));
             push(EditAction::Point(at));
         }
         if response.drag_stopped() || response.clicked() {
@@ -50,4 +42,20 @@ pub fn interact(ui: &Ui, response: &Response, view: &mut View, drawing: &Drawing
         let closes = points.len() >= 3 && (near(points.first(), GRAB_RADIUS) || near(points.last(), SAME_PLACE));
         push(if closes { EditAction::Close } else { EditAction::Point(at) });
     }
+}
+
+/// Where the pressed pointer was since the last frame, so that a quick stroke stays round.
+fn places_since_last_frame(ui: &Ui) -> Vec<Pos2> {
+    let mut places = Vec::new();
+    ui.input(|input| {
+        for event in &input.events {
+            match event {
+                Event::PointerMoved(place) => places.push(*place),
+                // what was before is the way to the stroke
+                Event::PointerButton { pressed: true, .. } => places.clear(),
+                _ => {}
+            }
+        }
+    });
+    places
 }

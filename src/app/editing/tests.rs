@@ -252,7 +252,9 @@ fn another_outline_is_taken_up_and_a_surface_ends_the_editing() {
 #[test]
 fn the_view_rests_while_editing_and_fits_afterwards() {
     let mut bench = Bench::square();
-    assert!(!bench.views[0].is_fitted());
+    assert!(bench.views[0].is_fitted());
+    bench.act(EditAction::Grab(0));
+    assert!(!bench.views[0].is_fitted(), "what is in hand stays under the pointer");
     bench.act(EditAction::Toggle(SIDE));
     assert!(bench.views[0].is_fitted());
 }
@@ -314,4 +316,78 @@ fn a_drag_in_the_picture_is_one_step_back() {
     harness.key_press(egui::Key::Escape);
     harness.run_steps(3);
     assert!(harness.state().stats().editing.is_none());
+}
+
+fn pixel(bench: &mut Bench) {
+    let rect = egui::Rect::from_min_size(egui::Pos2::ZERO, vec2(400.0, 400.0));
+    let bounds = Some((DVec2::splat(-1.0), DVec2::splat(1.0)));
+    bench.views[0].fit();
+    bench.views[0].place(rect, 1.0, crate::app::view::DESK_MARGINS, bounds);
+}
+
+#[test]
+fn clicked_points_become_the_outline_when_they_are_closed() {
+    for (pen, area) in [(Pen::Lines, 2.0), (Pen::Curve, 2.73)] {
+        let mut bench = Bench::square();
+        pixel(&mut bench);
+        bench.act(EditAction::Draw(SIDE, pen));
+        for (x, y) in [(1.0, 0.0), (0.0, 1.0), (5.0, 5.0)] {
+            bench.act(EditAction::Point(DVec2::new(x, y)));
+        }
+        bench.act(EditAction::TakeBack);
+        bench.act(EditAction::Close);
+        assert!(bench.editor.message().unwrap().contains("at least 3 points; 2"), "{:?}", bench.editor.message());
+        for (x, y) in [(-1.0, 0.0), (0.0, -1.0)] {
+            bench.act(EditAction::Point(DVec2::new(x, y)));
+        }
+        bench.act(EditAction::Close);
+        bench.answer_all();
+        assert!(bench.editor.side().is_none() && bench.model.is_ready());
+        let polygon = SimplePolygon::try_from(bench.points()).unwrap();
+        // four points are few for a circle: its area would be 3.14
+        assert!((polygon.area() / area - 1.0).abs() < 0.01, "{pen:?}: {}", polygon.area());
+    }
+}
+
+#[test]
+fn a_drawing_that_crosses_itself_stays_until_it_is_mended_and_a_stroke_begins_anew() {
+    let bow = [(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from);
+    let mut bench = Bench::square();
+    pixel(&mut bench);
+    bench.act(EditAction::Draw(SIDE, Pen::Lines));
+    bow.iter().for_each(|&point| bench.act(EditAction::Point(point)));
+    bench.act(EditAction::Close);
+    let at = bench.editor.crossing().unwrap().at.unwrap();
+    assert!(at.distance(DVec2::splat(0.5)) < 1e-12 && bench.requests().is_empty(), "{at}");
+    bench.act(EditAction::TakeBack);
+    assert!(bench.editor.message().is_none() && bench.editor.drawing(SIDE).unwrap().points().len() == 3);
+    bench.act(EditAction::Draw(SIDE, Pen::Freehand));
+    bench.act(EditAction::Point(DVec2::ZERO));
+    bench.act(EditAction::Close);
+    assert!(bench.editor.message().unwrap().contains("too short"));
+    for k in 0..100 {
+        bench.act(EditAction::Point(DVec2::from_angle(0.062 * f64::from(k))));
+    }
+    assert_eq!(bench.editor.drawing(SIDE).unwrap().points().len(), 100, "the first stroke is gone");
+    bench.act(EditAction::Close);
+    bench.answer_all();
+    let area = SimplePolygon::try_from(bench.points()).unwrap().area();
+    assert!((area / std::f64::consts::PI - 1.0).abs() < 0.02, "{area}");
+}
+
+#[test]
+fn pasted_text_becomes_the_outline_and_other_text_is_shown_with_its_error() {
+    let mut bench = Bench::square();
+    let take = |bench: &mut Bench, text: &str| {
+        bench.editor.take_text(text.into(), &mut bench.model, &mut bench.views);
+        bench.answer_all();
+    };
+    take(&mut bench, "M 0 0 h 4 v 1 h -4 z");
+    assert!(bench.editor.paste.is_none() && bench.editor.side().is_none());
+    assert_eq!(SimplePolygon::try_from(bench.points()).unwrap().area(), 4.0);
+    take(&mut bench, "no outline at all");
+    assert!(bench.editor.paste.as_ref().and_then(Paste::error).is_some());
+    assert_eq!(bench.points().len(), 4, "the last good one stays");
+    bench.act(EditAction::ClosePaste);
+    assert!(bench.editor.paste.is_none());
 }
