@@ -20,6 +20,8 @@ const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 /// The height of what a finger touches.
 const TOUCH_HEIGHT: f32 = 40.0;
 const WIDTH: f32 = 400.0;
+/// The window's upper edge, below the bar.
+const FROM_TOP: f32 = 64.0;
 
 /// What the window needs to know.
 #[derive(Debug, Clone, Copy)]
@@ -127,8 +129,9 @@ impl Exporter {
             .open(&mut stays)
             .collapsible(false)
             .resizable(false)
-            .pivot(egui::Align2::CENTER_CENTER)
-            .default_pos(screen.center())
+            // it grows downwards only: what is under the pointer stays there
+            .pivot(egui::Align2::CENTER_TOP)
+            .default_pos(screen.center_top() + vec2(0.0, FROM_TOP))
             .show(context, |ui| {
                 ui.set_width(width);
                 ScrollArea::vertical().max_height(screen.height() - 140.0).show(ui, |ui| {
