@@ -3,6 +3,7 @@
 use super::action::{Action, Actions};
 use super::keeping::Keeper;
 use super::language::tr;
+use super::theme::FINGER_HEIGHT;
 use super::widgets::chevron;
 use egui::containers::menu::MenuButton;
 use egui::{Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
@@ -24,7 +25,8 @@ pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
         ui.set_width(190.0);
         for (entry, enabled, action) in entries(keeper) {
             let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
-            let button = egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, 40.0));
+            let button =
+                egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, FINGER_HEIGHT));
             if ui.add_enabled(enabled, button).on_hover_text(tr(entry.tooltip)).clicked() {
                 actions.push(action);
                 ui.close();

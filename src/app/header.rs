@@ -92,13 +92,14 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
 
 fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surroundings, actions: &mut Actions) {
     ui.spacing_mut().button_padding = vec2(9.0, 4.0);
-    ui.spacing_mut().interact_size.y = 26.0;
+    ui.spacing_mut().interact_size.y = theme::control_height(ui, 26.0);
     let panels =
         (around.folded && side == Side::Target).then(|| ui.button(tr("Panels")).on_hover_text(tr(PANELS_TOOLTIP)));
     if panels.is_some_and(|button| button.clicked()) {
         actions.push(Action::TogglePanels);
     }
-    let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")));
+    let width = theme::control_height(ui, 0.0); // a short word needs as much of a finger as a long one
+    let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")).min_size(vec2(width, 0.0)));
     if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
         actions.push(Action::Fit(side));
     }

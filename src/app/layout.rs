@@ -9,7 +9,7 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, file_menu, header, legend, play_panel, plots, side_panel, status, surface, teaching,
+    PHONE_WIDTH, RiemapApp, file_menu, header, legend, play_panel, plots, side_panel, status, surface, teaching, theme,
     top_bar, viewport, words,
 };
 use crate::conformal::Side;
@@ -31,6 +31,7 @@ const SHEET_SHARE: f32 = 0.42;
 /// One frame: panels, then what they ask for, then the pictures.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     let narrow = ui.available_width() < PHONE_WIDTH;
+    theme::suit_pointer(ui.ctx(), narrow || ui.input(egui::InputState::has_touch_screen));
     let mut actions = Actions::new();
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
@@ -174,6 +175,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     common_message(app, ui, &mut actions);
     app.reports.show(&context);
     app.show_exporter(&context, narrow, &mut actions);
+    app.explore.show(&context, &mut actions);
     app.carry_out(&context, actions);
 }
 

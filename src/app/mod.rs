@@ -10,6 +10,7 @@ mod cells;
 mod colouring;
 mod dots;
 mod draft;
+mod explore;
 pub mod exporting;
 mod figures_menu;
 mod file_menu;
@@ -63,6 +64,7 @@ use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
 use crate::session::{Command, Session};
 use cells::Cells;
+use explore::{Explore, ExploreAction};
 use exporting::Exporter;
 use gpu::Gpu;
 use handles::HandleState;
@@ -78,6 +80,7 @@ use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::{Arc, mpsc};
 use surface::OrbitView;
+use teaching::walks::WalkAction;
 use view::View;
 
 /// Below this width (in points) the viewports are stacked and the controls become a sheet.
@@ -153,6 +156,10 @@ pub struct RiemapApp {
     panels_open: bool,
     sheet_open: bool,
     keyboard: Keyboard,
+    /// How many times a control was said, and whether the theme is dark: for [`Stats`].
+    spoken: u64,
+    dark: bool,
+    explore: Explore,
     keeper: Keeper,
     reports: Reports,
     laboratory: Laboratory,
@@ -200,6 +207,9 @@ impl RiemapApp {
             panels_open: true,
             sheet_open: false,
             keyboard: Keyboard::default(),
+            spoken: 0,
+            dark: true,
+            explore: Explore::default(),
             keeper,
             reports,
             laboratory,
@@ -246,6 +256,8 @@ impl RiemapApp {
             playing: self.player.is_playing(),
             export: self.exporter.places().cloned(),
             export_count: self.exporter.count(),
+            dark: self.dark,
+            spoken: self.spoken,
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
@@ -309,9 +321,20 @@ impl RiemapApp {
                 Action::CancelExport => self.exporter.cancel(),
                 Action::Play(action) => self.player.act(action, &self.model),
                 Action::Walks(action) => self.model.act_on_walks(action),
+                Action::Explore(action) => self.explore(action),
                 Action::Prefer(preferences) => self.prefer(context, preferences),
                 Action::TogglePanels => self.panels_open = !self.panels_open,
             }
+        }
+    }
+
+    fn explore(&mut self, action: ExploreAction) {
+        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session());
+        if let Some(session) = session {
+            self.open_session(session);
+        }
+        if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
+            self.model.act_on_walks(WalkAction::Toggle);
         }
     }
 
@@ -344,6 +367,8 @@ impl RiemapApp {
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
+            // what is said of the picture waits until it rests
+            context.request_repaint_after_secs(REST_SECONDS as f32);
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {
@@ -437,10 +462,12 @@ impl eframe::App for RiemapApp {
         });
         let since_last = ui.input(|input| input.unstable_dt);
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
+        self.dark = ui.visuals().dark_mode;
         layout::show(self, ui);
         let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
         if let Some(spoken) = spoken {
             platform::say(&spoken);
+            self.spoken += 1;
         }
     }
 
@@ -459,6 +486,8 @@ impl eframe::App for RiemapApp {
     }
 }
 
+#[cfg(test)]
+mod colour_vision_tests;
 #[cfg(test)]
 mod language_tests;
 #[cfg(test)]

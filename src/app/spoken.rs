@@ -29,16 +29,12 @@ pub fn state(app: &RiemapApp) -> String {
 
 fn shown(model: &Model) -> String {
     let source = words::outline(&model.session().source.outline);
-    match model.surface() {
-        Some((_, surface)) => {
-            let surface = words::surface(&surface.spec.shape);
-            tr_with("The surface {0}, mapped conformally to the outline {1}.", &[&surface, &source])
-        }
-        None => {
-            let target = words::outline(&model.session().target.outline);
-            tr_with("Conformal map from {0} to {1}.", &[&source, &target])
-        }
+    if let Some((_, surface)) = model.surface() {
+        let surface = words::surface(&surface.spec.shape);
+        return tr_with("The surface {0}, mapped conformally to the outline {1}.", &[&surface, &source]);
     }
+    let target = words::outline(&model.session().target.outline);
+    tr_with("Conformal map from {0} to {1}.", &[&source, &target])
 }
 
 fn points(model: &Model, side: Side) -> Option<String> {

@@ -103,6 +103,10 @@ pub struct Stats {
     pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
     /// How many pictures of how many are made, while they are.
     pub export_count: Option<[u32; 2]>,
+    /// Whether the dark theme is shown.
+    pub dark: bool,
+    /// How many times a control was said to those who hear the screen.
+    pub spoken: u64,
     /// What the meshes are painted with.
     pub colouring: Colouring,
     /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
@@ -152,6 +156,10 @@ pub struct ScreenFacts {
     pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
     /// How many pictures of how many are made.
     pub export_count: Option<[u32; 2]>,
+    /// Whether the dark theme is shown.
+    pub dark: bool,
+    /// How many times a control was said to those who hear the screen.
+    pub spoken: u64,
     /// The boundary point under the pointer and its partner.
     pub marked_boundary: Option<[f64; 2]>,
     /// The distance of the plotted reparameterisation from the exact one.
@@ -186,6 +194,8 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         playing: screen.playing,
         export: screen.export,
         export_count: screen.export_count,
+        dark: screen.dark,
+        spoken: screen.spoken,
         colouring: model.session().colouring,
         cauchy_green: screen.cauchy_green,
         extension_progress: model.extension_progress(),

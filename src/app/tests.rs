@@ -91,7 +91,7 @@ fn what_teaches_is_one_click_away() {
 
 #[test]
 fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_run() {
-    let mut harness = ready_app([1200.0, 900.0]);
+    let mut harness = ready_app([1200.0, 1100.0]);
     harness.key_press(egui::Key::P);
     harness.get_by_label("Both").click();
     harness.run_steps(30);
@@ -116,7 +116,7 @@ fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_
 fn corners_can_be_kept_on_either_side() {
     let model = prepared_model();
     let mut actions = Actions::new();
-    let mut harness = Harness::builder().with_size([260.0, 1000.0]).with_context_setup(theme::install).build_ui(|ui| {
+    let mut harness = Harness::builder().with_size([260.0, 1200.0]).with_context_setup(theme::install).build_ui(|ui| {
         side_panel::show(ui, &model, &Player::default(), None, &mut actions);
     });
     let target = harness.get_all_by_label("Keep corners").last().unwrap();
@@ -444,4 +444,25 @@ fn the_app_prepares_shows_and_answers_to_a_drag() {
     assert!(after.generation > before.generation);
     let [u, v] = after.handles.x1.unwrap();
     assert!((u - x - 12.0).abs() < 0.6 && (v - y - 9.0).abs() < 0.6, "from {x}, {y} to {u}, {v}");
+}
+
+#[test]
+fn on_a_phone_everything_that_is_pressed_is_as_large_as_a_fingertip() {
+    let mut harness = ready_app([390.0, 844.0]);
+    harness.state_mut().sheet_open = true;
+    harness.run_steps(20);
+    let mut checked = 0;
+    for node in harness.root().children_recursive() {
+        let accessible = node.accesskit_node();
+        let is_pressed = matches!(
+            accessible.role(),
+            egui::Role::Button | egui::Role::RadioButton | egui::Role::CheckBox | egui::Role::Slider
+        );
+        if is_pressed && let Some(bounds) = accessible.bounding_box() {
+            let (width, height) = (bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
+            assert!(width.min(height) >= 39.9, "{:?}: {width} × {height}", accessible.label());
+            checked += 1;
+        }
+    }
+    assert!(checked > 20, "only {checked} controls");
 }

@@ -1,6 +1,7 @@
 //! The bar along the top: the name, outlines for both sides, the image, help.
 
 use super::action::{Action, Actions};
+use super::explore::ExploreAction;
 use super::header::PANELS_TOOLTIP;
 use super::keeping::Keeper;
 use super::language::tr;
@@ -16,7 +17,7 @@ use egui::{Align, Layout, RichText, Ui};
 const PLOTS_TOOLTIP: &str = "Poisson kernel, harmonic measure and reparameterisation along the boundaries (P)";
 
 /// A bar that is less wide has room for its buttons only.
-const WORDMARK_FROM: f32 = 356.0;
+const WORDMARK_FROM: f32 = 430.0;
 
 /// Shows the bar.
 pub fn show(
@@ -43,6 +44,9 @@ pub fn show(
         }
         if !narrow {
             figures_menu::menu_button(ui, actions);
+            if ui.button(tr("Gallery")).on_hover_text(tr("Maps worth seeing")).clicked() {
+                actions.push(Action::Explore(ExploreAction::Gallery));
+            }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             help_menu::menu_button(ui, preferences, actions);

@@ -165,6 +165,42 @@ export class App {
     await this.#frames();
   }
 
+  /** Walks with the Tab key until a control is said that matches, as someone does who does not see the screen. */
+  async walkTo(control, furthest = 150) {
+    const heard = [];
+    for (let step = 0; step < furthest; step++) {
+      const { spoken } = await this.stats();
+      await this.#page.keyboard.press(step === 0 ? 'F6' : 'Tab');
+      await this.until('another control is said', (stats, before) => stats.spoken > before, spoken);
+      heard.push(await this.#page.textContent('#spoken'));
+      if (control.test(heard.at(-1))) return;
+    }
+    throw new Error(`no control ${control} among: ${heard.join(' | ')}`);
+  }
+
+  /** Waits until the page says something that matches in one of its regions, other than `before`, and returns it. */
+  async saying(region, words, before = null) {
+    const says = ([id, source, old]) => {
+      const text = document.getElementById(id)?.textContent ?? '';
+      return text !== old && new RegExp(source, 'u').test(text) ? text : null;
+    };
+    try {
+      return await (await this.#page.waitForFunction(says, [region, words.source, before])).jsonValue();
+    } catch (error) {
+      throw new Error(`not said: ${words}, but: ${await this.#page.textContent(`#${region}`)}`, { cause: error });
+    }
+  }
+
+  /** The language that the page says it speaks. */
+  language() {
+    return this.#page.getAttribute('html', 'lang');
+  }
+
+  /** Makes the system light or dark. */
+  prefer(colorScheme) {
+    return this.#page.emulateMedia({ colorScheme });
+  }
+
   /** Presses keys, and returns the file that the browser downloads then. */
   async downloadBy(keys) {
     const coming = this.#page.waitForEvent('download');

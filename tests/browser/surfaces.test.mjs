@@ -135,9 +135,33 @@ for (const backend of BACKENDS) {
         assert.match(refused.errors.join(' '), /loose\.obj: 1 vertices are in no triangle.*vertex 0/);
         assert.equal(refused.boundary_checksum, mapped.boundary_checksum, 'the last good map stays');
         assertShowsSomething(await app.picture(`${backend}-surface-refused`));
+        await app.walkTo(/^Repair it, button/);
+        await app.press('Space');
+        const repaired = await app.until('it is repaired', (stats) => stats.ready && stats.errors.length === 0);
+        assert.equal(repaired.target.triangles, 800);
+        assert.ok(repaired.notes.some((note) => /1 vertices in no triangle were dropped/.test(note)), `${repaired.notes}`);
         await app.openSession({ surface: null });
         const planar = await app.until('the plane is back', (stats) => stats.ready && stats.surface_ms === null);
         assert.ok(planar.target.triangles !== 800);
+      }),
+    );
+
+    test(
+      'the figures with surfaces are opened from their menu',
+      withApp('desktop', async (app) => {
+        for (const [scene, preset] of [
+          [/^sixths to corners, button/, 'hemisphere'],
+          [/^x₁ = 0, button/, 'animal-head'],
+          [/^Maple leaf, button/, 'height-field'],
+        ]) {
+          await app.walkTo(/^Figures, button/);
+          await app.press('Space');
+          await app.walkTo(scene);
+          await app.press('Enter');
+          await app.until('the surface is mapped', (stats) => stats.ready && stats.surface_ms !== null);
+          assert.equal((await app.session()).surface.spec.shape.preset.preset, preset);
+          assertShowsSomething(await app.picture(`${backend}-figure-with-the-${preset}`));
+        }
       }),
     );
   });

@@ -46,6 +46,7 @@ fn browser(places: &Places) -> Result<(), Failure> {
         "surfaces.test.mjs",
         "sessions.test.mjs",
         "exporting.test.mjs",
+        "everyone.test.mjs",
     ]);
     command.current_dir(places.browser_tests());
     command.env("CHROMIUM", chromium).env("RIEMAP_DIST", places.dist());

@@ -54,9 +54,9 @@ fn a_picture_is_that_of_the_command_line_and_the_model_stays() {
     let picture = image::load_from_memory(&file.bytes).unwrap().into_rgba8();
     let shot = wish.shot(true);
     let still = Still::new(session.clone(), None, shot.pixels_per_point()).unwrap();
-    let expected = Studio::new().unwrap().shoot(|renderer, device, queue| {
-        still.draw(renderer, (device, queue), &shot, None, None)
-    });
+    let expected = Studio::new()
+        .unwrap()
+        .shoot(|renderer, device, queue| still.draw(renderer, (device, queue), &shot, None, None));
     assert_eq!(picture, expected.unwrap());
     assert_eq!(picture.get_pixel(0, 0).0[3], 0, "no ground");
     assert_eq!((model.session(), model.generation()), (&session, generation));

@@ -17,7 +17,7 @@ use super::textured;
 use crate::conformal::{PreparedSurface, Side};
 use crate::family::{Loop, Path, Place};
 use crate::geometry::{DVec2, DVec3};
-use crate::render::{CellCode, CellStyle, OrbitCamera, TextureStyle};
+use crate::render::{CellCode, CellStyle, MeshGeometry, OrbitCamera, TextureStyle};
 use crate::session::{Command, Session, SurfaceShape};
 use crate::worker;
 
@@ -80,6 +80,11 @@ impl Still {
     /// The texture, the same on both sides; without an image a checkerboard in its place.
     pub fn style(&self, has_image: bool, dark: bool) -> Option<TextureStyle> {
         textured::style(&self.model, has_image, dark)
+    }
+
+    /// The textured mesh of a side in the plane.
+    pub fn geometry(&self, side: Side) -> Option<MeshGeometry<'_>> {
+        textured::geometry(&self.model, side)
     }
 
     /// What a model shows, on the same prepared domains: [`Self::advance`] brings its map to rest.
