@@ -49,7 +49,7 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, actions: &mut Actions) 
     if let Some(seconds) = captioned_slider(ui, tr("Speed"), &shown, player.period(), PERIODS, true) {
         actions.push(Action::Play(PlayAction::Period(seconds)));
     }
-    let label = if player.is_playing() { tr("⏸ Stop here") } else { tr("▶ Play") };
+    let label = if player.is_playing() { tr("Stop here") } else { tr("Play") };
     let button = ui.add_enabled(player.is_playing() || model.is_ready(), egui::Button::new(label));
     if button.on_hover_text(tr(PLAY_TOOLTIP)).clicked() {
         actions.push(Action::Play(PlayAction::Toggle));

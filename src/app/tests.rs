@@ -91,7 +91,7 @@ fn what_teaches_is_one_click_away() {
 
 #[test]
 fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_run() {
-    let mut harness = ready_app([1200.0, 900.0]);
+    let mut harness = ready_app([1200.0, 1100.0]);
     harness.key_press(egui::Key::P);
     harness.get_by_label("Both").click();
     harness.run_steps(30);
@@ -116,7 +116,7 @@ fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_
 fn corners_can_be_kept_on_either_side() {
     let model = prepared_model();
     let mut actions = Actions::new();
-    let mut harness = Harness::builder().with_size([260.0, 1000.0]).with_context_setup(theme::install).build_ui(|ui| {
+    let mut harness = Harness::builder().with_size([260.0, 1200.0]).with_context_setup(theme::install).build_ui(|ui| {
         side_panel::show(ui, &model, &Player::default(), None, &mut actions);
     });
     let target = harness.get_all_by_label("Keep corners").last().unwrap();

@@ -72,6 +72,8 @@ const FEWEST_RAYS: u32 = 6;
 const MOST_LEVELS: usize = 64;
 /// A piece of a triangle is not longer than this in cells: a circle of one cell's radius then has 30 corners.
 const PIECE: f64 = 0.2;
+/// How far from the centre the circles of a conformal pattern are still round.
+const WITHIN: f64 = 0.15;
 /// The most pieces along an edge, and on the whole mesh.
 const MOST_PIECES: usize = 8;
 const MOST_TRIANGLES: usize = 2_000_000;
@@ -95,7 +97,7 @@ impl Ruling {
         let cell = match self {
             Self::Squares { .. } => return 1,
             Self::Polar { spacing, .. } => spacing,
-            Self::Conformal { rays } => TAU / f64::from(rays),
+            Self::Conformal { rays } => WITHIN * TAU / f64::from(rays),
         };
         let edges = triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
         let longest = edges.map(|(a, b)| coordinates[a as usize].distance(coordinates[b as usize])).fold(0.0, f64::max);

@@ -21,8 +21,10 @@ const GROUPS: [(&str, &[[&str; 2]]); 3] = [
         &[
             ["Tab", "Folds the panels away, or brings them back"],
             ["P", "Opens and closes the plots"],
+            ["Space", "Sets the points in motion, or stops them where they are"],
             ["Ctrl+Z, Ctrl+Shift+Z", "Takes a step back, or makes it again"],
             ["Ctrl+S", "Saves the session as a file"],
+            ["Ctrl+E", "Opens the window that saves pictures, animations and other files"],
         ],
     ),
     (

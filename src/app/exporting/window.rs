@@ -24,6 +24,12 @@ const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 /// The height of what a finger touches.
 const TOUCH_HEIGHT: f32 = 40.0;
 const WIDTH: f32 = 400.0;
+/// Room for the scroll bar beside the choices.
+const SCROLL_BAR: f32 = 10.0;
+/// What of the screen's height is above the choices, and below them.
+const BESIDES: f32 = 200.0;
+/// The window's upper edge, below the bar.
+const FROM_TOP: f32 = 64.0;
 
 /// What the window needs to know.
 #[derive(Debug, Clone, Copy)]
@@ -130,14 +136,13 @@ impl Exporter {
             .id(egui::Id::unique("export"))
             .open(&mut stays)
             .collapsible(false)
-            .resizable(false)
-            .pivot(egui::Align2::CENTER_CENTER)
-            .default_pos(screen.center())
+            .auto_sized()
+            // it grows downwards only: what is under the pointer stays there
+            .pivot(egui::Align2::CENTER_TOP)
+            .default_pos(screen.center_top() + vec2(0.0, FROM_TOP))
             .show(context, |ui| {
                 ui.set_width(width);
-                ScrollArea::vertical().max_height(screen.height() - 140.0).show(ui, |ui| {
-                    self.content(ui, around, actions);
-                });
+                self.content(ui, around, screen.height() - BESIDES, actions);
             });
         if !stays {
             (self.is_open, self.error) = (false, None);
@@ -145,13 +150,17 @@ impl Exporter {
         }
     }
 
-    fn content(&mut self, ui: &mut Ui, around: Surroundings, actions: &mut Actions) {
+    /// The choices, which may be scrolled, and below them what is done with them.
+    fn content(&mut self, ui: &mut Ui, around: Surroundings, max_height: f32, actions: &mut Actions) {
         let height = if around.narrow { TOUCH_HEIGHT } else { ROW_HEIGHT };
         ui.spacing_mut().interact_size.y = height;
-        ui.add_enabled_ui(!self.is_busy(), |ui| {
-            self.kinds(ui, around, height);
-            Grid::new("export settings").num_columns(2).spacing([12.0, 8.0]).show(ui, |ui| {
-                self.settings(ui, around, height);
+        ScrollArea::vertical().max_height(max_height).auto_shrink([false, true]).show(ui, |ui| {
+            ui.set_width(ui.available_width() - SCROLL_BAR);
+            ui.add_enabled_ui(!self.is_busy(), |ui| {
+                self.kinds(ui, around, height);
+                Grid::new("export settings").num_columns(2).spacing([12.0, 8.0]).show(ui, |ui| {
+                    self.settings(ui, around, height);
+                });
             });
         });
         ui.add_space(6.0);

@@ -66,7 +66,7 @@ impl Kind {
             (Self::File(FileFormat::Svg), false) => {
                 tr("Outlines, the pattern's lines, the points, and the mesh where it is shown")
             }
-            (Self::File(FileFormat::Svg), true) => tr("The edges of the surface's layout in the outline"),
+            (Self::File(FileFormat::Svg), true) => tr("The edges of the layout in the outline"),
             (Self::File(FileFormat::Csv), false) => {
                 tr("A table of boundary points that are mapped to each other: arc lengths, places, harmonic measure")
             }

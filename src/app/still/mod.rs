@@ -83,7 +83,7 @@ impl Still {
     }
 
     /// The textured mesh of a side in the plane.
-    pub(super) fn geometry(&self, side: Side) -> Option<MeshGeometry<'_>> {
+    pub fn geometry(&self, side: Side) -> Option<MeshGeometry<'_>> {
         textured::geometry(&self.model, side)
     }
 
