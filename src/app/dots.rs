@@ -37,6 +37,8 @@ pub fn grab_and_release(
         && let Some(place) = places[handle.kind as usize]
     {
         handles.grab(handle, place, pointer, now);
+        // who takes a dot with the pointer has left the keyboard
+        ui.memory_mut(|memory| memory.focused().inspect(|id| memory.surrender_focus(*id)));
     }
     if !down && handles.grip.is_some_and(|grip| grip.handle.side == side) {
         handles.release();

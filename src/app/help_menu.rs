@@ -48,9 +48,11 @@ fn entries() -> [(&'static str, &'static str, ExploreAction); 3] {
 fn choices(ui: &mut Ui, old: Preferences, actions: &mut Actions) {
     let weak = Palette::of(ui.visuals()).weak;
     ui.colored_label(weak, tr("Language"));
-    let languages = Language::ALL.map(|value| Segment { value, label: value.name(), tooltip: value.name() });
-    if let Some(language) = segmented(ui, &languages, old.language()) {
-        actions.push(Action::Prefer(Preferences { language: Some(language), ..old }));
+    let [english, german] =
+        Language::ALL.map(|value| Segment { value: Some(value), label: value.name(), tooltip: value.name() });
+    let system = Segment { value: None, label: "System", tooltip: "The language of the system, if it is one of these" };
+    if let Some(language) = segmented(ui, &[system, english, german], old.language) {
+        actions.push(Action::Prefer(Preferences { language, ..old }));
     }
     ui.add_space(4.0);
     ui.colored_label(weak, tr("Theme"));

@@ -25,6 +25,7 @@ impl RiemapApp {
     }
 
     pub(super) fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
+        self.explore.keep();
         self.keeper.touch();
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
         let content = files::read(purpose, name, bytes, limit);

@@ -31,7 +31,7 @@ const SHEET_SHARE: f32 = 0.42;
 /// One frame: panels, then what they ask for, then the pictures.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     let narrow = ui.available_width() < PHONE_WIDTH;
-    theme::suit_pointer(ui.ctx(), narrow || ui.input(egui::InputState::has_touch_screen));
+    theme::suit_pointer(ui.ctx(), narrow || app.has_fingers || ui.input(egui::InputState::has_touch_screen));
     let mut actions = Actions::new();
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
@@ -50,6 +50,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     if !narrow && app.model.session().plots {
         dock(app, ui);
     }
+    app.explore.show_tour(ui, &mut actions);
     egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow, actions));
 }
 
@@ -137,6 +138,10 @@ fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
             let ink = if open && !shown { palette.weak } else { palette.text };
             let response = ui.add_sized(size, egui::Button::new(RichText::new(tr(label)).color(ink)).frame(false));
             chevron(ui, response.rect, !shown);
+            if response.has_focus() {
+                let ring = Stroke::new(2.0, palette.accent_soft);
+                ui.painter().rect_stroke(response.rect.shrink(3.0), 6.0, ring, egui::StrokeKind::Inside);
+            }
             if response.clicked() {
                 asked = Some(is_plots);
             }
@@ -228,6 +233,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         }
         editing::paint(ui, side, view, &app.editor);
         editing::show_bar(ui, side, view.rect, narrow, &app.editor, actions);
+        viewport::paint_focus(ui, side, view.rect, &app.handles);
         viewport::paint_progress(ui, side, &app.model, view.rect);
         viewport::paint_drop_target(ui, side, view.rect);
     }

@@ -97,6 +97,9 @@ const REST_SECONDS: f64 = 0.15;
 /// How long a notice is shown, in seconds: two words are read in one, once they have been seen.
 const NOTICE_SECONDS: f64 = 3.0;
 
+/// What those who hear the screen are told about: the map, whether it is there, messages, the tour; how; a notice.
+type News = ((u64, bool, usize, Option<usize>), Preferences, Option<u64>);
+
 /// What needs no screen: the session's state and the workers.
 pub struct Groundwork {
     model: Model,
@@ -165,6 +168,9 @@ pub struct RiemapApp {
     /// How many times a control was said, and whether the theme is dark: for [`Stats`].
     spoken: u64,
     dark: bool,
+    has_fingers: bool,
+    /// What there was to tell when the picture was described.
+    described: Option<News>,
     explore: Explore,
     keeper: Keeper,
     reports: Reports,
@@ -218,6 +224,8 @@ impl RiemapApp {
             keyboard: Keyboard::default(),
             spoken: 0,
             dark: true,
+            has_fingers: platform::has_fingers(),
+            described: None,
             explore: Explore::default(),
             keeper,
             reports,
@@ -310,6 +318,9 @@ impl RiemapApp {
                     if command.moves_points() {
                         self.player.pause();
                     }
+                    if command.replaces_shapes() {
+                        self.explore.keep();
+                    }
                     self.keeper.touch();
                     self.model.dispatch(command, now);
                 }
@@ -351,9 +362,11 @@ impl RiemapApp {
     }
 
     fn explore(&mut self, action: ExploreAction) {
-        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session());
+        let is_walking = self.model.teaching().walks.is_running();
+        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {
-            self.open_session(session);
+            self.model.dispatch(Command::Open(Box::new(session)), 0.0);
+            self.mailbox.wake();
         }
         if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
             self.model.act_on_walks(WalkAction::Toggle);
@@ -390,12 +403,9 @@ impl RiemapApp {
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
-            // what is said of the picture waits until it rests
-            context.request_repaint_after_secs(REST_SECONDS as f32);
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {
-            platform::describe(&spoken::state(self));
             let refined = self.model.refine_at_rest();
             if refined.images {
                 self.show_changes(context, refined);
@@ -426,6 +436,7 @@ impl RiemapApp {
             context.request_repaint_after_secs(delay as f32);
         }
         self.work_on_export(context);
+        self.describe(context, now);
         self.keep(context);
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
@@ -440,6 +451,22 @@ impl RiemapApp {
         if self.player.is_playing() {
             context.request_repaint();
         }
+    }
+
+    /// Tells those who hear the screen what is on it, whenever something else is and has come to rest.
+    fn describe(&mut self, context: &egui::Context, now: f64) {
+        let news = (self.model.generation(), self.model.is_ready(), self.errors().len(), self.explore.step());
+        let news = (news, self.preferences, self.notice.as_ref().map(|(_, until)| until.to_bits()));
+        if self.described.as_ref() == Some(&news) {
+            return;
+        }
+        let rested = now - self.last_change;
+        if rested < REST_SECONDS {
+            context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
+            return;
+        }
+        platform::describe(&spoken::state(self));
+        self.described = Some(news);
     }
 
     /// Another surface is seen from where it shows the most.

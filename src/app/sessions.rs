@@ -55,7 +55,9 @@ impl RiemapApp {
     /// Keeps the session once it has come to rest.
     pub(super) fn keep(&mut self, context: &egui::Context) {
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
-        if held || self.player.is_playing() || !self.model.is_ready() {
+        // the tour's pictures are not the person's: a reload brings the own one back
+        let passes = self.player.is_playing() || self.explore.is_touring();
+        if held || passes || !self.model.is_ready() {
             return;
         }
         self.preparer.warm();

@@ -191,5 +191,7 @@ fn coloured(palette: &Palette, mut visuals: Visuals) -> Visuals {
         state.corner_radius = rounding;
         state.expansion = 0.0;
     }
+    // what has the keyboard is to be seen at a glance
+    widgets.active.bg_stroke = Stroke::new(2.0, palette.accent_soft);
     visuals
 }

@@ -43,7 +43,7 @@ pub fn interact(
     }
     drag_dots(ui, &response, side, model, view, handles, actions);
     move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
-    match nudge::of_viewport(ui, &response, side) {
+    match nudge::of_viewport(ui, &response, side, handles) {
         Some(EyeMove::Step(step)) => view.pan(-step),
         Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
         Some(EyeMove::Fit) => view.fit(),
@@ -163,6 +163,14 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Han
             let words = || format!("{} = ({:.3}, {:.3})", handle.symbol(), point.x, point.y);
             dots::paint(ui, &painter, handle, Dot { place: view.to_screen(point), hidden: false }, handles, &words);
         }
+    }
+}
+
+/// Draws the frame of the viewport that has the keyboard.
+pub fn paint_focus(ui: &Ui, side: Side, rect: Rect, handles: &HandleState) {
+    if handles.focused_view == Some(side) {
+        let ring = Stroke::new(2.0, Palette::of(ui.visuals()).accent_soft);
+        ui.painter().rect_stroke(rect.shrink(3.0), CornerRadius::same(6), ring, StrokeKind::Inside);
     }
 }
 

@@ -3,23 +3,23 @@
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
 //! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`save_file`],
 //! [`drop_position`], [`asks_for_bench`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
-//! [`languages`], [`say_language`], [`say`], [`describe`]. Whatever happens outside of a frame arrives as an
+//! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`]. Whatever happens outside of a frame arrives as an
 //! [`Event`] in the app's mailbox, in order, and wakes the app.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Laboratory, Preparer, address_with, asks_for_bench, describe, drop_position, languages, link, pick_file,
-    read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
+    Laboratory, Preparer, address_with, asks_for_bench, describe, drop_position, has_fingers, languages, link,
+    pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Laboratory, Preparer, address_with, asks_for_bench, describe, drop_position, languages, link, pick_file,
-    read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
+    Laboratory, Preparer, address_with, asks_for_bench, describe, drop_position, has_fingers, languages, link,
+    pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
 };
 
 use crate::conformal::Side;

@@ -169,5 +169,10 @@ pub fn say(_text: &str) {}
 /// As [`say`].
 pub fn describe(_text: &str) {}
 
+/// Whether the screen is touched, before it was: not known to a window.
+pub fn has_fingers() -> bool {
+    false
+}
+
 /// A window's language is known to the system.
 pub fn say_language(_code: &str) {}

@@ -49,7 +49,7 @@ pub fn interact(
         actions.extend(nudged(model, view, nudge).map(Action::Session));
     }
     move_eye(ui, &response, view, handles);
-    match nudge::of_viewport(ui, &response, SIDE) {
+    match nudge::of_viewport(ui, &response, SIDE, handles) {
         Some(EyeMove::Step(step)) => view.turn(-step),
         Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
         Some(EyeMove::Fit) => view.fit(),

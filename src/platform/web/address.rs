@@ -78,3 +78,9 @@ pub fn say_language(code: &str) {
         log::warn!("the page's language could not be set");
     }
 }
+
+/// Whether the screen is touched, before it was.
+pub fn has_fingers() -> bool {
+    let query = |window: Window| window.match_media("(any-pointer: coarse)").ok()?;
+    web_sys::window().and_then(query).is_some_and(|query| query.matches())
+}

@@ -7,6 +7,7 @@ mod address;
 mod bridge;
 mod engine;
 mod files;
+mod keys;
 mod laboratory;
 mod messages;
 mod page;
@@ -14,7 +15,7 @@ mod preparer;
 mod spoken;
 mod worker_handle;
 
-pub use address::{address_with, languages, link, remember, remembered, say_language, show_link};
+pub use address::{address_with, has_fingers, languages, link, remember, remembered, say_language, show_link};
 pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use laboratory::Laboratory;
 pub use page::asks_for_bench;

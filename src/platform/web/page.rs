@@ -1,6 +1,6 @@
 //! The page: canvas, loading indicator, messages when nothing can be drawn.
 
-use super::{address, bridge, files};
+use super::{address, bridge, files, keys};
 use crate::app::{Groundwork, RiemapApp};
 use wasm_bindgen::JsCast;
 use web_sys::{Document, HtmlCanvasElement};
@@ -28,6 +28,7 @@ async fn run() -> Result<(), String> {
         .and_then(|element| element.dyn_into::<HtmlCanvasElement>().ok())
         .ok_or("The page has no canvas.")?;
     files::follow_drags(&document);
+    keys::keep(&canvas);
     let runner = eframe::WebRunner::new();
     let groundwork = Groundwork::resume();
     address::follow(groundwork.mailbox());
