@@ -55,6 +55,9 @@ impl Value {
 /// The two families of a ruling: x and y, or circles and rays.
 pub const FAMILIES: usize = 2;
 
+/// The corners of a triangle: the pattern's coordinates, and the places.
+type Corners = [(DVec2, DVec2); 3];
+
 /// Rays of polar graph paper are doubled so many times at most.
 const DOUBLINGS: u32 = 6;
 /// Rays nearest to the pole.
@@ -97,7 +100,7 @@ impl Ruling {
     }
 
     /// Adds the segments on which the family's function is a whole number.
-    fn cross(self, family: usize, piece: &[(DVec2, DVec2); 3], joints: &mut Polylines) {
+    fn cross(self, family: usize, piece: &Corners, joints: &mut Polylines) {
         let Some(values) = self.values(family, piece.map(|corner| corner.0)) else { return };
         let low = values.iter().map(Value::whole).fold(f64::INFINITY, f64::min);
         let high = values.iter().map(Value::whole).fold(f64::NEG_INFINITY, f64::max);
@@ -170,7 +173,7 @@ fn angles(places: [DVec2; 3], rays: u32) -> Option<[Value; 3]> {
 }
 
 /// Cuts a triangle into `n²` ones; a corner is its pattern's coordinates and its place.
-fn for_pieces(corners: &[(DVec2, DVec2); 3], n: usize, emit: &mut dyn FnMut(&[(DVec2, DVec2); 3])) {
+fn for_pieces(corners: &Corners, n: usize, emit: &mut dyn FnMut(&Corners)) {
     if n == 1 {
         return emit(corners);
     }
@@ -187,7 +190,7 @@ fn for_pieces(corners: &[(DVec2, DVec2); 3], n: usize, emit: &mut dyn FnMut(&[(D
 
 /// A point of a triangle by whole weights that sum to `n`. The corners are taken in the order of their
 /// places, whatever the triangle: a point of a shared edge is the same, to the bit, from both sides.
-fn blend(corners: &[(DVec2, DVec2); 3], weights: [usize; 3], n: usize) -> (DVec2, DVec2) {
+fn blend(corners: &Corners, weights: [usize; 3], n: usize) -> (DVec2, DVec2) {
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| compare(corners[i].1, corners[j].1));
     let sum = |of: &dyn Fn(usize) -> DVec2| {
@@ -211,7 +214,7 @@ struct End {
 }
 
 /// Where the linear function with these values at the corners equals `level`.
-fn crossing(values: &[Value; 3], corners: &[(DVec2, DVec2); 3], level: f64) -> Option<[End; 2]> {
+fn crossing(values: &[Value; 3], corners: &Corners, level: f64) -> Option<[End; 2]> {
     let mut ends = Vec::with_capacity(2);
     for i in 0..3 {
         let j = (i + 1) % 3;
