@@ -1,5 +1,6 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
+use super::editing::EditAction;
 use super::explore::ExploreAction;
 use super::playing::PlayAction;
 use super::preferences::Preferences;
@@ -28,10 +29,20 @@ pub enum Action {
     CopyLink,
     /// Show the dialog for an outline.
     OpenOutline(Side),
+    /// Show the dialog for a picture to trace for this side.
+    OpenTrace(Side),
+    /// Trace the picture that has just become the texture.
+    TraceImage,
+    /// Leave it the texture.
+    DismissOffer,
     /// Show the dialog for the texture image.
     OpenImage,
     /// Show all of a side's outline.
     Fit(Side),
+    /// Draw or reshape an outline by hand.
+    Edit(EditAction),
+    /// Take a pasted text as the source's outline.
+    PasteText(String),
     /// Do what the message about a subject offers.
     Remedy(Subject),
     /// Close the message about a subject.

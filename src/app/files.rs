@@ -1,5 +1,6 @@
 //! Files that came in: which are outlines, which are images or surfaces, and what is wrong with the others.
 
+use super::tracing;
 use super::trouble::{Remedy, Trouble};
 use crate::conformal::Side;
 use crate::outline::{Outline, parse, parse_repaired};
@@ -50,7 +51,7 @@ pub fn read(
     let is_session = has_ending(name, &[file::EXTENSION]);
     let (image, side) = match purpose {
         FilePurpose::Image => (true, Side::Source),
-        FilePurpose::Outline(side) => (false, side),
+        FilePurpose::Outline(side) | FilePurpose::Trace(side) => (false, side),
         FilePurpose::Session => (false, Side::Source),
         FilePurpose::Dropped(side) => (is_image_name(name), side),
     };
@@ -60,6 +61,10 @@ pub fn read(
         if image || session { FileError::Common(message) } else { FileError::Outline(side, Trouble::new(message)) }
     };
     let bytes = bytes.map_err(failed)?;
+    if purpose == FilePurpose::Trace(side) {
+        let pixels = decode(&bytes, tracing::MAX_SIDE).map_err(failed)?;
+        return traced(side, &Picture { name: name.to_owned(), pixels });
+    }
     if image {
         let pixels = decode(&bytes, max_image_side).map_err(failed)?;
         return Ok(Content::Image(Picture { name: name.to_owned(), pixels }));
@@ -77,6 +82,15 @@ pub fn read(
             let remedy = parse_repaired(name, &bytes).ok().map(|outline| Remedy::Repaired(Box::new(outline)));
             Err(FileError::Outline(side, Trouble { text: format!("{name}: {error}"), remedy }))
         }
+    }
+}
+
+/// The outline of the largest shape in a picture.
+pub fn traced(side: Side, picture: &Picture) -> Result<Content, FileError> {
+    let stem = picture.name.rsplit_once('.').map_or(picture.name.as_str(), |(stem, _)| stem);
+    match tracing::trace(stem, &picture.pixels) {
+        Ok(outline) => Ok(Content::Outline(side, outline)),
+        Err(error) => Err(FileError::Outline(side, Trouble::new(format!("{}: {error}", picture.name)))),
     }
 }
 
@@ -133,6 +147,21 @@ mod tests {
     fn an_image_that_the_device_cannot_hold_is_made_smaller_in_proportion() {
         let Ok(Content::Image(picture)) = read(FilePurpose::Image, "wide.png", Ok(png(64, 16)), 32) else { panic!() };
         assert_eq!(picture.pixels.dimensions(), (32, 8));
+    }
+
+    #[test]
+    fn a_picture_that_is_to_be_traced_becomes_an_outline() {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { [0; 3] } else { [255; 3] };
+        let picture = image::RgbImage::from_fn(300, 240, |x, y| image::Rgb(ink(x, y)));
+        picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+        let content = read(FilePurpose::Trace(Side::Target), "box.png", Ok(bytes.into_inner()), 32);
+        let Ok(Content::Outline(Side::Target, outline)) = content else { panic!("not traced") };
+        assert_eq!(outline.name, "box");
+        assert!((outline.polygon.area() / 7200.0 - 1.0).abs() < 0.02, "{}", outline.polygon.area());
+        let error = read(FilePurpose::Trace(Side::Target), "blank.png", Ok(png(30, 20)), 32).err();
+        let Some(FileError::Outline(Side::Target, trouble)) = error else { panic!("{error:?}") };
+        assert!(trouble.text.starts_with("blank.png: the whole picture has one colour"), "{}", trouble.text);
     }
 
     #[test]

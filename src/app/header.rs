@@ -1,6 +1,7 @@
 //! What lies over a viewport's upper edge: title, sizes, buttons, messages; and its legend below.
 
 use super::action::{Action, Actions};
+use super::editing::EditAction;
 use super::language::{tr, tr_message};
 use super::model::Model;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
@@ -33,6 +34,8 @@ pub fn open_tooltip(side: Side) -> &'static str {
 pub struct Surroundings {
     /// Little room: the bar along the top has the shapes.
     pub narrow: bool,
+    /// The side whose outline is being edited.
+    pub edited: Option<Side>,
     /// The panels are folded away: here is the way back for those without a Tab key.
     pub folded: bool,
 }
@@ -102,6 +105,13 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
     let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")).min_size(vec2(width, 0.0)));
     if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
         actions.push(Action::Fit(side));
+    }
+    if side == Side::Source || model.surface().is_none() {
+        let edited = around.edited == Some(side);
+        let edit = ui.add(egui::Button::selectable(edited, tr("Edit")).frame_when_inactive(true));
+        if edit.on_hover_text(tr("Reshape the outline by its handles (E)")).clicked() {
+            actions.push(Action::Edit(EditAction::Toggle(side)));
+        }
     }
     if !around.narrow {
         if ui.button(tr("Open…")).on_hover_text(tr(open_tooltip(side))).clicked() {

@@ -3,6 +3,7 @@
 use super::RiemapApp;
 use super::files::{self, Content, FileError};
 use super::gpu::Gpu;
+use super::offer::Offer;
 use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose};
 use crate::session::{Command, TextureKind};
@@ -26,7 +27,24 @@ impl RiemapApp {
     pub(super) fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
         self.keeper.touch();
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
-        match files::read(purpose, name, bytes, limit) {
+        let content = files::read(purpose, name, bytes, limit);
+        if let (Ok(Content::Image(picture)), FilePurpose::Image | FilePurpose::Dropped(_)) = (&content, purpose) {
+            let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
+            self.offer = Some(Offer::new(side, picture));
+        }
+        self.take(content);
+    }
+
+    /// Traces the picture that has just become the texture.
+    pub(super) fn trace_image(&mut self) {
+        if let Some(offer) = self.offer.take() {
+            self.keeper.touch();
+            self.take(offer.accept());
+        }
+    }
+
+    fn take(&mut self, content: Result<Content, FileError>) {
+        match content {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
             Ok(Content::Image(picture)) => self.use_image(picture),
             Ok(Content::Session(session)) => self.open_session(*session),

@@ -9,8 +9,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, file_menu, header, legend, play_panel, plots, side_panel, status, surface, teaching, theme,
-    top_bar, viewport, words,
+    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, side_panel, status, surface,
+    teaching, theme, top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -36,6 +36,8 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
+    editing::keys(ui, &app.editor, &app.views, &mut actions);
+    actions.extend(editing::pasted(ui).map(Action::PasteText));
     play_panel::keys(ui, &mut actions);
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
@@ -153,11 +155,17 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
         let rect = rects[side as usize];
         let below =
             if narrow && side == LEGEND_SIDE && app.cells.scale().is_some() { legend::height(rect) } else { 0.0 };
-        let margins = Margins { bottom: margins.bottom + below, ..margins };
+        let bar = if narrow && app.editor.side() == Some(side) { editing::ROOM } else { 0.0 };
+        let margins = Margins { bottom: margins.bottom + below + bar, ..margins };
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
         let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
-        let boundary = if let Some(scene) = scene {
+        if let Some(scene) = scene {
             app.orbit.place(view.rect, ui.pixels_per_point(), scene);
+        }
+        let boundary = if app.editor.side() == Some(side) {
+            editing::interact(ui, side, &app.model, view, &mut app.editor, &mut app.handles, &mut actions);
+            None
+        } else if scene.is_some() {
             surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, &mut actions)
         } else {
             viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions)
@@ -174,8 +182,10 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     paint(app, ui, narrow, &mut actions);
     common_message(app, ui, &mut actions);
     app.reports.show(&context);
-    app.show_exporter(&context, narrow, &mut actions);
+    offer::show(ui, &mut app.offer, &mut actions);
+    editing::show_paste(&context, &mut app.editor, &mut actions);
     app.explore.show(&context, &mut actions);
+    app.show_exporter(&context, narrow, &mut actions);
     app.carry_out(&context, actions);
 }
 
@@ -184,7 +194,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     if let Some(gpu) = &app.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
-    let around = Surroundings { narrow, folded: !app.panels_open };
+    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         let view = &app.views[side as usize];
@@ -196,6 +206,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         } else {
             viewport::paint_mesh(ui, side, view, style.as_ref());
         }
+        editing::paint_sheet(ui, side, view, &app.editor);
         let is_fitted = if solid { app.orbit.is_fitted() } else { view.is_fitted() };
         header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
         if !narrow {
@@ -206,17 +217,21 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
             legend::paint(ui, view.rect, scale, narrow);
         }
         let marked = app.plots.marked().map(|marked| marked[side as usize]);
-        if solid {
+        if app.editor.drawing(side).is_some() {
+            // the dots are those of the outline under the sheet
+        } else if solid {
             marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.orbit, at));
             surface::viewport::paint_dots(ui, &app.model, &app.orbit, &app.handles);
         } else {
             marked.inspect(|&at| viewport::paint_boundary_mark(ui, side, &app.model, view, at));
             viewport::paint_dots(ui, side, &app.model, view, &app.handles);
         }
+        editing::paint(ui, side, view, &app.editor);
+        editing::show_bar(ui, side, view.rect, narrow, &app.editor, actions);
         viewport::paint_progress(ui, side, &app.model, view.rect);
         viewport::paint_drop_target(ui, side, view.rect);
     }
-    if !app.handles.ever_dragged && app.model.shown().is_some() {
+    if !app.handles.ever_dragged && app.model.shown().is_some() && app.editor.side().is_none() {
         viewport::paint_hint(ui, &app.model, &app.views[0]);
     }
     let [a, b] = app.views.each_ref().map(|view| view.rect);

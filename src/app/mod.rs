@@ -10,6 +10,7 @@ mod cells;
 mod colouring;
 mod dots;
 mod draft;
+mod editing;
 mod explore;
 pub mod exporting;
 mod figures_menu;
@@ -30,6 +31,7 @@ mod looping;
 mod method;
 mod model;
 mod nudge;
+mod offer;
 mod play_panel;
 mod playing;
 mod plots;
@@ -48,6 +50,7 @@ mod teaching;
 mod textured;
 mod theme;
 mod top_bar;
+mod tracing;
 mod trouble;
 mod view;
 mod viewport;
@@ -64,6 +67,7 @@ use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
 use crate::session::{Command, Session};
 use cells::Cells;
+use editing::Editor;
 use explore::{Explore, ExploreAction};
 use exporting::Exporter;
 use gpu::Gpu;
@@ -72,6 +76,7 @@ use image::RgbaImage;
 use keeping::{Keeper, Start};
 use keyboard::Keyboard;
 use model::{Changes, Refines};
+use offer::Offer;
 use playing::Player;
 use plots::Plots;
 use preferences::Preferences;
@@ -152,6 +157,7 @@ pub struct RiemapApp {
     cells: Cells,
     plots: Plots,
     handles: HandleState,
+    editor: Editor,
     meter: FrameMeter,
     panels_open: bool,
     sheet_open: bool,
@@ -166,6 +172,8 @@ pub struct RiemapApp {
     player: Player,
     exporter: Exporter,
     image_name: Option<String>,
+    /// The picture that can be traced now.
+    offer: Option<Offer>,
     /// The texture of that name.
     image: Option<Arc<RgbaImage>>,
     /// What is wrong with an image or a file that was to be saved.
@@ -203,6 +211,7 @@ impl RiemapApp {
             cells: Cells::default(),
             plots: Plots::default(),
             handles: HandleState::default(),
+            editor: Editor::default(),
             meter: FrameMeter::default(),
             panels_open: true,
             sheet_open: false,
@@ -216,6 +225,7 @@ impl RiemapApp {
             player: Player::default(),
             exporter: Exporter::default(),
             image_name: None,
+            offer: None,
             image: None,
             message,
             notice: None,
@@ -253,14 +263,15 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             undo: self.keeper.history().undo_count(),
+            dark: self.dark,
+            spoken: self.spoken,
             playing: self.player.is_playing(),
             export: self.exporter.places().cloned(),
             export_count: self.exporter.count(),
-            dark: self.dark,
-            spoken: self.spoken,
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
+            editing: editing::stats(&self.editor, &self.views),
         };
         stats::collect(&self.model, screen)
     }
@@ -309,9 +320,20 @@ impl RiemapApp {
                 Action::SaveSession => self.save_session(),
                 Action::CopyLink => self.copy_link(context),
                 Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
+                Action::OpenTrace(side) => platform::pick_file(FilePurpose::Trace(side), self.mailbox.clone()),
+                Action::TraceImage => self.trace_image(),
+                Action::DismissOffer => self.offer = None,
                 Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
                 Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
                 Action::Fit(side) => self.views[side as usize].fit(),
+                Action::Edit(action) => {
+                    self.keeper.touch();
+                    self.editor.act(action, &mut self.model, &mut self.views);
+                }
+                Action::PasteText(text) => {
+                    self.keeper.touch();
+                    self.editor.take_text(text, &mut self.model, &mut self.views);
+                }
                 Action::Remedy(subject) => self.model.remedy(subject),
                 Action::Dismiss(subject) => self.model.dismiss(subject),
                 Action::OpenReport(report) => self.reports.open(report),
@@ -347,6 +369,7 @@ impl RiemapApp {
     /// Sends what is due to the workers, updates the map, uploads.
     fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
+        self.editor.follow(&mut self.model, &mut self.views);
         for (subject, request) in self.model.take_requests(now) {
             self.preparer.request(subject, request);
         }

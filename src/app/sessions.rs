@@ -9,6 +9,7 @@ impl RiemapApp {
     /// Goes to another step; what is being dragged is let go of.
     pub(super) fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
         self.handles.release();
+        self.editor.drop_handle();
         self.player.pause();
         let at_rest = self.model.is_ready().then(|| self.model.session());
         if let Some(session) = to(&mut self.keeper, at_rest) {

@@ -42,6 +42,8 @@ pub enum FilePurpose {
     Outline(Side),
     /// The texture.
     Image,
+    /// A picture to trace an outline of for this side.
+    Trace(Side),
     /// A session.
     Session,
     /// Dropped over this side: its name decides.
@@ -138,7 +140,7 @@ pub const SURFACE_ENDINGS: [&str; 6] = ["obj", "ply", "stl", "off", "gltf", "glb
 /// The endings that the dialogs offer.
 fn endings(purpose: FilePurpose) -> (&'static str, Vec<&'static str>) {
     match purpose {
-        FilePurpose::Image => ("Images", IMAGE_ENDINGS.to_vec()),
+        FilePurpose::Image | FilePurpose::Trace(_) => ("Images", IMAGE_ENDINGS.to_vec()),
         FilePurpose::Session => ("Sessions", vec![crate::session::file::EXTENSION]),
         FilePurpose::Outline(Side::Source) => ("Outlines", OUTLINE_ENDINGS.to_vec()),
         FilePurpose::Outline(Side::Target) | FilePurpose::Dropped(_) => {

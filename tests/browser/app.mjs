@@ -113,6 +113,44 @@ export class App {
     await this.#frames();
   }
 
+  /** Moves the pointer there. */
+  async pointAt(at) {
+    await this.#page.mouse.move(...at);
+    await this.#frames();
+  }
+
+  /** Clicks, at once: a press that lasts longer than 0.8 s, as slow frames can make it, is no click. */
+  async click(at) {
+    await this.pointAt(at);
+    await this.#page.mouse.click(...at);
+    await this.#frames();
+  }
+
+  /** Drags with the mouse and does not let go. */
+  async hold(from, to, steps = 4) {
+    await this.pointAt(from);
+    await this.#page.mouse.down();
+    await this.#frames();
+    for (const point of between(from, to, steps)) await this.pointAt(point);
+  }
+
+  /** Lets go of what is held. */
+  async letGo() {
+    await this.#page.mouse.up();
+    await this.#frames();
+  }
+
+  /** Pastes a text, as the browser does on Ctrl+V. */
+  async pasteText(text) {
+    await this.#page.evaluate((pasted) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData('text', pasted);
+      const paste = new ClipboardEvent('paste', { bubbles: true, cancelable: true, clipboardData });
+      (document.activeElement ?? document.querySelector('canvas')).dispatchEvent(paste);
+    }, text);
+    await this.#frames();
+  }
+
   /** Drags with one finger. */
   async touchDrag(from, to, steps = 4) {
     const protocol = await this.#context.newCDPSession(this.#page);

@@ -45,8 +45,9 @@ fn browser(places: &Places) -> Result<(), Failure> {
         "app.test.mjs",
         "surfaces.test.mjs",
         "sessions.test.mjs",
-        "exporting.test.mjs",
+        "drawing.test.mjs",
         "everyone.test.mjs",
+        "exporting.test.mjs",
     ]);
     command.current_dir(places.browser_tests());
     command.env("CHROMIUM", chromium).env("RIEMAP_DIST", places.dist());
