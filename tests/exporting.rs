@@ -152,8 +152,9 @@ fn an_animation_has_its_frames_and_begins_at_the_session() {
     let link = link(&Session::default());
     let still = written(&folder, "still.png", &["render", &link, "--size", "240x120"]);
     let still = image::load_from_memory(&still).unwrap().into_rgba8();
-    for (name, path) in [("a.png", "interior"), ("b.gif", "boundary"), ("c.png", "target-interior"), ("d.gif", "both")]
-    {
+    let (png, gif) = (FilmFormat::Png, FilmFormat::Gif);
+    for (format, path) in [(png, "interior"), (gif, "boundary"), (png, "target-interior"), (gif, "both")] {
+        let name = &format!("{path}.{}", format.extension());
         let arguments = ["animate", &link, "--size", "240x120", "--frames", "4", "--seconds", "1", "--path", path];
         let frames = frames(format, &written(&folder, name, &arguments));
         assert_eq!(frames.len(), 4, "{name}");
