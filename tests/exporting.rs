@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
 use riemap::outline;
+use riemap::render::FilmFormat;
 use riemap::session::{Command as Change, Session, SurfaceShape, SurfaceSpec, TextureKind, file, link};
 use riemap::surface::{SurfacePreset, read_surface};
 use std::path::{Path, PathBuf};
@@ -135,10 +136,10 @@ fn wishes_that_make_no_sense_are_refused() {
 }
 
 /// The frames of an animation, decoded.
-fn frames(name: &str, bytes: &[u8]) -> Vec<image::Frame> {
+fn frames(format: FilmFormat, bytes: &[u8]) -> Vec<image::Frame> {
     use image::AnimationDecoder;
     let bytes = std::io::Cursor::new(bytes);
-    if name.ends_with(".gif") {
+    if format == FilmFormat::Gif {
         return image::codecs::gif::GifDecoder::new(bytes).unwrap().into_frames().collect_frames().unwrap();
     }
     let decoder = image::codecs::png::PngDecoder::new(bytes).unwrap();
@@ -151,12 +152,13 @@ fn an_animation_has_its_frames_and_begins_at_the_session() {
     let link = link(&Session::default());
     let still = written(&folder, "still.png", &["render", &link, "--size", "240x120"]);
     let still = image::load_from_memory(&still).unwrap().into_rgba8();
-    for (name, path) in [("a.png", "interior"), ("b.gif", "boundary"), ("c.png", "target-interior"), ("d.gif", "both")]
-    {
+    let (png, gif) = (FilmFormat::Png, FilmFormat::Gif);
+    for (format, path) in [(png, "interior"), (gif, "boundary"), (png, "target-interior"), (gif, "both")] {
+        let name = &format!("{path}.{}", format.extension());
         let arguments = ["animate", &link, "--size", "240x120", "--frames", "4", "--seconds", "1", "--path", path];
-        let frames = frames(name, &written(&folder, name, &arguments));
+        let frames = frames(format, &written(&folder, name, &arguments));
         assert_eq!(frames.len(), 4, "{name}");
-        if name.ends_with(".png") {
+        if format == png {
             let first = frames[0].buffer().pixels().zip(still.pixels());
             let differing = first.filter(|(a, b)| a.0.iter().zip(b.0).any(|(a, b)| a.abs_diff(b) > 2)).count();
             assert!(differing < 30, "{name}: {differing} pixels of the first frame are not the session's");
@@ -173,7 +175,7 @@ fn a_surface_turns_too_and_on_no_ground() {
     let folder = folder("surface animation");
     let link = link(&surface_session());
     let arguments = ["animate", &link, "--size", "160x80", "--frames", "3", "--transparent", "--side", "target"];
-    let frames = frames("a.png", &written(&folder, "a.png", &arguments));
+    let frames = frames(FilmFormat::Png, &written(&folder, "a.png", &arguments));
     assert_eq!(frames.len(), 3);
     assert!(frames.iter().all(|frame| frame.buffer().get_pixel(0, 0).0[3] == 0));
     assert_ne!(frames[0].buffer(), frames[1].buffer());

@@ -12,12 +12,11 @@ pub fn begin(model: &Model, path: Path) -> Option<Loop> {
         return None;
     }
     let source = (model.domain(Side::Source)?, model.interior(Side::Source)?);
-    let start = match model.surface_map() {
-        Some(map) => Start { source, measure: map.source_measure(), target: None },
-        None => {
-            let target = (model.domain(Side::Target)?, model.interior(Side::Target)?);
-            Start { source, measure: model.map()?.measure(Side::Source), target: Some(target) }
-        }
+    let start = if let Some(map) = model.surface_map() {
+        Start { source, measure: map.source_measure(), target: None }
+    } else {
+        let target = (model.domain(Side::Target)?, model.interior(Side::Target)?);
+        Start { source, measure: model.map()?.measure(Side::Source), target: Some(target) }
     };
     Loop::new(path, &start)
 }

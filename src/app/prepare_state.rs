@@ -80,6 +80,7 @@ impl Preparation {
     }
 
     /// The last good domain alone: nothing is wanted or under way.
+    #[must_use]
     pub fn twin(&self) -> Self {
         let wanted = self.prepared_from.clone().unwrap_or_else(|| self.wanted.clone());
         let prepared_from = self.prepared_from.clone();

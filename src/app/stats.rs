@@ -67,6 +67,7 @@ pub struct ComparisonsStats {
 
 /// What is on the screen now.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[allow(clippy::struct_excessive_bools, reason = "a record of what is on the screen")]
 pub struct Stats {
     /// The full map of what is asked for is shown and nothing is being prepared.
     pub ready: bool,

@@ -79,7 +79,7 @@ impl HarmonicMeasure {
     /// The boundary vertices, counter-clockwise from the anchor: a vertex at the anchor comes first.
     pub fn vertices(&self) -> impl Iterator<Item = usize> + '_ {
         let m = self.vertex_count();
-        let first = if self.anchor.fraction == 0.0 { 0 } else { 1 };
+        let first = usize::from(self.anchor.fraction != 0.0);
         (first..m + first).map(move |j| (self.anchor.edge as usize + j) % m)
     }
 

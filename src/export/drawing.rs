@@ -4,7 +4,8 @@
 //! `lines`, `interior` and `boundary`. The first closed path is the first domain's outline, so that the
 //! drawing can be opened as one.
 
-use super::ruling::{FAMILIES, Line, Ruling};
+use super::polylines::Line;
+use super::ruling::{FAMILIES, Ruling};
 use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side};
 use crate::geometry::{Bounds, DVec2};
 use std::collections::BTreeSet;

@@ -7,10 +7,12 @@ mod drawing;
 mod flattened;
 mod format;
 mod planar;
+mod polylines;
 mod ruling;
 
 pub use drawing::{Panel, Part, Wire, panels, svg};
 pub use flattened::{Flattened, Placement};
 pub use format::FileFormat;
 pub use planar::{BOUNDARY_COLUMNS, boundary_csv, mapped_obj};
-pub use ruling::{Line, Ruling};
+pub use polylines::Line;
+pub use ruling::Ruling;

@@ -5,8 +5,8 @@
 //! cut into smaller ones first, until a piece turns by little. Segments that share an end
 //! are joined; a line that comes back to its beginning is closed.
 
+use super::polylines::{Line, Polylines};
 use crate::geometry::DVec2;
-use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 /// Which lines, by the coordinates that a vertex looks the pattern up with.
@@ -55,14 +55,8 @@ impl Value {
 /// The two families of a ruling: x and y, or circles and rays.
 pub const FAMILIES: usize = 2;
 
-/// A line of the pattern on the mesh.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Line {
-    /// Its points; a closed line does not repeat the first.
-    pub points: Vec<DVec2>,
-    /// Whether the last is joined to the first.
-    pub is_closed: bool,
-}
+/// The corners of a triangle: the pattern's coordinates, and the places.
+type Corners = [(DVec2, DVec2); 3];
 
 /// Rays of polar graph paper are doubled so many times at most.
 const DOUBLINGS: u32 = 6;
@@ -83,7 +77,7 @@ const FINEST_CELL: f64 = 0.01;
 impl Ruling {
     /// The lines of one family (0 or 1) on a mesh whose vertices lie at `positions` and look the pattern up at `coordinates`.
     pub fn lines(self, family: usize, positions: &[DVec2], coordinates: &[DVec2], triangles: &[[u32; 3]]) -> Vec<Line> {
-        let mut joints = Joints::default();
+        let mut joints = Polylines::default();
         let pieces = self.pieces(coordinates, triangles);
         for triangle in triangles {
             let corners = triangle.map(|v| (coordinates[v as usize], positions[v as usize]));
@@ -106,7 +100,7 @@ impl Ruling {
     }
 
     /// Adds the segments on which the family's function is a whole number.
-    fn cross(self, family: usize, piece: &[(DVec2, DVec2); 3], joints: &mut Joints) {
+    fn cross(self, family: usize, piece: &Corners, joints: &mut Polylines) {
         let Some(values) = self.values(family, piece.map(|corner| corner.0)) else { return };
         let low = values.iter().map(Value::whole).fold(f64::INFINITY, f64::min);
         let high = values.iter().map(Value::whole).fold(f64::NEG_INFINITY, f64::max);
@@ -117,7 +111,7 @@ impl Ruling {
             if let Some(ends) = crossing(&values, piece, level as f64)
                 && self.shows(family, level, ends[0].coordinate.midpoint(ends[1].coordinate))
             {
-                joints.add(self.name(family, level), ends);
+                joints.add(ends.map(|end| ((self.name(family, level), end.edge), end.place)));
             }
         }
     }
@@ -179,7 +173,7 @@ fn angles(places: [DVec2; 3], rays: u32) -> Option<[Value; 3]> {
 }
 
 /// Cuts a triangle into `n²` ones; a corner is its pattern's coordinates and its place.
-fn for_pieces(corners: &[(DVec2, DVec2); 3], n: usize, emit: &mut dyn FnMut(&[(DVec2, DVec2); 3])) {
+fn for_pieces(corners: &Corners, n: usize, emit: &mut dyn FnMut(&Corners)) {
     if n == 1 {
         return emit(corners);
     }
@@ -196,7 +190,7 @@ fn for_pieces(corners: &[(DVec2, DVec2); 3], n: usize, emit: &mut dyn FnMut(&[(D
 
 /// A point of a triangle by whole weights that sum to `n`. The corners are taken in the order of their
 /// places, whatever the triangle: a point of a shared edge is the same, to the bit, from both sides.
-fn blend(corners: &[(DVec2, DVec2); 3], weights: [usize; 3], n: usize) -> (DVec2, DVec2) {
+fn blend(corners: &Corners, weights: [usize; 3], n: usize) -> (DVec2, DVec2) {
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| compare(corners[i].1, corners[j].1));
     let sum = |of: &dyn Fn(usize) -> DVec2| {
@@ -220,7 +214,7 @@ struct End {
 }
 
 /// Where the linear function with these values at the corners equals `level`.
-fn crossing(values: &[Value; 3], corners: &[(DVec2, DVec2); 3], level: f64) -> Option<[End; 2]> {
+fn crossing(values: &[Value; 3], corners: &Corners, level: f64) -> Option<[End; 2]> {
     let mut ends = Vec::with_capacity(2);
     for i in 0..3 {
         let j = (i + 1) % 3;
@@ -234,61 +228,4 @@ fn crossing(values: &[Value; 3], corners: &[(DVec2, DVec2); 3], level: f64) -> O
         }
     }
     <[End; 2]>::try_from(ends).ok()
-}
-
-/// Where segments meet: a line's name, and an edge.
-type Joint = (i64, [u64; 4]);
-
-/// Segments, found again by their ends.
-#[derive(Default)]
-struct Joints {
-    segments: Vec<[(Joint, DVec2); 2]>,
-    at: HashMap<Joint, Vec<usize>>,
-}
-
-impl Joints {
-    /// Adds a segment of the line with this name.
-    fn add(&mut self, name: i64, ends: [End; 2]) {
-        let ends = ends.map(|end| ((name, end.edge), end.place));
-        for (joint, _) in ends {
-            self.at.entry(joint).or_default().push(self.segments.len());
-        }
-        self.segments.push(ends);
-    }
-
-    /// Joins the segments: first those lines that have ends, then the closed ones.
-    fn lines(&self) -> Vec<Line> {
-        let mut used = vec![false; self.segments.len()];
-        let mut lines = Vec::new();
-        for open in [true, false] {
-            for k in 0..self.segments.len() {
-                let begins = self.segments[k].iter().position(|end| !open || self.at[&end.0].len() == 1);
-                if let Some(end) = begins.filter(|_| !used[k]) {
-                    lines.push(self.follow(k, end, &mut used));
-                }
-            }
-        }
-        lines
-    }
-
-    /// The line that begins with an end of segment `k`.
-    fn follow(&self, k: usize, end: usize, used: &mut [bool]) -> Line {
-        let start = self.segments[k][end].0;
-        let mut points = vec![self.segments[k][end].1];
-        let mut next = Some((k, 1 - end));
-        let mut reached = start;
-        while let Some((k, end)) = next {
-            used[k] = true;
-            let (joint, p) = self.segments[k][end];
-            points.push(p);
-            reached = joint;
-            let free = self.at[&joint].iter().find(|&&other| !used[other]);
-            next = free.map(|&other| (other, usize::from(self.segments[other][0].0 == joint)));
-        }
-        let is_closed = reached == start && points.len() > 3;
-        if is_closed {
-            points.pop();
-        }
-        Line { points, is_closed }
-    }
 }

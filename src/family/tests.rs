@@ -1,11 +1,11 @@
 use super::*;
-use crate::conformal::{ConformalMap, Constraints, MapSettings, Side, prepare};
+use crate::conformal::{ConformalMap, Constraints, MapSettings, PrepareSettings, Side, prepare};
 use crate::outline::Preset;
 use std::f64::consts::PI;
 
 fn map(presets: [Preset; 2]) -> (ConformalMap, Constraints) {
-    let [source, target] =
-        presets.map(|preset| Arc::new(prepare(&preset.outline().polygon, &Default::default(), &mut |_| ()).unwrap()));
+    let [source, target] = presets
+        .map(|preset| Arc::new(prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap()));
     let constraints =
         Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.3, target_anchor: 0.0 };
     (ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap(), constraints)
@@ -43,7 +43,7 @@ fn loops_begin_and_end_at_the_points_that_are_there() {
 #[test]
 fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
     for preset in Preset::ALL {
-        let domain = prepare(&preset.outline().polygon, &Default::default(), &mut |_| ()).unwrap();
+        let domain = prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
         let size = domain.samples.points.iter().map(|p| p.distance(domain.pole)).fold(0.0, f64::max);
         let places = domain.mesh.vertices[domain.samples.len()..].iter().copied().step_by(197).take(6);
         for point in places.chain([domain.pole]) {
@@ -63,7 +63,7 @@ fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
 
 #[test]
 fn the_largest_circle_through_the_centre_of_a_disk_is_known() {
-    let disk = prepare(&Preset::Disk.outline().polygon, &Default::default(), &mut |_| ()).unwrap();
+    let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
     // 1 − r = 1.25 r
     let radius = Circle::through(DVec2::ZERO, &disk.samples).arm.length();
     assert!((radius - 4.0 / 9.0).abs() < 0.01, "{radius}");

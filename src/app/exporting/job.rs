@@ -48,7 +48,7 @@ enum Stage {
     /// Its pixels, which are on their way.
     Pixels(Readback),
     /// Its file.
-    File(PngFile),
+    File(Box<PngFile>),
 }
 
 /// What a frame's work has come to.
@@ -131,7 +131,7 @@ impl Job {
     /// Goes on with a picture that has come.
     fn take(&mut self, picture: RgbaImage) -> Result<Option<Progress>, String> {
         let (Some(film), Some(way)) = (&mut self.film, &self.way) else {
-            self.stage = Stage::File(PngFile::begin(picture).map_err(|error| error.to_string())?);
+            self.stage = Stage::File(Box::new(PngFile::begin(picture).map_err(|error| error.to_string())?));
             return Ok(None);
         };
         film.push(&picture).map_err(|error| error.to_string())?;

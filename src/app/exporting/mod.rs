@@ -3,7 +3,7 @@
 //! | what | file |
 //! |---|---|
 //! | what a person wants | `wish` |
-//! | the window | `window` |
+//! | the window | `window`, `settings` |
 //! | numbers and vector graphics | `files` |
 //! | pictures and animations, a frame's share at a time | `job` |
 //! | what the app does with them | `app` |
@@ -11,6 +11,7 @@
 mod app;
 mod files;
 mod job;
+mod settings;
 mod window;
 mod wish;
 

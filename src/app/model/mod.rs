@@ -165,6 +165,7 @@ impl Model {
 
     /// Another model of the same session, on the same prepared domains, with a map of its own. It asks for nothing:
     /// what is being prepared for this one does not come to it.
+    #[must_use]
     pub fn twin(&self) -> Self {
         let mut twin = Self::new(Session { surface: None, ..self.session.clone() });
         twin.sides = self.sides.each_ref().map(Preparation::twin);

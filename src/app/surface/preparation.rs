@@ -58,6 +58,7 @@ struct Running {
 
 impl SurfacePreparation {
     /// The last good surface alone: nothing is wanted or under way.
+    #[must_use]
     pub fn twin(&self) -> Self {
         let wanted = self.there.as_ref().map(|(wish, _)| wish.clone());
         Self { wanted, there: self.there.clone(), ..Self::default() }

@@ -49,6 +49,7 @@ impl SurfaceSide {
     }
 
     /// The same surface, not yet mapped.
+    #[must_use]
     pub fn twin(&self) -> Self {
         let mut twin = Self { preparation: self.preparation.twin(), ..Self::default() };
         twin.renew();

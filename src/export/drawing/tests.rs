@@ -1,12 +1,12 @@
 use super::*;
-use crate::conformal::{MapSettings, prepare};
+use crate::conformal::{MapSettings, PrepareSettings, prepare};
 use crate::outline::{self, Preset};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
 fn map() -> (ConformalMap, Constraints) {
     let [source, target] = [Preset::Star, Preset::Heart]
-        .map(|preset| Arc::new(prepare(&preset.outline().polygon, &Default::default(), &mut |_| ()).unwrap()));
+        .map(|preset| Arc::new(prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap()));
     let constraints =
         Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.1, target_anchor: 0.6 };
     (ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap(), constraints)
@@ -81,7 +81,7 @@ fn lines_of_the_source_are_straight_whole_and_where_they_should_be() {
 /// About the centre of a disk circles close, rays run from where they begin to the boundary.
 #[test]
 fn circles_close_and_rays_reach_the_boundary() {
-    let disk = prepare(&Preset::Disk.outline().polygon, &Default::default(), &mut |_| ()).unwrap();
+    let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
     let vertices = disk.mesh.vertices.as_slice();
     let conformal = Ruling::Conformal { rays: 12 };
     let polar = Ruling::Polar { pole: DVec2::ZERO, spacing: 0.25 };
