@@ -2,14 +2,19 @@
 
 use super::action::{Action, Actions};
 use super::keeping::Keeper;
+use super::locks::{Locks, REFUSAL};
+use super::presentation;
 use super::widgets::chevron;
+use crate::platform;
 use egui::containers::menu::MenuButton;
-use egui::{Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
 
 const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
 const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
 const REDO_TOO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Y);
 const SAVE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::S);
+
+const FULL_SCREEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F);
 
 const LINK_TOOLTIP: &str = "The address carries everything that is set: it opens the same picture in another browser";
 
@@ -17,10 +22,14 @@ const LINK_TOOLTIP: &str = "The address carries everything that is set: it opens
 pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
     let (response, _) = MenuButton::from_button(egui::Button::new("File     ")).ui(ui, |ui| {
         ui.set_width(190.0);
-        for (entry, enabled, action) in entries(keeper) {
+        for (entry, enabled, action) in entries(keeper, ui.ctx()) {
             let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
             let button = egui::Button::new(entry.label).shortcut_text(shortcut).min_size(egui::vec2(190.0, 40.0));
-            if ui.add_enabled(enabled, button).on_hover_text(entry.tooltip).clicked() {
+            let locked = Locks::of(ui.ctx()).refused(&action).is_some();
+            let response = ui.add_enabled(enabled && !locked, button).on_hover_text(entry.tooltip);
+            if locked {
+                response.on_disabled_hover_text(REFUSAL);
+            } else if response.clicked() {
                 actions.push(action);
                 ui.close();
             }
@@ -36,17 +45,24 @@ struct Entry {
     shortcut: Option<KeyboardShortcut>,
 }
 
-fn entries(keeper: &Keeper) -> [(Entry, bool, Action); 6] {
+fn entries(keeper: &Keeper, context: &Context) -> Vec<(Entry, bool, Action)> {
     let entry = |label, tooltip, shortcut| Entry { label, tooltip, shortcut };
     let history = keeper.history();
-    [
+    let mut entries = vec![
         (entry("Undo", "Take the last step back; a drag is one step", Some(UNDO)), history.can_undo(), Action::Undo),
         (entry("Redo", "Make it again", Some(REDO)), history.can_redo(), Action::Redo),
         (entry("New", "Begin with the first picture again; it can be undone", None), true, Action::New),
         (entry("Open…", "A session from a .riemap file", None), true, Action::OpenSession),
         (entry("Save…", "The session as a .riemap file", Some(SAVE)), true, Action::SaveSession),
         (entry("Copy link", LINK_TOOLTIP, None), true, Action::CopyLink),
-    ]
+    ];
+    if platform::has_full_screen() {
+        let full = entry("Full screen", presentation::FULL_SCREEN_TOOLTIP, Some(FULL_SCREEN));
+        entries.push((full, true, Action::ToggleFullScreen));
+    }
+    let size = if presentation::is_large(context) { "Desk size" } else { "Presentation size" };
+    entries.push((entry(size, presentation::PRESENTATION_TOOLTIP, None), true, Action::TogglePresentation));
+    entries
 }
 
 /// Turns the menu's keys into actions, unless a text is being written.

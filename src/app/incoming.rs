@@ -3,6 +3,8 @@
 use super::RiemapApp;
 use super::files::{self, Content, FileError};
 use super::gpu::Gpu;
+use super::locks::{Control, REFUSAL};
+use super::presentation;
 use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose};
 use crate::session::{Command, TextureKind};
@@ -16,7 +18,12 @@ impl RiemapApp {
                 Event::WorkerDied { subject, reason } => self.model.worker_died(subject, &reason),
                 Event::Found { study, finding } => self.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
-                Event::Link(address) => self.open_link(&address),
+                Event::Link(address) => {
+                    if self.may(Control::Session) {
+                        self.open_link(&address);
+                    }
+                }
+                Event::GraphicsLost(reason) => self.message = Some(presentation::graphics_lost(&reason)),
                 Event::NotSaved { name, reason } => self.message = Some(format!("{name} was not saved: {reason}")),
             }
         }
@@ -25,7 +32,13 @@ impl RiemapApp {
     pub(super) fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
         self.keeper.touch();
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
-        match files::read(purpose, name, bytes, limit) {
+        let content = files::read(purpose, name, bytes, limit);
+        if let Ok(content) = &content
+            && !self.may(locked_by(content))
+        {
+            return;
+        }
+        match content {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
             Ok(Content::Image(picture)) => self.use_image(&picture),
             Ok(Content::Session(session)) => self.open_session(*session),
@@ -33,6 +46,15 @@ impl RiemapApp {
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
             Err(FileError::Common(message)) => self.message = Some(message),
         }
+    }
+
+    /// Whether a control may be changed from outside of the panels; if not, that is said.
+    fn may(&mut self, control: Control) -> bool {
+        let locked = self.options.locks.holds(control);
+        if locked {
+            self.message = Some(format!("{REFUSAL}: {}.", control.name()));
+        }
+        !locked
     }
 
     pub(super) fn use_image(&mut self, picture: &files::Picture) {
@@ -57,5 +79,14 @@ impl RiemapApp {
         for file in &dropped {
             platform::read_dropped(file, side, self.mailbox.clone());
         }
+    }
+}
+
+/// What a file would change.
+fn locked_by(content: &Content) -> Control {
+    match content {
+        Content::Outline(..) | Content::Surface { .. } => Control::Outline,
+        Content::Image(_) => Control::Pattern,
+        Content::Session(_) => Control::Session,
     }
 }

@@ -8,8 +8,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, file_menu, header, legend, plots, side_panel, status, surface, teaching, top_bar, viewport,
-    words,
+    PHONE_WIDTH, RiemapApp, file_menu, header, legend, plots, presentation, side_panel, status, surface, teaching,
+    top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -34,6 +34,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
+    presentation::keys(ui, &mut actions);
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
@@ -179,7 +180,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     if let Some(gpu) = &app.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
-    let around = Surroundings { narrow, folded: !app.panels_open };
+    let around = Surroundings { narrow, folded: !app.panels_open, embedded: app.options.embed };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         let view = &app.views[side as usize];

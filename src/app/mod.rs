@@ -6,6 +6,8 @@
 //! changed, paint. At rest nothing is computed and nothing drawn.
 
 mod action;
+pub mod address_options;
+mod announced;
 mod cells;
 mod colouring;
 mod dots;
@@ -21,10 +23,12 @@ mod incoming;
 mod keeping;
 mod layout;
 mod legend;
+mod locks;
 mod method;
 mod model;
 mod plots;
 mod prepare_state;
+mod presentation;
 mod reports;
 mod screenshot;
 mod sessions;
@@ -54,10 +58,13 @@ use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
 use crate::session::{Command, Session};
+use address_options::AddressOptions;
+use announced::Announced;
 use cells::Cells;
 use gpu::Gpu;
 use handles::HandleState;
 use keeping::{Keeper, Start};
+use locks::Locks;
 use model::{Changes, Refines};
 use plots::Plots;
 use reports::{Report, Reports};
@@ -126,9 +133,11 @@ pub struct RiemapApp {
     plots: Plots,
     handles: HandleState,
     meter: FrameMeter,
+    options: AddressOptions,
     panels_open: bool,
     sheet_open: bool,
     keeper: Keeper,
+    announced: Announced,
     reports: Reports,
     laboratory: Laboratory,
     image_name: Option<String>,
@@ -150,10 +159,15 @@ impl RiemapApp {
         theme::install(&creation.egui_ctx);
         let Groundwork { model, resumes, missing, message, preparer, mailbox, events } = groundwork;
         mailbox.attach(&creation.egui_ctx);
+        let options = platform::address_options();
+        presentation::install(&creation.egui_ctx, &options);
+        if let Some(state) = &creation.wgpu_render_state {
+            platform::watch_graphics(&state.device, mailbox.clone());
+        }
         let mut keeper = Keeper::new(model.session().clone(), resumes);
         keeper.open_link(missing);
         let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
-        if platform::asks_for_bench() {
+        if options.bench {
             reports.open(Report::Bench);
         }
         Ok(Self {
@@ -168,13 +182,15 @@ impl RiemapApp {
             plots: Plots::default(),
             handles: HandleState::default(),
             meter: FrameMeter::default(),
-            panels_open: true,
+            panels_open: !options.embed,
             sheet_open: false,
             keeper,
+            announced: Announced::default(),
             reports,
             laboratory,
             image_name: None,
-            message,
+            message: presentation::with_troubles(message, &options),
+            options,
             notice: None,
             unit_coordinates: true,
             last_change: 0.0,
@@ -245,7 +261,8 @@ impl RiemapApp {
     /// The one place where wishes become changes.
     fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
         let now = context.input(|input| input.time);
-        for action in actions {
+        let locks = Locks::of(context);
+        for action in actions.into_iter().filter(|action| locks.refused(action).is_none()) {
             match action {
                 Action::Session(command) => {
                     self.keeper.touch();
@@ -273,7 +290,9 @@ impl RiemapApp {
                 }
                 Action::Walks(action) => self.model.act_on_walks(action),
                 Action::ToggleTheme => theme::toggle(context),
-                Action::TogglePanels => self.panels_open = !self.panels_open,
+                Action::TogglePanels => self.fold_panels(context),
+                Action::ToggleFullScreen => platform::toggle_full_screen(context),
+                Action::TogglePresentation => presentation::toggle(context),
             }
         }
     }
@@ -385,6 +404,7 @@ impl eframe::App for RiemapApp {
         let since_last = ui.input(|input| input.unstable_dt);
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
         layout::show(self, ui);
+        self.announce();
     }
 
     /// Tab folds the panels, unless a control has the keyboard.
@@ -398,7 +418,7 @@ impl eframe::App for RiemapApp {
                 return true;
             }
             if *pressed {
-                self.panels_open = !self.panels_open;
+                self.fold_panels(context);
             }
             false
         });

@@ -3,7 +3,9 @@
 use super::action::{Action, Actions};
 use super::header::PANELS_TOOLTIP;
 use super::keeping::Keeper;
+use super::locks::{Control, guarded};
 use super::model::Model;
+use super::presentation::full_screen_button;
 use super::theme::{Palette, ROW_HEIGHT};
 use super::{figures_menu, file_menu, shapes, theme, words};
 use crate::conformal::Side;
@@ -27,28 +29,35 @@ pub fn show(ui: &mut Ui, model: &Model, keeper: &Keeper, narrow: bool, actions: 
         }
         file_menu::menu_button(ui, keeper, actions);
         for side in Side::BOTH {
-            shapes::menu_button(ui, words::side(side), side, model, actions);
+            guarded(ui, Control::Outline, |ui| shapes::menu_button(ui, words::side(side), side, model, actions));
         }
-        if !narrow && ui.button("Image…").on_hover_text("A PNG or JPEG as the texture").clicked() {
-            actions.push(Action::OpenImage);
+        if !narrow {
+            guarded(ui, Control::Pattern, |ui| {
+                if ui.button("Image…").on_hover_text("A PNG or JPEG as the texture").clicked() {
+                    actions.push(Action::OpenImage);
+                }
+            });
         }
         if !narrow {
             figures_menu::menu_button(ui, actions);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if theme_button(ui).clicked() {
+            if guarded(ui, Control::Theme, theme_button).clicked() {
                 actions.push(Action::ToggleTheme);
             }
-            if !narrow && ui.button("Panels").on_hover_text(PANELS_TOOLTIP).clicked() {
-                actions.push(Action::TogglePanels);
+            let ink = Palette::of(ui.visuals()).text;
+            let full = if narrow { None } else { full_screen_button(ui, vec2(34.0, ROW_HEIGHT), ink) };
+            if full.is_some_and(|button| button.clicked()) {
+                actions.push(Action::ToggleFullScreen);
             }
             if !narrow {
+                let panels = guarded(ui, Control::Panels, |ui| ui.button("Panels").on_hover_text(PANELS_TOOLTIP));
+                if panels.clicked() {
+                    actions.push(Action::TogglePanels);
+                }
                 let open = model.session().plots;
-                if ui
-                    .add(egui::Button::selectable(open, "Plots").frame_when_inactive(true))
-                    .on_hover_text(PLOTS_TOOLTIP)
-                    .clicked()
-                {
+                let button = egui::Button::selectable(open, "Plots").frame_when_inactive(true);
+                if guarded(ui, Control::Plots, |ui| ui.add(button).on_hover_text(PLOTS_TOOLTIP)).clicked() {
                     actions.push(Action::Session(Command::SetPlots(!open)));
                 }
             }

@@ -9,6 +9,7 @@ use super::action::{Action, Actions};
 use super::dots::{self, Dot};
 use super::gpu::ViewportCallback;
 use super::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
+use super::locks::{Control, Locks};
 use super::model::Model;
 use super::theme::Palette;
 use super::view::View;
@@ -66,6 +67,9 @@ fn pinch(ui: &Ui, response: &Response, view: &mut View, handles: &mut HandleStat
         return false;
     }
     handles.release();
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return true;
+    }
     view.pan(touch.translation_delta);
     view.zoom(touch.zoom_delta, touch.center_pos);
     true
@@ -84,6 +88,9 @@ fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Handle
 }
 
 fn move_camera(ui: &Ui, response: &Response, view: &mut View, handles: &HandleState) {
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return;
+    }
     if response.dragged() && handles.grip.is_none() {
         view.pan(response.drag_delta());
         ui.set_cursor_icon(CursorIcon::Move);

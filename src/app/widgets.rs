@@ -170,7 +170,7 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&str>) -> Option<Mess
                 if remedy.is_some_and(|label| ui.button(label).clicked()) {
                     answer = Some(MessageAnswer::Remedy);
                 }
-                let cross = ui.add(egui::Button::new("✕").frame(false)).on_hover_text("Close this message");
+                let cross = ui.add(egui::Button::new("×").frame(false)).on_hover_text("Close this message");
                 cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close this message"));
                 if cross.clicked() {
                     answer = Some(MessageAnswer::Dismiss);

@@ -2,23 +2,24 @@
 //!
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
 //! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`save_file`],
-//! [`drop_position`], [`asks_for_bench`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`]. Whatever happens outside of a frame arrives as an
-//! [`Event`] in the app's mailbox, in order, and wakes the app.
+//! [`drop_position`], [`address_options`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
+//! [`has_full_screen`], [`toggle_full_screen`], [`tell_page`], [`watch_graphics`]. Whatever happens outside of a
+//! frame arrives as an [`Event`] in the app's mailbox, in order, and wakes the app.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember,
-    remembered, save_file, show_link, start,
+    Laboratory, Preparer, address_options, address_with, drop_position, has_full_screen, link, pick_file, read_dropped,
+    remember, remembered, save_file, show_link, start, tell_page, toggle_full_screen, watch_graphics,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Laboratory, Preparer, address_with, asks_for_bench, drop_position, link, pick_file, read_dropped, remember,
-    remembered, save_file, show_link, start,
+    Laboratory, Preparer, address_options, address_with, drop_position, has_full_screen, link, pick_file, read_dropped,
+    remember, remembered, save_file, show_link, start, tell_page, toggle_full_screen, watch_graphics,
 };
 
 use crate::conformal::Side;
@@ -66,6 +67,8 @@ pub enum Event {
     },
     /// The page's address has another fragment.
     Link(String),
+    /// Nothing can be drawn any more, and why.
+    GraphicsLost(String),
     /// A file could not be written.
     NotSaved {
         /// Its name.
@@ -82,6 +85,15 @@ pub enum Event {
         /// Its content, or why there is none.
         bytes: Result<Vec<u8>, String>,
     },
+}
+
+/// What the page around the app is told of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PageEvent {
+    /// The session has changed and come to rest.
+    Session,
+    /// An error is shown, with these words.
+    Error,
 }
 
 /// Where events are posted.

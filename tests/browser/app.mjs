@@ -17,9 +17,11 @@ export class App {
   #page;
   #faults = [];
 
-  static async open(browser, address, device) {
+  /** `prepare` runs in the page before its own scripts. */
+  static async open(browser, address, device, prepare) {
     const context = await browser.newContext(device);
     const app = new App(context, await context.newPage());
+    if (prepare) await app.#page.addInitScript(prepare);
     await app.#page.goto(address);
     return app;
   }
@@ -54,6 +56,11 @@ export class App {
       await this.#context.close();
     }
     assert.deepEqual(this.#faults, [], 'nothing goes wrong behind the scenes');
+  }
+
+  /** The page itself, for what is not the app. */
+  get page() {
+    return this.#page;
   }
 
   stats() {
@@ -223,8 +230,8 @@ function between(from, to, steps) {
 
 /** Runs in the page: how many pixels each colour has, the most frequent first, in steps of 16. */
 async function countColours(png) {
-  const blob = await (await fetch(`data:image/png;base64,${png}`)).blob();
-  const bitmap = await createImageBitmap(blob);
+  const bytes = Uint8Array.from(atob(png), (c) => c.charCodeAt(0));
+  const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
   const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
   context.drawImage(bitmap, 0, 0);
   const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);

@@ -45,6 +45,7 @@ fn browser(places: &Places) -> Result<(), Failure> {
         "app.test.mjs",
         "surfaces.test.mjs",
         "sessions.test.mjs",
+        "web.test.mjs",
     ]);
     command.current_dir(places.browser_tests());
     command.env("CHROMIUM", chromium).env("RIEMAP_DIST", places.dist());

@@ -32,7 +32,11 @@ pub fn address_with(fragment: &str) -> String {
 }
 
 /// Keeps a text for [`remembered`], or says why not: the page may store nothing, or not so much.
+/// A picture in another page is not what its reader goes on with elsewhere: it keeps nothing.
 pub fn remember(text: &str) -> Result<(), String> {
+    if super::address_options().embed {
+        return Ok(());
+    }
     let storage = |window: Window| window.local_storage().ok()?;
     let storage = web_sys::window().and_then(storage).ok_or("the browser lets this page store nothing")?;
     storage
@@ -42,6 +46,9 @@ pub fn remember(text: &str) -> Result<(), String> {
 
 /// What was kept last.
 pub fn remembered() -> Option<String> {
+    if super::address_options().embed {
+        return None;
+    }
     web_sys::window()?.local_storage().ok()??.get_item(KEY).ok()?
 }
 

@@ -11,13 +11,15 @@ mod laboratory;
 mod messages;
 mod page;
 mod preparer;
+mod surroundings;
 mod worker_handle;
 
 pub use address::{address_with, link, remember, remembered, show_link};
 pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use laboratory::Laboratory;
-pub use page::asks_for_bench;
+pub use page::{address_options, watch_graphics};
 pub use preparer::Preparer;
+pub use surroundings::{has_full_screen, tell_page, toggle_full_screen};
 
 use wasm_bindgen::JsCast;
 use web_sys::DedicatedWorkerGlobalScope;
