@@ -1,5 +1,6 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
+use super::preferences::Preferences;
 use super::reports::Report;
 use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
@@ -46,8 +47,8 @@ pub enum Action {
     ExportPicture,
     /// Start, pause or clear the random walks, or change their speed.
     Walks(WalkAction),
-    /// Dark to light and back.
-    ToggleTheme,
+    /// Look and speak like this, now and the next time.
+    Prefer(Preferences),
     /// Fold the panels away, or bring them back.
     TogglePanels,
     /// The whole screen, or a window again.

@@ -13,7 +13,9 @@
 //! Options that are none of these are left to others (a host may add its own); values that are none
 //! are reported.
 
+use super::language::Language;
 use super::locks::{Control, Locks};
+use super::preferences::Appearance;
 
 /// The options of an address; the default is that of an address without any.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -28,16 +30,15 @@ pub struct AddressOptions {
     pub webgl: bool,
     /// What stays as it is.
     pub locks: Locks,
-    /// Whether the theme is dark, if the address says so.
-    pub dark: Option<bool>,
-    /// The language, by its two letters.
-    pub language: Option<&'static str>,
+    /// The theme, if the address says so.
+    pub theme: Option<Appearance>,
+    /// The language, if the address says so.
+    pub language: Option<Language>,
     /// What could not be understood.
     pub troubles: Vec<String>,
 }
 
-/// The languages that the app speaks.
-const LANGUAGES: [&str; 2] = ["en", "de"];
+const THEMES: [(&str, Appearance); 2] = [("light", Appearance::Light), ("dark", Appearance::Dark)];
 
 impl AddressOptions {
     /// Reads names and values, decoded, in their order.
@@ -60,12 +61,12 @@ impl AddressOptions {
                 self.expect(self.webgl, name, value, "webgl");
             }
             "theme" => {
-                self.dark = ["light", "dark"].iter().position(|theme| value == *theme).map(|k| k == 1);
-                self.expect(self.dark.is_some(), name, value, "dark, light");
+                self.theme = THEMES.into_iter().find(|(theme, _)| value == *theme).map(|(_, theme)| theme);
+                self.expect(self.theme.is_some(), name, value, &THEMES.map(|(theme, _)| theme).join(", "));
             }
             "lang" => {
-                self.language = LANGUAGES.into_iter().find(|language| value == *language);
-                self.expect(self.language.is_some(), name, value, &LANGUAGES.join(", "));
+                self.language = Language::ALL.into_iter().find(|language| value == language.code());
+                self.expect(self.language.is_some(), name, value, &Language::ALL.map(Language::code).join(", "));
             }
             _ => {}
         }
@@ -97,7 +98,7 @@ mod tests {
         let options = AddressOptions::parse(pairs);
         assert!(options.embed && options.present && !options.bench && !options.webgl);
         assert!(options.locks.holds(Control::Outline) && options.locks.holds(Control::View));
-        assert_eq!((options.dark, options.language), (Some(false), Some("de")));
+        assert_eq!((options.theme, options.language), (Some(Appearance::Light), Some(Language::German)));
         assert_eq!(options.troubles, [""; 0]);
     }
 
@@ -110,12 +111,12 @@ mod tests {
     #[test]
     fn what_is_not_understood_is_reported_with_what_would_be() {
         let options = AddressOptions::parse([("lock", "outline,vieuw"), ("theme", "blue"), ("backend", "webgpu")]);
-        assert!(options.locks.holds(Control::Outline) && options.dark.is_none() && !options.webgl);
+        assert!(options.locks.holds(Control::Outline) && options.theme.is_none() && !options.webgl);
         let [lock, theme, backend] = options.troubles.as_slice() else {
             unreachable!("{:?}", options.troubles);
         };
         assert!(lock.contains("lock=vieuw") && lock.contains("boundary"), "{lock}");
-        assert!(theme.contains("theme=blue") && theme.contains("dark, light"), "{theme}");
+        assert!(theme.contains("theme=blue") && theme.contains("light, dark"), "{theme}");
         assert!(backend.contains("backend=webgpu"), "{backend}");
     }
 

@@ -5,6 +5,7 @@
 //! per cent in another: its range is symmetric and the smallest of a few that holds
 //! nearly the whole area, and it is kept while it serves, so that colours stay calm.
 
+use super::language::{tr, tr_with};
 use crate::conformal::{Direction, Histogram, TriangleDistortion};
 use crate::render::{CellCode, ColourMap};
 use crate::session::Colouring;
@@ -79,10 +80,10 @@ impl ColourScale {
 
     /// What is written above the colours.
     pub fn title(&self) -> &'static str {
-        match self.colouring {
+        tr(match self.colouring {
             Colouring::Area => "Area distortion log₂(σ₁σ₂)",
             _ => "Angle distortion Q = σ₁/σ₂",
-        }
+        })
     }
 
     /// The values at the ticks, with their words.
@@ -99,10 +100,11 @@ impl ColourScale {
     /// The mean, in words.
     pub fn mean(&self) -> Option<String> {
         let mean = self.histogram.as_ref()?.mean;
-        Some(match self.colouring {
-            Colouring::Area => format!("mean {}", signed((100.0 * mean).round() / 100.0)),
-            _ => format!("mean {mean:.3}"),
-        })
+        let shown = match self.colouring {
+            Colouring::Area => signed((100.0 * mean).round() / 100.0),
+            _ => format!("{mean:.3}"),
+        };
+        Some(tr_with("mean {0}", &[&shown]))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The menu of the paper's figures and tables.
 
 use super::action::{Action, Actions};
+use super::language::{tr, tr_message, tr_with};
 use super::reports::Report;
 use super::theme::Palette;
 use super::widgets::chevron;
@@ -17,7 +18,7 @@ const HEIGHT: f32 = 0.75;
 
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, actions: &mut Actions) {
-    let (response, _) = MenuButton::from_button(egui::Button::new("Figures     ")).ui(ui, |ui| {
+    let (response, _) = MenuButton::from_button(egui::Button::new(format!("{}     ", tr("Figures")))).ui(ui, |ui| {
         ui.set_width(470.0);
         let height = HEIGHT * ui.ctx().content_rect().height();
         egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
@@ -26,19 +27,20 @@ pub fn menu_button(ui: &mut Ui, actions: &mut Actions) {
             }
         });
         ui.separator();
-        let bench = ui.button("Tables 1 and 2 · times on this machine, beside the paper's");
-        if bench.on_hover_text("Takes a minute or two, in the background").clicked() {
+        let bench = ui.button(tr("Tables 1 and 2 · times on this machine, beside the paper's"));
+        if bench.on_hover_text(tr("Takes a minute or two, in the background")).clicked() {
             actions.push(Action::OpenReport(Report::Bench));
             ui.close();
         }
     });
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Figures"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Figures")));
     chevron(ui, response.rect, false);
 }
 
 fn entry(ui: &mut Ui, figure: Figure, actions: &mut Actions) {
-    let title = format!("Figure {} · {}", figure.number(), figure.title());
-    let tooltip = figure.choices().iter().map(|choice| format!("• {choice}")).collect::<Vec<_>>().join("\n");
+    let title = tr_with("Figure {0} · {1}", &[&figure.number(), &tr(figure.title())]);
+    let tooltip =
+        figure.choices().iter().map(|choice| format!("• {}", tr_message(choice))).collect::<Vec<_>>().join("\n");
     if figure == Figure::Convergence {
         if ui.button(title).on_hover_text(tooltip).clicked() {
             actions.push(Action::OpenReport(Report::Convergence));
@@ -59,7 +61,8 @@ fn entry(ui: &mut Ui, figure: Figure, actions: &mut Actions) {
 
 fn scene_button(ui: &mut Ui, figure: Figure, scene: &Scene, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
-    let button = egui::Button::new(RichText::new(&scene.label).small().color(palette.text)).fill(palette.control);
+    let button =
+        egui::Button::new(RichText::new(tr_message(&scene.label)).small().color(palette.text)).fill(palette.control);
     if ui.add(button).on_hover_text(resolution(&scene.session)).clicked() {
         actions.push(Action::Session(Command::Open(Box::new(with_plots(figure, scene.session.clone())))));
         ui.close();
@@ -74,14 +77,16 @@ fn with_plots(figure: Figure, session: Session) -> Session {
 fn resolution(session: &Session) -> String {
     let count = |sampling| match sampling {
         crate::outline::Sampling::Uniform { count, .. } => count.to_string(),
-        crate::outline::Sampling::Adaptive { target } => target.map_or_else(|| "as needed".into(), |m| m.to_string()),
+        crate::outline::Sampling::Adaptive { target } => {
+            target.map_or_else(|| tr("as needed").into(), |m| m.to_string())
+        }
     };
     let [a, b] = [&session.source, &session.target].map(|domain| count(domain.settings.sampling));
     match session.surface.as_ref().map(|surface| &surface.spec.shape) {
         Some(SurfaceShape::Preset { boundary, .. }) => {
-            format!("{a} samples of the outline, {boundary} boundary vertices of the surface")
+            tr_with("{0} samples of the outline, {1} boundary vertices of the surface", &[&a, boundary])
         }
-        Some(SurfaceShape::File { name }) => format!("{a} samples of the outline; the surface {name}"),
-        None => format!("{a} samples of the source, {b} of the target"),
+        Some(SurfaceShape::File { name }) => tr_with("{0} samples of the outline; the surface {1}", &[&a, name]),
+        None => tr_with("{0} samples of the source, {1} of the target", &[&a, &b]),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::action::{Action, Actions};
 use super::keeping::Keeper;
+use super::language::tr;
 use super::locks::{Locks, REFUSAL};
 use super::presentation;
 use super::widgets::chevron;
@@ -20,22 +21,22 @@ const LINK_TOOLTIP: &str = "The address carries everything that is set: it opens
 
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
-    let (response, _) = MenuButton::from_button(egui::Button::new("File     ")).ui(ui, |ui| {
+    let (response, _) = MenuButton::from_button(egui::Button::new(format!("{}     ", tr("File")))).ui(ui, |ui| {
         ui.set_width(190.0);
         for (entry, enabled, action) in entries(keeper, ui.ctx()) {
             let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
-            let button = egui::Button::new(entry.label).shortcut_text(shortcut).min_size(egui::vec2(190.0, 40.0));
+            let button = egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, 40.0));
             let locked = Locks::of(ui.ctx()).refused(&action).is_some();
-            let response = ui.add_enabled(enabled && !locked, button).on_hover_text(entry.tooltip);
+            let response = ui.add_enabled(enabled && !locked, button).on_hover_text(tr(entry.tooltip));
             if locked {
-                response.on_disabled_hover_text(REFUSAL);
+                response.on_disabled_hover_text(tr(REFUSAL));
             } else if response.clicked() {
                 actions.push(action);
                 ui.close();
             }
         }
     });
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "File"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("File")));
     chevron(ui, response.rect, false);
 }
 

@@ -1,6 +1,7 @@
 //! What lies over a viewport's upper edge: title, sizes, buttons, messages; and its legend below.
 
 use super::action::{Action, Actions};
+use super::language::{tr, tr_message};
 use super::locks::{Control, guarded};
 use super::model::Model;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
@@ -72,7 +73,7 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
     let palette = Palette::of(ui.visuals());
     let surface = model.surface().filter(|_| side == Side::Target);
     let name = match surface {
-        Some((_, state)) => format!("Surface · {}", words::surface(&state.spec.shape)),
+        Some((_, state)) => format!("{} · {}", tr("Surface"), words::surface(&state.spec.shape)),
         None => format!("{} · {}", words::side(side), words::outline(&model.session().domain(side).outline)),
     };
     ui.add(Label::new(RichText::new(name).font(theme::bold(14.0)).color(palette.text)).truncate());
@@ -82,14 +83,15 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
         model.surface_notes()
     } else {
         let Some(domain) = model.domain(side) else { return };
-        let explained = format!("{}\n\n{}", words::SIZE_TOOLTIP, words::timings(&domain.timings));
+        let explained = format!("{}\n\n{}", tr(words::SIZE_TOOLTIP), words::timings(&domain.timings));
         line(ui, &words::domain_sizes(domain), &explained);
         let wanted = model.session().domain(side).settings.solver;
         let cautions = words::cautions(domain, wanted).map(String::from);
         model.side(side).notes.iter().map(ToString::to_string).chain(cautions).collect()
     };
     for note in &notes {
-        line(ui, note, note);
+        let note = tr_message(note);
+        line(ui, &note, &note);
     }
 }
 
@@ -97,13 +99,13 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
     ui.spacing_mut().button_padding = vec2(9.0, 4.0);
     ui.spacing_mut().interact_size.y = 26.0;
     let panels = (around.folded && side == Side::Target)
-        .then(|| guarded(ui, Control::Panels, |ui| ui.button("Panels").on_hover_text(PANELS_TOOLTIP)));
+        .then(|| guarded(ui, Control::Panels, |ui| ui.button(tr("Panels")).on_hover_text(tr(PANELS_TOOLTIP))));
     if panels.is_some_and(|button| button.clicked()) {
         actions.push(Action::TogglePanels);
     }
     guarded(ui, Control::View, |ui| {
-        let fit = ui.add_enabled(!is_fitted, egui::Button::new("Fit"));
-        if fit.on_hover_text("Show all of it (double-click)").clicked() {
+        let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")));
+        if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
             actions.push(Action::Fit(side));
         }
     });
@@ -112,16 +114,16 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
 
 fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings, actions: &mut Actions) {
     if !around.narrow {
-        if ui.button("Open…").on_hover_text(open_tooltip(side)).clicked() {
+        if ui.button(tr("Open…")).on_hover_text(tr(open_tooltip(side))).clicked() {
             actions.push(Action::OpenOutline(side));
         }
-        shapes::menu_button(ui, "Shapes", side, model, actions);
+        shapes::menu_button(ui, tr("Shapes"), side, model, actions);
     }
     if side == Side::Target {
         let planar = model.surface().is_none();
-        let swap = ui.add_enabled(planar && model.is_ready(), egui::Button::new("Swap"));
-        let swap = swap.on_hover_text("Exchange source and target");
-        if swap.on_disabled_hover_text(if planar { "While nothing is prepared" } else { SWAP_REFUSED }).clicked() {
+        let swap = ui.add_enabled(planar && model.is_ready(), egui::Button::new(tr("Swap")));
+        let swap = swap.on_hover_text(tr("Exchange source and target"));
+        if swap.on_disabled_hover_text(tr(if planar { "While nothing is prepared" } else { SWAP_REFUSED })).clicked() {
             actions.push(Action::Session(Command::Swap));
         }
     }
@@ -154,7 +156,7 @@ pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View) {
         Side::Source => ("interior point x₁", "boundary point y₁"),
         Side::Target => ("x₂ = f(x₁)", "y₂ = f(y₁)"),
     };
-    let dots = [(INTERIOR_COLOUR, interior), (BOUNDARY_COLOUR, boundary)];
+    let dots = [(INTERIOR_COLOUR, tr(interior)), (BOUNDARY_COLOUR, tr(boundary))];
     let dashes = teaching::paint::legend(side, model, ui.visuals().dark_mode);
     let two_rows = place.width() < ONE_ROW && dashes.len() > 2;
     ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {

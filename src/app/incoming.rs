@@ -3,6 +3,7 @@
 use super::RiemapApp;
 use super::files::{self, Content, FileError};
 use super::gpu::Gpu;
+use super::language::tr;
 use super::locks::{Control, REFUSAL};
 use super::presentation;
 use crate::conformal::Side;
@@ -52,7 +53,7 @@ impl RiemapApp {
     fn may(&mut self, control: Control) -> bool {
         let locked = self.options.locks.holds(control);
         if locked {
-            self.message = Some(format!("{REFUSAL}: {}.", control.name()));
+            self.message = Some(format!("{}: {}.", tr(REFUSAL), control.name()));
         }
         !locked
     }

@@ -4,6 +4,7 @@
 
 use super::action::{Action, Actions};
 use super::header::Surroundings;
+use super::language::tr;
 use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
@@ -68,7 +69,7 @@ fn bar_frame(palette: &Palette) -> Frame {
 fn bars(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     Panel::top("top").exact_size(46.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
-        top_bar::show(ui, &app.model, &app.keeper, narrow, actions);
+        top_bar::show(ui, &app.model, &app.keeper, app.preferences, narrow, actions);
     });
     let (backend, adapter) = app.gpu.as_ref().map(|gpu| (gpu.backend(), gpu.adapter())).unwrap_or_default();
     let extension = app.cauchy_green().map(|processor| words::cauchy_green(processor, app.model.extension_progress()));
@@ -131,7 +132,7 @@ fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
         for (label, is_plots) in [("Controls", false), ("Plots", true)] {
             let shown = open && plots == is_plots;
             let ink = if open && !shown { palette.weak } else { palette.text };
-            let response = ui.add_sized(size, egui::Button::new(RichText::new(label).color(ink)).frame(false));
+            let response = ui.add_sized(size, egui::Button::new(RichText::new(tr(label)).color(ink)).frame(false));
             chevron(ui, response.rect, !shown);
             if response.clicked() {
                 asked = Some(is_plots);

@@ -6,6 +6,7 @@
 
 use super::action::Action;
 use super::handles::HandleKind;
+use super::language::tr;
 use crate::session::Command;
 use egui::{Context, Id, Sense, Ui};
 
@@ -32,7 +33,7 @@ pub enum Control {
     Comparison,
     /// Beginning anew, and opening another session.
     Session,
-    /// Dark and light.
+    /// Theme and language.
     Theme,
     /// Folding the panels.
     Panels,
@@ -87,7 +88,7 @@ impl Control {
             Action::OpenImage => Self::Pattern,
             Action::Fit(_) => Self::View,
             Action::OpenReport(_) | Action::Walks(_) => Self::Comparison,
-            Action::ToggleTheme => Self::Theme,
+            Action::Prefer(_) => Self::Theme,
             Action::TogglePanels => Self::Panels,
             Action::Undo
             | Action::Redo
@@ -194,7 +195,7 @@ pub fn guarded<R>(ui: &mut Ui, control: Control, show: impl FnOnce(&mut Ui) -> R
     let shown = ui.add_enabled_ui(!locked, show);
     if locked {
         let id = shown.response.id.with("why it is locked");
-        ui.interact(shown.response.rect, id, Sense::hover()).on_hover_text(REFUSAL);
+        ui.interact(shown.response.rect, id, Sense::hover()).on_hover_text(tr(REFUSAL));
     }
     shown.inner
 }

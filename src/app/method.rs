@@ -3,6 +3,7 @@
 //! Kernel and solver are one choice for both sides. What would not fit is greyed, with the reason.
 
 use super::action::{Action, Actions};
+use super::language::{tr, tr_message, tr_with};
 use super::model::Model;
 use super::surface;
 use super::theme::Palette;
@@ -54,12 +55,13 @@ const SOLVERS: [Segment<SolverKind>; 2] = [
 
 /// Shows the group.
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
-    group_heading(ui, "Method");
+    group_heading(ui, tr("Method"));
     let planar = model.surface().is_none();
     let extension = if planar { model.session().extension } else { Extension::Harmonic };
     let refused = |extension| {
         let refused = !planar && extension == Extension::CauchyGreen;
-        refused.then(|| String::from("Cauchy's integral is one over a boundary in the plane; a surface's is in space"))
+        refused
+            .then(|| String::from(tr("Cauchy's integral is one over a boundary in the plane; a surface's is in space")))
     };
     if let Some(extension) = segmented_where(ui, &EXTENSIONS, extension, refused) {
         actions.push(Action::Session(Command::SetExtension(extension)));
@@ -67,7 +69,7 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let progress = model.map().map_or(1.0, ConformalMap::extension_progress);
     if progress < 1.0 {
         let palette = Palette::of(ui.visuals());
-        let text = format!("harmonic for now · Cauchy–Green {:.0} %", 100.0 * progress);
+        let text = tr_with("harmonic for now · Cauchy–Green {0} %", &[&(100.0 * progress).round()]);
         ui.label(RichText::new(text).small().color(palette.weak));
     }
     let old = model.side(Side::Source).wanted().settings;
@@ -100,5 +102,5 @@ fn refusal(model: &Model, kernel: KernelMode) -> Option<String> {
         .chain(surface.map(|mesh| (mesh.interior_count(), mesh.boundary_count as usize)))
         .filter(|_| kernel == KernelMode::Table)
         .find_map(|(n, m)| HarmonicTable::check(n, m, Memory::default()).err())
-        .map(|error| error.to_string())
+        .map(|error| tr_message(&error.to_string()).into_owned())
 }

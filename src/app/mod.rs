@@ -19,14 +19,17 @@ mod gpu;
 mod gpu_extension;
 mod handles;
 mod header;
+mod help_menu;
 mod incoming;
 mod keeping;
+pub mod language;
 mod layout;
 mod legend;
 mod locks;
 mod method;
 mod model;
 mod plots;
+mod preferences;
 mod prepare_state;
 mod presentation;
 mod reports;
@@ -67,6 +70,7 @@ use keeping::{Keeper, Start};
 use locks::Locks;
 use model::{Changes, Refines};
 use plots::Plots;
+use preferences::Preferences;
 use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
@@ -91,6 +95,7 @@ pub struct Groundwork {
     /// The outlines that the session's link only names.
     missing: Vec<MissingOutline>,
     message: Option<String>,
+    preferences: Preferences,
     preparer: Preparer,
     mailbox: Mailbox,
     events: mpsc::Receiver<Event>,
@@ -104,13 +109,23 @@ impl Groundwork {
         for (subject, request) in model.take_requests(0.0) {
             preparer.request(subject, request);
         }
-        Self { model, resumes: false, missing: Vec::new(), message: None, preparer, mailbox, events }
+        Self {
+            model,
+            resumes: false,
+            missing: Vec::new(),
+            message: None,
+            preferences: Preferences::fixed(),
+            preparer,
+            mailbox,
+            events,
+        }
     }
 
-    /// As [`Self::start`], with the session that the address or the last time has left; what went wrong with it is shown.
+    /// As [`Self::start`], with the session and the preferences that the address or the last time has left; what went
+    /// wrong with the session is shown.
     pub fn resume() -> Self {
         let Start { session, missing, message } = keeping::first_session();
-        Self { missing, message, resumes: true, ..Self::start(session) }
+        Self { missing, message, resumes: true, preferences: Preferences::remembered(), ..Self::start(session) }
     }
 
     /// Where events for the app are posted.
@@ -145,6 +160,7 @@ pub struct RiemapApp {
     message: Option<String>,
     /// What has gone well and cannot be seen, and when it need not be said any more.
     notice: Option<(&'static str, f64)>,
+    preferences: Preferences,
     /// Whether exported texture coordinates are scaled into the unit box.
     unit_coordinates: bool,
     last_change: f64,
@@ -157,10 +173,10 @@ impl RiemapApp {
         groundwork: Groundwork,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Groundwork { model, resumes, missing, message, preparer, mailbox, events } = groundwork;
-        mailbox.attach(&creation.egui_ctx);
+        let Groundwork { model, resumes, missing, message, preferences, preparer, mailbox, events } = groundwork;
         let options = platform::address_options();
-        presentation::install(&creation.egui_ctx, &options);
+        let preferences = presentation::install(&creation.egui_ctx, preferences, &options);
+        mailbox.attach(&creation.egui_ctx);
         if let Some(state) = &creation.wgpu_render_state {
             platform::watch_graphics(&state.device, mailbox.clone());
         }
@@ -192,6 +208,7 @@ impl RiemapApp {
             message: presentation::with_troubles(message, &options),
             options,
             notice: None,
+            preferences,
             unit_coordinates: true,
             last_change: 0.0,
         })
@@ -289,12 +306,18 @@ impl RiemapApp {
                     screenshot::save(context, a.union(b), self.mailbox.clone());
                 }
                 Action::Walks(action) => self.model.act_on_walks(action),
-                Action::ToggleTheme => theme::toggle(context),
+                Action::Prefer(preferences) => self.prefer(context, preferences),
                 Action::TogglePanels => self.fold_panels(context),
                 Action::ToggleFullScreen => platform::toggle_full_screen(context),
                 Action::TogglePresentation => presentation::toggle(context),
             }
         }
+    }
+
+    fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {
+        self.preferences = preferences;
+        preferences.apply(context);
+        preferences.remember();
     }
 
     fn export_surface(&mut self, format: SurfaceFormat) {
@@ -434,6 +457,8 @@ impl eframe::App for RiemapApp {
     }
 }
 
+#[cfg(test)]
+mod language_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;

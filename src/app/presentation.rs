@@ -2,7 +2,9 @@
 
 use super::action::{Action, Actions};
 use super::address_options::AddressOptions;
+use super::language::{tr, tr_with};
 use super::locks::{Control, Locks};
+use super::preferences::Preferences;
 use super::RiemapApp;
 use crate::platform;
 use egui::{Context, Event, Key, Response, Role, Stroke, Ui, WidgetInfo, vec2};
@@ -15,15 +17,18 @@ pub const FULL_SCREEN_TOOLTIP: &str = "The whole screen, or a window again (F)";
 /// What the menu says.
 pub const PRESENTATION_TOOLTIP: &str = "Text, controls, dots and lines half as large again, to be read from afar";
 
-/// Begins as the address asks for.
-pub fn install(context: &Context, options: &AddressOptions) {
+/// Begins as the address asks for, and beyond that as the person has chosen for this device.
+pub fn install(context: &Context, chosen: Preferences, options: &AddressOptions) -> Preferences {
     options.locks.install(context);
     if options.present {
         context.set_zoom_factor(PRESENTATION_ZOOM);
     }
-    if let Some(dark) = options.dark {
-        context.set_theme(if dark { egui::Theme::Dark } else { egui::Theme::Light });
-    }
+    let preferences = Preferences {
+        language: options.language.or(chosen.language),
+        appearance: options.theme.unwrap_or(chosen.appearance),
+    };
+    preferences.apply(context);
+    preferences
 }
 
 /// The first message, and what is wrong with the address.
@@ -59,8 +64,8 @@ pub fn full_screen_button(ui: &mut Ui, size: egui::Vec2, ink: egui::Color32) -> 
     if !platform::has_full_screen() {
         return None;
     }
-    let response = ui.add(egui::Button::new("").min_size(size)).on_hover_text(FULL_SCREEN_TOOLTIP);
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Full screen"));
+    let response = ui.add(egui::Button::new("").min_size(size)).on_hover_text(tr(FULL_SCREEN_TOOLTIP));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Full screen")));
     let (half, arm, stroke) = (5.5, 3.5, Stroke::new(1.5, ink));
     for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
         let corner = response.rect.center() + half * vec2(x, y);
@@ -71,7 +76,7 @@ pub fn full_screen_button(ui: &mut Ui, size: egui::Vec2, ink: egui::Color32) -> 
 
 /// What to do when nothing can be drawn any more.
 pub fn graphics_lost(reason: &str) -> String {
-    format!("The graphics device was lost ({reason}). Start riemap again: the map is kept.")
+    tr_with("The graphics device was lost ({0}). Start riemap again: the map is kept.", &[&reason])
 }
 
 impl RiemapApp {
@@ -89,7 +94,9 @@ mod tests {
     #[test]
     fn the_address_decides_size_theme_and_locks() {
         let context = Context::default();
-        install(&context, &AddressOptions::parse([("present", ""), ("theme", "light"), ("lock", "view")]));
+        let options = AddressOptions::parse([("present", ""), ("theme", "light"), ("lock", "view")]);
+        let preferences = install(&context, Preferences::fixed(), &options);
+        assert_eq!(preferences.language, Preferences::fixed().language);
         let _ = context.run_ui(egui::RawInput::default(), |_| {});
         assert!(is_large(&context) && context.theme() == egui::Theme::Light);
         assert!(Locks::of(&context).holds(Control::View) && !Locks::of(&context).holds(Control::Pattern));

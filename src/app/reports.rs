@@ -2,6 +2,7 @@
 //!
 //! A window that is closed asks for no more rows; the one under way is dropped when it comes.
 
+use super::language::{tr, tr_message, tr_with};
 use super::plots::convergence_chart;
 use super::theme::Palette;
 use crate::figures::{
@@ -86,7 +87,7 @@ impl Reports {
         };
         let screen = context.content_rect();
         let mut still_open = true;
-        Window::new(title)
+        Window::new(tr(title))
             .open(&mut still_open)
             .collapsible(false)
             .pivot(egui::Align2::CENTER_CENTER)
@@ -101,11 +102,14 @@ impl Reports {
     fn content(&self, ui: &mut Ui, report: Report) {
         let palette = Palette::of(ui.visuals());
         let left = self.waiting.len() + usize::from(self.running.is_some());
-        let state = if left == 0 { String::from("done") } else { format!("measuring, {left} rows to go…") };
+        let state =
+            if left == 0 { String::from(tr("done")) } else { tr_with("measuring, {0} rows to go…", &[&left]) };
         ui.label(RichText::new(state).color(palette.weak));
         ScrollArea::both().auto_shrink(false).show(ui, |ui| match report {
             Report::Bench => {
-                ui.label(RichText::new(format!("Paper: {PAPER_MACHINE}. Here: one thread.")).color(palette.weak));
+                ui.label(
+                    RichText::new(tr_with("Paper: {0}. Here: one thread.", &[&PAPER_MACHINE])).color(palette.weak),
+                );
                 for setting in BenchSetting::ALL {
                     self.table_1(ui, setting);
                     self.table_2(ui, setting);
@@ -114,7 +118,7 @@ impl Reports {
             Report::Convergence => convergence_chart(ui, &self.convergence),
         });
         for failure in &self.failures {
-            ui.label(RichText::new(failure).color(palette.error_edge));
+            ui.label(RichText::new(tr_message(failure)).color(palette.error_edge));
         }
     }
 
@@ -127,13 +131,15 @@ impl Reports {
                 let Some(Measurement::Preparation(here)) = self.measurement(asked) else { continue };
                 let psi = match self.measurement(BenchRow::PsiTable { index }) {
                     Some(Measurement::PsiTable { psi_s: Some(s) }) if setting == BenchSetting::Paper => seconds(s),
-                    Some(Measurement::PsiTable { psi_s: None }) if setting == BenchSetting::Paper => "too large".into(),
+                    Some(Measurement::PsiTable { psi_s: None }) if setting == BenchSetting::Paper => {
+                        tr("too large").into()
+                    }
                     _ => "–".into(),
                 };
                 let PaperPreparation { triangulation_s, psi_s, zipper_s, bff_s, .. } = *paper;
                 row(
                     ui,
-                    paper.domain.title(),
+                    tr(paper.domain.title()),
                     &[
                         here.m.to_string(),
                         here.triangles.to_string(),
@@ -161,7 +167,7 @@ impl Reports {
                 let PaperFrame { source, target, matching_ms, extension_ms, .. } = *paper;
                 row(
                     ui,
-                    &format!("{} → {}", source.title(), target.title()),
+                    &format!("{} → {}", tr(source.title()), tr(target.title())),
                     &[
                         format!("{}, {}", here.m[0], here.m[1]),
                         here.triangles.to_string(),
@@ -186,23 +192,23 @@ fn runs(row: BenchRow) -> usize {
     if matches!(row, BenchRow::PsiTable { .. }) { 1 } else { RUNS }
 }
 
-fn heading(ui: &mut Ui, table: &str, setting: BenchSetting) {
+fn heading(ui: &mut Ui, table: &'static str, setting: BenchSetting) {
     ui.add_space(8.0);
     let of = match setting {
         BenchSetting::Paper => "the paper's settings: uniform samples and triangles",
         BenchSetting::Default => "riemap's defaults: adaptive samples, graded triangles",
     };
-    ui.label(RichText::new(table).strong());
-    ui.label(RichText::new(of).small().color(Palette::of(ui.visuals()).weak));
+    ui.label(RichText::new(tr(table)).strong());
+    ui.label(RichText::new(tr(of)).small().color(Palette::of(ui.visuals()).weak));
 }
 
 fn grid(ui: &mut Ui, id: String, content: impl FnOnce(&mut Ui)) {
     Grid::new(id).striped(true).spacing([14.0, 3.0]).show(ui, content);
 }
 
-fn header(ui: &mut Ui, titles: &[&str]) {
+fn header(ui: &mut Ui, titles: &[&'static str]) {
     for title in titles {
-        ui.label(RichText::new(*title).small().color(Palette::of(ui.visuals()).weak));
+        ui.label(RichText::new(tr(title)).small().color(Palette::of(ui.visuals()).weak));
     }
     ui.end_row();
 }

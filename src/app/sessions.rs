@@ -2,7 +2,7 @@
 
 use super::keeping::{self, Keeper};
 use super::{NOTICE_SECONDS, RiemapApp};
-use crate::platform::{self, PageEvent};
+use crate::platform::{self, Kept, PageEvent};
 use crate::session::{Command, Session, file, link};
 
 impl RiemapApp {
@@ -72,7 +72,7 @@ impl RiemapApp {
         if let Some(fragment) = settled.address {
             platform::show_link(&fragment);
         }
-        if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(&text))
+        if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(Kept::Session, &text))
             && let Some(message) = self.keeper.not_kept(&reason)
         {
             self.message = Some(message);

@@ -1,6 +1,7 @@
 //! The menu of built-in outlines and surfaces, each with its picture, and the way to a file.
 
 use super::action::{Action, Actions};
+use super::language::tr;
 use super::model::{Model, bounds};
 use super::surface::surface_picture;
 use super::theme::{Palette, ROUNDING};
@@ -83,12 +84,12 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
         if side == Side::Target {
             ui.separator();
             let palette = Palette::of(ui.visuals());
-            ui.label(RichText::new("Surfaces, mapped to the source").small().color(palette.weak));
+            ui.label(RichText::new(tr("Surfaces, mapped to the source")).small().color(palette.weak));
             cells(ui, &SurfacePreset::ALL.map(Shown::Surface), columns, side, current, actions);
         }
     });
     ui.separator();
-    if ui.button("Open a file…").on_hover_text(super::header::open_tooltip(side)).clicked() {
+    if ui.button(tr("Open a file…")).on_hover_text(tr(super::header::open_tooltip(side))).clicked() {
         actions.push(Action::OpenOutline(side));
         ui.close();
     }

@@ -3,6 +3,7 @@
 //! Everything shown is what is *wanted*; a click becomes an [`Action`].
 
 use super::action::{Action, Actions};
+use super::language::{tr, tr_with};
 use super::locks::{Control, guarded};
 use super::method;
 use super::model::Model;
@@ -49,7 +50,7 @@ const TEXTURES: [Segment<TextureKind>; 4] = [
 pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, unit_coordinates: bool, actions: &mut Actions) {
     let planar = model.surface().is_none();
     if planar {
-        group_heading(ui, "Map");
+        group_heading(ui, tr("Map"));
         let direction = guarded(ui, Control::Method, |ui| segmented(ui, &DIRECTIONS, model.session().direction));
         actions.extend(direction.map(|direction| Action::Session(Command::SetDirection(direction))));
     } else {
@@ -67,20 +68,20 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, unit_coordinat
 
 fn shown(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let session = model.session();
-    group_heading(ui, "Show");
+    group_heading(ui, tr("Show"));
     if let Some(colouring) = segmented(ui, &COLOURINGS, session.colouring) {
         actions.push(Action::Session(Command::SetColouring(colouring)));
     }
     let mut wireframe = session.wireframe;
-    let mesh = ui.checkbox(&mut wireframe, "Mesh");
-    if mesh.on_hover_text("The edges of the mapped mesh, and of its image on the other side").changed() {
+    let mesh = ui.checkbox(&mut wireframe, tr("Mesh"));
+    if mesh.on_hover_text(tr("The edges of the mapped mesh, and of its image on the other side")).changed() {
         actions.push(Action::Session(Command::SetWireframe(wireframe)));
     }
 }
 
 fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut Actions) {
     let session = model.session();
-    group_heading(ui, "Texture");
+    group_heading(ui, tr("Texture"));
     match segmented(ui, &TEXTURES, teaching::panel::family(session.texture)) {
         // Without an image there is nothing to show: the dialog first.
         Some(TextureKind::Image) if image_name.is_none() => actions.push(Action::OpenImage),
@@ -90,14 +91,14 @@ fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut A
     if session.texture == TextureKind::Image {
         ui.horizontal(|ui| {
             let palette = Palette::of(ui.visuals());
-            if ui.button("Choose…").clicked() {
+            if ui.button(tr("Choose…")).clicked() {
                 actions.push(Action::OpenImage);
             }
             ui.add(egui::Label::new(RichText::new(image_name.unwrap_or_default()).color(palette.weak)).truncate());
         });
     } else {
         let shown = teaching::panel::scale(session);
-        if let Some(scale) = captioned_slider(ui, "Scale", &shown, session.texture_scale, CELLS, true) {
+        if let Some(scale) = captioned_slider(ui, tr("Scale"), &shown, session.texture_scale, CELLS, true) {
             actions.push(Action::Session(Command::SetTextureScale(scale.round())));
         }
     }
@@ -107,7 +108,7 @@ fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut A
 fn resolution(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let old = model.side(side).wanted().settings;
     let there = model.domain(side).map_or(500, |domain| domain.samples.len());
-    group_heading(ui, &format!("Resolution · {}", words::side(side)));
+    group_heading(ui, &tr_with("Resolution · {0}", &[&words::side(side)]));
     let sampling = sampling(ui, old.sampling, there);
     let sizing = sizing(ui, old.sizing);
     let settings = PrepareSettings { sampling, sizing, ..old };
@@ -139,8 +140,8 @@ fn sampling(ui: &mut Ui, old: Sampling, there: usize) -> Sampling {
         };
     }
     let range = f64::from(*SAMPLES.start())..=f64::from(*SAMPLES.end());
-    let shown = if asked.is_some() { count.to_string() } else { format!("{there}, automatic") };
-    let moved = captioned_slider(ui, "Samples", &shown, f64::from(count), range, true).map(|m| m.round() as u32);
+    let shown = if asked.is_some() { count.to_string() } else { tr_with("{0}, automatic", &[&there]) };
+    let moved = captioned_slider(ui, tr("Samples"), &shown, f64::from(count), range, true).map(|m| m.round() as u32);
     match (&mut new, moved) {
         (Sampling::Uniform { count, .. }, Some(m)) => *count = m,
         (Sampling::Adaptive { target }, Some(m)) => *target = Some(m),
@@ -148,12 +149,12 @@ fn sampling(ui: &mut Ui, old: Sampling, there: usize) -> Sampling {
     }
     match &mut new {
         Sampling::Uniform { keep_corners, .. } => {
-            ui.checkbox(keep_corners, "Keep corners").on_hover_text("The outline's corners are samples too");
+            ui.checkbox(keep_corners, tr("Keep corners")).on_hover_text(tr("The outline's corners are samples too"));
         }
         Sampling::Adaptive { target } => {
             let mut automatic = target.is_none();
-            let label = ui.checkbox(&mut automatic, "As many as the outline needs");
-            if label.on_hover_text("Spacing from curvature, corners and channel width alone").changed() {
+            let label = ui.checkbox(&mut automatic, tr("As many as the outline needs"));
+            if label.on_hover_text(tr("Spacing from curvature, corners and channel width alone")).changed() {
                 *target = (!automatic).then_some(count);
             }
         }
@@ -179,8 +180,8 @@ fn sizing(ui: &mut Ui, old: Sizing) -> Sizing {
         new = if graded { Sizing::default() } else { Sizing::Uniform };
     }
     if let Sizing::Graded(grade) = new {
-        let shown = format!("{grade:.2} per distance");
-        if let Some(moved) = captioned_slider(ui, "Growth", &shown, grade, GROWTH, false) {
+        let shown = tr_with("{0} per distance", &[&format_args!("{grade:.2}")]);
+        if let Some(moved) = captioned_slider(ui, tr("Growth"), &shown, grade, GROWTH, false) {
             new = Sizing::Graded((100.0 * moved).round() / 100.0);
         }
     }

@@ -1,5 +1,6 @@
 //! The line along the bottom: quality, flipped triangles, times, what draws.
 
+use super::language::{tr, tr_with};
 use super::model::Model;
 use super::theme::Palette;
 use super::widgets::grouped;
@@ -39,6 +40,14 @@ impl FrameMeter {
     }
 }
 
+fn tenths(ms: f64) -> String {
+    format!("{ms:.1}")
+}
+
+fn hundredths(ms: f64) -> String {
+    format!("{ms:.2}")
+}
+
 /// The room that the backend's name needs.
 const BACKEND_FROM: f32 = 52.0;
 
@@ -50,26 +59,30 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
         ui.spacing_mut().item_spacing.x = if narrow { 12.0 } else { 20.0 };
         if let Some(quality) = model.quality() {
             ui.label(weak(format!("Q̄ {:.3}", quality.q_mean))).on_hover_text(format!(
-                "{}\n\nlargest Q: {:.3}",
-                words::QUALITY_TOOLTIP,
-                quality.q_max
+                "{}\n\n{}",
+                tr(words::QUALITY_TOOLTIP),
+                tr_with("largest Q: {0}", &[&format_args!("{:.3}", quality.q_max)])
             ));
             let ink = if quality.flipped == 0 { palette.weak } else { palette.error_edge };
-            let flipped = RichText::new(format!("flipped {}", grouped(quality.flipped as usize))).small().color(ink);
-            ui.label(flipped).on_hover_text(words::FLIPPED_TOOLTIP);
+            let flipped = tr_with("flipped {0}", &[&grouped(quality.flipped as usize)]);
+            ui.label(RichText::new(flipped).small().color(ink)).on_hover_text(tr(words::FLIPPED_TOOLTIP));
         }
         if let Some(map) = model.shown() {
             let t = map.timings;
             let compute = t.kernel + t.matching + t.extend;
-            let split = format!("kernel {:.2} ms + match {:.2} ms + extend {:.2} ms", t.kernel, t.matching, t.extend);
+            let split = tr_with(
+                "kernel {0} ms + match {1} ms + extend {2} ms",
+                &[&hundredths(t.kernel), &hundredths(t.matching), &hundredths(t.extend)],
+            );
             if model.is_pending() {
-                ui.label(weak(String::from(words::PENDING))).on_hover_text(words::PENDING_TOOLTIP);
+                ui.label(weak(String::from(tr(words::PENDING)))).on_hover_text(tr(words::PENDING_TOOLTIP));
             }
-            ui.label(weak(format!("frame {compute:.1} ms + draw {:.1} ms", meter.draw_ms)))
-                .on_hover_text(format!("{}\n\n{split}", words::FRAME_TOOLTIP));
+            ui.label(weak(tr_with("frame {0} ms + draw {1} ms", &[&tenths(compute), &tenths(meter.draw_ms)])))
+                .on_hover_text(format!("{}\n\n{split}", tr(words::FRAME_TOOLTIP)));
         }
         if let (Some(rate), false) = (meter.frames_per_second(), narrow) {
-            ui.label(weak(format!("{rate:.0} fps"))).on_hover_text("While something moves; at rest nothing is drawn");
+            ui.label(weak(tr_with("{0} fps", &[&rate.round()])))
+                .on_hover_text(tr("While something moves; at rest nothing is drawn"));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if !narrow {
@@ -77,7 +90,7 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
                     None => "drag a dot · scroll to zoom · drop a file anywhere",
                     Some(_) => "drag a dot, or the surface to turn it · shift moves it · scroll to zoom",
                 };
-                ui.label(weak(String::from(hint)));
+                ui.label(weak(String::from(tr(hint))));
             }
             if ui.available_width() >= BACKEND_FROM {
                 ui.label(weak(String::from(backend))).on_hover_text(adapter);

@@ -309,7 +309,7 @@ fn opening_a_figure_of_a_surface_brings_the_surface() {
 }
 
 /// The app with its first map on the screen.
-fn ready_app(size: [f32; 2]) -> Harness<'static, RiemapApp> {
+pub fn ready_app(size: [f32; 2]) -> Harness<'static, RiemapApp> {
     let mut harness = Harness::builder()
         .with_size(size)
         .build_eframe(|creation| RiemapApp::new(creation, Groundwork::start(Session::default())).unwrap());

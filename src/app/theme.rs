@@ -119,21 +119,11 @@ fn fonts() -> FontDefinitions {
     fonts
 }
 
-/// Sets up fonts and both themes and begins with the dark one.
+/// Sets up fonts and both themes.
 pub fn install(context: &egui::Context) {
     context.set_fonts(fonts());
     context.set_style_of(Theme::Dark, style(&DARK, Visuals::dark()));
     context.set_style_of(Theme::Light, style(&LIGHT, Visuals::light()));
-    context.set_theme(Theme::Dark);
-}
-
-/// Goes from dark to light and back.
-pub fn toggle(context: &egui::Context) {
-    let next = match context.theme() {
-        Theme::Dark => Theme::Light,
-        Theme::Light => Theme::Dark,
-    };
-    context.set_theme(next);
 }
 
 fn style(palette: &Palette, visuals: Visuals) -> Style {

@@ -1,16 +1,18 @@
-//! The bar along the top: the name, outlines for both sides, the image, the theme.
+//! The bar along the top: the name, outlines for both sides, the image, help.
 
 use super::action::{Action, Actions};
 use super::header::PANELS_TOOLTIP;
 use super::keeping::Keeper;
+use super::language::tr;
 use super::locks::{Control, guarded};
 use super::model::Model;
+use super::preferences::Preferences;
 use super::presentation::full_screen_button;
 use super::theme::{Palette, ROW_HEIGHT};
-use super::{figures_menu, file_menu, shapes, theme, words};
+use super::{figures_menu, file_menu, help_menu, shapes, theme, words};
 use crate::conformal::Side;
 use crate::session::Command;
-use egui::{Align, Layout, Response, RichText, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Align, Layout, RichText, Ui, vec2};
 
 /// What opens the plots.
 const PLOTS_TOOLTIP: &str = "Poisson kernel, harmonic measure and reparameterisation along the boundaries (P)";
@@ -19,12 +21,19 @@ const PLOTS_TOOLTIP: &str = "Poisson kernel, harmonic measure and reparameterisa
 const WORDMARK_FROM: f32 = 356.0;
 
 /// Shows the bar.
-pub fn show(ui: &mut Ui, model: &Model, keeper: &Keeper, narrow: bool, actions: &mut Actions) {
+pub fn show(
+    ui: &mut Ui,
+    model: &Model,
+    keeper: &Keeper,
+    preferences: Preferences,
+    narrow: bool,
+    actions: &mut Actions,
+) {
     ui.horizontal_centered(|ui| {
         let palette = Palette::of(ui.visuals());
         if ui.available_width() >= WORDMARK_FROM {
             ui.label(RichText::new("riemap").font(theme::bold(18.0)).color(palette.text))
-                .on_hover_text("The conformal map between two outlines, by matching harmonic measure");
+                .on_hover_text(tr("The conformal map between two outlines, by matching harmonic measure"));
             ui.add_space(if narrow { 2.0 } else { 10.0 });
         }
         file_menu::menu_button(ui, keeper, actions);
@@ -33,7 +42,7 @@ pub fn show(ui: &mut Ui, model: &Model, keeper: &Keeper, narrow: bool, actions: 
         }
         if !narrow {
             guarded(ui, Control::Pattern, |ui| {
-                if ui.button("Image…").on_hover_text("A PNG or JPEG as the texture").clicked() {
+                if ui.button(tr("Image…")).on_hover_text(tr("A PNG or JPEG as the texture")).clicked() {
                     actions.push(Action::OpenImage);
                 }
             });
@@ -42,41 +51,22 @@ pub fn show(ui: &mut Ui, model: &Model, keeper: &Keeper, narrow: bool, actions: 
             figures_menu::menu_button(ui, actions);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if guarded(ui, Control::Theme, theme_button).clicked() {
-                actions.push(Action::ToggleTheme);
-            }
-            let ink = Palette::of(ui.visuals()).text;
-            let full = if narrow { None } else { full_screen_button(ui, vec2(34.0, ROW_HEIGHT), ink) };
+            help_menu::menu_button(ui, preferences, actions);
+            let full = if narrow { None } else { full_screen_button(ui, vec2(34.0, ROW_HEIGHT), palette.text) };
             if full.is_some_and(|button| button.clicked()) {
                 actions.push(Action::ToggleFullScreen);
             }
             if !narrow {
-                let panels = guarded(ui, Control::Panels, |ui| ui.button("Panels").on_hover_text(PANELS_TOOLTIP));
+                let panels = guarded(ui, Control::Panels, |ui| ui.button(tr("Panels")).on_hover_text(tr(PANELS_TOOLTIP)));
                 if panels.clicked() {
                     actions.push(Action::TogglePanels);
                 }
                 let open = model.session().plots;
-                let button = egui::Button::selectable(open, "Plots").frame_when_inactive(true);
-                if guarded(ui, Control::Plots, |ui| ui.add(button).on_hover_text(PLOTS_TOOLTIP)).clicked() {
+                let button = egui::Button::selectable(open, tr("Plots")).frame_when_inactive(true);
+                if guarded(ui, Control::Plots, |ui| ui.add(button).on_hover_text(tr(PLOTS_TOOLTIP))).clicked() {
                     actions.push(Action::Session(Command::SetPlots(!open)));
                 }
             }
         });
     });
-}
-
-/// A disc, half light and half dark.
-fn theme_button(ui: &mut Ui) -> Response {
-    let palette = Palette::of(ui.visuals());
-    let tooltip = if ui.visuals().dark_mode { "Light theme" } else { "Dark theme" };
-    let response = ui.add(egui::Button::new("").min_size(vec2(34.0, ROW_HEIGHT))).on_hover_text(tooltip);
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tooltip));
-    let center = response.rect.center();
-    let half = (0..=16).map(|k| {
-        let angle = std::f32::consts::PI * (k as f32 / 16.0 - 0.5);
-        center + 6.0 * vec2(angle.cos(), angle.sin())
-    });
-    ui.painter().add(Shape::convex_polygon(half.collect(), palette.text, Stroke::NONE));
-    ui.painter().circle_stroke(center, 6.0, Stroke::new(1.5, palette.text));
-    response
 }

@@ -9,6 +9,7 @@ use super::action::{Action, Actions};
 use super::dots::{self, Dot};
 use super::gpu::ViewportCallback;
 use super::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
+use super::language::tr;
 use super::locks::{Control, Locks};
 use super::model::Model;
 use super::theme::Palette;
@@ -150,7 +151,7 @@ pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
     let galley = painter.layout_no_wrap(
-        String::from("drag a dot"),
+        String::from(tr("drag a dot")),
         egui::TextStyle::Body.resolve(ui.style()),
         palette.on_accent,
     );
@@ -201,7 +202,7 @@ pub fn paint_drop_target(ui: &Ui, side: Side, rect: Rect) {
         Side::Target => "Drop an outline or a surface for this side, or an image as the texture",
     };
     let galley =
-        painter.layout(words.into(), egui::TextStyle::Body.resolve(ui.style()), palette.text, rect.width() - 60.0);
+        painter.layout(tr(words).into(), egui::TextStyle::Body.resolve(ui.style()), palette.text, rect.width() - 60.0);
     let label = Rect::from_center_size(rect.center(), galley.size() + vec2(24.0, 16.0));
     painter.rect_filled(label, CornerRadius::same(8), palette.raised);
     painter.galley(label.min + vec2(12.0, 8.0), galley, palette.text);

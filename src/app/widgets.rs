@@ -1,6 +1,7 @@
 //! The controls that egui does not have in this look: segmented switches,
 //! sliders with a caption above, headings of groups, messages.
 
+use super::language::{tr, tr_message};
 use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold};
 use egui::{
     Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
@@ -59,7 +60,7 @@ fn segment_widths<T>(ui: &Ui, segments: &[Segment<T>], whole: f32) -> Vec<f32> {
     let equal = whole / segments.len() as f32;
     let font = FontId::proportional(SEGMENT_TEXT);
     let label = |segment: &Segment<T>| {
-        ui.painter().layout_no_wrap(segment.label.into(), font.clone(), Color32::PLACEHOLDER).size().x
+        ui.painter().layout_no_wrap(tr(segment.label).into(), font.clone(), Color32::PLACEHOLDER).size().x
     };
     let labels: Vec<f32> = segments.iter().map(label).collect();
     if labels.iter().all(|width| width + 2.0 * SEGMENT_PADDING <= equal) {
@@ -72,9 +73,10 @@ fn segment_widths<T>(ui: &Ui, segments: &[Segment<T>], whole: f32) -> Vec<f32> {
 fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool, refused: Option<&str>) -> Response {
     let palette = Palette::of(ui.visuals());
     let id = ui.scope_id().with(segment.label).with(segment.tooltip);
-    let tooltip = refused.map_or_else(|| segment.tooltip.into(), |reason| format!("{}\n\n{reason}", segment.tooltip));
+    let (label, explained) = (tr(segment.label), tr(segment.tooltip));
+    let tooltip = refused.map_or_else(|| explained.into(), |reason| format!("{explained}\n\n{reason}"));
     let response = ui.interact(cell, id, Sense::click()).on_hover_text(tooltip);
-    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, refused.is_none(), selected, segment.label));
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, refused.is_none(), selected, label));
     let (fill, ink) = match (selected, response.hovered()) {
         (true, _) => (palette.accent, palette.on_accent),
         (false, _) if refused.is_some() => (Color32::TRANSPARENT, palette.weak.gamma_multiply(0.6)),
@@ -86,7 +88,7 @@ fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool, re
         let ring = Stroke::new(1.5, palette.accent_soft);
         ui.painter().rect_stroke(cell.shrink(2.0), CornerRadius::same(ROUNDING - 2), ring, StrokeKind::Outside);
     }
-    ui.painter().text(cell.center(), Align2::CENTER_CENTER, segment.label, FontId::proportional(SEGMENT_TEXT), ink);
+    ui.painter().text(cell.center(), Align2::CENTER_CENTER, label, FontId::proportional(SEGMENT_TEXT), ink);
     response
 }
 
@@ -151,7 +153,7 @@ pub enum MessageAnswer {
 }
 
 /// An error in a box, with a cross to close it and, where there is one, its remedy.
-pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&str>) -> Option<MessageAnswer> {
+pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>) -> Option<MessageAnswer> {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new()
         .fill(palette.error_ground)
@@ -165,13 +167,13 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&str>) -> Option<Mess
                 let buttons = if remedy.is_some() { 150.0 } else { 34.0 };
                 ui.scope(|ui| {
                     ui.set_max_width(ui.available_width() - buttons);
-                    ui.add(egui::Label::new(RichText::new(text).color(palette.text)).wrap());
+                    ui.add(egui::Label::new(RichText::new(tr_message(text)).color(palette.text)).wrap());
                 });
-                if remedy.is_some_and(|label| ui.button(label).clicked()) {
+                if remedy.is_some_and(|label| ui.button(tr(label)).clicked()) {
                     answer = Some(MessageAnswer::Remedy);
                 }
-                let cross = ui.add(egui::Button::new("×").frame(false)).on_hover_text("Close this message");
-                cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close this message"));
+                let cross = ui.add(egui::Button::new("×").frame(false)).on_hover_text(tr("Close this message"));
+                cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Close this message")));
                 if cross.clicked() {
                     answer = Some(MessageAnswer::Dismiss);
                 }
@@ -189,7 +191,7 @@ pub fn notice_box(ui: &mut Ui, text: &str) {
         .stroke(Stroke::new(1.0, palette.border))
         .corner_radius(CornerRadius::same(ROUNDING + 2))
         .inner_margin(Margin::symmetric(12, 8))
-        .show(ui, |ui| ui.vertical_centered(|ui| ui.label(RichText::new(text).color(palette.text))));
+        .show(ui, |ui| ui.vertical_centered(|ui| ui.label(RichText::new(tr_message(text)).color(palette.text))));
 }
 
 /// A chevron at the right end of a button that opens something, down or up.

@@ -1,6 +1,7 @@
 //! The words on the screen that are not beside their control: stages, shapes,
 //! patterns, and the field's own terms, each explained once.
 
+use super::language::{tr, tr_with};
 use super::stats::Processor;
 use super::widgets::{grouped, milliseconds};
 use crate::conformal::{PrepareTimings, PreparedDomain, PreparedSurface, Side, Stage};
@@ -14,7 +15,7 @@ use std::borrow::Cow;
 /// How far a preparation is when `stage` begins (from 0 to 1), and what is being done.
 pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
     if let Some(Stage::Table { percent }) = stage {
-        return (0.85 + 0.15 * f32::from(percent) / 100.0, format!("harmonic coordinates: {percent} %").into());
+        return (0.85 + 0.15 * f32::from(percent) / 100.0, tr_with("harmonic coordinates: {0} %", &[&percent]).into());
     }
     let (share, words) = match stage {
         None => (0.03, "waiting for the worker…"),
@@ -25,29 +26,37 @@ pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
         Some(Stage::Order) => (0.7, "ordering…"),
         Some(Stage::Factor | Stage::Table { .. }) => (0.85, "factoring…"),
     };
-    (share, words.into())
+    (share, tr(words).into())
 }
 
 /// Where the Cauchy–Green extension comes from, and how far it is.
 pub fn cauchy_green(processor: Processor, progress: f64) -> String {
     match processor {
-        Processor::Gpu => String::from("Cauchy–Green: GPU"),
-        Processor::Cpu if progress == 1.0 => String::from("Cauchy–Green: CPU"),
-        Processor::Cpu => format!("Cauchy–Green: CPU {:.0} %", (100.0 * progress).floor()),
+        Processor::Gpu => String::from(tr("Cauchy–Green: GPU")),
+        Processor::Cpu if progress == 1.0 => String::from(tr("Cauchy–Green: CPU")),
+        Processor::Cpu => tr_with("Cauchy–Green: CPU {0} %", &[&(100.0 * progress).floor()]),
     }
 }
 
 /// "Source", "Target".
 pub fn side(side: Side) -> &'static str {
-    match side {
+    tr(match side {
         Side::Source => "Source",
         Side::Target => "Target",
-    }
+    })
+}
+
+/// "source", "target" inside of a sentence.
+pub fn side_within(side: Side) -> &'static str {
+    tr(match side {
+        Side::Source => "source",
+        Side::Target => "target",
+    })
 }
 
 /// A preset's name in a menu.
 pub fn preset(preset: Preset) -> &'static str {
-    match preset {
+    tr(match preset {
         Preset::Disk => "Disk",
         Preset::Square => "Square",
         Preset::Gingerbread => "Gingerbread man",
@@ -61,7 +70,7 @@ pub fn preset(preset: Preset) -> &'static str {
         Preset::LShape => "L-shape",
         Preset::Star => "Star",
         Preset::Spiral => "Spiral",
-    }
+    })
 }
 
 /// The name of an outline in a title.
@@ -74,7 +83,7 @@ pub fn outline(outline: &OutlineSpec) -> &str {
 
 /// A built-in surface's name in a menu.
 pub fn surface_preset(preset: SurfacePreset) -> &'static str {
-    match preset {
+    tr(match preset {
         SurfacePreset::Hemisphere => "Hemisphere",
         SurfacePreset::Paraboloid => "Paraboloid",
         SurfacePreset::Saddle => "Saddle",
@@ -82,7 +91,7 @@ pub fn surface_preset(preset: SurfacePreset) -> &'static str {
         SurfacePreset::HalfTorus => "Half torus",
         SurfacePreset::HeightField => "Face-like",
         SurfacePreset::AnimalHead => "Animal head",
-    }
+    })
 }
 
 /// The name of a surface in a title.
@@ -95,37 +104,31 @@ pub fn surface(shape: &SurfaceShape) -> &str {
 
 /// How large a domain is, and how long that took.
 pub fn domain_sizes(domain: &PreparedDomain) -> String {
-    format!(
-        "m {} · n {} · prepared in {}",
-        grouped(domain.samples.len()),
-        grouped(domain.mesh.interior_count()),
-        milliseconds(domain.timings.total()),
-    )
+    sizes(domain.samples.len(), domain.mesh.interior_count(), domain.timings.total())
 }
 
 /// How large a surface is, and how long that took.
 pub fn surface_sizes(surface: &PreparedSurface) -> String {
     let mesh = &surface.surface.mesh;
-    format!(
-        "m {} · n {} · prepared in {}",
-        grouped(mesh.boundary_count as usize),
-        grouped(mesh.interior_count()),
-        milliseconds(surface.timings.total()),
-    )
+    sizes(mesh.boundary_count as usize, mesh.interior_count(), surface.timings.total())
+}
+
+fn sizes(m: usize, n: usize, ms: f64) -> String {
+    tr_with("m {0} · n {1} · prepared in {2}", &[&grouped(m), &grouped(n), &milliseconds(ms)])
 }
 
 /// What the intrinsic Delaunay flips have done to a surface, and how long the stages took.
 pub fn surface_details(surface: &PreparedSurface) -> String {
     let FlipReport { flips, negative_before, negative_after } = surface.flips;
-    format!(
-        "m: boundary vertices. n: interior vertices. {} triangles.\n\n\
-         Intrinsic Delaunay: {} edges flipped, negative weights {} → {}\n\n{}",
-        grouped(surface.surface.mesh.triangles.len()),
-        grouped(flips),
-        grouped(negative_before),
-        grouped(negative_after),
-        timings(&surface.timings)
-    )
+    let sizes = tr_with(
+        "m: boundary vertices. n: interior vertices. {0} triangles.",
+        &[&grouped(surface.surface.mesh.triangles.len())],
+    );
+    let flips = tr_with(
+        "Intrinsic Delaunay: {0} edges flipped, negative weights {1} → {2}",
+        &[&grouped(flips), &grouped(negative_before), &grouped(negative_after)],
+    );
+    format!("{sizes}\n\n{flips}\n\n{}", timings(&surface.timings))
 }
 
 /// What should be known about a prepared domain that is not quite what was asked for.
@@ -134,7 +137,7 @@ pub fn cautions(domain: &PreparedDomain, wanted: SolverKind) -> impl Iterator<It
         .then_some("The Cholesky factor does not fit into memory: solved iteratively. A coarse map follows your drags; the full one takes a while when you let go");
     let coarse = (!domain.refinement.complete)
         .then_some("The mesh is coarser than asked for: its refinement stopped at the limit");
-    iterative.into_iter().chain(coarse)
+    iterative.into_iter().chain(coarse).map(tr)
 }
 
 /// The preparation's stages with their times, a line each.
@@ -147,7 +150,7 @@ pub fn timings(timings: &PrepareTimings) -> String {
         ("factor", timings.factor),
         ("table", timings.table),
     ];
-    rows.iter().map(|(name, ms)| format!("{name}: {ms:.1} ms")).collect::<Vec<_>>().join("\n")
+    rows.iter().map(|(name, ms)| format!("{}: {ms:.1} ms", tr(name))).collect::<Vec<_>>().join("\n")
 }
 
 /// Said while the full map is not there.

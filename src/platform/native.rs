@@ -3,7 +3,7 @@
 //! A thread cannot be stopped from outside: a superseded preparation runs on
 //! and its answers are dropped as stale. A panic in it is reported, not passed on.
 
-use super::{Event, FilePurpose, Mailbox, PageEvent, endings};
+use super::{Event, FilePurpose, Kept, Mailbox, PageEvent, endings};
 use crate::app::address_options::AddressOptions;
 use crate::app::{Groundwork, RiemapApp};
 use crate::conformal::Side;
@@ -164,18 +164,30 @@ pub fn address_with(fragment: &str) -> String {
 }
 
 /// Keeps a text for [`remembered`], or says why not.
-pub fn remember(text: &str) -> Result<(), String> {
-    let path = kept_at().ok_or("there is no folder for it")?;
+pub fn remember(what: Kept, text: &str) -> Result<(), String> {
+    let path = kept_at(what).ok_or("there is no folder for it")?;
     let written = path.parent().map_or(Ok(()), std::fs::create_dir_all).and_then(|()| std::fs::write(&path, text));
     written.map_err(|error| format!("{}: {error}", path.display()))
 }
 
 /// What was kept last.
-pub fn remembered() -> Option<String> {
-    std::fs::read_to_string(kept_at()?).ok()
+pub fn remembered(what: Kept) -> Option<String> {
+    std::fs::read_to_string(kept_at(what)?).ok()
 }
 
-fn kept_at() -> Option<PathBuf> {
+fn kept_at(what: Kept) -> Option<PathBuf> {
     let folders = etcetera::choose_base_strategy().ok()?;
-    Some(folders.data_dir().join("riemap").join("last.riemap"))
+    let name = match what {
+        Kept::Session => "last.riemap",
+        Kept::Preferences => "preferences.json",
+    };
+    Some(folders.data_dir().join("riemap").join(name))
 }
+
+/// The tags of the languages that the person reads, the dearest first.
+pub fn languages() -> Vec<String> {
+    sys_locale::get_locales().collect()
+}
+
+/// A window's language is known to the system.
+pub fn say_language(_code: &str) {}

@@ -1,6 +1,6 @@
 //! Where the app begins: at its address, at what was kept, or at the default.
 
-use crate::platform;
+use crate::platform::{self, Kept};
 use crate::session::link::{self, Decoded, MissingOutline};
 use crate::session::{Session, file};
 
@@ -17,7 +17,7 @@ pub struct Start {
 
 /// The session to start with: that of the address, else the one that was kept, else the default.
 pub fn first_session() -> Start {
-    start(platform::link().as_deref(), platform::remembered().as_deref())
+    start(platform::link().as_deref(), platform::remembered(Kept::Session).as_deref())
 }
 
 /// After a reload the address is that of the kept session, which has what a link may have to leave out.

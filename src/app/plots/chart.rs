@@ -4,6 +4,8 @@ use super::super::teaching::overlay::{Overlay, Overlays};
 use super::super::theme::Palette;
 use super::curves::{Curve, Curves, decimate};
 use super::{ExactCurves, Kind, Plots};
+use crate::app::language::{tr, tr_with};
+use crate::app::words;
 use crate::conformal::Side;
 use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Shape, Stroke, Ui, vec2};
 use egui_plot::{
@@ -132,16 +134,16 @@ impl<'a> Chart<'a> {
 
     fn x_label(&self) -> String {
         match self.kind {
-            Kind::Reparameterisation => format!("arc length from y / length, {}", self.mapped),
-            _ => String::from("arc length from y / length"),
+            Kind::Reparameterisation => tr_with("arc length from y / length, {0}", &[&words::side_within(self.mapped)]),
+            _ => String::from(tr("arc length from y / length")),
         }
     }
 
     fn y_axis(&self, palette: &Palette) -> AxisHints<'static> {
         let label = match self.kind {
-            Kind::Kernel => String::from("ψ · length"),
+            Kind::Kernel => String::from(tr("ψ · length")),
             Kind::Measure => String::from("ω"),
-            Kind::Reparameterisation => format!("{}", self.mapped.other()),
+            Kind::Reparameterisation => words::side_within(self.mapped.other()).to_owned(),
         };
         let axis = axis(AxisHints::new_y(), palette, label).label_spacing(14.0..=20.0).min_thickness(30.0);
         let logarithmic = self.logarithmic;
@@ -183,8 +185,8 @@ impl<'a> Chart<'a> {
             width: 2.0,
             dashed: overlay.origin.is_dashed(),
         };
-        let exact = Entry { name: "exact", ink: self.exact_ink(), width: EXACT_WIDTH, dashed: false };
-        let map = |ink| Entry { name: "this map", ink, width: 2.0, dashed: false };
+        let exact = Entry { name: tr("exact"), ink: self.exact_ink(), width: EXACT_WIDTH, dashed: false };
+        let map = |ink| Entry { name: tr("this map"), ink, width: 2.0, dashed: false };
         let mut entries: Vec<Entry> = (!self.exact.is_empty()).then_some(exact).into_iter().collect();
         entries.extend(self.overlays.iter().rev().map(overlay));
         entries.dedup_by_key(|entry| entry.name);

@@ -2,6 +2,7 @@
 
 use super::super::theme::Palette;
 use super::chart::power_of_ten;
+use crate::app::language::tr;
 use crate::figures::{ConvergenceRow, Method, SecondMap, fitted_order};
 use egui::{Color32, RichText, Ui};
 use egui_plot::{AxisHints, GridInput, GridMark, Legend, Line, Plot, Points};
@@ -18,7 +19,7 @@ const INKS: [Color32; 4] = [
 pub fn convergence_chart(ui: &mut Ui, rows: &[ConvergenceRow]) {
     let palette = Palette::of(ui.visuals());
     let text = "Distance of the boundary images from the exact ones, V-shape → blob; the blob is about 2 across.";
-    ui.label(RichText::new(text).small().color(palette.weak));
+    ui.label(RichText::new(tr(text)).small().color(palette.weak));
     let axes = |label: &str| AxisHints::new_x().label(label.to_owned());
     Plot::new("convergence")
         .height(340.0)
@@ -32,8 +33,8 @@ pub fn convergence_chart(ui: &mut Ui, rows: &[ConvergenceRow]) {
         .allow_double_click_reset(false)
         .x_grid_spacer(whole)
         .y_grid_spacer(whole)
-        .custom_x_axes(vec![axes("boundary samples m").formatter(|mark, _| format!("{:.0}", mark.value.exp2()))])
-        .custom_y_axes(vec![AxisHints::new_y().label("error").formatter(|mark, _| power_of_ten(mark.value))])
+        .custom_x_axes(vec![axes(tr("boundary samples m")).formatter(|mark, _| format!("{:.0}", mark.value.exp2()))])
+        .custom_y_axes(vec![AxisHints::new_y().label(tr("error")).formatter(|mark, _| power_of_ten(mark.value))])
         .show(ui, |plot| {
             for (series, ink) in all_series(rows).into_iter().zip(INKS) {
                 let points: Vec<[f64; 2]> =
@@ -53,8 +54,8 @@ fn all_series(rows: &[ConvergenceRow]) -> Vec<Series> {
     let of = |method: Method| rows.iter().filter(move |row| row.method == method && row.second == SecondMap::Exact);
     let both = |method: Method| {
         [
-            series(method, "max", of(method).map(|row| (row.m, row.max)).collect()),
-            series(method, "mean", of(method).map(|row| (row.m, row.mean)).collect()),
+            series(method, tr("max"), of(method).map(|row| (row.m, row.max)).collect()),
+            series(method, tr("mean"), of(method).map(|row| (row.m, row.mean)).collect()),
         ]
     };
     [Method::HarmonicMeasure, Method::FreshZipper].into_iter().flat_map(both).collect()
@@ -62,7 +63,7 @@ fn all_series(rows: &[ConvergenceRow]) -> Vec<Series> {
 
 fn series(method: Method, error: &str, points: Vec<(u32, f64)>) -> Series {
     let order = fitted_order(&points).map_or_else(String::new, |p| format!(" ≈ m^−{p:.1}"));
-    Series { name: format!("{}, {error}{order}", method.title()), points }
+    Series { name: format!("{}, {error}{order}", tr(method.title())), points }
 }
 
 /// A line at every whole number.

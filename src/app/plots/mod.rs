@@ -15,10 +15,12 @@ pub use exact::{ExactCurves, KeptExact};
 
 pub use convergence::convergence_chart;
 
+use super::language::tr;
 use super::model::Model;
 use super::teaching::overlay::{Origin, Overlays};
 use super::theme::{self, Palette};
 use super::widgets::{Segment, dot, segmented};
+use super::words;
 use crate::closed_form::ExactMap;
 use crate::conformal::Side;
 use crate::session::DiskWay;
@@ -232,14 +234,17 @@ impl Plots {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.spacing_mut().interact_size.y = 20.0;
-            ui.label(RichText::new(kind.label).font(theme::bold(12.5)).color(palette.text)).on_hover_text(kind.tooltip);
+            let title = RichText::new(tr(kind.label)).font(theme::bold(12.5)).color(palette.text);
+            ui.label(title).on_hover_text(tr(kind.tooltip));
             if kind.value == Kind::Kernel {
                 self.scale_switch(ui);
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let values = marked.and_then(|at| Some(chart::values(kind.value, self.curves()?, at)));
                 for side in [Side::Target, Side::Source] {
-                    let text = values.as_ref().map_or_else(|| side.to_string(), |values| values[side as usize].clone());
+                    let text = values
+                        .as_ref()
+                        .map_or_else(|| words::side_within(side).to_owned(), |values| values[side as usize].clone());
                     ui.label(RichText::new(text).small().color(palette.weak));
                     dot(ui, inks[side as usize]);
                 }
@@ -249,10 +254,10 @@ impl Plots {
 
     fn scale_switch(&mut self, ui: &mut Ui) {
         let tooltip = "A logarithmic axis: shows how deep the kernel falls where the domain is crowded";
-        let label = RichText::new("log").small();
+        let label = RichText::new(tr("log")).small();
         ui.spacing_mut().button_padding = egui::vec2(6.0, 1.0);
         let button = egui::Button::selectable(self.logarithmic, label).frame_when_inactive(true);
-        if ui.add(button).on_hover_text(tooltip).clicked() {
+        if ui.add(button).on_hover_text(tr(tooltip)).clicked() {
             self.logarithmic = !self.logarithmic;
         }
     }

@@ -1,6 +1,7 @@
 //! The surface's controls: how it is discretised, and the way back to the plane.
 
 use crate::app::action::{Action, Actions};
+use crate::app::language::{tr, tr_with};
 use crate::app::model::Model;
 use crate::app::theme::Palette;
 use crate::app::widgets::{Segment, captioned_slider, group_heading, grouped, segmented};
@@ -21,21 +22,21 @@ const DELAUNAY_TOOLTIP: &str = "Edges are flipped within the surface until all c
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let Some(spec) = model.surface_side().preparation.wanted() else { return };
     let weak = Palette::of(ui.visuals()).weak;
-    group_heading(ui, "Surface");
+    group_heading(ui, tr("Surface"));
     let words = "Every point of the surface is mapped to the outline on the left";
-    ui.add(Label::new(RichText::new(words).small().color(weak)).wrap()).on_hover_text(MAP_TOOLTIP);
+    ui.add(Label::new(RichText::new(tr(words)).small().color(weak)).wrap()).on_hover_text(tr(MAP_TOOLTIP));
     let mut wanted = spec.clone();
     if let SurfaceShape::Preset { boundary, .. } = &mut wanted.shape {
-        let shown = format!("{} along the boundary", grouped(*boundary as usize));
-        if let Some(moved) = captioned_slider(ui, "Vertices", &shown, f64::from(*boundary), BOUNDARY, true) {
+        let shown = tr_with("{0} along the boundary", &[&grouped(*boundary as usize)]);
+        if let Some(moved) = captioned_slider(ui, tr("Vertices"), &shown, f64::from(*boundary), BOUNDARY, true) {
             *boundary = moved.round() as u32;
         }
     }
-    ui.checkbox(&mut wanted.settings.intrinsic_delaunay, "Intrinsic Delaunay").on_hover_text(DELAUNAY_TOOLTIP);
+    ui.checkbox(&mut wanted.settings.intrinsic_delaunay, tr("Intrinsic Delaunay")).on_hover_text(tr(DELAUNAY_TOOLTIP));
     if wanted != *spec {
         actions.push(Action::Session(Command::SetSurface(wanted)));
     }
-    if ui.button("Back to the plane").on_hover_text("Show the target's outline again").clicked() {
+    if ui.button(tr("Back to the plane")).on_hover_text(tr("Show the target's outline again")).clicked() {
         actions.push(Action::Session(Command::CloseSurface));
     }
 }
@@ -48,7 +49,7 @@ const COORDINATES: [Segment<bool>; 2] = [
 /// The group that saves the surface with its texture coordinates; `unit`: scaled into the unit box.
 pub fn export(ui: &mut Ui, model: &Model, unit: bool, actions: &mut Actions) {
     let ready = model.surface_map().is_some() && !model.is_pending();
-    group_heading(ui, "Export");
+    group_heading(ui, tr("Export"));
     if let Some(unit) = segmented(ui, &COORDINATES, unit) {
         actions.push(Action::ScaleCoordinates(unit));
     }
@@ -57,12 +58,12 @@ pub fn export(ui: &mut Ui, model: &Model, unit: bool, actions: &mut Actions) {
         ui.spacing_mut().button_padding.x = 5.0;
         for format in SurfaceFormat::ALL {
             let button = ui.add_enabled(ready, egui::Button::new(format.extension().to_uppercase()));
-            if button.on_hover_text(tooltip(format)).clicked() {
+            if button.on_hover_text(tr(tooltip(format))).clicked() {
                 actions.push(Action::ExportSurface(format));
             }
         }
         let picture = ui.add_enabled(ready, egui::Button::new("PNG"));
-        if picture.on_hover_text("Both viewports as they are on the screen").clicked() {
+        if picture.on_hover_text(tr("Both viewports as they are on the screen")).clicked() {
             actions.push(Action::ExportPicture);
         }
     });

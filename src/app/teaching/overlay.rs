@@ -3,6 +3,7 @@
 use super::super::plots::Curve;
 use super::through_disk::ThroughDisk;
 use super::walks::Walks;
+use crate::app::language::tr;
 use crate::session::DiskWay;
 
 /// Whose curve it is: decides the colour.
@@ -17,20 +18,20 @@ pub enum Origin {
 impl Origin {
     /// Its name in a plot's legend and in the panel.
     pub fn name(self) -> &'static str {
-        match self {
+        tr(match self {
             Self::Disk(DiskWay::Fresh) => "through the disk, fresh",
             Self::Disk(DiskWay::Precomputed) => "through the disk, precomputed",
             Self::Walks => "random walks",
-        }
+        })
     }
 
     /// Its name where there is little room.
     pub fn short_name(self) -> &'static str {
-        match self {
+        tr(match self {
             Self::Disk(DiskWay::Fresh) => "disk, fresh",
             Self::Disk(DiskWay::Precomputed) => "disk, precomputed",
             Self::Walks => "hits",
-        }
+        })
     }
 
     /// Whether its lines are dashed. A fresh disk map agrees with this map where all goes well: both are to be seen then.

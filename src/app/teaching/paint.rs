@@ -7,6 +7,7 @@ use super::super::view::View;
 use super::overlay::Origin;
 use super::through_disk::{Found, ThroughDisk};
 use super::walks::{Bar, Walks};
+use crate::app::language::{tr, tr_with};
 use crate::conformal::Side;
 use crate::outline::BoundarySamples;
 use crate::session::DiskWay;
@@ -70,7 +71,7 @@ pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static s
     if !ways.is_empty() {
         let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
         let direct = if is_mapped { "60 equal steps of ω" } else { "their images" };
-        entries.push((Plots::map_ink(dark), direct));
+        entries.push((Plots::map_ink(dark), tr(direct)));
         if !is_mapped {
             let entry = |way| (Plots::overlay_ink(Origin::Disk(way), dark), Origin::Disk(way).short_name());
             entries.extend(ways.into_iter().map(entry));
@@ -152,7 +153,7 @@ fn images(painter: &Painter, outline: &Outline, found: &Found, Lane { ink, base,
         outline.spoke(painter, fraction, [base + CLEARANCE, base + height], Stroke::new(2.0, ink));
         if count >= COUNTED_HEAP {
             let (place, out) = outline.at(fraction);
-            let text = format!("{count} of {}", found.marks.len());
+            let text = tr_with("{0} of {1}", &[&count, &found.marks.len()]);
             label(painter, place + (outline.size * (base + height) + 14.0) * out, &text, ink);
         }
     }

@@ -5,9 +5,11 @@ use super::super::model::Model;
 use super::super::plots::Plots;
 use super::super::theme::Palette;
 use super::super::widgets::{Segment, captioned_slider, dash, group_heading, grouped, segmented};
+use super::super::words;
 use super::overlay::Origin;
 use super::through_disk::{Found, ThroughDisk};
 use super::walks::{SPEEDS, WalkAction, Walks};
+use crate::app::language::{tr, tr_message, tr_with};
 use crate::conformal::Side;
 use crate::session::{Command, Comparison, DiskWay, Session, TextureKind};
 use egui::{Label, RichText, Ui};
@@ -86,8 +88,8 @@ pub fn family(texture: TextureKind) -> TextureKind {
 /// The pattern's scale, in words.
 pub fn scale(session: &Session) -> String {
     match session.texture {
-        TextureKind::Conformal => format!("{:.0} rays", 4.0 * (0.75 * session.texture_scale).round()),
-        _ => format!("{:.0} cells across", session.texture_scale),
+        TextureKind::Conformal => tr_with("{0} rays", &[&(4.0 * (0.75 * session.texture_scale).round())]),
+        _ => tr_with("{0} cells across", &[&session.texture_scale.round()]),
     }
 }
 
@@ -114,7 +116,7 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     if model.surface().is_some() {
         return; // both are of plane outlines
     }
-    group_heading(ui, "Through the disk");
+    group_heading(ui, tr("Through the disk"));
     let comparison = model.session().comparison;
     if let Some(chosen) = segmented(ui, &COMPARISONS, comparison) {
         actions.push(Action::Session(Command::SetComparison(chosen)));
@@ -124,14 +126,14 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
             verdict(ui, way, &model.teaching().through_disk);
         }
     }
-    group_heading(ui, "Random walks");
+    group_heading(ui, tr("Random walks"));
     walks(ui, &model.teaching().walks, actions);
 }
 
 fn problem(ui: &mut Ui, error: Option<&str>) {
     if let Some(error) = error {
         let ink = Palette::of(ui.visuals()).error_edge;
-        ui.add(Label::new(RichText::new(error).small().color(ink)).wrap());
+        ui.add(Label::new(RichText::new(tr_message(error)).small().color(ink)).wrap());
     }
 }
 
@@ -147,7 +149,8 @@ fn verdict(ui: &mut Ui, way: DiskWay, disk: &ThroughDisk) {
         });
     }
     for line in lines.into_iter().flatten() {
-        ui.add(Label::new(RichText::new(line).small().color(palette.weak)).wrap()).on_hover_text(THROUGH_DISK_TOOLTIP);
+        ui.add(Label::new(RichText::new(line).small().color(palette.weak)).wrap())
+            .on_hover_text(tr(THROUGH_DISK_TOOLTIP));
     }
     problem(ui, disk.error(way));
 }
@@ -157,13 +160,15 @@ pub fn verdicts(found: &Found) -> Vec<String> {
     let lost = |side: &Side| {
         let k = *side as usize;
         let collapsed = || {
-            let words = format!("{} of {} points collapsed", grouped(found.collapsed[k]), grouped(found.samples[k]));
+            let words =
+                tr_with("{0} of {1} points collapsed", &[&grouped(found.collapsed[k]), &grouped(found.samples[k])]);
             match found.directly_collapsed[k] {
-                0 => format!("{words} (this map: none)"),
-                direct => format!("{words} (this map: {})", grouped(direct)),
+                0 => format!("{words} {}", tr("(this map: none)")),
+                direct => format!("{words} {}", tr_with("(this map: {0})", &[&grouped(direct)])),
             }
         };
-        let disordered = || format!("{} out of order", grouped(found.disordered[k]));
+        let disordered = || tr_with("{0} out of order", &[&grouped(found.disordered[k])]);
+        let side = words::side_within(*side);
         match (found.collapsed[k], found.disordered[k]) {
             (0, 0) => None,
             (_, 0) => Some(format!("{side}: {}", collapsed())),
@@ -173,16 +178,16 @@ pub fn verdicts(found: &Found) -> Vec<String> {
     };
     let mut lines: Vec<String> = Side::BOTH.iter().filter_map(lost).collect();
     if lines.is_empty() {
-        lines.push(format!("all {} points kept apart", grouped(found.samples.iter().sum())));
+        lines.push(tr_with("all {0} points kept apart", &[&grouped(found.samples.iter().sum())]));
     }
-    lines.push(format!("largest difference {} of the length", percent(found.difference)));
+    lines.push(tr_with("largest difference {0} of the length", &[&percent(found.difference)]));
     lines
 }
 
 /// A part of a whole, with as many digits as are worth reading.
 pub fn percent(part: f64) -> String {
     match 100.0 * part {
-        p if p < 0.01 => String::from("under 0.01 %"),
+        p if p < 0.01 => String::from(tr("under 0.01 %")),
         p if p < 1.0 => format!("{p:.2} %"),
         p if p < 10.0 => format!("{p:.1} %"),
         p => format!("{p:.0} %"),
@@ -193,23 +198,23 @@ fn walks(ui: &mut Ui, walks: &Walks, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     ui.horizontal(|ui| {
         let label = if walks.is_running() { "Pause" } else { "Start" };
-        if ui.button(label).on_hover_text(WALKS_TOOLTIP).clicked() {
+        if ui.button(tr(label)).on_hover_text(tr(WALKS_TOOLTIP)).clicked() {
             actions.push(Action::Walks(WalkAction::Toggle));
         }
-        let clear = ui.add_enabled(walks.count() > 0, egui::Button::new("Clear"));
-        if clear.on_hover_text("Forget all hits").clicked() {
+        let clear = ui.add_enabled(walks.count() > 0, egui::Button::new(tr("Clear")));
+        if clear.on_hover_text(tr("Forget all hits")).clicked() {
             actions.push(Action::Walks(WalkAction::Clear));
         }
-        ui.label(RichText::new(format!("{} walks", grouped(walks.count() as usize))).color(palette.weak));
+        ui.label(RichText::new(tr_with("{0} walks", &[&grouped(walks.count() as usize)])).color(palette.weak));
     });
-    let shown = format!("{} per second", grouped(walks.speed().round() as usize));
-    if let Some(speed) = captioned_slider(ui, "Speed", &shown, walks.speed(), SPEEDS, true) {
+    let shown = tr_with("{0} per second", &[&grouped(walks.speed().round() as usize)]);
+    if let Some(speed) = captioned_slider(ui, tr("Speed"), &shown, walks.speed(), SPEEDS, true) {
         actions.push(Action::Walks(WalkAction::Speed(speed.round())));
     }
     if let Some(deviation) = walks.deviation() {
         let chance = percent(KOLMOGOROV_MEAN / (walks.count() as f64).sqrt());
-        let line = format!("largest deviation from ω: {} (chance: about {chance})", percent(deviation));
-        ui.add(Label::new(RichText::new(line).small().color(palette.weak)).wrap()).on_hover_text(WALKS_TOOLTIP);
+        let line = tr_with("largest deviation from ω: {0} (chance: about {1})", &[&percent(deviation), &chance]);
+        ui.add(Label::new(RichText::new(line).small().color(palette.weak)).wrap()).on_hover_text(tr(WALKS_TOOLTIP));
     }
     problem(ui, walks.error());
 }

@@ -1,12 +1,17 @@
 //! The page's address and the browser's storage: what carries a session to other places and times.
 
-use crate::platform::{Event, Mailbox};
+use crate::platform::{Event, Kept, Mailbox};
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::Window;
 
 /// The key in the local storage.
-const KEY: &str = "riemap session";
+fn key(what: Kept) -> &'static str {
+    match what {
+        Kept::Session => "riemap session",
+        Kept::Preferences => "riemap preferences",
+    }
+}
 
 /// The fragment of the address, if it carries a session.
 pub fn link() -> Option<String> {
@@ -32,24 +37,24 @@ pub fn address_with(fragment: &str) -> String {
 }
 
 /// Keeps a text for [`remembered`], or says why not: the page may store nothing, or not so much.
-/// A picture in another page is not what its reader goes on with elsewhere: it keeps nothing.
-pub fn remember(text: &str) -> Result<(), String> {
-    if super::address_options().embed {
+/// A picture in another page is not what its reader goes on with elsewhere: its session is not kept.
+pub fn remember(what: Kept, text: &str) -> Result<(), String> {
+    if what == Kept::Session && super::address_options().embed {
         return Ok(());
     }
     let storage = |window: Window| window.local_storage().ok()?;
     let storage = web_sys::window().and_then(storage).ok_or("the browser lets this page store nothing")?;
     storage
-        .set_item(KEY, text)
+        .set_item(key(what), text)
         .map_err(|_| format!("its {} characters are more than the browser lets this page store", text.len()))
 }
 
 /// What was kept last.
-pub fn remembered() -> Option<String> {
-    if super::address_options().embed {
+pub fn remembered(what: Kept) -> Option<String> {
+    if what == Kept::Session && super::address_options().embed {
         return None;
     }
-    web_sys::window()?.local_storage().ok()??.get_item(KEY).ok()?
+    web_sys::window()?.local_storage().ok()??.get_item(key(what)).ok()?
 }
 
 /// Posts the address whenever a person changes its fragment.
@@ -64,4 +69,19 @@ pub fn follow(mailbox: Mailbox) {
         let _ = window.add_event_listener_with_callback("hashchange", changed.as_ref().unchecked_ref());
     }
     changed.forget();
+}
+
+/// The tags of the languages that the person reads, the dearest first.
+pub fn languages() -> Vec<String> {
+    let navigator = web_sys::window().map(|window| window.navigator());
+    let tags = navigator.map(|navigator| navigator.languages());
+    tags.into_iter().flatten().filter_map(|tag| tag.as_string()).collect()
+}
+
+/// Tells the page in which language it speaks: screen readers pronounce it so.
+pub fn say_language(code: &str) {
+    let page = web_sys::window().and_then(|window| window.document()?.document_element());
+    if page.is_none_or(|page| page.set_attribute("lang", code).is_err()) {
+        log::warn!("the page's language could not be set");
+    }
 }

@@ -14,7 +14,7 @@ mod preparer;
 mod surroundings;
 mod worker_handle;
 
-pub use address::{address_with, link, remember, remembered, show_link};
+pub use address::{address_with, languages, link, remember, remembered, say_language, show_link};
 pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use laboratory::Laboratory;
 pub use page::{address_options, watch_graphics};

@@ -2,6 +2,7 @@
 
 use super::{address, bridge, files};
 use crate::app::address_options::AddressOptions;
+use crate::app::language::{tr, tr_with};
 use crate::app::{Groundwork, RiemapApp};
 use crate::platform::Mailbox;
 use eframe::WebRunner;
@@ -13,6 +14,7 @@ use web_sys::{Document, HtmlCanvasElement};
 const NO_GRAPHICS: &str = "riemap draws with WebGPU or WebGL 2, and this browser offers neither of them here. \
     A current Firefox, Chrome, Edge or Safari with hardware acceleration turned on will do.";
 
+const STOPPED: &str = "riemap has stopped because of an error in itself. Reload the page to go on. ({0})";
 const GRAPHICS_LOST: &str = "The browser has taken the graphics away from this page, as it does after a crash of \
     the graphics driver, or when the computer slept. The map is kept: reload the page to go on with it.";
 
@@ -24,7 +26,7 @@ thread_local! {
 pub fn start() {
     std::panic::set_hook(Box::new(|info| {
         console_error_panic_hook::hook(info);
-        show_failure(&format!("riemap has stopped because of an error in itself. Reload the page to go on. ({info})"));
+        show_failure(&tr_with(STOPPED, &[info]));
     }));
     wasm_bindgen_futures::spawn_local(async {
         if let Err(message) = run().await {
@@ -47,7 +49,7 @@ async fn run() -> Result<(), String> {
     let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
     runner.start(canvas, web_options(), creator).await.map_err(|error| {
         log::error!("{error:?}");
-        format!("{NO_GRAPHICS} ({})", error.as_string().unwrap_or_default())
+        format!("{} ({})", tr(NO_GRAPHICS), error.as_string().unwrap_or_default())
     })?;
     bridge::install(&runner);
     RUNNER.set(Some(runner));
@@ -98,7 +100,7 @@ fn watch_canvas(canvas: &HtmlCanvasElement) {
 
 /// Stops drawing and says why. A frame may be under way: what it uses is given back after it.
 fn lose_graphics() {
-    show_failure(GRAPHICS_LOST);
+    show_failure(tr(GRAPHICS_LOST));
     wasm_bindgen_futures::spawn_local(async {
         if let Some(runner) = RUNNER.take() {
             runner.destroy();

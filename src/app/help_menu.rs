@@ -1,0 +1,43 @@
+//! The menu about the app itself: what it looks like and speaks.
+
+use super::action::{Action, Actions};
+use super::language::{Language, tr};
+use super::preferences::{Appearance, Preferences};
+use super::theme::Palette;
+use super::widgets::{Segment, chevron, segmented};
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::{PopupCloseBehavior, Role, Ui, WidgetInfo};
+
+const WIDTH: f32 = 230.0;
+
+const APPEARANCES: [Segment<Appearance>; 3] = [
+    Segment { value: Appearance::System, label: "System", tooltip: "Light or dark, as the system is" },
+    Segment { value: Appearance::Light, label: "Light", tooltip: "Dark ink on a light ground" },
+    Segment { value: Appearance::Dark, label: "Dark", tooltip: "Light ink on a dark ground" },
+];
+
+/// A button that opens the menu.
+pub fn menu_button(ui: &mut Ui, preferences: Preferences, actions: &mut Actions) {
+    let button = egui::Button::new(format!("{}     ", tr("Help")));
+    let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let (response, _) = MenuButton::from_button(button).config(stays_open).ui(ui, |ui| {
+        ui.set_width(WIDTH);
+        choices(ui, preferences, actions);
+    });
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Help")));
+    chevron(ui, response.rect, false);
+}
+
+fn choices(ui: &mut Ui, old: Preferences, actions: &mut Actions) {
+    let weak = Palette::of(ui.visuals()).weak;
+    ui.colored_label(weak, tr("Language"));
+    let languages = Language::ALL.map(|value| Segment { value, label: value.name(), tooltip: value.name() });
+    if let Some(language) = segmented(ui, &languages, old.language()) {
+        actions.push(Action::Prefer(Preferences { language: Some(language), ..old }));
+    }
+    ui.add_space(4.0);
+    ui.colored_label(weak, tr("Theme"));
+    if let Some(appearance) = segmented(ui, &APPEARANCES, old.appearance) {
+        actions.push(Action::Prefer(Preferences { appearance, ..old }));
+    }
+}

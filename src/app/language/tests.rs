@@ -1,0 +1,112 @@
+//! The files of strings hold what the screen says, and nothing else.
+
+use super::catalogue::Catalogue;
+use super::*;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+thread_local! {
+    /// The texts that [`tr`] had no entry for, in this test.
+    pub static MISSING: std::cell::RefCell<BTreeSet<&'static str>> = const { std::cell::RefCell::new(BTreeSet::new()) };
+}
+
+fn placeholders(text: &str) -> BTreeSet<String> {
+    (0..10).map(|k| format!("{{{k}}}")).filter(|hole| text.contains(hole.as_str())).collect()
+}
+
+#[test]
+fn a_translation_has_the_places_of_its_text() {
+    for file in [include_str!("de.po"), include_str!("de_messages.po")] {
+        let catalogue = Catalogue::parse(file);
+        assert_eq!(catalogue.pairs().count() + 1, file.matches("msgid ").count(), "an entry is empty or twice there");
+        for (key, value) in catalogue.pairs() {
+            assert_eq!(placeholders(key), placeholders(value), "{key}");
+        }
+    }
+}
+
+/// The sources of the program, with strings that go over several lines joined.
+fn sources(folder: &Path, into: &mut String) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, into);
+        } else if path.extension().is_some_and(|extension| extension == "rs") && !path.ends_with("language/tests.rs") {
+            let text = std::fs::read_to_string(&path).unwrap();
+            let mut pieces = text.split("\\\n");
+            into.extend(pieces.next());
+            pieces.for_each(|piece| into.push_str(piece.trim_start()));
+        }
+    }
+}
+
+#[test]
+fn the_screen_says_every_text_that_is_translated() {
+    let mut all = String::new();
+    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
+    for (key, _) in Catalogue::parse(include_str!("de.po")).pairs() {
+        let literal = format!("\"{}\"", key.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n"));
+        assert!(all.contains(&literal), "nothing says {literal} any more");
+    }
+}
+
+/// The literals in calls of `tr` and `tr_with`.
+fn literals(source: &str) -> Vec<String> {
+    let is_call = |at: &usize| !source[..*at].ends_with(|before: char| before.is_alphanumeric() || before == '_');
+    let call = |name: &'static str| {
+        source.match_indices(name).filter(move |(at, _)| is_call(at)).map(move |(at, _)| at + name.len())
+    };
+    let literal = |at: usize| {
+        let quoted = source[at..].trim_start().strip_prefix('"')?;
+        let mut end = 0;
+        while !quoted[end..].starts_with('"') {
+            end += quoted[end..].chars().next()?.len_utf8() + usize::from(quoted[end..].starts_with('\\'));
+        }
+        Some(quoted[..end].replace("\\n", "\n").replace("\\\"", "\""))
+    };
+    call("tr(").chain(call("tr_with(")).filter_map(literal).collect()
+}
+
+#[test]
+fn every_literal_that_is_to_be_translated_has_an_entry() {
+    let mut all = String::new();
+    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app"), &mut all);
+    let catalogue = Catalogue::parse(include_str!("de.po"));
+    let found: BTreeSet<String> = literals(&all).into_iter().collect();
+    assert!(found.len() > 80, "{} literals", found.len());
+    let missing: Vec<&String> = found.iter().filter(|text| catalogue.get(text).is_none()).collect();
+    assert!(missing.is_empty(), "no entry in de.po: {missing:#?}");
+}
+
+#[test]
+fn languages_are_chosen_by_their_tags() {
+    let of = |tags: &[&str]| Language::of_preferences(tags.iter().map(ToString::to_string));
+    assert_eq!(of(&["de-AT", "en"]), Language::German);
+    assert_eq!(of(&["fr-FR", "en-GB", "de"]), Language::English);
+    assert_eq!(of(&["DE_de.UTF-8"]), Language::German);
+    assert_eq!(of(&["ja", "den"]), Language::English, "the first language is the one of the code");
+    assert_eq!(of(&[]), Language::English);
+}
+
+#[test]
+fn the_screen_speaks_the_language_that_was_set() {
+    assert_eq!(tr("Open…"), "Open…");
+    set(Language::German);
+    assert_eq!(tr("Open…"), "Öffnen…");
+    assert_eq!(tr_with("{0} of {1}", &[&3, &7]), "3 von 7");
+    assert_eq!(tr("no text of the screen"), "no text of the screen");
+    assert!(MISSING.with_borrow(|missing| missing.contains("no text of the screen")));
+}
+
+#[test]
+fn errors_of_the_core_are_said_in_the_language_of_the_screen() {
+    use crate::geometry::{DVec2, SimplePolygon};
+    set(Language::German);
+    let bow = [(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from).to_vec();
+    let error = SimplePolygon::try_from(bow).unwrap_err().to_string();
+    let said = tr_message(&error);
+    assert!(said.starts_with("der Umriss kreuzt sich bei (0.5, 0.5)"), "{said}");
+    assert_eq!(tr_message("a.obj: the file is empty"), "a.obj: die Datei ist leer");
+    let wrapped = format!("The link could not be opened: {}", crate::session::link::decode("#s=1.AAAA").unwrap_err());
+    assert!(tr_message(&wrapped).starts_with("Der Link ließ sich nicht öffnen: der Link "), "{}", tr_message(&wrapped));
+}

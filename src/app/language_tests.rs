@@ -1,0 +1,69 @@
+//! The whole screen in German: nothing on it is left in English.
+
+use super::language::{self, Language, tests::MISSING};
+use super::tests::ready_app;
+use super::*;
+use crate::session::{Colouring, Comparison, SurfaceShape, SurfaceSpec, TextureKind};
+use crate::surface::SurfacePreset;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+
+/// The labels on the screen that have a translation and do not use it.
+fn left_in_english(harness: &Harness<'_, RiemapApp>) -> Vec<String> {
+    let labels = harness.root().children_recursive().filter_map(|node| {
+        let node = node.accesskit_node();
+        node.label().or_else(|| node.value())
+    });
+    labels.filter(|label| language::tr_message(label) != *label).collect()
+}
+
+fn check(harness: &mut Harness<'_, RiemapApp>, shown: &str) {
+    harness.run_steps(3);
+    assert_eq!(left_in_english(harness), Vec::<String>::new(), "{shown}");
+    MISSING.with_borrow(|missing| assert!(missing.is_empty(), "{shown}: {missing:#?}"));
+}
+
+/// Takes another session and waits for its map.
+fn open(harness: &mut Harness<'_, RiemapApp>, session: Session) {
+    harness.state_mut().open_session(session);
+    for _ in 0..600 {
+        harness.step();
+        if harness.state().stats().ready {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+}
+
+#[test]
+fn the_whole_screen_speaks_german() {
+    language::set(Language::German);
+    let mut harness = ready_app([1500.0, 1000.0]);
+    let preferences = Preferences { language: Some(Language::German), ..Preferences::fixed() };
+    harness.state_mut().preferences = preferences;
+    language::set(Language::German);
+    check(&mut harness, "the first picture");
+    for menu in ["Datei", "Quelle", "Ziel", "Abbildungen", "Hilfe"] {
+        harness.get_by_label(menu).click();
+        check(&mut harness, menu);
+        harness.key_press(egui::Key::Escape);
+        harness.run_steps(3);
+    }
+    let standard = Session { plots: true, ..Session::default() };
+    let others = [
+        Session { colouring: Colouring::Area, texture: TextureKind::Polar, ..standard.clone() },
+        Session { colouring: Colouring::Angle, texture: TextureKind::Conformal, ..standard.clone() },
+        Session { comparison: Comparison::Both, extension: Extension::CauchyGreen, ..standard.clone() },
+    ];
+    for session in others {
+        let shown = format!("{:?}, {:?}", session.colouring, session.texture);
+        open(&mut harness, session);
+        check(&mut harness, &shown);
+    }
+    let mut solid = standard;
+    let shape = SurfaceShape::Preset { preset: SurfacePreset::Saddle, boundary: 60 };
+    solid.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    open(&mut harness, solid);
+    assert!(harness.state().model.surface().is_some());
+    check(&mut harness, "a surface");
+}
