@@ -93,13 +93,14 @@ fn has_ending(name: &str, endings: &[&str]) -> bool {
 fn decode(bytes: &[u8], max_side: u32) -> Result<image::RgbaImage, String> {
     let decoded = image::load_from_memory(bytes)
         .map_err(|error| format!("this is no PNG or JPEG image that can be read ({error})"))?;
+    let decoded = decoded.into_rgba8();
     let largest = decoded.width().max(decoded.height());
     if largest <= max_side {
-        return Ok(decoded.into_rgba8());
+        return Ok(decoded);
     }
     let scale = f64::from(max_side) / f64::from(largest);
     let scaled = |side: u32| ((f64::from(side) * scale) as u32).max(1);
-    Ok(decoded.thumbnail_exact(scaled(decoded.width()), scaled(decoded.height())).into_rgba8())
+    Ok(image::imageops::thumbnail(&decoded, scaled(decoded.width()), scaled(decoded.height())))
 }
 
 #[cfg(test)]

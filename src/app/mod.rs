@@ -164,6 +164,8 @@ pub struct RiemapApp {
     /// Whether exported texture coordinates are scaled into the unit box.
     unit_coordinates: bool,
     last_change: f64,
+    /// How much larger than usual everything is.
+    zoom: f32,
 }
 
 impl RiemapApp {
@@ -211,6 +213,7 @@ impl RiemapApp {
             preferences,
             unit_coordinates: true,
             last_change: 0.0,
+            zoom: 1.0,
         })
     }
 
@@ -222,9 +225,9 @@ impl RiemapApp {
     /// The numbers on the screen.
     pub fn stats(&self) -> Stats {
         let place = |side: Side, point: Option<glam::DVec2>| {
-            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| [place.x, place.y])
+            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| self.css_pixels(place))
         };
-        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| [place.x, place.y]);
+        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| self.css_pixels(place));
         let [x2, y2] = match self.model.surface() {
             Some(_) => [self.model.surface_point(), self.model.surface_anchor()].map(in_space),
             None => [self.model.interior(Side::Target), self.model.anchor(Side::Target)]
@@ -261,6 +264,11 @@ impl RiemapApp {
     pub fn load_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.read_file(FilePurpose::Outline(side), name, Ok(bytes));
         self.mailbox.wake();
+    }
+
+    /// A place on the screen as the page measures it.
+    fn css_pixels(&self, place: egui::Pos2) -> [f32; 2] {
+        [place.x * self.zoom, place.y * self.zoom]
     }
 
     fn errors(&self) -> Vec<String> {
@@ -420,6 +428,7 @@ impl eframe::App for RiemapApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         self.take_events();
         self.take_dropped(ui.ctx());
+        self.zoom = ui.ctx().zoom_factor();
         let compute = self.model.shown().map_or(0.0, |map| {
             let timings = map.timings;
             timings.kernel + timings.matching + timings.extend

@@ -1,12 +1,10 @@
 //! The web app: trunk compiles it, runs wasm-bindgen and writes `dist/`, or serves it.
 
 use crate::cargo_tool::{CargoTool, path_with};
-use crate::node::wasm_opt;
 use crate::package::Package;
 use crate::places::Places;
 use crate::rust::{ensure_web_target, locked_version};
 use crate::shell::{Failure, program_in, run, say};
-use std::path::Path;
 use std::process::Command;
 
 /// The newest trunk that rustc 1.95 compiles; 0.22 needs 1.96.1.
@@ -51,14 +49,14 @@ pub fn serve(places: &Places, options: &ServeOptions) -> Result<(), Failure> {
 }
 
 /// Builds the release app into `dist/`, ready for any host.
+///
+/// wasm-opt is left out: after the whole program was optimised for size (the profile `web`) it takes
+/// minutes for 0.6 % less to download (measured, -Oz).
 pub fn dist(places: &Places) -> Result<(), Failure> {
     run("building the web app", &mut trunk(places, "build")?)?;
     let (folder, web) = (places.dist(), places.root.join("web"));
     let package = Package::new(&folder);
     package.strip()?;
-    if let Some(wasm_opt) = wasm_opt(places) {
-        optimise(&wasm_opt, &package.program())?;
-    }
     package.finish(&web.join("service-worker.js"))
 }
 
@@ -95,22 +93,6 @@ fn wasm_bindgen_cli(version: String) -> CargoTool {
         arguments: &["--no-default-features"],
         purpose: "which writes the JavaScript around the compiled app",
     }
-}
-
-/// What rustc turns on for this target, and SIMD.
-const WASM_FEATURES: [&str; 7] = [
-    "--enable-simd",
-    "--enable-bulk-memory",
-    "--enable-multivalue",
-    "--enable-mutable-globals",
-    "--enable-nontrapping-float-to-int",
-    "--enable-reference-types",
-    "--enable-sign-ext",
-];
-
-fn optimise(wasm_opt: &Path, file: &Path) -> Result<(), Failure> {
-    let mut command = Command::new(wasm_opt);
-    run("optimising the compiled app", command.arg("-Oz").args(WASM_FEATURES).arg(file).arg("-o").arg(file))
 }
 
 #[cfg(test)]
