@@ -1,5 +1,6 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
+use super::explore::ExploreAction;
 use super::preferences::Preferences;
 use super::reports::Report;
 use super::teaching::walks::WalkAction;
@@ -47,6 +48,8 @@ pub enum Action {
     ExportPicture,
     /// Start, pause or clear the random walks, or change their speed.
     Walks(WalkAction),
+    /// Open the gallery, the tour or the list of keys, or go on in the tour.
+    Explore(ExploreAction),
     /// Look and speak like this, now and the next time.
     Prefer(Preferences),
     /// Fold the panels away, or bring them back.

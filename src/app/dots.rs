@@ -54,7 +54,7 @@ pub fn grab_and_release(
     }
 }
 
-/// Paints a dot; while it is held, with `words`.
+/// Paints a dot; while it is held or has the keyboard, with `words`.
 pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &HandleState, words: &dyn Fn() -> String) {
     // On whole pixels: small discs come from a texture and are moved there, large ones would not be.
     let place = dot.place.round_to_pixels(ui.pixels_per_point());
@@ -78,7 +78,10 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
     painter.circle_filled(place + vec2(0.0, 1.0), radius + 3.0, Color32::from_black_alpha(70).gamma_multiply(strength));
     painter.circle_filled(place, radius + 1.0, Color32::WHITE.gamma_multiply(strength));
     painter.circle_filled(place, radius - 1.5, colour.gamma_multiply(strength));
-    if handles.is_held(handle) {
+    if handles.focused == Some(handle) {
+        painter.circle_stroke(place, radius + 5.0, Stroke::new(2.0, Palette::of(ui.visuals()).accent_soft));
+    }
+    if handles.is_held(handle) || handles.focused == Some(handle) {
         paint_words(ui, painter, words(), place);
     }
 }

@@ -3,7 +3,7 @@
 use super::action::{Action, Actions};
 use super::keeping::Keeper;
 use super::language::tr;
-use super::locks::{Locks, REFUSAL};
+use super::locks::menu_entry;
 use super::presentation;
 use super::widgets::chevron;
 use crate::platform;
@@ -26,11 +26,7 @@ pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
         for (entry, enabled, action) in entries(keeper, ui.ctx()) {
             let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
             let button = egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, 40.0));
-            let locked = Locks::of(ui.ctx()).refused(&action).is_some();
-            let response = ui.add_enabled(enabled && !locked, button).on_hover_text(tr(entry.tooltip));
-            if locked {
-                response.on_disabled_hover_text(tr(REFUSAL));
-            } else if response.clicked() {
+            if menu_entry(ui, enabled, button, entry.tooltip, &action) {
                 actions.push(action);
                 ui.close();
             }

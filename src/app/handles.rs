@@ -73,6 +73,8 @@ pub struct Grip {
 pub struct HandleState {
     /// The one in hand.
     pub grip: Option<Grip>,
+    /// The one that has the keyboard.
+    pub focused: Option<Handle>,
     /// The one under the pointer.
     pub hovered: Option<Handle>,
     /// The one that pulses, and since when (seconds).
@@ -96,7 +98,7 @@ impl HandleState {
 
     /// Whether `handle` is drawn large.
     pub fn is_raised(&self, handle: Handle) -> bool {
-        self.hovered == Some(handle) || self.is_held(handle)
+        self.hovered == Some(handle) || self.is_held(handle) || self.focused == Some(handle)
     }
 
     /// Whether `handle` is in hand.

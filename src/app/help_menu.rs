@@ -1,12 +1,14 @@
-//! The menu about the app itself: what it looks like and speaks.
+//! The menu of what helps: gallery, tour, keys; and what the app looks like and speaks.
 
 use super::action::{Action, Actions};
+use super::explore::ExploreAction;
 use super::language::{Language, tr};
+use super::locks::{Control, guarded, menu_entry};
 use super::preferences::{Appearance, Preferences};
 use super::theme::Palette;
 use super::widgets::{Segment, chevron, segmented};
 use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{PopupCloseBehavior, Role, Ui, WidgetInfo};
+use egui::{PopupCloseBehavior, Role, Ui, WidgetInfo, vec2};
 
 const WIDTH: f32 = 230.0;
 
@@ -22,10 +24,27 @@ pub fn menu_button(ui: &mut Ui, preferences: Preferences, actions: &mut Actions)
     let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let (response, _) = MenuButton::from_button(button).config(stays_open).ui(ui, |ui| {
         ui.set_width(WIDTH);
-        choices(ui, preferences, actions);
+        for (label, tooltip, action) in entries() {
+            let button = egui::Button::new(tr(label)).min_size(vec2(WIDTH, 40.0));
+            let action = Action::Explore(action);
+            if menu_entry(ui, true, button, tooltip, &action) {
+                actions.push(action);
+                ui.close();
+            }
+        }
+        ui.separator();
+        guarded(ui, Control::Theme, |ui| choices(ui, preferences, actions));
     });
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Help")));
     chevron(ui, response.rect, false);
+}
+
+fn entries() -> [(&'static str, &'static str, ExploreAction); 3] {
+    [
+        ("Gallery…", "Maps worth seeing", ExploreAction::Gallery),
+        ("Guided tour", "Six pictures: what a conformal map is, and what it is held by", ExploreAction::Tour(0)),
+        ("Keys and gestures…", "What keys, mouse and fingers do", ExploreAction::Shortcuts),
+    ]
 }
 
 fn choices(ui: &mut Ui, old: Preferences, actions: &mut Actions) {

@@ -173,6 +173,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     paint(app, ui, narrow, &mut actions);
     common_message(app, ui, &mut actions);
     app.reports.show(&context);
+    app.explore.show(&context, &mut actions);
     app.carry_out(&context, actions);
 }
 

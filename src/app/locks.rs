@@ -5,10 +5,11 @@
 //! the screen is grey and says why. The page around a frame is not bound by them.
 
 use super::action::Action;
+use super::explore::ExploreAction;
 use super::handles::HandleKind;
 use super::language::tr;
 use crate::session::Command;
-use egui::{Context, Id, Sense, Ui};
+use egui::{Button, Context, Id, Sense, Ui};
 
 /// What can be locked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -88,6 +89,7 @@ impl Control {
             Action::OpenImage => Self::Pattern,
             Action::Fit(_) => Self::View,
             Action::OpenReport(_) | Action::Walks(_) => Self::Comparison,
+            Action::Explore(ExploreAction::Gallery | ExploreAction::Tour(_)) => Self::Session,
             Action::Prefer(_) => Self::Theme,
             Action::TogglePanels => Self::Panels,
             Action::Undo
@@ -99,6 +101,7 @@ impl Control {
             | Action::ScaleCoordinates(_)
             | Action::ExportSurface(_)
             | Action::ExportPicture
+            | Action::Explore(ExploreAction::Shortcuts | ExploreAction::LeaveTour { .. })
             | Action::ToggleFullScreen
             | Action::TogglePresentation => return None,
         })
@@ -153,8 +156,9 @@ impl Locks {
     /// Whether `control` is locked. Another session is refused as soon as a part of this one is kept.
     pub fn holds(self, control: Control) -> bool {
         let named = |control: Control| self.0 & 1 << control as u16 != 0;
-        let implied =
-            || control == Control::Session && Control::ALL.into_iter().any(|part| part.is_part_of_session() && named(part));
+        let implied = || {
+            control == Control::Session && Control::ALL.into_iter().any(|part| part.is_part_of_session() && named(part))
+        };
         named(control) || implied()
     }
 
@@ -198,6 +202,16 @@ pub fn guarded<R>(ui: &mut Ui, control: Control, show: impl FnOnce(&mut Ui) -> R
         ui.interact(shown.response.rect, id, Sense::hover()).on_hover_text(tr(REFUSAL));
     }
     shown.inner
+}
+
+/// An entry of a menu, grey and with the reason while what it does is locked; whether it was clicked.
+pub fn menu_entry(ui: &mut Ui, enabled: bool, button: Button<'_>, tooltip: &'static str, action: &Action) -> bool {
+    let locked = Locks::of(ui.ctx()).refused(action).is_some();
+    let response = ui.add_enabled(enabled && !locked, button).on_hover_text(tr(tooltip));
+    if locked {
+        return response.on_disabled_hover_text(tr(REFUSAL)).clicked();
+    }
+    response.clicked()
 }
 
 #[cfg(test)]

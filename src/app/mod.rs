@@ -12,6 +12,7 @@ mod cells;
 mod colouring;
 mod dots;
 mod draft;
+mod explore;
 mod figures_menu;
 mod file_menu;
 mod files;
@@ -22,12 +23,14 @@ mod header;
 mod help_menu;
 mod incoming;
 mod keeping;
+mod keyboard;
 pub mod language;
 mod layout;
 mod legend;
 mod locks;
 mod method;
 mod model;
+mod nudge;
 mod plots;
 mod preferences;
 mod prepare_state;
@@ -37,6 +40,7 @@ mod screenshot;
 mod sessions;
 mod shapes;
 mod side_panel;
+mod spoken;
 mod stats;
 mod status;
 pub mod still;
@@ -64,9 +68,11 @@ use crate::session::{Command, Session};
 use address_options::AddressOptions;
 use announced::Announced;
 use cells::Cells;
+use explore::{Explore, ExploreAction};
 use gpu::Gpu;
 use handles::HandleState;
 use keeping::{Keeper, Start};
+use keyboard::Keyboard;
 use locks::Locks;
 use model::{Changes, Refines};
 use plots::Plots;
@@ -76,6 +82,7 @@ use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::mpsc;
 use surface::OrbitView;
+use teaching::walks::WalkAction;
 use view::View;
 
 /// Below this width (in points) the viewports are stacked and the controls become a sheet.
@@ -151,6 +158,8 @@ pub struct RiemapApp {
     options: AddressOptions,
     panels_open: bool,
     sheet_open: bool,
+    keyboard: Keyboard,
+    explore: Explore,
     keeper: Keeper,
     announced: Announced,
     reports: Reports,
@@ -202,6 +211,8 @@ impl RiemapApp {
             meter: FrameMeter::default(),
             panels_open: !options.embed,
             sheet_open: false,
+            keyboard: Keyboard::default(),
+            explore: Explore::default(),
             keeper,
             announced: Announced::default(),
             reports,
@@ -314,11 +325,22 @@ impl RiemapApp {
                     screenshot::save(context, a.union(b), self.mailbox.clone());
                 }
                 Action::Walks(action) => self.model.act_on_walks(action),
+                Action::Explore(action) => self.explore(action),
                 Action::Prefer(preferences) => self.prefer(context, preferences),
                 Action::TogglePanels => self.fold_panels(context),
                 Action::ToggleFullScreen => platform::toggle_full_screen(context),
                 Action::TogglePresentation => presentation::toggle(context),
             }
+        }
+    }
+
+    fn explore(&mut self, action: ExploreAction) {
+        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session());
+        if let Some(session) = session {
+            self.open_session(session);
+        }
+        if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
+            self.model.act_on_walks(WalkAction::Toggle);
         }
     }
 
@@ -357,6 +379,7 @@ impl RiemapApp {
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {
+            platform::describe(&spoken::state(self));
             let refined = self.model.refine_at_rest();
             if refined.images {
                 self.show_changes(context, refined);
@@ -437,23 +460,17 @@ impl eframe::App for RiemapApp {
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
         layout::show(self, ui);
         self.announce();
+        let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
+        if let Some(spoken) = spoken {
+            platform::say(&spoken);
+        }
     }
 
-    /// Tab folds the panels, unless a control has the keyboard.
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
-        if context.memory(|memory| memory.focused().is_some()) {
-            return;
+        let folds = self.keyboard.take_in(context, input);
+        if folds % 2 == 1 {
+            self.fold_panels(context);
         }
-        input.events.retain(|event| {
-            let egui::Event::Key { key: egui::Key::Tab, pressed, modifiers, .. } = event else { return true };
-            if modifiers.any() {
-                return true;
-            }
-            if *pressed {
-                self.fold_panels(context);
-            }
-            false
-        });
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {

@@ -1,11 +1,11 @@
 //! How the app is shown: in a frame, on the whole screen, large for a room, in the theme that the address asks for.
 
+use super::RiemapApp;
 use super::action::{Action, Actions};
 use super::address_options::AddressOptions;
 use super::language::{tr, tr_with};
 use super::locks::{Control, Locks};
 use super::preferences::Preferences;
-use super::RiemapApp;
 use crate::platform;
 use egui::{Context, Event, Key, Response, Role, Stroke, Ui, WidgetInfo, vec2};
 

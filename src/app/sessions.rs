@@ -56,7 +56,7 @@ impl RiemapApp {
 
     /// Keeps the session once it has come to rest.
     pub(super) fn keep(&mut self, context: &egui::Context) {
-        let (held, now) = context.input(|input| (input.pointer.any_down(), input.time));
+        let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
         if held || !self.model.is_ready() {
             return;
         }

@@ -1,6 +1,7 @@
 //! The bar along the top: the name, outlines for both sides, the image, help.
 
 use super::action::{Action, Actions};
+use super::explore::ExploreAction;
 use super::header::PANELS_TOOLTIP;
 use super::keeping::Keeper;
 use super::language::tr;
@@ -49,6 +50,9 @@ pub fn show(
         }
         if !narrow {
             figures_menu::menu_button(ui, actions);
+            if ui.button(tr("Gallery")).on_hover_text(tr("Maps worth seeing")).clicked() {
+                actions.push(Action::Explore(ExploreAction::Gallery));
+            }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             help_menu::menu_button(ui, preferences, actions);
@@ -57,7 +61,8 @@ pub fn show(
                 actions.push(Action::ToggleFullScreen);
             }
             if !narrow {
-                let panels = guarded(ui, Control::Panels, |ui| ui.button(tr("Panels")).on_hover_text(tr(PANELS_TOOLTIP)));
+                let panels =
+                    guarded(ui, Control::Panels, |ui| ui.button(tr("Panels")).on_hover_text(tr(PANELS_TOOLTIP)));
                 if panels.clicked() {
                     actions.push(Action::TogglePanels);
                 }

@@ -12,6 +12,7 @@ use super::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
 use super::language::tr;
 use super::locks::{Control, Locks};
 use super::model::Model;
+use super::nudge::{self, EyeMove, Nudge};
 use super::theme::Palette;
 use super::view::View;
 use super::widgets::caption_font;
@@ -43,7 +44,16 @@ pub fn interact(
     let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
     dots::grab_and_release(ui, &response, side, places, handles);
     drag_handle(ui, side, model, view, handles, actions);
+    if let Some(nudge) = nudge::of_dots(ui, side, places, handles) {
+        actions.extend(nudged(side, model, view, nudge).map(Action::Session));
+    }
     move_camera(ui, &response, view, handles);
+    match nudge::of_viewport(ui, &response, side) {
+        Some(EyeMove::Step(step)) => view.pan(-step),
+        Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
+        Some(EyeMove::Fit) => view.fit(),
+        None => {}
+    }
     boundary_under_pointer(&response, side, model, view, handles)
 }
 
@@ -86,6 +96,18 @@ fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Handle
         HandleKind::Boundary => model.anchor_near(side, at).map(|fraction| Command::MoveAnchor { side, fraction }),
     };
     actions.extend(command.map(Action::Session));
+}
+
+fn nudged(side: Side, model: &Model, view: &View, nudge: Nudge) -> Option<Command> {
+    match nudge {
+        Nudge::Interior(step) => {
+            let at = view.to_world(view.to_screen(model.interior(side)?) + step);
+            model.interior_near(side, at).map(|point| Command::MoveInterior { side, point })
+        }
+        Nudge::Boundary(step) => {
+            Some(Command::MoveAnchor { side, fraction: model.session().anchor[side as usize] + step })
+        }
+    }
 }
 
 fn move_camera(ui: &Ui, response: &Response, view: &mut View, handles: &HandleState) {

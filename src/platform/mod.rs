@@ -3,25 +3,26 @@
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
 //! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`save_file`],
 //! [`drop_position`], [`address_options`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
-//! [`languages`], [`say_language`], [`has_full_screen`], [`toggle_full_screen`], [`tell_page`], [`watch_graphics`].
-//! Whatever happens outside of a frame arrives as an [`Event`] in the app's mailbox, in order, and wakes the app.
+//! [`languages`], [`say_language`], [`say`], [`describe`], [`has_full_screen`], [`toggle_full_screen`], [`tell_page`],
+//! [`watch_graphics`]. Whatever happens outside of a frame arrives as an [`Event`] in the app's mailbox, in order, and
+//! wakes the app.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Laboratory, Preparer, address_options, address_with, drop_position, has_full_screen, languages, link, pick_file,
-    read_dropped, remember, remembered, save_file, say_language, show_link, start, tell_page, toggle_full_screen,
-    watch_graphics,
+    Laboratory, Preparer, address_options, address_with, describe, drop_position, has_full_screen, languages, link,
+    pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start, tell_page,
+    toggle_full_screen, watch_graphics,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Laboratory, Preparer, address_options, address_with, drop_position, has_full_screen, languages, link, pick_file,
-    read_dropped, remember, remembered, save_file, say_language, show_link, start, tell_page, toggle_full_screen,
-    watch_graphics,
+    Laboratory, Preparer, address_options, address_with, describe, drop_position, has_full_screen, languages, link,
+    pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start, tell_page,
+    toggle_full_screen, watch_graphics,
 };
 
 use crate::conformal::Side;

@@ -189,5 +189,11 @@ pub fn languages() -> Vec<String> {
     sys_locale::get_locales().collect()
 }
 
+/// The system's accessibility interface reads the widgets themselves.
+pub fn say(_text: &str) {}
+
+/// As [`say`].
+pub fn describe(_text: &str) {}
+
 /// A window's language is known to the system.
 pub fn say_language(_code: &str) {}

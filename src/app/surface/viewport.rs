@@ -10,6 +10,7 @@ use crate::app::dots::{self, Dot};
 use crate::app::handles::{Handle, HandleKind, HandleState};
 use crate::app::locks::{Control, Locks};
 use crate::app::model::Model;
+use crate::app::nudge::{self, EyeMove, Nudge};
 use crate::app::theme::Palette;
 use crate::app::viewport::{BOUNDARY_REACH, ZOOM_PER_POINT};
 use crate::conformal::Side;
@@ -45,7 +46,16 @@ pub fn interact(
     let places = [model.surface_point(), model.surface_anchor()].map(|place| view.to_screen(place?));
     dots::grab_and_release(ui, &response, SIDE, places, handles);
     drag_handle(ui, model, view, handles, actions);
+    if let Some(nudge) = nudge::of_dots(ui, SIDE, places, handles) {
+        actions.extend(nudged(model, view, nudge).map(Action::Session));
+    }
     move_eye(ui, &response, view, handles);
+    match nudge::of_viewport(ui, &response, SIDE) {
+        Some(EyeMove::Step(step)) => view.turn(-step),
+        Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
+        Some(EyeMove::Fit) => view.fit(),
+        None => {}
+    }
     boundary_under_pointer(&response, model, view, handles)
 }
 
@@ -75,6 +85,13 @@ fn drag_handle(ui: &Ui, model: &Model, view: &OrbitView, handles: &HandleState, 
         HandleKind::Boundary => anchor_at(model, view, at).map(Command::MoveSurfaceAnchor),
     };
     actions.extend(command.map(Action::Session));
+}
+
+fn nudged(model: &Model, view: &OrbitView, nudge: Nudge) -> Option<Command> {
+    match nudge {
+        Nudge::Interior(step) => point_at(model, view, view.to_screen(model.surface_point()?)? + step),
+        Nudge::Boundary(step) => Some(Command::MoveSurfaceAnchor(model.surface()?.1.anchor + step)),
+    }
 }
 
 /// The interior point for a pointer at `at`: what it is over; beside the surface, what is nearest.

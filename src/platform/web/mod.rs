@@ -11,6 +11,7 @@ mod laboratory;
 mod messages;
 mod page;
 mod preparer;
+mod spoken;
 mod surroundings;
 mod worker_handle;
 
@@ -19,6 +20,7 @@ pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use laboratory::Laboratory;
 pub use page::{address_options, watch_graphics};
 pub use preparer::Preparer;
+pub use spoken::{describe, say};
 pub use surroundings::{has_full_screen, tell_page, toggle_full_screen};
 
 use wasm_bindgen::JsCast;

@@ -1,0 +1,135 @@
+//! The guided tour: six pictures with a few sentences each.
+
+use super::ExploreAction;
+use super::gallery::crowding;
+use crate::app::action::{Action, Actions};
+use crate::app::language::{tr, tr_with};
+use crate::app::theme::{Palette, bold};
+use crate::conformal::Direction;
+use crate::outline::Preset;
+use crate::session::{Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
+use crate::surface::SurfacePreset;
+use egui::{Align2, Area, Context, CornerRadius, Frame, Id, Label, Margin, Order, RichText, Stroke, Ui, vec2};
+
+/// One stop.
+pub struct Step {
+    /// What it is about.
+    pub title: &'static str,
+    /// What to see, and what to try.
+    pub text: &'static str,
+    /// The picture.
+    pub session: Session,
+    /// Whether random walks run.
+    pub walks: bool,
+}
+
+/// All of them, in order.
+pub fn steps() -> Vec<Step> {
+    let step = |title, text, session| Step { title, text, session, walks: false };
+    let polar = Session { texture: TextureKind::Conformal, ..Session::default() };
+    vec![
+        step(
+            "A map between two shapes",
+            "Whatever is drawn inside the left outline is carried into the right one: stretched and turned from place \
+             to place, but never torn and never folded. Drag a green dot and watch all of it follow.",
+            Session { texture_scale: 9.0, ..Session::default() },
+        ),
+        step(
+            "Angles stay",
+            "That is what conformal means. Each small square becomes a small square, larger or smaller and turned, \
+             with right angles. The number Q̄ at the bottom says how well: 1 is perfect.",
+            Session { texture_scale: 20.0, ..Session::default() },
+        ),
+        step(
+            "Three freedoms",
+            "Riemann (1851): between two such outlines there is exactly one conformal map once you say where one inner \
+             point goes (two numbers, the green dots) and where one boundary point goes (one number, the magenta dots).",
+            polar,
+        ),
+        Step {
+            title: "Harmonic measure",
+            text: "Let a random walk start at the green dot. The chance that it leaves through a part of the boundary \
+                   is that part's harmonic measure. A conformal map keeps it, so it is enough to match it along both \
+                   boundaries: that is how riemap computes.",
+            session: measured(),
+            walks: true,
+        },
+        step(
+            "Crowding",
+            "Why not go through a disk? From this V, arms shrink on the disk's rim to lengths of 10⁻¹⁷, and the \
+             computer has no digits left: the marks outside of the outline run together. Matched directly, they stay apart.",
+            crowding(),
+        ),
+        step(
+            "Surfaces",
+            "The same works for a surface in space with one boundary: each of its points gets a place in the outline. \
+             Turn it, drag the dots on it. This is how textures are laid on models.",
+            solid(),
+        ),
+    ]
+}
+
+fn measured() -> Session {
+    let mut session = Session { plots: true, direction: Direction::Backward, ..Session::default() };
+    session.source.outline = OutlineSpec::Preset(Preset::Hand);
+    session.target.outline = OutlineSpec::Preset(Preset::Disk);
+    session
+}
+
+fn solid() -> Session {
+    let mut session = Session::default();
+    let shape = SurfaceShape::preset(SurfacePreset::AnimalHead);
+    session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    session
+}
+
+/// Shows the words of a step over the lower edge of the pictures.
+pub fn show(context: &Context, step: usize, actions: &mut Actions) {
+    let all = steps();
+    let Some(stop) = all.get(step) else { return };
+    let screen = context.content_rect();
+    let palette = Palette::of(&context.style_of(context.theme()).visuals);
+    let width = (screen.width() - 40.0).min(520.0);
+    Area::new(Id::unique("tour")).order(Order::Foreground).anchor(Align2::CENTER_BOTTOM, vec2(0.0, -44.0)).show(
+        context,
+        |ui| {
+            Frame::new()
+                .fill(palette.raised)
+                .stroke(Stroke::new(1.0, palette.border))
+                .corner_radius(CornerRadius::same(10))
+                .inner_margin(Margin::same(14))
+                .show(ui, |ui| {
+                    ui.set_width(width);
+                    words(ui, stop, &palette);
+                    ui.add_space(6.0);
+                    buttons(ui, step, all.len(), &palette, actions);
+                });
+        },
+    );
+}
+
+fn words(ui: &mut Ui, stop: &Step, palette: &Palette) {
+    ui.label(RichText::new(tr(stop.title)).font(bold(16.0)).color(palette.text));
+    ui.add(Label::new(RichText::new(tr(stop.text)).color(palette.text)).wrap());
+}
+
+fn buttons(ui: &mut Ui, step: usize, count: usize, palette: &Palette, actions: &mut Actions) {
+    let mut act = |action| actions.push(Action::Explore(action));
+    ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = 40.0;
+        if ui.add_enabled(step > 0, egui::Button::new(tr("Back"))).clicked() {
+            act(ExploreAction::Tour(step - 1));
+        }
+        if step + 1 < count {
+            if ui.button(tr("Next")).clicked() {
+                act(ExploreAction::Tour(step + 1));
+            }
+        } else if ui.button(tr("Keep this picture")).on_hover_text(tr("Ends the tour here")).clicked() {
+            act(ExploreAction::LeaveTour { keeps: true });
+        }
+        if ui.button(tr("End")).on_hover_text(tr("Ends the tour and shows your own picture again")).clicked() {
+            act(ExploreAction::LeaveTour { keeps: false });
+        }
+        ui.label(RichText::new(tr_with("{0} of {1}", &[&(step + 1), &count])).color(palette.weak));
+    });
+}

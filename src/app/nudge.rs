@@ -1,0 +1,184 @@
+//! The keyboard's hold on the pictures: dots and viewports are stations of the Tab key, arrow keys move what has it.
+//!
+//! A green dot moves on the screen, a magenta one along its boundary (right and up: counter-clockwise);
+//! Shift makes the steps fine. A viewport moves its eye, `+` and `-` zoom, `0` fits.
+
+use super::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState};
+use super::language::tr;
+use super::locks::{Control, Locks};
+use crate::conformal::Side;
+use egui::{EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
+
+/// A step of a dot on the screen, in points: a dot's radius. Fine: one.
+const STEPS: [f32; 2] = [10.0, 1.0];
+/// A step of a dot along its boundary, as fractions of the length.
+const FRACTIONS: [f64; 2] = [0.01, 0.001];
+/// A step of the eye, in points.
+const EYE_STEP: f32 = 40.0;
+/// What a press of `+` zooms by.
+const ZOOM_STEP: f32 = 1.25;
+
+/// What the arrow keys ask of a dot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Nudge {
+    /// To move on the screen, in points.
+    Interior(Vec2),
+    /// To move along the boundary, by a fraction of its length, counter-clockwise.
+    Boundary(f64),
+}
+
+/// Makes a side's dots stations of the Tab key; returns what the arrow keys ask of the one that has the keyboard.
+/// `places` are those of interior and boundary.
+pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut HandleState) -> Option<Nudge> {
+    let mut nudge = None;
+    for kind in [HandleKind::Interior, HandleKind::Boundary] {
+        let handle = Handle { side, kind };
+        let Some(place) = places[kind as usize] else { continue };
+        let station = Rect::from_center_size(place, Vec2::splat(2.0 * GRAB_RADIUS));
+        let response = ui.interact(station, id_of(handle), Sense::focusable_noninteractive());
+        response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, name(handle)));
+        if response.has_focus() {
+            handles.focused = Some(handle);
+            handles.ever_dragged = true;
+            nudge = nudge.or(arrows(ui, &response).map(|(arrow, fine)| match kind {
+                HandleKind::Interior => Nudge::Interior(STEPS[fine] * arrow),
+                HandleKind::Boundary => Nudge::Boundary(FRACTIONS[fine] * f64::from(arrow.x - arrow.y)),
+            }));
+        } else if handles.focused == Some(handle) {
+            handles.focused = None;
+        }
+    }
+    nudge
+}
+
+/// What the keys ask of a picture's eye, in points and as a factor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EyeMove {
+    /// Move, or turn.
+    Step(Vec2),
+    /// Come nearer by this factor.
+    Zoom(f32),
+    /// Show everything.
+    Fit,
+}
+
+/// What the keys ask of the eye of the viewport that has the keyboard.
+pub fn of_viewport(ui: &Ui, response: &Response, side: Side) -> Option<EyeMove> {
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr(viewport_name(side))));
+    if !response.has_focus() || Locks::of(ui.ctx()).holds(Control::View) {
+        return None;
+    }
+    if let Some((arrow, _)) = arrows(ui, response) {
+        return Some(EyeMove::Step(EYE_STEP * arrow));
+    }
+    let moves = [
+        (Key::Plus, EyeMove::Zoom(ZOOM_STEP)),
+        (Key::Equals, EyeMove::Zoom(ZOOM_STEP)),
+        (Key::Minus, EyeMove::Zoom(1.0 / ZOOM_STEP)),
+        (Key::Num0, EyeMove::Fit),
+    ];
+    ui.input(|input| moves.into_iter().find(|(key, _)| input.key_pressed(*key) && !input.modifiers.command))
+        .map(|(_, wanted)| wanted)
+}
+
+/// The direction of the arrow keys that were pressed in this frame, y down, and 1 for fine steps.
+fn arrows(ui: &Ui, response: &Response) -> Option<(Vec2, usize)> {
+    let ours = EventFilter { horizontal_arrows: true, vertical_arrows: true, tab: false, escape: false };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, ours));
+    let keys = [
+        (Key::ArrowRight, vec2(1.0, 0.0)),
+        (Key::ArrowLeft, vec2(-1.0, 0.0)),
+        (Key::ArrowUp, vec2(0.0, -1.0)),
+        (Key::ArrowDown, vec2(0.0, 1.0)),
+    ];
+    let (mut sum, mut fine) = (Vec2::ZERO, 0);
+    ui.input_mut(|input| {
+        // with Shift first: without it an arrow would match too
+        for (modifiers, is_fine) in [(Modifiers::SHIFT, 1), (Modifiers::NONE, 0)] {
+            for (key, step) in keys {
+                let times = input.count_and_consume_key(modifiers, key);
+                sum += times as f32 * step;
+                fine = if times > 0 { is_fine } else { fine };
+            }
+        }
+    });
+    (sum != Vec2::ZERO).then_some((sum, fine))
+}
+
+/// The same for a dot in the plane and on a surface.
+fn id_of(handle: Handle) -> Id {
+    Id::unique(("dot", handle.symbol()))
+}
+
+fn name(handle: Handle) -> &'static str {
+    tr(match (handle.kind, handle.side) {
+        (HandleKind::Interior, Side::Source) => "x₁, interior point of the source",
+        (HandleKind::Interior, Side::Target) => "x₂, interior point of the target",
+        (HandleKind::Boundary, Side::Source) => "y₁, boundary point of the source",
+        (HandleKind::Boundary, Side::Target) => "y₂, boundary point of the target",
+    })
+}
+
+fn viewport_name(side: Side) -> &'static str {
+    match side {
+        Side::Source => "Picture of the source",
+        Side::Target => "Picture of the target",
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use crate::app::RiemapApp;
+    use crate::app::tests::ready_app;
+    use egui::{Key, Modifiers};
+    use egui_kittest::Harness;
+    use egui_kittest::kittest::Queryable;
+
+    fn focused<'a>(label: &str) -> Harness<'a, RiemapApp> {
+        let mut harness = ready_app([1200.0, 800.0]);
+        harness.get_by_label(label).focus();
+        harness.run_steps(3);
+        harness
+    }
+
+    #[test]
+    fn arrow_keys_move_a_dot_and_shift_makes_the_step_fine() {
+        let mut harness = focused("x₁, interior point of the source");
+        let [x, y] = harness.state().stats().handles.x1.unwrap();
+        harness.key_press(Key::ArrowRight);
+        harness.run_steps(3);
+        let [u, v] = harness.state().stats().handles.x1.unwrap();
+        assert!((u - x - 10.0).abs() < 0.1 && (v - y).abs() < 0.1, "from {x}, {y} to {u}, {v}");
+        harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowUp);
+        harness.run_steps(3);
+        let [s, t] = harness.state().stats().handles.x1.unwrap();
+        assert!((s - u).abs() < 0.1 && (v - t - 1.0).abs() < 0.1, "from {u}, {v} to {s}, {t}");
+    }
+
+    #[test]
+    fn a_boundary_dot_moves_along_its_boundary_counter_clockwise_and_back() {
+        let mut harness = focused("y₂, boundary point of the target");
+        let at = |harness: &Harness<'_, RiemapApp>| harness.state().session().anchor[1];
+        let start = at(&harness);
+        harness.key_press(Key::ArrowUp);
+        harness.run_steps(3);
+        assert!((at(&harness) - start - 0.01).abs() < 1e-12);
+        harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+        harness.run_steps(3);
+        assert!((at(&harness) - start - 0.009).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_viewport_that_has_the_keyboard_moves_zooms_and_fits() {
+        let mut harness = focused("Picture of the source");
+        let start = harness.state().stats().handles.y1.unwrap();
+        harness.key_press(Key::ArrowLeft);
+        harness.run_steps(3);
+        let moved = harness.state().stats().handles.y1.unwrap();
+        assert!((moved[0] - start[0] - 40.0).abs() < 0.1, "the eye goes left: {start:?}, {moved:?}");
+        harness.key_press(Key::Num0);
+        harness.run_steps(3);
+        assert_eq!(harness.state().stats().handles.y1.unwrap(), start);
+    }
+}
