@@ -25,6 +25,8 @@ impl RiemapApp {
                     }
                 }
                 Event::GraphicsLost(reason) => self.message = Some(presentation::graphics_lost(&reason)),
+                Event::Image { name, pixels: Ok(pixels) } => self.use_image(&name, &pixels),
+                Event::Image { name, pixels: Err(reason) } => self.message = Some(format!("{name}: {reason}")),
                 Event::NotSaved { name, reason } => self.message = Some(format!("{name} was not saved: {reason}")),
             }
         }
@@ -33,7 +35,7 @@ impl RiemapApp {
     pub(super) fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
         self.keeper.touch();
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
-        let content = files::read(purpose, name, bytes, limit);
+        let content = files::read(purpose, name, bytes);
         if let Ok(content) = &content
             && !self.may(locked_by(content))
         {
@@ -41,7 +43,7 @@ impl RiemapApp {
         }
         match content {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
-            Ok(Content::Image(picture)) => self.use_image(&picture),
+            Ok(Content::Image { name, bytes }) => platform::decode_image(name, bytes, limit, self.mailbox.clone()),
             Ok(Content::Session(session)) => self.open_session(*session),
             Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(&name, bytes),
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
@@ -58,16 +60,16 @@ impl RiemapApp {
         !locked
     }
 
-    pub(super) fn use_image(&mut self, picture: &files::Picture) {
-        let (width, height) = picture.pixels.dimensions();
-        let used = self.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(picture.pixels.as_raw(), width, height));
+    fn use_image(&mut self, name: &str, pixels: &image::RgbaImage) {
+        let (width, height) = pixels.dimensions();
+        let used = self.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(pixels.as_raw(), width, height));
         match used {
             Ok(()) => {
-                self.image_name = Some(picture.name.clone());
+                self.image_name = Some(name.to_owned());
                 self.message = None;
                 self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
             }
-            Err(error) => self.message = Some(format!("{}: {error}", picture.name)),
+            Err(error) => self.message = Some(format!("{name}: {error}")),
         }
     }
 
@@ -87,7 +89,7 @@ impl RiemapApp {
 fn locked_by(content: &Content) -> Control {
     match content {
         Content::Outline(..) | Content::Surface { .. } => Control::Outline,
-        Content::Image(_) => Control::Pattern,
+        Content::Image { .. } => Control::Pattern,
         Content::Session(_) => Control::Session,
     }
 }

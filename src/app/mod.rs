@@ -487,4 +487,7 @@ impl eframe::App for RiemapApp {
 mod language_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
+mod locks_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;

@@ -62,15 +62,16 @@ impl RiemapApp {
         }
         self.preparer.warm();
         let settled = self.keeper.settle(self.model.session(), now);
-        if settled.address.is_some() || settled.copy.is_some() {
-            platform::tell_page(PageEvent::Session, "");
-        }
+        let is_news = settled.address.is_some() || settled.copy.is_some();
         for command in settled.moves {
             self.model.dispatch(command, now);
             context.request_repaint();
         }
         if let Some(fragment) = settled.address {
             platform::show_link(&fragment);
+        }
+        if is_news {
+            platform::tell_page(PageEvent::Session, "");
         }
         if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(Kept::Session, &text))
             && let Some(message) = self.keeper.not_kept(&reason)

@@ -1,7 +1,7 @@
 //! What differs between the web and the desktop: start-up, workers, dialogs, dropped files.
 //!
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
-//! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`save_file`],
+//! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`decode_image`], [`save_file`],
 //! [`drop_position`], [`address_options`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
 //! [`languages`], [`say_language`], [`say`], [`describe`], [`has_full_screen`], [`toggle_full_screen`], [`tell_page`],
 //! [`watch_graphics`]. Whatever happens outside of a frame arrives as an [`Event`] in the app's mailbox, in order, and
@@ -11,19 +11,23 @@
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Laboratory, Preparer, address_options, address_with, describe, drop_position, has_full_screen, languages, link,
-    pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start, tell_page,
-    toggle_full_screen, watch_graphics,
+    Laboratory, Preparer, address_options, address_with, decode_image, describe, drop_position, has_full_screen,
+    languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
+    tell_page, toggle_full_screen, watch_graphics,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
+#[cfg(not(target_arch = "wasm32"))]
+mod native_image;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
     Laboratory, Preparer, address_options, address_with, describe, drop_position, has_full_screen, languages, link,
     pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start, tell_page,
     toggle_full_screen, watch_graphics,
 };
+#[cfg(not(target_arch = "wasm32"))]
+pub use native_image::decode_image;
 
 use crate::conformal::Side;
 use crate::worker::{Finding, Response, Study, Subject};
@@ -81,6 +85,13 @@ pub enum Event {
     Link(String),
     /// Nothing can be drawn any more, and why.
     GraphicsLost(String),
+    /// An image was decoded, or could not be.
+    Image {
+        /// The file's name.
+        name: String,
+        /// Straight RGBA, 8 bits each, no larger than was asked for; or why there is none.
+        pixels: Result<image::RgbaImage, String>,
+    },
     /// A file could not be written.
     NotSaved {
         /// Its name.

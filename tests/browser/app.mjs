@@ -87,12 +87,10 @@ export class App {
 
   /** Waits until `reached(stats, argument)`, asked once a frame in the page, and returns the stats. */
   async until(state, reached, argument) {
-    const asked = `(argument) => {
-      const stats = window.riemap?.stats?.();
-      return stats && (${reached})(stats, argument) ? stats : null;
-    }`;
+    // a function, as the page's policy lets no text be evaluated between the frames
+    const body = `const stats = window.riemap?.stats?.(); return stats && (${reached})(stats, argument) ? stats : null;`;
     try {
-      const handle = await this.#page.waitForFunction(`(${asked})(${JSON.stringify(argument ?? null)})`);
+      const handle = await this.#page.waitForFunction(new Function('argument', body), argument ?? null);
       return await handle.jsonValue();
     } catch (error) {
       const last = await this.#page.evaluate(() => JSON.stringify(window.riemap?.stats?.())).catch(String);

@@ -7,6 +7,7 @@ mod address;
 mod bridge;
 mod engine;
 mod files;
+mod image;
 mod laboratory;
 mod messages;
 mod page;
@@ -17,6 +18,7 @@ mod worker_handle;
 
 pub use address::{address_with, languages, link, remember, remembered, say_language, show_link};
 pub use files::{drop_position, pick_file, read_dropped, save_file};
+pub use image::decode_image;
 pub use laboratory::Laboratory;
 pub use page::{address_options, watch_graphics};
 pub use preparer::Preparer;
