@@ -1,11 +1,12 @@
 //! What the panels ask for: commands to the session, and what concerns the screen alone.
 
+use super::editing::EditAction;
 use super::explore::ExploreAction;
+use super::playing::PlayAction;
 use super::preferences::Preferences;
 use super::reports::Report;
 use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
-use crate::export::SurfaceFormat;
 use crate::session::Command;
 use crate::worker::Subject;
 
@@ -28,10 +29,20 @@ pub enum Action {
     CopyLink,
     /// Show the dialog for an outline.
     OpenOutline(Side),
+    /// Show the dialog for a picture to trace for this side.
+    OpenTrace(Side),
+    /// Trace the picture that has just become the texture.
+    TraceImage,
+    /// Leave it the texture.
+    DismissOffer,
     /// Show the dialog for the texture image.
     OpenImage,
     /// Show all of a side's outline.
     Fit(Side),
+    /// Draw or reshape an outline by hand.
+    Edit(EditAction),
+    /// Take a pasted text as the source's outline.
+    PasteText(String),
     /// Do what the message about a subject offers.
     Remedy(Subject),
     /// Close the message about a subject.
@@ -40,12 +51,14 @@ pub enum Action {
     OpenReport(Report),
     /// Close the message about the image or a file.
     DismissMessage,
-    /// Texture coordinates of exports go into the unit box, or stay the outline's own.
-    ScaleCoordinates(bool),
-    /// Save the surface with its texture coordinates.
-    ExportSurface(SurfaceFormat),
-    /// Save a picture of both viewports.
-    ExportPicture,
+    /// Show the window of exports.
+    OpenExport,
+    /// Save what is chosen there, or begin to make it.
+    SaveExport,
+    /// Give up what is being made.
+    CancelExport,
+    /// Set the points in motion, or stop them.
+    Play(PlayAction),
     /// Start, pause or clear the random walks, or change their speed.
     Walks(WalkAction),
     /// Open the gallery, the tour or the list of keys, or go on in the tour.

@@ -1,16 +1,26 @@
 //! Files that came in: which are outlines, which are images or surfaces, and what is wrong with the others.
 
+use super::tracing;
 use super::trouble::{Remedy, Trouble};
 use crate::conformal::Side;
 use crate::outline::{Outline, parse, parse_repaired};
 use crate::platform::{FilePurpose, IMAGE_ENDINGS, SURFACE_ENDINGS};
 use crate::session::{Session, file};
 
+/// A decoded image.
+#[derive(Debug)]
+pub struct Picture {
+    /// The file's name.
+    pub name: String,
+    /// Straight RGBA, 8 bits each.
+    pub pixels: image::RgbaImage,
+}
+
 /// What a file turned out to be.
 pub enum Content {
     /// An outline for a side.
     Outline(Side, Outline),
-    /// A texture, not yet decoded: the platform does that.
+    /// A texture, or a picture to trace, not yet decoded: the platform does that.
     Image {
         /// The file's name.
         name: String,
@@ -42,7 +52,7 @@ pub fn read(purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) ->
     let is_session = has_ending(name, &[file::EXTENSION]);
     let (image, side) = match purpose {
         FilePurpose::Image => (true, Side::Source),
-        FilePurpose::Outline(side) => (false, side),
+        FilePurpose::Outline(side) | FilePurpose::Trace(side) => (false, side),
         FilePurpose::Session => (false, Side::Source),
         FilePurpose::Dropped(side) => (is_image_name(name), side),
     };
@@ -52,7 +62,7 @@ pub fn read(purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) ->
         if image || session { FileError::Common(message) } else { FileError::Outline(side, Trouble::new(message)) }
     };
     let bytes = bytes.map_err(failed)?;
-    if image {
+    if image || purpose == FilePurpose::Trace(side) {
         return Ok(Content::Image { name: name.to_owned(), bytes });
     }
     if session {
@@ -68,6 +78,15 @@ pub fn read(purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) ->
             let remedy = parse_repaired(name, &bytes).ok().map(|outline| Remedy::Repaired(Box::new(outline)));
             Err(FileError::Outline(side, Trouble { text: format!("{name}: {error}"), remedy }))
         }
+    }
+}
+
+/// The outline of the largest shape in a picture.
+pub fn traced(side: Side, picture: &Picture) -> Result<Content, FileError> {
+    let stem = picture.name.rsplit_once('.').map_or(picture.name.as_str(), |(stem, _)| stem);
+    match tracing::trace(stem, &picture.pixels) {
+        Ok(outline) => Ok(Content::Outline(side, outline)),
+        Err(error) => Err(FileError::Outline(side, Trouble::new(format!("{}: {error}", picture.name)))),
     }
 }
 
@@ -98,6 +117,21 @@ mod tests {
             let content = read(purpose, "Cow.OBJ", Ok(b"v 0 0 0".to_vec()));
             assert!(matches!(content, Ok(Content::Surface { name, .. }) if name == "Cow.OBJ"));
         }
+    }
+
+    #[test]
+    #[test]
+    fn a_picture_that_is_to_be_traced_becomes_an_outline() {
+        let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { 0 } else { 255 };
+        let pixels = image::RgbaImage::from_fn(300, 240, |x, y| image::Rgba([ink(x, y), ink(x, y), ink(x, y), 255]));
+        let content = traced(Side::Target, &Picture { name: "box.png".into(), pixels });
+        let Ok(Content::Outline(Side::Target, outline)) = content else { panic!("not traced") };
+        assert_eq!(outline.name, "box");
+        assert!((outline.polygon.area() / 7200.0 - 1.0).abs() < 0.02, "{}", outline.polygon.area());
+        let pixels = image::RgbaImage::from_pixel(30, 20, image::Rgba([1, 2, 3, 255]));
+        let error = traced(Side::Target, &Picture { name: "blank.png".into(), pixels }).err();
+        let Some(FileError::Outline(Side::Target, trouble)) = error else { panic!("{error:?}") };
+        assert!(trouble.text.starts_with("blank.png: the whole picture has one colour"), "{}", trouble.text);
     }
 
     #[test]

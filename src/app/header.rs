@@ -1,6 +1,7 @@
 //! What lies over a viewport's upper edge: title, sizes, buttons, messages; and its legend below.
 
 use super::action::{Action, Actions};
+use super::editing::EditAction;
 use super::language::{tr, tr_message};
 use super::locks::{Control, guarded};
 use super::model::Model;
@@ -34,6 +35,8 @@ pub fn open_tooltip(side: Side) -> &'static str {
 pub struct Surroundings {
     /// Little room: the bar along the top has the shapes.
     pub narrow: bool,
+    /// The side whose outline is being edited.
+    pub edited: Option<Side>,
     /// The panels are folded away: here is the way back for those without a Tab key.
     pub folded: bool,
     /// In another page, which wants the pictures alone.
@@ -97,14 +100,15 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
 
 fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surroundings, actions: &mut Actions) {
     ui.spacing_mut().button_padding = vec2(9.0, 4.0);
-    ui.spacing_mut().interact_size.y = 26.0;
+    ui.spacing_mut().interact_size.y = theme::control_height(ui, 26.0);
     let panels = (around.folded && side == Side::Target)
         .then(|| guarded(ui, Control::Panels, |ui| ui.button(tr("Panels")).on_hover_text(tr(PANELS_TOOLTIP))));
     if panels.is_some_and(|button| button.clicked()) {
         actions.push(Action::TogglePanels);
     }
+    let width = theme::control_height(ui, 0.0); // a short word needs as much of a finger as a long one
     guarded(ui, Control::View, |ui| {
-        let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")));
+        let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")).min_size(vec2(width, 0.0)));
         if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
             actions.push(Action::Fit(side));
         }
@@ -113,6 +117,13 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
 }
 
 fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings, actions: &mut Actions) {
+    if side == Side::Source || model.surface().is_none() {
+        let edited = around.edited == Some(side);
+        let edit = ui.add(egui::Button::selectable(edited, tr("Edit")).frame_when_inactive(true));
+        if edit.on_hover_text(tr("Reshape the outline by its handles (E)")).clicked() {
+            actions.push(Action::Edit(EditAction::Toggle(side)));
+        }
+    }
     if !around.narrow {
         if ui.button(tr("Open…")).on_hover_text(tr(open_tooltip(side))).clicked() {
             actions.push(Action::OpenOutline(side));

@@ -5,7 +5,7 @@ use super::explore::ExploreAction;
 use super::language::{Language, tr};
 use super::locks::{Control, guarded, menu_entry};
 use super::preferences::{Appearance, Preferences};
-use super::theme::Palette;
+use super::theme::{FINGER_HEIGHT, Palette};
 use super::widgets::{Segment, chevron, segmented};
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{PopupCloseBehavior, Role, Ui, WidgetInfo, vec2};
@@ -25,7 +25,7 @@ pub fn menu_button(ui: &mut Ui, preferences: Preferences, actions: &mut Actions)
     let (response, _) = MenuButton::from_button(button).config(stays_open).ui(ui, |ui| {
         ui.set_width(WIDTH);
         for (label, tooltip, action) in entries() {
-            let button = egui::Button::new(tr(label)).min_size(vec2(WIDTH, 40.0));
+            let button = egui::Button::new(tr(label)).min_size(vec2(WIDTH, FINGER_HEIGHT));
             let action = Action::Explore(action);
             if menu_entry(ui, true, button, tooltip, &action) {
                 actions.push(action);

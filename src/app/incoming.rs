@@ -1,14 +1,18 @@
 //! What comes in from outside of a frame: the workers' answers, files, links.
 
 use super::RiemapApp;
-use super::files::{self, Content, FileError};
+use super::files::{self, Content, FileError, Picture};
 use super::gpu::Gpu;
 use super::language::tr;
 use super::locks::{Control, REFUSAL};
+use super::offer::Offer;
 use super::presentation;
+use super::tracing;
+use super::trouble::Trouble;
 use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose};
 use crate::session::{Command, TextureKind};
+use std::sync::Arc;
 
 impl RiemapApp {
     /// What happened since the last frame.
@@ -25,8 +29,7 @@ impl RiemapApp {
                     }
                 }
                 Event::GraphicsLost(reason) => self.message = Some(presentation::graphics_lost(&reason)),
-                Event::Image { name, pixels: Ok(pixels) } => self.use_image(&name, &pixels),
-                Event::Image { name, pixels: Err(reason) } => self.message = Some(format!("{name}: {reason}")),
+                Event::Image { purpose, name, pixels } => self.take_image(purpose, name, pixels),
                 Event::NotSaved { name, reason } => self.message = Some(format!("{name} was not saved: {reason}")),
             }
         }
@@ -37,13 +40,48 @@ impl RiemapApp {
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
         let content = files::read(purpose, name, bytes);
         if let Ok(content) = &content
-            && !self.may(locked_by(content))
+            && !self.may(locked_by(content, purpose))
         {
             return;
         }
         match content {
+            Ok(Content::Image { name, bytes }) => {
+                let limit = if matches!(purpose, FilePurpose::Trace(_)) { tracing::MAX_SIDE } else { limit };
+                platform::decode_image(purpose, name, bytes, limit, self.mailbox.clone());
+            }
+            content => self.take(content),
+        }
+    }
+
+    /// An image was decoded, or could not be.
+    fn take_image(&mut self, purpose: FilePurpose, name: String, pixels: Result<image::RgbaImage, String>) {
+        match (purpose, pixels) {
+            (FilePurpose::Trace(side), Ok(pixels)) => self.take(files::traced(side, &Picture { name, pixels })),
+            (FilePurpose::Trace(side), Err(reason)) => {
+                self.model.side_mut(side).error = Some(Trouble::new(format!("{name}: {reason}")));
+            }
+            (_, Ok(pixels)) => {
+                let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
+                let picture = Picture { name, pixels };
+                self.offer = Some(Offer::new(side, &picture));
+                self.use_image(picture);
+            }
+            (_, Err(reason)) => self.message = Some(format!("{name}: {reason}")),
+        }
+    }
+
+    /// Traces the picture that has just become the texture.
+    pub(super) fn trace_image(&mut self) {
+        if let Some(offer) = self.offer.take() {
+            self.keeper.touch();
+            self.take(offer.accept());
+        }
+    }
+
+    fn take(&mut self, content: Result<Content, FileError>) {
+        match content {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
-            Ok(Content::Image { name, bytes }) => platform::decode_image(name, bytes, limit, self.mailbox.clone()),
+            Ok(Content::Image { .. }) => {} // is decoded first
             Ok(Content::Session(session)) => self.open_session(*session),
             Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(&name, bytes),
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
@@ -60,16 +98,17 @@ impl RiemapApp {
         !locked
     }
 
-    fn use_image(&mut self, name: &str, pixels: &image::RgbaImage) {
-        let (width, height) = pixels.dimensions();
-        let used = self.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(pixels.as_raw(), width, height));
+    pub(super) fn use_image(&mut self, picture: Picture) {
+        let (width, height) = picture.pixels.dimensions();
+        let used = self.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(picture.pixels.as_raw(), width, height));
         match used {
             Ok(()) => {
-                self.image_name = Some(name.to_owned());
+                self.image_name = Some(picture.name);
+                self.image = Some(Arc::new(picture.pixels));
                 self.message = None;
                 self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
             }
-            Err(error) => self.message = Some(format!("{name}: {error}")),
+            Err(error) => self.message = Some(format!("{}: {error}", picture.name)),
         }
     }
 
@@ -86,9 +125,10 @@ impl RiemapApp {
 }
 
 /// What a file would change.
-fn locked_by(content: &Content) -> Control {
+fn locked_by(content: &Content, purpose: FilePurpose) -> Control {
     match content {
         Content::Outline(..) | Content::Surface { .. } => Control::Outline,
+        Content::Image { .. } if matches!(purpose, FilePurpose::Trace(_)) => Control::Outline,
         Content::Image { .. } => Control::Pattern,
         Content::Session(_) => Control::Session,
     }

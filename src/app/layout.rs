@@ -9,8 +9,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, file_menu, header, legend, plots, presentation, side_panel, status, surface, teaching,
-    top_bar, viewport, words,
+    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, presentation, side_panel,
+    status, surface, teaching, theme, top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -31,11 +31,15 @@ const SHEET_SHARE: f32 = 0.42;
 /// One frame: panels, then what they ask for, then the pictures.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     let narrow = ui.available_width() < PHONE_WIDTH;
+    theme::suit_pointer(ui.ctx(), narrow || ui.input(egui::InputState::has_touch_screen));
     let mut actions = Actions::new();
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
     presentation::keys(ui, &mut actions);
+    editing::keys(ui, &app.editor, &app.views, &mut actions);
+    actions.extend(editing::pasted(ui).map(Action::PasteText));
+    play_panel::keys(ui, &mut actions);
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
@@ -85,7 +89,7 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     Panel::left("controls").exact_size(PANEL_WIDTH).resizable(false).frame(frame).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - SCROLL_BAR);
-            side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
+            side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
         });
     });
 }
@@ -115,7 +119,7 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         } else if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
-                side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
+                side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
                 ui.add_space(10.0);
             });
         }
@@ -152,11 +156,17 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
         let rect = rects[side as usize];
         let below =
             if narrow && side == LEGEND_SIDE && app.cells.scale().is_some() { legend::height(rect) } else { 0.0 };
-        let margins = Margins { bottom: margins.bottom + below, ..margins };
+        let bar = if narrow && app.editor.side() == Some(side) { editing::ROOM } else { 0.0 };
+        let margins = Margins { bottom: margins.bottom + below + bar, ..margins };
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
         let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
-        let boundary = if let Some(scene) = scene {
+        if let Some(scene) = scene {
             app.orbit.place(view.rect, ui.pixels_per_point(), scene);
+        }
+        let boundary = if app.editor.side() == Some(side) {
+            editing::interact(ui, side, &app.model, view, &mut app.editor, &mut app.handles, &mut actions);
+            None
+        } else if scene.is_some() {
             surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, &mut actions)
         } else {
             viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions)
@@ -173,7 +183,10 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     paint(app, ui, narrow, &mut actions);
     common_message(app, ui, &mut actions);
     app.reports.show(&context);
+    offer::show(ui, &mut app.offer, &mut actions);
+    editing::show_paste(&context, &mut app.editor, &mut actions);
     app.explore.show(&context, &mut actions);
+    app.show_exporter(&context, narrow, &mut actions);
     app.carry_out(&context, actions);
 }
 
@@ -182,7 +195,8 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     if let Some(gpu) = &app.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
-    let around = Surroundings { narrow, folded: !app.panels_open, embedded: app.options.embed };
+    let embedded = app.options.embed;
+    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open, embedded };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         let view = &app.views[side as usize];
@@ -194,6 +208,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         } else {
             viewport::paint_mesh(ui, side, view, style.as_ref());
         }
+        editing::paint_sheet(ui, side, view, &app.editor);
         let is_fitted = if solid { app.orbit.is_fitted() } else { view.is_fitted() };
         header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
         if !narrow {
@@ -204,17 +219,21 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
             legend::paint(ui, view.rect, scale, narrow);
         }
         let marked = app.plots.marked().map(|marked| marked[side as usize]);
-        if solid {
+        if app.editor.drawing(side).is_some() {
+            // the dots are those of the outline under the sheet
+        } else if solid {
             marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.orbit, at));
             surface::viewport::paint_dots(ui, &app.model, &app.orbit, &app.handles);
         } else {
             marked.inspect(|&at| viewport::paint_boundary_mark(ui, side, &app.model, view, at));
             viewport::paint_dots(ui, side, &app.model, view, &app.handles);
         }
+        editing::paint(ui, side, view, &app.editor);
+        editing::show_bar(ui, side, view.rect, narrow, &app.editor, actions);
         viewport::paint_progress(ui, side, &app.model, view.rect);
         viewport::paint_drop_target(ui, side, view.rect);
     }
-    if !app.handles.ever_dragged && app.model.shown().is_some() {
+    if !app.handles.ever_dragged && app.model.shown().is_some() && app.editor.side().is_none() {
         viewport::paint_hint(ui, &app.model, &app.views[0]);
     }
     let [a, b] = app.views.each_ref().map(|view| view.rect);

@@ -85,7 +85,13 @@ impl Control {
         Some(match action {
             Action::Session(command) => Self::of_command(command),
             Action::New | Action::OpenSession => Self::Session,
-            Action::OpenOutline(_) | Action::Remedy(_) => Self::Outline,
+            Action::OpenOutline(_)
+            | Action::OpenTrace(_)
+            | Action::TraceImage
+            | Action::Edit(_)
+            | Action::PasteText(_)
+            | Action::Remedy(_) => Self::Outline,
+            Action::Play(_) => Self::Interior,
             Action::OpenImage => Self::Pattern,
             Action::Fit(_) => Self::View,
             Action::OpenReport(_) | Action::Walks(_) => Self::Comparison,
@@ -98,9 +104,10 @@ impl Control {
             | Action::CopyLink
             | Action::Dismiss(_)
             | Action::DismissMessage
-            | Action::ScaleCoordinates(_)
-            | Action::ExportSurface(_)
-            | Action::ExportPicture
+            | Action::DismissOffer
+            | Action::OpenExport
+            | Action::SaveExport
+            | Action::CancelExport
             | Action::Explore(ExploreAction::Shortcuts | ExploreAction::LeaveTour { .. })
             | Action::ToggleFullScreen
             | Action::TogglePresentation => return None,
@@ -111,9 +118,11 @@ impl Control {
         match command {
             Command::MoveInterior { .. } | Command::MoveSurfacePoint(_) => Self::Interior,
             Command::MoveAnchor { .. } | Command::MoveSurfaceAnchor(_) => Self::Boundary,
-            Command::SetOutline { .. } | Command::SetSurface(_) | Command::CloseSurface | Command::Swap => {
-                Self::Outline
-            }
+            Command::SetOutline { .. }
+            | Command::ReshapeOutline { .. }
+            | Command::SetSurface(_)
+            | Command::CloseSurface
+            | Command::Swap => Self::Outline,
             Command::SetTexture(_) | Command::SetTextureScale(_) | Command::SetTextureSide(_) => Self::Pattern,
             Command::SetColouring(_) | Command::SetWireframe(_) => Self::Colours,
             Command::SetSettings { .. } | Command::SetDirection(_) | Command::SetExtension(_) => Self::Method,

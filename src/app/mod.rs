@@ -12,7 +12,9 @@ mod cells;
 mod colouring;
 mod dots;
 mod draft;
+mod editing;
 mod explore;
+pub mod exporting;
 mod figures_menu;
 mod file_menu;
 mod files;
@@ -28,15 +30,18 @@ pub mod language;
 mod layout;
 mod legend;
 mod locks;
+mod looping;
 mod method;
 mod model;
 mod nudge;
+mod offer;
+mod play_panel;
+mod playing;
 mod plots;
 mod preferences;
 mod prepare_state;
 mod presentation;
 mod reports;
-mod screenshot;
 mod sessions;
 mod shapes;
 mod side_panel;
@@ -49,6 +54,7 @@ mod teaching;
 mod textured;
 mod theme;
 mod top_bar;
+mod tracing;
 mod trouble;
 mod view;
 mod viewport;
@@ -60,7 +66,6 @@ pub use model::Model;
 pub use stats::{Processor, Stats};
 
 use crate::conformal::{Extension, Side};
-use crate::export::SurfaceFormat;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
@@ -68,19 +73,24 @@ use crate::session::{Command, Session};
 use address_options::AddressOptions;
 use announced::Announced;
 use cells::Cells;
+use editing::Editor;
 use explore::{Explore, ExploreAction};
+use exporting::Exporter;
 use gpu::Gpu;
 use handles::HandleState;
+use image::RgbaImage;
 use keeping::{Keeper, Start};
 use keyboard::Keyboard;
 use locks::Locks;
 use model::{Changes, Refines};
+use offer::Offer;
+use playing::Player;
 use plots::Plots;
 use preferences::Preferences;
 use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
-use std::sync::mpsc;
+use std::sync::{Arc, mpsc};
 use surface::OrbitView;
 use teaching::walks::WalkAction;
 use view::View;
@@ -154,24 +164,32 @@ pub struct RiemapApp {
     cells: Cells,
     plots: Plots,
     handles: HandleState,
+    editor: Editor,
     meter: FrameMeter,
     options: AddressOptions,
     panels_open: bool,
     sheet_open: bool,
     keyboard: Keyboard,
+    /// How many times a control was said, and whether the theme is dark: for [`Stats`].
+    spoken: u64,
+    dark: bool,
     explore: Explore,
     keeper: Keeper,
     announced: Announced,
     reports: Reports,
     laboratory: Laboratory,
+    player: Player,
+    exporter: Exporter,
     image_name: Option<String>,
+    /// The picture that can be traced now.
+    offer: Option<Offer>,
+    /// The texture of that name.
+    image: Option<Arc<RgbaImage>>,
     /// What is wrong with an image or a file that was to be saved.
     message: Option<String>,
     /// What has gone well and cannot be seen, and when it need not be said any more.
     notice: Option<(&'static str, f64)>,
     preferences: Preferences,
-    /// Whether exported texture coordinates are scaled into the unit box.
-    unit_coordinates: bool,
     last_change: f64,
     /// How much larger than usual everything is.
     zoom: f32,
@@ -208,21 +226,27 @@ impl RiemapApp {
             cells: Cells::default(),
             plots: Plots::default(),
             handles: HandleState::default(),
+            editor: Editor::default(),
             meter: FrameMeter::default(),
             panels_open: !options.embed,
             sheet_open: false,
             keyboard: Keyboard::default(),
+            spoken: 0,
+            dark: true,
             explore: Explore::default(),
             keeper,
             announced: Announced::default(),
             reports,
             laboratory,
+            player: Player::default(),
+            exporter: Exporter::default(),
             image_name: None,
+            offer: None,
+            image: None,
             message: presentation::with_troubles(message, &options),
             options,
             notice: None,
             preferences,
-            unit_coordinates: true,
             last_change: 0.0,
             zoom: 1.0,
         })
@@ -257,9 +281,15 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             undo: self.keeper.history().undo_count(),
+            dark: self.dark,
+            spoken: self.spoken,
+            playing: self.player.is_playing(),
+            export: self.exporter.places().cloned(),
+            export_count: self.exporter.count(),
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
+            editing: editing::stats(&self.editor, &self.views),
         };
         stats::collect(&self.model, screen)
     }
@@ -301,6 +331,9 @@ impl RiemapApp {
         for action in actions.into_iter().filter(|action| locks.refused(action).is_none()) {
             match action {
                 Action::Session(command) => {
+                    if command.moves_points() {
+                        self.player.pause();
+                    }
                     self.keeper.touch();
                     self.model.dispatch(command, now);
                 }
@@ -311,19 +344,28 @@ impl RiemapApp {
                 Action::SaveSession => self.save_session(),
                 Action::CopyLink => self.copy_link(context),
                 Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
+                Action::OpenTrace(side) => platform::pick_file(FilePurpose::Trace(side), self.mailbox.clone()),
+                Action::TraceImage => self.trace_image(),
+                Action::DismissOffer => self.offer = None,
                 Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
                 Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
                 Action::Fit(side) => self.views[side as usize].fit(),
+                Action::Edit(action) => {
+                    self.keeper.touch();
+                    self.editor.act(action, &mut self.model, &mut self.views);
+                }
+                Action::PasteText(text) => {
+                    self.keeper.touch();
+                    self.editor.take_text(text, &mut self.model, &mut self.views);
+                }
                 Action::Remedy(subject) => self.model.remedy(subject),
                 Action::Dismiss(subject) => self.model.dismiss(subject),
                 Action::OpenReport(report) => self.reports.open(report),
                 Action::DismissMessage => self.message = None,
-                Action::ScaleCoordinates(unit) => self.unit_coordinates = unit,
-                Action::ExportSurface(format) => self.export_surface(format),
-                Action::ExportPicture => {
-                    let [a, b] = self.views.each_ref().map(|view| view.rect);
-                    screenshot::save(context, a.union(b), self.mailbox.clone());
-                }
+                Action::OpenExport => self.exporter.open(),
+                Action::SaveExport => self.save_export(context),
+                Action::CancelExport => self.exporter.cancel(),
+                Action::Play(action) => self.player.act(action, &self.model),
                 Action::Walks(action) => self.model.act_on_walks(action),
                 Action::Explore(action) => self.explore(action),
                 Action::Prefer(preferences) => self.prefer(context, preferences),
@@ -350,17 +392,10 @@ impl RiemapApp {
         preferences.remember();
     }
 
-    fn export_surface(&mut self, format: SurfaceFormat) {
-        match surface::export::surface_file(&self.model, format, self.unit_coordinates) {
-            Some(Ok(file)) => platform::save_file(&file.name, file.bytes, self.mailbox.clone()),
-            Some(Err(reason)) => self.message = Some(reason),
-            None => {}
-        }
-    }
-
     /// Sends what is due to the workers, updates the map, uploads.
     fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
+        self.editor.follow(&mut self.model, &mut self.views);
         for (subject, request) in self.model.take_requests(now) {
             self.preparer.request(subject, request);
         }
@@ -370,12 +405,19 @@ impl RiemapApp {
         if let Some(study) = self.reports.take_study() {
             self.laboratory.begin(study);
         }
+        let is_held = self.handles.grip.is_some();
+        if is_held {
+            self.player.pause();
+        }
+        self.play(context, now);
         // A dot that is held still rests.
-        let moves = self.handles.grip.is_some() && now - self.last_change < REST_SECONDS;
+        let moves = self.player.is_playing() || (is_held && now - self.last_change < REST_SECONDS);
         let changes = self.model.refresh(moves);
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
+            // what is said of the picture waits until it rests
+            context.request_repaint_after_secs(REST_SECONDS as f32);
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {
@@ -409,9 +451,21 @@ impl RiemapApp {
         if let Some(delay) = self.model.teach(now) {
             context.request_repaint_after_secs(delay as f32);
         }
+        self.work_on_export(context);
         self.keep(context);
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
+    }
+
+    /// Moves the points that are in motion.
+    fn play(&mut self, context: &egui::Context, now: f64) {
+        for command in self.player.advance(&self.model, now) {
+            self.keeper.touch();
+            self.model.dispatch(command, now);
+        }
+        if self.player.is_playing() {
+            context.request_repaint();
+        }
     }
 
     /// Another surface is seen from where it shows the most.
@@ -458,11 +512,13 @@ impl eframe::App for RiemapApp {
         });
         let since_last = ui.input(|input| input.unstable_dt);
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
+        self.dark = ui.visuals().dark_mode;
         layout::show(self, ui);
         self.announce();
         let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
         if let Some(spoken) = spoken {
             platform::say(&spoken);
+            self.spoken += 1;
         }
     }
 
@@ -483,6 +539,8 @@ impl eframe::App for RiemapApp {
     }
 }
 
+#[cfg(test)]
+mod colour_vision_tests;
 #[cfg(test)]
 mod language_tests;
 #[cfg(test)]

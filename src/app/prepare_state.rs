@@ -5,6 +5,7 @@
 //! higher, and [`Preparation::accept`] is the one place where stale answers are
 //! dropped. After a failure the last good domain stays and the message says why.
 
+use super::editing::Reshaped;
 use super::trouble::{Remedy, Trouble};
 use crate::conformal::{PreparedDomain, Stage};
 use crate::outline::OutlineNote;
@@ -28,6 +29,8 @@ pub enum Progress {
         spec: DomainSpec,
         /// Whether its outline is another one than before.
         new_outline: bool,
+        /// How the outline came from the one before, if a hand has reshaped that.
+        reshaped: Option<Reshaped>,
     },
     /// It could not be prepared; the message is in [`Preparation::error`].
     Failed,
@@ -38,6 +41,7 @@ struct Running {
     spec: DomainSpec,
     notes: Vec<OutlineNote>,
     stage: Option<Stage>,
+    reshaped: Option<Reshaped>,
 }
 
 /// One side's way from a wish to a prepared domain.
@@ -54,6 +58,8 @@ pub struct Preparation {
     /// What was noticed when the outline was read.
     pub notes: Vec<OutlineNote>,
     incoming_notes: Vec<OutlineNote>,
+    /// How the wanted outline came from the one before, until it is prepared as it is to stay.
+    reshaped: Option<Reshaped>,
 }
 
 impl Preparation {
@@ -69,7 +75,15 @@ impl Preparation {
             error: None,
             notes: Vec::new(),
             incoming_notes: Vec::new(),
+            reshaped: None,
         }
+    }
+
+    /// The last good domain alone: nothing is wanted or under way.
+    pub fn twin(&self) -> Self {
+        let wanted = self.prepared_from.clone().unwrap_or_else(|| self.wanted.clone());
+        let prepared_from = self.prepared_from.clone();
+        Self { prepared_from, due: None, domain: self.domain.clone(), ..Self::new(wanted) }
     }
 
     /// What the panels show.
@@ -84,7 +98,18 @@ impl Preparation {
 
     /// Whether something is wanted that is not there yet.
     pub fn is_busy(&self) -> bool {
-        self.due.is_some() || self.running.is_some()
+        self.due.is_some() || self.running.is_some() || self.is_in_hand()
+    }
+
+    /// Whether the outline is being reshaped: what is prepared is coarse, and followed by more.
+    pub fn is_in_hand(&self) -> bool {
+        self.reshaped.is_some_and(|reshaped| reshaped.in_hand)
+    }
+
+    /// Whether a coarse preparation is under way: it is soon done, and to supersede it would cost
+    /// a browser the worker with all that it has compiled.
+    fn is_soon_done(&self) -> bool {
+        self.running.as_ref().and_then(|running| running.reshaped).is_some_and(|reshaped| reshaped.in_hand)
     }
 
     /// Whether a request is with the worker.
@@ -112,6 +137,15 @@ impl Preparation {
         self.wanted.outline = outline;
         self.incoming_notes = notes;
         self.running = None;
+        self.reshaped = None;
+        self.due = Some(f64::NEG_INFINITY);
+    }
+
+    /// Wants the outline in another form, as soon as the one under way is done.
+    pub fn want_reshaped(&mut self, outline: OutlineSpec, reshaped: Reshaped) {
+        self.error = None;
+        self.wanted.outline = outline;
+        self.reshaped = Some(reshaped);
         self.due = Some(f64::NEG_INFINITY);
     }
 
@@ -120,6 +154,7 @@ impl Preparation {
         self.error = None;
         let prepared = !self.is_busy() && self.prepared_from.as_ref() == Some(spec);
         self.wanted = spec.clone();
+        self.reshaped = None;
         if prepared {
             return false;
         }
@@ -145,22 +180,29 @@ impl Preparation {
 
     /// When [`Self::take_request`] should be called again.
     pub fn due(&self) -> Option<f64> {
-        self.due
+        self.due.filter(|_| !self.is_soon_done())
     }
 
     /// The request that is due, if any.
     pub fn take_request(&mut self, now: f64) -> Option<Request> {
+        if self.is_soon_done() {
+            return None;
+        }
         self.due.take_if(|due| *due <= now)?;
         self.generation += 1;
         self.running = None;
         match self.wanted.outline.polygon() {
             Ok(polygon) => {
+                let reshaped = self.reshaped;
+                self.reshaped = reshaped.filter(|reshaped| reshaped.in_hand);
+                let settings = Reshaped::settings(reshaped, self.wanted.settings);
                 self.running = Some(Running {
-                    spec: self.wanted.clone(),
+                    spec: DomainSpec { settings, ..self.wanted.clone() },
                     notes: std::mem::take(&mut self.incoming_notes),
                     stage: None,
+                    reshaped,
                 });
-                let task = Task::Domain { polygon, settings: self.wanted.settings };
+                let task = Task::Domain { polygon, settings };
                 Some(Request { generation: self.generation, task })
             }
             Err(error) => {
@@ -208,7 +250,7 @@ impl Preparation {
         self.error = None;
         self.domain = Some(Arc::new(domain));
         self.prepared_from = Some(running.spec.clone());
-        Progress::Ready { spec: running.spec, new_outline }
+        Progress::Ready { spec: running.spec, new_outline, reshaped: running.reshaped }
     }
 
     /// Goes back to the last good outline; the settings stay as the person left them.

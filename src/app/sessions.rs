@@ -9,6 +9,8 @@ impl RiemapApp {
     /// Goes to another step; what is being dragged is let go of.
     pub(super) fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
         self.handles.release();
+        self.editor.drop_handle();
+        self.player.pause();
         let at_rest = self.model.is_ready().then(|| self.model.session());
         if let Some(session) = to(&mut self.keeper, at_rest) {
             self.model.dispatch(Command::Open(Box::new(session)), 0.0);
@@ -57,7 +59,7 @@ impl RiemapApp {
     /// Keeps the session once it has come to rest.
     pub(super) fn keep(&mut self, context: &egui::Context) {
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
-        if held || !self.model.is_ready() {
+        if held || self.player.is_playing() || !self.model.is_ready() {
             return;
         }
         self.preparer.warm();

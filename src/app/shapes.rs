@@ -1,6 +1,7 @@
 //! The menu of built-in outlines and surfaces, each with its picture, and the way to a file.
 
 use super::action::{Action, Actions};
+use super::editing::{EditAction, Pen};
 use super::language::tr;
 use super::model::{Model, bounds};
 use super::surface::surface_picture;
@@ -89,8 +90,36 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
         }
     });
     ui.separator();
+    ui.horizontal_wrapped(|ui| by_hand(ui, side, actions));
     if ui.button(tr("Open a file…")).on_hover_text(tr(super::header::open_tooltip(side))).clicked() {
         actions.push(Action::OpenOutline(side));
+        ui.close();
+    }
+}
+
+/// The ways to draw an outline.
+fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
+    let pens = [
+        (Pen::Freehand, tr("Draw freehand"), tr("Around the shape in one stroke; corners stay corners (D)")),
+        (Pen::Lines, tr("Draw lines"), tr("Straight edges between clicked points (L)")),
+        (Pen::Curve, tr("Draw a curve"), tr("A smooth curve through clicked points (C)")),
+    ];
+    for (pen, label, tooltip) in pens {
+        if ui.button(label).on_hover_text(tooltip).clicked() {
+            actions.push(Action::Edit(EditAction::Draw(side, pen)));
+            ui.close();
+        }
+    }
+    let paste =
+        ui.button(tr("Paste…")).on_hover_text(tr("SVG path data or coordinates; Ctrl+V anywhere is the source's"));
+    if paste.clicked() {
+        actions.push(Action::Edit(EditAction::OpenPaste(side)));
+        ui.close();
+    }
+    let trace =
+        ui.button(tr("Trace a picture…")).on_hover_text(tr("The outline of the largest shape in a PNG or JPEG"));
+    if trace.clicked() {
+        actions.push(Action::OpenTrace(side));
         ui.close();
     }
 }

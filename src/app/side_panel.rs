@@ -7,6 +7,8 @@ use super::language::{tr, tr_with};
 use super::locks::{Control, guarded};
 use super::method;
 use super::model::Model;
+use super::play_panel;
+use super::playing::Player;
 use super::theme::Palette;
 use super::widgets::{Segment, captioned_slider, group_heading, segmented};
 use super::{surface, teaching, words};
@@ -47,7 +49,7 @@ const TEXTURES: [Segment<TextureKind>; 4] = [
 ];
 
 /// Shows all groups.
-pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, unit_coordinates: bool, actions: &mut Actions) {
+pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str>, actions: &mut Actions) {
     let planar = model.surface().is_none();
     if planar {
         group_heading(ui, tr("Map"));
@@ -55,10 +57,10 @@ pub fn show(ui: &mut Ui, model: &Model, image_name: Option<&str>, unit_coordinat
         actions.extend(direction.map(|direction| Action::Session(Command::SetDirection(direction))));
     } else {
         guarded(ui, Control::Outline, |ui| surface::panel::show(ui, model, actions));
-        surface::panel::export(ui, model, unit_coordinates, actions);
     }
     guarded(ui, Control::Colours, |ui| shown(ui, model, actions));
     guarded(ui, Control::Pattern, |ui| texture(ui, model, image_name, actions));
+    play_panel::show(ui, model, player, actions);
     guarded(ui, Control::Method, |ui| method::show(ui, model, actions));
     guarded(ui, Control::Comparison, |ui| teaching::panel::show(ui, model, actions));
     for side in Side::BOTH.into_iter().filter(|side| planar || *side == Side::Source) {

@@ -1,11 +1,13 @@
 //! The numbers on the screen as one plain record, for `window.riemap.stats()` and for tests.
 
+use super::editing::EditingStats;
 use super::model::Model;
 use super::teaching::through_disk::Found;
 use crate::conformal::{FrameTimings, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::session::{Colouring, DiskWay};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// The size of a prepared domain; zeros before there is one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
@@ -96,6 +98,16 @@ pub struct Stats {
     pub notes: Vec<String>,
     /// How many steps can be taken back.
     pub undo: usize,
+    /// Whether the dark theme is shown.
+    pub dark: bool,
+    /// How many times a control was said to those who hear the screen.
+    pub spoken: u64,
+    /// Whether points are in motion.
+    pub playing: bool,
+    /// Where the controls of the window of exports are, by name; `None` while it is closed.
+    pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
+    /// How many pictures of how many are made, while they are.
+    pub export_count: Option<[u32; 2]>,
     /// What the meshes are painted with.
     pub colouring: Colouring,
     /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
@@ -118,6 +130,8 @@ pub struct Stats {
     pub walks: (u64, Option<f64>),
     /// Where the handles are.
     pub handles: HandlePositions,
+    /// The outline that is being reshaped.
+    pub editing: Option<EditingStats>,
     /// The image of the mapped side's interior point under the piecewise linear map.
     pub image_of_mapped_point: Option<[f64; 2]>,
     /// Where it should be: the other side's interior point.
@@ -139,12 +153,24 @@ pub struct ScreenFacts {
     pub notes: Vec<String>,
     /// How many steps can be taken back.
     pub undo: usize,
+    /// Whether the dark theme is shown.
+    pub dark: bool,
+    /// How many times a control was said to those who hear the screen.
+    pub spoken: u64,
+    /// Whether points are in motion.
+    pub playing: bool,
+    /// Where the controls of the window of exports are.
+    pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
+    /// How many pictures of how many are made.
+    pub export_count: Option<[u32; 2]>,
     /// The boundary point under the pointer and its partner.
     pub marked_boundary: Option<[f64; 2]>,
     /// The distance of the plotted reparameterisation from the exact one.
     pub exact_difference: Option<f64>,
     /// Where the Cauchy–Green extension comes from.
     pub cauchy_green: Option<Processor>,
+    /// The outline that is being reshaped.
+    pub editing: Option<EditingStats>,
 }
 
 /// Collects the record.
@@ -170,6 +196,11 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         errors: screen.errors,
         notes: screen.notes,
         undo: screen.undo,
+        dark: screen.dark,
+        spoken: screen.spoken,
+        playing: screen.playing,
+        export: screen.export,
+        export_count: screen.export_count,
         colouring: model.session().colouring,
         cauchy_green: screen.cauchy_green,
         extension_progress: model.extension_progress(),
@@ -184,6 +215,7 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         exact_difference: screen.exact_difference,
         walks: (model.teaching().walks.count(), model.teaching().walks.deviation()),
         handles: screen.handles,
+        editing: screen.editing,
         image_of_mapped_point: image_of_point(model, mapped),
         expected: model.interior(mapped.other()).map(|point| point.to_array()),
         boundary_checksum: boundary_checksum(model),

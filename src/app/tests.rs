@@ -10,7 +10,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
 /// A model with both domains prepared, coarsely.
-fn prepared_model() -> Model {
+pub fn prepared_model() -> Model {
     let mut session = Session::default();
     let sampling = Sampling::Uniform { count: 120, keep_corners: false };
     for side in Side::BOTH {
@@ -35,7 +35,7 @@ fn finish_preparations(model: &mut Model) {
 fn click_in_panel(model: &Model, label: &str) -> Actions {
     let mut actions = Actions::new();
     let mut harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
-        side_panel::show(ui, model, None, true, &mut actions);
+        side_panel::show(ui, model, &Player::default(), None, &mut actions);
     });
     harness.get_by_label(label).click();
     harness.run();
@@ -117,7 +117,7 @@ fn corners_can_be_kept_on_either_side() {
     let model = prepared_model();
     let mut actions = Actions::new();
     let mut harness = Harness::builder().with_size([260.0, 1000.0]).with_context_setup(theme::install).build_ui(|ui| {
-        side_panel::show(ui, &model, None, true, &mut actions);
+        side_panel::show(ui, &model, &Player::default(), None, &mut actions);
     });
     let target = harness.get_all_by_label("Keep corners").last().unwrap();
     target.click();
@@ -136,7 +136,7 @@ fn the_selected_segment_says_so_to_assistive_technology() {
     let model = prepared_model();
     let mut actions = Actions::new();
     let harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
-        side_panel::show(ui, &model, None, true, &mut actions);
+        side_panel::show(ui, &model, &Player::default(), None, &mut actions);
     });
     let toggled = |label| harness.get_by_label(label).accesskit_node().toggled();
     assert_eq!(toggled("Checker"), Some(egui::accesskit::Toggled::True));
@@ -444,4 +444,25 @@ fn the_app_prepares_shows_and_answers_to_a_drag() {
     assert!(after.generation > before.generation);
     let [u, v] = after.handles.x1.unwrap();
     assert!((u - x - 12.0).abs() < 0.6 && (v - y - 9.0).abs() < 0.6, "from {x}, {y} to {u}, {v}");
+}
+
+#[test]
+fn on_a_phone_everything_that_is_pressed_is_as_large_as_a_fingertip() {
+    let mut harness = ready_app([390.0, 844.0]);
+    harness.state_mut().sheet_open = true;
+    harness.run_steps(20);
+    let mut checked = 0;
+    for node in harness.root().children_recursive() {
+        let accessible = node.accesskit_node();
+        let is_pressed = matches!(
+            accessible.role(),
+            egui::Role::Button | egui::Role::RadioButton | egui::Role::CheckBox | egui::Role::Slider
+        );
+        if is_pressed && let Some(bounds) = accessible.bounding_box() {
+            let (width, height) = (bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
+            assert!(width.min(height) >= 39.9, "{:?}: {width} × {height}", accessible.label());
+            checked += 1;
+        }
+    }
+    assert!(checked > 20, "only {checked} controls");
 }

@@ -11,6 +11,8 @@ use std::sync::Arc;
 
 /// The height of buttons, segmented switches and rows.
 pub const ROW_HEIGHT: f32 = 28.0;
+/// Their height where fingers press them, in points: a fingertip is 10 mm wide.
+pub const FINGER_HEIGHT: f32 = 40.0;
 /// The rounding of buttons and switches.
 pub const ROUNDING: u8 = 6;
 
@@ -124,6 +126,20 @@ pub fn install(context: &egui::Context) {
     context.set_fonts(fonts());
     context.set_style_of(Theme::Dark, style(&DARK, Visuals::dark()));
     context.set_style_of(Theme::Light, style(&LIGHT, Visuals::light()));
+}
+
+/// Makes rows as high as fingers need, or as low as a mouse allows.
+pub fn suit_pointer(context: &egui::Context, fingers: bool) {
+    let height = if fingers { FINGER_HEIGHT } else { ROW_HEIGHT };
+    if context.global_style().spacing.interact_size.y != height {
+        context.all_styles_mut(|style| style.spacing.interact_size.y = height);
+    }
+}
+
+/// The height of a control that is `compact` where a mouse points at it.
+pub fn control_height(ui: &egui::Ui, compact: f32) -> f32 {
+    let row = ui.ctx().global_style().spacing.interact_size.y;
+    if row > ROW_HEIGHT { row } else { compact }
 }
 
 fn style(palette: &Palette, visuals: Visuals) -> Style {

@@ -19,7 +19,7 @@ use egui::{Align, Layout, RichText, Ui, vec2};
 const PLOTS_TOOLTIP: &str = "Poisson kernel, harmonic measure and reparameterisation along the boundaries (P)";
 
 /// A bar that is less wide has room for its buttons only.
-const WORDMARK_FROM: f32 = 356.0;
+const WORDMARK_FROM: f32 = 430.0;
 
 /// Shows the bar.
 pub fn show(

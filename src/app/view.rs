@@ -74,6 +74,11 @@ impl View {
         self.follows_outline = true;
     }
 
+    /// Stays where it is, whatever becomes of the outline.
+    pub fn stay(&mut self) {
+        self.follows_outline = false;
+    }
+
     /// Whether it shows the whole outline.
     pub fn is_fitted(&self) -> bool {
         self.follows_outline

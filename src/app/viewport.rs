@@ -38,16 +38,12 @@ pub fn interact(
     actions: &mut Actions,
 ) -> Option<f64> {
     let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
-    if pinch(ui, &response, view, handles) {
+    if pinch(ui, &response, view) {
+        handles.release();
         return None;
     }
-    let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
-    dots::grab_and_release(ui, &response, side, places, handles);
-    drag_handle(ui, side, model, view, handles, actions);
-    if let Some(nudge) = nudge::of_dots(ui, side, places, handles) {
-        actions.extend(nudged(side, model, view, nudge).map(Action::Session));
-    }
-    move_camera(ui, &response, view, handles);
+    drag_dots(ui, &response, side, model, view, handles, actions);
+    move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
     match nudge::of_viewport(ui, &response, side) {
         Some(EyeMove::Step(step)) => view.pan(-step),
         Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
@@ -55,6 +51,24 @@ pub fn interact(
         None => {}
     }
     boundary_under_pointer(&response, side, model, view, handles)
+}
+
+/// Grabs, drags and lets go of the side's two dots, or moves them by keys.
+pub fn drag_dots(
+    ui: &Ui,
+    response: &Response,
+    side: Side,
+    model: &Model,
+    view: &View,
+    handles: &mut HandleState,
+    actions: &mut Actions,
+) {
+    let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
+    dots::grab_and_release(ui, response, side, places, handles);
+    drag_handle(ui, side, model, view, handles, actions);
+    if let Some(nudge) = nudge::of_dots(ui, side, places, handles) {
+        actions.extend(nudged(side, model, view, nudge).map(Action::Session));
+    }
 }
 
 fn boundary_under_pointer(
@@ -71,13 +85,12 @@ fn boundary_under_pointer(
     near.then(|| samples.fraction_at(nearest))
 }
 
-/// Two fingers: pans and zooms, and lets go of what one finger had. Returns whether there are two.
-fn pinch(ui: &Ui, response: &Response, view: &mut View, handles: &mut HandleState) -> bool {
+/// Two fingers: pans and zooms. Returns whether there are two: then what one finger had is let go of.
+pub fn pinch(ui: &Ui, response: &Response, view: &mut View) -> bool {
     let Some(touch) = ui.input(egui::InputState::multi_touch) else { return false };
     if !response.rect.contains(touch.center_pos) {
         return false;
     }
-    handles.release();
     if Locks::of(ui.ctx()).holds(Control::View) {
         return true;
     }
@@ -110,15 +123,16 @@ fn nudged(side: Side, model: &Model, view: &View, nudge: Nudge) -> Option<Comman
     }
 }
 
-fn move_camera(ui: &Ui, response: &Response, view: &mut View, handles: &HandleState) {
+/// Drags and scrolls the picture; not while something in it is `held`. A double-click fits it, where that is `fits`.
+pub fn move_camera(ui: &Ui, response: &Response, view: &mut View, held: bool, fits: bool) {
     if Locks::of(ui.ctx()).holds(Control::View) {
         return;
     }
-    if response.dragged() && handles.grip.is_none() {
+    if response.dragged() && !held {
         view.pan(response.drag_delta());
         ui.set_cursor_icon(CursorIcon::Move);
     }
-    if response.double_clicked() && handles.hovered.is_none() {
+    if response.double_clicked() && fits {
         view.fit();
     }
     if let Some(pointer) = response.hover_pos() {
@@ -191,7 +205,7 @@ pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
     let (surface, outline) = (&model.surface_side().preparation, model.side(side));
     let stage = if side == Side::Target && surface.is_busy() {
         surface.stage()
-    } else if outline.is_busy() {
+    } else if outline.is_busy() && !outline.is_in_hand() {
         outline.stage()
     } else {
         return;

@@ -2,7 +2,7 @@
 //! sliders with a caption above, headings of groups, messages.
 
 use super::language::{tr, tr_message};
-use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold};
+use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
 use egui::{
     Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
     TextStyle, Ui, WidgetInfo, pos2, vec2,
@@ -38,13 +38,14 @@ pub fn segmented_where<T: Copy + PartialEq>(
     refusal: impl Fn(T) -> Option<String>,
 ) -> Option<T> {
     let palette = Palette::of(ui.visuals());
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW_HEIGHT), Sense::hover());
+    let height = control_height(ui, ROW_HEIGHT);
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     let rounding = CornerRadius::same(ROUNDING);
     ui.painter().rect(rect, rounding, palette.control, Stroke::new(1.0, palette.border), StrokeKind::Inside);
     let mut chosen = None;
     let mut left = rect.left();
     for (segment, width) in segments.iter().zip(segment_widths(ui, segments, rect.width())) {
-        let cell = Rect::from_min_size(pos2(left, rect.top()), vec2(width, ROW_HEIGHT));
+        let cell = Rect::from_min_size(pos2(left, rect.top()), vec2(width, height));
         left += width;
         let refused = refusal(segment.value);
         let response = segment_cell(ui, cell, segment, segment.value == current, refused.as_deref());
@@ -127,7 +128,7 @@ fn slider_rows(
             ui.spacing_mut().slider_width = ui.available_width();
             ui.visuals_mut().selection.bg_fill = palette.accent_soft;
             ui.visuals_mut().widgets.inactive.bg_fill = palette.border;
-            ui.spacing_mut().interact_size.y = 18.0;
+            ui.spacing_mut().interact_size.y = control_height(ui, 18.0);
             let slider = egui::Slider::new(&mut moved, range).show_value(false).logarithmic(logarithmic);
             ui.add(slider)
         })

@@ -88,3 +88,21 @@ pub enum PolygonError {
         at: DVec2,
     },
 }
+
+impl PolygonError {
+    /// Where in the plane it happens, if it is at one place.
+    pub fn place(&self) -> Option<DVec2> {
+        match *self {
+            Self::RepeatedPoint { at, .. }
+            | Self::FoldsBack { at, .. }
+            | Self::EdgesCross { at, .. }
+            | Self::EdgesTouch { at, .. } => Some(at),
+            Self::TooFewPoints { .. }
+            | Self::TooManyPoints { .. }
+            | Self::NotFinite { .. }
+            | Self::TooFarOut { .. }
+            | Self::TooSmall { .. }
+            | Self::ZeroArea => None,
+        }
+    }
+}

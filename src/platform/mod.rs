@@ -49,6 +49,8 @@ pub enum FilePurpose {
     Outline(Side),
     /// The texture.
     Image,
+    /// A picture to trace an outline of for this side.
+    Trace(Side),
     /// A session.
     Session,
     /// Dropped over this side: its name decides.
@@ -87,6 +89,8 @@ pub enum Event {
     GraphicsLost(String),
     /// An image was decoded, or could not be.
     Image {
+        /// What it is meant to be.
+        purpose: FilePurpose,
         /// The file's name.
         name: String,
         /// Straight RGBA, 8 bits each, no larger than was asked for; or why there is none.
@@ -163,7 +167,7 @@ pub const SURFACE_ENDINGS: [&str; 6] = ["obj", "ply", "stl", "off", "gltf", "glb
 /// The endings that the dialogs offer.
 fn endings(purpose: FilePurpose) -> (&'static str, Vec<&'static str>) {
     match purpose {
-        FilePurpose::Image => ("Images", IMAGE_ENDINGS.to_vec()),
+        FilePurpose::Image | FilePurpose::Trace(_) => ("Images", IMAGE_ENDINGS.to_vec()),
         FilePurpose::Session => ("Sessions", vec![crate::session::file::EXTENSION]),
         FilePurpose::Outline(Side::Source) => ("Outlines", OUTLINE_ENDINGS.to_vec()),
         FilePurpose::Outline(Side::Target) | FilePurpose::Dropped(_) => {

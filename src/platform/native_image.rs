@@ -1,12 +1,12 @@
 //! Images on the desktop: decoded by the crate `image`, on a thread.
 
-use super::{Event, Mailbox};
+use super::{Event, FilePurpose, Mailbox};
 use image::RgbaImage;
 use std::thread;
 
 /// Decodes a PNG or JPEG, made smaller until no side is longer than `max_side`, and posts it to `mailbox`.
-pub fn decode_image(name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
-    thread::spawn(move || mailbox.post(Event::Image { name, pixels: decode(&bytes, max_side) }));
+pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
+    thread::spawn(move || mailbox.post(Event::Image { purpose, name, pixels: decode(&bytes, max_side) }));
 }
 
 fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, String> {
@@ -53,8 +53,8 @@ mod tests {
     #[test]
     fn the_answer_comes_to_the_mailbox() {
         let (mailbox, events) = Mailbox::new();
-        decode_image(String::from("a.png"), png(3, 2), 32, mailbox);
+        decode_image(FilePurpose::Image, String::from("a.png"), png(3, 2), 32, mailbox);
         let event = events.recv_timeout(std::time::Duration::from_secs(30)).unwrap();
-        assert!(matches!(event, Event::Image { name, pixels: Ok(_) } if name == "a.png"));
+        assert!(matches!(event, Event::Image { name, pixels: Ok(_), .. } if name == "a.png"));
     }
 }

@@ -179,6 +179,13 @@ pub enum Command {
         side: Side,
         outline: OutlineSpec,
     },
+    /// Puts another form of the outline in its place; the side's two points go along.
+    ReshapeOutline {
+        side: Side,
+        outline: OutlineSpec,
+        interior: Option<DVec2>,
+        anchor: f64,
+    },
     SetSettings {
         side: Side,
         settings: PrepareSettings,
@@ -212,6 +219,19 @@ pub enum Command {
     Swap,
     /// Takes another session in place of this one.
     Open(Box<Session>),
+}
+
+impl Command {
+    /// Whether a point is put elsewhere, and nothing else changes.
+    pub fn moves_points(&self) -> bool {
+        matches!(
+            self,
+            Self::MoveInterior { .. }
+                | Self::MoveAnchor { .. }
+                | Self::MoveSurfacePoint(_)
+                | Self::MoveSurfaceAnchor(_)
+        )
+    }
 }
 
 /// Boundary samples of the first map: enough for the checkerboard's lines to look smooth on a screen.
@@ -274,6 +294,11 @@ impl Session {
                 self.interior[side as usize] = None;
                 self.anchor[side as usize] = 0.0;
                 self.surface = self.surface.take().filter(|_| side == Side::Source);
+            }
+            Command::ReshapeOutline { side, outline, interior, anchor } => {
+                self.domain_mut(side).outline = outline;
+                self.interior[side as usize] = interior;
+                self.apply(Command::MoveAnchor { side, fraction: anchor });
             }
             Command::SetSurface(spec) => {
                 let mut old = self.surface.take().filter(|old| old.spec.shape.is_like(&spec.shape)).unwrap_or_default();

@@ -135,3 +135,15 @@ fn comparisons_keep_their_names_and_show_what_they_say() {
         assert_eq!(ways(comparison), shown, "{name}");
     }
 }
+
+#[test]
+fn a_reshaped_outline_brings_its_points_along() {
+    let mut session = Session::default();
+    let points = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from).to_vec();
+    let outline = OutlineSpec::Points { name: "triangle".into(), points };
+    let interior = Some(DVec2::new(0.25, 0.25));
+    session.apply(Command::ReshapeOutline { side: Side::Target, outline: outline.clone(), interior, anchor: 1.25 });
+    assert_eq!((session.interior, session.anchor), ([None, interior], [0.0, 0.25]));
+    assert_eq!(session.target.outline, outline);
+    assert_eq!(session.source, Session::default().source);
+}

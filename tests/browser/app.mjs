@@ -118,6 +118,44 @@ export class App {
     await this.#frames();
   }
 
+  /** Moves the pointer there. */
+  async pointAt(at) {
+    await this.#page.mouse.move(...at);
+    await this.#frames();
+  }
+
+  /** Clicks, at once: a press that lasts longer than 0.8 s, as slow frames can make it, is no click. */
+  async click(at) {
+    await this.pointAt(at);
+    await this.#page.mouse.click(...at);
+    await this.#frames();
+  }
+
+  /** Drags with the mouse and does not let go. */
+  async hold(from, to, steps = 4) {
+    await this.pointAt(from);
+    await this.#page.mouse.down();
+    await this.#frames();
+    for (const point of between(from, to, steps)) await this.pointAt(point);
+  }
+
+  /** Lets go of what is held. */
+  async letGo() {
+    await this.#page.mouse.up();
+    await this.#frames();
+  }
+
+  /** Pastes a text, as the browser does on Ctrl+V. */
+  async pasteText(text) {
+    await this.#page.evaluate((pasted) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData('text', pasted);
+      const paste = new ClipboardEvent('paste', { bubbles: true, cancelable: true, clipboardData });
+      (document.activeElement ?? document.querySelector('canvas')).dispatchEvent(paste);
+    }, text);
+    await this.#frames();
+  }
+
   /** Drags with one finger. */
   async touchDrag(from, to, steps = 4) {
     const protocol = await this.#context.newCDPSession(this.#page);
@@ -170,6 +208,42 @@ export class App {
     await this.#frames();
   }
 
+  /** Walks with the Tab key until a control is said that matches, as someone does who does not see the screen. */
+  async walkTo(control, furthest = 150) {
+    const heard = [];
+    for (let step = 0; step < furthest; step++) {
+      const { spoken } = await this.stats();
+      await this.#page.keyboard.press(step === 0 ? 'F6' : 'Tab');
+      await this.until('another control is said', (stats, before) => stats.spoken > before, spoken);
+      heard.push(await this.#page.textContent('#spoken'));
+      if (control.test(heard.at(-1))) return;
+    }
+    throw new Error(`no control ${control} among: ${heard.join(' | ')}`);
+  }
+
+  /** Waits until the page says something that matches in one of its regions, other than `before`, and returns it. */
+  async saying(region, words, before = null) {
+    const says = ([id, source, old]) => {
+      const text = document.getElementById(id)?.textContent ?? '';
+      return text !== old && new RegExp(source, 'u').test(text) ? text : null;
+    };
+    try {
+      return await (await this.#page.waitForFunction(says, [region, words.source, before])).jsonValue();
+    } catch (error) {
+      throw new Error(`not said: ${words}, but: ${await this.#page.textContent(`#${region}`)}`, { cause: error });
+    }
+  }
+
+  /** The language that the page says it speaks. */
+  language() {
+    return this.#page.getAttribute('html', 'lang');
+  }
+
+  /** Makes the system light or dark. */
+  prefer(colorScheme) {
+    return this.#page.emulateMedia({ colorScheme });
+  }
+
   /** Presses keys, and returns the file that the browser downloads then. */
   async downloadBy(keys) {
     const coming = this.#page.waitForEvent('download');
@@ -186,6 +260,37 @@ export class App {
     // at once: a press that lasts longer than 0.8 s, as slow frames can make it, is no click
     await mouse.click(...at);
     return contentOf(await coming);
+  }
+
+  /** Clicks at a place of the window. */
+  async click(at) {
+    const { mouse } = this.#page;
+    await mouse.move(...at);
+    await this.#frames();
+    await mouse.click(...at);
+    await this.#frames();
+  }
+
+  /** Writes into the number at a place of the window. */
+  async type(at, text) {
+    await this.click(at);
+    await this.press('Control+a');
+    await this.#page.keyboard.type(text);
+    await this.press('Enter');
+  }
+
+  /** The red, green, blue and alpha of some pixels of a PNG. */
+  pixelsOf(png, places) {
+    return this.#page.evaluate(
+      async ([base64, wanted]) => {
+        const blob = await (await fetch(`data:image/png;base64,${base64}`)).blob();
+        const bitmap = await createImageBitmap(blob, { premultiplyAlpha: 'none' });
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        context.drawImage(bitmap, 0, 0);
+        return wanted.map(([x, y]) => [...context.getImageData(x, y, 1, 1).data]);
+      },
+      [png.toString('base64'), places],
+    );
   }
 
   /** Drops a file on the canvas at a place of the window, as from a file manager. */

@@ -45,6 +45,9 @@ fn browser(places: &Places) -> Result<(), Failure> {
         "app.test.mjs",
         "surfaces.test.mjs",
         "sessions.test.mjs",
+        "drawing.test.mjs",
+        "everyone.test.mjs",
+        "exporting.test.mjs",
         "web.test.mjs",
     ]);
     command.current_dir(places.browser_tests());

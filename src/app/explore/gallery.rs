@@ -87,7 +87,12 @@ pub fn crowding() -> Session {
 }
 
 /// A picture with its two lines of words.
-const CARD: egui::Vec2 = vec2(SIZE[0] as f32 + 16.0, SIZE[1] as f32 + 70.0);
+const CARD: egui::Vec2 = vec2(SIZE[0] as f32 + 16.0, SIZE[1] as f32 + 82.0);
+
+/// Between them, in points.
+const GAP: f32 = 8.0;
+/// The share of the window that they may take.
+const HEIGHT: f32 = 0.75;
 
 /// Shows the gallery while `open`; one picture is made in a frame.
 pub fn show(context: &Context, open: &mut bool, made: &mut Vec<Option<TextureHandle>>, actions: &mut Actions) {
@@ -109,8 +114,11 @@ pub fn show(context: &Context, open: &mut bool, made: &mut Vec<Option<TextureHan
         .resizable(false)
         .pivot(egui::Align2::CENTER_CENTER)
         .fixed_pos(screen.center())
+        .default_width(columns as f32 * (CARD.x + GAP))
         .show(context, |ui| {
-            ScrollArea::vertical().max_height(0.75 * screen.height()).show(ui, |ui| {
+            let height = HEIGHT * screen.height();
+            ui.spacing_mut().item_spacing = vec2(GAP, GAP);
+            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 for (row, cards) in pieces.chunks(columns).enumerate() {
                     ui.horizontal(|ui| {
                         for (k, piece) in cards.iter().enumerate() {

@@ -33,7 +33,7 @@ const DARKEST: f64 = 0.45;
 /// A picture of a session's map, transparent around it; `None` if it has none.
 pub fn of(session: &Session) -> Option<ColorImage> {
     let still = Still::new(coarse(session.clone()), None, 1.0).ok()?;
-    let style = still.style(true)?;
+    let style = still.style(false, true)?;
     let mut canvas = Canvas::new([SIZE[0] * DENSITY * FINE, SIZE[1] * DENSITY * FINE]);
     canvas.plane(&still.geometry(Side::Source)?, 0, &style);
     match still.surface() {

@@ -4,7 +4,7 @@ use super::ExploreAction;
 use super::gallery::crowding;
 use crate::app::action::{Action, Actions};
 use crate::app::language::{tr, tr_with};
-use crate::app::theme::{Palette, bold};
+use crate::app::theme::{FINGER_HEIGHT, Palette, bold};
 use crate::conformal::Direction;
 use crate::outline::Preset;
 use crate::session::{Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
@@ -116,7 +116,7 @@ fn words(ui: &mut Ui, stop: &Step, palette: &Palette) {
 fn buttons(ui: &mut Ui, step: usize, count: usize, palette: &Palette, actions: &mut Actions) {
     let mut act = |action| actions.push(Action::Explore(action));
     ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = 40.0;
+        ui.spacing_mut().interact_size.y = FINGER_HEIGHT;
         if ui.add_enabled(step > 0, egui::Button::new(tr("Back"))).clicked() {
             act(ExploreAction::Tour(step - 1));
         }

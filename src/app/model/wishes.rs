@@ -1,11 +1,12 @@
 //! What the model is asked for: commands, files, remedies; requests to the workers and their answers.
 
 use super::Model;
+use crate::app::editing::Reshaped;
 use crate::app::prepare_state::{Preparation, Progress};
 use crate::app::trouble::Remedy;
 use crate::conformal::Side;
 use crate::outline::{Outline, OutlineNote};
-use crate::session::{Command, OutlineSpec, Session};
+use crate::session::{Command, DomainSpec, OutlineSpec, Session};
 use crate::worker::{Request, Response, Subject};
 
 impl Model {
@@ -14,6 +15,9 @@ impl Model {
         match command {
             Command::SetOutline { side, outline } => {
                 self.want_outline(side, outline, Vec::new());
+            }
+            Command::ReshapeOutline { side, outline, interior, anchor } => {
+                self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false });
             }
             Command::SetSurface(_)
             | Command::MoveSurfacePoint(_)
@@ -81,6 +85,12 @@ impl Model {
         self.side_mut(side).want_outline(outline, notes);
     }
 
+    /// Begins to prepare another form of an outline; while that is in someone's hand, coarsely.
+    pub fn reshape(&mut self, side: Side, outline: OutlineSpec, reshaped: Reshaped) {
+        self.incoming_points[side as usize] = None;
+        self.side_mut(side).want_reshaped(outline, reshaped);
+    }
+
     /// Begins to prepare an outline that was read from a file.
     pub fn want_loaded(&mut self, side: Side, outline: Outline) {
         let Outline { name, polygon, notes } = outline;
@@ -109,7 +119,12 @@ impl Model {
 
     /// The requests that are due.
     pub fn take_requests(&mut self, now: f64) -> Vec<(Subject, Request)> {
-        let of_side = |side| Some((Subject::Domain(side), self.side_mut(side).take_request(now)?));
+        // what is in a hand is prepared anew when the picture shows it, or none of it would be seen
+        let shows = self.pending.is_none() && !self.domains_changed;
+        let of_side = |side| {
+            let preparation = Some(self.side_mut(side)).filter(|preparation| shows || !preparation.is_in_hand())?;
+            Some((Subject::Domain(side), preparation.take_request(now)?))
+        };
         let mut requests: Vec<_> = Side::BOTH.into_iter().filter_map(of_side).collect();
         requests.extend(self.take_surface_request(now).map(|request| (Subject::Surface, request)));
         for side in Side::BOTH {
@@ -134,7 +149,9 @@ impl Model {
             self.incoming_points[side as usize] = None;
             self.surface.gives_way &= side == Side::Source;
         }
-        if let Progress::Ready { spec, new_outline } = progress {
+        if let Progress::Ready { spec, reshaped: Some(reshaped), .. } = progress {
+            self.take_reshaped(side, spec, reshaped);
+        } else if let Progress::Ready { spec, new_outline, .. } = progress {
             if new_outline && spec.outline != self.session.domain(side).outline {
                 let surface = self.session.surface.take();
                 self.session.apply(Command::SetOutline { side, outline: spec.outline });
@@ -151,6 +168,16 @@ impl Model {
             self.refit[side as usize] |= new_outline && !is_hidden;
             self.domains_changed |= !is_hidden;
         }
+    }
+
+    /// A reshaped outline is prepared. The view stays as it is, and the settings while the outline is in a hand.
+    fn take_reshaped(&mut self, side: Side, spec: DomainSpec, reshaped: Reshaped) {
+        let Reshaped { interior, anchor, in_hand } = reshaped;
+        self.session.apply(Command::ReshapeOutline { side, outline: spec.outline, interior, anchor });
+        if !in_hand {
+            self.session.apply(Command::SetSettings { side, settings: spec.settings });
+        }
+        self.domains_changed = true;
     }
 
     /// The worker of a subject stopped.

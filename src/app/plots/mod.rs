@@ -233,7 +233,7 @@ impl Plots {
         let inks = Self::inks(ui.visuals().dark_mode);
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
-            ui.spacing_mut().interact_size.y = 20.0;
+            ui.spacing_mut().interact_size.y = theme::control_height(ui, 20.0);
             let title = RichText::new(tr(kind.label)).font(theme::bold(12.5)).color(palette.text);
             ui.label(title).on_hover_text(tr(kind.tooltip));
             if kind.value == Kind::Kernel {
@@ -266,4 +266,14 @@ impl Plots {
 /// What is compared with the map; of plane outlines only.
 fn overlays_of(model: &Model) -> Option<&Overlays> {
     model.surface().is_none().then(|| model.teaching().overlays())
+}
+
+/// The inks that stand side by side in a plot, for each plot and theme.
+#[cfg(test)]
+pub fn inks_of_plots() -> Vec<Vec<egui::Color32>> {
+    let of_theme = |theme: usize| {
+        let [source, target] = chart::SIDE_INKS[theme];
+        [vec![source, target, chart::WALK_INKS[theme]], chart::MAP_INKS[theme].to_vec()]
+    };
+    [0, 1].into_iter().flat_map(of_theme).collect()
 }

@@ -67,6 +67,12 @@ pub enum OutlineError {
         /// How many it has.
         count: usize,
     },
+    /// A line of points with a number too many, or too few.
+    #[error("this line has {count} numbers, an odd number; a point is two")]
+    OddNumbers {
+        /// How many it has.
+        count: usize,
+    },
     /// An element of a list of points that is not `[x, y]`.
     #[error("point {point} {found}; a point is [x, y]")]
     NotAPoint {

@@ -8,6 +8,7 @@
 mod error;
 mod geojson;
 mod json;
+mod point_list;
 mod repair;
 mod ring;
 mod svg;
@@ -28,6 +29,8 @@ enum Format {
     Svg,
     /// The `d` attribute of an SVG path, on its own.
     SvgPathData,
+    /// All points on one line.
+    PointList,
     Table,
 }
 
@@ -42,7 +45,9 @@ enum Format {
 /// - SVG: the first closed path in document order, transformed and flattened,
 ///   with y upwards; of several closed subpaths the largest;
 /// - tables: two numbers on a line, between them spaces, a tab, a comma or a
-///   semicolon; `#` begins a comment; the first line may be a header.
+///   semicolon; `#` begins a comment; the first line may be a header;
+/// - with another extension or none also the data of an SVG path (`M 0 0 L …`), and points on one
+///   line, as in an SVG polygon.
 ///
 /// A last point equal to the first is dropped. Files may have up to
 /// [`MAX_BYTES`], and outlines up to 200,000 points.
@@ -75,6 +80,7 @@ fn read(file_name: &str, bytes: &[u8]) -> Result<Ring, OutlineError> {
         Format::Json => json::read(text),
         Format::Svg => svg::read(text),
         Format::SvgPathData => svg::read_path_data(text),
+        Format::PointList => point_list::read(text),
         Format::Table => table::read(text),
     }
 }
@@ -109,6 +115,7 @@ fn format_of(extension: &str, text: &str) -> Format {
             Some('M' | 'm') if text.chars().all(|c| "MmLlHhVvCcSsQqTtAaZz0123456789eE+-., \t\r\n".contains(c)) => {
                 Format::SvgPathData
             }
+            _ if point_list::is_one(text) => Format::PointList,
             _ => Format::Table,
         },
     }

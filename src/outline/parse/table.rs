@@ -69,7 +69,7 @@ fn point(fields: &[Field], line: usize) -> Result<DVec2, OutlineError> {
     }
 }
 
-fn number((column, field): Field, line: usize) -> Result<f64, OutlineError> {
+pub(super) fn number((column, field): Field, line: usize) -> Result<f64, OutlineError> {
     match field.parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
         Ok(_) => Err(OutlineError::NumberOutOfRange { line, column }),

@@ -354,3 +354,14 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn points_on_one_line_are_read_as_those_of_an_svg_polygon() {
+    let expected = [(0.0, 0.0), (2.0, 0.0), (1.0, 3.5)].map(DVec2::from);
+    for text in ["0,0 2,0 1,3.5", " 0 0 2 0 1 3.5\n", "0;0;2;0;1;3.5;0;0"] {
+        assert_eq!(parse("pasted", text.as_bytes()).unwrap().polygon.vertices(), expected, "{text}");
+    }
+    let odd = parse("pasted", b"0,0 2,0 1").unwrap_err();
+    assert_eq!(odd, OutlineError::OddNumbers { count: 5 });
+    assert!(parse("pasted", b"0,0 2,0 1,x").is_err());
+}

@@ -1,7 +1,7 @@
 //! Images in the browser: decoded by itself, which has a decoder already.
 
 use super::worker_handle::describe;
-use crate::platform::{Event, Mailbox};
+use crate::platform::{Event, FilePurpose, Mailbox};
 use ::image::RgbaImage;
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
@@ -9,12 +9,12 @@ use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, ImageBitmap, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 
 /// Decodes a PNG or JPEG, made smaller until no side is longer than `max_side`, and posts it to `mailbox`.
-pub fn decode_image(name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
+pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
         let pixels = decode(&bytes, max_side)
             .await
             .map_err(|error| format!("this is no PNG or JPEG image that can be read ({})", describe(&error)));
-        mailbox.post(Event::Image { name, pixels });
+        mailbox.post(Event::Image { purpose, name, pixels });
     });
 }
 

@@ -1,0 +1,78 @@
+//! Colours that mean different things are told apart by eyes that confuse some of them.
+//!
+//! What such eyes see is simulated by the matrices for linear sRGB of Machado, Oliveira and Fernandes: "A
+//! physiologically-based model for simulation of color vision deficiency", IEEE TVCG 2009, severity 1.
+
+use super::plots::inks_of_plots;
+use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR};
+use egui::Color32;
+
+const NORMAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const PROTANOPIA: [[f64; 3]; 3] =
+    [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]];
+const DEUTERANOPIA: [[f64; 3]; 3] =
+    [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]];
+const TRITANOPIA: [[f64; 3]; 3] =
+    [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]];
+
+/// From linear sRGB to CIE XYZ (IEC 61966-2-1).
+const XYZ: [[f64; 3]; 3] = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]];
+/// The XYZ of white (D65).
+const WHITE: [f64; 3] = [0.95047, 1.0, 1.08883];
+
+/// Six times the least difference that is seen at all (2.3, Mahy et al. 1994): seen on lines of two pixels.
+const DISTINCT: f64 = 14.0;
+
+fn times(matrix: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+    matrix.map(|row| row.iter().zip(v).map(|(a, b)| a * b).sum())
+}
+
+/// CIE L*a*b* of a colour as it is seen.
+fn lab(colour: Color32, seen: &[[f64; 3]; 3]) -> [f64; 3] {
+    let linear = |encoded: u8| {
+        let encoded = f64::from(encoded) / 255.0;
+        if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+    };
+    let seen = times(seen, [colour.r(), colour.g(), colour.b()].map(linear)).map(|channel| channel.clamp(0.0, 1.0));
+    let xyz = times(&XYZ, seen);
+    let f = |k: usize| {
+        let t = xyz[k] / WHITE[k];
+        if t > 0.008_856 { t.cbrt() } else { 7.787 * t + 16.0 / 116.0 }
+    };
+    [116.0 * f(1) - 16.0, 500.0 * (f(0) - f(1)), 200.0 * (f(1) - f(2))]
+}
+
+fn difference(a: Color32, b: Color32, seen: &[[f64; 3]; 3]) -> f64 {
+    let [a, b] = [a, b].map(|colour| lab(colour, seen));
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+}
+
+#[test]
+fn colours_are_told_apart_by_eyes_that_confuse_some() {
+    let dots = vec![INTERIOR_COLOUR, BOUNDARY_COLOUR];
+    for group in inks_of_plots().into_iter().chain([dots]) {
+        for (k, a) in group.iter().enumerate() {
+            for b in &group[..k] {
+                for (eyes, seen) in [
+                    ("usual", NORMAL),
+                    ("protanopia", PROTANOPIA),
+                    ("deuteranopia", DEUTERANOPIA),
+                    ("tritanopia", TRITANOPIA),
+                ] {
+                    let apart = difference(*a, *b, &seen);
+                    assert!(apart > DISTINCT, "{eyes}: {a:?} and {b:?} differ by {apart:.1}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_such_eyes_see_is_simulated() {
+    let (red, green) = (Color32::from_rgb(200, 60, 40), Color32::from_rgb(110, 110, 20));
+    assert!(difference(red, green, &NORMAL) > 50.0);
+    assert!(difference(red, green, &DEUTERANOPIA) < 20.0, "{}", difference(red, green, &DEUTERANOPIA));
+    for seen in [NORMAL, PROTANOPIA, DEUTERANOPIA, TRITANOPIA] {
+        assert!(difference(Color32::WHITE, Color32::BLACK, &seen) > 99.0, "white stays white");
+    }
+}

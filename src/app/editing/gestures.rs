@@ -1,0 +1,189 @@
+//! Gestures and keys over a picture whose outline is being drawn or reshaped.
+//!
+//! A press on a handle takes it in hand; one beside it moves the picture, a double-click on the
+//! boundary sets another handle there, a long press or a right click on a handle takes it away.
+
+use super::{Change, EditAction, Editor, Pen, Reshaping, pen};
+use crate::app::action::{Action, Actions};
+use crate::app::handles::{GRAB_RADIUS, HandleState};
+use crate::app::model::Model;
+use crate::app::view::View;
+use crate::app::viewport::{self, BOUNDARY_REACH};
+use crate::conformal::Side;
+use crate::geometry::DVec2;
+use egui::{CursorIcon, Key, Modifiers, Pos2, Response, Sense, Ui, Vec2, vec2};
+
+/// How far an arrow key moves a handle, in points.
+const NUDGE: f32 = 4.0;
+/// The same with Shift.
+const FINE_NUDGE: f32 = 0.5;
+
+/// Turns gestures over the picture of an edited side into steps and camera moves. The dots can be
+/// dragged as ever, where no handle is under the pointer.
+pub fn interact(
+    ui: &Ui,
+    side: Side,
+    model: &Model,
+    view: &mut View,
+    editor: &mut Editor,
+    dots: &mut HandleState,
+    actions: &mut Actions,
+) {
+    let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
+    if let Some(drawing) = editor.drawing(side) {
+        return pen::interact(ui, &response, view, drawing, actions);
+    }
+    let Some(reshaping) = editor.reshaping(side) else { return };
+    let grabbed = reshaping.grabbed();
+    if viewport::pinch(ui, &response, view) {
+        actions.extend(grabbed.map(|_| Action::Edit(EditAction::Release)));
+        return;
+    }
+    let pointer = ui.input(|input| input.pointer.interact_pos()).filter(|_| response.contains_pointer());
+    let under = pointer.filter(|_| dots.grip.is_none()).and_then(|pointer| handle_near(reshaping, view, pointer));
+    if grabbed.is_none() && under.is_none() {
+        viewport::drag_dots(ui, &response, side, model, view, dots, actions);
+        if dots.grip.is_some() || dots.hovered.is_some() {
+            editor.hovered = None;
+            return;
+        }
+    }
+    match grabbed {
+        Some(handle) => drag(ui, &response, reshaping, view, handle, actions),
+        None => press(ui, &response, reshaping, view, pointer, under, actions),
+    }
+    viewport::move_camera(ui, &response, view, grabbed.is_some() || under.is_some(), false);
+    if grabbed.is_some() {
+        ui.set_cursor_icon(CursorIcon::Grabbing);
+    } else if under.is_some() {
+        ui.set_cursor_icon(CursorIcon::Grab);
+    }
+    editor.hovered = under;
+}
+
+/// The handle that a touch at `pointer` means.
+fn handle_near(reshaping: &Reshaping, view: &View, pointer: Pos2) -> Option<usize> {
+    let distances = reshaping.shape().handles().map(|at| view.to_screen(at).distance(pointer));
+    let nearest = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
+    (nearest.1 <= GRAB_RADIUS).then_some(nearest.0)
+}
+
+fn press(
+    ui: &Ui,
+    response: &Response,
+    reshaping: &Reshaping,
+    view: &View,
+    pointer: Option<Pos2>,
+    under: Option<usize>,
+    actions: &mut Actions,
+) {
+    let Some(pointer) = pointer else { return };
+    let edit = |action| Action::Edit(action);
+    if let Some(handle) = under.filter(|_| response.secondary_clicked()) {
+        actions.push(edit(EditAction::Change(Change::Remove(handle))));
+    } else if let Some(handle) = under.filter(|_| ui.input(|input| input.pointer.primary_pressed())) {
+        actions.push(edit(EditAction::Grab(handle)));
+    } else if under.is_none() && response.double_clicked() {
+        let at = view.to_world(pointer);
+        if is_near_boundary(reshaping, view, pointer) {
+            actions.push(edit(EditAction::Change(Change::Insert(at))));
+        }
+    } else if under.is_none() && response.clicked() {
+        actions.push(edit(EditAction::Select(None)));
+    }
+}
+
+fn is_near_boundary(reshaping: &Reshaping, view: &View, pointer: Pos2) -> bool {
+    let (shape, handle) = reshaping.shape().inserted(view.to_world(pointer));
+    shape.handle(handle).is_some_and(|at| view.to_screen(at).distance(pointer) <= BOUNDARY_REACH)
+}
+
+/// The handle follows the pointer from where it was grabbed; the pointer's way is relative, so that it does not jump.
+fn drag(ui: &Ui, response: &Response, reshaping: &Reshaping, view: &View, handle: usize, actions: &mut Actions) {
+    let (down, moved) = ui.input(|input| (input.pointer.primary_down(), input.pointer.delta()));
+    if response.secondary_clicked() {
+        actions.push(Action::Edit(EditAction::Release));
+        actions.push(Action::Edit(EditAction::Change(Change::Remove(handle))));
+    } else if !down {
+        actions.push(Action::Edit(EditAction::Release));
+    } else if moved != Vec2::ZERO
+        && let Some(at) = reshaping.shape().handle(handle)
+    {
+        actions.push(Action::Edit(EditAction::Drag(shifted(view, at, moved))));
+    }
+}
+
+/// The point that lies `by` points on the screen beside `at`.
+fn shifted(view: &View, at: DVec2, by: Vec2) -> DVec2 {
+    at + view.to_world(view.rect.center() + by) - view.to_world(view.rect.center())
+}
+
+/// E begins and ends to reshape, D, L and C begin to draw, Escape ends; while reshaping, the arrows move the selected handle, Delete takes it
+/// away, N goes to the next one and takes the keyboard from the control that has it. Not while a text is written.
+pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) {
+    if ui.ctx().text_edit_focused() {
+        return;
+    }
+    let mut push = |action| actions.push(Action::Edit(action));
+    let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    let pointer = ui.input(|input| input.pointer.latest_pos());
+    let over_target = pointer.is_some_and(|at| views[Side::Target as usize].rect.contains(at));
+    let meant = if over_target { Side::Target } else { Side::Source };
+    if pressed(Key::E) {
+        let reshaped = Side::BOTH.into_iter().find(|&side| editor.reshaping(side).is_some());
+        push(EditAction::Toggle(reshaped.unwrap_or(meant)));
+    }
+    for (key, pen) in [(Key::D, Pen::Freehand), (Key::L, Pen::Lines), (Key::C, Pen::Curve)] {
+        if pressed(key) {
+            push(EditAction::Draw(meant, pen));
+        }
+    }
+    let Some(side) = editor.side() else { return };
+    if pressed(Key::Escape) {
+        push(EditAction::Leave);
+    }
+    if editor.drawing(side).is_some() {
+        for (key, action) in [(Key::Enter, EditAction::Close), (Key::Backspace, EditAction::TakeBack)] {
+            if pressed(key) {
+                push(action);
+            }
+        }
+    }
+    let Some(reshaping) = editor.reshaping(side) else { return };
+    let count = reshaping.shape().handle_count();
+    let focused = ui.memory(egui::Memory::focused);
+    if let Some(id) = focused.filter(|_| ui.input(|input| input.key_pressed(Key::N))) {
+        ui.memory_mut(|memory| memory.surrender_focus(id));
+    }
+    if pressed(Key::N) {
+        push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + 1) % count))));
+    }
+    if ui.input_mut(|input| input.consume_key(Modifiers::SHIFT, Key::N)) {
+        push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + count - 1) % count))));
+    }
+    let free = focused.is_none() && reshaping.grabbed().is_none();
+    let Some(selected) = reshaping.selected.filter(|_| free) else { return };
+    if pressed(Key::Delete) || pressed(Key::Backspace) {
+        push(EditAction::Change(Change::Remove(selected)));
+    }
+    let by = arrows(ui);
+    if let Some(at) = reshaping.shape().handle(selected).filter(|_| by != Vec2::ZERO) {
+        let to = shifted(&views[reshaping.side() as usize], at, by);
+        push(EditAction::Change(Change::Move(selected, to)));
+    }
+}
+
+/// Where the arrow keys of this frame lead.
+fn arrows(ui: &Ui) -> Vec2 {
+    let ways = [
+        (Key::ArrowLeft, vec2(-1.0, 0.0)),
+        (Key::ArrowRight, vec2(1.0, 0.0)),
+        (Key::ArrowUp, vec2(0.0, -1.0)),
+        (Key::ArrowDown, vec2(0.0, 1.0)),
+    ];
+    ui.input_mut(|input| {
+        let mut count = |modifiers, key| input.count_and_consume_key(modifiers, key) as f32;
+        let way = |(key, way)| way * (FINE_NUDGE * count(Modifiers::SHIFT, key) + NUDGE * count(Modifiers::NONE, key));
+        ways.map(way).into_iter().fold(Vec2::ZERO, |sum, by| sum + by)
+    })
+}

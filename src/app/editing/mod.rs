@@ -1,0 +1,264 @@
+//! Outlines by hand, in the pictures: drawing one, reshaping one by its handles.
+//!
+//! An [`Editor`] is a state without a screen: gestures, keys and buttons become [`EditAction`]s,
+//! [`Editor::act`] carries them out and tells the model what to prepare. What the person sees of it is
+//! in `paint` and `bar`, what the person does in `gestures`.
+
+mod bar;
+mod drawing;
+mod gestures;
+mod live;
+mod paint;
+mod paste;
+mod pen;
+mod record;
+mod reshaping;
+
+pub use bar::{ROOM, show as show_bar};
+pub use drawing::{Drawing, Pen};
+pub use gestures::{interact, keys};
+pub use live::Reshaped;
+pub use paint::{paint, paint_sheet};
+pub use paste::{pasted, show as show_paste};
+pub use record::{EditingStats, stats};
+pub use reshaping::{Change, Reshaping};
+
+use super::language::tr;
+use super::model::Model;
+use super::view::View;
+use super::words;
+use crate::conformal::Side;
+use crate::geometry::DVec2;
+use crate::outline::Outline;
+use crate::session::OutlineSpec;
+use egui::vec2;
+use paste::Paste;
+use reshaping::Crossing;
+
+/// What is added to the name of an outline that was reshaped, in any language.
+const EDITED: &str = "*";
+
+/// A step of a person who edits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EditAction {
+    /// Reshape the outline of a side; once more: no more.
+    Toggle(Side),
+    /// Draw another one for a side.
+    Draw(Side, Pen),
+    /// The stroke goes on, or a point was clicked.
+    Point(DVec2),
+    /// Take the last point back.
+    TakeBack,
+    /// The stroke came to nothing.
+    Clear,
+    /// Close what is drawn.
+    Close,
+    /// No more.
+    Leave,
+    /// Take a handle in hand.
+    Grab(usize),
+    /// Move it.
+    Drag(DVec2),
+    /// Let it go.
+    Release,
+    /// Mean this handle, or none.
+    Select(Option<usize>),
+    /// Make a change at once.
+    Change(Change),
+    /// The message has been read.
+    Dismiss,
+    /// Open the window for pasted text, for a side.
+    OpenPaste(Side),
+    /// Take what is written in it.
+    TakePasted,
+    /// Close it.
+    ClosePaste,
+}
+
+#[derive(Debug)]
+enum Work {
+    Reshaping(Reshaping),
+    Drawing(Drawing),
+}
+
+/// What is edited, if anything.
+#[derive(Debug, Default)]
+pub struct Editor {
+    work: Option<Work>,
+    /// Whether the view showed all of the outline before: it does again afterwards.
+    was_fitted: bool,
+    /// The handle under the pointer.
+    hovered: Option<usize>,
+    /// Why the last change was not made.
+    refusal: Option<String>,
+    /// The window for pasted text, while it is open.
+    paste: Option<Paste>,
+}
+
+impl Editor {
+    /// The outline of this side under the hand.
+    pub fn reshaping(&self, side: Side) -> Option<&Reshaping> {
+        match &self.work {
+            Some(Work::Reshaping(reshaping)) if reshaping.side() == side => Some(reshaping),
+            _ => None,
+        }
+    }
+
+    /// What is drawn for this side.
+    pub fn drawing(&self, side: Side) -> Option<&Drawing> {
+        match &self.work {
+            Some(Work::Drawing(drawing)) if drawing.side() == side => Some(drawing),
+            _ => None,
+        }
+    }
+
+    /// The side that is edited.
+    pub fn side(&self) -> Option<Side> {
+        match self.work.as_ref()? {
+            Work::Reshaping(reshaping) => Some(reshaping.side()),
+            Work::Drawing(drawing) => Some(drawing.side()),
+        }
+    }
+
+    /// Where the outline in hand, or what was drawn, crosses itself, and what is said about it.
+    pub fn crossing(&self) -> Option<&Crossing> {
+        match self.work.as_ref()? {
+            Work::Reshaping(reshaping) => reshaping.crossing(),
+            Work::Drawing(drawing) => drawing.crossing(),
+        }
+    }
+
+    /// What is to be said about the outline in hand, or about a change that was not made.
+    pub fn message(&self) -> Option<&str> {
+        self.crossing().map(|crossing| crossing.text.as_str()).or(self.refusal.as_deref())
+    }
+
+    /// Lets go without a word to the model: what was in hand is about to be replaced.
+    pub fn drop_handle(&mut self) {
+        if let Some(Work::Reshaping(reshaping)) = &mut self.work {
+            reshaping.drop_handle();
+        }
+    }
+
+    /// Takes in what became of the outline by other means; a surface in its place ends the editing.
+    pub fn follow(&mut self, model: &mut Model, views: &mut [View; 2]) {
+        let Some(Work::Reshaping(reshaping)) = &mut self.work else { return };
+        let hidden = reshaping.side() == Side::Target && model.surface().is_some();
+        if hidden {
+            self.leave(model, views);
+        } else {
+            reshaping.follow(model);
+        }
+    }
+
+    /// Carries out a step.
+    pub fn act(&mut self, action: EditAction, model: &mut Model, views: &mut [View; 2]) {
+        match action {
+            EditAction::Toggle(side) if self.reshaping(side).is_some() => self.leave(model, views),
+            EditAction::Toggle(side) => self.begin(side, model, views),
+            EditAction::Draw(side, pen) => {
+                self.leave(model, views);
+                self.work = Some(Work::Drawing(Drawing::new(side, pen)));
+            }
+            EditAction::Leave => self.leave(model, views),
+            EditAction::OpenPaste(side) => self.paste = Some(Paste::new(side)),
+            EditAction::ClosePaste => self.paste = None,
+            EditAction::TakePasted => {
+                if let Some((side, outline)) = self.paste.as_mut().and_then(Paste::take) {
+                    self.paste = None;
+                    self.leave(model, views);
+                    model.want_loaded(side, outline);
+                }
+            }
+            _ => match &self.work {
+                Some(Work::Reshaping(reshaping)) => {
+                    if matches!(action, EditAction::Grab(_) | EditAction::Change(_)) {
+                        // while the outline changes, what is in hand stays under the pointer
+                        views[reshaping.side() as usize].stay();
+                    }
+                    self.reshape(action, model);
+                }
+                Some(Work::Drawing(_)) => self.draw(action, model, views),
+                None => {}
+            },
+        }
+    }
+
+    /// Text was pasted while no field had the keyboard: an outline for the source; what is none is shown in the window.
+    pub fn take_text(&mut self, text: String, model: &mut Model, views: &mut [View; 2]) {
+        self.paste = Some(Paste::with(Side::Source, text));
+        self.act(EditAction::TakePasted, model, views);
+    }
+
+    fn draw(&mut self, action: EditAction, model: &mut Model, views: &mut [View; 2]) {
+        let Some(Work::Drawing(drawing)) = &mut self.work else { return };
+        match action {
+            EditAction::Point(point) => drawing.add(point),
+            EditAction::TakeBack => drawing.take_back(),
+            EditAction::Clear | EditAction::Dismiss => drawing.clear(),
+            EditAction::Close => {
+                let side = drawing.side();
+                let view = &views[side as usize];
+                let pixel = view.to_world(view.rect.min + vec2(1.0, 0.0)).distance(view.to_world(view.rect.min));
+                if let Some(polygon) = drawing.close(pixel) {
+                    let outline = Outline { name: String::from(tr("Drawing")), polygon, notes: Vec::new() };
+                    model.want_loaded(side, outline);
+                    self.leave(model, views);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn reshape(&mut self, action: EditAction, model: &mut Model) {
+        let Some(Work::Reshaping(reshaping)) = &mut self.work else { return };
+        if !matches!(action, EditAction::Select(_) | EditAction::Drag(_)) {
+            self.refusal = None;
+        }
+        match action {
+            EditAction::Grab(handle) => reshaping.grab(handle, model),
+            EditAction::Drag(to) => reshaping.drag(to, model),
+            EditAction::Release => {
+                if reshaping.release(model) {
+                    self.refusal =
+                        Some(String::from(tr("The outline crossed itself there: the last good one was kept.")));
+                }
+            }
+            EditAction::Select(handle) => reshaping.selected = handle,
+            EditAction::Change(change) => {
+                self.refusal = reshaping.change(change, model).err().map(|error| error.to_string());
+            }
+            _ => {}
+        }
+    }
+
+    fn begin(&mut self, side: Side, model: &mut Model, views: &mut [View; 2]) {
+        self.leave(model, views);
+        if side == Side::Target && model.surface().is_some() {
+            return;
+        }
+        let name = match &model.side(side).wanted().outline {
+            OutlineSpec::Preset(preset) => tr(words::preset(*preset)),
+            OutlineSpec::Points { name, .. } => name,
+        };
+        let name = format!("{}{EDITED}", name.strip_suffix(EDITED).unwrap_or(name));
+        let Some(reshaping) = Reshaping::new(side, name, model) else { return };
+        self.work = Some(Work::Reshaping(reshaping));
+        self.was_fitted = views[side as usize].is_fitted();
+    }
+
+    fn leave(&mut self, model: &mut Model, views: &mut [View; 2]) {
+        if let Some(Work::Reshaping(mut reshaping)) = self.work.take() {
+            reshaping.release(model);
+            if self.was_fitted {
+                views[reshaping.side() as usize].fit();
+            }
+        }
+        self.hovered = None;
+        self.refusal = None;
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+mod tests;

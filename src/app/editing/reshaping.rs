@@ -1,0 +1,242 @@
+//! An outline that is being reshaped: what is in hand, what was good last, where it crosses itself.
+//!
+//! No egui in here. Every change is a whole new outline for the model; what the boundary point and
+//! the interior point were at the beginning of a drag they are again at its end, if the outline allows it.
+
+use super::live::Reshaped;
+use crate::app::model::Model;
+use crate::conformal::Side;
+use crate::drawing::{DrawingError, Shape, carried_fraction};
+use crate::geometry::{DVec2, PolygonError};
+use crate::session::OutlineSpec;
+
+/// A change of the outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Change {
+    /// A handle goes to a place.
+    Move(usize, DVec2),
+    /// A handle more, on the boundary near a place.
+    Insert(DVec2),
+    /// A handle less.
+    Remove(usize),
+    /// Corners become round.
+    Smooth,
+    /// The mirror image.
+    Mirror,
+}
+
+/// Why the outline in hand is none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Crossing {
+    /// Where in the plane.
+    pub at: Option<DVec2>,
+    /// What is wrong, in words.
+    pub text: String,
+}
+
+/// An outline with its two points.
+#[derive(Debug, Clone)]
+struct Form {
+    shape: Shape,
+    interior: Option<DVec2>,
+    anchor: f64,
+}
+
+/// The outline of one side under the hand.
+#[derive(Debug)]
+pub struct Reshaping {
+    side: Side,
+    name: String,
+    /// The outline that the model was asked for last.
+    sent: OutlineSpec,
+    /// The last good form.
+    good: Form,
+    /// What was good when the handle was grabbed, and which handle.
+    grabbed: Option<(Form, usize)>,
+    /// What is drawn: the good one, or one that crosses itself.
+    shape: Shape,
+    crossing: Option<Crossing>,
+    /// The handle that keys and buttons mean.
+    pub selected: Option<usize>,
+}
+
+impl Reshaping {
+    /// Takes up the outline of a side, called `name` from its first change on.
+    pub fn new(side: Side, name: String, model: &Model) -> Option<Self> {
+        let sent = model.side(side).wanted().outline.clone();
+        let good = form(side, &sent, model)?;
+        let shape = good.shape.clone();
+        Some(Self { side, name, sent, good, grabbed: None, shape, crossing: None, selected: None })
+    }
+
+    /// Whose outline it is.
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
+    /// The outline in hand.
+    pub fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// Why it is none, if it is none.
+    pub fn crossing(&self) -> Option<&Crossing> {
+        self.crossing.as_ref()
+    }
+
+    /// The handle in hand.
+    pub fn grabbed(&self) -> Option<usize> {
+        self.grabbed.as_ref().map(|(_, handle)| *handle)
+    }
+
+    /// Takes up the side's outline anew if it has become another one by other means.
+    pub fn follow(&mut self, model: &Model) {
+        let wanted = &model.side(self.side).wanted().outline;
+        if self.grabbed.is_some() || *wanted == self.sent {
+            return;
+        }
+        if let Some(good) = form(self.side, wanted, model) {
+            self.sent = wanted.clone();
+            self.shape = good.shape.clone();
+            self.good = good;
+            self.crossing = None;
+            self.selected = None;
+        }
+    }
+
+    /// Takes a handle in hand.
+    pub fn grab(&mut self, handle: usize, model: &Model) {
+        self.selected = Some(handle);
+        self.remember_points(model);
+        self.grabbed = Some((self.good.clone(), handle));
+    }
+
+    /// Lets go without a word to the model: what it has been told stays.
+    pub fn drop_handle(&mut self) {
+        self.grabbed = None;
+        self.shape = self.good.shape.clone();
+        self.crossing = None;
+    }
+
+    /// Moves the handle in hand; the model follows coarsely while the outline is one.
+    pub fn drag(&mut self, to: DVec2, model: &mut Model) {
+        let Some((from, handle)) = self.grabbed.clone() else { return };
+        if let Some(form) = self.tried(&from, from.shape.moved(handle, to)) {
+            self.good = form;
+            self.send(model, true);
+        }
+    }
+
+    /// Lets the handle go. Where the outline crossed itself, the last good one stays; returns whether it did.
+    pub fn release(&mut self, model: &mut Model) -> bool {
+        if self.grabbed.take().is_none() {
+            return false;
+        }
+        let crossed = self.crossing.take().is_some();
+        self.shape = self.good.shape.clone();
+        if model.side(self.side).is_in_hand() {
+            self.send(model, false);
+        }
+        crossed
+    }
+
+    /// Makes a change at once. Errors: why it was not made.
+    pub fn change(&mut self, change: Change, model: &mut Model) -> Result<(), DrawingError> {
+        self.remember_points(model);
+        let from = self.good.clone();
+        let mut selected = self.selected;
+        let mut interior = from.interior;
+        let shape = match change {
+            Change::Move(handle, to) => from.shape.moved(handle, to),
+            Change::Insert(at) => {
+                let (shape, handle) = from.shape.inserted(at);
+                selected = Some(handle);
+                shape
+            }
+            Change::Remove(handle) => {
+                selected = None;
+                from.shape.removed(handle)?
+            }
+            Change::Smooth => {
+                selected = None;
+                from.shape.smoothed()
+            }
+            Change::Mirror => {
+                selected = None;
+                interior = interior.map(|point| from.shape.axis().image(point));
+                from.shape.mirrored()
+            }
+        };
+        let mut form = formed(&from, shape)?;
+        form.interior = interior;
+        if change == Change::Mirror {
+            form.anchor = (1.0 - from.anchor).rem_euclid(1.0);
+        }
+        self.shape = form.shape.clone();
+        self.selected = selected;
+        self.crossing = None;
+        self.good = form;
+        self.send(model, false);
+        Ok(())
+    }
+
+    /// The form with another shape; `None` and a crossing if that is no outline.
+    fn tried(&mut self, from: &Form, shape: Shape) -> Option<Form> {
+        self.shape = shape.clone();
+        match formed(from, shape) {
+            Ok(form) => {
+                self.crossing = None;
+                Some(form)
+            }
+            Err(error) => {
+                self.crossing = Some(Crossing { at: error.place(), text: error.to_string() });
+                None
+            }
+        }
+    }
+
+    /// The points may have been moved since the last change; while that is prepared, they are its own.
+    fn remember_points(&mut self, model: &Model) {
+        if model.side(self.side).is_busy() {
+            return;
+        }
+        if let Ok(polygon) = self.sent.polygon() {
+            let anchor = model.session().anchor[self.side as usize];
+            self.good.anchor = carried_fraction(polygon.vertices(), self.good.shape.vertices(), anchor);
+            self.good.interior = model.interior(self.side);
+        }
+    }
+
+    fn send(&mut self, model: &mut Model, in_hand: bool) {
+        let Form { interior, mut anchor, .. } = self.good;
+        // the outline was found to be one when it became the good one
+        let Ok(polygon) = self.good.shape.polygon() else { return };
+        if polygon.was_clockwise() {
+            anchor = (1.0 - anchor).rem_euclid(1.0);
+        }
+        if polygon.was_clockwise() && !in_hand {
+            // turned inside out: from now on the other way round
+            self.shape = Shape::new(&polygon);
+            self.good.anchor = carried_fraction(polygon.vertices(), self.shape.vertices(), anchor);
+            self.good.shape = self.shape.clone();
+            self.selected = None;
+        }
+        self.sent = OutlineSpec::Points { name: self.name.clone(), points: polygon.vertices().to_vec() };
+        model.reshape(self.side, self.sent.clone(), Reshaped { interior, anchor, in_hand });
+    }
+}
+
+/// An outline of a side with the points that the side has.
+fn form(side: Side, outline: &OutlineSpec, model: &Model) -> Option<Form> {
+    let polygon = outline.polygon().ok()?;
+    let shape = Shape::new(&polygon);
+    let anchor = carried_fraction(polygon.vertices(), shape.vertices(), model.session().anchor[side as usize]);
+    Some(Form { shape, interior: model.interior(side), anchor })
+}
+
+/// The form with another shape, the boundary point on the same part of it. Errors: the shape is no outline.
+fn formed(from: &Form, shape: Shape) -> Result<Form, PolygonError> {
+    shape.polygon()?;
+    let anchor = carried_fraction(from.shape.vertices(), shape.vertices(), from.anchor);
+    Ok(Form { shape, interior: from.interior, anchor })
+}
