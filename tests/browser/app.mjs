@@ -283,8 +283,8 @@ export class App {
   pixelsOf(png, places) {
     return this.#page.evaluate(
       async ([base64, wanted]) => {
-        const blob = await (await fetch(`data:image/png;base64,${base64}`)).blob();
-        const bitmap = await createImageBitmap(blob, { premultiplyAlpha: 'none' });
+        const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+        const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), { premultiplyAlpha: 'none' });
         const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
         context.drawImage(bitmap, 0, 0);
         return wanted.map(([x, y]) => [...context.getImageData(x, y, 1, 1).data]);

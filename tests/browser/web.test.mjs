@@ -207,6 +207,23 @@ describe('the page, with WebGL2', () => {
   );
 
   test(
+    'a PNG that is dropped is decoded by the browser and becomes the texture',
+    withApp(async ({ page }) => {
+      await page.evaluate(async () => {
+        const picture = new OffscreenCanvas(64, 48);
+        picture.getContext('2d').fillRect(8, 8, 30, 20);
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([await picture.convertToBlob()], 'box.png'));
+        const canvas = document.querySelector('canvas');
+        for (const type of ['dragenter', 'dragover', 'drop']) {
+          canvas.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, clientX: 400, clientY: 400, dataTransfer }));
+        }
+      });
+      await page.waitForFunction(() => window.riemap.session().texture === 'image');
+    }),
+  );
+
+  test(
     'a lock that there is not is reported',
     withApp(async (app) => {
       assert.match((await app.stats()).errors.join(), /lock=outlines/);
