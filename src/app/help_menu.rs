@@ -3,6 +3,7 @@
 use super::action::{Action, Actions};
 use super::explore::ExploreAction;
 use super::language::{Language, tr};
+use super::locks::{Control, guarded, menu_entry};
 use super::preferences::{Appearance, Preferences};
 use super::theme::{FINGER_HEIGHT, Palette};
 use super::widgets::{Segment, chevron, segmented};
@@ -25,13 +26,14 @@ pub fn menu_button(ui: &mut Ui, preferences: Preferences, actions: &mut Actions)
         ui.set_width(WIDTH);
         for (label, tooltip, action) in entries() {
             let button = egui::Button::new(tr(label)).min_size(vec2(WIDTH, FINGER_HEIGHT));
-            if ui.add(button).on_hover_text(tr(tooltip)).clicked() {
-                actions.push(Action::Explore(action));
+            let action = Action::Explore(action);
+            if menu_entry(ui, true, button, tooltip, &action) {
+                actions.push(action);
                 ui.close();
             }
         }
         ui.separator();
-        choices(ui, preferences, actions);
+        guarded(ui, Control::Theme, |ui| choices(ui, preferences, actions));
     });
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Help")));
     chevron(ui, response.rect, false);

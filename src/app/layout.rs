@@ -9,8 +9,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, side_panel, status, surface,
-    teaching, theme, top_bar, viewport, words,
+    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, presentation, side_panel,
+    status, surface, teaching, theme, top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -36,6 +36,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
+    presentation::keys(ui, &mut actions);
     editing::keys(ui, &app.editor, &app.views, &mut actions);
     actions.extend(editing::pasted(ui).map(Action::PasteText));
     play_panel::keys(ui, &mut actions);
@@ -199,7 +200,8 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     if let Some(gpu) = &app.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
-    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open };
+    let embedded = app.options.embed;
+    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open, embedded };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         let view = &app.views[side as usize];

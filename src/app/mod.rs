@@ -6,6 +6,8 @@
 //! changed, paint. At rest nothing is computed and nothing drawn.
 
 mod action;
+pub mod address_options;
+mod announced;
 mod cells;
 mod colouring;
 mod dots;
@@ -24,9 +26,10 @@ mod help_menu;
 mod incoming;
 mod keeping;
 mod keyboard;
-mod language;
+pub mod language;
 mod layout;
 mod legend;
+mod locks;
 mod looping;
 mod method;
 mod model;
@@ -37,6 +40,7 @@ mod playing;
 mod plots;
 mod preferences;
 mod prepare_state;
+mod presentation;
 mod reports;
 mod sessions;
 mod shapes;
@@ -66,6 +70,8 @@ use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
 use crate::session::{Command, Session};
+use address_options::AddressOptions;
+use announced::Announced;
 use cells::Cells;
 use editing::Editor;
 use explore::{Explore, ExploreAction};
@@ -75,6 +81,7 @@ use handles::HandleState;
 use image::RgbaImage;
 use keeping::{Keeper, Start};
 use keyboard::Keyboard;
+use locks::Locks;
 use model::{Changes, Refines};
 use offer::Offer;
 use playing::Player;
@@ -162,6 +169,7 @@ pub struct RiemapApp {
     handles: HandleState,
     editor: Editor,
     meter: FrameMeter,
+    options: AddressOptions,
     panels_open: bool,
     sheet_open: bool,
     keyboard: Keyboard,
@@ -173,6 +181,7 @@ pub struct RiemapApp {
     described: Option<News>,
     explore: Explore,
     keeper: Keeper,
+    announced: Announced,
     reports: Reports,
     laboratory: Laboratory,
     player: Player,
@@ -188,6 +197,8 @@ pub struct RiemapApp {
     notice: Option<(&'static str, f64)>,
     preferences: Preferences,
     last_change: f64,
+    /// How much larger than usual everything is.
+    zoom: f32,
 }
 
 impl RiemapApp {
@@ -198,12 +209,16 @@ impl RiemapApp {
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
         let Groundwork { model, resumes, missing, message, preferences, preparer, mailbox, events } = groundwork;
-        preferences.apply(&creation.egui_ctx);
+        let options = platform::address_options();
+        let preferences = presentation::install(&creation.egui_ctx, preferences, &options);
         mailbox.attach(&creation.egui_ctx);
+        if let Some(state) = &creation.wgpu_render_state {
+            platform::watch_graphics(&state.device, mailbox.clone());
+        }
         let mut keeper = Keeper::new(model.session().clone(), resumes);
         keeper.open_link(missing);
         let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
-        if platform::asks_for_bench() {
+        if options.bench {
             reports.open(Report::Bench);
         }
         Ok(Self {
@@ -219,7 +234,7 @@ impl RiemapApp {
             handles: HandleState::default(),
             editor: Editor::default(),
             meter: FrameMeter::default(),
-            panels_open: true,
+            panels_open: !options.embed,
             sheet_open: false,
             keyboard: Keyboard::default(),
             spoken: 0,
@@ -228,6 +243,7 @@ impl RiemapApp {
             described: None,
             explore: Explore::default(),
             keeper,
+            announced: Announced::default(),
             reports,
             laboratory,
             player: Player::default(),
@@ -235,10 +251,12 @@ impl RiemapApp {
             image_name: None,
             offer: None,
             image: None,
-            message,
+            message: presentation::with_troubles(message, &options),
+            options,
             notice: None,
             preferences,
             last_change: 0.0,
+            zoom: 1.0,
         })
     }
 
@@ -250,9 +268,9 @@ impl RiemapApp {
     /// The numbers on the screen.
     pub fn stats(&self) -> Stats {
         let place = |side: Side, point: Option<glam::DVec2>| {
-            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| [place.x, place.y])
+            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| self.css_pixels(place))
         };
-        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| [place.x, place.y]);
+        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| self.css_pixels(place));
         let [x2, y2] = match self.model.surface() {
             Some(_) => [self.model.surface_point(), self.model.surface_anchor()].map(in_space),
             None => [self.model.interior(Side::Target), self.model.anchor(Side::Target)]
@@ -297,6 +315,11 @@ impl RiemapApp {
         self.mailbox.wake();
     }
 
+    /// A place on the screen as the page measures it.
+    fn css_pixels(&self, place: egui::Pos2) -> [f32; 2] {
+        [place.x * self.zoom, place.y * self.zoom]
+    }
+
     fn errors(&self) -> Vec<String> {
         let sides = Side::BOTH.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
         let surface = self.model.surface_side().preparation.error.iter().map(|trouble| trouble.text.clone());
@@ -312,7 +335,8 @@ impl RiemapApp {
     /// The one place where wishes become changes.
     fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
         let now = context.input(|input| input.time);
-        for action in actions {
+        let locks = Locks::of(context);
+        for action in actions.into_iter().filter(|action| locks.refused(action).is_none()) {
             match action {
                 Action::Session(command) => {
                     if command.moves_points() {
@@ -356,7 +380,9 @@ impl RiemapApp {
                 Action::Walks(action) => self.model.act_on_walks(action),
                 Action::Explore(action) => self.explore(action),
                 Action::Prefer(preferences) => self.prefer(context, preferences),
-                Action::TogglePanels => self.panels_open = !self.panels_open,
+                Action::TogglePanels => self.fold_panels(context),
+                Action::ToggleFullScreen => platform::toggle_full_screen(context),
+                Action::TogglePresentation => presentation::toggle(context),
             }
         }
     }
@@ -506,6 +532,7 @@ impl eframe::App for RiemapApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         self.take_events();
         self.take_dropped(ui.ctx());
+        self.zoom = ui.ctx().zoom_factor();
         let compute = self.model.shown().map_or(0.0, |map| {
             let timings = map.timings;
             timings.kernel + timings.matching + timings.extend
@@ -514,6 +541,7 @@ impl eframe::App for RiemapApp {
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
         self.dark = ui.visuals().dark_mode;
         layout::show(self, ui);
+        self.announce();
         let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
         if let Some(spoken) = spoken {
             platform::say(&spoken);
@@ -523,7 +551,9 @@ impl eframe::App for RiemapApp {
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
         let folds = self.keyboard.take_in(context, input);
-        self.panels_open ^= folds % 2 == 1;
+        if folds % 2 == 1 {
+            self.fold_panels(context);
+        }
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
@@ -540,6 +570,9 @@ impl eframe::App for RiemapApp {
 mod colour_vision_tests;
 #[cfg(test)]
 mod language_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod locks_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;

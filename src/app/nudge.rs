@@ -5,6 +5,7 @@
 
 use super::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState};
 use super::language::tr;
+use super::locks::{Control, Locks};
 use crate::conformal::Side;
 use egui::{EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
 
@@ -64,7 +65,7 @@ pub enum EyeMove {
 /// What the keys ask of the eye of the viewport that has the keyboard.
 pub fn of_viewport(ui: &Ui, response: &Response, side: Side, handles: &mut HandleState) -> Option<EyeMove> {
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr(viewport_name(side))));
-    if !response.has_focus() {
+    if !response.has_focus() || Locks::of(ui.ctx()).holds(Control::View) {
         handles.focused_view = handles.focused_view.filter(|focused| *focused != side);
         return None;
     }

@@ -2,7 +2,7 @@
 
 use super::keeping::{self, Keeper};
 use super::{NOTICE_SECONDS, RiemapApp};
-use crate::platform::{self, Kept};
+use crate::platform::{self, Kept, PageEvent};
 use crate::session::{Command, Session, file, link};
 
 impl RiemapApp {
@@ -42,14 +42,18 @@ impl RiemapApp {
 
     /// Shows what another link carries.
     pub(super) fn open_link(&mut self, address: &str) {
-        match link::decode(address) {
-            Ok(decoded) => {
-                self.message = keeping::missing_text(&decoded.missing);
-                self.open_session(decoded.session);
-                self.keeper.open_link(decoded.missing);
-            }
-            Err(error) => self.message = Some(format!("The link could not be opened: {error}")),
+        if let Err(reason) = self.try_link(address) {
+            self.message = Some(format!("The link could not be opened: {reason}"));
         }
+    }
+
+    /// The same; the error is why the link cannot be opened.
+    pub fn try_link(&mut self, address: &str) -> Result<(), String> {
+        let decoded = link::decode(address).map_err(|error| error.to_string())?;
+        self.message = keeping::missing_text(&decoded.missing);
+        self.open_session(decoded.session);
+        self.keeper.open_link(decoded.missing);
+        Ok(())
     }
 
     /// Keeps the session once it has come to rest.
@@ -62,12 +66,16 @@ impl RiemapApp {
         }
         self.preparer.warm();
         let settled = self.keeper.settle(self.model.session(), now);
+        let is_news = settled.address.is_some() || settled.copy.is_some();
         for command in settled.moves {
             self.model.dispatch(command, now);
             context.request_repaint();
         }
         if let Some(fragment) = settled.address {
             platform::show_link(&fragment);
+        }
+        if is_news {
+            platform::tell_page(PageEvent::Session, "");
         }
         if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(Kept::Session, &text))
             && let Some(message) = self.keeper.not_kept(&reason)

@@ -10,6 +10,7 @@ use super::dots::{self, Dot};
 use super::gpu::ViewportCallback;
 use super::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
 use super::language::tr;
+use super::locks::{Control, Locks};
 use super::model::Model;
 use super::nudge::{self, EyeMove, Nudge};
 use super::theme::Palette;
@@ -90,6 +91,9 @@ pub fn pinch(ui: &Ui, response: &Response, view: &mut View) -> bool {
     if !response.rect.contains(touch.center_pos) {
         return false;
     }
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return true;
+    }
     view.pan(touch.translation_delta);
     view.zoom(touch.zoom_delta, touch.center_pos);
     true
@@ -121,6 +125,9 @@ fn nudged(side: Side, model: &Model, view: &View, nudge: Nudge) -> Option<Comman
 
 /// Drags and scrolls the picture; not while something in it is `held`. A double-click fits it, where that is `fits`.
 pub fn move_camera(ui: &Ui, response: &Response, view: &mut View, held: bool, fits: bool) {
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return;
+    }
     if response.dragged() && !held {
         view.pan(response.drag_delta());
         ui.set_cursor_icon(CursorIcon::Move);

@@ -22,6 +22,7 @@ const GROUPS: [(&str, &[[&str; 2]]); 3] = [
             ["Tab", "Folds the panels away, or brings them back"],
             ["P", "Opens and closes the plots"],
             ["Space", "Sets the points in motion, or stops them where they are"],
+            ["F", "Fills the screen, or gives it back"],
             ["Ctrl+Z, Ctrl+Shift+Z", "Takes a step back, or makes it again"],
             ["Ctrl+S", "Saves the session as a file"],
             ["Ctrl+E", "Opens the window that saves pictures, animations and other files"],
