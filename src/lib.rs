@@ -6,8 +6,9 @@
 //!
 //! Dependencies between the modules run one way:
 //! `geometry → outline, mesh → surface, laplace → conformal → session, worker, export → figures → render → app`.
-//! `drawing`, outlines by hand, stands beside `outline`. `zipper`, a map through the disk for comparison, stands beside `conformal` and uses no mesh; `closed_form`,
-//! the presets' maps that are known exactly, stands beside `session`.
+//! `drawing`, outlines by hand, stands beside `outline`; `zipper`, a map through the disk for comparison, beside
+//! `conformal`, and uses no mesh; `closed_form`, the presets' maps that are known exactly, beside `session`; `family`,
+//! ways through all maps of one domain onto another, beside `export`.
 //! Without the default feature `app` only the numerical core is built.
 
 pub mod closed_form;
@@ -15,6 +16,7 @@ pub mod conformal;
 pub mod drawing;
 pub mod exact;
 pub mod export;
+pub mod family;
 pub mod figures;
 pub mod geometry;
 pub mod laplace;

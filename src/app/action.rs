@@ -2,11 +2,11 @@
 
 use super::editing::EditAction;
 use super::explore::ExploreAction;
+use super::playing::PlayAction;
 use super::preferences::Preferences;
 use super::reports::Report;
 use super::teaching::walks::WalkAction;
 use crate::conformal::Side;
-use crate::export::SurfaceFormat;
 use crate::session::Command;
 use crate::worker::Subject;
 
@@ -51,12 +51,14 @@ pub enum Action {
     OpenReport(Report),
     /// Close the message about the image or a file.
     DismissMessage,
-    /// Texture coordinates of exports go into the unit box, or stay the outline's own.
-    ScaleCoordinates(bool),
-    /// Save the surface with its texture coordinates.
-    ExportSurface(SurfaceFormat),
-    /// Save a picture of both viewports.
-    ExportPicture,
+    /// Show the window of exports.
+    OpenExport,
+    /// Save what is chosen there, or begin to make it.
+    SaveExport,
+    /// Give up what is being made.
+    CancelExport,
+    /// Set the points in motion, or stop them.
+    Play(PlayAction),
     /// Start, pause or clear the random walks, or change their speed.
     Walks(WalkAction),
     /// Open the gallery, the tour or the list of keys, or go on in the tour.
@@ -65,6 +67,10 @@ pub enum Action {
     Prefer(Preferences),
     /// Fold the panels away, or bring them back.
     TogglePanels,
+    /// The whole screen, or a window again.
+    ToggleFullScreen,
+    /// Everything half as large again, or not.
+    TogglePresentation,
 }
 
 /// The queue.

@@ -38,6 +38,11 @@ impl Gpu {
         self.state.adapter.get_info().name
     }
 
+    /// The device and its queue, for pictures off the screen.
+    pub fn device(&self) -> (&wgpu::Device, &wgpu::Queue) {
+        (&self.state.device, &self.state.queue)
+    }
+
     /// The largest width or height of a texture.
     pub fn max_texture_side(&self) -> u32 {
         self.state.device.limits().max_texture_dimension_2d

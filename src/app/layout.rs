@@ -9,8 +9,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, plots, side_panel, status, surface, teaching,
-    theme, top_bar, viewport, words,
+    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, presentation, side_panel,
+    status, surface, teaching, theme, top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -31,13 +31,15 @@ const SHEET_SHARE: f32 = 0.42;
 /// One frame: panels, then what they ask for, then the pictures.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     let narrow = ui.available_width() < PHONE_WIDTH;
-    theme::suit_pointer(ui.ctx(), narrow || ui.input(egui::InputState::has_touch_screen));
+    theme::suit_pointer(ui.ctx(), narrow || app.has_fingers || ui.input(egui::InputState::has_touch_screen));
     let mut actions = Actions::new();
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
+    presentation::keys(ui, &mut actions);
     editing::keys(ui, &app.editor, &app.views, &mut actions);
     actions.extend(editing::pasted(ui).map(Action::PasteText));
+    play_panel::keys(ui, &mut actions);
     if app.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
@@ -49,6 +51,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     if !narrow && app.model.session().plots {
         dock(app, ui);
     }
+    app.explore.show_tour(ui, &mut actions);
     egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow, actions));
 }
 
@@ -87,7 +90,7 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     Panel::left("controls").exact_size(PANEL_WIDTH).resizable(false).frame(frame).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - SCROLL_BAR);
-            side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
+            side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
         });
     });
 }
@@ -117,7 +120,7 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         } else if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
-                side_panel::show(ui, &app.model, app.image_name.as_deref(), app.unit_coordinates, actions);
+                side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
                 ui.add_space(10.0);
             });
         }
@@ -136,6 +139,10 @@ fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
             let ink = if open && !shown { palette.weak } else { palette.text };
             let response = ui.add_sized(size, egui::Button::new(RichText::new(tr(label)).color(ink)).frame(false));
             chevron(ui, response.rect, !shown);
+            if response.has_focus() {
+                let ring = Stroke::new(2.0, palette.accent_soft);
+                ui.painter().rect_stroke(response.rect.shrink(3.0), 6.0, ring, egui::StrokeKind::Inside);
+            }
             if response.clicked() {
                 asked = Some(is_plots);
             }
@@ -184,6 +191,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     offer::show(ui, &mut app.offer, &mut actions);
     editing::show_paste(&context, &mut app.editor, &mut actions);
     app.explore.show(&context, &mut actions);
+    app.show_exporter(&context, narrow, &mut actions);
     app.carry_out(&context, actions);
 }
 
@@ -192,7 +200,8 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     if let Some(gpu) = &app.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
-    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open };
+    let embedded = app.options.embed;
+    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open, embedded };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         let view = &app.views[side as usize];
@@ -226,6 +235,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         }
         editing::paint(ui, side, view, &app.editor);
         editing::show_bar(ui, side, view.rect, narrow, &app.editor, actions);
+        viewport::paint_focus(ui, side, view.rect, &app.handles);
         viewport::paint_progress(ui, side, &app.model, view.rect);
         viewport::paint_drop_target(ui, side, view.rect);
     }

@@ -6,12 +6,15 @@
 //! changed, paint. At rest nothing is computed and nothing drawn.
 
 mod action;
+pub mod address_options;
+mod announced;
 mod cells;
 mod colouring;
 mod dots;
 mod draft;
 mod editing;
 mod explore;
+pub mod exporting;
 mod figures_menu;
 mod file_menu;
 mod files;
@@ -23,18 +26,22 @@ mod help_menu;
 mod incoming;
 mod keeping;
 mod keyboard;
-mod language;
+pub mod language;
 mod layout;
 mod legend;
+mod locks;
+mod looping;
 mod method;
 mod model;
 mod nudge;
 mod offer;
+mod play_panel;
+mod playing;
 mod plots;
 mod preferences;
 mod prepare_state;
+mod presentation;
 mod reports;
-mod screenshot;
 mod sessions;
 mod shapes;
 mod side_panel;
@@ -59,26 +66,31 @@ pub use model::Model;
 pub use stats::{Processor, Stats};
 
 use crate::conformal::{Extension, Side};
-use crate::export::SurfaceFormat;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
 use crate::session::{Command, Session};
+use address_options::AddressOptions;
+use announced::Announced;
 use cells::Cells;
 use editing::Editor;
 use explore::{Explore, ExploreAction};
+use exporting::Exporter;
 use gpu::Gpu;
 use handles::HandleState;
+use image::RgbaImage;
 use keeping::{Keeper, Start};
 use keyboard::Keyboard;
+use locks::Locks;
 use model::{Changes, Refines};
 use offer::Offer;
+use playing::Player;
 use plots::Plots;
 use preferences::Preferences;
 use reports::{Report, Reports};
 use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
-use std::sync::mpsc;
+use std::sync::{Arc, mpsc};
 use surface::OrbitView;
 use teaching::walks::WalkAction;
 use view::View;
@@ -91,6 +103,9 @@ const REST_SECONDS: f64 = 0.15;
 
 /// How long a notice is shown, in seconds: two words are read in one, once they have been seen.
 const NOTICE_SECONDS: f64 = 3.0;
+
+/// What those who hear the screen are told about: the map, whether it is there, messages, the tour; how; a notice.
+type News = ((u64, bool, usize, Option<usize>), Preferences, Option<u64>);
 
 /// What needs no screen: the session's state and the workers.
 pub struct Groundwork {
@@ -154,27 +169,36 @@ pub struct RiemapApp {
     handles: HandleState,
     editor: Editor,
     meter: FrameMeter,
+    options: AddressOptions,
     panels_open: bool,
     sheet_open: bool,
     keyboard: Keyboard,
     /// How many times a control was said, and whether the theme is dark: for [`Stats`].
     spoken: u64,
     dark: bool,
+    has_fingers: bool,
+    /// What there was to tell when the picture was described.
+    described: Option<News>,
     explore: Explore,
     keeper: Keeper,
+    announced: Announced,
     reports: Reports,
     laboratory: Laboratory,
+    player: Player,
+    exporter: Exporter,
     image_name: Option<String>,
     /// The picture that can be traced now.
     offer: Option<Offer>,
+    /// The texture of that name.
+    image: Option<Arc<RgbaImage>>,
     /// What is wrong with an image or a file that was to be saved.
     message: Option<String>,
     /// What has gone well and cannot be seen, and when it need not be said any more.
     notice: Option<(&'static str, f64)>,
     preferences: Preferences,
-    /// Whether exported texture coordinates are scaled into the unit box.
-    unit_coordinates: bool,
     last_change: f64,
+    /// How much larger than usual everything is.
+    zoom: f32,
 }
 
 impl RiemapApp {
@@ -185,12 +209,16 @@ impl RiemapApp {
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
         let Groundwork { model, resumes, missing, message, preferences, preparer, mailbox, events } = groundwork;
-        preferences.apply(&creation.egui_ctx);
+        let options = platform::address_options();
+        let preferences = presentation::install(&creation.egui_ctx, preferences, &options);
         mailbox.attach(&creation.egui_ctx);
+        if let Some(state) = &creation.wgpu_render_state {
+            platform::watch_graphics(&state.device, mailbox.clone());
+        }
         let mut keeper = Keeper::new(model.session().clone(), resumes);
         keeper.open_link(missing);
         let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
-        if platform::asks_for_bench() {
+        if options.bench {
             reports.open(Report::Bench);
         }
         Ok(Self {
@@ -206,22 +234,29 @@ impl RiemapApp {
             handles: HandleState::default(),
             editor: Editor::default(),
             meter: FrameMeter::default(),
-            panels_open: true,
+            panels_open: !options.embed,
             sheet_open: false,
             keyboard: Keyboard::default(),
             spoken: 0,
             dark: true,
+            has_fingers: platform::has_fingers(),
+            described: None,
             explore: Explore::default(),
             keeper,
+            announced: Announced::default(),
             reports,
             laboratory,
+            player: Player::default(),
+            exporter: Exporter::default(),
             image_name: None,
             offer: None,
-            message,
+            image: None,
+            message: presentation::with_troubles(message, &options),
+            options,
             notice: None,
             preferences,
-            unit_coordinates: true,
             last_change: 0.0,
+            zoom: 1.0,
         })
     }
 
@@ -233,9 +268,9 @@ impl RiemapApp {
     /// The numbers on the screen.
     pub fn stats(&self) -> Stats {
         let place = |side: Side, point: Option<glam::DVec2>| {
-            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| [place.x, place.y])
+            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| self.css_pixels(place))
         };
-        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| [place.x, place.y]);
+        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| self.css_pixels(place));
         let [x2, y2] = match self.model.surface() {
             Some(_) => [self.model.surface_point(), self.model.surface_anchor()].map(in_space),
             None => [self.model.interior(Side::Target), self.model.anchor(Side::Target)]
@@ -256,6 +291,9 @@ impl RiemapApp {
             undo: self.keeper.history().undo_count(),
             dark: self.dark,
             spoken: self.spoken,
+            playing: self.player.is_playing(),
+            export: self.exporter.places().cloned(),
+            export_count: self.exporter.count(),
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
@@ -277,6 +315,11 @@ impl RiemapApp {
         self.mailbox.wake();
     }
 
+    /// A place on the screen as the page measures it.
+    fn css_pixels(&self, place: egui::Pos2) -> [f32; 2] {
+        [place.x * self.zoom, place.y * self.zoom]
+    }
+
     fn errors(&self) -> Vec<String> {
         let sides = Side::BOTH.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
         let surface = self.model.surface_side().preparation.error.iter().map(|trouble| trouble.text.clone());
@@ -292,9 +335,16 @@ impl RiemapApp {
     /// The one place where wishes become changes.
     fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
         let now = context.input(|input| input.time);
-        for action in actions {
+        let locks = Locks::of(context);
+        for action in actions.into_iter().filter(|action| locks.refused(action).is_none()) {
             match action {
                 Action::Session(command) => {
+                    if command.moves_points() {
+                        self.player.pause();
+                    }
+                    if command.replaces_shapes() {
+                        self.explore.keep();
+                    }
                     self.keeper.touch();
                     self.model.dispatch(command, now);
                 }
@@ -323,24 +373,26 @@ impl RiemapApp {
                 Action::Dismiss(subject) => self.model.dismiss(subject),
                 Action::OpenReport(report) => self.reports.open(report),
                 Action::DismissMessage => self.message = None,
-                Action::ScaleCoordinates(unit) => self.unit_coordinates = unit,
-                Action::ExportSurface(format) => self.export_surface(format),
-                Action::ExportPicture => {
-                    let [a, b] = self.views.each_ref().map(|view| view.rect);
-                    screenshot::save(context, a.union(b), self.mailbox.clone());
-                }
+                Action::OpenExport => self.exporter.open(),
+                Action::SaveExport => self.save_export(context),
+                Action::CancelExport => self.exporter.cancel(),
+                Action::Play(action) => self.player.act(action, &self.model),
                 Action::Walks(action) => self.model.act_on_walks(action),
                 Action::Explore(action) => self.explore(action),
                 Action::Prefer(preferences) => self.prefer(context, preferences),
-                Action::TogglePanels => self.panels_open = !self.panels_open,
+                Action::TogglePanels => self.fold_panels(context),
+                Action::ToggleFullScreen => platform::toggle_full_screen(context),
+                Action::TogglePresentation => presentation::toggle(context),
             }
         }
     }
 
     fn explore(&mut self, action: ExploreAction) {
-        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session());
+        let is_walking = self.model.teaching().walks.is_running();
+        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {
-            self.open_session(session);
+            self.model.dispatch(Command::Open(Box::new(session)), 0.0);
+            self.mailbox.wake();
         }
         if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
             self.model.act_on_walks(WalkAction::Toggle);
@@ -351,14 +403,6 @@ impl RiemapApp {
         self.preferences = preferences;
         preferences.apply(context);
         preferences.remember();
-    }
-
-    fn export_surface(&mut self, format: SurfaceFormat) {
-        match surface::export::surface_file(&self.model, format, self.unit_coordinates) {
-            Some(Ok(file)) => platform::save_file(&file.name, file.bytes, self.mailbox.clone()),
-            Some(Err(reason)) => self.message = Some(reason),
-            None => {}
-        }
     }
 
     /// Sends what is due to the workers, updates the map, uploads.
@@ -374,18 +418,20 @@ impl RiemapApp {
         if let Some(study) = self.reports.take_study() {
             self.laboratory.begin(study);
         }
+        let is_held = self.handles.grip.is_some();
+        if is_held {
+            self.player.pause();
+        }
+        self.play(context, now);
         // A dot that is held still rests.
-        let moves = self.handles.grip.is_some() && now - self.last_change < REST_SECONDS;
+        let moves = self.player.is_playing() || (is_held && now - self.last_change < REST_SECONDS);
         let changes = self.model.refresh(moves);
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
-            // what is said of the picture waits until it rests
-            context.request_repaint_after_secs(REST_SECONDS as f32);
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {
-            platform::describe(&spoken::state(self));
             let refined = self.model.refine_at_rest();
             if refined.images {
                 self.show_changes(context, refined);
@@ -415,9 +461,38 @@ impl RiemapApp {
         if let Some(delay) = self.model.teach(now) {
             context.request_repaint_after_secs(delay as f32);
         }
+        self.work_on_export(context);
+        self.describe(context, now);
         self.keep(context);
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
+    }
+
+    /// Moves the points that are in motion.
+    fn play(&mut self, context: &egui::Context, now: f64) {
+        for command in self.player.advance(&self.model, now) {
+            self.keeper.touch();
+            self.model.dispatch(command, now);
+        }
+        if self.player.is_playing() {
+            context.request_repaint();
+        }
+    }
+
+    /// Tells those who hear the screen what is on it, whenever something else is and has come to rest.
+    fn describe(&mut self, context: &egui::Context, now: f64) {
+        let news = (self.model.generation(), self.model.is_ready(), self.errors().len(), self.explore.step());
+        let news = (news, self.preferences, self.notice.as_ref().map(|(_, until)| until.to_bits()));
+        if self.described.as_ref() == Some(&news) {
+            return;
+        }
+        let rested = now - self.last_change;
+        if rested < REST_SECONDS {
+            context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
+            return;
+        }
+        platform::describe(&spoken::state(self));
+        self.described = Some(news);
     }
 
     /// Another surface is seen from where it shows the most.
@@ -457,6 +532,7 @@ impl eframe::App for RiemapApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         self.take_events();
         self.take_dropped(ui.ctx());
+        self.zoom = ui.ctx().zoom_factor();
         let compute = self.model.shown().map_or(0.0, |map| {
             let timings = map.timings;
             timings.kernel + timings.matching + timings.extend
@@ -465,6 +541,7 @@ impl eframe::App for RiemapApp {
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
         self.dark = ui.visuals().dark_mode;
         layout::show(self, ui);
+        self.announce();
         let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
         if let Some(spoken) = spoken {
             platform::say(&spoken);
@@ -474,7 +551,9 @@ impl eframe::App for RiemapApp {
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
         let folds = self.keyboard.take_in(context, input);
-        self.panels_open ^= folds % 2 == 1;
+        if folds % 2 == 1 {
+            self.fold_panels(context);
+        }
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
@@ -491,6 +570,9 @@ impl eframe::App for RiemapApp {
 mod colour_vision_tests;
 #[cfg(test)]
 mod language_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod locks_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;

@@ -79,6 +79,14 @@ impl Preparation {
         }
     }
 
+    /// The last good domain alone: nothing is wanted or under way.
+    #[must_use]
+    pub fn twin(&self) -> Self {
+        let wanted = self.prepared_from.clone().unwrap_or_else(|| self.wanted.clone());
+        let prepared_from = self.prepared_from.clone();
+        Self { prepared_from, due: None, domain: self.domain.clone(), ..Self::new(wanted) }
+    }
+
     /// What the panels show.
     pub fn wanted(&self) -> &DomainSpec {
         &self.wanted

@@ -7,6 +7,7 @@ use crate::conformal::{FrameTimings, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::session::{Colouring, DiskWay};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// The size of a prepared domain; zeros before there is one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
@@ -66,6 +67,7 @@ pub struct ComparisonsStats {
 
 /// What is on the screen now.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[allow(clippy::struct_excessive_bools, reason = "a record of what is on the screen")]
 pub struct Stats {
     /// The full map of what is asked for is shown and nothing is being prepared.
     pub ready: bool,
@@ -101,6 +103,12 @@ pub struct Stats {
     pub dark: bool,
     /// How many times a control was said to those who hear the screen.
     pub spoken: u64,
+    /// Whether points are in motion.
+    pub playing: bool,
+    /// Where the controls of the window of exports are, by name; `None` while it is closed.
+    pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
+    /// How many pictures of how many are made, while they are.
+    pub export_count: Option<[u32; 2]>,
     /// What the meshes are painted with.
     pub colouring: Colouring,
     /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
@@ -150,6 +158,12 @@ pub struct ScreenFacts {
     pub dark: bool,
     /// How many times a control was said to those who hear the screen.
     pub spoken: u64,
+    /// Whether points are in motion.
+    pub playing: bool,
+    /// Where the controls of the window of exports are.
+    pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
+    /// How many pictures of how many are made.
+    pub export_count: Option<[u32; 2]>,
     /// The boundary point under the pointer and its partner.
     pub marked_boundary: Option<[f64; 2]>,
     /// The distance of the plotted reparameterisation from the exact one.
@@ -185,6 +199,9 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         undo: screen.undo,
         dark: screen.dark,
         spoken: screen.spoken,
+        playing: screen.playing,
+        export: screen.export,
+        export_count: screen.export_count,
         colouring: model.session().colouring,
         cauchy_green: screen.cauchy_green,
         extension_progress: model.extension_progress(),

@@ -10,7 +10,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
 /// A model with both domains prepared, coarsely.
-fn prepared_model() -> Model {
+pub fn prepared_model() -> Model {
     let mut session = Session::default();
     let sampling = Sampling::Uniform { count: 120, keep_corners: false };
     for side in Side::BOTH {
@@ -35,7 +35,7 @@ fn finish_preparations(model: &mut Model) {
 fn click_in_panel(model: &Model, label: &str) -> Actions {
     let mut actions = Actions::new();
     let mut harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
-        side_panel::show(ui, model, None, true, &mut actions);
+        side_panel::show(ui, model, &Player::default(), None, &mut actions);
     });
     harness.get_by_label(label).click();
     harness.run();
@@ -91,7 +91,7 @@ fn what_teaches_is_one_click_away() {
 
 #[test]
 fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_run() {
-    let mut harness = ready_app([1200.0, 900.0]);
+    let mut harness = ready_app([1200.0, 1100.0]);
     harness.key_press(egui::Key::P);
     harness.get_by_label("Both").click();
     harness.run_steps(30);
@@ -116,8 +116,8 @@ fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_
 fn corners_can_be_kept_on_either_side() {
     let model = prepared_model();
     let mut actions = Actions::new();
-    let mut harness = Harness::builder().with_size([260.0, 1000.0]).with_context_setup(theme::install).build_ui(|ui| {
-        side_panel::show(ui, &model, None, true, &mut actions);
+    let mut harness = Harness::builder().with_size([260.0, 1200.0]).with_context_setup(theme::install).build_ui(|ui| {
+        side_panel::show(ui, &model, &Player::default(), None, &mut actions);
     });
     let target = harness.get_all_by_label("Keep corners").last().unwrap();
     target.click();
@@ -136,7 +136,7 @@ fn the_selected_segment_says_so_to_assistive_technology() {
     let model = prepared_model();
     let mut actions = Actions::new();
     let harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
-        side_panel::show(ui, &model, None, true, &mut actions);
+        side_panel::show(ui, &model, &Player::default(), None, &mut actions);
     });
     let toggled = |label| harness.get_by_label(label).accesskit_node().toggled();
     assert_eq!(toggled("Checker"), Some(egui::accesskit::Toggled::True));

@@ -1,7 +1,7 @@
 //! What can be said on the command line, and its translation into the core's types.
 
 use super::CliError;
-use crate::conformal::{KernelMode, PrepareSettings};
+use crate::conformal::{KernelMode, PrepareSettings, Side};
 use crate::figures::Figure;
 use crate::geometry::DVec2;
 use crate::laplace::SolverKind;
@@ -29,8 +29,10 @@ pub enum Subcommand {
     Map(MapArguments),
     /// Parameterizes a surface over an outline and writes it with texture coordinates.
     Flatten(Box<super::flatten_arguments::FlattenArguments>),
-    /// Draws the picture that the app shows of a session.
-    Render(RenderArguments),
+    /// Draws the picture that the app shows of a session, or writes its map as another file.
+    Render(Box<RenderArguments>),
+    /// Makes an animation of a loop through all maps of one domain onto the other.
+    Animate(Box<AnimateArguments>),
     /// Prints the link of a session's file: what comes after the app's address and #.
     Link(LinkArguments),
     /// Prepares one outline; prints counts and timings.
@@ -89,20 +91,11 @@ pub struct MapArguments {
     pub json: bool,
 }
 
-/// `riemap render LINK`.
+/// A session, with what travels as files of its own.
 #[derive(Debug, clap::Args)]
-pub struct RenderArguments {
+pub struct SessionArguments {
     /// A link, or the part of it after #, or a session's file (.riemap).
     pub link: String,
-    /// The picture.
-    #[arg(long, value_name = "FILE.png")]
-    pub out: PathBuf,
-    /// Its size in pixels.
-    #[arg(long, value_name = "WxH", default_value = "1600x900")]
-    pub size: Size,
-    /// Dark or light ground.
-    #[arg(long, default_value = "dark")]
-    pub theme: ThemeArgument,
     /// The source's outline, where the link says that it travels as a file.
     #[arg(long, value_name = "FILE")]
     pub source: Option<String>,
@@ -112,6 +105,96 @@ pub struct RenderArguments {
     /// The surface, where the session's comes from a file.
     #[arg(long, value_name = "FILE")]
     pub surface: Option<String>,
+}
+
+/// `riemap render LINK`.
+#[derive(Debug, clap::Args)]
+pub struct RenderArguments {
+    /// The session.
+    #[command(flatten)]
+    pub session: SessionArguments,
+    /// The file; the format follows the extension: png, or svg (outlines, lines of the pattern, edges), csv (the boundary
+    /// correspondence), obj (the mapped mesh); of a surface with its texture coordinates obj, ply, glb, csv, svg.
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Size of a .png in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1600x900")]
+    pub size: Size,
+    /// Dark or light ground of a .png.
+    #[arg(long, default_value = "dark")]
+    pub theme: ThemeArgument,
+    /// A .png without the ground.
+    #[arg(long)]
+    pub transparent: bool,
+    /// Only one side of a .png or .svg [default: both, side by side].
+    #[arg(long)]
+    pub side: Option<SideArgument>,
+}
+
+/// `riemap animate LINK`.
+#[derive(Debug, clap::Args)]
+pub struct AnimateArguments {
+    /// The session at which the loop begins and ends.
+    #[command(flatten)]
+    pub session: SessionArguments,
+    /// The animation; the format follows the extension: png (animated, all colours) or gif (256 colours a frame).
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Its size in pixels.
+    #[arg(long, value_name = "WxH", default_value = "800x450")]
+    pub size: Size,
+    /// How many pictures it has.
+    #[arg(long, value_name = "N", default_value_t = 60)]
+    pub frames: u32,
+    /// How long a turn takes.
+    #[arg(long, value_name = "S", default_value_t = 4.0)]
+    pub seconds: f64,
+    /// What moves.
+    #[arg(long, default_value = "boundary")]
+    pub path: PathArgument,
+    /// Dark or light ground.
+    #[arg(long, default_value = "dark")]
+    pub theme: ThemeArgument,
+    /// Without the ground.
+    #[arg(long)]
+    pub transparent: bool,
+    /// Only one side [default: both, side by side].
+    #[arg(long)]
+    pub side: Option<SideArgument>,
+}
+
+/// What moves in an animation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum PathArgument {
+    /// x₁, around the largest circle through it that keeps a quarter of its radius from the source's outline.
+    Interior,
+    /// x₂, likewise in the target.
+    TargetInterior,
+    /// y₁, once around the source: equal times are equal harmonic measures.
+    Boundary,
+    /// All of them, x₂ the other way around.
+    #[value(alias = "both")]
+    All,
+}
+
+/// One side of a picture, or both.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum SideArgument {
+    Both,
+    Source,
+    Target,
+}
+
+impl SideArgument {
+    /// The one side that is meant.
+    pub fn side(self) -> Option<Side> {
+        match self {
+            Self::Both => None,
+            Self::Source => Some(Side::Source),
+            Self::Target => Some(Side::Target),
+        }
+    }
 }
 
 /// `riemap link SESSION.riemap`.

@@ -9,7 +9,7 @@ use crate::conformal::{
     FrameTimings, Memory, PrepareTimings, Quality, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare,
     prepare_surface,
 };
-use crate::export::{Flattened, Placement, SurfaceFormat};
+use crate::export::{FileFormat, Flattened, Placement};
 use crate::mesh::FlipReport;
 use crate::surface::{Surface, SurfaceMesh};
 use std::path::Path;
@@ -64,7 +64,7 @@ struct Point {
 #[derive(Debug, Clone, Copy)]
 enum Format {
     /// The surface or its layout.
-    Surface(SurfaceFormat),
+    Surface(FileFormat),
     /// A PNG of surface and outline.
     Picture,
 }
@@ -72,7 +72,7 @@ enum Format {
 fn format_of(path: &Path) -> Result<Format, CliError> {
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     let picture = extension.eq_ignore_ascii_case("png").then_some(Format::Picture);
-    picture.or(SurfaceFormat::from_extension(extension).map(Format::Surface)).ok_or_else(|| {
+    picture.or(FileFormat::from_extension(extension).map(Format::Surface)).ok_or_else(|| {
         let path = path.display();
         CliError::Usage(format!("--out {path}: the extension must be obj, ply, glb, csv, svg or png"))
     })

@@ -2,12 +2,12 @@
 
 use super::CliError;
 use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments, NamedOutline, read_outline};
-use super::contours::{self, panels};
 use super::output::{Format, check_paths, print, say_solver, warn_if_coarse, write_all};
 use super::picture;
 use super::progress::Progress;
 use super::tables::{self, Summary};
 use crate::conformal::{ConformalMap, Constraints, Direction, Extension, MapSettings, PreparedDomain, Side, prepare};
+use crate::export::{Part, Ruling, boundary_csv, mapped_obj, panels, svg};
 use std::sync::Arc;
 
 /// Cells of the drawn patterns across the source's larger side.
@@ -81,13 +81,21 @@ struct Scene<'a> {
 
 impl Scene<'_> {
     fn encode(&self, format: Format, summary: Summary, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
-        let [_, target] = panels(self.map, &self.constraints);
         match format {
             Format::Json => tables::json(self.map, summary).map_err(|error| CliError::Input(error.to_string())),
-            Format::Csv => Ok(tables::csv(self.map).into_bytes()),
-            Format::Obj => Ok(tables::obj(target.positions, target.coordinates, target.triangles).into_bytes()),
-            Format::Svg => Ok(contours::svg(&panels(self.map, &self.constraints), GRID_CELLS).into_bytes()),
+            Format::Csv => Ok(boundary_csv(self.map).into_bytes()),
+            Format::Obj => Ok(mapped_obj(self.map).into_bytes()),
+            Format::Svg => Ok(self.drawing().into_bytes()),
             Format::Png => picture::png(&panels(self.map, &self.constraints), GRID_CELLS, size),
         }
+    }
+
+    /// Both outlines with a square grid of the source.
+    fn drawing(&self) -> String {
+        let panels = panels(self.map, &self.constraints);
+        let (low, high) = panels[0].bounds();
+        let grid = Ruling::Squares { origin: 0.5 * (low + high), spacing: (high - low).max_element() / GRID_CELLS };
+        let parts = Side::BOTH.map(|side| Part { side, panel: panels[side as usize], wire: None });
+        svg(&parts, Some(grid))
     }
 }

@@ -1,11 +1,11 @@
-//! The command line: `riemap map`, `flatten`, `render`, `link`, `prepare`, `figure`, `bench`; headless and native only.
+//! The command line: `riemap map`, `flatten`, `render`, `animate`, `link`, `prepare`, `figure`, `bench`; headless and native only.
 //!
 //! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
 //! are written whole or not at all.
 
+mod animate;
 mod arguments;
 mod bench;
-mod contours;
 mod figure;
 mod flatten;
 mod flatten_arguments;
@@ -46,6 +46,7 @@ pub fn run(command: &Subcommand) -> ExitCode {
         Subcommand::Map(arguments) => map::run(arguments),
         Subcommand::Flatten(arguments) => flatten::run(arguments),
         Subcommand::Render(arguments) => render::run(arguments),
+        Subcommand::Animate(arguments) => animate::run(arguments),
         Subcommand::Link(arguments) => render::link(arguments),
         Subcommand::Prepare(arguments) => prepare::run(arguments),
         Subcommand::Figure(arguments) => figure::run(arguments),

@@ -2,42 +2,20 @@
 //! and the surface's edges as they lie there.
 
 use super::CliError;
-use super::contours::Panel;
 use super::flatten_arguments::preset;
-use super::picture::{HANDLE_COLOURS, Look, background, encode, failed, handles, margin_px, viewport};
+use super::picture::{encode, failed};
+use crate::app::still::compose::{Look, PlanarPart, SurfacePart, background, compose};
 use crate::conformal::{PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap};
+use crate::export::Panel;
 use crate::geometry::{DVec2, DVec3};
-use crate::render::{
-    BoundingSphere, CellCode, CellStyle, OrbitCamera, Pattern, SceneCells, SceneDescription, SceneSurface, StrokeStyle,
-    SurfaceGeometry, SurfaceHandle, TextureStyle, headless_device, render_surface_with,
-};
+use crate::render::{BoundingSphere, CellStyle, OrbitCamera, Pattern, SceneCells, StrokeStyle, Studio, TextureStyle};
 use crate::surface::SurfacePreset;
-use image::RgbaImage;
 
 /// Squares of the checkerboard across the outline's larger side.
 const CELLS: f64 = 16.0;
 
 /// Free space around surface and outline, as a part of a half's smaller side.
 const MARGIN: f64 = 0.06;
-
-/// The boundary's stroke on the surface relative to the outline's.
-const LOOP_TO_OUTLINE: f32 = 1.4;
-
-/// The half of a picture that shows a surface.
-pub struct SurfacePanel<'a> {
-    /// The surface.
-    pub surface: &'a PreparedSurface,
-    /// Where each vertex looks the texture up.
-    pub coordinates: &'a [DVec2],
-    /// The eye.
-    pub camera: OrbitCamera,
-    /// The interior and the boundary handle.
-    pub handles: [DVec3; 2],
-    /// The codes of its triangles, and how they are shown.
-    pub cells: Option<(&'a [CellCode], CellStyle)>,
-    /// Whether it is right of the plane.
-    pub right: bool,
-}
 
 /// A PNG of `size` pixels. A preset, by its name, is seen from its own side.
 pub fn png(
@@ -64,11 +42,12 @@ pub fn png(
     let layout = SceneCells { positions: map.images(), triangles, codes: &[], style: wire };
     let look = Look {
         style,
-        cells: [Some(layout), None],
+        background: background(true),
+        image: None,
         stroke: Some(StrokeStyle::themed(true, scale.max(0.6))),
         radius_px: 9.0 * scale.max(0.4),
     };
-    let solid = SurfacePanel {
+    let solid = SurfacePart {
         surface,
         coordinates: map.images(),
         camera: camera(preset(name), surface, 0.5 * f64::from(size[0]) / f64::from(size[1])),
@@ -76,43 +55,11 @@ pub fn png(
         cells: None,
         right: false,
     };
-    encode(&draw(&plane, &solid, &look, size)?)
-}
-
-/// A surface beside the plane in an image of `size` pixels; of the look's cells the first are the plane's.
-pub fn draw(
-    plane: &Panel<'_>,
-    solid: &SurfacePanel<'_>,
-    look: &Look<'_>,
-    size: [u32; 2],
-) -> Result<RgbaImage, CliError> {
-    let on_surface = surface_handles(solid.surface, solid.handles, &solid.camera, look.radius_px);
-    let mesh = &solid.surface.surface.mesh;
-    let (codes, cells) = solid.cells.unzip();
-    let surface = SceneSurface {
-        right: solid.right,
-        geometry: SurfaceGeometry {
-            positions: &mesh.vertices,
-            triangles: &mesh.triangles,
-            boundary_count: mesh.boundary_count,
-        },
-        texture_coordinates: solid.coordinates,
-        codes: codes.unwrap_or_default(),
-        cells,
-        camera: solid.camera,
-        style: look.style,
-        stroke: look.stroke.map(|stroke| StrokeStyle { width_px: LOOP_TO_OUTLINE * stroke.width_px, ..stroke }),
-        handles: &on_surface,
-    };
-    let in_plane = handles(plane, look.radius_px);
-    let scene = SceneDescription {
-        viewports: &[viewport(plane, &in_plane, look, look.cells[0])],
-        background: background(look.style.dark),
-        image: None,
-        margin_px: margin_px(size),
-    };
-    let (device, queue, _) = headless_device().map_err(|error| failed(&error))?;
-    render_surface_with(&device, &queue, &surface, &scene, size).map_err(|error| failed(&error))
+    let planar = [PlanarPart { panel: plane, cells: Some(layout) }];
+    let picture = compose(&planar, Some(&solid), &look, size, |surface, scene| {
+        Studio::new()?.shoot(|renderer, device, queue| renderer.draw(device, queue, surface, scene, size))
+    });
+    encode(&picture.map_err(|error| failed(&error))?)
 }
 
 /// Sees all of a surface, a preset from its own side.
@@ -124,20 +71,6 @@ pub fn camera(preset: Option<SurfacePreset>, surface: &PreparedSurface, aspect: 
     };
     camera.frame(&mesh.vertices, aspect, MARGIN);
     camera
-}
-
-/// The handles on the surface, at `places`, fainter where it hides them.
-pub fn surface_handles(
-    surface: &PreparedSurface,
-    places: [DVec3; 2],
-    camera: &OrbitCamera,
-    radius_px: f32,
-) -> [SurfaceHandle; 2] {
-    [0, 1].map(|k| {
-        let position = places[k];
-        let hidden = surface.tree().hides(camera.eye(), position);
-        SurfaceHandle { position, hidden, colour: HANDLE_COLOURS[k], radius_px }
-    })
 }
 
 /// Where the two points are on the surface.

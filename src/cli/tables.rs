@@ -1,9 +1,8 @@
-//! The numbers of a map as tables: JSON, CSV, OBJ.
+//! The numbers of a map as JSON, and its summary.
 
 use crate::conformal::{ConformalMap, FrameTimings, PrepareTimings, Quality, Side};
 use crate::geometry::DVec2;
 use crate::mesh::TriMesh;
-use std::fmt::Write as _;
 
 /// The size of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
@@ -108,28 +107,4 @@ pub fn json(map: &ConformalMap, summary: Summary) -> Result<Vec<u8>, serde_json:
         images: map.images(),
         summary,
     })
-}
-
-/// The boundary correspondence: one line per sample of the mapped side.
-pub fn csv(map: &ConformalMap) -> String {
-    let mut text = String::from("x,y,u,v,harmonic_measure\n");
-    for ([x, y, u, v], omega) in boundary_map(map).into_iter().zip(harmonic_measure(map)) {
-        let _ = writeln!(text, "{x},{y},{u},{v},{omega}");
-    }
-    text
-}
-
-/// The target's surface, textured: `v` in the target, `vt` in source coordinates.
-pub fn obj(positions: &[DVec2], texture_coordinates: &[DVec2], triangles: &[[u32; 3]]) -> String {
-    let mut text = String::from("# riemap: v lies in the target, vt are source coordinates (not scaled)\n");
-    for p in positions {
-        let _ = writeln!(text, "v {} {} 0", p.x, p.y);
-    }
-    for t in texture_coordinates {
-        let _ = writeln!(text, "vt {} {}", t.x, t.y);
-    }
-    for [a, b, c] in triangles.iter().map(|t| t.map(|v| v + 1)) {
-        let _ = writeln!(text, "f {a}/{a} {b}/{b} {c}/{c}");
-    }
-    text
 }

@@ -48,7 +48,7 @@ pub fn match_measures(source: &HarmonicMeasure, target: &HarmonicMeasure, result
 /// With μ = rest/step, s = p + q, Δ = q − p, the equation p λ + Δ λ²/2 = μ s/2 has
 /// the root λ = μ s / (p + √(p² + μ Δ s)); written so, nothing cancels. A flat
 /// interval (step = 0) gives 0.
-fn inverse_quadratic(rest: f64, step: f64, p: f64, q: f64) -> f64 {
+pub(super) fn inverse_quadratic(rest: f64, step: f64, p: f64, q: f64) -> f64 {
     if rest <= 0.0 || step <= 0.0 {
         return 0.0;
     }

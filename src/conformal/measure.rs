@@ -3,6 +3,7 @@
 //! ω̃ is piecewise quadratic, the integral of the piecewise linear ψ; it runs from
 //! exactly 0 to exactly 1. The anchor may lie inside an edge, which is then split.
 
+use super::matching::inverse_quadratic;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
 /// The harmonic measure along a boundary, counter-clockwise from its anchor.
@@ -73,6 +74,23 @@ impl HarmonicMeasure {
             j if j == self.vertex_count() && self.anchor.fraction == 0.0 => 0.0,
             j => self.cumulative[j],
         }
+    }
+
+    /// The boundary vertices, counter-clockwise from the anchor: a vertex at the anchor comes first.
+    pub fn vertices(&self) -> impl Iterator<Item = usize> + '_ {
+        let m = self.vertex_count();
+        let first = usize::from(self.anchor.fraction != 0.0);
+        (first..m + first).map(move |j| (self.anchor.edge as usize + j) % m)
+    }
+
+    /// The point before which the share `omega` of the measure lies, in `[0, 1]`: [`Self::at`] of it is `omega`.
+    /// Where the measure is flat, the first point that has it.
+    pub fn point_at(&self, omega: f64) -> BoundaryPoint {
+        let last = self.vertex_count();
+        let reached = self.cumulative.partition_point(|&before| before < omega);
+        let j = reached.saturating_sub(1).min(last);
+        let step = self.cumulative[j + 1] - self.cumulative[j];
+        self.point(j, inverse_quadratic(omega - self.cumulative[j], step, self.density[j], self.density[j + 1]))
     }
 
     /// The anchor.

@@ -3,46 +3,11 @@
 //! Vertices are those of the file, all of them and in its order; triangles too, but for
 //! those that a repair has dropped. What fills a hole is left out.
 
+use super::FileFormat;
 use crate::conformal::SurfaceMap;
 use crate::geometry::{DVec2, DVec3};
 use crate::surface::{ADDED, Surface};
 use std::fmt::Write as _;
-
-/// What a parameterized surface can be written as.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SurfaceFormat {
-    /// Wavefront: positions, a `vt` for each, triangles.
-    Obj,
-    /// Stanford, ascii: positions with s and t, triangles.
-    Ply,
-    /// Binary glTF: one mesh with texture coordinates, in f32.
-    Glb,
-    /// A line for each vertex.
-    Csv,
-    /// The edges of the layout.
-    Svg,
-}
-
-impl SurfaceFormat {
-    /// All of them.
-    pub const ALL: [Self; 5] = [Self::Obj, Self::Ply, Self::Glb, Self::Csv, Self::Svg];
-
-    /// The extension of its files.
-    pub fn extension(self) -> &'static str {
-        match self {
-            Self::Obj => "obj",
-            Self::Ply => "ply",
-            Self::Glb => "glb",
-            Self::Csv => "csv",
-            Self::Svg => "svg",
-        }
-    }
-
-    /// By a file's extension, in either case.
-    pub fn from_extension(extension: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
-    }
-}
 
 /// How texture coordinates come from places in the outline: `(place − origin) · scale`.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -78,13 +43,13 @@ impl<'a> Flattened<'a> {
     }
 
     /// The bytes of a file.
-    pub fn encode(&self, format: SurfaceFormat) -> Vec<u8> {
+    pub fn encode(&self, format: FileFormat) -> Vec<u8> {
         match format {
-            SurfaceFormat::Obj => self.obj().into_bytes(),
-            SurfaceFormat::Ply => self.ply().into_bytes(),
-            SurfaceFormat::Glb => self.glb(),
-            SurfaceFormat::Csv => self.csv().into_bytes(),
-            SurfaceFormat::Svg => self.svg().into_bytes(),
+            FileFormat::Obj => self.obj().into_bytes(),
+            FileFormat::Ply => self.ply().into_bytes(),
+            FileFormat::Glb => self.glb(),
+            FileFormat::Csv => self.csv().into_bytes(),
+            FileFormat::Svg => self.svg().into_bytes(),
         }
     }
 

@@ -3,7 +3,8 @@
 //! [`ViewportRenderer`] owns the pipelines and, for every viewport, its buffers
 //! and off-screen targets: `prepare` renders a viewport into its own 4×
 //! multisampled target, `paint` copies the result into the caller's pass.
-//! `headless` does the same without a window.
+//! `scene` does the same into a texture of any size, `readback` brings its pixels back, and
+//! `headless` does both without a window.
 //!
 //! Guarantees: every colour in this API is sRGB-encoded with straight alpha, and
 //! a flat colour arrives on the screen as asked to within 1/255. Positions are
@@ -21,12 +22,18 @@ mod colour_map;
 mod disc_pass;
 mod error;
 mod eye_uniform;
+mod film;
 mod gpu;
 mod image_texture;
 mod mesh_pass;
 mod orbit_camera;
+mod palette;
 mod pattern_uniform;
 mod placement;
+mod png_file;
+mod readback;
+mod scene;
+mod scene_surface;
 mod space_vertices;
 mod stroke_pass;
 mod style;
@@ -38,21 +45,20 @@ mod viewport;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod headless;
-#[cfg(not(target_arch = "wasm32"))]
-mod headless_surface;
 
 pub use camera::Camera;
 pub use cauchy_green_buffers::CauchyGreenBuffers;
 pub use cauchy_green_pass::CauchyGreenPass;
 pub use colour_map::{CellCode, ColourMap, flipped_colour};
 pub use error::{ImageError, RenderError};
+pub use film::{Film, FilmError, FilmFormat, FilmSettings, MOST_FRAMES, SECONDS};
 #[cfg(not(target_arch = "wasm32"))]
-pub use headless::{
-    SceneCells, SceneDescription, SceneViewport, headless_device, render_scene, render_scene_with, render_surface_with,
-};
-#[cfg(not(target_arch = "wasm32"))]
-pub use headless_surface::SceneSurface;
+pub use headless::{Studio, headless_device, render_scene, render_scene_with, render_surface_with};
 pub use orbit_camera::{BoundingSphere, OrbitCamera};
+pub use png_file::PngFile;
+pub use readback::Readback;
+pub use scene::{SceneCells, SceneDescription, SceneRenderer, SceneViewport};
+pub use scene_surface::SceneSurface;
 pub use style::{CellStyle, Handle, Pattern, StrokeStyle, TextureStyle};
 pub use surface_viewport::{SurfaceFrame, SurfaceGeometry, SurfaceHandle};
 pub use viewport::{MeshGeometry, ViewportRenderer};

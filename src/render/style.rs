@@ -123,6 +123,11 @@ impl TextureStyle {
         })
     }
 
+    /// How many rays [`Pattern::Conformal`] has; as in `shaders/pattern.wgsl`.
+    pub fn conformal_rays(&self) -> u32 {
+        4 * (0.75 * self.cells).round().max(1.0) as u32
+    }
+
     /// The palette's light colour, sRGB-encoded.
     pub const fn paper() -> [f32; 4] {
         PAPER

@@ -221,6 +221,24 @@ pub enum Command {
     Open(Box<Session>),
 }
 
+impl Command {
+    /// Whether another outline, surface or session takes the place of what is shown.
+    pub fn replaces_shapes(&self) -> bool {
+        matches!(self, Self::SetOutline { .. } | Self::SetSurface(_) | Self::Open(_))
+    }
+
+    /// Whether a point is put elsewhere, and nothing else changes.
+    pub fn moves_points(&self) -> bool {
+        matches!(
+            self,
+            Self::MoveInterior { .. }
+                | Self::MoveAnchor { .. }
+                | Self::MoveSurfacePoint(_)
+                | Self::MoveSurfaceAnchor(_)
+        )
+    }
+}
+
 /// Boundary samples of the first map: enough for the checkerboard's lines to look smooth on a screen.
 const DEFAULT_SAMPLES: u32 = 700;
 /// Growth of its triangles per distance from the boundary, for the same reason.

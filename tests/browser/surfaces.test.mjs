@@ -1,4 +1,4 @@
-// Surfaces in the release web app: prepared by a worker, drawn in space, dragged, coloured, refused, saved.
+// Surfaces in the release web app: prepared by a worker, drawn in space, dragged, coloured, refused.
 
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -24,9 +24,6 @@ function wave(n, loose = false) {
   }
   return Buffer.from(`${lines.join('\n')}\n`).toString('base64');
 }
-
-/** The OBJ button of the controls, on a desktop. */
-const OBJ_BUTTON = [31, 306];
 
 let site;
 before(async () => (site = await serve(DIST)));
@@ -164,24 +161,6 @@ for (const backend of BACKENDS) {
           await app.until('the surface is mapped', (stats) => stats.ready && stats.surface_ms !== null);
           assert.equal((await app.session()).surface.spec.shape.preset.preset, preset);
           assertShowsSomething(await app.picture(`${backend}-figure-with-the-${preset}`));
-        }
-      }),
-    );
-
-    test(
-      'the surface is saved with its texture coordinates',
-      withApp('desktop', async (app) => {
-        const shown = await show(app, 'hemisphere', 60);
-        const { name, bytes } = await app.download(OBJ_BUTTON);
-        assert.equal(name, 'hemisphere-mapped.obj');
-        const lines = bytes.toString().split('\n');
-        const count = (start) => lines.filter((line) => line.startsWith(start)).length;
-        assert.equal(count('v '), shown.target.m + shown.target.n);
-        assert.equal(count('vt '), count('v '));
-        assert.equal(count('f '), shown.target.triangles);
-        for (const line of lines.filter((text) => text.startsWith('vt '))) {
-          const [u, v] = line.slice(3).split(' ').map(Number);
-          assert.ok(u >= 0 && u <= 1 && v >= 0 && v <= 1, `in the unit box: ${line}`);
         }
       }),
     );

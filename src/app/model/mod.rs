@@ -163,6 +163,18 @@ impl Model {
         model
     }
 
+    /// Another model of the same session, on the same prepared domains, with a map of its own. It asks for nothing:
+    /// what is being prepared for this one does not come to it.
+    #[must_use]
+    pub fn twin(&self) -> Self {
+        let mut twin = Self::new(Session { surface: None, ..self.session.clone() });
+        twin.sides = self.sides.each_ref().map(Preparation::twin);
+        twin.surface = self.surface.twin();
+        twin.session = self.session.clone();
+        twin.domains_changed = true;
+        twin
+    }
+
     /// What the map on the screen is made from.
     pub fn session(&self) -> &Session {
         &self.session

@@ -8,10 +8,8 @@
 //! | gestures and dots in its viewport | `viewport` |
 //! | uploads and the callback that draws it | `gpu` |
 //! | its controls | `panel` |
-//! | the surface as a file | `export` |
 //! | small pictures of the presets | `picture` |
 
-pub mod export;
 pub mod gpu;
 mod orbit;
 pub mod panel;

@@ -4,8 +4,7 @@ use crate::app::action::{Action, Actions};
 use crate::app::language::{tr, tr_with};
 use crate::app::model::Model;
 use crate::app::theme::Palette;
-use crate::app::widgets::{Segment, captioned_slider, group_heading, grouped, segmented};
-use crate::export::SurfaceFormat;
+use crate::app::widgets::{captioned_slider, group_heading, grouped};
 use crate::session::{Command, SurfaceShape, SurfaceSpec};
 use egui::{Label, RichText, Ui};
 
@@ -38,44 +37,6 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     }
     if ui.button(tr("Back to the plane")).on_hover_text(tr("Show the target's outline again")).clicked() {
         actions.push(Action::Session(Command::CloseSurface));
-    }
-}
-
-const COORDINATES: [Segment<bool>; 2] = [
-    Segment { value: true, label: "Unit box", tooltip: "Texture coordinates are moved and scaled into the unit box" },
-    Segment { value: false, label: "True scale", tooltip: "Texture coordinates are the outline's own" },
-];
-
-/// The group that saves the surface with its texture coordinates; `unit`: scaled into the unit box.
-pub fn export(ui: &mut Ui, model: &Model, unit: bool, actions: &mut Actions) {
-    let ready = model.surface_map().is_some() && !model.is_pending();
-    group_heading(ui, tr("Export"));
-    if let Some(unit) = segmented(ui, &COORDINATES, unit) {
-        actions.push(Action::ScaleCoordinates(unit));
-    }
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 3.0;
-        ui.spacing_mut().button_padding.x = 5.0;
-        for format in SurfaceFormat::ALL {
-            let button = ui.add_enabled(ready, egui::Button::new(format.extension().to_uppercase()));
-            if button.on_hover_text(tr(tooltip(format))).clicked() {
-                actions.push(Action::ExportSurface(format));
-            }
-        }
-        let picture = ui.add_enabled(ready, egui::Button::new("PNG"));
-        if picture.on_hover_text(tr("Both viewports as they are on the screen")).clicked() {
-            actions.push(Action::ExportPicture);
-        }
-    });
-}
-
-fn tooltip(format: SurfaceFormat) -> &'static str {
-    match format {
-        SurfaceFormat::Obj => "Wavefront OBJ: the vertices in their order, each with its texture coordinate",
-        SurfaceFormat::Ply => "PLY, ascii: x y z s t for each vertex",
-        SurfaceFormat::Glb => "Binary glTF with texture coordinates",
-        SurfaceFormat::Csv => "A table: x, y, z, u, v for each vertex",
-        SurfaceFormat::Svg => "The edges of the layout in the outline",
     }
 }
 

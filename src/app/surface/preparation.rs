@@ -57,6 +57,13 @@ struct Running {
 }
 
 impl SurfacePreparation {
+    /// The last good surface alone: nothing is wanted or under way.
+    #[must_use]
+    pub fn twin(&self) -> Self {
+        let wanted = self.there.as_ref().map(|(wish, _)| wish.clone());
+        Self { wanted, there: self.there.clone(), ..Self::default() }
+    }
+
     /// What the panels show.
     pub fn wanted(&self) -> Option<&SurfaceSpec> {
         self.wanted.as_ref().map(|wish| &wish.spec)

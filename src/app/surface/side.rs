@@ -48,6 +48,14 @@ impl SurfaceSide {
         (self.map, self.next, self.under_way, self.is_stuck) = (None, None, None, false);
     }
 
+    /// The same surface, not yet mapped.
+    #[must_use]
+    pub fn twin(&self) -> Self {
+        let mut twin = Self { preparation: self.preparation.twin(), ..Self::default() };
+        twin.renew();
+        twin
+    }
+
     /// The surface.
     pub fn surface(&self) -> Option<&Arc<PreparedSurface>> {
         self.shown.as_ref()

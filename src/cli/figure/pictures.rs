@@ -3,9 +3,9 @@
 use super::Drawing;
 use super::raster::{ANCHOR, POINT, Raster, RasterPanel, stacked};
 use super::svg::{Anchor, LABEL, Page, SMALL, TITLE, colour};
-use crate::cli::contours::{Panel, panels};
 use crate::cli::{CliError, picture};
 use crate::conformal::{ConformalMap, Constraints, Quality, Side, TriangleDistortion, triangle_distortions};
+use crate::export::{Panel, panels};
 use crate::figures::{Cell, Detail, Figure, FigureError, Scene, Table, prepare_spec};
 use crate::geometry::{Bounds, DVec2};
 use crate::render::{Pattern, TextureStyle};

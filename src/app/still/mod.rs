@@ -3,11 +3,19 @@
 //! The model is the app's own, its workers run here and now; so a picture made from this shows what
 //! the app shows. It does not depend on how fast the machine is: no coarse map ever stands in.
 
+pub mod compose;
+mod shot;
+
+pub use shot::Shot;
+
 use super::cells::Cells;
+use super::exporting::{self, FileWish, ReadyFile};
+use super::looping;
 use super::model::Model;
 use super::surface;
 use super::textured;
 use crate::conformal::{PreparedSurface, Side};
+use crate::family::{Loop, Path, Place};
 use crate::geometry::{DVec2, DVec3};
 use crate::render::{CellCode, CellStyle, MeshGeometry, OrbitCamera, TextureStyle};
 use crate::session::{Command, Session, SurfaceShape};
@@ -18,6 +26,7 @@ use crate::worker;
 pub struct Still {
     model: Model,
     cells: Cells,
+    pixels_per_point: f32,
 }
 
 /// Why there is nothing to show.
@@ -58,10 +67,9 @@ impl Still {
         let mut model = begin(session, surface_file)?;
         model.update_ms = f64::INFINITY; // nobody waits for a frame
         settle(&mut model)?;
-        model.measure();
-        let mut cells = Cells::default();
-        cells.update(&model, None, pixels_per_point);
-        Ok(Self { model, cells })
+        let mut still = Self { model, cells: Cells::default(), pixels_per_point };
+        still.rest();
+        Ok(still)
     }
 
     /// The session; its points may have been moved into the domains.
@@ -69,9 +77,9 @@ impl Still {
         self.model.session()
     }
 
-    /// The texture, the same on both sides.
-    pub fn style(&self, dark: bool) -> Option<TextureStyle> {
-        textured::style(&self.model, false, dark)
+    /// The texture, the same on both sides; without an image a checkerboard in its place.
+    pub fn style(&self, has_image: bool, dark: bool) -> Option<TextureStyle> {
+        textured::style(&self.model, has_image, dark)
     }
 
     /// The textured mesh of a side in the plane.
@@ -79,14 +87,54 @@ impl Still {
         textured::geometry(&self.model, side)
     }
 
-    /// The outline of a side in the plane.
-    pub fn boundary(&self, side: Side) -> Option<&[DVec2]> {
-        Some(&self.model.shown_domain(side)?.samples.points)
+    /// What a model shows, on the same prepared domains: [`Self::advance`] brings its map to rest.
+    pub(super) fn of(model: &Model, pixels_per_point: f32) -> Self {
+        Self { model: model.twin(), cells: Cells::default(), pixels_per_point }
     }
 
-    /// The interior and the boundary point of a side in the plane.
-    pub fn points(&self, side: Side) -> Option<[DVec2; 2]> {
-        Some([self.model.interior(side)?, self.model.anchor(side)?])
+    /// Spends a frame's share on the map; whether it is complete.
+    pub(super) fn advance(&mut self) -> Result<bool, StillError> {
+        self.model.refresh(false);
+        if let Some(error) = trouble(&self.model) {
+            return Err(StillError(error));
+        }
+        let is_complete = is_complete(&self.model);
+        if is_complete {
+            self.rest();
+        }
+        Ok(is_complete)
+    }
+
+    /// The loop along `path` that begins here; `None` where nothing would move.
+    pub fn way(&self, path: Path) -> Option<Loop> {
+        looping::begin(&self.model, path)
+    }
+
+    /// Goes to another place in the family of maps, and waits for the map there.
+    pub fn go(&mut self, place: Place) -> Result<(), StillError> {
+        self.head_for(place);
+        settle(&mut self.model)?;
+        self.rest();
+        Ok(())
+    }
+
+    /// Wants another place: [`Self::advance`] goes there.
+    pub(super) fn head_for(&mut self, place: Place) {
+        for command in looping::commands(place) {
+            self.model.dispatch(command, 0.0);
+        }
+    }
+
+    /// The map is complete: its colours follow.
+    fn rest(&mut self) {
+        self.model.measure();
+        self.cells.update(&self.model, None, self.pixels_per_point);
+    }
+
+    /// The map as a file. Errors: in words.
+    pub fn file(&self, wish: FileWish) -> Result<ReadyFile, StillError> {
+        let nothing = || Err(String::from("there is no map of this session"));
+        exporting::file(&self.model, wish).unwrap_or_else(nothing).map_err(StillError)
     }
 
     /// The mapped mesh on a side, where the session shows more of it than the texture.
@@ -144,14 +192,19 @@ fn settle(model: &mut Model) -> Result<(), StillError> {
         if let Some(error) = trouble(model) {
             return Err(StillError(error));
         }
-        let is_home = model.pattern_home() == textured::home(model.session());
-        if model.is_ready() && is_home && model.extension_progress() == 1.0 {
+        if is_complete(model) {
             return Ok(());
         }
         if changes == super::Changes::default() && !model.is_pending() {
             return Err(StillError(String::from("there is no map of this session")));
         }
     }
+}
+
+/// Whether the map is the full one, with its whole extension, and the pattern is where it is wanted.
+fn is_complete(model: &Model) -> bool {
+    let is_home = model.pattern_home() == textured::home(model.session());
+    model.is_ready() && is_home && model.extension_progress() == 1.0
 }
 
 fn trouble(model: &Model) -> Option<String> {

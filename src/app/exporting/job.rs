@@ -1,0 +1,153 @@
+//! A picture or an animation in the making, a frame's share at a time.
+//!
+//! It has a model of its own over the same prepared domains: what is on the screen goes on as it is. Nobody waits:
+//! the map comes to rest over several frames, pixels are asked for and come when they come.
+
+use super::ReadyFile;
+use super::wish::{Kind, Wish};
+use crate::app::model::Model;
+use crate::app::still::{Shot, Still};
+use crate::family::Loop;
+use crate::render::{Film, OrbitCamera, PngFile, Readback, SceneRenderer};
+use image::RgbaImage;
+use std::sync::Arc;
+use web_time::Instant;
+
+/// What a frame spends on it; one step (a picture drawn, or encoded) may take longer.
+const FRAME_MS: f64 = 12.0;
+
+/// What is drawn besides the model.
+pub struct Scenery {
+    /// The texture of a session that has one.
+    pub image: Option<Arc<RgbaImage>>,
+    /// From where a surface is seen.
+    pub camera: Option<OrbitCamera>,
+    /// For a dark ground.
+    pub dark: bool,
+}
+
+/// Work under way.
+pub struct Job {
+    still: Still,
+    shot: Shot,
+    scenery: Scenery,
+    way: Option<Loop>,
+    frames: u32,
+    done: u32,
+    renderer: SceneRenderer,
+    stage: Stage,
+    film: Option<Film>,
+}
+
+/// What comes next.
+enum Stage {
+    /// The map of this picture.
+    Map,
+    /// The picture.
+    Draw,
+    /// Its pixels, which are on their way.
+    Pixels(Readback),
+    /// Its file.
+    File(Box<PngFile>),
+}
+
+/// What a frame's work has come to.
+pub enum Progress {
+    /// There is more to do: at once, or when pixels are there.
+    GoesOn,
+    /// It is there.
+    Done(ReadyFile),
+}
+
+impl Job {
+    /// Begins. Errors: in words.
+    pub fn begin(
+        model: &Model,
+        wish: &Wish,
+        scenery: Scenery,
+        (device, queue): (&wgpu::Device, &wgpu::Queue),
+    ) -> Result<Self, String> {
+        let shot = wish.shot(scenery.dark);
+        let (film, way, frames) = match wish.kind {
+            Kind::Film(format) => {
+                let film = Film::new(wish.film(format)).map_err(|error| error.to_string())?;
+                let way = crate::app::looping::begin(model, wish.path);
+                (Some(film), Some(way.ok_or("nothing would move")?), wish.frames)
+            }
+            _ => (None, None, 1),
+        };
+        let still = Still::of(model, shot.pixels_per_point());
+        let renderer = SceneRenderer::new(device, queue);
+        Ok(Self { still, shot, scenery, way, frames, done: 0, renderer, stage: Stage::Map, film })
+    }
+
+    /// How far it is, from 0 to 1.
+    pub fn progress(&self) -> f32 {
+        let within = if let Stage::File(file) = &self.stage { file.progress() } else { 0.0 };
+        (self.done as f32 + within) / self.frames as f32
+    }
+
+    /// How many pictures of how many there are.
+    pub fn count(&self) -> [u32; 2] {
+        [self.done, self.frames]
+    }
+
+    /// Spends a frame's share. Errors: in words.
+    pub fn work(&mut self, gpu: (&wgpu::Device, &wgpu::Queue)) -> Result<Progress, String> {
+        let start = Instant::now();
+        while start.elapsed().as_secs_f64() * 1e3 < FRAME_MS {
+            if let Some(progress) = self.step(gpu)? {
+                return Ok(progress);
+            }
+        }
+        Ok(Progress::GoesOn)
+    }
+
+    /// One step; `None`: another one can follow at once.
+    fn step(&mut self, gpu: (&wgpu::Device, &wgpu::Queue)) -> Result<Option<Progress>, String> {
+        match &mut self.stage {
+            Stage::Map => {
+                if !self.still.advance().map_err(|error| error.to_string())? {
+                    return Ok(Some(Progress::GoesOn));
+                }
+                self.stage = Stage::Draw;
+                Ok(None)
+            }
+            Stage::Draw => {
+                let Scenery { image, camera, .. } = &self.scenery;
+                let target = self.still.draw(&mut self.renderer, gpu, &self.shot, image.as_deref(), *camera);
+                let target = target.map_err(|error| error.to_string())?;
+                self.stage = Stage::Pixels(Readback::begin(gpu.0, gpu.1, &target));
+                Ok(Some(Progress::GoesOn))
+            }
+            Stage::Pixels(readback) => {
+                let Some(picture) = readback.poll(gpu.0) else { return Ok(Some(Progress::GoesOn)) };
+                self.take(picture.map_err(|error| error.to_string())?)
+            }
+            Stage::File(file) => Ok(file.advance().map_err(|error| error.to_string())?.map(ready)),
+        }
+    }
+
+    /// Goes on with a picture that has come.
+    fn take(&mut self, picture: RgbaImage) -> Result<Option<Progress>, String> {
+        let (Some(film), Some(way)) = (&mut self.film, &self.way) else {
+            self.stage = Stage::File(Box::new(PngFile::begin(picture).map_err(|error| error.to_string())?));
+            return Ok(None);
+        };
+        film.push(&picture).map_err(|error| error.to_string())?;
+        self.done += 1;
+        if self.done < self.frames {
+            self.still.head_for(way.at(f64::from(self.done) / f64::from(self.frames)));
+            self.stage = Stage::Map;
+            return Ok(None);
+        }
+        let format = film.format();
+        let bytes = self.film.take().map(Film::finish).transpose().map_err(|error| error.to_string())?;
+        let name = format!("riemap-animation.{}", format.extension());
+        Ok(bytes.map(|bytes| Progress::Done(ReadyFile { name, bytes })))
+    }
+}
+
+fn ready(bytes: Vec<u8>) -> Progress {
+    Progress::Done(ReadyFile { name: String::from("riemap.png"), bytes })
+}

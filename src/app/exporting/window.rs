@@ -1,0 +1,199 @@
+//! The window where a file is chosen, made and saved.
+
+use super::job::{Job, Progress};
+use super::wish::{Kind, Wish};
+use super::{FileWish, ReadyFile};
+use crate::app::action::{Action, Actions};
+use crate::app::language::{tr, tr_message, tr_with};
+use crate::app::theme::{Palette, ROW_HEIGHT};
+use crate::app::widgets::message_box;
+use crate::family::Path;
+use egui::{Button, Grid, Key, Modifiers, ProgressBar, RichText, ScrollArea, Ui, Window, vec2};
+use std::collections::BTreeMap;
+
+/// The height of what a finger touches.
+const TOUCH_HEIGHT: f32 = 40.0;
+const WIDTH: f32 = 400.0;
+/// Room for the scroll bar beside the choices.
+const SCROLL_BAR: f32 = 10.0;
+/// What of the screen's height is above the choices, and below them.
+const BESIDES: f32 = 200.0;
+/// The window's upper edge, below the bar.
+const FROM_TOP: f32 = 64.0;
+
+/// What the window needs to know.
+#[derive(Debug, Clone, Copy)]
+pub struct Surroundings {
+    /// The map is there, complete.
+    pub is_ready: bool,
+    /// It is one of a surface.
+    pub on_surface: bool,
+    /// Little room, and fingers.
+    pub narrow: bool,
+    /// The largest side of a texture.
+    pub max_side: u32,
+}
+
+/// The window and the work that it has begun.
+#[derive(Default)]
+pub struct Exporter {
+    is_open: bool,
+    pub(super) wish: Wish,
+    job: Option<Job>,
+    error: Option<String>,
+    /// The centres of its controls, by what is written on them.
+    pub(super) places: BTreeMap<&'static str, [f32; 2]>,
+}
+
+impl Exporter {
+    /// Shows the window.
+    pub fn open(&mut self) {
+        self.is_open = true;
+    }
+
+    /// What is chosen.
+    pub fn wish(&self) -> &Wish {
+        &self.wish
+    }
+
+    /// What is chosen, as numbers or vector graphics.
+    pub fn file_wish(&self) -> Option<FileWish> {
+        let Kind::File(format) = self.wish.kind else { return None };
+        Some(FileWish { format, side: self.wish.side, unit: self.wish.unit })
+    }
+
+    /// Begins with work, or says why not.
+    pub fn begin(&mut self, job: Result<Job, String>) {
+        (self.job, self.error) = match job {
+            Ok(job) => (Some(job), None),
+            Err(reason) => (None, Some(reason)),
+        };
+    }
+
+    /// Gives up what is under way.
+    pub fn cancel(&mut self) {
+        self.job = None;
+    }
+
+    /// Says what went wrong, or that nothing did.
+    pub fn tell(&mut self, error: Option<String>) {
+        self.error = error;
+    }
+
+    /// Whether something is being made.
+    pub fn is_busy(&self) -> bool {
+        self.job.is_some()
+    }
+
+    /// Spends a frame's share on what is under way; the file, when it is there.
+    pub fn work(&mut self, gpu: (&wgpu::Device, &wgpu::Queue)) -> Option<ReadyFile> {
+        match self.job.as_mut()?.work(gpu) {
+            Ok(Progress::GoesOn) => None,
+            Ok(Progress::Done(file)) => {
+                self.job = None;
+                Some(file)
+            }
+            Err(reason) => {
+                (self.job, self.error) = (None, Some(reason));
+                None
+            }
+        }
+    }
+
+    /// Where its controls are; `None` while it is closed.
+    pub fn places(&self) -> Option<&BTreeMap<&'static str, [f32; 2]>> {
+        self.is_open.then_some(&self.places)
+    }
+
+    /// How many pictures of how many are made.
+    pub fn count(&self) -> Option<[u32; 2]> {
+        self.job.as_ref().map(Job::count)
+    }
+
+    /// Shows the window, if it is open. Closing it gives up what is under way.
+    pub fn show(&mut self, context: &egui::Context, around: Surroundings, actions: &mut Actions) {
+        if !self.is_open {
+            return;
+        }
+        self.places.clear();
+        if !Kind::all(around.on_surface).contains(&self.wish.kind) {
+            self.wish.kind = Kind::Picture;
+        }
+        let screen = context.content_rect();
+        let width = WIDTH.min(screen.width() - 40.0);
+        let mut stays = !context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+        Window::new(tr("Export"))
+            .id(egui::Id::unique("export"))
+            .open(&mut stays)
+            .collapsible(false)
+            .auto_sized()
+            // it grows downwards only: what is under the pointer stays there
+            .pivot(egui::Align2::CENTER_TOP)
+            .default_pos(screen.center_top() + vec2(0.0, FROM_TOP))
+            .show(context, |ui| {
+                ui.set_width(width);
+                self.content(ui, around, screen.height() - BESIDES, actions);
+            });
+        if !stays {
+            (self.is_open, self.error) = (false, None);
+            actions.push(Action::CancelExport);
+        }
+    }
+
+    /// The choices, which may be scrolled, and below them what is done with them.
+    fn content(&mut self, ui: &mut Ui, around: Surroundings, max_height: f32, actions: &mut Actions) {
+        let height = if around.narrow { TOUCH_HEIGHT } else { ROW_HEIGHT };
+        ui.spacing_mut().interact_size.y = height;
+        ScrollArea::vertical().max_height(max_height).auto_shrink([false, true]).show(ui, |ui| {
+            ui.set_width(ui.available_width() - SCROLL_BAR);
+            ui.add_enabled_ui(!self.is_busy(), |ui| {
+                self.kinds(ui, around, height);
+                Grid::new("export settings").num_columns(2).spacing([12.0, 8.0]).show(ui, |ui| {
+                    self.settings(ui, around, height);
+                });
+            });
+        });
+        ui.add_space(6.0);
+        self.bottom(ui, around, height, actions);
+        if let Some(error) = &self.error
+            && message_box(ui, &tr_message(error), None).is_some()
+        {
+            self.error = None;
+        }
+    }
+
+    fn bottom(&mut self, ui: &mut Ui, around: Surroundings, height: f32, actions: &mut Actions) {
+        ui.horizontal(|ui| {
+            if let Some(job) = &self.job {
+                let [done, all] = job.count();
+                let text = if all > 1 { tr_with("{0} of {1} pictures", &[&done, &all]) } else { String::new() };
+                let room = ui.available_width() - 110.0;
+                ui.add(ProgressBar::new(job.progress()).desired_width(room).desired_height(height).text(text));
+                let cancel = ui.add_sized([100.0, height], Button::new(tr("Cancel")));
+                self.note("Cancel", &cancel);
+                if cancel.clicked() {
+                    actions.push(Action::CancelExport);
+                }
+                return;
+            }
+            let Kind::Film(format) = self.wish.kind else {
+                return self.save(ui, around.is_ready, height, actions);
+            };
+            let fixed = around.on_surface && self.wish.path == Path::TargetPoint;
+            let can_be = self.wish.film(format).check().is_ok() && !fixed;
+            self.save(ui, around.is_ready && can_be, height, actions);
+        });
+    }
+
+    fn save(&mut self, ui: &mut Ui, enabled: bool, height: f32, actions: &mut Actions) {
+        let palette = Palette::of(ui.visuals());
+        let label = RichText::new(tr("Save")).color(palette.on_accent);
+        let button = Button::new(label).fill(palette.accent).min_size(vec2(120.0, height));
+        let response = ui.add_enabled(enabled, button);
+        let response = response.on_disabled_hover_text(tr("While nothing is prepared"));
+        self.note("Save", &response);
+        if response.clicked() {
+            actions.push(Action::SaveExport);
+        }
+    }
+}

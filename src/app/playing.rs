@@ -1,0 +1,150 @@
+//! The picture set in motion: its points go along a loop through the family of maps until they are paused.
+//!
+//! Nothing plays by itself. A pause leaves the points where they are, and playing on from there goes on along
+//! the same loop. All of it is one change of the session: it comes to rest when it is paused.
+
+use super::looping;
+use super::model::Model;
+use crate::conformal::{PreparedDomain, Side};
+use crate::family::{Loop, Path, Place};
+use crate::session::Command;
+use std::sync::Arc;
+
+/// How long a turn takes, in seconds.
+pub const PERIODS: std::ops::RangeInclusive<f64> = 2.0..=60.0;
+/// Slow enough for the eye to follow a line, fast enough not to wait for the end.
+const PERIOD: f64 = 12.0;
+/// A pause between frames is taken for at most this long, in seconds.
+const LONGEST_FRAME: f64 = 0.1;
+
+/// What a person does to the motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PlayAction {
+    /// Play, or pause.
+    Toggle,
+    /// Move other points.
+    Along(Path),
+    /// Seconds for a turn.
+    Period(f64),
+}
+
+/// The motion.
+#[derive(Debug)]
+pub struct Player {
+    path: Path,
+    period: f64,
+    is_playing: bool,
+    /// The way that was gone last, as long as the points are where it left them.
+    run: Option<Run>,
+}
+
+/// A way, and where on it.
+#[derive(Debug)]
+struct Run {
+    way: Loop,
+    t: f64,
+    /// The time of the last frame; `None` at the beginning and after a pause.
+    at: Option<f64>,
+    domains: [Option<Arc<PreparedDomain>>; 2],
+    on_surface: bool,
+}
+
+impl Default for Player {
+    fn default() -> Self {
+        Self { path: Path::default(), period: PERIOD, is_playing: false, run: None }
+    }
+}
+
+impl Player {
+    /// Which points move.
+    pub fn path(&self) -> Path {
+        self.path
+    }
+
+    /// Seconds for a turn.
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+
+    /// Whether they do.
+    pub fn is_playing(&self) -> bool {
+        self.is_playing
+    }
+
+    /// Lets the points stay where they are.
+    pub fn pause(&mut self) {
+        self.is_playing = false;
+        if let Some(run) = &mut self.run {
+            run.at = None;
+        }
+    }
+
+    /// Does what is asked for. Where nothing can move, nothing plays.
+    pub fn act(&mut self, action: PlayAction, model: &Model) {
+        match action {
+            PlayAction::Toggle if self.is_playing => self.pause(),
+            PlayAction::Toggle => self.play(model),
+            PlayAction::Along(path) => {
+                (self.path, self.run) = (path, None);
+                if self.is_playing {
+                    self.is_playing = false;
+                    self.play(model);
+                }
+            }
+            PlayAction::Period(seconds) => self.period = seconds.clamp(*PERIODS.start(), *PERIODS.end()),
+        }
+    }
+
+    fn play(&mut self, model: &Model) {
+        self.run = self.run.take().filter(|run| run.is_of(model) && run.is_at(model));
+        if self.run.is_none() {
+            self.run = looping::begin(model, self.path).map(|way| Run::new(way, model));
+        }
+        self.is_playing = self.run.is_some();
+    }
+
+    /// The moves of a frame at the time `now`, in seconds. Where the domains are others by now, it pauses.
+    pub fn advance(&mut self, model: &Model, now: f64) -> Vec<Command> {
+        let Some(run) = self.run.as_mut().filter(|_| self.is_playing) else { return Vec::new() };
+        if !run.is_of(model) {
+            (self.is_playing, self.run) = (false, None);
+            return Vec::new();
+        }
+        let step = run.at.map_or(0.0, |at| (now - at).clamp(0.0, LONGEST_FRAME));
+        run.at = Some(now);
+        run.t = (run.t + step / self.period).rem_euclid(1.0);
+        if step == 0.0 { Vec::new() } else { looping::commands(run.way.at(run.t)).collect() }
+    }
+}
+
+impl Run {
+    fn new(way: Loop, model: &Model) -> Self {
+        let on_surface = model.surface().is_some();
+        Self { way, t: 0.0, at: None, domains: domains(model), on_surface }
+    }
+
+    /// Whether the model still has the domains that the way leads through.
+    fn is_of(&self, model: &Model) -> bool {
+        let same = |(ours, there): (&Option<Arc<PreparedDomain>>, &Option<Arc<PreparedDomain>>)| match (ours, there) {
+            (Some(ours), Some(there)) => Arc::ptr_eq(ours, there),
+            _ => ours.is_none() && there.is_none(),
+        };
+        self.on_surface == model.surface().is_some() && self.domains.iter().zip(&domains(model)).all(same)
+    }
+
+    /// Whether the model's points are where the way has left them.
+    fn is_at(&self, model: &Model) -> bool {
+        let Place { interior, anchor } = self.way.at(self.t);
+        let session = model.session();
+        interior.iter().zip(session.interior).all(|(place, point)| place.is_none() || *place == point)
+            && anchor.is_none_or(|fraction| fraction.rem_euclid(1.0) == session.anchor[Side::Source as usize])
+    }
+}
+
+fn domains(model: &Model) -> [Option<Arc<PreparedDomain>>; 2] {
+    Side::BOTH.map(|side| model.domain(side).cloned())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

@@ -1,0 +1,108 @@
+use super::*;
+use crate::app::RiemapApp;
+use crate::app::tests::{prepared_model, ready_app};
+use crate::session::OutlineSpec;
+use egui::{Key, Modifiers};
+use egui_kittest::Harness;
+
+/// Frames of a twentieth of a second.
+fn play_for(player: &mut Player, model: &mut Model, from: f64, frames: u32) -> f64 {
+    for k in 1..=frames {
+        for command in player.advance(model, from + f64::from(k) / 20.0) {
+            model.dispatch(command, 0.0);
+        }
+        model.refresh(false);
+    }
+    from + f64::from(frames) / 20.0
+}
+
+#[test]
+fn a_turn_ends_where_it_began_and_a_pause_leaves_the_points() {
+    let mut model = prepared_model();
+    let mut player = Player::default();
+    player.act(PlayAction::Period(2.0), &model);
+    let begun = model.interior(Side::Source).unwrap();
+    player.act(PlayAction::Along(Path::All), &model);
+    assert!(!player.is_playing(), "a choice alone moves nothing");
+    player.act(PlayAction::Toggle, &model);
+    let half = play_for(&mut player, &mut model, 0.0, 21);
+    let there = model.interior(Side::Source).unwrap();
+    assert!(there.distance(begun) > 0.01 && model.map_error().is_none());
+    player.act(PlayAction::Toggle, &model);
+    play_for(&mut player, &mut model, half, 10);
+    assert_eq!(model.interior(Side::Source), Some(there), "it is paused");
+    player.act(PlayAction::Toggle, &model);
+    play_for(&mut player, &mut model, 100.0, 21);
+    let back = model.interior(Side::Source).unwrap();
+    assert!(back.distance(begun) < 1e-9, "the same loop to its end: {back} is not {begun}");
+}
+
+#[test]
+fn points_that_were_moved_begin_another_loop() {
+    let mut model = prepared_model();
+    let mut player = Player::default();
+    player.act(PlayAction::Along(Path::SourcePoint), &model);
+    player.act(PlayAction::Toggle, &model);
+    play_for(&mut player, &mut model, 0.0, 9);
+    player.pause();
+    let point = model.interior(Side::Source).unwrap() + glam::DVec2::new(0.02, 0.01);
+    model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
+    model.refresh(false);
+    player.act(PlayAction::Toggle, &model);
+    play_for(&mut player, &mut model, 50.0, 2);
+    let moved = model.interior(Side::Source).unwrap();
+    assert!(moved != point && moved.distance(point) < 0.05, "from {point} on, not from before: {moved}");
+}
+
+#[test]
+fn another_outline_ends_the_motion() {
+    let mut model = prepared_model();
+    let mut player = Player::default();
+    player.act(PlayAction::Toggle, &model);
+    play_for(&mut player, &mut model, 0.0, 3);
+    let outline = OutlineSpec::Preset(crate::outline::Preset::Star);
+    model.dispatch(Command::SetOutline { side: Side::Source, outline }, 0.0);
+    for (subject, request) in model.take_requests(f64::INFINITY) {
+        crate::worker::run(&request, &mut |generation, response| model.accept(subject, generation, response));
+    }
+    play_for(&mut player, &mut model, 1.0, 3);
+    assert!(!player.is_playing());
+}
+
+fn y1(harness: &Harness<'_, RiemapApp>) -> [f32; 2] {
+    harness.state().stats().handles.y1.unwrap()
+}
+
+#[test]
+fn space_plays_and_pauses_and_all_of_it_is_one_step() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    harness.run_steps(3);
+    let (start, session) = (y1(&harness), harness.state().session().clone());
+    harness.key_press(Key::Space);
+    harness.run_steps(8);
+    let stats = harness.state().stats();
+    assert!(stats.playing && stats.undo == 0 && y1(&harness) != start);
+    harness.key_press(Key::Space);
+    harness.run_steps(6);
+    let there = y1(&harness);
+    harness.run_steps(4);
+    assert!(!harness.state().stats().playing && y1(&harness) == there);
+    assert_eq!(harness.state().stats().undo, 1);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run_steps(6);
+    assert_eq!(harness.state().session(), &session);
+}
+
+#[test]
+fn a_hand_at_a_dot_pauses() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    harness.key_press(Key::Space);
+    harness.run_steps(4);
+    assert!(harness.state().stats().playing);
+    let [x, y] = harness.state().stats().handles.x2.unwrap();
+    harness.drag_at(egui::pos2(x, y));
+    harness.run_steps(2);
+    assert!(!harness.state().stats().playing);
+    harness.drop_at(egui::pos2(x, y));
+    harness.run_steps(2);
+}

@@ -1,0 +1,62 @@
+//! `riemap animate`: a loop through the family of maps, beginning at a session, as an animated PNG or GIF.
+
+use super::CliError;
+use super::arguments::{AnimateArguments, PathArgument, SideArgument, ThemeArgument};
+use super::output::{check_paths, write_all};
+use super::picture::failed;
+use super::progress::Progress;
+use super::render::still;
+use crate::app::still::{Shot, Still};
+use crate::family::{Loop, Path};
+use crate::render::{Film, FilmFormat, FilmSettings, Studio};
+
+/// Makes the animation.
+pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
+    check_paths(std::slice::from_ref(&arguments.out))?;
+    let settings = settings(arguments)?;
+    let film = Film::new(settings).map_err(|error| CliError::Usage(error.to_string()))?;
+    let shot = Shot {
+        size: settings.size,
+        dark: arguments.theme == ThemeArgument::Dark,
+        transparent: arguments.transparent,
+        side: arguments.side.and_then(SideArgument::side),
+    };
+    let still = still(&arguments.session, &shot)?;
+    let way = still.way(path(arguments.path)).ok_or_else(|| {
+        let message = "--path target-interior: the target is a surface, whose point is not moved along a loop";
+        CliError::Usage(String::from(message))
+    })?;
+    let bytes = make(still, &way, film, settings.frames, &shot)?;
+    write_all(&[(arguments.out.clone(), bytes)])
+}
+
+fn settings(arguments: &AnimateArguments) -> Result<FilmSettings, CliError> {
+    let extension = arguments.out.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    let format = FilmFormat::from_extension(extension).ok_or_else(|| {
+        CliError::Usage(format!("--out {}: the extension must be png (animated) or gif", arguments.out.display()))
+    })?;
+    let AnimateArguments { size, frames, seconds, .. } = *arguments;
+    Ok(FilmSettings { format, size: size.0, frames, seconds })
+}
+
+fn path(argument: PathArgument) -> Path {
+    match argument {
+        PathArgument::Interior => Path::SourcePoint,
+        PathArgument::TargetInterior => Path::TargetPoint,
+        PathArgument::Boundary => Path::Boundary,
+        PathArgument::All => Path::All,
+    }
+}
+
+fn make(mut still: Still, way: &Loop, mut film: Film, frames: u32, shot: &Shot) -> Result<Vec<u8>, CliError> {
+    let input = |error: &dyn std::error::Error| CliError::Input(error.to_string());
+    let mut studio = Studio::new().map_err(|error| failed(&error))?;
+    let mut progress = Progress::new("the animation");
+    for k in 0..frames {
+        still.go(way.at(f64::from(k) / f64::from(frames))).map_err(|error| input(&error))?;
+        let picture = studio.shoot(|renderer, device, queue| still.draw(renderer, (device, queue), shot, None, None));
+        film.push(&picture.map_err(|error| failed(&error))?).map_err(|error| input(&error))?;
+        progress.report(f64::from(k + 1) / f64::from(frames));
+    }
+    film.finish().map_err(|error| input(&error))
+}

@@ -1,0 +1,190 @@
+//! A planar map as vector graphics: outlines, the lines of a pattern, mesh edges, and the points that are mapped to each other.
+//!
+//! The domains lie side by side, each in a group of its own with the classes `outline`, `mesh`,
+//! `lines`, `interior` and `boundary`. The first closed path is the first domain's outline, so that the
+//! drawing can be opened as one.
+
+use super::polylines::Line;
+use super::ruling::{FAMILIES, Ruling};
+use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side};
+use crate::geometry::{Bounds, DVec2};
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+/// What one half of the drawing shows.
+#[derive(Debug, Clone, Copy)]
+pub struct Panel<'a> {
+    /// Where the vertices are drawn.
+    pub positions: &'a [DVec2],
+    /// Where they look the pattern up.
+    pub coordinates: &'a [DVec2],
+    /// The triangles.
+    pub triangles: &'a [[u32; 3]],
+    /// The outline.
+    pub boundary: &'a [DVec2],
+    /// The interior and the boundary handle.
+    pub handles: [DVec2; 2],
+}
+
+/// Source and target as drawn: the target's surface carries source coordinates.
+pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> [Panel<'a>; 2] {
+    let [source, target] = Side::BOTH.map(|side| map.domain(side));
+    let handles = |side: Side, domain: &PreparedDomain| {
+        let anchor = domain.samples.at_fraction(constraints.anchor(side));
+        [constraints.point(side), domain.samples.position(anchor)]
+    };
+    let (positions, coordinates) = match map.direction() {
+        Direction::Forward => (map.images(), source.mesh.vertices.as_slice()),
+        Direction::Backward => (target.mesh.vertices.as_slice(), map.images()),
+    };
+    [
+        Panel {
+            positions: &source.mesh.vertices,
+            coordinates: &source.mesh.vertices,
+            triangles: &source.mesh.triangles,
+            boundary: &source.samples.points,
+            handles: handles(Side::Source, source),
+        },
+        Panel {
+            positions,
+            coordinates,
+            triangles: &map.mapped_mesh().triangles,
+            boundary: &target.samples.points,
+            handles: handles(Side::Target, target),
+        },
+    ]
+}
+
+/// Side length of a panel in the drawing's units.
+const PANEL: f64 = 480.0;
+const MARGIN: f64 = 16.0;
+
+/// The lines of the two families, the outline, the edges of the mesh.
+const LINE_COLOURS: [&str; FAMILIES] = ["#b5532a", "#2a6f97"];
+const OUTLINE_COLOUR: &str = "#1b1b1f";
+const MESH_COLOUR: &str = "#8b8f97";
+/// The interior and the boundary point.
+const POINT_COLOURS: [&str; 2] = ["#009e73", "#d63ca6"];
+
+/// A mesh whose edges are drawn: places and triangles.
+pub type Wire<'a> = (&'a [DVec2], &'a [[u32; 3]]);
+
+/// A part of a drawing.
+#[derive(Debug, Clone, Copy)]
+pub struct Part<'a> {
+    /// The domain.
+    pub side: Side,
+    /// What is drawn of it.
+    pub panel: Panel<'a>,
+    /// Edges, where they are shown.
+    pub wire: Option<Wire<'a>>,
+}
+
+/// An SVG document with the parts side by side, from left to right, with the lines of `ruling` if there is one.
+pub fn svg(parts: &[Part<'_>], ruling: Option<Ruling>) -> String {
+    let width = PANEL * parts.len() as f64;
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {PANEL}\" fill=\"none\" \
+         stroke-linejoin=\"round\" stroke-linecap=\"round\">\n"
+    );
+    for (k, part) in parts.iter().enumerate() {
+        let (low, high) = part.panel.bounds();
+        let scale = (PANEL - 2.0 * MARGIN) / (high - low).max_element();
+        let corner = DVec2::new((k as f64 + 0.5) * PANEL, 0.5 * PANEL);
+        let placement = Placement { middle: 0.5 * (low + high), scale, corner };
+        part.draw(&mut text, placement, ruling);
+    }
+    text.push_str("</svg>\n");
+    text
+}
+
+/// From a domain to its place in the drawing, where y runs downwards.
+#[derive(Clone, Copy)]
+struct Placement {
+    middle: DVec2,
+    scale: f64,
+    corner: DVec2,
+}
+
+impl Placement {
+    fn of(self, p: DVec2) -> DVec2 {
+        let q = (p - self.middle) * self.scale;
+        self.corner + DVec2::new(q.x, -q.y)
+    }
+
+    /// Appends the data of a path through `points`.
+    fn path(self, text: &mut String, points: impl IntoIterator<Item = DVec2>, is_closed: bool) {
+        for (k, p) in points.into_iter().enumerate() {
+            let p = self.of(p);
+            let _ = write!(text, "{}{:.3} {:.3}", if k == 0 { 'M' } else { 'L' }, p.x, p.y);
+        }
+        if is_closed {
+            text.push('Z');
+        }
+    }
+}
+
+impl Panel<'_> {
+    /// Lower left and upper right corner of the outline.
+    pub fn bounds(&self) -> (DVec2, DVec2) {
+        let Bounds { min: low, max: high } = Bounds::of(self.boundary.iter().copied());
+        (low, high)
+    }
+}
+
+impl Part<'_> {
+    fn draw(&self, text: &mut String, placement: Placement, ruling: Option<Ruling>) {
+        let Self { side, panel, wire } = self;
+        text.push_str("<g class=\"domain\">\n");
+        let _ =
+            write!(text, "<path id=\"{side}\" class=\"outline\" stroke=\"{OUTLINE_COLOUR}\" stroke-width=\"1.5\" d=\"");
+        placement.path(text, panel.boundary.iter().copied(), true);
+        text.push_str("\"/>\n");
+        if let Some(ruling) = ruling {
+            for (family, colour) in LINE_COLOURS.into_iter().enumerate() {
+                let lines = ruling.lines(family, panel.positions, panel.coordinates, panel.triangles);
+                draw_lines(text, placement, colour, &lines);
+            }
+        }
+        if let Some((positions, triangles)) = wire {
+            let _ = write!(text, "<path class=\"mesh\" stroke=\"{MESH_COLOUR}\" stroke-width=\"0.3\" d=\"");
+            for (a, b) in inner_edges(triangles) {
+                placement.path(text, [a, b].map(|v| positions[v as usize]), false);
+            }
+            text.push_str("\"/>\n");
+        }
+        for ((&p, colour), class) in panel.handles.iter().zip(POINT_COLOURS).zip(["interior", "boundary"]) {
+            let p = placement.of(p);
+            let _ = writeln!(
+                text,
+                "<circle class=\"{class}\" cx=\"{:.3}\" cy=\"{:.3}\" r=\"6\" fill=\"{colour}\" stroke=\"white\" \
+                 stroke-width=\"2\"/>",
+                p.x, p.y
+            );
+        }
+        text.push_str("</g>\n");
+    }
+}
+
+/// One path for each line: they can be taken one by one.
+fn draw_lines(text: &mut String, placement: Placement, colour: &str, lines: &[Line]) {
+    let _ = writeln!(text, "<g class=\"lines\" stroke=\"{colour}\" stroke-width=\"0.8\">");
+    for line in lines {
+        text.push_str("<path d=\"");
+        placement.path(text, line.points.iter().copied(), line.is_closed);
+        text.push_str("\"/>\n");
+    }
+    text.push_str("</g>\n");
+}
+
+/// The edges between two triangles, once each; the others are the outline.
+fn inner_edges(triangles: &[[u32; 3]]) -> impl Iterator<Item = (u32, u32)> {
+    let directed = triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    let all: BTreeSet<_> = directed.collect();
+    let inner: Vec<_> = all.iter().copied().filter(|&(a, b)| a < b && all.contains(&(b, a))).collect();
+    inner.into_iter()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

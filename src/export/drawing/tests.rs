@@ -1,0 +1,107 @@
+use super::*;
+use crate::conformal::{MapSettings, PrepareSettings, prepare};
+use crate::outline::{self, Preset};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+fn map() -> (ConformalMap, Constraints) {
+    let [source, target] = [Preset::Star, Preset::Heart]
+        .map(|preset| Arc::new(prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap()));
+    let constraints =
+        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.1, target_anchor: 0.6 };
+    (ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap(), constraints)
+}
+
+fn squares(panel: &Panel<'_>, cells: f64) -> Ruling {
+    let (low, high) = panel.bounds();
+    Ruling::Squares { origin: 0.5 * (low + high), spacing: (high - low).max_element() / cells }
+}
+
+/// Moved to the middle, scaled to height 1, turned upright if y runs downwards.
+fn normalised(points: &[DVec2]) -> Vec<DVec2> {
+    let Bounds { min, max } = Bounds::of(points.iter().copied());
+    points.iter().map(|&p| (p - 0.5 * (min + max)) / (max - min).y).collect()
+}
+
+#[test]
+fn a_drawing_opens_as_the_outline_that_it_shows() {
+    let (map, constraints) = map();
+    let panels = panels(&map, &constraints);
+    for side in Side::BOTH {
+        let panel = panels[side as usize];
+        let wire = Some((panel.positions, panel.triangles));
+        let text = svg(&[Part { side, panel, wire }], Some(squares(&panels[0], 12.0)));
+        let back = outline::parse("map.svg", text.as_bytes()).unwrap();
+        let (drawn, given) = (normalised(back.polygon.vertices()), normalised(panel.boundary));
+        assert_eq!(drawn.len(), given.len());
+        let farthest = given.iter().map(|p| drawn.iter().map(|q| p.distance(*q)).fold(f64::INFINITY, f64::min));
+        let farthest = farthest.fold(0.0, f64::max);
+        // three digits after the point in a drawing of 450 units, and single precision
+        assert!(farthest < 1e-5, "{side}: {farthest:e}");
+        assert_eq!(back.name, side.to_string());
+    }
+}
+
+#[test]
+fn every_class_is_drawn_in_both_domains() {
+    let (map, constraints) = map();
+    let panels = panels(&map, &constraints);
+    let parts = Side::BOTH.map(|side| {
+        let panel = panels[side as usize];
+        Part { side, panel, wire: Some((panel.positions, panel.triangles)) }
+    });
+    let text = svg(&parts, Some(squares(&panels[0], 12.0)));
+    for (class, times) in [("outline", 2), ("mesh", 2), ("lines", 4), ("interior", 2), ("boundary", 2)] {
+        assert_eq!(text.matches(&format!("class=\"{class}\"")).count(), times, "{class}");
+    }
+    let bare = svg(&parts.map(|part| Part { wire: None, ..part }), None);
+    assert!(!bare.contains("class=\"mesh\"") && !bare.contains("class=\"lines\""));
+    let inner = inner_edges(&map.domain(Side::Source).mesh.triangles).count();
+    let (m, n) = (map.domain(Side::Source).samples.len(), map.domain(Side::Source).mesh.interior_count());
+    assert_eq!(inner, 2 * m + 3 * n - 3 - m, "Euler: all edges but the outline's");
+}
+
+#[test]
+fn lines_of_the_source_are_straight_whole_and_where_they_should_be() {
+    let (map, constraints) = map();
+    let panel = panels(&map, &constraints)[0];
+    let Ruling::Squares { origin, spacing } = squares(&panel, 10.0) else { unreachable!() };
+    for family in 0..FAMILIES {
+        let lines = squares(&panel, 10.0).lines(family, panel.positions, panel.coordinates, panel.triangles);
+        // a star meets a line in at most three pieces
+        assert!((9..=27).contains(&lines.len()), "{} lines", lines.len());
+        for line in lines {
+            let level = (line.points[0] - origin)[family] / spacing;
+            assert!((level - level.round()).abs() < 1e-9 && !line.is_closed);
+            assert!(line.points.iter().all(|p| ((*p - origin)[family] / spacing - level.round()).abs() < 1e-9));
+        }
+    }
+}
+
+/// About the centre of a disk circles close, rays run from where they begin to the boundary.
+#[test]
+fn circles_close_and_rays_reach_the_boundary() {
+    let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
+    let vertices = disk.mesh.vertices.as_slice();
+    let conformal = Ruling::Conformal { rays: 12 };
+    let polar = Ruling::Polar { pole: DVec2::ZERO, spacing: 0.25 };
+    for (ruling, radii) in [
+        (polar, vec![0.25, 0.5, 0.75]),
+        (conformal, (1..=4).map(|k| (-TAU * f64::from(k) / 12.0).exp()).collect::<Vec<f64>>()),
+    ] {
+        let circles = ruling.lines(0, vertices, vertices, &disk.mesh.triangles);
+        let closed: Vec<_> = circles.iter().filter(|line| line.is_closed).collect();
+        for radius in radii {
+            let off = |line: &&&Line| line.points.iter().map(|p| (p.length() - radius).abs()).fold(0.0, f64::max);
+            let nearest = closed.iter().map(|line| off(&line)).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 0.02 * radius, "{ruling:?}: no circle of radius {radius} but {nearest} off");
+        }
+        let rays = ruling.lines(1, vertices, vertices, &disk.mesh.triangles);
+        let expected = if ruling == polar { 24 } else { 12 };
+        assert_eq!(rays.len(), expected, "{ruling:?}: rays in one piece each");
+        for ray in &rays {
+            let outer = ray.points.iter().map(|p| p.length()).fold(0.0, f64::max);
+            assert!(outer > 0.99, "{outer}");
+        }
+    }
+}

@@ -1,0 +1,114 @@
+use super::*;
+use crate::conformal::{ConformalMap, Constraints, MapSettings, PrepareSettings, Side, prepare};
+use crate::outline::Preset;
+use std::f64::consts::PI;
+
+fn map(presets: [Preset; 2]) -> (ConformalMap, Constraints) {
+    let [source, target] = presets
+        .map(|preset| Arc::new(prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap()));
+    let constraints =
+        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.3, target_anchor: 0.0 };
+    (ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap(), constraints)
+}
+
+fn start<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Start<'a> {
+    Start {
+        source: (map.domain(Side::Source), constraints.source_point),
+        measure: map.measure(Side::Source),
+        target: Some((map.domain(Side::Target), constraints.target_point)),
+    }
+}
+
+#[test]
+fn loops_begin_and_end_at_the_points_that_are_there() {
+    let (map, constraints) = map([Preset::Gingerbread, Preset::Heart]);
+    for path in Path::ALL {
+        let way = Loop::new(path, &start(&map, &constraints)).unwrap();
+        for t in [0.0, 1.0, -3.0] {
+            let place = way.at(t);
+            assert_eq!(place, way.at(0.0));
+            for (found, begun) in place.interior.into_iter().zip([constraints.source_point, constraints.target_point]) {
+                assert!(found.is_none_or(|found| found.distance(begun) < 1e-12));
+            }
+            assert!(place.anchor.is_none_or(|s| (s - constraints.source_anchor).abs() < 1e-9), "{place:?}");
+        }
+        let near = way.at(1.0 - 1e-9);
+        assert_eq!(near.interior.map(|p| p.is_some()), way.at(0.0).interior.map(|p| p.is_some()));
+        let gaps = near.interior.into_iter().zip(way.at(0.0).interior).filter_map(|(a, b)| Some(a?.distance(b?)));
+        assert!(gaps.fold(0.0, f64::max) < 1e-6, "no jump at the end");
+    }
+}
+
+/// Wherever the point is, in every preset: the map is defined all along the circle.
+#[test]
+fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
+    for preset in Preset::ALL {
+        let domain = prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
+        let size = domain.samples.points.iter().map(|p| p.distance(domain.pole)).fold(0.0, f64::max);
+        let places = domain.mesh.vertices[domain.samples.len()..].iter().copied().step_by(197).take(6);
+        for point in places.chain([domain.pole]) {
+            let circle = Circle::through(point, &domain.samples);
+            let radius = circle.arm.length();
+            assert!(radius > 0.0, "{preset}: no circle through {point}");
+            for k in 0..60 {
+                let p = circle.at(f64::from(k) / 60.0);
+                assert!(crate::mesh::locate(&domain.mesh, p, 0).is_some(), "{preset}: {p} is outside");
+                let clearance = domain.samples.position(domain.samples.nearest(p)).distance(p);
+                assert!(clearance >= 0.249 * radius, "{preset}: {clearance} beside a circle of {radius}");
+            }
+            assert!(radius < size);
+        }
+    }
+}
+
+#[test]
+fn the_largest_circle_through_the_centre_of_a_disk_is_known() {
+    let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
+    // 1 − r = 1.25 r
+    let radius = Circle::through(DVec2::ZERO, &disk.samples).arm.length();
+    assert!((radius - 4.0 / 9.0).abs() < 0.01, "{radius}");
+}
+
+/// Seen from the centre of a disk, harmonic measure is the angle.
+#[test]
+fn the_boundary_point_of_a_disk_turns_at_constant_speed() {
+    let (map, constraints) = map([Preset::Disk, Preset::Square]);
+    let constraints = Constraints { source_point: DVec2::ZERO, ..constraints };
+    let map = ConformalMap::new(
+        Arc::clone(map.domain(Side::Source)),
+        Arc::clone(map.domain(Side::Target)),
+        &constraints,
+        MapSettings::default(),
+    )
+    .unwrap();
+    let way = Loop::new(Path::Boundary, &start(&map, &constraints)).unwrap();
+    for k in 0..12 {
+        let t = f64::from(k) / 12.0;
+        let error = way.at(t).anchor.unwrap() - (0.3 + t).rem_euclid(1.0);
+        assert!(error.abs() < 1e-3, "{t}: {error}");
+    }
+}
+
+/// Turning y₁ by the measure t turns the disk by 2πt: half a turn there and half a turn on is the same map.
+#[test]
+fn halfway_around_the_disk_the_map_is_turned_by_half_a_turn() {
+    let (map, constraints) = map([Preset::Disk, Preset::Disk]);
+    let centred = Constraints { source_point: DVec2::ZERO, target_point: DVec2::ZERO, ..constraints };
+    let [source, target] = Side::BOTH.map(|side| Arc::clone(map.domain(side)));
+    let mut map = ConformalMap::new(source, target, &centred, MapSettings::default()).unwrap();
+    let before = map.images()[0].to_angle();
+    let way = Loop::new(Path::Boundary, &start(&map, &centred)).unwrap();
+    let turned = Constraints { source_anchor: way.at(0.5).anchor.unwrap(), ..centred };
+    map.update(&turned, MapSettings::default()).unwrap();
+    let turn = (map.images()[0].to_angle() - before).rem_euclid(2.0 * PI);
+    assert!((turn - PI).abs() < 1e-2, "{turn}");
+}
+
+#[test]
+fn a_surface_has_no_planar_point_to_move() {
+    let (map, constraints) = map([Preset::Disk, Preset::Square]);
+    let start = Start { target: None, ..start(&map, &constraints) };
+    assert!(Loop::new(Path::TargetPoint, &start).is_none());
+    let place = Loop::new(Path::All, &start).unwrap().at(0.2);
+    assert!(place.interior[0].is_some() && place.interior[1].is_none() && place.anchor.is_some());
+}

@@ -1,0 +1,91 @@
+//! The pixels of a texture, brought back from the graphics device.
+//!
+//! In a browser nobody may wait for the device: [`Readback::poll`] asks whether they are there.
+
+use super::RenderError;
+use image::RgbaImage;
+use std::sync::mpsc;
+
+/// Pixels on their way.
+#[derive(Debug)]
+pub struct Readback {
+    buffer: wgpu::Buffer,
+    mapped: mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
+    size: [u32; 2],
+}
+
+impl Readback {
+    /// Asks for the pixels of an 8-bit RGBA `texture`, as they are after what has been submitted.
+    pub fn begin(device: &wgpu::Device, queue: &wgpu::Queue, texture: &wgpu::Texture) -> Self {
+        let size = [texture.width(), texture.height()];
+        let row = padded_row(size[0]);
+        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("readback"),
+            size: u64::from(row) * u64::from(size[1]),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("readback") });
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
+        let destination = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
+        encoder.copy_texture_to_buffer(texture.as_image_copy(), destination, texture.size());
+        queue.submit([encoder.finish()]);
+        let (sender, mapped) = mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            // Where the readback was dropped, nobody waits for the answer.
+            let _ = sender.send(result);
+        });
+        Self { buffer, mapped, size }
+    }
+
+    /// The picture with straight alpha, as soon as it is there. Does not wait.
+    pub fn poll(&self, device: &wgpu::Device) -> Option<Result<RgbaImage, RenderError>> {
+        if let Err(error) = device.poll(wgpu::PollType::Poll) {
+            return Some(Err(RenderError::Readback(error.to_string())));
+        }
+        match self.mapped.try_recv() {
+            Ok(Ok(())) => Some(self.picture()),
+            Ok(Err(error)) => Some(Err(RenderError::Readback(error.to_string()))),
+            Err(mpsc::TryRecvError::Empty) => None,
+            Err(mpsc::TryRecvError::Disconnected) => {
+                Some(Err(RenderError::Readback(String::from("the device has gone away"))))
+            }
+        }
+    }
+
+    /// Waits for the picture; natively.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn wait(&self, device: &wgpu::Device) -> Result<RgbaImage, RenderError> {
+        let readback = |cause: String| RenderError::Readback(cause);
+        device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| readback(error.to_string()))?;
+        let mapped = self.mapped.recv().map_err(|error| readback(error.to_string()))?;
+        mapped.map_err(|error| readback(error.to_string()))?;
+        self.picture()
+    }
+
+    fn picture(&self) -> Result<RgbaImage, RenderError> {
+        let [width, height] = self.size;
+        let padded = self.buffer.get_mapped_range(..).map_err(|error| RenderError::Readback(error.to_string()))?;
+        let mut pixels = Vec::with_capacity(4 * width as usize * height as usize);
+        for line in padded.chunks_exact(padded_row(width) as usize) {
+            pixels.extend(line[..4 * width as usize].chunks_exact(4).flat_map(straight));
+        }
+        let missing = || RenderError::Readback(format!("fewer bytes than {width} × {height} pixels"));
+        RgbaImage::from_raw(width, height, pixels).ok_or_else(missing)
+    }
+}
+
+/// Rows are padded to the copy alignment on their way.
+fn padded_row(width: u32) -> u32 {
+    (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
+}
+
+/// Undoes the premultiplication of an encoded pixel.
+fn straight(pixel: &[u8]) -> [u8; 4] {
+    if pixel[3] == 255 {
+        return [pixel[0], pixel[1], pixel[2], 255];
+    }
+    let alpha = u32::from(pixel[3]);
+    let channel = |value: u8| (u32::from(value) * 255 + alpha / 2).checked_div(alpha).unwrap_or(0).min(255) as u8;
+    [channel(pixel[0]), channel(pixel[1]), channel(pixel[2]), pixel[3]]
+}

@@ -1,0 +1,228 @@
+//! Scenes: viewports side by side, and perhaps a surface, drawn into a texture of any size.
+//!
+//! A scene goes through the same `prepare` and `paint` as on screen, into a target like egui's.
+
+use super::targets::attachment;
+use super::{
+    Camera, CellCode, CellStyle, Handle, MeshGeometry, RenderError, SceneSurface, StrokeStyle, TextureStyle,
+    ViewportRenderer,
+};
+use glam::DVec2;
+use image::RgbaImage;
+
+/// Like egui's target: sRGB-encoded bytes, encoded by the shader.
+const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// One of the pictures of a scene.
+#[derive(Clone, Debug)]
+pub struct SceneViewport<'a> {
+    /// The textured mesh.
+    pub geometry: MeshGeometry<'a>,
+    /// The closed outline; may be empty.
+    pub boundary: &'a [DVec2],
+    /// Its stroke; `None`: the theme's.
+    pub boundary_style: Option<StrokeStyle>,
+    /// `None`: fit the positions with [`SceneDescription::margin_px`].
+    pub camera: Option<Camera>,
+    /// The texture.
+    pub style: TextureStyle,
+    /// Colours and edges of triangles, over the texture.
+    pub cells: Option<SceneCells<'a>>,
+    /// Discs on top.
+    pub handles: &'a [Handle],
+}
+
+/// A mesh that is shown triangle by triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct SceneCells<'a> {
+    /// Where each vertex is drawn.
+    pub positions: &'a [DVec2],
+    /// Vertex indices.
+    pub triangles: &'a [[u32; 3]],
+    /// The codes of the triangles; empty: 0 for all.
+    pub codes: &'a [CellCode],
+    /// How.
+    pub style: CellStyle,
+}
+
+/// Viewports side by side, of equal width, on one background.
+#[derive(Clone, Debug)]
+pub struct SceneDescription<'a> {
+    /// From left to right.
+    pub viewports: &'a [SceneViewport<'a>],
+    /// sRGB-encoded, straight alpha.
+    pub background: [f32; 4],
+    /// The image of `Pattern::Image`.
+    pub image: Option<&'a RgbaImage>,
+    /// Free space around a fitted mesh.
+    pub margin_px: f32,
+}
+
+/// Draws scenes one after the other; pipelines, buffers and targets are kept.
+#[derive(Debug)]
+pub struct SceneRenderer {
+    renderer: ViewportRenderer,
+    /// How many planar viewports it has.
+    viewports: usize,
+    target: Option<wgpu::Texture>,
+}
+
+impl SceneRenderer {
+    /// For scenes of any number of viewports.
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
+        let viewports = 2;
+        Self { renderer: ViewportRenderer::new(device, queue, TARGET_FORMAT, viewports), viewports, target: None }
+    }
+
+    /// Draws `scene`, with `surface` beside its viewports if there is one, into a texture of `size` pixels: sRGB-encoded,
+    /// alpha premultiplied. [`super::Readback`] gives its pixels.
+    ///
+    /// Of n pictures, number k takes the columns from ⌊k·w/n⌋ to ⌊(k+1)·w/n⌋.
+    pub fn draw(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        surface: Option<&SceneSurface>,
+        scene: &SceneDescription,
+        size: [u32; 2],
+    ) -> Result<wgpu::Texture, RenderError> {
+        surface.map_or(Ok(()), SceneSurface::check)?;
+        check(device, surface.is_some(), scene, size)?;
+        if scene.viewports.len() > self.viewports {
+            self.viewports = scene.viewports.len();
+            self.renderer = ViewportRenderer::new(device, queue, TARGET_FORMAT, self.viewports);
+        }
+        if let Some(image) = scene.image {
+            self.renderer.set_image(device, queue, image.as_raw(), image.width(), image.height())?;
+        }
+        let columns = Columns::new(surface, scene);
+        let renderer = &mut self.renderer;
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("scene") });
+        let size_of = |k| [columns.edge(k + 1, size[0]) - columns.edge(k, size[0]), size[1]];
+        if let (Some(surface), Some(column)) = (surface, columns.surface) {
+            surface.prepare(device, queue, renderer, &mut encoder, size_of(column), scene.background)?;
+        }
+        for (k, part) in scene.viewports.iter().enumerate() {
+            upload(device, queue, renderer, k, part)?;
+            let size_px = size_of(columns.of_viewport(k));
+            let camera = part.camera.unwrap_or_else(|| fitted(part.geometry.positions, size_px, scene.margin_px));
+            renderer.prepare(device, queue, &mut encoder, k, size_px, &camera, &part.style, scene.background);
+        }
+        let is_there = |target: &&wgpu::Texture| [target.width(), target.height()] == size;
+        let target = self.target.as_ref().filter(is_there).cloned().unwrap_or_else(|| target_texture(device, size));
+        paint(&mut encoder, renderer, columns, &target);
+        queue.submit([encoder.finish()]);
+        self.target = Some(target.clone());
+        Ok(target)
+    }
+}
+
+fn check(
+    device: &wgpu::Device,
+    with_surface: bool,
+    scene: &SceneDescription,
+    size: [u32; 2],
+) -> Result<(), RenderError> {
+    let [width, height] = size;
+    let limit = device.limits().max_texture_dimension_2d;
+    if width.min(height) == 0 || width.max(height) > limit {
+        return Err(RenderError::Size { width, height, limit });
+    }
+    let count = usize::from(with_surface) + scene.viewports.len();
+    if count == 0 || count > width as usize {
+        return Err(RenderError::ViewportCount { count, limit: width });
+    }
+    for (viewport, part) in scene.viewports.iter().enumerate() {
+        part.geometry.check().map_err(|reason| RenderError::Geometry { viewport, reason })?;
+    }
+    Ok(())
+}
+
+/// How a picture is divided from left to right.
+#[derive(Clone, Copy, Debug)]
+struct Columns {
+    count: usize,
+    /// The one that a surface has.
+    surface: Option<usize>,
+}
+
+impl Columns {
+    fn new(surface: Option<&SceneSurface>, scene: &SceneDescription) -> Self {
+        let planar = scene.viewports.len();
+        let place = surface.map(|surface| if surface.right { planar } else { 0 });
+        Self { count: planar + usize::from(surface.is_some()), surface: place }
+    }
+
+    /// The left edge of column `k` in a picture of this width.
+    fn edge(self, k: usize, width: u32) -> u32 {
+        (k as u64 * u64::from(width) / self.count as u64) as u32
+    }
+
+    fn of_viewport(self, k: usize) -> usize {
+        k + usize::from(self.surface == Some(0))
+    }
+}
+
+fn upload(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    renderer: &mut ViewportRenderer,
+    viewport: usize,
+    part: &SceneViewport,
+) -> Result<(), RenderError> {
+    let cells = part.cells.as_ref();
+    let uploaded = renderer.set_mesh(device, queue, viewport, &part.geometry)
+        && renderer.set_boundary(device, queue, viewport, part.boundary)
+        && cells.is_none_or(|cells| {
+            renderer.set_cells(device, queue, viewport, cells.positions, cells.triangles)
+                && (cells.codes.is_empty() || renderer.set_cell_codes(queue, viewport, &mut cells.codes.to_vec()))
+        });
+    if !uploaded {
+        let reason = format!("{} triangles do not fit on the graphics device", part.geometry.triangles.len());
+        return Err(RenderError::Geometry { viewport, reason });
+    }
+    renderer.set_cell_style(viewport, cells.map(|cells| cells.style));
+    renderer.set_boundary_style(viewport, part.boundary_style);
+    renderer.set_handles(device, queue, viewport, part.handles);
+    Ok(())
+}
+
+fn fitted(positions: &[DVec2], size_px: [u32; 2], margin_px: f32) -> Camera {
+    let (low, high) =
+        positions.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+    let bounds = if low.is_finite() && high.is_finite() { (low, high) } else { (DVec2::ZERO, DVec2::ONE) };
+    Camera::fit(bounds, size_px.map(|side| side as f32), margin_px)
+}
+
+fn paint(encoder: &mut wgpu::CommandEncoder, renderer: &ViewportRenderer, columns: Columns, target: &wgpu::Texture) {
+    let view = target.create_view(&wgpu::TextureViewDescriptor::default());
+    let clear = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
+    let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("scene"),
+        color_attachments: &[Some(attachment(&view, clear))],
+        ..Default::default()
+    });
+    let mut pass = pass.forget_lifetime();
+    for k in 0..columns.count {
+        let [left, right] = [k, k + 1].map(|k| columns.edge(k, target.width()));
+        pass.set_viewport(left as f32, 0.0, (right - left) as f32, target.height() as f32, 0.0, 1.0);
+        if columns.surface == Some(k) {
+            renderer.paint_surface(&mut pass);
+        } else {
+            renderer.paint(&mut pass, k - columns.of_viewport(0));
+        }
+    }
+}
+
+fn target_texture(device: &wgpu::Device, [width, height]: [u32; 2]) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("scene"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: TARGET_FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}

@@ -1,0 +1,192 @@
+//! What leaves riemap as files: `riemap render` in every format, checked by reading the files back.
+
+#![cfg(feature = "app")]
+#![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
+
+use riemap::outline;
+use riemap::render::FilmFormat;
+use riemap::session::{Command as Change, Session, SurfaceShape, SurfaceSpec, TextureKind, file, link};
+use riemap::surface::{SurfacePreset, read_surface};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn riemap(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_riemap")).args(arguments).output().unwrap()
+}
+
+/// An empty folder for one test.
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("exporting {name}"));
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn link(session: &Session) -> String {
+    link::encode(session).unwrap().fragment
+}
+
+fn surface_session() -> Session {
+    let mut session = Session::default();
+    let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
+    session.apply(Change::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    session
+}
+
+/// Runs a command that writes `name`, and reads what it wrote.
+fn written(folder: &Path, name: &str, arguments: &[&str]) -> Vec<u8> {
+    let out = folder.join(name).display().to_string();
+    let output = riemap(&[arguments, &["--out", &out]].concat());
+    assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+    std::fs::read(out).unwrap()
+}
+
+fn fails(arguments: &[&str], status: i32, words: &[&str]) {
+    let output = riemap(arguments);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
+    for word in words {
+        assert!(stderr.contains(word), "{arguments:?}: no {word:?} in: {stderr}");
+    }
+}
+
+#[test]
+fn a_planar_session_is_written_in_every_format() {
+    let folder = folder("planar");
+    let mut session = Session::default();
+    session.apply(Change::SetTexture(TextureKind::Conformal));
+    session.apply(Change::SetWireframe(true));
+    let link = link(&session);
+    let svg = written(&folder, "map.svg", &["render", &link]);
+    let text = String::from_utf8(svg.clone()).unwrap();
+    for class in ["outline", "mesh", "lines", "interior", "boundary"] {
+        assert!(text.matches(&format!("class=\"{class}\"")).count() >= 2, "{class}");
+    }
+    assert_eq!(outline::parse("map.svg", &svg).unwrap().name, "source");
+    let one = written(&folder, "one.svg", &["render", &link, "--side", "target"]);
+    assert_eq!(outline::parse("one.svg", &one).unwrap().name, "target");
+    let csv = String::from_utf8(written(&folder, "map.csv", &["render", &link])).unwrap();
+    assert!(csv.starts_with("s1 (share of arc length),s2"), "{}", csv.lines().next().unwrap());
+    assert!(csv.lines().count() > 500);
+    let obj = read_surface("map.obj", &written(&folder, "map.obj", &["render", &link])).unwrap();
+    assert!(obj.triangles.len() > 1000);
+    fails(&["render", &link, "--out", "map.glb"], 1, &[".glb", ".svg"]);
+}
+
+#[test]
+fn a_surface_session_is_written_with_its_texture_coordinates() {
+    let folder = folder("surface");
+    let link = link(&surface_session());
+    for format in ["obj", "ply", "glb"] {
+        let name = format!("map.{format}");
+        let surface = read_surface(&name, &written(&folder, &name, &["render", &link])).unwrap();
+        assert!(surface.triangles.len() > 300, "{name}");
+    }
+    let csv = String::from_utf8(written(&folder, "map.csv", &["render", &link])).unwrap();
+    assert!(csv.starts_with("x,y,z,u,v\n"));
+    assert!(written(&folder, "map.svg", &["render", &link]).starts_with(b"<svg"));
+}
+
+#[test]
+fn a_transparent_picture_has_no_ground() {
+    let folder = folder("transparent");
+    for (session, name) in [(Session::default(), "plane"), (surface_session(), "surface")] {
+        let link = link(&session);
+        let arguments = ["render", &link, "--size", "320x200"];
+        let opaque = written(&folder, &format!("{name}-opaque.png"), &arguments);
+        let opaque = image::load_from_memory(&opaque).unwrap().into_rgba8();
+        let transparent = [&arguments[..], &["--transparent"]].concat();
+        let transparent = written(&folder, &format!("{name}-transparent.png"), &transparent);
+        let transparent = image::load_from_memory(&transparent).unwrap().into_rgba8();
+        for [x, y] in [[0, 0], [319, 0], [0, 199], [319, 199]] {
+            assert_eq!(transparent.get_pixel(x, y).0[3], 0, "{name}: the corner {x}, {y}");
+            assert_eq!(opaque.get_pixel(x, y).0[3], 255, "{name}");
+        }
+        let inside = transparent.pixels().zip(opaque.pixels()).filter(|(pixel, _)| pixel.0[3] == 255);
+        let differences = inside.filter(|(a, b)| a.0.iter().zip(b.0).any(|(a, b)| a.abs_diff(b) > 2)).count();
+        assert!(differences < 20, "{name}: {differences} opaque pixels differ");
+        assert!(transparent.pixels().filter(|pixel| pixel.0[3] == 255).count() > 5000, "{name}");
+    }
+}
+
+#[test]
+fn one_side_alone_fills_the_picture() {
+    let folder = folder("side");
+    let path = folder.join("session.riemap");
+    std::fs::write(&path, file::write(&Session::default()).unwrap()).unwrap();
+    let path = path.display().to_string();
+    let arguments = ["render", &path, "--size", "200x200", "--transparent", "--side"];
+    let [source, target] = ["source", "target"].map(|side| {
+        let bytes = written(&folder, &format!("{side}.png"), &[&arguments[..], &[side]].concat());
+        image::load_from_memory(&bytes).unwrap().into_rgba8()
+    });
+    assert_ne!(source, target);
+    for picture in [source, target] {
+        let rows = |y: u32| (0..200).any(|x| picture.get_pixel(x, y).0[3] == 255);
+        assert!(rows(30) && rows(170), "it is as high as the picture");
+    }
+}
+
+#[test]
+fn wishes_that_make_no_sense_are_refused() {
+    let link = link(&Session::default());
+    fails(&["render", &link, "--out", "map.svg", "--transparent"], 2, &["--transparent"]);
+    fails(&["render", &link, "--out", "map.docx"], 2, &["extension", "svg"]);
+    fails(&["render", &link, "--out", "map.png", "--side", "left"], 2, &["left"]);
+}
+
+/// The frames of an animation, decoded.
+fn frames(format: FilmFormat, bytes: &[u8]) -> Vec<image::Frame> {
+    use image::AnimationDecoder;
+    let bytes = std::io::Cursor::new(bytes);
+    if format == FilmFormat::Gif {
+        return image::codecs::gif::GifDecoder::new(bytes).unwrap().into_frames().collect_frames().unwrap();
+    }
+    let decoder = image::codecs::png::PngDecoder::new(bytes).unwrap();
+    decoder.apng().unwrap().into_frames().collect_frames().unwrap()
+}
+
+#[test]
+fn an_animation_has_its_frames_and_begins_at_the_session() {
+    let folder = folder("animation");
+    let link = link(&Session::default());
+    let still = written(&folder, "still.png", &["render", &link, "--size", "240x120"]);
+    let still = image::load_from_memory(&still).unwrap().into_rgba8();
+    let (png, gif) = (FilmFormat::Png, FilmFormat::Gif);
+    for (format, path) in [(png, "interior"), (gif, "boundary"), (png, "target-interior"), (gif, "both")] {
+        let name = &format!("{path}.{}", format.extension());
+        let arguments = ["animate", &link, "--size", "240x120", "--frames", "4", "--seconds", "1", "--path", path];
+        let frames = frames(format, &written(&folder, name, &arguments));
+        assert_eq!(frames.len(), 4, "{name}");
+        if format == png {
+            let first = frames[0].buffer().pixels().zip(still.pixels());
+            let differing = first.filter(|(a, b)| a.0.iter().zip(b.0).any(|(a, b)| a.abs_diff(b) > 2)).count();
+            assert!(differing < 30, "{name}: {differing} pixels of the first frame are not the session's");
+        }
+        for (k, pair) in frames.windows(2).enumerate() {
+            let moved = pair[0].buffer().pixels().zip(pair[1].buffer().pixels()).filter(|(a, b)| a != b).count();
+            assert!(moved > 300, "{name}: only {moved} pixels change after frame {k}");
+        }
+    }
+}
+
+#[test]
+fn a_surface_turns_too_and_on_no_ground() {
+    let folder = folder("surface animation");
+    let link = link(&surface_session());
+    let arguments = ["animate", &link, "--size", "160x80", "--frames", "3", "--transparent", "--side", "target"];
+    let frames = frames(FilmFormat::Png, &written(&folder, "a.png", &arguments));
+    assert_eq!(frames.len(), 3);
+    assert!(frames.iter().all(|frame| frame.buffer().get_pixel(0, 0).0[3] == 0));
+    assert_ne!(frames[0].buffer(), frames[1].buffer());
+    fails(&["animate", &link, "--out", "a.png", "--path", "target-interior"], 2, &["surface"]);
+}
+
+#[test]
+fn animations_that_cannot_be_are_refused() {
+    let link = link(&Session::default());
+    fails(&["animate", &link, "--out", "a.webm"], 2, &["png", "gif"]);
+    fails(&["animate", &link, "--out", "a.gif", "--frames", "1"], 2, &["1 frames"]);
+    fails(&["animate", &link, "--out", "a.gif", "--frames", "100", "--seconds", "1"], 2, &["at most 50"]);
+    fails(&["animate", &link, "--out", "a.png", "--path", "sideways"], 2, &["sideways", "boundary"]);
+}
