@@ -20,6 +20,10 @@ const LEAST_SHARE: f64 = 1e-3;
 /// How far the outline may be from the ring, in pixels: the stairs of a picture without grey edges are half a pixel high.
 const TOLERANCE: f64 = 0.75;
 
+/// How far the chords of the rounded outline may be from it, in pixels: the curve turns with every stair,
+/// and would have a thousand points to say so.
+const INVISIBLE: f64 = 0.1;
+
 /// The most points that the outline goes through; a ring that needs more is followed more coarsely.
 const MOST_POINTS: usize = 300;
 
@@ -68,7 +72,9 @@ fn strengths(picture: &RgbaImage) -> Result<(Vec<f64>, f64), TraceError> {
     }
     let mut threshold = otsu(&values);
     if is_bright_at_the_edge(&values, picture.width() as usize, threshold) {
-        values.iter_mut().for_each(|value| *value = 1.0 - *value);
+        for value in &mut values {
+            *value = 1.0 - *value;
+        }
         threshold = 1.0 - threshold;
     }
     Ok((values, threshold))
@@ -105,9 +111,9 @@ fn otsu(values: &[f64]) -> f64 {
     let sum: f64 = (0..256).map(|k| f64::from(k) * histogram[k as usize]).sum();
     let (mut below, mut below_sum) = (0.0, 0.0);
     let mut best = (0.0, [0, 0]);
-    for k in 0..255 {
-        below += histogram[k];
-        below_sum += k as f64 * histogram[k];
+    for (k, count) in histogram.iter().enumerate().take(255) {
+        below += count;
+        below_sum += k as f64 * count;
         let above = total - below;
         if below == 0.0 || above == 0.0 {
             continue;
@@ -133,7 +139,7 @@ fn rings(values: &[f64], (width, height): (u32, u32), threshold: f64) -> Vec<Vec
     }
     // the frame has as many values as the builder is told
     let lines = ContourBuilder::new(w + 2, h + 2, true).lines(&framed, &[threshold]).unwrap_or_default();
-    let places = lines.iter().flat_map(|line| line.geometry()).map(|ring| ring.coords().map(|p| (p.x, p.y)));
+    let places = lines.iter().flat_map(contour::Line::geometry).map(|ring| ring.coords().map(|p| (p.x, p.y)));
     places.map(|ring| closed(&ring.collect::<Vec<_>>(), f64::from(height))).collect()
 }
 
@@ -162,7 +168,8 @@ fn simplified(ring: &[DVec2]) -> Result<SimplePolygon, PolygonError> {
         tolerance *= 1.25;
         points = at(ring, &simplified_ring(ring, tolerance));
     }
-    SimplePolygon::try_from(curve_with_corners(&points))
+    let curve = curve_with_corners(&points);
+    SimplePolygon::try_from(at(&curve, &simplified_ring(&curve, INVISIBLE)))
         .or_else(|_| SimplePolygon::try_from(points))
         .or_else(|_| SimplePolygon::try_from(ring.to_vec()))
 }

@@ -21,7 +21,9 @@ pub(super) fn smoothed(vertices: &[DVec2]) -> Vec<DVec2> {
     let (shrunk, centroid) = area_and_centroid(&points);
     let scale = (area / shrunk).sqrt();
     if scale.is_finite() {
-        points.iter_mut().for_each(|p| *p = centroid + scale * (*p - centroid));
+        for p in &mut points {
+            *p = centroid + scale * (*p - centroid);
+        }
     }
     points
 }

@@ -77,7 +77,7 @@ pub enum EditAction {
 
 #[derive(Debug)]
 enum Work {
-    Reshaping(Reshaping),
+    Reshaping(Box<Reshaping>),
     Drawing(Drawing),
 }
 
@@ -219,10 +219,9 @@ impl Editor {
             EditAction::Grab(handle) => reshaping.grab(handle, model),
             EditAction::Drag(to) => reshaping.drag(to, model),
             EditAction::Release => {
-                if reshaping.release(model) {
-                    self.refusal =
-                        Some(String::from(tr("The outline crossed itself there: the last good one was kept.")));
-                }
+                let crossed = reshaping.release(model);
+                self.refusal =
+                    crossed.then(|| tr("The outline crossed itself there: the last good one was kept.").into());
             }
             EditAction::Select(handle) => reshaping.selected = handle,
             EditAction::Change(change) => {
@@ -243,7 +242,7 @@ impl Editor {
         };
         let name = format!("{}{EDITED}", name.strip_suffix(EDITED).unwrap_or(name));
         let Some(reshaping) = Reshaping::new(side, name, model) else { return };
-        self.work = Some(Work::Reshaping(reshaping));
+        self.work = Some(Work::Reshaping(Box::new(reshaping)));
         self.was_fitted = views[side as usize].is_fitted();
     }
 

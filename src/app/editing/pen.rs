@@ -30,7 +30,9 @@ pub fn interact(ui: &Ui, response: &Response, view: &mut View, drawing: &Drawing
     let at = view.to_world(pointer);
     if freehand {
         if response.dragged() || response.is_pointer_button_down_on() {
-            places_since_last_frame(ui).into_iter().for_each(|place| push(EditAction::Point(view.to_world(place))));
+            for place in places_since_last_frame(ui) {
+                push(EditAction::Point(view.to_world(place)));
+            }
             push(EditAction::Point(at));
         }
         if response.drag_stopped() || response.clicked() {

@@ -355,7 +355,9 @@ fn a_drawing_that_crosses_itself_stays_until_it_is_mended_and_a_stroke_begins_an
     let mut bench = Bench::square();
     pixel(&mut bench);
     bench.act(EditAction::Draw(SIDE, Pen::Lines));
-    bow.iter().for_each(|&point| bench.act(EditAction::Point(point)));
+    for point in bow {
+        bench.act(EditAction::Point(point));
+    }
     bench.act(EditAction::Close);
     let at = bench.editor.crossing().unwrap().at.unwrap();
     assert!(at.distance(DVec2::splat(0.5)) < 1e-12 && bench.requests().is_empty(), "{at}");
