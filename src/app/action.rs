@@ -67,6 +67,10 @@ pub enum Action {
     Prefer(Preferences),
     /// Fold the panels away, or bring them back.
     TogglePanels,
+    /// The whole screen, or a window again.
+    ToggleFullScreen,
+    /// Everything half as large again, or not.
+    TogglePresentation,
 }
 
 /// The queue.

@@ -5,6 +5,7 @@
 
 use super::plots::inks_of_plots;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR};
+use crate::render::ColourMap;
 use egui::Color32;
 
 const NORMAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -14,6 +15,9 @@ const DEUTERANOPIA: [[f64; 3]; 3] =
     [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]];
 const TRITANOPIA: [[f64; 3]; 3] =
     [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]];
+
+const ALL_EYES: [(&str, [[f64; 3]; 3]); 4] =
+    [("usual", NORMAL), ("protanopia", PROTANOPIA), ("deuteranopia", DEUTERANOPIA), ("tritanopia", TRITANOPIA)];
 
 /// From linear sRGB to CIE XYZ (IEC 61966-2-1).
 const XYZ: [[f64; 3]; 3] = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]];
@@ -53,17 +57,34 @@ fn colours_are_told_apart_by_eyes_that_confuse_some() {
     for group in inks_of_plots().into_iter().chain([dots]) {
         for (k, a) in group.iter().enumerate() {
             for b in &group[..k] {
-                for (eyes, seen) in [
-                    ("usual", NORMAL),
-                    ("protanopia", PROTANOPIA),
-                    ("deuteranopia", DEUTERANOPIA),
-                    ("tritanopia", TRITANOPIA),
-                ] {
+                for (eyes, seen) in ALL_EYES {
                     let apart = difference(*a, *b, &seen);
                     assert!(apart > DISTINCT, "{eyes}: {a:?} and {b:?} differ by {apart:.1}");
                 }
             }
         }
+    }
+}
+
+#[test]
+fn the_colours_of_numbers_keep_their_order() {
+    let at = |map: ColourMap, t: f64| {
+        let [r, g, b, _] = map.at(t).map(|component| (255.0 * component).round() as u8);
+        Color32::from_rgb(r, g, b)
+    };
+    for (eyes, seen) in ALL_EYES {
+        let lightness = |map, t| lab(at(map, t), &seen)[0];
+        for k in 0..20 {
+            let (t, u) = (f64::from(k) / 20.0, f64::from(k + 1) / 20.0);
+            assert!(lightness(ColourMap::Cividis, u) > lightness(ColourMap::Cividis, t), "{eyes}: {t}");
+            let outwards = |side: f64| {
+                lightness(ColourMap::Diverging, 0.5 + side * 0.5 * u)
+                    < lightness(ColourMap::Diverging, 0.5 + side * 0.5 * t)
+            };
+            assert!(outwards(-1.0) && outwards(1.0), "{eyes}: darker on both sides of the middle, {t}");
+        }
+        let ends = difference(at(ColourMap::Diverging, 0.2), at(ColourMap::Diverging, 0.8), &seen);
+        assert!(ends > DISTINCT, "{eyes}: less and more differ by {ends:.1}");
     }
 }
 

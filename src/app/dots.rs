@@ -1,6 +1,7 @@
 //! The dots on the screen: grabbed, let go, and painted, on planar pictures and on surfaces alike.
 
 use super::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, HandleState, hit};
+use super::locks::Locks;
 use super::plots::Plots;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use super::widgets::caption_font;
@@ -32,11 +33,15 @@ pub fn grab_and_release(
         let pointer = &input.pointer;
         (pointer.primary_pressed(), pointer.primary_down(), pointer.interact_pos(), input.time)
     });
+    let locks = Locks::of(ui.ctx());
     let under = pointer.filter(|_| response.contains_pointer()).and_then(|pointer| hit(side, places, pointer));
+    let under = under.filter(|handle| !locks.holds_handle(handle.kind));
     if let (true, Some(handle), Some(pointer)) = (pressed, under, pointer)
         && let Some(place) = places[handle.kind as usize]
     {
         handles.grab(handle, place, pointer, now);
+        // who takes a dot with the pointer has left the keyboard
+        ui.memory_mut(|memory| memory.focused().inspect(|id| memory.surrender_focus(*id)));
     }
     if !down && handles.grip.is_some_and(|grip| grip.handle.side == side) {
         handles.release();

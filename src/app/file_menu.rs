@@ -3,16 +3,20 @@
 use super::action::{Action, Actions};
 use super::keeping::Keeper;
 use super::language::tr;
+use super::locks::menu_entry;
+use super::presentation;
 use super::theme::FINGER_HEIGHT;
 use super::widgets::chevron;
+use crate::platform;
 use egui::containers::menu::MenuButton;
-use egui::{Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
 
 const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
 const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
 const REDO_TOO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Y);
 const SAVE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::S);
 
+const FULL_SCREEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F);
 const EXPORT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::E);
 
 const LINK_TOOLTIP: &str = "The address carries everything that is set: it opens the same picture in another browser";
@@ -23,11 +27,11 @@ const EXPORT_TOOLTIP: &str = "Pictures, animations, vector graphics, tables, mes
 pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
     let (response, _) = MenuButton::from_button(egui::Button::new(format!("{}     ", tr("File")))).ui(ui, |ui| {
         ui.set_width(190.0);
-        for (entry, enabled, action) in entries(keeper) {
+        for (entry, enabled, action) in entries(keeper, ui.ctx()) {
             let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
             let button =
                 egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, FINGER_HEIGHT));
-            if ui.add_enabled(enabled, button).on_hover_text(tr(entry.tooltip)).clicked() {
+            if menu_entry(ui, enabled, button, entry.tooltip, &action) {
                 actions.push(action);
                 ui.close();
             }
@@ -43,10 +47,10 @@ struct Entry {
     shortcut: Option<KeyboardShortcut>,
 }
 
-fn entries(keeper: &Keeper) -> [(Entry, bool, Action); 7] {
+fn entries(keeper: &Keeper, context: &Context) -> Vec<(Entry, bool, Action)> {
     let entry = |label, tooltip, shortcut| Entry { label, tooltip, shortcut };
     let history = keeper.history();
-    [
+    let mut entries = vec![
         (entry("Undo", "Take the last step back; a drag is one step", Some(UNDO)), history.can_undo(), Action::Undo),
         (entry("Redo", "Make it again", Some(REDO)), history.can_redo(), Action::Redo),
         (entry("New", "Begin with the first picture again; it can be undone", None), true, Action::New),
@@ -54,7 +58,14 @@ fn entries(keeper: &Keeper) -> [(Entry, bool, Action); 7] {
         (entry("Save…", "The session as a .riemap file", Some(SAVE)), true, Action::SaveSession),
         (entry("Copy link", LINK_TOOLTIP, None), true, Action::CopyLink),
         (entry("Export…", EXPORT_TOOLTIP, Some(EXPORT)), true, Action::OpenExport),
-    ]
+    ];
+    if platform::has_full_screen() {
+        let full = entry("Full screen", presentation::FULL_SCREEN_TOOLTIP, Some(FULL_SCREEN));
+        entries.push((full, true, Action::ToggleFullScreen));
+    }
+    let size = if presentation::is_large(context) { "Desk size" } else { "Presentation size" };
+    entries.push((entry(size, presentation::PRESENTATION_TOOLTIP, None), true, Action::TogglePresentation));
+    entries
 }
 
 /// Turns the menu's keys into actions, unless a text is being written.

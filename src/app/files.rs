@@ -8,6 +8,7 @@ use crate::platform::{FilePurpose, IMAGE_ENDINGS, SURFACE_ENDINGS};
 use crate::session::{Session, file};
 
 /// A decoded image.
+#[derive(Debug)]
 pub struct Picture {
     /// The file's name.
     pub name: String,
@@ -19,8 +20,13 @@ pub struct Picture {
 pub enum Content {
     /// An outline for a side.
     Outline(Side, Outline),
-    /// A texture.
-    Image(Picture),
+    /// A texture, or a picture to trace, not yet decoded: the platform does that.
+    Image {
+        /// The file's name.
+        name: String,
+        /// Its content.
+        bytes: Vec<u8>,
+    },
     /// A session.
     Session(Box<Session>),
     /// A surface, not yet read: that is work for its worker.
@@ -42,12 +48,7 @@ pub enum FileError {
 }
 
 /// Reads a file for its purpose; a dropped one is told by its name, and a surface always is.
-pub fn read(
-    purpose: FilePurpose,
-    name: &str,
-    bytes: Result<Vec<u8>, String>,
-    max_image_side: u32,
-) -> Result<Content, FileError> {
+pub fn read(purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) -> Result<Content, FileError> {
     let is_session = has_ending(name, &[file::EXTENSION]);
     let (image, side) = match purpose {
         FilePurpose::Image => (true, Side::Source),
@@ -61,13 +62,8 @@ pub fn read(
         if image || session { FileError::Common(message) } else { FileError::Outline(side, Trouble::new(message)) }
     };
     let bytes = bytes.map_err(failed)?;
-    if purpose == FilePurpose::Trace(side) {
-        let pixels = decode(&bytes, tracing::MAX_SIDE).map_err(failed)?;
-        return traced(side, &Picture { name: name.to_owned(), pixels });
-    }
-    if image {
-        let pixels = decode(&bytes, max_image_side).map_err(failed)?;
-        return Ok(Content::Image(Picture { name: name.to_owned(), pixels }));
+    if image || purpose == FilePurpose::Trace(side) {
+        return Ok(Content::Image { name: name.to_owned(), bytes });
     }
     if session {
         let read = file::read(&bytes).map_err(|error| failed(error.to_string()))?;
@@ -103,83 +99,49 @@ fn has_ending(name: &str, endings: &[&str]) -> bool {
     endings.contains(&ending.as_str())
 }
 
-/// Decodes a PNG or JPEG, halved until the device can hold it.
-fn decode(bytes: &[u8], max_side: u32) -> Result<image::RgbaImage, String> {
-    let decoded = image::load_from_memory(bytes)
-        .map_err(|error| format!("this is no PNG or JPEG image that can be read ({error})"))?;
-    let largest = decoded.width().max(decoded.height());
-    if largest <= max_side {
-        return Ok(decoded.into_rgba8());
-    }
-    let scale = f64::from(max_side) / f64::from(largest);
-    let scaled = |side: u32| ((f64::from(side) * scale) as u32).max(1);
-    Ok(decoded.thumbnail_exact(scaled(decoded.width()), scaled(decoded.height())).into_rgba8())
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
     use super::*;
 
-    fn png(width: u32, height: u32) -> Vec<u8> {
-        let mut bytes = std::io::Cursor::new(Vec::new());
-        let picture = image::RgbaImage::from_pixel(width, height, image::Rgba([1, 2, 3, 255]));
-        picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-        bytes.into_inner()
-    }
-
     #[test]
     fn a_dropped_png_is_a_texture_whatever_the_case_of_its_ending() {
-        let content = read(FilePurpose::Dropped(Side::Target), "a.PNG", Ok(png(3, 2)), 4096);
-        let Ok(Content::Image(picture)) = content else { panic!("not an image") };
-        assert_eq!(picture.pixels.dimensions(), (3, 2));
+        let content = read(FilePurpose::Dropped(Side::Target), "a.PNG", Ok(vec![1, 2]));
+        let Ok(Content::Image { name, bytes }) = content else { panic!("not an image") };
+        assert_eq!((name.as_str(), bytes), ("a.PNG", vec![1, 2]));
     }
 
     #[test]
     fn a_surface_is_told_by_its_name_wherever_it_is_opened() {
         for purpose in [FilePurpose::Dropped(Side::Source), FilePurpose::Outline(Side::Target)] {
-            let content = read(purpose, "Cow.OBJ", Ok(b"v 0 0 0".to_vec()), 32);
+            let content = read(purpose, "Cow.OBJ", Ok(b"v 0 0 0".to_vec()));
             assert!(matches!(content, Ok(Content::Surface { name, .. }) if name == "Cow.OBJ"));
         }
     }
 
     #[test]
-    fn an_image_that_the_device_cannot_hold_is_made_smaller_in_proportion() {
-        let Ok(Content::Image(picture)) = read(FilePurpose::Image, "wide.png", Ok(png(64, 16)), 32) else { panic!() };
-        assert_eq!(picture.pixels.dimensions(), (32, 8));
-    }
-
     #[test]
     fn a_picture_that_is_to_be_traced_becomes_an_outline() {
-        let mut bytes = std::io::Cursor::new(Vec::new());
-        let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { [0; 3] } else { [255; 3] };
-        let picture = image::RgbImage::from_fn(300, 240, |x, y| image::Rgb(ink(x, y)));
-        picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-        let content = read(FilePurpose::Trace(Side::Target), "box.png", Ok(bytes.into_inner()), 32);
+        let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { 0 } else { 255 };
+        let pixels = image::RgbaImage::from_fn(300, 240, |x, y| image::Rgba([ink(x, y), ink(x, y), ink(x, y), 255]));
+        let content = traced(Side::Target, &Picture { name: "box.png".into(), pixels });
         let Ok(Content::Outline(Side::Target, outline)) = content else { panic!("not traced") };
         assert_eq!(outline.name, "box");
         assert!((outline.polygon.area() / 7200.0 - 1.0).abs() < 0.02, "{}", outline.polygon.area());
-        let error = read(FilePurpose::Trace(Side::Target), "blank.png", Ok(png(30, 20)), 32).err();
+        let pixels = image::RgbaImage::from_pixel(30, 20, image::Rgba([1, 2, 3, 255]));
+        let error = traced(Side::Target, &Picture { name: "blank.png".into(), pixels }).err();
         let Some(FileError::Outline(Side::Target, trouble)) = error else { panic!("{error:?}") };
         assert!(trouble.text.starts_with("blank.png: the whole picture has one colour"), "{}", trouble.text);
     }
 
     #[test]
-    fn what_is_no_image_is_told_with_the_files_name() {
-        let Err(FileError::Common(message)) = read(FilePurpose::Image, "x.png", Ok(b"text".to_vec()), 32) else {
-            panic!()
-        };
-        assert!(message.starts_with("x.png: "), "{message}");
-    }
-
-    #[test]
     fn an_unreadable_outline_is_told_beside_its_side() {
-        let error = read(FilePurpose::Dropped(Side::Target), "shape.csv", Err("permission denied".into()), 32).err();
+        let error = read(FilePurpose::Dropped(Side::Target), "shape.csv", Err("permission denied".into())).err();
         assert_eq!(error, Some(FileError::Outline(Side::Target, Trouble::new("shape.csv: permission denied".into()))));
     }
 
     fn trouble_with(text: &str) -> Trouble {
-        match read(FilePurpose::Outline(Side::Source), "a.json", Ok(text.into()), 32) {
+        match read(FilePurpose::Outline(Side::Source), "a.json", Ok(text.into())) {
             Err(FileError::Outline(Side::Source, trouble)) => trouble,
             _ => panic!("was read"),
         }

@@ -75,6 +75,8 @@ pub struct HandleState {
     pub grip: Option<Grip>,
     /// The one that has the keyboard.
     pub focused: Option<Handle>,
+    /// The viewport that has the keyboard.
+    pub focused_view: Option<Side>,
     /// The one under the pointer.
     pub hovered: Option<Handle>,
     /// The one that pulses, and since when (seconds).

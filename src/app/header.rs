@@ -3,6 +3,7 @@
 use super::action::{Action, Actions};
 use super::editing::EditAction;
 use super::language::{tr, tr_message};
+use super::locks::{Control, guarded};
 use super::model::Model;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use super::trouble::Remedy;
@@ -38,6 +39,8 @@ pub struct Surroundings {
     pub edited: Option<Side>,
     /// The panels are folded away: here is the way back for those without a Tab key.
     pub folded: bool,
+    /// In another page, which wants the pictures alone.
+    pub embedded: bool,
 }
 
 /// Shows the title line, the buttons and the messages of a viewport.
@@ -53,7 +56,9 @@ pub fn show(
     let area = rect.shrink2(vec2(14.0, 10.0));
     ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
         ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-            buttons(ui, side, model, is_fitted, around, actions);
+            if !around.embedded {
+                buttons(ui, side, model, is_fitted, around, actions);
+            }
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
                 over_the_mesh(ui, |ui| title(ui, side, model));
@@ -96,16 +101,22 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
 fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surroundings, actions: &mut Actions) {
     ui.spacing_mut().button_padding = vec2(9.0, 4.0);
     ui.spacing_mut().interact_size.y = theme::control_height(ui, 26.0);
-    let panels =
-        (around.folded && side == Side::Target).then(|| ui.button(tr("Panels")).on_hover_text(tr(PANELS_TOOLTIP)));
+    let panels = (around.folded && side == Side::Target)
+        .then(|| guarded(ui, Control::Panels, |ui| ui.button(tr("Panels")).on_hover_text(tr(PANELS_TOOLTIP))));
     if panels.is_some_and(|button| button.clicked()) {
         actions.push(Action::TogglePanels);
     }
     let width = theme::control_height(ui, 0.0); // a short word needs as much of a finger as a long one
-    let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")).min_size(vec2(width, 0.0)));
-    if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
-        actions.push(Action::Fit(side));
-    }
+    guarded(ui, Control::View, |ui| {
+        let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")).min_size(vec2(width, 0.0)));
+        if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
+            actions.push(Action::Fit(side));
+        }
+    });
+    guarded(ui, Control::Outline, |ui| outline_buttons(ui, side, model, around, actions));
+}
+
+fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings, actions: &mut Actions) {
     if side == Side::Source || model.surface().is_none() {
         let edited = around.edited == Some(side);
         let edit = ui.add(egui::Button::selectable(edited, tr("Edit")).frame_when_inactive(true));

@@ -3,6 +3,7 @@
 use super::action::{Action, Actions};
 use super::explore::ExploreAction;
 use super::language::{Language, tr};
+use super::locks::{Control, guarded, menu_entry};
 use super::preferences::{Appearance, Preferences};
 use super::theme::{FINGER_HEIGHT, Palette};
 use super::widgets::{Segment, chevron, segmented};
@@ -25,13 +26,14 @@ pub fn menu_button(ui: &mut Ui, preferences: Preferences, actions: &mut Actions)
         ui.set_width(WIDTH);
         for (label, tooltip, action) in entries() {
             let button = egui::Button::new(tr(label)).min_size(vec2(WIDTH, FINGER_HEIGHT));
-            if ui.add(button).on_hover_text(tr(tooltip)).clicked() {
-                actions.push(Action::Explore(action));
+            let action = Action::Explore(action);
+            if menu_entry(ui, true, button, tooltip, &action) {
+                actions.push(action);
                 ui.close();
             }
         }
         ui.separator();
-        choices(ui, preferences, actions);
+        guarded(ui, Control::Theme, |ui| choices(ui, preferences, actions));
     });
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Help")));
     chevron(ui, response.rect, false);
@@ -48,9 +50,11 @@ fn entries() -> [(&'static str, &'static str, ExploreAction); 3] {
 fn choices(ui: &mut Ui, old: Preferences, actions: &mut Actions) {
     let weak = Palette::of(ui.visuals()).weak;
     ui.colored_label(weak, tr("Language"));
-    let languages = Language::ALL.map(|value| Segment { value, label: value.name(), tooltip: value.name() });
-    if let Some(language) = segmented(ui, &languages, old.language()) {
-        actions.push(Action::Prefer(Preferences { language: Some(language), ..old }));
+    let [english, german] =
+        Language::ALL.map(|value| Segment { value: Some(value), label: value.name(), tooltip: value.name() });
+    let system = Segment { value: None, label: "System", tooltip: "The language of the system, if it is one of these" };
+    if let Some(language) = segmented(ui, &[system, english, german], old.language) {
+        actions.push(Action::Prefer(Preferences { language, ..old }));
     }
     ui.add_space(4.0);
     ui.colored_label(weak, tr("Theme"));

@@ -1,9 +1,14 @@
 //! What comes in from outside of a frame: the workers' answers, files, links.
 
 use super::RiemapApp;
-use super::files::{self, Content, FileError};
+use super::files::{self, Content, FileError, Picture};
 use super::gpu::Gpu;
+use super::language::tr;
+use super::locks::{Control, REFUSAL};
 use super::offer::Offer;
+use super::presentation;
+use super::tracing;
+use super::trouble::Trouble;
 use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose};
 use crate::session::{Command, TextureKind};
@@ -18,21 +23,52 @@ impl RiemapApp {
                 Event::WorkerDied { subject, reason } => self.model.worker_died(subject, &reason),
                 Event::Found { study, finding } => self.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
-                Event::Link(address) => self.open_link(&address),
+                Event::Link(address) => {
+                    if self.may(Control::Session) {
+                        self.open_link(&address);
+                    }
+                }
+                Event::GraphicsLost(reason) => self.message = Some(presentation::graphics_lost(&reason)),
+                Event::Image { purpose, name, pixels } => self.take_image(purpose, name, pixels),
                 Event::NotSaved { name, reason } => self.message = Some(format!("{name} was not saved: {reason}")),
             }
         }
     }
 
     pub(super) fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
+        self.explore.keep();
         self.keeper.touch();
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
-        let content = files::read(purpose, name, bytes, limit);
-        if let (Ok(Content::Image(picture)), FilePurpose::Image | FilePurpose::Dropped(_)) = (&content, purpose) {
-            let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
-            self.offer = Some(Offer::new(side, picture));
+        let content = files::read(purpose, name, bytes);
+        if let Ok(content) = &content
+            && !self.may(locked_by(content, purpose))
+        {
+            return;
         }
-        self.take(content);
+        match content {
+            Ok(Content::Image { name, bytes }) => {
+                let limit = if matches!(purpose, FilePurpose::Trace(_)) { tracing::MAX_SIDE } else { limit };
+                platform::decode_image(purpose, name, bytes, limit, self.mailbox.clone());
+            }
+            content => self.take(content),
+        }
+    }
+
+    /// An image was decoded, or could not be.
+    fn take_image(&mut self, purpose: FilePurpose, name: String, pixels: Result<image::RgbaImage, String>) {
+        match (purpose, pixels) {
+            (FilePurpose::Trace(side), Ok(pixels)) => self.take(files::traced(side, &Picture { name, pixels })),
+            (FilePurpose::Trace(side), Err(reason)) => {
+                self.model.side_mut(side).error = Some(Trouble::new(format!("{name}: {reason}")));
+            }
+            (_, Ok(pixels)) => {
+                let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
+                let picture = Picture { name, pixels };
+                self.offer = Some(Offer::new(side, &picture));
+                self.use_image(picture);
+            }
+            (_, Err(reason)) => self.message = Some(format!("{name}: {reason}")),
+        }
     }
 
     /// Traces the picture that has just become the texture.
@@ -46,7 +82,7 @@ impl RiemapApp {
     fn take(&mut self, content: Result<Content, FileError>) {
         match content {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
-            Ok(Content::Image(picture)) => self.use_image(picture),
+            Ok(Content::Image { .. }) => {} // is decoded first
             Ok(Content::Session(session)) => self.open_session(*session),
             Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(&name, bytes),
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
@@ -54,7 +90,16 @@ impl RiemapApp {
         }
     }
 
-    pub(super) fn use_image(&mut self, picture: files::Picture) {
+    /// Whether a control may be changed from outside of the panels; if not, that is said.
+    fn may(&mut self, control: Control) -> bool {
+        let locked = self.options.locks.holds(control);
+        if locked {
+            self.message = Some(format!("{}: {}.", tr(REFUSAL), control.name()));
+        }
+        !locked
+    }
+
+    pub(super) fn use_image(&mut self, picture: Picture) {
         let (width, height) = picture.pixels.dimensions();
         let used = self.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(picture.pixels.as_raw(), width, height));
         match used {
@@ -77,5 +122,15 @@ impl RiemapApp {
         for file in &dropped {
             platform::read_dropped(file, side, self.mailbox.clone());
         }
+    }
+}
+
+/// What a file would change.
+fn locked_by(content: &Content, purpose: FilePurpose) -> Control {
+    match content {
+        Content::Outline(..) | Content::Surface { .. } => Control::Outline,
+        Content::Image { .. } if matches!(purpose, FilePurpose::Trace(_)) => Control::Outline,
+        Content::Image { .. } => Control::Pattern,
+        Content::Session(_) => Control::Session,
     }
 }

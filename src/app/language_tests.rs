@@ -33,6 +33,7 @@ fn open(harness: &mut Harness<'_, RiemapApp>, session: Session) {
         }
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
+    assert!(harness.state().stats().ready);
 }
 
 #[test]
@@ -43,12 +44,22 @@ fn the_whole_screen_speaks_german() {
     harness.state_mut().preferences = preferences;
     language::set(Language::German);
     check(&mut harness, "the first picture");
-    for menu in ["Datei", "Quelle", "Ziel", "Abbildungen", "Hilfe"] {
+    for menu in ["Datei", "Quelle", "Ziel", "Figuren", "Hilfe"] {
         harness.get_by_label(menu).click();
         check(&mut harness, menu);
         harness.key_press(egui::Key::Escape);
         harness.run_steps(3);
     }
+    for action in [ExploreAction::Gallery, ExploreAction::Shortcuts] {
+        harness.state_mut().explore(action);
+        check(&mut harness, &format!("{action:?}"));
+        harness.key_press(egui::Key::Escape);
+    }
+    for step in 0..6 {
+        harness.state_mut().explore(ExploreAction::Tour(step));
+        check(&mut harness, &format!("step {step} of the tour"));
+    }
+    harness.state_mut().explore(ExploreAction::LeaveTour { keeps: false });
     let standard = Session { plots: true, ..Session::default() };
     let others = [
         Session { colouring: Colouring::Area, texture: TextureKind::Polar, ..standard.clone() },

@@ -9,8 +9,8 @@ use super::theme::Palette;
 use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
-    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, side_panel, status, surface,
-    teaching, theme, top_bar, viewport, words,
+    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, presentation, side_panel,
+    status, surface, teaching, theme, top_bar, viewport, words,
 };
 use crate::conformal::Side;
 use crate::session::Command;
@@ -31,11 +31,12 @@ const SHEET_SHARE: f32 = 0.42;
 /// One frame: panels, then what they ask for, then the pictures.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     let narrow = ui.available_width() < PHONE_WIDTH;
-    theme::suit_pointer(ui.ctx(), narrow || ui.input(egui::InputState::has_touch_screen));
+    theme::suit_pointer(ui.ctx(), narrow || app.has_fingers || ui.input(egui::InputState::has_touch_screen));
     let mut actions = Actions::new();
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
+    presentation::keys(ui, &mut actions);
     editing::keys(ui, &app.editor, &app.views, &mut actions);
     actions.extend(editing::pasted(ui).map(Action::PasteText));
     play_panel::keys(ui, &mut actions);
@@ -50,6 +51,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     if !narrow && app.model.session().plots {
         dock(app, ui);
     }
+    app.explore.show_tour(ui, &mut actions);
     egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow, actions));
 }
 
@@ -137,6 +139,10 @@ fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
             let ink = if open && !shown { palette.weak } else { palette.text };
             let response = ui.add_sized(size, egui::Button::new(RichText::new(tr(label)).color(ink)).frame(false));
             chevron(ui, response.rect, !shown);
+            if response.has_focus() {
+                let ring = Stroke::new(2.0, palette.accent_soft);
+                ui.painter().rect_stroke(response.rect.shrink(3.0), 6.0, ring, egui::StrokeKind::Inside);
+            }
             if response.clicked() {
                 asked = Some(is_plots);
             }
@@ -194,7 +200,8 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     if let Some(gpu) = &app.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
-    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open };
+    let embedded = app.options.embed;
+    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open, embedded };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         let view = &app.views[side as usize];
@@ -228,6 +235,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         }
         editing::paint(ui, side, view, &app.editor);
         editing::show_bar(ui, side, view.rect, narrow, &app.editor, actions);
+        viewport::paint_focus(ui, side, view.rect, &app.handles);
         viewport::paint_progress(ui, side, &app.model, view.rect);
         viewport::paint_drop_target(ui, side, view.rect);
     }

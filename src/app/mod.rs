@@ -6,6 +6,8 @@
 //! changed, paint. At rest nothing is computed and nothing drawn.
 
 mod action;
+pub mod address_options;
+mod announced;
 mod cells;
 mod colouring;
 mod dots;
@@ -24,9 +26,10 @@ mod help_menu;
 mod incoming;
 mod keeping;
 mod keyboard;
-mod language;
+pub mod language;
 mod layout;
 mod legend;
+mod locks;
 mod looping;
 mod method;
 mod model;
@@ -37,6 +40,7 @@ mod playing;
 mod plots;
 mod preferences;
 mod prepare_state;
+mod presentation;
 mod reports;
 mod sessions;
 mod shapes;
@@ -66,6 +70,8 @@ use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
 use crate::session::link::MissingOutline;
 use crate::session::{Command, Session};
+use address_options::AddressOptions;
+use announced::Announced;
 use cells::Cells;
 use editing::Editor;
 use explore::{Explore, ExploreAction};
@@ -75,6 +81,7 @@ use handles::HandleState;
 use image::RgbaImage;
 use keeping::{Keeper, Start};
 use keyboard::Keyboard;
+use locks::Locks;
 use model::{Changes, Refines};
 use offer::Offer;
 use playing::Player;
@@ -96,6 +103,9 @@ const REST_SECONDS: f64 = 0.15;
 
 /// How long a notice is shown, in seconds: two words are read in one, once they have been seen.
 const NOTICE_SECONDS: f64 = 3.0;
+
+/// What those who hear the screen are told about: the map, whether it is there, messages, the tour; how; a notice.
+type News = ((u64, bool, usize, Option<usize>), Preferences, Option<u64>);
 
 /// What needs no screen: the session's state and the workers.
 pub struct Groundwork {
@@ -159,14 +169,19 @@ pub struct RiemapApp {
     handles: HandleState,
     editor: Editor,
     meter: FrameMeter,
+    options: AddressOptions,
     panels_open: bool,
     sheet_open: bool,
     keyboard: Keyboard,
     /// How many times a control was said, and whether the theme is dark: for [`Stats`].
     spoken: u64,
     dark: bool,
+    has_fingers: bool,
+    /// What there was to tell when the picture was described.
+    described: Option<News>,
     explore: Explore,
     keeper: Keeper,
+    announced: Announced,
     reports: Reports,
     laboratory: Laboratory,
     player: Player,
@@ -182,6 +197,8 @@ pub struct RiemapApp {
     notice: Option<(&'static str, f64)>,
     preferences: Preferences,
     last_change: f64,
+    /// How much larger than usual everything is.
+    zoom: f32,
 }
 
 impl RiemapApp {
@@ -192,12 +209,16 @@ impl RiemapApp {
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
         let Groundwork { model, resumes, missing, message, preferences, preparer, mailbox, events } = groundwork;
-        preferences.apply(&creation.egui_ctx);
+        let options = platform::address_options();
+        let preferences = presentation::install(&creation.egui_ctx, preferences, &options);
         mailbox.attach(&creation.egui_ctx);
+        if let Some(state) = &creation.wgpu_render_state {
+            platform::watch_graphics(&state.device, mailbox.clone());
+        }
         let mut keeper = Keeper::new(model.session().clone(), resumes);
         keeper.open_link(missing);
         let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
-        if platform::asks_for_bench() {
+        if options.bench {
             reports.open(Report::Bench);
         }
         Ok(Self {
@@ -213,13 +234,16 @@ impl RiemapApp {
             handles: HandleState::default(),
             editor: Editor::default(),
             meter: FrameMeter::default(),
-            panels_open: true,
+            panels_open: !options.embed,
             sheet_open: false,
             keyboard: Keyboard::default(),
             spoken: 0,
             dark: true,
+            has_fingers: platform::has_fingers(),
+            described: None,
             explore: Explore::default(),
             keeper,
+            announced: Announced::default(),
             reports,
             laboratory,
             player: Player::default(),
@@ -227,10 +251,12 @@ impl RiemapApp {
             image_name: None,
             offer: None,
             image: None,
-            message,
+            message: presentation::with_troubles(message, &options),
+            options,
             notice: None,
             preferences,
             last_change: 0.0,
+            zoom: 1.0,
         })
     }
 
@@ -242,9 +268,9 @@ impl RiemapApp {
     /// The numbers on the screen.
     pub fn stats(&self) -> Stats {
         let place = |side: Side, point: Option<glam::DVec2>| {
-            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| [place.x, place.y])
+            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| self.css_pixels(place))
         };
-        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| [place.x, place.y]);
+        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| self.css_pixels(place));
         let [x2, y2] = match self.model.surface() {
             Some(_) => [self.model.surface_point(), self.model.surface_anchor()].map(in_space),
             None => [self.model.interior(Side::Target), self.model.anchor(Side::Target)]
@@ -289,6 +315,11 @@ impl RiemapApp {
         self.mailbox.wake();
     }
 
+    /// A place on the screen as the page measures it.
+    fn css_pixels(&self, place: egui::Pos2) -> [f32; 2] {
+        [place.x * self.zoom, place.y * self.zoom]
+    }
+
     fn errors(&self) -> Vec<String> {
         let sides = Side::BOTH.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
         let surface = self.model.surface_side().preparation.error.iter().map(|trouble| trouble.text.clone());
@@ -304,11 +335,15 @@ impl RiemapApp {
     /// The one place where wishes become changes.
     fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
         let now = context.input(|input| input.time);
-        for action in actions {
+        let locks = Locks::of(context);
+        for action in actions.into_iter().filter(|action| locks.refused(action).is_none()) {
             match action {
                 Action::Session(command) => {
                     if command.moves_points() {
                         self.player.pause();
+                    }
+                    if command.replaces_shapes() {
+                        self.explore.keep();
                     }
                     self.keeper.touch();
                     self.model.dispatch(command, now);
@@ -345,15 +380,19 @@ impl RiemapApp {
                 Action::Walks(action) => self.model.act_on_walks(action),
                 Action::Explore(action) => self.explore(action),
                 Action::Prefer(preferences) => self.prefer(context, preferences),
-                Action::TogglePanels => self.panels_open = !self.panels_open,
+                Action::TogglePanels => self.fold_panels(context),
+                Action::ToggleFullScreen => platform::toggle_full_screen(context),
+                Action::TogglePresentation => presentation::toggle(context),
             }
         }
     }
 
     fn explore(&mut self, action: ExploreAction) {
-        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session());
+        let is_walking = self.model.teaching().walks.is_running();
+        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {
-            self.open_session(session);
+            self.model.dispatch(Command::Open(Box::new(session)), 0.0);
+            self.mailbox.wake();
         }
         if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
             self.model.act_on_walks(WalkAction::Toggle);
@@ -390,12 +429,9 @@ impl RiemapApp {
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
-            // what is said of the picture waits until it rests
-            context.request_repaint_after_secs(REST_SECONDS as f32);
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {
-            platform::describe(&spoken::state(self));
             let refined = self.model.refine_at_rest();
             if refined.images {
                 self.show_changes(context, refined);
@@ -426,6 +462,7 @@ impl RiemapApp {
             context.request_repaint_after_secs(delay as f32);
         }
         self.work_on_export(context);
+        self.describe(context, now);
         self.keep(context);
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
@@ -440,6 +477,22 @@ impl RiemapApp {
         if self.player.is_playing() {
             context.request_repaint();
         }
+    }
+
+    /// Tells those who hear the screen what is on it, whenever something else is and has come to rest.
+    fn describe(&mut self, context: &egui::Context, now: f64) {
+        let news = (self.model.generation(), self.model.is_ready(), self.errors().len(), self.explore.step());
+        let news = (news, self.preferences, self.notice.as_ref().map(|(_, until)| until.to_bits()));
+        if self.described.as_ref() == Some(&news) {
+            return;
+        }
+        let rested = now - self.last_change;
+        if rested < REST_SECONDS {
+            context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
+            return;
+        }
+        platform::describe(&spoken::state(self));
+        self.described = Some(news);
     }
 
     /// Another surface is seen from where it shows the most.
@@ -479,6 +532,7 @@ impl eframe::App for RiemapApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         self.take_events();
         self.take_dropped(ui.ctx());
+        self.zoom = ui.ctx().zoom_factor();
         let compute = self.model.shown().map_or(0.0, |map| {
             let timings = map.timings;
             timings.kernel + timings.matching + timings.extend
@@ -487,6 +541,7 @@ impl eframe::App for RiemapApp {
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
         self.dark = ui.visuals().dark_mode;
         layout::show(self, ui);
+        self.announce();
         let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
         if let Some(spoken) = spoken {
             platform::say(&spoken);
@@ -496,7 +551,9 @@ impl eframe::App for RiemapApp {
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
         let folds = self.keyboard.take_in(context, input);
-        self.panels_open ^= folds % 2 == 1;
+        if folds % 2 == 1 {
+            self.fold_panels(context);
+        }
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
@@ -513,6 +570,9 @@ impl eframe::App for RiemapApp {
 mod colour_vision_tests;
 #[cfg(test)]
 mod language_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod locks_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;

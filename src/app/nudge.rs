@@ -5,6 +5,7 @@
 
 use super::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState};
 use super::language::tr;
+use super::locks::{Control, Locks};
 use crate::conformal::Side;
 use egui::{EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
 
@@ -62,11 +63,13 @@ pub enum EyeMove {
 }
 
 /// What the keys ask of the eye of the viewport that has the keyboard.
-pub fn of_viewport(ui: &Ui, response: &Response, side: Side) -> Option<EyeMove> {
+pub fn of_viewport(ui: &Ui, response: &Response, side: Side, handles: &mut HandleState) -> Option<EyeMove> {
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr(viewport_name(side))));
-    if !response.has_focus() {
+    if !response.has_focus() || Locks::of(ui.ctx()).holds(Control::View) {
+        handles.focused_view = handles.focused_view.filter(|focused| *focused != side);
         return None;
     }
+    handles.focused_view = Some(side);
     if let Some((arrow, _)) = arrows(ui, response) {
         return Some(EyeMove::Step(EYE_STEP * arrow));
     }
@@ -176,6 +179,13 @@ mod tests {
         harness.run_steps(3);
         let moved = harness.state().stats().handles.y1.unwrap();
         assert!((moved[0] - start[0] - 40.0).abs() < 0.1, "the eye goes left: {start:?}, {moved:?}");
+        let before = harness.state().stats().handles;
+        harness.key_press(Key::Plus);
+        harness.run_steps(3);
+        let after = harness.state().stats().handles;
+        let apart = |(x, y): (Option<[f32; 2]>, Option<[f32; 2]>)| (y.unwrap()[1] - x.unwrap()[1]).abs();
+        let ratio = apart((after.x1, after.y1)) / apart((before.x1, before.y1));
+        assert!((ratio - 1.25).abs() < 0.01, "zoomed by {ratio}");
         harness.key_press(Key::Num0);
         harness.run_steps(3);
         assert_eq!(harness.state().stats().handles.y1.unwrap(), start);

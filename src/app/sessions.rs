@@ -2,7 +2,7 @@
 
 use super::keeping::{self, Keeper};
 use super::{NOTICE_SECONDS, RiemapApp};
-use crate::platform::{self, Kept};
+use crate::platform::{self, Kept, PageEvent};
 use crate::session::{Command, Session, file, link};
 
 impl RiemapApp {
@@ -42,30 +42,40 @@ impl RiemapApp {
 
     /// Shows what another link carries.
     pub(super) fn open_link(&mut self, address: &str) {
-        match link::decode(address) {
-            Ok(decoded) => {
-                self.message = keeping::missing_text(&decoded.missing);
-                self.open_session(decoded.session);
-                self.keeper.open_link(decoded.missing);
-            }
-            Err(error) => self.message = Some(format!("The link could not be opened: {error}")),
+        if let Err(reason) = self.try_link(address) {
+            self.message = Some(format!("The link could not be opened: {reason}"));
         }
+    }
+
+    /// The same; the error is why the link cannot be opened.
+    pub fn try_link(&mut self, address: &str) -> Result<(), String> {
+        let decoded = link::decode(address).map_err(|error| error.to_string())?;
+        self.message = keeping::missing_text(&decoded.missing);
+        self.open_session(decoded.session);
+        self.keeper.open_link(decoded.missing);
+        Ok(())
     }
 
     /// Keeps the session once it has come to rest.
     pub(super) fn keep(&mut self, context: &egui::Context) {
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
-        if held || self.player.is_playing() || !self.model.is_ready() {
+        // the tour's pictures are not the person's: a reload brings the own one back
+        let passes = self.player.is_playing() || self.explore.is_touring();
+        if held || passes || !self.model.is_ready() {
             return;
         }
         self.preparer.warm();
         let settled = self.keeper.settle(self.model.session(), now);
+        let is_news = settled.address.is_some() || settled.copy.is_some();
         for command in settled.moves {
             self.model.dispatch(command, now);
             context.request_repaint();
         }
         if let Some(fragment) = settled.address {
             platform::show_link(&fragment);
+        }
+        if is_news {
+            platform::tell_page(PageEvent::Session, "");
         }
         if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(Kept::Session, &text))
             && let Some(message) = self.keeper.not_kept(&reason)

@@ -4,6 +4,7 @@
 
 use super::action::{Action, Actions};
 use super::language::{tr, tr_with};
+use super::locks::{Control, guarded};
 use super::method;
 use super::model::Model;
 use super::play_panel;
@@ -52,19 +53,18 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str
     let planar = model.surface().is_none();
     if planar {
         group_heading(ui, tr("Map"));
-        if let Some(direction) = segmented(ui, &DIRECTIONS, model.session().direction) {
-            actions.push(Action::Session(Command::SetDirection(direction)));
-        }
+        let direction = guarded(ui, Control::Method, |ui| segmented(ui, &DIRECTIONS, model.session().direction));
+        actions.extend(direction.map(|direction| Action::Session(Command::SetDirection(direction))));
     } else {
-        surface::panel::show(ui, model, actions);
+        guarded(ui, Control::Outline, |ui| surface::panel::show(ui, model, actions));
     }
-    shown(ui, model, actions);
-    texture(ui, model, image_name, actions);
+    guarded(ui, Control::Colours, |ui| shown(ui, model, actions));
+    guarded(ui, Control::Pattern, |ui| texture(ui, model, image_name, actions));
     play_panel::show(ui, model, player, actions);
-    method::show(ui, model, actions);
-    teaching::panel::show(ui, model, actions);
+    guarded(ui, Control::Method, |ui| method::show(ui, model, actions));
+    guarded(ui, Control::Comparison, |ui| teaching::panel::show(ui, model, actions));
     for side in Side::BOTH.into_iter().filter(|side| planar || *side == Side::Source) {
-        ui.push_id(side, |ui| resolution(ui, side, model, actions));
+        ui.push_id(side, |ui| guarded(ui, Control::Method, |ui| resolution(ui, side, model, actions)));
     }
 }
 

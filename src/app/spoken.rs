@@ -4,7 +4,7 @@
 //! it in the page. On the desktop the system's accessibility interface reads the widgets themselves.
 
 use super::RiemapApp;
-use super::language::{tr, tr_message, tr_with};
+use super::language::{number, tr, tr_message, tr_with};
 use super::model::Model;
 use super::words;
 use crate::conformal::Side;
@@ -17,12 +17,14 @@ pub fn state(app: &RiemapApp) -> String {
     let mut sentences = vec![shown(model)];
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| points(model, side)));
     if let Some(quality) = model.quality() {
-        let mean = format!("{:.3}", quality.q_mean);
+        let mean = number(quality.q_mean, 3);
         sentences.push(tr_with("Mean angle distortion {0}; {1} triangles flipped.", &[&mean, &quality.flipped]));
     }
     if !model.is_ready() {
         sentences.push(tr("Being prepared.").into());
     }
+    sentences.extend(app.explore.words().into_iter().flatten().map(String::from));
+    sentences.extend(app.notice.map(|(notice, _)| String::from(tr(notice))));
     sentences.extend(app.errors().iter().map(|error| tr_with("Problem: {0}", &[&tr_message(error)])));
     sentences.join(" ")
 }
@@ -47,8 +49,8 @@ fn points(model: &Model, side: Side) -> Option<String> {
         Some((_, state)) => (model.surface_point()?.to_array().to_vec(), state.anchor),
         None => (DVec2::to_array(&model.interior(side)?).to_vec(), model.session().anchor[side as usize]),
     };
-    let place = place.iter().map(|coordinate| format!("{coordinate:.3}")).collect::<Vec<_>>().join(", ");
-    let along = format!("{:.1}", 100.0 * fraction);
+    let place = place.iter().map(|coordinate| number(*coordinate, 3)).collect::<Vec<_>>().join("; ");
+    let along = number(100.0 * fraction, 1);
     Some(tr_with("{0} at ({1}), {2} at {3} % of the boundary.", &[&x, &place, &y, &along]))
 }
 
@@ -69,7 +71,7 @@ pub fn control(info: &WidgetInfo) -> String {
         None => "",
     };
     let refused = if info.enabled { "" } else { tr("not available") };
-    let value = info.value.map(|value| format!("{}", (1e4 * value).round() / 1e4)).unwrap_or_default();
+    let value = info.value.map(|value| number((1e4 * value).round() / 1e4, 4)).unwrap_or_default();
     let text = info.current_text_value.as_deref().unwrap_or_default();
     let parts = [label.as_str(), text, role, selected, value.as_str(), refused];
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")

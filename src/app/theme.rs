@@ -16,7 +16,12 @@ pub const FINGER_HEIGHT: f32 = 40.0;
 /// The rounding of buttons and switches.
 pub const ROUNDING: u8 = 6;
 
+const REGULAR: &str = "Inter";
 const SEMIBOLD: &str = "Inter SemiBold";
+const TABULAR: &str = "Inter Tabular";
+const REGULAR_FILE: &[u8] = include_bytes!("fonts/Inter-Regular.otf");
+const SEMIBOLD_FILE: &[u8] = include_bytes!("fonts/Inter-SemiBold.otf");
+const TABULAR_FILE: &[u8] = include_bytes!("fonts/Inter-Tabular.otf");
 
 /// The interior handles: Okabe–Ito's bluish green, a little lighter for the dark ground.
 pub const INTERIOR_COLOUR: Color32 = Color32::from_rgb(22, 173, 121);
@@ -98,18 +103,20 @@ pub fn bold(size: f32) -> FontId {
     FontId::new(size, FontFamily::Name(SEMIBOLD.into()))
 }
 
-/// Inter, with egui's own fonts for what it lacks (symbols).
+/// Inter alone: `fonts/` has every sign that the app writes (tested), and egui's own fonts would be a
+/// quarter of the download.
 fn fonts() -> FontDefinitions {
-    let mut fonts = FontDefinitions::default();
-    let fallback = fonts.families.get(&FontFamily::Proportional).cloned().unwrap_or_default();
-    let files: [(&str, &'static [u8], FontFamily); 2] = [
-        ("Inter", include_bytes!("fonts/Inter-Regular.otf"), FontFamily::Proportional),
-        (SEMIBOLD, include_bytes!("fonts/Inter-SemiBold.otf"), FontFamily::Name(SEMIBOLD.into())),
-    ];
-    for (name, bytes, family) in files {
+    let mut fonts = FontDefinitions::empty();
+    for (name, bytes) in [(REGULAR, REGULAR_FILE), (SEMIBOLD, SEMIBOLD_FILE), (TABULAR, TABULAR_FILE)] {
         fonts.font_data.insert(String::from(name), Arc::new(FontData::from_static(bytes)));
-        let names = std::iter::once(String::from(name)).chain(fallback.iter().cloned()).collect();
-        fonts.families.insert(family, names);
+    }
+    // Numbers in columns need digits of one width, and nothing else here is written in a monospaced font.
+    for (family, names) in [
+        (FontFamily::Proportional, &[REGULAR][..]),
+        (FontFamily::Monospace, &[TABULAR, REGULAR]),
+        (FontFamily::Name(SEMIBOLD.into()), &[SEMIBOLD]),
+    ] {
+        fonts.families.insert(family, names.iter().copied().map(String::from).collect());
     }
     fonts
 }
@@ -191,5 +198,53 @@ fn coloured(palette: &Palette, mut visuals: Visuals) -> Visuals {
         state.corner_radius = rounding;
         state.expansion = 0.0;
     }
+    // what has the keyboard is to be seen at a glance
+    widgets.active.bg_stroke = Stroke::new(2.0, palette.accent_soft);
     visuals
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    /// The signs between quotation marks in the program's own part of a source file.
+    fn quoted(text: &str) -> BTreeSet<char> {
+        let program = text.split("#[cfg(test)]").next().unwrap_or_default();
+        let lines = program.lines().filter(|line| !line.trim_start().starts_with("//"));
+        lines.flat_map(|line| line.split('"').skip(1).step_by(2)).flat_map(str::chars).collect()
+    }
+
+    fn all_quoted(folder: &Path, found: &mut BTreeSet<char>) {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            // the command line writes to a terminal
+            if path.is_dir() && name != "cli" {
+                all_quoted(&path, found);
+            } else if (name.ends_with(".rs") && !name.ends_with("tests.rs")) || name.ends_with(".po") {
+                found.extend(quoted(&std::fs::read_to_string(&path).unwrap()));
+            }
+        }
+    }
+
+    #[test]
+    fn the_fonts_have_every_sign_that_is_written() {
+        // German, what stands in `\u{…}` and in character literals, and a Mac's keys
+        let mut needed: BTreeSet<char> = "ÄÖÜäöüß„“–\u{2009}⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂…⌘⇧⌥⌃".chars().collect();
+        all_quoted(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut needed);
+        assert!(needed.contains(&'ω') && needed.contains(&'→'), "the sources are looked at");
+        // not written but read: the byte order mark of a file
+        needed.remove(&'\u{feff}');
+        let context = egui::Context::default();
+        install(&context);
+        let _ = context.run_ui(egui::RawInput::default(), |_| {});
+        for font in [FontId::proportional(13.0), FontId::monospace(13.0), bold(13.0)] {
+            let missing: Vec<_> =
+                needed.iter().filter(|&&sign| !context.fonts_mut(|fonts| fonts.has_glyph(&font, sign))).collect();
+            assert!(missing.is_empty(), "{font:?} lacks {missing:?}");
+        }
+    }
 }

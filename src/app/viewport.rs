@@ -10,6 +10,7 @@ use super::dots::{self, Dot};
 use super::gpu::ViewportCallback;
 use super::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
 use super::language::tr;
+use super::locks::{Control, Locks};
 use super::model::Model;
 use super::nudge::{self, EyeMove, Nudge};
 use super::theme::Palette;
@@ -43,7 +44,7 @@ pub fn interact(
     }
     drag_dots(ui, &response, side, model, view, handles, actions);
     move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
-    match nudge::of_viewport(ui, &response, side) {
+    match nudge::of_viewport(ui, &response, side, handles) {
         Some(EyeMove::Step(step)) => view.pan(-step),
         Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
         Some(EyeMove::Fit) => view.fit(),
@@ -90,6 +91,9 @@ pub fn pinch(ui: &Ui, response: &Response, view: &mut View) -> bool {
     if !response.rect.contains(touch.center_pos) {
         return false;
     }
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return true;
+    }
     view.pan(touch.translation_delta);
     view.zoom(touch.zoom_delta, touch.center_pos);
     true
@@ -121,6 +125,9 @@ fn nudged(side: Side, model: &Model, view: &View, nudge: Nudge) -> Option<Comman
 
 /// Drags and scrolls the picture; not while something in it is `held`. A double-click fits it, where that is `fits`.
 pub fn move_camera(ui: &Ui, response: &Response, view: &mut View, held: bool, fits: bool) {
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return;
+    }
     if response.dragged() && !held {
         view.pan(response.drag_delta());
         ui.set_cursor_icon(CursorIcon::Move);
@@ -163,6 +170,14 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Han
             let words = || format!("{} = ({:.3}, {:.3})", handle.symbol(), point.x, point.y);
             dots::paint(ui, &painter, handle, Dot { place: view.to_screen(point), hidden: false }, handles, &words);
         }
+    }
+}
+
+/// Draws the frame of the viewport that has the keyboard.
+pub fn paint_focus(ui: &Ui, side: Side, rect: Rect, handles: &HandleState) {
+    if handles.focused_view == Some(side) {
+        let ring = Stroke::new(2.0, Palette::of(ui.visuals()).accent_soft);
+        ui.painter().rect_stroke(rect.shrink(3.0), CornerRadius::same(6), ring, StrokeKind::Inside);
     }
 }
 

@@ -173,7 +173,8 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>) -> Opt
                 if remedy.is_some_and(|label| ui.button(tr(label)).clicked()) {
                     answer = Some(MessageAnswer::Remedy);
                 }
-                let cross = ui.add(egui::Button::new("×").frame(false)).on_hover_text(tr("Close this message"));
+                let size = vec2(control_height(ui, 0.0), 0.0);
+                let cross = ui.add(egui::Button::new("×").min_size(size)).on_hover_text(tr("Close this message"));
                 cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Close this message")));
                 if cross.clicked() {
                     answer = Some(MessageAnswer::Dismiss);

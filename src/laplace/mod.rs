@@ -18,6 +18,7 @@ mod supernode;
 mod sweep;
 #[cfg(test)]
 mod tests;
+mod unrolled;
 
 pub use cotangent::DirichletLaplacian;
 pub use deadline::Deadline;

@@ -9,6 +9,7 @@
 //! to whole tiles, so that a tile never holds pivots and update rows together.
 
 use super::supernode::Chunks;
+use super::unrolled::unrolled;
 use super::{LaplaceError, Ordering};
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use sprs::CsMatI;
@@ -250,8 +251,8 @@ impl Front {
             let columns = &mut values[j * TILE * *stride..][..TILE * *stride];
             for (i, left) in below.chunks_exact(self.width).enumerate().skip(j) {
                 for (column, sum) in columns.chunks_exact_mut(*stride).zip(product(left, right)) {
-                    for (entry, sum) in column[i * TILE..][..TILE].iter_mut().zip(sum) {
-                        *entry -= sum;
+                    if let Some(entries) = column[i * TILE..].first_chunk_mut() {
+                        add_scaled(entries, &sum, -1.0);
                     }
                 }
             }
@@ -264,21 +265,22 @@ impl Front {
 fn product(left: &[Column], right: &[Column]) -> [Column; TILE] {
     let mut sum = [[0.0; TILE]; TILE];
     for (l, r) in left.iter().zip(right) {
-        for (column, r) in sum.iter_mut().zip(r) {
-            for (entry, l) in column.iter_mut().zip(l) {
-                *entry += l * r;
-            }
-        }
+        unrolled!(j < TILE => add_scaled(&mut sum[j], l, r[j]));
     }
     sum
 }
 
 fn subtract(columns: &mut [Column], product: &[Column; TILE]) {
     for (column, product) in columns.iter_mut().zip(product) {
-        for (entry, value) in column.iter_mut().zip(product) {
-            *entry -= value;
-        }
+        add_scaled(column, product, -1.0);
     }
+}
+
+/// `sum += column · factor`.
+#[allow(clippy::inline_always, reason = "the innermost step")]
+#[inline(always)]
+fn add_scaled(sum: &mut Column, column: &Column, factor: f64) {
+    unrolled!(i < TILE => sum[i] += column[i] * factor);
 }
 
 /// The Cholesky factor of a block of pivots, in place and returned by columns with
@@ -315,9 +317,7 @@ fn solve(tile: &mut [Column], lower: &[Column; TILE]) {
     for j in 0..tile.len() {
         let mut column = tile[j];
         for (earlier, factor) in tile[..j].iter().zip(lower) {
-            for (entry, x) in column.iter_mut().zip(earlier) {
-                *entry -= x * factor[j];
-            }
+            add_scaled(&mut column, earlier, -factor[j]);
         }
         tile[j] = column.map(|entry| entry * lower[j][j]);
     }

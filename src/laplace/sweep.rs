@@ -6,6 +6,7 @@
 //! accurate componentwise, down to the smallest normal numbers.
 
 use super::supernode::{Chunk, Chunks};
+use super::unrolled::unrolled;
 
 /// The values of K right-hand sides at one unknown.
 pub type Lanes<const K: usize> = [f64; K];
@@ -61,9 +62,7 @@ impl Chunks {
         for (row, entries) in rows.iter().zip(below) {
             let target = &mut x[*row as usize];
             let mut sum = *target;
-            for j in 0..W {
-                subtract(&mut sum, entries[j], &y[j]);
-            }
+            unrolled!(j < W => subtract(&mut sum, entries[j], &y[j]));
             *target = sum;
         }
     }
@@ -74,9 +73,7 @@ impl Chunks {
         let mut y: [Lanes<K>; W] = std::array::from_fn(|i| x[column + i]);
         for (row, entries) in rows.iter().zip(below) {
             let value = &x[*row as usize];
-            for j in 0..W {
-                subtract(&mut y[j], entries[j], value);
-            }
+            unrolled!(j < W => subtract(&mut y[j], entries[j], value));
         }
         for i in (0..W).rev() {
             for j in i + 1..W {
@@ -93,7 +90,6 @@ impl Chunks {
 #[allow(clippy::inline_always, reason = "the innermost step: a call here costs a factor of two")]
 #[inline(always)]
 fn subtract<const K: usize>(sum: &mut Lanes<K>, entry: f64, value: &Lanes<K>) {
-    for lane in 0..K {
-        sum[lane] -= entry * value[lane];
-    }
+    const { assert!(K <= 8) };
+    unrolled!(lane < K => sum[lane] -= entry * value[lane]);
 }

@@ -1,26 +1,33 @@
 //! What differs between the web and the desktop: start-up, workers, dialogs, dropped files.
 //!
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
-//! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`save_file`],
-//! [`drop_position`], [`asks_for_bench`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
-//! [`languages`], [`say_language`], [`say`], [`describe`]. Whatever happens outside of a frame arrives as an
-//! [`Event`] in the app's mailbox, in order, and wakes the app.
+//! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`decode_image`], [`save_file`],
+//! [`drop_position`], [`address_options`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
+//! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`], [`has_full_screen`], [`toggle_full_screen`], [`tell_page`],
+//! [`watch_graphics`]. Whatever happens outside of a frame arrives as an [`Event`] in the app's mailbox, in order, and
+//! wakes the app.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Laboratory, Preparer, address_with, asks_for_bench, describe, drop_position, languages, link, pick_file,
-    read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
+    Laboratory, Preparer, address_options, address_with, decode_image, describe, drop_position, has_fingers,
+    has_full_screen, languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language,
+    show_link, start, tell_page, toggle_full_screen, watch_graphics,
 };
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(not(target_arch = "wasm32"))]
+mod native_image;
+#[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Laboratory, Preparer, address_with, asks_for_bench, describe, drop_position, languages, link, pick_file,
-    read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
+    Laboratory, Preparer, address_options, address_with, describe, drop_position, has_fingers, has_full_screen,
+    languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
+    tell_page, toggle_full_screen, watch_graphics,
 };
+#[cfg(not(target_arch = "wasm32"))]
+pub use native_image::decode_image;
 
 use crate::conformal::Side;
 use crate::worker::{Finding, Response, Study, Subject};
@@ -78,6 +85,17 @@ pub enum Event {
     },
     /// The page's address has another fragment.
     Link(String),
+    /// Nothing can be drawn any more, and why.
+    GraphicsLost(String),
+    /// An image was decoded, or could not be.
+    Image {
+        /// What it is meant to be.
+        purpose: FilePurpose,
+        /// The file's name.
+        name: String,
+        /// Straight RGBA, 8 bits each, no larger than was asked for; or why there is none.
+        pixels: Result<image::RgbaImage, String>,
+    },
     /// A file could not be written.
     NotSaved {
         /// Its name.
@@ -94,6 +112,15 @@ pub enum Event {
         /// Its content, or why there is none.
         bytes: Result<Vec<u8>, String>,
     },
+}
+
+/// What the page around the app is told of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PageEvent {
+    /// The session has changed and come to rest.
+    Session,
+    /// An error is shown, with these words.
+    Error,
 }
 
 /// Where events are posted.

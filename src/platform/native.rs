@@ -3,7 +3,8 @@
 //! A thread cannot be stopped from outside: a superseded preparation runs on
 //! and its answers are dropped as stale. A panic in it is reported, not passed on.
 
-use super::{Event, FilePurpose, Kept, Mailbox, endings};
+use super::{Event, FilePurpose, Kept, Mailbox, PageEvent, endings};
+use crate::app::address_options::AddressOptions;
 use crate::app::{Groundwork, RiemapApp};
 use crate::conformal::Side;
 use crate::worker::{self, Finding, Request, Study, Subject};
@@ -81,9 +82,34 @@ impl Laboratory {
     }
 }
 
-/// On the desktop there is the command line for that.
-pub fn asks_for_bench() -> bool {
-    false
+/// A window has no address.
+pub fn address_options() -> AddressOptions {
+    AddressOptions::default()
+}
+
+/// Every window can fill the screen.
+pub fn has_full_screen() -> bool {
+    true
+}
+
+/// Fills the screen, or no longer.
+pub fn toggle_full_screen(context: &egui::Context) {
+    let is_full = context.input(|input| input.viewport().fullscreen).unwrap_or(false);
+    context.send_viewport_cmd(egui::ViewportCommand::Fullscreen(!is_full));
+}
+
+/// There is no page around a window.
+pub fn tell_page(_event: PageEvent, _detail: &str) {}
+
+/// Posts it when the device is lost; on the terminal too, since the window may show nothing any more.
+pub fn watch_graphics(device: &wgpu::Device, mailbox: Mailbox) {
+    device.set_device_lost_callback(move |reason, message| {
+        // At the end of the program the device is given back.
+        if reason != wgpu::DeviceLostReason::Destroyed {
+            eprintln!("riemap: the graphics device was lost: {message}");
+            mailbox.post(Event::GraphicsLost(message));
+        }
+    });
 }
 
 /// Lets the person choose a file; its content is posted to `mailbox`.
@@ -168,6 +194,11 @@ pub fn say(_text: &str) {}
 
 /// As [`say`].
 pub fn describe(_text: &str) {}
+
+/// Whether the screen is touched, before it was: not known to a window.
+pub fn has_fingers() -> bool {
+    false
+}
 
 /// A window's language is known to the system.
 pub fn say_language(_code: &str) {}

@@ -91,14 +91,16 @@ pub fn read(bytes: &[u8]) -> Result<Session, FileError> {
     if bytes.len() > MAX_BYTES {
         return Err(FileError::TooLarge);
     }
-    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
-    let marker: Marker = serde_json::from_slice(bytes).map_err(|error| malformed(&error))?;
+    // Read as text, like everything else: the readers for bytes would be as large once more.
+    let text = std::str::from_utf8(bytes).map_err(|error| FileError::Malformed(error.to_string()))?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let marker: Marker = serde_json::from_str(text).map_err(|error| malformed(&error))?;
     match marker.riemap {
         Some(FORMAT) => {}
         Some(found) => return Err(FileError::Version { found }),
         None => return Err(FileError::NoSession),
     }
-    let session: Session = serde_json::from_slice(bytes).map_err(|error| malformed(&error))?;
+    let session: Session = serde_json::from_str(text).map_err(|error| malformed(&error))?;
     check(&session)?;
     Ok(session)
 }
@@ -164,6 +166,7 @@ mod tests {
         for text in ["", "[1, 2]", "null", "{\"riemap\": \"1\"}", "{\"riemap\": 1}", "{\"riemap\": 1, \"source\": 3}"] {
             assert!(matches!(read(text.as_bytes()), Err(FileError::Malformed(_))), "{text}");
         }
+        assert!(matches!(read(b"{\"riemap\": 1, \"\xff\": 0}"), Err(FileError::Malformed(_))));
         assert!(matches!(read("[".repeat(100_000).as_bytes()), Err(FileError::Malformed(_))));
         assert_eq!(read(&vec![b' '; MAX_BYTES + 1]), Err(FileError::TooLarge));
     }

@@ -222,6 +222,11 @@ pub enum Command {
 }
 
 impl Command {
+    /// Whether another outline, surface or session takes the place of what is shown.
+    pub fn replaces_shapes(&self) -> bool {
+        matches!(self, Self::SetOutline { .. } | Self::SetSurface(_) | Self::Open(_))
+    }
+
     /// Whether a point is put elsewhere, and nothing else changes.
     pub fn moves_points(&self) -> bool {
         matches!(

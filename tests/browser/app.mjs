@@ -17,9 +17,11 @@ export class App {
   #page;
   #faults = [];
 
-  static async open(browser, address, device) {
+  /** `prepare` runs in the page before its own scripts. */
+  static async open(browser, address, device, prepare) {
     const context = await browser.newContext(device);
     const app = new App(context, await context.newPage());
+    if (prepare) await app.#page.addInitScript(prepare);
     await app.#page.goto(address);
     return app;
   }
@@ -56,6 +58,11 @@ export class App {
     assert.deepEqual(this.#faults, [], 'nothing goes wrong behind the scenes');
   }
 
+  /** The page itself, for what is not the app. */
+  get page() {
+    return this.#page;
+  }
+
   stats() {
     return this.#page.evaluate(() => window.riemap.stats());
   }
@@ -80,12 +87,10 @@ export class App {
 
   /** Waits until `reached(stats, argument)`, asked once a frame in the page, and returns the stats. */
   async until(state, reached, argument) {
-    const asked = `(argument) => {
-      const stats = window.riemap?.stats?.();
-      return stats && (${reached})(stats, argument) ? stats : null;
-    }`;
+    // a function, as the page's policy lets no text be evaluated between the frames
+    const body = `const stats = window.riemap?.stats?.(); return stats && (${reached})(stats, argument) ? stats : null;`;
     try {
-      const handle = await this.#page.waitForFunction(`(${asked})(${JSON.stringify(argument ?? null)})`);
+      const handle = await this.#page.waitForFunction(new Function('argument', body), argument ?? null);
       return await handle.jsonValue();
     } catch (error) {
       const last = await this.#page.evaluate(() => JSON.stringify(window.riemap?.stats?.())).catch(String);
@@ -278,8 +283,8 @@ export class App {
   pixelsOf(png, places) {
     return this.#page.evaluate(
       async ([base64, wanted]) => {
-        const blob = await (await fetch(`data:image/png;base64,${base64}`)).blob();
-        const bitmap = await createImageBitmap(blob, { premultiplyAlpha: 'none' });
+        const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+        const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), { premultiplyAlpha: 'none' });
         const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
         context.drawImage(bitmap, 0, 0);
         return wanted.map(([x, y]) => [...context.getImageData(x, y, 1, 1).data]);
@@ -328,8 +333,8 @@ function between(from, to, steps) {
 
 /** Runs in the page: how many pixels each colour has, the most frequent first, in steps of 16. */
 async function countColours(png) {
-  const blob = await (await fetch(`data:image/png;base64,${png}`)).blob();
-  const bitmap = await createImageBitmap(blob);
+  const bytes = Uint8Array.from(atob(png), (c) => c.charCodeAt(0));
+  const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
   const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
   context.drawImage(bitmap, 0, 0);
   const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);

@@ -1,8 +1,10 @@
-// Serves a folder on a free port of this machine, with the types that a browser insists on.
+// Serves a folder on a free port of this machine, with the types that a browser insists on,
+// compressed if that is asked for, and below any path.
 
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
+import { createGzip } from 'node:zlib';
 
 const TYPES = new Map([
   ['.css', 'text/css'],
@@ -16,29 +18,33 @@ const TYPES = new Map([
   ['.webmanifest', 'application/manifest+json'],
 ]);
 
-/** The file that a request means, or null if there is none inside `folder`. */
-function fileFor(folder, url) {
-  const path = decodeURIComponent(new URL(url, 'http://localhost').pathname);
+/** The file that a request means, or null if there is none inside `folder`, which stands for `below`. */
+function fileFor(folder, below, url) {
+  const whole = decodeURIComponent(new URL(url, 'http://localhost').pathname);
+  if (!whole.startsWith(below)) return null;
+  const path = whole.slice(below.length - 1);
   const file = normalize(join(folder, path.endsWith('/') ? `${path}index.html` : path));
   const inside = file.startsWith(normalize(folder + sep));
   return inside && statSync(file, { throwIfNoEntry: false })?.isFile() ? file : null;
 }
 
 /** Starts serving; `address` is what to open, `close()` ends it. */
-export async function serve(folder) {
+export async function serve(folder, { packed = false, below = '/' } = {}) {
   const server = createServer((request, response) => {
-    const file = fileFor(folder, request.url);
+    const file = fileFor(folder, below, request.url);
     if (!file) {
       response.writeHead(404).end();
       return;
     }
-    response.writeHead(200, { 'content-type': TYPES.get(extname(file)) ?? 'application/octet-stream' });
-    createReadStream(file).pipe(response);
+    const encoding = packed ? { 'content-encoding': 'gzip' } : {};
+    response.writeHead(200, { 'content-type': TYPES.get(extname(file)) ?? 'application/octet-stream', ...encoding });
+    const content = createReadStream(file);
+    (packed ? content.pipe(createGzip({ level: 1 })) : content).pipe(response);
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   const close = () => {
     server.closeAllConnections();
     return new Promise((resolve) => server.close(resolve));
   };
-  return { address: `http://127.0.0.1:${server.address().port}/`, close };
+  return { address: `http://127.0.0.1:${server.address().port}${below}`, close };
 }

@@ -7,6 +7,7 @@
 mod cargo_tool;
 mod lint;
 mod node;
+mod package;
 mod places;
 mod report;
 mod rust;
@@ -23,8 +24,7 @@ const USAGE: &str = "\
 usage: cargo xtask <command>
 
   serve [--port N] [--open]  install what the web app needs, build it and serve it
-  dist [--small]             build the web app into dist/, ready to be hosted;
-                             --small: and 5 % smaller, by wasm-opt, which takes minutes
+  dist                       build the web app into dist/, ready to be hosted
   test                       every test: unit, images on lavapipe, real browsers
   lint                       rustfmt, clippy, rustdoc, the core alone, cargo-deny";
 
@@ -37,7 +37,6 @@ fn main() -> ExitCode {
             Err(message) => return misuse(&message),
         },
         ["dist"] => at_home(web::dist),
-        ["dist", "--small"] => at_home(web::small_dist),
         ["test"] => at_home(test::everything),
         ["lint"] => at_home(lint::everything),
         [] | ["help" | "--help" | "-h"] => {

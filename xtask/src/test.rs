@@ -48,6 +48,7 @@ fn browser(places: &Places) -> Result<(), Failure> {
         "drawing.test.mjs",
         "everyone.test.mjs",
         "exporting.test.mjs",
+        "web.test.mjs",
     ]);
     command.current_dir(places.browser_tests());
     command.env("CHROMIUM", chromium).env("RIEMAP_DIST", places.dist());

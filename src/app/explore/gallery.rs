@@ -10,8 +10,8 @@ use crate::outline::Preset;
 use crate::session::{Colouring, Command, Comparison, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
 use egui::{
-    Color32, Context, CornerRadius, Rect, Response, Role, ScrollArea, Sense, TextStyle, TextureHandle, TextureOptions,
-    Ui, WidgetInfo, Window, pos2, vec2,
+    Color32, Context, CornerRadius, Key, Rect, Response, Role, ScrollArea, Sense, TextStyle, TextureHandle,
+    TextureOptions, Ui, WidgetInfo, Window, pos2, vec2,
 };
 
 /// One picture.
@@ -95,7 +95,13 @@ const GAP: f32 = 8.0;
 const HEIGHT: f32 = 0.75;
 
 /// Shows the gallery while `open`; one picture is made in a frame.
-pub fn show(context: &Context, open: &mut bool, made: &mut Vec<Option<TextureHandle>>, actions: &mut Actions) {
+pub fn show(
+    context: &Context,
+    open: &mut bool,
+    made: &mut Vec<Option<TextureHandle>>,
+    takes_focus: bool,
+    actions: &mut Actions,
+) {
     if !*open {
         return;
     }
@@ -107,7 +113,7 @@ pub fn show(context: &Context, open: &mut bool, made: &mut Vec<Option<TextureHan
     }
     let screen = context.content_rect();
     let columns = if screen.width() < PHONE_WIDTH { 1 } else { 3 };
-    let mut chosen = None;
+    let (mut chosen, mut closed) = (None, context.input(|input| input.key_pressed(Key::Escape)));
     Window::new(tr("Gallery"))
         .open(open)
         .collapsible(false)
@@ -123,14 +129,20 @@ pub fn show(context: &Context, open: &mut bool, made: &mut Vec<Option<TextureHan
                     ui.horizontal(|ui| {
                         for (k, piece) in cards.iter().enumerate() {
                             let picture = made.get(row * columns + k).and_then(Option::as_ref);
-                            if card(ui, piece, picture).clicked() {
+                            let card = card(ui, piece, picture);
+                            if takes_focus && row + k == 0 {
+                                card.request_focus();
+                            }
+                            if card.clicked() {
                                 chosen = Some(piece.session.clone());
                             }
                         }
                     });
                 }
             });
+            closed |= ui.button(tr("Close")).clicked();
         });
+    *open &= !closed;
     if let Some(session) = chosen {
         *open = false;
         actions.push(Action::Session(Command::Open(Box::new(session))));

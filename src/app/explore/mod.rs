@@ -6,8 +6,9 @@ mod thumbnail;
 mod tour;
 
 use super::action::Actions;
+use super::language::tr;
 use crate::session::Session;
-use egui::{Context, TextureHandle};
+use egui::{Context, TextureHandle, Ui};
 
 /// What the menu opens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +32,8 @@ pub struct Explore {
     gallery: bool,
     shortcuts: bool,
     tour: Option<Tour>,
+    /// What was just opened gets the keyboard.
+    focus_due: bool,
     /// The gallery's small pictures that have been made, in its order; `None`: could not be.
     thumbnails: Vec<Option<TextureHandle>>,
 }
@@ -39,6 +42,8 @@ struct Tour {
     step: usize,
     /// What was on the screen before it.
     before: Session,
+    /// Whether the random walks ran.
+    walked: bool,
 }
 
 /// What an [`ExploreAction`] changes on the screen.
@@ -51,36 +56,63 @@ pub struct Consequences {
 }
 
 impl Explore {
-    /// Opens or goes on; `present` is the session on the screen.
-    pub fn act(&mut self, action: ExploreAction, present: &Session) -> Consequences {
+    /// Opens or goes on; `present` is the session on the screen, `is_walking`: its random walks run.
+    pub fn act(&mut self, action: ExploreAction, present: &Session, is_walking: bool) -> Consequences {
         match action {
-            ExploreAction::Gallery => self.gallery = true,
-            ExploreAction::Shortcuts => self.shortcuts = true,
-            ExploreAction::Tour(step) => return self.go_to(step, present),
+            ExploreAction::Gallery => (self.gallery, self.focus_due) = (true, true),
+            ExploreAction::Shortcuts => (self.shortcuts, self.focus_due) = (true, true),
+            ExploreAction::Tour(step) => return self.go_to(step, present, is_walking),
             ExploreAction::LeaveTour { keeps } => {
-                let tour = self.tour.take();
-                let back = tour.filter(|_| !keeps).map(|tour| tour.before);
-                return Consequences { session: back, walks: Some(false) };
+                let Some(Tour { before, walked, .. }) = self.tour.take() else { return Consequences::default() };
+                return Consequences { session: (!keeps).then_some(before), walks: Some(walked) };
             }
         }
         Consequences::default()
     }
 
-    fn go_to(&mut self, step: usize, present: &Session) -> Consequences {
+    fn go_to(&mut self, step: usize, present: &Session, is_walking: bool) -> Consequences {
         let Some(stop) = tour::steps().into_iter().nth(step) else { return Consequences::default() };
         self.gallery = false;
-        let before = self.tour.take().map_or_else(|| present.clone(), |tour| tour.before);
-        self.tour = Some(Tour { step, before });
+        self.focus_due = true;
+        let begun = self.tour.take().map(|tour| (tour.before, tour.walked));
+        let (before, walked) = begun.unwrap_or_else(|| (present.clone(), is_walking));
+        self.tour = Some(Tour { step, before, walked });
         Consequences { session: Some(stop.session), walks: Some(stop.walks) }
     }
 
-    /// Shows what is open.
-    pub fn show(&mut self, context: &Context, actions: &mut Actions) {
-        gallery::show(context, &mut self.gallery, &mut self.thumbnails, actions);
-        shortcuts::show(context, &mut self.shortcuts);
-        if let Some(tour) = &self.tour {
-            tour::show(context, tour.step, actions);
+    /// The number of the tour's step that is shown.
+    pub fn step(&self) -> Option<usize> {
+        self.tour.as_ref().map(|tour| tour.step)
+    }
+
+    /// Whether the picture on the screen is one of the tour's.
+    pub fn is_touring(&self) -> bool {
+        self.tour.is_some()
+    }
+
+    /// Another picture has taken the tour's place: it stays.
+    pub fn keep(&mut self) {
+        self.tour = None;
+    }
+
+    /// What the tour says now.
+    pub fn words(&self) -> Option<[&'static str; 2]> {
+        let stop = tour::steps().into_iter().nth(self.step()?)?;
+        Some([stop.title, stop.text].map(tr))
+    }
+
+    /// Shows the tour's words below the pictures.
+    pub fn show_tour(&mut self, ui: &mut Ui, actions: &mut Actions) {
+        if let Some(step) = self.step() {
+            tour::show(ui, step, std::mem::take(&mut self.focus_due), actions);
         }
+    }
+
+    /// Shows the windows that are open.
+    pub fn show(&mut self, context: &Context, actions: &mut Actions) {
+        let takes_focus = (self.gallery || self.shortcuts) && std::mem::take(&mut self.focus_due);
+        gallery::show(context, &mut self.gallery, &mut self.thumbnails, takes_focus, actions);
+        shortcuts::show(context, &mut self.shortcuts, takes_focus);
     }
 }
 
@@ -93,19 +125,23 @@ mod tests {
         let mine = Session { texture_scale: 13.0, ..Session::default() };
         let mut explore = Explore::default();
         for step in 0..tour::steps().len() {
-            let shown = explore.act(ExploreAction::Tour(step), &mine).session;
+            let shown = explore.act(ExploreAction::Tour(step), &mine, true).session;
             assert!(shown.is_some_and(|shown| shown != mine), "step {step}");
         }
-        assert_eq!(explore.act(ExploreAction::Tour(99), &mine), Consequences::default(), "there is no such step");
-        let left = explore.act(ExploreAction::LeaveTour { keeps: false }, &Session::default());
-        assert_eq!(left, Consequences { session: Some(mine), walks: Some(false) });
+        assert_eq!(
+            explore.act(ExploreAction::Tour(99), &mine, false),
+            Consequences::default(),
+            "there is no such step"
+        );
+        let left = explore.act(ExploreAction::LeaveTour { keeps: false }, &Session::default(), false);
+        assert_eq!(left, Consequences { session: Some(mine), walks: Some(true) });
         assert!(explore.tour.is_none());
     }
 
     #[test]
     fn who_keeps_the_tours_picture_keeps_it() {
         let mut explore = Explore::default();
-        explore.act(ExploreAction::Tour(2), &Session::default());
-        assert_eq!(explore.act(ExploreAction::LeaveTour { keeps: true }, &Session::default()).session, None);
+        explore.act(ExploreAction::Tour(2), &Session::default(), false);
+        assert_eq!(explore.act(ExploreAction::LeaveTour { keeps: true }, &Session::default(), false).session, None);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::app::language::tr;
 use crate::app::theme::Palette;
-use egui::{Context, Grid, RichText, ScrollArea, Window};
+use egui::{Context, Grid, Key, RichText, ScrollArea, Window};
 
 /// Each with what it does, in groups.
 const GROUPS: [(&str, &[[&str; 2]]); 3] = [
@@ -22,6 +22,7 @@ const GROUPS: [(&str, &[[&str; 2]]); 3] = [
             ["Tab", "Folds the panels away, or brings them back"],
             ["P", "Opens and closes the plots"],
             ["Space", "Sets the points in motion, or stops them where they are"],
+            ["F", "Fills the screen, or gives it back"],
             ["Ctrl+Z, Ctrl+Shift+Z", "Takes a step back, or makes it again"],
             ["Ctrl+S", "Saves the session as a file"],
             ["Ctrl+E", "Opens the window that saves pictures, animations and other files"],
@@ -30,7 +31,7 @@ const GROUPS: [(&str, &[[&str; 2]]); 3] = [
     (
         "Without a mouse",
         &[
-            ["F6 or Shift+Tab", "Begins to walk through dots, pictures and controls; Tab goes on, Escape ends"],
+            ["F6 or Shift+Tab", "Begins to walk through controls, pictures and dots; Tab goes on, Escape ends"],
             ["Arrow keys on a dot", "Move it; with Shift finely. A magenta dot goes along its boundary"],
             ["Arrow keys on a picture", "Move it, or turn the surface; + and − zoom, 0 shows all of it"],
             ["Space or Enter", "Presses a button"],
@@ -39,7 +40,11 @@ const GROUPS: [(&str, &[[&str; 2]]); 3] = [
 ];
 
 /// Shows the list while `open`.
-pub fn show(context: &Context, open: &mut bool) {
+pub fn show(context: &Context, open: &mut bool, takes_focus: bool) {
+    if !*open {
+        return;
+    }
+    let mut closed = context.input(|input| input.key_pressed(Key::Escape));
     let screen = context.content_rect();
     Window::new(tr("Keys and gestures"))
         .open(open)
@@ -64,5 +69,11 @@ pub fn show(context: &Context, open: &mut bool) {
                     });
                 }
             });
+            let close = ui.button(tr("Close"));
+            if takes_focus {
+                close.request_focus();
+            }
+            closed |= close.clicked();
         });
+    *open &= !closed;
 }

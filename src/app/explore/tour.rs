@@ -9,7 +9,7 @@ use crate::conformal::Direction;
 use crate::outline::Preset;
 use crate::session::{Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
-use egui::{Align2, Area, Context, CornerRadius, Frame, Id, Label, Margin, Order, RichText, Stroke, Ui, vec2};
+use egui::{Frame, Label, Margin, Panel, RichText, Ui};
 
 /// One stop.
 pub struct Step {
@@ -83,29 +83,17 @@ fn solid() -> Session {
     session
 }
 
-/// Shows the words of a step over the lower edge of the pictures.
-pub fn show(context: &Context, step: usize, actions: &mut Actions) {
+/// Shows the words of a step below the pictures, which make room; `takes_focus`: its first button gets the keyboard.
+pub fn show(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) {
     let all = steps();
     let Some(stop) = all.get(step) else { return };
-    let screen = context.content_rect();
-    let palette = Palette::of(&context.style_of(context.theme()).visuals);
-    let width = (screen.width() - 40.0).min(520.0);
-    Area::new(Id::unique("tour")).order(Order::Foreground).anchor(Align2::CENTER_BOTTOM, vec2(0.0, -44.0)).show(
-        context,
-        |ui| {
-            Frame::new()
-                .fill(palette.raised)
-                .stroke(Stroke::new(1.0, palette.border))
-                .corner_radius(CornerRadius::same(10))
-                .inner_margin(Margin::same(14))
-                .show(ui, |ui| {
-                    ui.set_width(width);
-                    words(ui, stop, &palette);
-                    ui.add_space(6.0);
-                    buttons(ui, step, all.len(), &palette, actions);
-                });
-        },
-    );
+    let palette = Palette::of(ui.visuals());
+    let frame = Frame::new().fill(palette.raised).inner_margin(Margin::symmetric(16, 12));
+    Panel::bottom("tour").resizable(false).frame(frame).show(ui, |ui| {
+        words(ui, stop, &palette);
+        ui.add_space(6.0);
+        buttons(ui, step, all.len(), takes_focus, actions);
+    });
 }
 
 fn words(ui: &mut Ui, stop: &Step, palette: &Palette) {
@@ -113,23 +101,26 @@ fn words(ui: &mut Ui, stop: &Step, palette: &Palette) {
     ui.add(Label::new(RichText::new(tr(stop.text)).color(palette.text)).wrap());
 }
 
-fn buttons(ui: &mut Ui, step: usize, count: usize, palette: &Palette, actions: &mut Actions) {
+fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &mut Actions) {
+    let weak = Palette::of(ui.visuals()).weak;
     let mut act = |action| actions.push(Action::Explore(action));
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = FINGER_HEIGHT;
         if ui.add_enabled(step > 0, egui::Button::new(tr("Back"))).clicked() {
             act(ExploreAction::Tour(step - 1));
         }
-        if step + 1 < count {
-            if ui.button(tr("Next")).clicked() {
-                act(ExploreAction::Tour(step + 1));
-            }
-        } else if ui.button(tr("Keep this picture")).on_hover_text(tr("Ends the tour here")).clicked() {
-            act(ExploreAction::LeaveTour { keeps: true });
+        let is_last = step + 1 == count;
+        let on = ui.button(tr(if is_last { "Keep this picture" } else { "Next" }));
+        let on = if is_last { on.on_hover_text(tr("Ends the tour here")) } else { on };
+        if takes_focus {
+            on.request_focus();
+        }
+        if on.clicked() {
+            act(if is_last { ExploreAction::LeaveTour { keeps: true } } else { ExploreAction::Tour(step + 1) });
         }
         if ui.button(tr("End")).on_hover_text(tr("Ends the tour and shows your own picture again")).clicked() {
             act(ExploreAction::LeaveTour { keeps: false });
         }
-        ui.label(RichText::new(tr_with("{0} of {1}", &[&(step + 1), &count])).color(palette.weak));
+        ui.label(RichText::new(tr_with("{0} of {1}", &[&(step + 1), &count])).color(weak));
     });
 }

@@ -36,11 +36,10 @@ fn whole(catalogue: &Catalogue, text: &str, depth: u32) -> Option<String> {
         return Some(found.to_owned());
     }
     let inside = |part: &str| whole(catalogue, part, depth - 1).unwrap_or_else(|| part.to_owned());
-    // of all that fit, the one that says the most itself
-    let candidates = catalogue.pairs().filter_map(|(key, value)| Some((literal(key)?, holes(key, text)?, value)));
-    if let Some((_, parts, value)) = candidates.max_by_key(|(literal, ..)| *literal) {
+    let fitting = catalogue.templates().iter().find_map(|template| Some((template, holes(&template.key, text)?)));
+    if let Some((template, parts)) = fitting {
         let parts: Vec<String> = parts.into_iter().map(inside).collect();
-        return Some(fill(value, &parts.iter().collect::<Vec<_>>()));
+        return Some(fill(&template.value, &parts.iter().collect::<Vec<_>>()));
     }
     let (name, rest) = text.split_once(": ")?;
     Some(format!("{name}: {}", whole(catalogue, rest, depth - 1)?))
@@ -48,10 +47,13 @@ fn whole(catalogue: &Catalogue, text: &str, depth: u32) -> Option<String> {
 
 /// How many letters of a template stand for themselves; `None`: it has no placeholders, or too little
 /// besides them to be recognised by.
-fn literal(template: &str) -> Option<usize> {
+pub fn literal(template: &str) -> Option<usize> {
     const RECOGNISABLE: usize = 8;
-    let own = pieces(template).map(|piece| if let Piece::Text(text) = piece { text.len() } else { 0 }).sum();
-    (template.contains('{') && own >= RECOGNISABLE).then_some(own)
+    if !template.contains('{') {
+        return None;
+    }
+    let own: usize = pieces(template).map(|piece| if let Piece::Text(text) = piece { text.len() } else { 0 }).sum();
+    (own >= RECOGNISABLE).then_some(own)
 }
 
 /// What stands in the places of `template`, by number, if `text` is that template filled.

@@ -2,7 +2,7 @@
 //!
 //! As with GNU gettext the English text itself is the key: [`tr`] looks it up in
 //! `de.po`, a plain file of pairs that the usual editors for translators open.
-//! What has no entry stays English, and a test finds it. Placeholders are
+//! What has no entry stays English; tests look for such texts in the code and on the screen. Placeholders are
 //! numbered, `{0}`, `{1}`: another language may order them differently.
 //!
 //! The core's errors are English sentences with numbers in them. Where one is
@@ -90,6 +90,15 @@ pub fn tr(text: &'static str) -> &'static str {
 /// `template` in the language of the screen, with `parts` in the places of `{0}`, `{1}`…
 pub fn tr_with(template: &'static str, parts: &[&dyn Display]) -> String {
     message::fill(tr(template), parts)
+}
+
+/// A number with `digits` after the decimal point or comma, for the ear: to a German one a point groups thousands.
+pub fn number(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match current() {
+        Language::English => text,
+        Language::German => text.replace('.', ","),
+    }
 }
 
 /// A sentence that was made elsewhere, such as an error of the core, in the language of the

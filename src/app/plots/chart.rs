@@ -100,6 +100,7 @@ impl<'a> Chart<'a> {
         let columns = (ui.available_width() * ui.pixels_per_point()).max(1.0) as usize;
         let logarithmic = self.logarithmic;
         let plot = Plot::new(("plot", self.kind as usize))
+            .sense(egui::Sense::hover())
             .height(ui.available_height().max(80.0))
             .allow_drag(false)
             .allow_zoom(false)

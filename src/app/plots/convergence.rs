@@ -22,6 +22,7 @@ pub fn convergence_chart(ui: &mut Ui, rows: &[ConvergenceRow]) {
     ui.label(RichText::new(tr(text)).small().color(palette.weak));
     let axes = |label: &str| AxisHints::new_x().label(label.to_owned());
     Plot::new("convergence")
+        .sense(egui::Sense::hover())
         .height(340.0)
         .width(ui.available_width().clamp(280.0, 720.0))
         .legend(Legend::default())

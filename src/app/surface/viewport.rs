@@ -8,6 +8,7 @@ use super::gpu::SurfaceCallback;
 use crate::app::action::{Action, Actions};
 use crate::app::dots::{self, Dot};
 use crate::app::handles::{Handle, HandleKind, HandleState};
+use crate::app::locks::{Control, Locks};
 use crate::app::model::Model;
 use crate::app::nudge::{self, EyeMove, Nudge};
 use crate::app::theme::Palette;
@@ -49,7 +50,7 @@ pub fn interact(
         actions.extend(nudged(model, view, nudge).map(Action::Session));
     }
     move_eye(ui, &response, view, handles);
-    match nudge::of_viewport(ui, &response, SIDE) {
+    match nudge::of_viewport(ui, &response, SIDE, handles) {
         Some(EyeMove::Step(step)) => view.turn(-step),
         Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
         Some(EyeMove::Fit) => view.fit(),
@@ -65,6 +66,9 @@ fn pinch(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &mut Handl
         return false;
     }
     handles.release();
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return true;
+    }
     view.let_spin(Vec2::ZERO);
     view.pan(touch.translation_delta);
     view.zoom(touch.zoom_delta, touch.center_pos);
@@ -109,6 +113,9 @@ fn anchor_at(model: &Model, view: &OrbitView, at: Pos2) -> Option<f64> {
 }
 
 fn move_eye(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &HandleState) {
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return;
+    }
     let (shift, seconds, speed) =
         ui.input(|input| (input.modifiers.shift, input.stable_dt.min(0.1), input.pointer.velocity()));
     if handles.grip.is_some() {

@@ -37,7 +37,11 @@ pub fn address_with(fragment: &str) -> String {
 }
 
 /// Keeps a text for [`remembered`], or says why not: the page may store nothing, or not so much.
+/// A picture in another page is not what its reader goes on with elsewhere: its session is not kept.
 pub fn remember(what: Kept, text: &str) -> Result<(), String> {
+    if what == Kept::Session && super::address_options().embed {
+        return Ok(());
+    }
     let storage = |window: Window| window.local_storage().ok()?;
     let storage = web_sys::window().and_then(storage).ok_or("the browser lets this page store nothing")?;
     storage
@@ -47,6 +51,9 @@ pub fn remember(what: Kept, text: &str) -> Result<(), String> {
 
 /// What was kept last.
 pub fn remembered(what: Kept) -> Option<String> {
+    if what == Kept::Session && super::address_options().embed {
+        return None;
+    }
     web_sys::window()?.local_storage().ok()??.get_item(key(what)).ok()?
 }
 
@@ -77,4 +84,10 @@ pub fn say_language(code: &str) {
     if page.is_none_or(|page| page.set_attribute("lang", code).is_err()) {
         log::warn!("the page's language could not be set");
     }
+}
+
+/// Whether the screen is touched, before it was.
+pub fn has_fingers() -> bool {
+    let query = |window: Window| window.match_media("(any-pointer: coarse)").ok()?;
+    web_sys::window().and_then(query).is_some_and(|query| query.matches())
 }

@@ -4,6 +4,7 @@
 //! * `riemap.session()` → the session as an object,
 //! * `riemap.open_session(object)` → `null`, or why the object is no session that can be used; the map follows
 //!   when its domains are prepared,
+//! * `riemap.open_link(text)` → the same for a link or its fragment,
 //! * `riemap.load_outline("source" | "target", file_name, text)` → `true` if the side is known,
 //! * `riemap.load_file("source" | "target", file_name, bytes)` → the same, for any file that can be dropped.
 //!
@@ -53,6 +54,11 @@ pub fn install(runner: &WebRunner) {
             JsValue::TRUE
         })
     });
+    let app = runner.clone();
+    let link = Closure::<dyn Fn(String) -> JsValue>::new(move |text: String| {
+        with_app(&app, |app| app.try_link(&text).map_or_else(JsValue::from, |()| JsValue::NULL))
+    });
+    put(&object, "open_link", &link.into_js_value());
     put(&object, "load_file", &file.into_js_value());
     put(&object, "open_session", &open.into_js_value());
     put(&object, "stats", &stats.into_js_value());

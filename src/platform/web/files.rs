@@ -57,8 +57,8 @@ pub fn read_dropped(file: &egui::DroppedFileHandle, side: Side, mailbox: Mailbox
 /// Where the pointer is while a file is dragged over the page.
 ///
 /// The browser sends no pointer events during such a drag; [`follow_drags`] notes its drag events.
-pub fn drop_position(_context: &egui::Context) -> Option<egui::Pos2> {
-    LAST_DRAG.get()
+pub fn drop_position(context: &egui::Context) -> Option<egui::Pos2> {
+    LAST_DRAG.get().map(|place| place / context.zoom_factor())
 }
 
 /// Notes where files are dragged.

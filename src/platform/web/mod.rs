@@ -7,19 +7,24 @@ mod address;
 mod bridge;
 mod engine;
 mod files;
+mod image;
+mod keys;
 mod laboratory;
 mod messages;
 mod page;
 mod preparer;
 mod spoken;
+mod surroundings;
 mod worker_handle;
 
-pub use address::{address_with, languages, link, remember, remembered, say_language, show_link};
+pub use address::{address_with, has_fingers, languages, link, remember, remembered, say_language, show_link};
 pub use files::{drop_position, pick_file, read_dropped, save_file};
+pub use image::decode_image;
 pub use laboratory::Laboratory;
-pub use page::asks_for_bench;
+pub use page::{address_options, watch_graphics};
 pub use preparer::Preparer;
 pub use spoken::{describe, say};
+pub use surroundings::{has_full_screen, tell_page, toggle_full_screen};
 
 use wasm_bindgen::JsCast;
 use web_sys::DedicatedWorkerGlobalScope;

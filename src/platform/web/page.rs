@@ -1,18 +1,32 @@
 //! The page: canvas, loading indicator, messages when nothing can be drawn.
 
-use super::{address, bridge, files};
+use super::{address, bridge, files, keys};
+use crate::app::address_options::AddressOptions;
+use crate::app::language::{tr, tr_with};
 use crate::app::{Groundwork, RiemapApp};
+use crate::platform::Mailbox;
+use eframe::WebRunner;
+use std::cell::RefCell;
 use wasm_bindgen::JsCast;
+use wasm_bindgen::prelude::Closure;
 use web_sys::{Document, HtmlCanvasElement};
 
 const NO_GRAPHICS: &str = "riemap draws with WebGPU or WebGL 2, and this browser offers neither of them here. \
     A current Firefox, Chrome, Edge or Safari with hardware acceleration turned on will do.";
 
+const STOPPED: &str = "riemap has stopped because of an error in itself. Reload the page to go on. ({0})";
+const GRAPHICS_LOST: &str = "The browser has taken the graphics away from this page, as it does after a crash of \
+    the graphics driver, or when the computer slept. The map is kept: reload the page to go on with it.";
+
+thread_local! {
+    static RUNNER: RefCell<Option<WebRunner>> = const { RefCell::new(None) };
+}
+
 /// Starts the app in the page's canvas.
 pub fn start() {
     std::panic::set_hook(Box::new(|info| {
         console_error_panic_hook::hook(info);
-        show_failure(&format!("riemap has stopped because of an error in itself. Reload the page to go on. ({info})"));
+        show_failure(&tr_with(STOPPED, &[info]));
     }));
     wasm_bindgen_futures::spawn_local(async {
         if let Err(message) = run().await {
@@ -28,15 +42,18 @@ async fn run() -> Result<(), String> {
         .and_then(|element| element.dyn_into::<HtmlCanvasElement>().ok())
         .ok_or("The page has no canvas.")?;
     files::follow_drags(&document);
-    let runner = eframe::WebRunner::new();
+    watch_canvas(&canvas);
+    keys::keep(&canvas);
+    let runner = WebRunner::new();
     let groundwork = Groundwork::resume();
     address::follow(groundwork.mailbox());
     let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
     runner.start(canvas, web_options(), creator).await.map_err(|error| {
         log::error!("{error:?}");
-        format!("{NO_GRAPHICS} ({})", error.as_string().unwrap_or_default())
+        format!("{} ({})", tr(NO_GRAPHICS), error.as_string().unwrap_or_default())
     })?;
     bridge::install(&runner);
+    RUNNER.set(Some(runner));
     if let Some(loading) = document.get_element_by_id("loading") {
         loading.remove();
     }
@@ -46,7 +63,7 @@ async fn run() -> Result<(), String> {
 /// `?backend=webgl` leaves WebGPU out, for comparison and for tests.
 fn web_options() -> eframe::WebOptions {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
-    if query("backend").is_some_and(|backend| backend.eq_ignore_ascii_case("webgl")) {
+    if address_options().webgl {
         setup.instance_descriptor.backends = wgpu::Backends::GL;
     }
     eframe::WebOptions {
@@ -55,25 +72,54 @@ fn web_options() -> eframe::WebOptions {
     }
 }
 
-/// Whether the address asks for the paper's tables: `?bench`.
-pub fn asks_for_bench() -> bool {
-    query("bench").is_some()
+/// What the page's address asks for.
+pub fn address_options() -> AddressOptions {
+    let pairs = || {
+        let query = web_sys::window()?.location().search().ok()?;
+        let entries = web_sys::UrlSearchParams::new_with_str(&query).ok()?.entries();
+        let pairs = entries.into_iter().flatten().map(|pair| js_sys::Array::from(&pair));
+        Some(pairs.map(|pair| [pair.get(0), pair.get(1)].map(|text| text.as_string().unwrap_or_default())).collect())
+    };
+    let pairs: Vec<[String; 2]> = pairs().unwrap_or_default();
+    AddressOptions::parse(pairs.iter().map(|[name, value]| (name.as_str(), value.as_str())))
 }
 
-/// A parameter of the page's address.
-fn query(name: &str) -> Option<String> {
-    let query = web_sys::window()?.location().search().ok()?;
-    web_sys::UrlSearchParams::new_with_str(&query).ok()?.get(name)
+/// Ends the app when the device is lost: WebGPU says so itself, of WebGL the canvas does.
+pub fn watch_graphics(device: &wgpu::Device, _mailbox: Mailbox) {
+    device.set_device_lost_callback(|_reason, message| {
+        log::error!("the graphics device was lost: {message}");
+        lose_graphics();
+    });
 }
 
-/// Puts `message` in the place of the picture.
+fn watch_canvas(canvas: &HtmlCanvasElement) {
+    let lost = Closure::<dyn FnMut()>::new(lose_graphics);
+    // Listening for a named event does not fail.
+    let _ = canvas.add_event_listener_with_callback("webglcontextlost", lost.as_ref().unchecked_ref());
+    lost.forget();
+}
+
+/// Stops drawing and says why. A frame may be under way: what it uses is given back after it.
+fn lose_graphics() {
+    show_failure(tr(GRAPHICS_LOST));
+    wasm_bindgen_futures::spawn_local(async {
+        if let Some(runner) = RUNNER.take() {
+            runner.destroy();
+        }
+    });
+}
+
+/// Puts `message` in the place of the picture; the first one, which is the cause of those that follow.
 fn show_failure(message: &str) {
     let Some(document) = document() else { return };
     if let Some(loading) = document.get_element_by_id("loading") {
         loading.remove();
     }
-    if let Some(failure) = document.get_element_by_id("failure") {
-        failure.set_text_content(Some(message));
+    let [failure, text] = ["failure", "failure-text"].map(|id| document.get_element_by_id(id));
+    if let (Some(failure), Some(text)) = (failure, text)
+        && failure.has_attribute("hidden")
+    {
+        text.set_text_content(Some(message));
         let _ = failure.remove_attribute("hidden");
     }
 }

@@ -10,10 +10,9 @@ pub fn describe(text: &str) {
     put("state", text);
 }
 
-/// Only a change is an event to a screen reader.
+/// Only a change is an event to a screen reader: what is said twice gets a space that is not heard.
 fn put(id: &str, text: &str) {
-    let element = web_sys::window().and_then(|window| window.document()?.get_element_by_id(id));
-    if let Some(element) = element.filter(|element| element.text_content().as_deref() != Some(text)) {
-        element.set_text_content(Some(text));
-    }
+    let Some(element) = web_sys::window().and_then(|window| window.document()?.get_element_by_id(id)) else { return };
+    let is_there = element.text_content().as_deref() == Some(text);
+    element.set_text_content(Some(if is_there { format!("{text}\u{a0}") } else { text.to_owned() }.as_str()));
 }

@@ -52,7 +52,8 @@ impl WorkerHandle {
     ) -> Result<Self, JsValue> {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
-        let worker = Worker::new_with_options("./worker.js", &options)?;
+        let script = web_sys::Url::new_with_base("./worker.js", &GLUE_URL.with(String::clone))?.href();
+        let worker = Worker::new_with_options(&script, &options)?;
         let state = Rc::new(Cell::new(State::Idle));
         let on_message = listen(mailbox.clone(), Rc::clone(&state), read, died.clone());
         let on_error = watch(mailbox.clone(), Rc::clone(&state), died);

@@ -1,0 +1,57 @@
+//! Locked controls on the screen: nothing that a person does there changes them.
+
+use super::locks::{Control, Locks, guarded};
+use super::tests::ready_app;
+use super::*;
+use crate::session::TextureKind;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+
+#[test]
+fn a_locked_control_is_grey_and_does_nothing() {
+    for locks in [Locks::default(), Locks::default().with(Control::Pattern)] {
+        let mut clicks = 0;
+        let setup = move |context: &egui::Context| {
+            theme::install(context);
+            locks.install(context);
+        };
+        let mut harness = Harness::builder().with_context_setup(setup).build_ui(|ui| {
+            clicks += usize::from(guarded(ui, Control::Pattern, |ui| ui.button("Grid")).clicked());
+        });
+        let is_locked = locks.holds(Control::Pattern);
+        assert_eq!(harness.get_by_label("Grid").accesskit_node().is_disabled(), is_locked);
+        harness.get_by_label("Grid").click();
+        harness.run();
+        drop(harness);
+        assert_eq!(clicks, usize::from(!is_locked));
+    }
+}
+
+#[test]
+fn what_is_locked_is_refused_wherever_it_comes_from() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    let context = harness.ctx.clone();
+    Locks::default().with(Control::Pattern).install(&context);
+    let app = harness.state_mut();
+    let before = app.session().clone();
+    let wishes = vec![
+        Action::Session(Command::SetTexture(TextureKind::Grid)),
+        Action::New,
+        Action::Session(Command::MoveAnchor { side: Side::Source, fraction: 0.25 }),
+    ];
+    app.carry_out(&context, wishes);
+    assert_eq!(app.session().texture, before.texture);
+    assert_eq!(app.session().anchor[0], 0.25, "the rest goes on");
+}
+
+#[test]
+fn a_locked_panel_stays_folded() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    let context = harness.ctx.clone();
+    let app = harness.state_mut();
+    app.fold_panels(&context);
+    assert!(!app.panels_open);
+    Locks::default().with(Control::Panels).install(&context);
+    app.fold_panels(&context);
+    assert!(!app.panels_open);
+}

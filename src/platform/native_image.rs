@@ -1,0 +1,60 @@
+//! Images on the desktop: decoded by the crate `image`, on a thread.
+
+use super::{Event, FilePurpose, Mailbox};
+use image::RgbaImage;
+use std::thread;
+
+/// Decodes a PNG or JPEG, made smaller until no side is longer than `max_side`, and posts it to `mailbox`.
+pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
+    thread::spawn(move || mailbox.post(Event::Image { purpose, name, pixels: decode(&bytes, max_side) }));
+}
+
+fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, String> {
+    let decoded = image::load_from_memory(bytes)
+        .map_err(|error| format!("this is no PNG or JPEG image that can be read ({error})"))?
+        .into_rgba8();
+    let largest = decoded.width().max(decoded.height());
+    if largest <= max_side {
+        return Ok(decoded);
+    }
+    let scale = f64::from(max_side) / f64::from(largest);
+    let [width, height] = [decoded.width(), decoded.height()].map(|side| ((f64::from(side) * scale) as u32).max(1));
+    Ok(image::imageops::thumbnail(&decoded, width, height))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn png(width: u32, height: u32) -> Vec<u8> {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        let picture = RgbaImage::from_pixel(width, height, image::Rgba([1, 2, 3, 255]));
+        picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+        bytes.into_inner()
+    }
+
+    #[test]
+    fn an_image_is_decoded_as_it_is() {
+        let decoded = decode(&png(3, 2), 4096).unwrap();
+        assert_eq!((decoded.dimensions(), decoded.get_pixel(2, 1).0), ((3, 2), [1, 2, 3, 255]));
+    }
+
+    #[test]
+    fn an_image_that_the_device_cannot_hold_is_made_smaller_in_proportion() {
+        assert_eq!(decode(&png(64, 16), 32).unwrap().dimensions(), (32, 8));
+    }
+
+    #[test]
+    fn what_is_no_image_is_refused() {
+        assert!(decode(b"text", 32).unwrap_err().contains("no PNG or JPEG"));
+    }
+
+    #[test]
+    fn the_answer_comes_to_the_mailbox() {
+        let (mailbox, events) = Mailbox::new();
+        decode_image(FilePurpose::Image, String::from("a.png"), png(3, 2), 32, mailbox);
+        let event = events.recv_timeout(std::time::Duration::from_secs(30)).unwrap();
+        assert!(matches!(event, Event::Image { name, pixels: Ok(_), .. } if name == "a.png"));
+    }
+}

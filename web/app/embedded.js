@@ -1,0 +1,76 @@
+// What a page that shows the app in a frame can ask for, by messages (docs/embedding.md), and the
+// link that opens the same session in a window of its own.
+//
+// Only the page around the frame is listened to and answered. Nothing that it sends can do more than
+// `riemap.open_session`, which checks sessions as if they came from a file.
+import { words } from "./words.js";
+
+/** The version of the messages. */
+const VERSION = 1;
+/** No more than one event about changes in this time. */
+const CHANGE_PAUSE_MS = 250;
+
+/** Begins to listen, if there is a page around this one. */
+export function embedded() {
+  const query = new URLSearchParams(location.search);
+  if (query.has("embed")) openLink();
+  if (window.parent === window) return;
+  const tell = (type, fields) => window.parent.postMessage({ riemap: VERSION, type, ...fields }, "*");
+  window.addEventListener("message", (event) => {
+    if (event.source !== window.parent || !isRequest(event.data)) return;
+    // a page without an origin of its own, such as a file, can only be named by "*"
+    const origin = event.origin === "null" ? "*" : event.origin;
+    event.source.postMessage({ riemap: VERSION, id: event.data.id ?? null, ...answer(event.data) }, origin);
+  });
+  tellChanges(tell);
+  tell("ready", {});
+}
+
+const isRequest = (data) => typeof data === "object" && data !== null && "riemap" in data;
+
+/** What comes back: `ok` and, by the type of the request, the session or the error. */
+function answer(request) {
+  try {
+    if (request.riemap !== VERSION) return refused(`this is version ${VERSION} of the messages`);
+    if (request.type === "get-session") return { ok: true, session: window.riemap.session(), link: location.hash };
+    if (request.type === "set-session") return set(request);
+    return refused(`there is no message of the type ${JSON.stringify(request.type)}`);
+  } catch (error) {
+    return refused(String(error));
+  }
+}
+
+function set({ session, link }) {
+  if ((session === undefined) === (link === undefined)) return refused("set-session takes a session or a link");
+  const refusal = session === undefined ? window.riemap.open_link(String(link)) : window.riemap.open_session(session);
+  if (refusal === undefined) return refused("the app has stopped");
+  return refusal === null ? { ok: true } : refused(refusal);
+}
+
+const refused = (error) => ({ ok: false, error });
+
+/** The app says when the session has come to rest and when it shows an error; the page hears of it at most every so often. */
+function tellChanges(tell) {
+  let due = null;
+  window.addEventListener("riemap-session", () => {
+    due ??= setTimeout(() => {
+      due = null;
+      tell("session-changed", { session: window.riemap.session(), link: location.hash });
+    }, CHANGE_PAUSE_MS);
+  });
+  window.addEventListener("riemap-error", ({ detail }) => tell("error", { error: detail }));
+}
+
+/** The same session, with everything that belongs to it and nothing that belongs to the frame. */
+function openLink() {
+  const link = document.getElementById("open-in-riemap");
+  link.textContent = `${words.open} ↗`;
+  const renew = () => {
+    const address = new URL(location.href);
+    for (const option of ["embed", "lock"]) address.searchParams.delete(option);
+    link.href = address.href;
+  };
+  renew();
+  window.addEventListener("riemap-session", renew);
+  link.hidden = false;
+}

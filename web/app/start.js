@@ -1,0 +1,95 @@
+// Starts the app: looks whether it can run here, before anything large is fetched;
+// shows how far the download is; says so in plain words if something is missing.
+import { installed } from "./installed.js";
+import { embedded } from "./embedded.js";
+import { plainWords } from "./plain.js";
+import { words } from "./words.js";
+
+const element = (id) => document.getElementById(id);
+
+/** A module of one function that returns a vector: what the app is compiled to needs these. */
+const VECTORS = Uint8Array.of(
+  0, 97, 115, 109, 1, 0, 0, 0, // magic, version
+  1, 5, 1, 96, 0, 1, 123, // types: () → v128
+  3, 2, 1, 0, // functions: one of the first type
+  10, 8, 1, 6, 0, 65, 0, 253, 15, 11, // code: i32.const 0, i8x16.splat
+);
+
+/** What is missing here, as a key of the plain words, or null. */
+async function missing() {
+  if (typeof WebAssembly !== "object" || !WebAssembly.validate(VECTORS)) return "program";
+  const context = document.createElement("canvas").getContext("webgl2");
+  // browsers allow few of them at a time
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  if (context) return null;
+  const adapter = await navigator.gpu?.requestAdapter().catch(() => null);
+  return adapter ? null : "graphics";
+}
+
+/** The response with its bytes counted as they come, unpacked, against their number as it was when the app was built. */
+function counted(response) {
+  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
+  const bar = element("loading-bar");
+  const unpacked = Number(bar?.dataset.bytes);
+  const packed = response.headers.get("content-encoding");
+  const total = unpacked || (packed ? 0 : Number(response.headers.get("content-length")));
+  let current = 0;
+  const count = new TransformStream({
+    transform(chunk, controller) {
+      current += chunk.byteLength;
+      if (total && bar) bar.value = Math.min(current / total, 1);
+      const text = element("loading-text");
+      if (text) text.textContent = `${words.loading} ${megabytes(current)}${total ? ` / ${megabytes(total)}` : ""} MB`;
+      controller.enqueue(chunk);
+    },
+    flush() {
+      const text = element("loading-text");
+      if (text) text.textContent = words.starting;
+    },
+  });
+  const headers = { "content-type": "application/wasm" };
+  return new Response(response.body.pipeThrough(count), { headers });
+}
+
+const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
+
+function fail(text) {
+  element("loading")?.remove();
+  element("failure-text").textContent = text;
+  element("failure").hidden = false;
+}
+
+// In Chromium's device emulation an element's size in device pixels lacks the
+// emulated pixel ratio: the app would be drawn too large and touched in the
+// wrong places. Without that property, size and ratio are used instead.
+function distrustEmulatedPixels() {
+  const name = "devicePixelContentBoxSize";
+  if (!(globalThis.ResizeObserverEntry && name in ResizeObserverEntry.prototype)) return;
+  const observer = new ResizeObserver(([entry]) => {
+    observer.disconnect();
+    const reported = entry[name][0].inlineSize;
+    const expected = entry.contentBoxSize[0].inlineSize * devicePixelRatio;
+    if (Math.abs(reported - expected) > 2) delete ResizeObserverEntry.prototype[name];
+  });
+  observer.observe(document.documentElement, { box: "device-pixel-content-box" });
+}
+
+async function start() {
+  document.documentElement.lang = words.language;
+  element("loading-text").textContent = words.loading;
+  for (const id of ["failure-reload", "update-reload"]) element(id).textContent = words.reload;
+  element("failure-reload").addEventListener("click", () => location.reload());
+  const lack = await missing();
+  if (lack) {
+    plainWords(lack);
+    return;
+  }
+  distrustEmulatedPixels();
+  const program = new URL("riemap_bg.wasm", import.meta.url);
+  const [glue, response] = await Promise.all([import("./riemap.js"), fetch(program)]);
+  await glue.default({ module_or_path: counted(response) });
+  embedded();
+  await installed();
+}
+
+start().catch((error) => fail(`${words.notLoaded} ${error}`));

@@ -1,0 +1,63 @@
+// What the page says before the app can speak, in English and German.
+// `?lang=…` decides, else the browser's languages.
+
+const WORDS = {
+  en: {
+    language: "en",
+    loading: "Loading…",
+    starting: "Starting the graphics…",
+    reload: "Reload",
+    notLoaded: "riemap could not be loaded. Reload the page to try again.",
+    update: "A new version is ready.",
+    open: "open in riemap",
+    graphics: {
+      title: "riemap cannot draw here",
+      missing: "riemap draws with WebGPU or WebGL 2, and this browser offers neither of them here.",
+      remedies: [
+        "Open this page in a current Firefox, Chrome, Edge or Safari.",
+        "Turn on hardware acceleration (or “graphics acceleration”) in the browser's settings, and start the browser again.",
+        "In a virtual machine or on a remote desktop, open the page on the computer itself.",
+      ],
+    },
+    program: {
+      title: "riemap cannot run here",
+      missing: "riemap computes in the browser, with WebAssembly and its vector instructions, and this browser does not have them.",
+      remedies: [
+        "Bring the browser up to date: Firefox, Chrome and Edge from 2021, Safari from 16.4 on will do.",
+        "If WebAssembly was turned off (as in Safari's lockdown mode), allow it for this page.",
+      ],
+    },
+  },
+  de: {
+    language: "de",
+    loading: "Wird geladen …",
+    starting: "Grafik wird gestartet …",
+    reload: "Neu laden",
+    notLoaded: "riemap konnte nicht geladen werden. Seite neu laden, um es noch einmal zu versuchen.",
+    update: "Eine neue Version liegt bereit.",
+    open: "in riemap öffnen",
+    graphics: {
+      title: "riemap kann hier nicht zeichnen",
+      missing: "riemap zeichnet mit WebGPU oder WebGL 2, und dieser Browser bietet hier keines von beiden.",
+      remedies: [
+        "Diese Seite in einem aktuellen Firefox, Chrome, Edge oder Safari öffnen.",
+        "In den Einstellungen des Browsers die Hardwarebeschleunigung („Grafikbeschleunigung“) einschalten und den Browser neu starten.",
+        "In einer virtuellen Maschine oder über eine Fernverbindung: die Seite auf dem Rechner selbst öffnen.",
+      ],
+    },
+    program: {
+      title: "riemap kann hier nicht laufen",
+      missing: "riemap rechnet im Browser, mit WebAssembly und dessen Vektorbefehlen; dieser Browser kennt sie nicht.",
+      remedies: [
+        "Den Browser aktualisieren: Firefox, Chrome und Edge ab 2021, Safari ab 16.4 genügen.",
+        "Wurde WebAssembly abgeschaltet (wie im Blockierungsmodus von Safari), es für diese Seite erlauben.",
+      ],
+    },
+  },
+};
+
+const wanted = [new URLSearchParams(location.search).get("lang"), ...(navigator.languages ?? [navigator.language])];
+const known = wanted.filter(Boolean).map((language) => language.slice(0, 2).toLowerCase());
+
+/** The words in the language of this page. */
+export const words = WORDS[known.find((language) => language in WORDS) ?? "en"];

@@ -1,0 +1,194 @@
+//! What trunk has built becomes a folder for any host: the program without its names, everything that
+//! belongs to one build in a folder with a name of its own, the service worker that keeps it for use
+//! without a network, and no more to download than a person waits for.
+
+use crate::shell::{Failure, say};
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+
+/// What the first visit downloads, compressed by gzip as every host does, in bytes.
+const MOST_TO_DOWNLOAD: usize = 2_500_000;
+
+/// The folder of one build, as trunk leaves it; its final name goes on with the version.
+const APP: &str = "app";
+/// The compiled program in it.
+const PROGRAM: &str = "riemap_bg.wasm";
+const PAGE: &str = "index.html";
+const SERVICE_WORKER: &str = "service-worker.js";
+
+/// The strongest compression.
+const LEVEL: u8 = 9;
+/// The header and the trailer of a gzip file.
+const GZIP_FRAME: usize = 18;
+
+/// A built folder.
+pub struct Package<'a> {
+    folder: &'a Path,
+}
+
+impl<'a> Package<'a> {
+    /// What trunk has left in `folder`.
+    pub fn new(folder: &'a Path) -> Self {
+        Self { folder }
+    }
+
+    /// The compiled program, before [`Self::finish`].
+    pub fn program(&self) -> PathBuf {
+        self.folder.join(APP).join(PROGRAM)
+    }
+
+    /// Removes the names of the program's functions: a tenth of it, and nobody reads them here.
+    pub fn strip(&self) -> Result<(), Failure> {
+        let program = self.program();
+        let stripped = without_names(&read(&program)?).ok_or_else(|| failure(&program, "it is no WebAssembly"))?;
+        write(&program, stripped)
+    }
+
+    /// Gives the build its version and the service worker its list, and weighs the whole.
+    pub fn finish(&self, service_worker: &Path) -> Result<(), Failure> {
+        let program = read(&self.program())?.len();
+        let version = format!("{APP}-{:016x}", self.digest()?);
+        let (old, new) = (self.folder.join(APP), self.folder.join(&version));
+        fs::rename(&old, &new).map_err(|error| failure(&old, error))?;
+        let page = self.folder.join(PAGE);
+        let text = text_of(&page)?
+            .replace(&format!("./{APP}/"), &format!("./{version}/"))
+            .replace("data-bytes=\"0\"", &format!("data-bytes=\"{program}\""));
+        write(&page, text)?;
+        self.write_service_worker(service_worker, &version)?;
+        self.weigh(&version)
+    }
+
+    /// Of all that was built, by names and contents.
+    fn digest(&self) -> Result<u64, Failure> {
+        let mut hasher = DefaultHasher::new();
+        for name in self.files()? {
+            read(&self.folder.join(&name))?.hash(&mut hasher);
+            name.hash(&mut hasher);
+        }
+        Ok(hasher.finish())
+    }
+
+    fn write_service_worker(&self, source: &Path, version: &str) -> Result<(), Failure> {
+        // the page is asked for by the address of its folder
+        let files = self.files()?.into_iter().map(|name| if name == PAGE { String::new() } else { name });
+        let list: Vec<String> = files.map(|name| format!("  {name:?},\n")).collect();
+        let head = format!("const VERSION = {version:?};\nconst FILES = [\n{}];\n\n", list.concat());
+        write(&self.folder.join(SERVICE_WORKER), head + &text_of(source)?)
+    }
+
+    /// The files' names with `/` between folders, in order.
+    fn files(&self) -> Result<Vec<String>, Failure> {
+        let mut names = Vec::new();
+        self.collect("", &mut names)?;
+        names.sort();
+        Ok(names)
+    }
+
+    fn collect(&self, below: &str, names: &mut Vec<String>) -> Result<(), Failure> {
+        let folder = self.folder.join(below);
+        for entry in fs::read_dir(&folder).map_err(|error| failure(&folder, error))? {
+            let entry = entry.map_err(|error| failure(&folder, error))?;
+            let name = format!("{below}{}", entry.file_name().to_string_lossy());
+            if entry.path().is_dir() {
+                self.collect(&format!("{name}/"), names)?;
+            } else if name != SERVICE_WORKER {
+                names.push(name);
+            }
+        }
+        Ok(())
+    }
+
+    /// Says how much the first visit downloads; too much is a failure.
+    fn weigh(&self, version: &str) -> Result<(), Failure> {
+        let mut whole = 0;
+        for name in self.files()?.iter().filter(|name| *name == PAGE || name.starts_with(version)) {
+            let bytes = read(&self.folder.join(name))?;
+            let packed = miniz_oxide::deflate::compress_to_vec(&bytes, LEVEL).len() + GZIP_FRAME;
+            whole += packed;
+            say(format_args!("{:>9} bytes, {packed:>8} compressed: {name}", bytes.len()));
+        }
+        say(format_args!("the first visit downloads {whole} bytes of at most {MOST_TO_DOWNLOAD}"));
+        if whole > MOST_TO_DOWNLOAD {
+            return Err(Failure::new("weighing the web app", format!("{whole} bytes compressed are too many")));
+        }
+        Ok(())
+    }
+}
+
+/// The module without its sections `name` and `producers`; `None` if it is no module.
+fn without_names(module: &[u8]) -> Option<Vec<u8>> {
+    const HEADER: usize = 8;
+    const CUSTOM: u8 = 0;
+    let mut kept = module.get(..HEADER).filter(|header| header.starts_with(b"\0asm"))?.to_vec();
+    let mut rest = module.get(HEADER..)?;
+    while let Some((&kind, after)) = rest.split_first() {
+        let (size, content) = leb128(after)?;
+        let body = content.get(..size)?;
+        let length = rest.len() - content.len() + size;
+        let is_named = |name: &[u8]| leb128(body).is_some_and(|(n, text)| n == name.len() && text.starts_with(name));
+        if kind != CUSTOM || !(is_named(b"name") || is_named(b"producers")) {
+            kept.extend_from_slice(rest.get(..length)?);
+        }
+        rest = rest.get(length..)?;
+    }
+    Some(kept)
+}
+
+/// An unsigned number of seven bits a byte, the lowest first, and what follows it.
+fn leb128(bytes: &[u8]) -> Option<(usize, &[u8])> {
+    let mut number = 0;
+    for (k, &byte) in bytes.iter().take(5).enumerate() {
+        number |= usize::from(byte & 0x7f) << (7 * k);
+        if byte < 0x80 {
+            return Some((number, &bytes[k + 1..]));
+        }
+    }
+    None
+}
+
+fn read(file: &Path) -> Result<Vec<u8>, Failure> {
+    fs::read(file).map_err(|error| failure(file, error))
+}
+
+fn text_of(file: &Path) -> Result<String, Failure> {
+    fs::read_to_string(file).map_err(|error| failure(file, error))
+}
+
+fn write(file: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> {
+    fs::write(file, content).map_err(|error| failure(file, error))
+}
+
+fn failure(file: &Path, reason: impl std::fmt::Display) -> Failure {
+    Failure::new("packing the web app", format!("{}: {reason}", file.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{leb128, without_names};
+
+    fn section(kind: u8, body: &[u8]) -> Vec<u8> {
+        [&[kind, body.len() as u8], body].concat()
+    }
+
+    #[test]
+    fn names_go_and_everything_else_stays() {
+        let header = b"\0asm\x01\0\0\0".to_vec();
+        let [types, names, other] = [section(1, &[0]), section(0, b"\x04name\x01\x00"), section(0, b"\x05names")];
+        let module = [header.clone(), types.clone(), names, other.clone()].concat();
+        assert_eq!(without_names(&module), Some([header, types, other].concat()));
+    }
+
+    #[test]
+    fn what_is_no_module_is_refused() {
+        assert_eq!(without_names(b"<!doctype html>"), None);
+        assert_eq!(without_names(b"\0asm\x01\0\0\0\x01\x7f"), None);
+    }
+
+    #[test]
+    fn numbers_have_seven_bits_a_byte() {
+        assert_eq!(leb128(&[0xe5, 0x8e, 0x26, 7]), Some((624_485, &[7][..])));
+        assert_eq!(leb128(&[0x80; 9]), None);
+    }
+}
