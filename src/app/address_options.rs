@@ -19,6 +19,7 @@ use super::preferences::Appearance;
 
 /// The options of an address; the default is that of an address without any.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own, there or not")]
 pub struct AddressOptions {
     /// The pictures alone.
     pub embed: bool,

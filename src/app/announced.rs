@@ -36,7 +36,7 @@ mod tests {
     fn an_error_is_told_when_it_appears_and_again_when_it_comes_back() {
         let mut announced = Announced::default();
         let [a, b] = ["a", "b"].map(String::from);
-        assert_eq!(announced.news(vec![a.clone()]), [a.clone()]);
+        assert_eq!(announced.news(vec![a.clone()]), vec![a.clone()]);
         assert_eq!(announced.news(vec![a.clone(), b.clone()]), [b]);
         assert_eq!(announced.news(Vec::new()), [""; 0]);
         assert_eq!(announced.news(vec![a.clone()]), [a]);

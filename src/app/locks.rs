@@ -84,7 +84,9 @@ impl Control {
     fn of(action: &Action) -> Option<Self> {
         Some(match action {
             Action::Session(command) => Self::of_command(command),
-            Action::New | Action::OpenSession => Self::Session,
+            Action::New | Action::OpenSession | Action::Explore(ExploreAction::Gallery | ExploreAction::Tour(_)) => {
+                Self::Session
+            }
             Action::OpenOutline(_)
             | Action::OpenTrace(_)
             | Action::TraceImage
@@ -95,7 +97,6 @@ impl Control {
             Action::OpenImage => Self::Pattern,
             Action::Fit(_) => Self::View,
             Action::OpenReport(_) | Action::Walks(_) => Self::Comparison,
-            Action::Explore(ExploreAction::Gallery | ExploreAction::Tour(_)) => Self::Session,
             Action::Prefer(_) => Self::Theme,
             Action::TogglePanels => Self::Panels,
             Action::Undo

@@ -220,11 +220,12 @@ mod tests {
     fn all_quoted(folder: &Path, found: &mut BTreeSet<char>) {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
-            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            let text = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
+            let (stem, ending) = (text(path.file_stem()), text(path.extension()));
             // the command line writes to a terminal
-            if path.is_dir() && name != "cli" {
+            if path.is_dir() && stem != "cli" {
                 all_quoted(&path, found);
-            } else if (name.ends_with(".rs") && !name.ends_with("tests.rs")) || name.ends_with(".po") {
+            } else if (ending == "rs" && !stem.ends_with("tests")) || ending == "po" {
                 found.extend(quoted(&std::fs::read_to_string(&path).unwrap()));
             }
         }

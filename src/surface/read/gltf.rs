@@ -97,8 +97,8 @@ const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_comp
 /// Reads a document; `binary` is the buffer of a GLB file.
 pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>) -> Result<Surface, SurfaceError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
-        let lines = bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
-        SurfaceError::malformed(Place::Line(lines + 1), format!("no glTF: {error}"))
+        let line = bytes[..error.valid_up_to()].split(|&byte| byte == b'\n').count();
+        SurfaceError::malformed(Place::Line(line), format!("no glTF: {error}"))
     })?;
     let document: Document = serde_json::from_str(text.strip_prefix('\u{feff}').unwrap_or(text))
         .map_err(|error| SurfaceError::malformed(Place::Line(error.line()), format!("no glTF: {error}")))?;
