@@ -120,7 +120,6 @@ mod tests {
     }
 
     #[test]
-    #[test]
     fn a_picture_that_is_to_be_traced_becomes_an_outline() {
         let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { 0 } else { 255 };
         let pixels = image::RgbaImage::from_fn(300, 240, |x, y| image::Rgba([ink(x, y), ink(x, y), ink(x, y), 255]));

@@ -5,10 +5,13 @@ use super::wish::{Kind, Wish};
 use super::{FileWish, ReadyFile};
 use crate::app::action::{Action, Actions};
 use crate::app::language::{tr, tr_message, tr_with};
-use crate::app::theme::{Palette, ROW_HEIGHT};
+use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT};
 use crate::app::widgets::message_box;
 use crate::family::Path;
-use egui::{Button, Grid, Key, Modifiers, ProgressBar, RichText, ScrollArea, Ui, Window, vec2};
+use egui::{
+    Align2, Button, CornerRadius, Grid, Key, Modifiers, RichText, Role, ScrollArea, Sense, Ui, Vec2, WidgetInfo,
+    Window, vec2,
+};
 use std::collections::BTreeMap;
 
 /// The height of what a finger touches.
@@ -167,8 +170,8 @@ impl Exporter {
             if let Some(job) = &self.job {
                 let [done, all] = job.count();
                 let text = if all > 1 { tr_with("{0} of {1} pictures", &[&done, &all]) } else { String::new() };
-                let room = ui.available_width() - 110.0;
-                ui.add(ProgressBar::new(job.progress()).desired_width(room).desired_height(height).text(text));
+                let size = vec2(ui.available_width() - 110.0, height);
+                progress_bar(ui, size, job.progress(), text);
                 let cancel = ui.add_sized([100.0, height], Button::new(tr("Cancel")));
                 self.note("Cancel", &cancel);
                 if cancel.clicked() {
@@ -196,4 +199,17 @@ impl Exporter {
             actions.push(Action::SaveExport);
         }
     }
+}
+
+/// How far the work is, with a few words over it.
+fn progress_bar(ui: &mut Ui, size: Vec2, done: f32, text: String) {
+    let palette = Palette::of(ui.visuals());
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, &text));
+    let rounding = CornerRadius::same(ROUNDING);
+    ui.painter().rect_filled(rect, rounding, palette.border);
+    let filled = rect.with_max_x(rect.left() + done.clamp(0.0, 1.0) * rect.width());
+    ui.painter().with_clip_rect(filled).rect_filled(rect, rounding, palette.accent_soft.gamma_multiply(0.6));
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font, palette.text);
 }
