@@ -173,6 +173,10 @@ impl Locks {
 
     /// The lock that keeps `action` from being carried out.
     pub fn refused(self, action: &Action) -> Option<Control> {
+        // the points in motion are of both kinds
+        if matches!(action, Action::Play(_)) && self.holds(Control::Boundary) {
+            return Some(Control::Boundary);
+        }
         Control::of(action).filter(|&control| self.holds(control))
     }
 

@@ -4,7 +4,7 @@
 
 use super::action::{Action, Actions};
 use super::language::{tr, tr_with};
-use super::locks::{Control, guarded};
+use super::locks::{Control, Locks, guarded};
 use super::method;
 use super::model::Model;
 use super::play_panel;
@@ -60,7 +60,8 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str
     }
     guarded(ui, Control::Colours, |ui| shown(ui, model, actions));
     guarded(ui, Control::Pattern, |ui| texture(ui, model, image_name, actions));
-    play_panel::show(ui, model, player, actions);
+    let held = if Locks::of(ui.ctx()).holds(Control::Boundary) { Control::Boundary } else { Control::Interior };
+    guarded(ui, held, |ui| play_panel::show(ui, model, player, actions));
     guarded(ui, Control::Method, |ui| method::show(ui, model, actions));
     guarded(ui, Control::Comparison, |ui| teaching::panel::show(ui, model, actions));
     for side in Side::BOTH.into_iter().filter(|side| planar || *side == Side::Source) {

@@ -29,7 +29,7 @@ mod tests {
 
     #[test]
     fn every_step_is_taken_once_and_in_order() {
-        assert_eq!(steps::<0>(), [0_usize; 0]);
+        assert!(steps::<0>().is_empty());
         assert_eq!(steps::<3>(), [0, 1, 2]);
         assert_eq!(steps::<8>(), [0, 1, 2, 3, 4, 5, 6, 7]);
     }
