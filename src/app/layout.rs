@@ -201,7 +201,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
     let embedded = app.options.embed;
-    let around = Surroundings { narrow, edited: app.editor.side(), folded: !app.panels_open, embedded };
+    let around = Surroundings { narrow, edited: app.editor.reshaped_side(), folded: !app.panels_open, embedded };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         let view = &app.views[side as usize];

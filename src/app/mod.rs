@@ -409,12 +409,6 @@ impl RiemapApp {
     fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
         self.editor.follow(&mut self.model, &mut self.views);
-        for (subject, request) in self.model.take_requests(now) {
-            self.preparer.request(subject, request);
-        }
-        if let Some(due) = self.model.next_due() {
-            context.request_repaint_after_secs((due - now).max(0.0) as f32);
-        }
         if let Some(study) = self.reports.take_study() {
             self.laboratory.begin(study);
         }
@@ -429,6 +423,13 @@ impl RiemapApp {
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
+        }
+        // after the map: what is in a hand is prepared anew as soon as the picture shows it, in the same frame
+        for (subject, request) in self.model.take_requests(now) {
+            self.preparer.request(subject, request);
+        }
+        if let Some(due) = self.model.next_due() {
+            context.request_repaint_after_secs((due - now).max(0.0) as f32);
         }
         let resting = now - self.last_change >= REST_SECONDS;
         if resting {

@@ -130,8 +130,7 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     let over_target = pointer.is_some_and(|at| views[Side::Target as usize].rect.contains(at));
     let meant = if over_target { Side::Target } else { Side::Source };
     if pressed(Key::E) {
-        let reshaped = Side::BOTH.into_iter().find(|&side| editor.reshaping(side).is_some());
-        push(EditAction::Toggle(reshaped.unwrap_or(meant)));
+        push(EditAction::Toggle(editor.reshaped_side().unwrap_or(meant)));
     }
     for (key, pen) in [(Key::D, Pen::Freehand), (Key::L, Pen::Lines), (Key::C, Pen::Curve)] {
         if pressed(key) {

@@ -104,6 +104,11 @@ impl Editor {
         }
     }
 
+    /// The side whose outline is under the hand.
+    pub fn reshaped_side(&self) -> Option<Side> {
+        Side::BOTH.into_iter().find(|&side| self.reshaping(side).is_some())
+    }
+
     /// What is drawn for this side.
     pub fn drawing(&self, side: Side) -> Option<&Drawing> {
         match &self.work {
