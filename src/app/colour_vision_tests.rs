@@ -10,11 +10,11 @@ use egui::Color32;
 
 const NORMAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 const PROTANOPIA: [[f64; 3]; 3] =
-    [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]];
+    [[0.152_286, 1.052_583, -0.204_868], [0.114_503, 0.786_281, 0.099_216], [-0.003_882, -0.048_116, 1.051_998]];
 const DEUTERANOPIA: [[f64; 3]; 3] =
-    [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]];
+    [[0.367_322, 0.860_646, -0.227_968], [0.280_085, 0.672_501, 0.047_413], [-0.011_820, 0.042_940, 0.968_881]];
 const TRITANOPIA: [[f64; 3]; 3] =
-    [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]];
+    [[1.255_528, -0.076_749, -0.178_779], [-0.078_411, 0.930_809, 0.147_602], [0.004_733, 0.691_367, 0.303_900]];
 
 const ALL_EYES: [(&str, [[f64; 3]; 3]); 4] =
     [("usual", NORMAL), ("protanopia", PROTANOPIA), ("deuteranopia", DEUTERANOPIA), ("tritanopia", TRITANOPIA)];
@@ -22,7 +22,7 @@ const ALL_EYES: [(&str, [[f64; 3]; 3]); 4] =
 /// From linear sRGB to CIE XYZ (IEC 61966-2-1).
 const XYZ: [[f64; 3]; 3] = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]];
 /// The XYZ of white (D65).
-const WHITE: [f64; 3] = [0.95047, 1.0, 1.08883];
+const WHITE: [f64; 3] = [0.950_47, 1.0, 1.088_83];
 
 /// Six times the least difference that is seen at all (2.3, Mahy et al. 1994): seen on lines of two pixels.
 const DISTINCT: f64 = 14.0;
@@ -35,7 +35,7 @@ fn times(matrix: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
 fn lab(colour: Color32, seen: &[[f64; 3]; 3]) -> [f64; 3] {
     let linear = |encoded: u8| {
         let encoded = f64::from(encoded) / 255.0;
-        if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+        if encoded <= 0.040_45 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
     };
     let seen = times(seen, [colour.r(), colour.g(), colour.b()].map(linear)).map(|channel| channel.clamp(0.0, 1.0));
     let xyz = times(&XYZ, seen);

@@ -173,9 +173,9 @@ pub struct RiemapApp {
     panels_open: bool,
     sheet_open: bool,
     keyboard: Keyboard,
-    /// How many times a control was said, and whether the theme is dark: for [`Stats`].
+    /// How many times a control was said, and which theme is shown: for [`Stats`].
     spoken: u64,
-    dark: bool,
+    theme: egui::Theme,
     has_fingers: bool,
     /// What there was to tell when the picture was described.
     described: Option<News>,
@@ -238,7 +238,7 @@ impl RiemapApp {
             sheet_open: false,
             keyboard: Keyboard::default(),
             spoken: 0,
-            dark: true,
+            theme: egui::Theme::Dark,
             has_fingers: platform::has_fingers(),
             described: None,
             explore: Explore::default(),
@@ -289,7 +289,7 @@ impl RiemapApp {
             errors: self.errors(),
             notes: self.notes(),
             undo: self.keeper.history().undo_count(),
-            dark: self.dark,
+            dark: self.theme == egui::Theme::Dark,
             spoken: self.spoken,
             playing: self.player.is_playing(),
             export: self.exporter.places().cloned(),
@@ -540,7 +540,7 @@ impl eframe::App for RiemapApp {
         });
         let since_last = ui.input(|input| input.unstable_dt);
         self.meter.tick(since_last, frame.info().cpu_usage, compute);
-        self.dark = ui.visuals().dark_mode;
+        self.theme = ui.ctx().theme();
         layout::show(self, ui);
         self.announce();
         let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));

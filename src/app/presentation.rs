@@ -97,7 +97,7 @@ mod tests {
         let options = AddressOptions::parse([("present", ""), ("theme", "light"), ("lock", "view")]);
         let preferences = install(&context, Preferences::fixed(), &options);
         assert_eq!(preferences.language, Preferences::fixed().language);
-        let _ = context.run_ui(egui::RawInput::default(), |_| {});
+        context.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
         assert!(is_large(&context) && context.theme() == egui::Theme::Light);
         assert!(Locks::of(&context).holds(Control::View) && !Locks::of(&context).holds(Control::Pattern));
     }
@@ -107,7 +107,7 @@ mod tests {
         let context = Context::default();
         for expected in [true, false] {
             toggle(&context);
-            let _ = context.run_ui(egui::RawInput::default(), |_| {});
+            context.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
             assert_eq!(is_large(&context), expected);
         }
     }
