@@ -15,12 +15,11 @@ const inScope = (path) => new URL(path, self.registration.scope).href;
 const PAGE = inScope("");
 
 async function install() {
+  // before anything large, and while there is nothing to take back
+  const page = await (await fetch(PAGE, { cache: "reload" })).text();
+  if (!page.includes(`./${VERSION}/`)) throw new Error("the host has not changed over to this version yet");
   const cache = await caches.open(CACHE);
   await Promise.all(FILES.map((path) => fetchInto(cache, path)));
-  const page = await (await cache.match(PAGE)).text();
-  if (page.includes(`./${VERSION}/`)) return;
-  await caches.delete(CACHE);
-  throw new Error("the host has not changed over to this version yet");
 }
 
 /** What has the version in its name never changes; the rest is asked for again. */
@@ -28,6 +27,8 @@ async function fetchInto(cache, path) {
   const fresh = path.startsWith(`${VERSION}/`) ? "default" : "reload";
   const response = await fetch(inScope(path), { cache: fresh });
   if (!response.ok) throw new Error(`${path}: ${response.status}`);
+  const isPage = response.headers.get("content-type")?.startsWith("text/html");
+  if (isPage && path.startsWith(`${VERSION}/`)) throw new Error(`${path}: there is a page in its place`);
   // a page may not be answered with what was redirected
   const plain = response.redirected ? new Response(await response.blob(), { headers: response.headers }) : response;
   await cache.put(inScope(path), plain);
@@ -49,8 +50,7 @@ function kept(request) {
 }
 
 async function answer(request) {
-  const cache = await caches.open(CACHE);
-  return (await cache.match(kept(request))) ?? fetch(request);
+  return (await caches.match(kept(request), { cacheName: CACHE })) ?? fetch(request);
 }
 
 self.addEventListener("install", (event) => event.waitUntil(install()));

@@ -91,8 +91,7 @@ impl Control {
             | Action::OpenTrace(_)
             | Action::TraceImage
             | Action::Edit(_)
-            | Action::PasteText(_)
-            | Action::Remedy(_) => Self::Outline,
+            | Action::PasteText(_) => Self::Outline,
             Action::Play(_) => Self::Interior,
             Action::OpenImage => Self::Pattern,
             Action::Fit(_) => Self::View,
@@ -104,6 +103,7 @@ impl Control {
             | Action::SaveSession
             | Action::CopyLink
             | Action::Dismiss(_)
+            | Action::Remedy(_)
             | Action::DismissMessage
             | Action::DismissOffer
             | Action::OpenExport
@@ -174,9 +174,14 @@ impl Locks {
 
     /// The lock that keeps `action` from being carried out.
     pub fn refused(self, action: &Action) -> Option<Control> {
-        // the points in motion are of both kinds
-        if matches!(action, Action::Play(_)) && self.holds(Control::Boundary) {
-            return Some(Control::Boundary);
+        let also: &[Control] = match action {
+            Action::Play(_) => &[Control::Boundary],
+            Action::Session(Command::Swap) => &[Control::Interior, Control::Boundary, Control::Method],
+            Action::Session(Command::SetOutline { .. }) => &[Control::Interior, Control::Boundary],
+            _ => &[],
+        };
+        if let Some(&held) = also.iter().find(|&&control| self.holds(control)) {
+            return Some(held);
         }
         Control::of(action).filter(|&control| self.holds(control))
     }

@@ -73,7 +73,7 @@ use crate::session::{Command, Session};
 use address_options::AddressOptions;
 use announced::Announced;
 use cells::Cells;
-use editing::Editor;
+use editing::{EditAction, Editor};
 use explore::{Explore, ExploreAction};
 use exporting::Exporter;
 use gpu::Gpu;
@@ -304,6 +304,7 @@ impl RiemapApp {
 
     /// Shows another session in place of this one; what it shares is not prepared again.
     pub fn open_session(&mut self, session: Session) {
+        self.player.pause();
         self.keeper.touch();
         self.model.dispatch(Command::Open(Box::new(session)), 0.0);
         self.mailbox.wake();
@@ -362,10 +363,14 @@ impl RiemapApp {
                 Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
                 Action::Fit(side) => self.views[side as usize].fit(),
                 Action::Edit(action) => {
+                    if matches!(action, EditAction::Close | EditAction::TakePasted) {
+                        self.explore.keep();
+                    }
                     self.keeper.touch();
                     self.editor.act(action, &mut self.model, &mut self.views);
                 }
                 Action::PasteText(text) => {
+                    self.explore.keep();
                     self.keeper.touch();
                     self.editor.take_text(text, &mut self.model, &mut self.views);
                 }
@@ -391,6 +396,7 @@ impl RiemapApp {
         let is_walking = self.model.teaching().walks.is_running();
         let explore::Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {
+            self.player.pause();
             self.model.dispatch(Command::Open(Box::new(session)), 0.0);
             self.mailbox.wake();
         }

@@ -195,7 +195,6 @@ impl Preparation {
         match self.wanted.outline.polygon() {
             Ok(polygon) => {
                 let reshaped = self.reshaped;
-                self.reshaped = reshaped.filter(|reshaped| reshaped.in_hand);
                 let settings = Reshaped::settings(reshaped, self.wanted.settings);
                 self.running = Some(Running {
                     spec: DomainSpec { settings, ..self.wanted.clone() },
@@ -249,14 +248,23 @@ impl Preparation {
             self.notes = running.notes;
         }
         self.error = None;
+        if self.due.is_none() {
+            self.forget_reshaping();
+        }
         self.domain = Some(Arc::new(domain));
         self.prepared_from = Some(running.spec.clone());
         Progress::Ready { spec: running.spec, new_outline, reshaped: running.reshaped }
     }
 
+    /// What was reshaped is prepared as it is to stay, or not to be had; what is in hand goes on.
+    fn forget_reshaping(&mut self) {
+        self.reshaped = self.reshaped.filter(|reshaped| reshaped.in_hand);
+    }
+
     /// Goes back to the last good outline; the settings stay as the person left them.
     fn fail(&mut self, message: String) {
         self.error = Some(Trouble::new(message));
+        self.forget_reshaping();
         if let Some(good) = &self.prepared_from {
             self.wanted.outline = good.outline.clone();
         }

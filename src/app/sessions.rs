@@ -8,14 +8,13 @@ use crate::session::{Command, Session, file, link};
 impl RiemapApp {
     /// Goes to another step; what is being dragged is let go of.
     pub(super) fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
+        let at_rest = self.model.is_ready().then(|| self.model.session());
+        let Some(session) = to(&mut self.keeper, at_rest) else { return };
         self.handles.release();
         self.editor.drop_handle();
         self.player.pause();
-        let at_rest = self.model.is_ready().then(|| self.model.session());
-        if let Some(session) = to(&mut self.keeper, at_rest) {
-            self.model.dispatch(Command::Open(Box::new(session)), 0.0);
-            self.mailbox.wake();
-        }
+        self.model.dispatch(Command::Open(Box::new(session)), 0.0);
+        self.mailbox.wake();
     }
 
     pub(super) fn save_session(&mut self) {

@@ -44,6 +44,10 @@ fn without_tails(chain: &[DVec2]) -> Vec<DVec2> {
     chain
 }
 
+/// Where the stroke passes the beginning, it is nearer to it than its end by this factor; else the end has not run
+/// past it. An overshoot of a twelfth of a circle has 0.2, an L, a V or half a circle 0.7 and more.
+const PASSES: f64 = 0.6;
+
 /// An end that runs past the beginning without crossing it is cut off where it passes nearest to it.
 fn end_near_beginning(chain: &mut Vec<DVec2>) {
     let lengths: Vec<f64> = chain.windows(2).map(|w| w[0].distance(w[1])).collect();
@@ -54,8 +58,10 @@ fn end_near_beginning(chain: &mut Vec<DVec2>) {
         (a + part * d, j)
     };
     let passes = (lengths.len() - tails..lengths.len()).map(nearest);
-    let first = chain.first().copied().unwrap_or_default();
-    if let Some((at, j)) = passes.min_by(|(p, _), (q, _)| p.distance(first).total_cmp(&q.distance(first))) {
+    let [first, last] = [chain.first(), chain.last()].map(|end| end.copied().unwrap_or_default());
+    if let Some((at, j)) = passes.min_by(|(p, _), (q, _)| p.distance(first).total_cmp(&q.distance(first)))
+        && at.distance(first) < PASSES * last.distance(first)
+    {
         chain.truncate(j + 1);
         chain.push(at);
     }

@@ -117,6 +117,8 @@ pub enum Event {
 /// What the page around the app is told of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PageEvent {
+    /// The app takes requests.
+    Ready,
     /// The session has changed and come to rest.
     Session,
     /// An error is shown, with these words.

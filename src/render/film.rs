@@ -57,6 +57,9 @@ pub const SECONDS: std::ops::RangeInclusive<f64> = 0.1..=600.0;
 /// Browsers show a GIF whose frames are shorter than this (in hundredths of a second) at a tenth of its speed.
 const SHORTEST_GIF_FRAME: f64 = 2.0;
 
+/// The longest file: one that grows once more still fits into 32 bits of addresses.
+const MOST_BYTES: usize = 512 << 20;
+
 /// Why there is no animation.
 #[derive(Debug, thiserror::Error)]
 pub enum FilmError {
@@ -85,6 +88,12 @@ pub enum FilmError {
         width: u32,
         /// Asked for.
         height: u32,
+    },
+    /// A longer file does not grow further in the memory of a browser.
+    #[error("the animation is longer than {} MiB after {pictures} pictures: make it smaller or shorter", MOST_BYTES >> 20)]
+    Long {
+        /// How many there are.
+        pictures: u32,
     },
     /// A picture of another size.
     #[error("a picture of {width} × {height} pixels among others of another size")]
@@ -167,8 +176,10 @@ impl Film {
         let k = self.count;
         match &mut self.encoder {
             Encoder::Png { writer, .. } => {
-                let delay = self.settings.delay(k, 1000.0);
-                let timed = writer.set_frame_delay(delay, 1000);
+                // a delay has 16 bits
+                let parts = if self.settings.seconds / f64::from(self.settings.frames) < 65.0 { 1000 } else { 100 };
+                let delay = self.settings.delay(k, f64::from(parts));
+                let timed = writer.set_frame_delay(delay, parts);
                 timed
                     .and_then(|()| writer.write_image_data(picture.as_raw()))
                     .map_err(|error| encoder_error(&error))?;
@@ -179,7 +190,17 @@ impl Film {
             }
         }
         self.count += 1;
+        if self.length() > MOST_BYTES {
+            return Err(FilmError::Long { pictures: self.count });
+        }
         Ok(())
+    }
+
+    fn length(&self) -> usize {
+        match &self.encoder {
+            Encoder::Png { bytes, .. } => bytes.len(),
+            Encoder::Gif { encoder, .. } => encoder.get_ref().len(),
+        }
     }
 
     /// The file, when all pictures are there.
@@ -240,6 +261,10 @@ fn encoder_error(error: &dyn std::error::Error) -> FilmError {
 pub(super) struct SharedBytes(Arc<Mutex<Vec<u8>>>);
 
 impl SharedBytes {
+    fn len(&self) -> usize {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).len()
+    }
+
     pub(super) fn take(&self) -> Vec<u8> {
         std::mem::take(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }

@@ -3,7 +3,7 @@
 //! The pixels come back row by row. Works on any adapter, software ones included; the pixels of two
 //! adapters may differ by rounding.
 
-use super::{Readback, RenderError, SceneDescription, SceneRenderer, SceneSurface};
+use super::{Readback, RenderError, SceneDescription, SceneRenderer, SceneSurface, guarded};
 use image::RgbaImage;
 
 /// A device on any adapter, hardware preferred, software accepted.
@@ -111,13 +111,9 @@ impl Studio {
         draw: impl FnOnce(&mut SceneRenderer, &wgpu::Device, &wgpu::Queue) -> Result<wgpu::Texture, RenderError>,
     ) -> Result<RgbaImage, RenderError> {
         let Self { device, queue, renderer } = self;
-        let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let image =
-            draw(renderer, device, queue).and_then(|target| Readback::begin(device, queue, &target).wait(device));
-        match pollster::block_on(scope.pop()) {
-            Some(error) => Err(RenderError::Device(error.to_string())),
-            None => image,
-        }
+        guarded(device, || {
+            draw(renderer, device, queue).and_then(|target| Readback::begin(device, queue, &target).wait(device))
+        })
     }
 }
 

@@ -56,7 +56,7 @@ pub use film::{Film, FilmError, FilmFormat, FilmSettings, MOST_FRAMES, SECONDS};
 pub use headless::{Studio, headless_device, render_scene, render_scene_with, render_surface_with};
 pub use orbit_camera::{BoundingSphere, OrbitCamera};
 pub use png_file::PngFile;
-pub use readback::Readback;
+pub use readback::{Readback, guarded};
 pub use scene::{SceneCells, SceneDescription, SceneRenderer, SceneViewport};
 pub use scene_surface::SceneSurface;
 pub use style::{CellStyle, Handle, Pattern, StrokeStyle, TextureStyle};

@@ -4,6 +4,8 @@ use color_quant::NeuQuant;
 
 /// Pixels from which the colours are learned, spread over the picture: as many as take 20 ms.
 const LEARNED_FROM: usize = 20_000;
+/// A prime that is no divisor of the usual widths: else all samples would lie in a few columns.
+const STEP_PRIME: usize = 7;
 /// Bits of each channel by which pixels look their colour up: 0.5 MB.
 const BITS: u32 = 6;
 /// Colours are renewed when pixels are farther from them than this times as far as when they were learned, ...
@@ -81,7 +83,9 @@ impl Palette {
 
 /// Opaque pixels all over a picture.
 fn sampled(pixels: &[u8]) -> impl Iterator<Item = [u8; 3]> + '_ {
+    // not a divisor of round widths, or all samples would lie in a few columns
     let step = (pixels.len() / 4).div_ceil(LEARNED_FROM).max(1);
+    let step = if step == 1 { 1 } else { step.next_multiple_of(STEP_PRIME) };
     let opaque = |pixel: &&[u8]| pixel[3] >= 128;
     pixels.chunks_exact(4).step_by(step).filter(opaque).map(|pixel| [pixel[0], pixel[1], pixel[2]])
 }

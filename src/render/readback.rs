@@ -4,7 +4,9 @@
 
 use super::RenderError;
 use image::RgbaImage;
+use std::pin::pin;
 use std::sync::mpsc;
+use std::task::{Context, Poll, Waker};
 
 /// Pixels on their way.
 #[derive(Debug)]
@@ -72,6 +74,26 @@ impl Readback {
         }
         let missing = || RenderError::Readback(format!("fewer bytes than {width} × {height} pixels"));
         RgbaImage::from_raw(width, height, pixels).ok_or_else(missing)
+    }
+}
+
+/// Carries out `work`, and reports what the device has against it: natively and with WebGL at once. WebGPU tells
+/// later, by refusing the pixels.
+pub fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> Result<R, RenderError>) -> Result<R, RenderError> {
+    let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+    let validation = device.push_error_scope(wgpu::ErrorFilter::Validation);
+    let result = work();
+    match [now(validation.pop()), now(memory.pop())].into_iter().flatten().next() {
+        Some(error) => Err(RenderError::Device(error.to_string())),
+        None => result,
+    }
+}
+
+/// The answer, if it is there already.
+fn now(answer: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Error> {
+    match pin!(answer).poll(&mut Context::from_waker(Waker::noop())) {
+        Poll::Ready(error) => error,
+        Poll::Pending => None,
     }
 }
 

@@ -262,15 +262,6 @@ export class App {
     return contentOf(await coming);
   }
 
-  /** Clicks at a place of the window. */
-  async click(at) {
-    const { mouse } = this.#page;
-    await mouse.move(...at);
-    await this.#frames();
-    await mouse.click(...at);
-    await this.#frames();
-  }
-
   /** Writes into the number at a place of the window. */
   async type(at, text) {
     await this.click(at);

@@ -23,7 +23,7 @@ export function embedded() {
     event.source.postMessage({ riemap: VERSION, id: event.data.id ?? null, ...answer(event.data) }, origin);
   });
   tellChanges(tell);
-  tell("ready", {});
+  window.addEventListener("riemap-ready", () => tell("ready", {}), { once: true });
 }
 
 const isRequest = (data) => typeof data === "object" && data !== null && "riemap" in data;
@@ -32,7 +32,9 @@ const isRequest = (data) => typeof data === "object" && data !== null && "riemap
 function answer(request) {
   try {
     if (request.riemap !== VERSION) return refused(`this is version ${VERSION} of the messages`);
-    if (request.type === "get-session") return { ok: true, session: window.riemap.session(), link: location.hash };
+    const session = window.riemap?.session();
+    if (session === undefined) return refused("the app is not there yet, or has stopped");
+    if (request.type === "get-session") return { ok: true, session, link: location.hash };
     if (request.type === "set-session") return set(request);
     return refused(`there is no message of the type ${JSON.stringify(request.type)}`);
   } catch (error) {

@@ -9,7 +9,9 @@ export async function installed() {
   const isVersioned = /\/app-[0-9a-f]+\/[^/]*$/.test(new URL(import.meta.url).pathname);
   const container = navigator.serviceWorker;
   if (!isVersioned || !container) return;
-  let controlled = Boolean(container.controller);
+  const before = await container.getRegistration("./").catch(() => undefined);
+  // a page that was loaded past the worker has no controller, and is an older version's all the same
+  let controlled = Boolean(container.controller ?? before?.active);
   container.addEventListener("controllerchange", () => {
     if (controlled) location.reload();
     controlled = true;

@@ -17,7 +17,8 @@ const VECTORS = Uint8Array.of(
 
 /** What is missing here, as a key of the plain words, or null. */
 async function missing() {
-  if (typeof WebAssembly !== "object" || !WebAssembly.validate(VECTORS)) return "program";
+  const unpacks = typeof DecompressionStream === "function";
+  if (!unpacks || typeof WebAssembly !== "object" || !WebAssembly.validate(VECTORS)) return "program";
   const context = document.createElement("canvas").getContext("webgl2");
   // browsers allow few of them at a time
   context?.getExtension("WEBGL_lose_context")?.loseContext();
@@ -26,15 +27,22 @@ async function missing() {
   return adapter ? null : "graphics";
 }
 
-/** The response with its bytes counted as they come, unpacked, against their number as it was when the app was built. */
-function counted(response) {
-  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
+/** The program: packed where `cargo xtask dist` has packed it, and then its length is known. */
+async function program() {
   const bar = element("loading-bar");
-  const unpacked = Number(bar?.dataset.bytes);
-  const packed = response.headers.get("content-encoding");
-  const total = unpacked || (packed ? 0 : Number(response.headers.get("content-length")));
+  const packed = Number(bar?.dataset.bytes);
+  const name = packed ? "riemap_bg.wasm.packed" : "riemap_bg.wasm";
+  const response = await fetch(new URL(name, import.meta.url));
+  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
+  const counted = response.body.pipeThrough(counter(bar, packed));
+  const body = packed ? counted.pipeThrough(new DecompressionStream("gzip")) : counted;
+  return new Response(body, { headers: { "content-type": "application/wasm" } });
+}
+
+/** Shows how far the download is, of `total` bytes if that is known. */
+function counter(bar, total) {
   let current = 0;
-  const count = new TransformStream({
+  return new TransformStream({
     transform(chunk, controller) {
       current += chunk.byteLength;
       if (total && bar) bar.value = Math.min(current / total, 1);
@@ -47,8 +55,6 @@ function counted(response) {
       if (text) text.textContent = words.starting;
     },
   });
-  const headers = { "content-type": "application/wasm" };
-  return new Response(response.body.pipeThrough(count), { headers });
 }
 
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
@@ -85,10 +91,9 @@ async function start() {
     return;
   }
   distrustEmulatedPixels();
-  const program = new URL("riemap_bg.wasm", import.meta.url);
-  const [glue, response] = await Promise.all([import("./riemap.js"), fetch(program)]);
-  await glue.default({ module_or_path: counted(response) });
+  const [glue, compiled] = await Promise.all([import("./riemap.js"), program()]);
   embedded();
+  await glue.default({ module_or_path: compiled });
   await installed();
 }
 

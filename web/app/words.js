@@ -23,7 +23,7 @@ const WORDS = {
       title: "riemap cannot run here",
       missing: "riemap computes in the browser, with WebAssembly and its vector instructions, and this browser does not have them.",
       remedies: [
-        "Bring the browser up to date: Firefox, Chrome and Edge from 2021, Safari from 16.4 on will do.",
+        "Bring the browser up to date: Firefox from 2023, Chrome and Edge from 2022, Safari from 16.4 on will do.",
         "If WebAssembly was turned off (as in Safari's lockdown mode), allow it for this page.",
       ],
     },
@@ -49,7 +49,7 @@ const WORDS = {
       title: "riemap kann hier nicht laufen",
       missing: "riemap rechnet im Browser, mit WebAssembly und dessen Vektorbefehlen; dieser Browser kennt sie nicht.",
       remedies: [
-        "Den Browser aktualisieren: Firefox, Chrome und Edge ab 2021, Safari ab 16.4 genügen.",
+        "Den Browser aktualisieren: Firefox ab 2023, Chrome und Edge ab 2022, Safari ab 16.4 genügen.",
         "Wurde WebAssembly abgeschaltet (wie im Blockierungsmodus von Safari), es für diese Seite erlauben.",
       ],
     },

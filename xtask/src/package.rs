@@ -5,15 +5,17 @@
 use crate::shell::{Failure, say};
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
-
-/// What the first visit downloads, compressed by gzip as every host does, in bytes.
-const MOST_TO_DOWNLOAD: usize = 2_500_000;
 
 /// The folder of one build, as trunk leaves it; its final name goes on with the version.
 const APP: &str = "app";
 /// The compiled program in it.
 const PROGRAM: &str = "riemap_bg.wasm";
+/// The same, packed. The ending is none that a host knows and unpacks on the way.
+const PACKED_PROGRAM: &str = "riemap_bg.wasm.packed";
+/// Rounds of the packing: 15 of them save 0.1 % more than one.
+const ITERATIONS: NonZeroU64 = NonZeroU64::MIN;
 const PAGE: &str = "index.html";
 const SERVICE_WORKER: &str = "service-worker.js";
 
@@ -39,15 +41,30 @@ impl<'a> Package<'a> {
     }
 
     /// Removes the names of the program's functions: a tenth of it, and nobody reads them here.
-    pub fn strip(&self) -> Result<(), Failure> {
+    fn strip(&self) -> Result<(), Failure> {
         let program = self.program();
         let stripped = without_names(&read(&program)?).ok_or_else(|| failure(&program, "it is no WebAssembly"))?;
         write(&program, stripped)
     }
 
-    /// Gives the build its version and the service worker its list, and weighs the whole.
-    pub fn finish(&self, service_worker: &Path) -> Result<(), Failure> {
-        let program = read(&self.program())?.len();
+    /// Packs the program here: by 4 % better than hosts do on their way, and also for those that do not at all.
+    fn pack(&self) -> Result<usize, Failure> {
+        let program = self.program();
+        let options = zopfli::Options { iteration_count: ITERATIONS, ..zopfli::Options::default() };
+        let mut packed = Vec::new();
+        zopfli::compress(options, zopfli::Format::Gzip, read(&program)?.as_slice(), &mut packed)
+            .map_err(|error| failure(&program, error))?;
+        let length = packed.len();
+        write(&program.with_file_name(PACKED_PROGRAM), packed)?;
+        fs::remove_file(&program).map_err(|error| failure(&program, error))?;
+        Ok(length)
+    }
+
+    /// Strips and packs the program, gives the build its version and the service worker its list, and weighs the
+    /// whole: what the first visit downloads.
+    pub fn finish(&self, service_worker: &Path) -> Result<usize, Failure> {
+        self.strip()?;
+        let program = self.pack()?;
         let version = format!("{APP}-{:016x}", self.digest()?);
         let (old, new) = (self.folder.join(APP), self.folder.join(&version));
         fs::rename(&old, &new).map_err(|error| failure(&old, error))?;
@@ -100,20 +117,21 @@ impl<'a> Package<'a> {
         Ok(())
     }
 
-    /// Says how much the first visit downloads; too much is a failure.
-    fn weigh(&self, version: &str) -> Result<(), Failure> {
+    /// Says how much the first visit downloads.
+    fn weigh(&self, version: &str) -> Result<usize, Failure> {
         let mut whole = 0;
         for name in self.files()?.iter().filter(|name| *name == PAGE || name.starts_with(version)) {
             let bytes = read(&self.folder.join(name))?;
-            let packed = miniz_oxide::deflate::compress_to_vec(&bytes, LEVEL).len() + GZIP_FRAME;
+            let packed = if name.ends_with(PACKED_PROGRAM) {
+                bytes.len()
+            } else {
+                miniz_oxide::deflate::compress_to_vec(&bytes, LEVEL).len() + GZIP_FRAME
+            };
             whole += packed;
             say(format_args!("{:>9} bytes, {packed:>8} compressed: {name}", bytes.len()));
         }
-        say(format_args!("the first visit downloads {whole} bytes of at most {MOST_TO_DOWNLOAD}"));
-        if whole > MOST_TO_DOWNLOAD {
-            return Err(Failure::new("weighing the web app", format!("{whole} bytes compressed are too many")));
-        }
-        Ok(())
+        say(format_args!("the first visit downloads {whole} bytes"));
+        Ok(whole)
     }
 }
 

@@ -48,16 +48,22 @@ pub fn serve(places: &Places, options: &ServeOptions) -> Result<(), Failure> {
     run("serving the web app", &mut trunk)
 }
 
-/// Builds the release app into `dist/`, ready for any host.
+/// The most that the first visit may download, in bytes.
+const MOST_TO_DOWNLOAD: usize = 2_500_000;
+
+/// Builds the release app into `dist/`, ready for any host. Too large a download is a failure.
 ///
 /// wasm-opt is left out: after the whole program was optimised for size (the profile `web`) it takes
 /// minutes for 0.6 % less to download (measured, -Oz).
 pub fn dist(places: &Places) -> Result<(), Failure> {
     run("building the web app", &mut trunk(places, "build")?)?;
     let (folder, web) = (places.dist(), places.root.join("web"));
-    let package = Package::new(&folder);
-    package.strip()?;
-    package.finish(&web.join("service-worker.js"))
+    let whole = Package::new(&folder).finish(&web.join("service-worker.js"))?;
+    if whole > MOST_TO_DOWNLOAD {
+        let excess = format!("{whole} bytes for the first visit, at most {MOST_TO_DOWNLOAD}");
+        return Err(Failure::new("weighing the web app", excess));
+    }
+    Ok(())
 }
 
 /// `trunk <subcommand>` for the release app, with every tool that it needs on its `PATH`.

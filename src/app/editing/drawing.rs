@@ -86,6 +86,14 @@ impl Drawing {
         }
     }
 
+    /// The message has been read: clicked points stay, a stroke that was no outline goes.
+    pub fn dismiss(&mut self) {
+        self.crossing = None;
+        if self.pen == Pen::Freehand {
+            self.points.clear();
+        }
+    }
+
     /// The finished outline. `pixel`: the size of a pixel, the exactness of a hand. What is none stays
     /// as it is drawn, and [`Self::crossing`] says why.
     pub fn close(&mut self, pixel: f64) -> Option<SimplePolygon> {

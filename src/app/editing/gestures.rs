@@ -154,11 +154,12 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     if let Some(id) = focused.filter(|_| ui.input(|input| input.key_pressed(Key::N))) {
         ui.memory_mut(|memory| memory.surrender_focus(id));
     }
-    if pressed(Key::N) {
-        push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + 1) % count))));
-    }
+    // with Shift first: without it the key would match too
     if ui.input_mut(|input| input.consume_key(Modifiers::SHIFT, Key::N)) {
         push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + count - 1) % count))));
+    }
+    if pressed(Key::N) {
+        push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + 1) % count))));
     }
     let free = focused.is_none() && reshaping.grabbed().is_none();
     let Some(selected) = reshaping.selected.filter(|_| free) else { return };

@@ -191,7 +191,8 @@ impl Editor {
 
     /// Text was pasted while no field had the keyboard: an outline for the source; what is none is shown in the window.
     pub fn take_text(&mut self, text: String, model: &mut Model, views: &mut [View; 2]) {
-        self.paste = Some(Paste::with(Side::Source, text));
+        let side = self.paste.as_ref().map_or(Side::Source, Paste::side);
+        self.paste = Some(Paste::with(side, text));
         self.act(EditAction::TakePasted, model, views);
     }
 
@@ -200,7 +201,8 @@ impl Editor {
         match action {
             EditAction::Point(point) => drawing.add(point),
             EditAction::TakeBack => drawing.take_back(),
-            EditAction::Clear | EditAction::Dismiss => drawing.clear(),
+            EditAction::Clear => drawing.clear(),
+            EditAction::Dismiss => drawing.dismiss(),
             EditAction::Close => {
                 let side = drawing.side();
                 let view = &views[side as usize];

@@ -2,9 +2,9 @@
 
 use super::file;
 use super::job::{Job, Scenery};
-use super::window::Surroundings;
+use super::window::{MapState, Surroundings};
 use crate::app::gpu::Gpu;
-use crate::app::{Actions, RiemapApp};
+use crate::app::{Actions, RiemapApp, still};
 use crate::platform;
 use crate::render::OrbitCamera;
 use egui::Context;
@@ -16,7 +16,7 @@ impl RiemapApp {
     /// Shows the window, if it is open.
     pub(in crate::app) fn show_exporter(&mut self, context: &Context, narrow: bool, actions: &mut Actions) {
         let around = Surroundings {
-            is_ready: self.model.is_ready(),
+            map: self.map_state(),
             on_surface: self.model.surface().is_some(),
             narrow,
             max_side: self.gpu.as_ref().map_or(0, Gpu::max_texture_side),
@@ -24,9 +24,20 @@ impl RiemapApp {
         self.exporter.show(context, around, actions);
     }
 
+    fn map_state(&self) -> MapState {
+        match (self.model.is_ready(), still::is_complete(&self.model)) {
+            (_, true) => MapState::Complete,
+            (true, false) => MapState::Ready,
+            (false, false) => MapState::Preparing,
+        }
+    }
+
     /// Saves what is chosen, or begins to make it.
     pub(in crate::app) fn save_export(&mut self, context: &Context) {
         let Some(wish) = self.exporter.file_wish() else { return self.begin_job(context) };
+        if !still::is_complete(&self.model) {
+            return; // what is shown is not yet what would be written
+        }
         match file(&self.model, wish) {
             Some(Ok(file)) => {
                 self.exporter.tell(None);

@@ -8,7 +8,7 @@ use super::wish::{Kind, Wish};
 use crate::app::model::Model;
 use crate::app::still::{Shot, Still};
 use crate::family::Loop;
-use crate::render::{Film, OrbitCamera, PngFile, Readback, SceneRenderer};
+use crate::render::{Film, OrbitCamera, PngFile, Readback, SceneRenderer, guarded};
 use image::RgbaImage;
 use std::sync::Arc;
 use web_time::Instant;
@@ -115,9 +115,12 @@ impl Job {
             }
             Stage::Draw => {
                 let Scenery { image, camera, .. } = &self.scenery;
-                let target = self.still.draw(&mut self.renderer, gpu, &self.shot, image.as_deref(), *camera);
-                let target = target.map_err(|error| error.to_string())?;
-                self.stage = Stage::Pixels(Readback::begin(gpu.0, gpu.1, &target));
+                let (still, renderer) = (&self.still, &mut self.renderer);
+                let pixels = guarded(gpu.0, || {
+                    let target = still.draw(renderer, gpu, &self.shot, image.as_deref(), *camera)?;
+                    Ok(Readback::begin(gpu.0, gpu.1, &target))
+                });
+                self.stage = Stage::Pixels(pixels.map_err(|error| error.to_string())?);
                 Ok(Some(Progress::GoesOn))
             }
             Stage::Pixels(readback) => {

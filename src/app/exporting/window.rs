@@ -24,11 +24,22 @@ const BESIDES: f32 = 200.0;
 /// The window's upper edge, below the bar.
 const FROM_TOP: f32 = 64.0;
 
+/// How far the map on the screen is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MapState {
+    /// Another one is being prepared.
+    Preparing,
+    /// It is there.
+    Ready,
+    /// With all of its extension.
+    Complete,
+}
+
 /// What the window needs to know.
 #[derive(Debug, Clone, Copy)]
 pub struct Surroundings {
-    /// The map is there, complete.
-    pub is_ready: bool,
+    /// How far the map is.
+    pub map: MapState,
     /// It is one of a surface.
     pub on_surface: bool,
     /// Little room, and fingers.
@@ -180,11 +191,13 @@ impl Exporter {
                 return;
             }
             let Kind::Film(format) = self.wish.kind else {
-                return self.save(ui, around.is_ready, height, actions);
+                let can_be =
+                    around.map == MapState::Complete || (around.map == MapState::Ready && self.wish.kind.is_drawn());
+                return self.save(ui, can_be, height, actions);
             };
             let fixed = around.on_surface && self.wish.path == Path::TargetPoint;
             let can_be = self.wish.film(format).check().is_ok() && !fixed;
-            self.save(ui, around.is_ready && can_be, height, actions);
+            self.save(ui, around.map != MapState::Preparing && can_be, height, actions);
         });
     }
 

@@ -202,7 +202,7 @@ fn settle(model: &mut Model) -> Result<(), StillError> {
 }
 
 /// Whether the map is the full one, with its whole extension, and the pattern is where it is wanted.
-fn is_complete(model: &Model) -> bool {
+pub(super) fn is_complete(model: &Model) -> bool {
     let is_home = model.pattern_home() == textured::home(model.session());
     model.is_ready() && is_home && model.extension_progress() == 1.0
 }

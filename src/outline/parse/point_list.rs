@@ -8,7 +8,7 @@ use crate::geometry::DVec2;
 /// Whether `text` is one line with more numbers than one point has, and nothing but numbers.
 pub(super) fn is_one(text: &str) -> bool {
     text.trim().lines().count() == 1
-        && fields(text).count() > 2
+        && fields(text).nth(2).is_some()
         && fields(text).all(|(_, field)| field.parse::<f64>().is_ok())
 }
 
@@ -23,7 +23,10 @@ pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
 
 /// The fields with their columns, from 1.
 fn fields(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let line = text.trim();
-    let column = move |field: &str| 1 + line[..field.as_ptr() as usize - line.as_ptr() as usize].chars().count();
-    line.split([',', ';', ' ', '\t']).filter(|field| !field.is_empty()).map(move |field| (column(field), field))
+    let columns = text.trim().split([',', ';', ' ', '\t']).scan(1, |next, field| {
+        let at = *next;
+        *next += field.chars().count() + 1; // separators are one character each
+        Some((at, field))
+    });
+    columns.filter(|(_, field)| !field.is_empty())
 }

@@ -53,6 +53,7 @@ async fn run() -> Result<(), String> {
         format!("{} ({})", tr(NO_GRAPHICS), error.as_string().unwrap_or_default())
     })?;
     bridge::install(&runner);
+    super::surroundings::tell_page(crate::platform::PageEvent::Ready, "");
     RUNNER.set(Some(runner));
     if let Some(loading) = document.get_element_by_id("loading") {
         loading.remove();

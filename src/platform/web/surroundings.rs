@@ -25,6 +25,7 @@ pub fn toggle_full_screen(_context: &egui::Context) {
 /// Tells the page's scripts, by an event of the window.
 pub fn tell_page(event: PageEvent, detail: &str) {
     let name = match event {
+        PageEvent::Ready => "riemap-ready",
         PageEvent::Session => "riemap-session",
         PageEvent::Error => "riemap-error",
     };
