@@ -3,7 +3,7 @@
 //! | option | meaning |
 //! |---|---|
 //! | `embed` | no bars and no panels: the two pictures alone |
-//! | `lock=…` | controls that stay as they are, by the names of [`Control`](super::locks::Control) |
+//! | `lock=…` | controls that stay as they are, by their names (`locks`) |
 //! | `present` | everything half as large again |
 //! | `theme=dark`, `theme=light` | in place of the system's theme |
 //! | `lang=en`, `lang=de` | in place of the system's language |

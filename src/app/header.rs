@@ -43,6 +43,9 @@ pub struct Surroundings {
     pub embedded: bool,
 }
 
+/// The height of the title and the line below it, in points; the buttons stand beside them.
+const TITLE_HEIGHT: f32 = 36.0;
+
 /// Shows the title line, the buttons and the messages of a viewport.
 pub fn show(
     ui: &mut Ui,
@@ -55,7 +58,8 @@ pub fn show(
 ) {
     let area = rect.shrink2(vec2(14.0, 10.0));
     ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
-        ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+        let line = vec2(ui.available_width(), theme::control_height(ui, TITLE_HEIGHT));
+        ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {
             if !around.embedded {
                 buttons(ui, side, model, is_fitted, around, actions);
             }
