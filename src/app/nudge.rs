@@ -86,6 +86,10 @@ pub fn of_viewport(ui: &Ui, response: &Response, side: Side, handles: &mut Handl
 /// The direction of the arrow keys that were pressed in this frame, y down, and 1 for fine steps.
 fn arrows(ui: &Ui, response: &Response) -> Option<(Vec2, usize)> {
     let ours = EventFilter { horizontal_arrows: true, vertical_arrows: true, tab: false, escape: false };
+    if response.gained_focus() {
+        // the filter holds from the second frame on: before it an arrow would lead away
+        ui.request_repaint();
+    }
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, ours));
     let keys = [
         (Key::ArrowRight, vec2(1.0, 0.0)),
@@ -136,6 +140,20 @@ mod tests {
     use egui::{Key, Modifiers};
     use egui_kittest::Harness;
     use egui_kittest::kittest::Queryable;
+
+    #[test]
+    fn a_dot_that_was_just_reached_keeps_the_keyboard() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        harness.get_by_label("x₁, interior point of the source").focus();
+        harness.run(); // as many frames as are asked for
+        for step in 1..=3 {
+            let [x, _] = harness.state().stats().handles.x1.unwrap();
+            harness.key_press(Key::ArrowRight);
+            harness.run_steps(2);
+            let [u, _] = harness.state().stats().handles.x1.unwrap();
+            assert!((u - x - 10.0).abs() < 0.1, "step {step}: from {x} to {u}");
+        }
+    }
 
     fn focused<'a>(label: &str) -> Harness<'a, RiemapApp> {
         let mut harness = ready_app([1200.0, 800.0]);
