@@ -32,7 +32,10 @@ export class App {
     page.setDefaultTimeout(PATIENCE_MS);
     page.on('pageerror', (error) => this.#giveUp(`uncaught: ${error.stack ?? error}`));
     page.on('crash', () => this.#giveUp('the page crashed'));
-    page.on('requestfailed', (request) => this.#faults.push(`not loaded: ${request.url()}`));
+    page.on('requestfailed', (request) => {
+      // a reload gives up what is still on its way, such as the icon
+      if (request.failure()?.errorText !== 'net::ERR_ABORTED') this.#faults.push(`not loaded: ${request.url()}`);
+    });
     page.on('console', (message) => {
       const graphics = message.type() === 'warning' && /WebGL: |WebGPU|validation/i.test(message.text());
       if (message.type() === 'error' || graphics) this.#faults.push(`console: ${message.text()} (${message.location().url})`);
