@@ -3,7 +3,7 @@
 use super::language::{self, Language, tests::MISSING};
 use super::tests::ready_app;
 use super::*;
-use crate::session::{Colouring, Comparison, SurfaceShape, SurfaceSpec, TextureKind};
+use crate::session::{Colouring, Command, Comparison, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};

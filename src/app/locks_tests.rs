@@ -3,7 +3,7 @@
 use super::locks::{Control, Locks, guarded};
 use super::tests::ready_app;
 use super::*;
-use crate::session::TextureKind;
+use crate::session::{Command, TextureKind};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 

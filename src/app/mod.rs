@@ -68,8 +68,8 @@ pub use stats::{Processor, Stats};
 use crate::conformal::{Extension, Side};
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
+use crate::session::Session;
 use crate::session::link::MissingOutline;
-use crate::session::{Command, Session};
 use address_options::AddressOptions;
 use announced::Announced;
 use cells::Cells;
@@ -304,10 +304,8 @@ impl RiemapApp {
 
     /// Shows another session in place of this one; what it shares is not prepared again.
     pub fn open_session(&mut self, session: Session) {
-        self.player.pause();
         self.keeper.touch();
-        self.model.dispatch(Command::Open(Box::new(session)), 0.0);
-        self.mailbox.wake();
+        self.show_session(session);
     }
 
     /// Takes in an outline or a surface as if its file had been opened.
@@ -396,9 +394,7 @@ impl RiemapApp {
         let is_walking = self.model.teaching().walks.is_running();
         let explore::Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {
-            self.player.pause();
-            self.model.dispatch(Command::Open(Box::new(session)), 0.0);
-            self.mailbox.wake();
+            self.show_session(session);
         }
         if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
             self.model.act_on_walks(WalkAction::Toggle);
@@ -488,14 +484,15 @@ impl RiemapApp {
 
     /// Tells those who hear the screen what is on it, whenever something else is and has come to rest.
     fn describe(&mut self, context: &egui::Context, now: f64) {
+        let rested = now - self.last_change;
+        if rested < REST_SECONDS {
+            // a drag collects no news
+            context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
+            return;
+        }
         let news = (self.model.generation(), self.model.is_ready(), self.errors().len(), self.explore.step());
         let news = (news, self.preferences, self.notice.as_ref().map(|(_, until)| until.to_bits()));
         if self.described.as_ref() == Some(&news) {
-            return;
-        }
-        let rested = now - self.last_change;
-        if rested < REST_SECONDS {
-            context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
             return;
         }
         platform::describe(&spoken::state(self));

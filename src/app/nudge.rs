@@ -40,15 +40,21 @@ pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut Han
         if response.has_focus() {
             handles.focused = Some(handle);
             handles.ever_dragged = true;
-            nudge = nudge.or(arrows(ui, &response).map(|(arrow, fine)| match kind {
-                HandleKind::Interior => Nudge::Interior(STEPS[fine] * arrow),
-                HandleKind::Boundary => Nudge::Boundary(FRACTIONS[fine] * f64::from(arrow.x - arrow.y)),
-            }));
+            let arrows = held_arrows(ui, &response);
+            nudge = (arrows != [Vec2::ZERO; 2]).then(|| steps(kind, arrows)).or(nudge);
         } else if handles.focused == Some(handle) {
             handles.focused = None;
         }
     }
     nudge
+}
+
+fn steps(kind: HandleKind, [coarse, fine]: [Vec2; 2]) -> Nudge {
+    let along = |arrow: Vec2| f64::from(arrow.x - arrow.y);
+    match kind {
+        HandleKind::Interior => Nudge::Interior(STEPS[0] * coarse + STEPS[1] * fine),
+        HandleKind::Boundary => Nudge::Boundary(FRACTIONS[0] * along(coarse) + FRACTIONS[1] * along(fine)),
+    }
 }
 
 /// What the keys ask of a picture's eye, in points and as a factor.
@@ -70,8 +76,9 @@ pub fn of_viewport(ui: &Ui, response: &Response, side: Side, handles: &mut Handl
         return None;
     }
     handles.focused_view = Some(side);
-    if let Some((arrow, _)) = arrows(ui, response) {
-        return Some(EyeMove::Step(EYE_STEP * arrow));
+    let [plain, shifted] = held_arrows(ui, response);
+    if plain + shifted != Vec2::ZERO {
+        return Some(EyeMove::Step(EYE_STEP * (plain + shifted)));
     }
     let moves = [
         (Key::Plus, EyeMove::Zoom(ZOOM_STEP)),
@@ -83,32 +90,34 @@ pub fn of_viewport(ui: &Ui, response: &Response, side: Side, handles: &mut Handl
         .map(|(_, wanted)| wanted)
 }
 
-/// The direction of the arrow keys that were pressed in this frame, y down, and 1 for fine steps.
-fn arrows(ui: &Ui, response: &Response) -> Option<(Vec2, usize)> {
+/// The arrow keys of the control that has the keyboard: [`arrow_keys`], kept from leading to another one.
+fn held_arrows(ui: &Ui, response: &Response) -> [Vec2; 2] {
     let ours = EventFilter { horizontal_arrows: true, vertical_arrows: true, tab: false, escape: false };
     if response.gained_focus() {
         // the filter holds from the second frame on: before it an arrow would lead away
         ui.request_repaint();
     }
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, ours));
-    let keys = [
+    arrow_keys(ui)
+}
+
+/// The arrow keys that were pressed in this frame, y down: without and with Shift.
+pub fn arrow_keys(ui: &Ui) -> [Vec2; 2] {
+    let ways = [
         (Key::ArrowRight, vec2(1.0, 0.0)),
         (Key::ArrowLeft, vec2(-1.0, 0.0)),
         (Key::ArrowUp, vec2(0.0, -1.0)),
         (Key::ArrowDown, vec2(0.0, 1.0)),
     ];
-    let (mut sum, mut fine) = (Vec2::ZERO, 0);
     ui.input_mut(|input| {
+        let mut sum = |modifiers| {
+            let pressed = |(key, way)| input.count_and_consume_key(modifiers, key) as f32 * way;
+            ways.map(pressed).into_iter().fold(Vec2::ZERO, |sum, by| sum + by)
+        };
         // with Shift first: without it an arrow would match too
-        for (modifiers, is_fine) in [(Modifiers::SHIFT, 1), (Modifiers::NONE, 0)] {
-            for (key, step) in keys {
-                let times = input.count_and_consume_key(modifiers, key);
-                sum += times as f32 * step;
-                fine = if times > 0 { is_fine } else { fine };
-            }
-        }
-    });
-    (sum != Vec2::ZERO).then_some((sum, fine))
+        let fine = sum(Modifiers::SHIFT);
+        [sum(Modifiers::NONE), fine]
+    })
 }
 
 /// The same for a dot in the plane and on a surface.

@@ -12,6 +12,11 @@ impl RiemapApp {
         let Some(session) = to(&mut self.keeper, at_rest) else { return };
         self.handles.release();
         self.editor.drop_handle();
+        self.show_session(session);
+    }
+
+    /// Takes another session in place of this one; whose change that is, is for the caller to say.
+    pub(super) fn show_session(&mut self, session: Session) {
         self.player.pause();
         self.model.dispatch(Command::Open(Box::new(session)), 0.0);
         self.mailbox.wake();

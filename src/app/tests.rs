@@ -5,7 +5,7 @@ use super::*;
 use crate::conformal::{Direction, Extension, PrepareSettings};
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
-use crate::session::{Colouring, Comparison, OutlineSpec, TextureKind};
+use crate::session::{Colouring, Command, Comparison, OutlineSpec, TextureKind};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 

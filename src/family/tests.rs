@@ -1,3 +1,5 @@
+//! The loops stay inside, close, and go evenly.
+
 use super::*;
 use crate::conformal::{ConformalMap, Constraints, MapSettings, PrepareSettings, Side, prepare};
 use crate::outline::Preset;

@@ -1,3 +1,5 @@
+//! What a simple polygon is, and what is refused with its place.
+
 use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;

@@ -1,3 +1,5 @@
+//! The presets are what their formulas say.
+
 use std::path::Path;
 
 use super::*;

@@ -7,11 +7,12 @@ use super::{Change, EditAction, Editor, Pen, Reshaping, pen};
 use crate::app::action::{Action, Actions};
 use crate::app::handles::{GRAB_RADIUS, HandleState};
 use crate::app::model::Model;
+use crate::app::nudge::arrow_keys;
 use crate::app::view::View;
 use crate::app::viewport::{self, BOUNDARY_REACH};
 use crate::conformal::Side;
 use crate::geometry::DVec2;
-use egui::{CursorIcon, Key, Modifiers, Pos2, Response, Sense, Ui, Vec2, vec2};
+use egui::{CursorIcon, Key, Modifiers, Pos2, Response, Sense, Ui, Vec2};
 
 /// How far an arrow key moves a handle, in points.
 const NUDGE: f32 = 4.0;
@@ -166,24 +167,10 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     if pressed(Key::Delete) || pressed(Key::Backspace) {
         push(EditAction::Change(Change::Remove(selected)));
     }
-    let by = arrows(ui);
+    let [coarse, fine] = arrow_keys(ui);
+    let by = NUDGE * coarse + FINE_NUDGE * fine;
     if let Some(at) = reshaping.shape().handle(selected).filter(|_| by != Vec2::ZERO) {
         let to = shifted(&views[reshaping.side() as usize], at, by);
         push(EditAction::Change(Change::Move(selected, to)));
     }
-}
-
-/// Where the arrow keys of this frame lead.
-fn arrows(ui: &Ui) -> Vec2 {
-    let ways = [
-        (Key::ArrowLeft, vec2(-1.0, 0.0)),
-        (Key::ArrowRight, vec2(1.0, 0.0)),
-        (Key::ArrowUp, vec2(0.0, -1.0)),
-        (Key::ArrowDown, vec2(0.0, 1.0)),
-    ];
-    ui.input_mut(|input| {
-        let mut count = |modifiers, key| input.count_and_consume_key(modifiers, key) as f32;
-        let way = |(key, way)| way * (FINE_NUDGE * count(Modifiers::SHIFT, key) + NUDGE * count(Modifiers::NONE, key));
-        ways.map(way).into_iter().fold(Vec2::ZERO, |sum, by| sum + by)
-    })
 }

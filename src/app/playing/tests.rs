@@ -1,3 +1,5 @@
+//! Points in motion: they go around, stop where they are, and are one step back.
+
 use super::*;
 use crate::app::RiemapApp;
 use crate::app::tests::{prepared_model, ready_app};

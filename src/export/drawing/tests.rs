@@ -1,3 +1,5 @@
+//! A drawing has the outlines, the pattern and the mesh of the map, at their places.
+
 use super::*;
 use crate::conformal::{MapSettings, PrepareSettings, prepare};
 use crate::outline::{self, Preset};

@@ -1,3 +1,5 @@
+//! The tables and meshes that are written hold the map, and are read again.
+
 use super::*;
 use crate::conformal::{Constraints, PreparedDomain, prepare};
 use crate::outline::{Preset, Sampling};

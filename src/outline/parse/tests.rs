@@ -1,3 +1,5 @@
+//! Outlines are read from every format, and what is none is refused with its place.
+
 use std::path::Path;
 
 use proptest::prelude::*;

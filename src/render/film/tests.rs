@@ -1,3 +1,5 @@
+//! An animation has its pictures, for as long as was asked, in either format.
+
 use super::*;
 use image::codecs::gif::GifDecoder;
 use image::codecs::png::PngDecoder;
