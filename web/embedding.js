@@ -3,6 +3,7 @@
 const frame = document.getElementById("map");
 const keep = document.getElementById("keep");
 const back = document.getElementById("back");
+const done = document.getElementById("done");
 const heard = document.getElementById("heard");
 
 // With the app on another host this is that host's origin, such as "https://maps.example.org".
@@ -35,10 +36,10 @@ let kept = null;
 keep.addEventListener("click", async () => {
   ({ session: kept } = await ask("get-session"));
   back.disabled = false;
-  heard.textContent = "the map is kept";
+  done.textContent = "the map is kept";
 });
 
 back.addEventListener("click", async () => {
   await ask("set-session", { session: kept });
-  heard.textContent = "the map is back";
+  done.textContent = "the map is back";
 });

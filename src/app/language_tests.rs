@@ -1,8 +1,10 @@
 //! The whole screen in German: nothing on it is left in English.
 
+use super::explore::ExploreAction;
 use super::language::{self, Language, tests::MISSING};
 use super::tests::ready_app;
 use super::*;
+use crate::conformal::Extension;
 use crate::session::{Colouring, Command, Comparison, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
 use egui_kittest::Harness;

@@ -8,6 +8,7 @@
 mod action;
 pub mod address_options;
 mod announced;
+mod carry_out;
 mod cells;
 mod colouring;
 mod dots;
@@ -15,11 +16,14 @@ mod draft;
 mod editing;
 mod explore;
 pub mod exporting;
+mod facts;
 mod figures_menu;
 mod file_menu;
 mod files;
+mod frame;
 mod gpu;
 mod gpu_extension;
+mod groundwork;
 mod handles;
 mod header;
 mod help_menu;
@@ -62,97 +66,44 @@ mod widgets;
 mod words;
 
 pub use action::{Action, Actions};
+pub use groundwork::Groundwork;
 pub use model::Model;
 pub use stats::{Processor, Stats};
 
-use crate::conformal::{Extension, Side};
+use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
 use crate::session::Session;
-use crate::session::link::MissingOutline;
 use address_options::AddressOptions;
 use announced::Announced;
 use cells::Cells;
 use editing::{EditAction, Editor};
-use explore::{Explore, ExploreAction};
+use explore::Explore;
 use exporting::Exporter;
 use gpu::Gpu;
 use handles::HandleState;
 use image::RgbaImage;
-use keeping::{Keeper, Start};
+use keeping::Keeper;
 use keyboard::Keyboard;
 use locks::Locks;
-use model::{Changes, Refines};
 use offer::Offer;
 use playing::Player;
 use plots::Plots;
 use preferences::Preferences;
 use reports::{Report, Reports};
-use stats::{HandlePositions, ScreenFacts};
 use status::FrameMeter;
 use std::sync::{Arc, mpsc};
 use surface::OrbitView;
-use teaching::walks::WalkAction;
 use view::View;
 
 /// Below this width (in points) the viewports are stacked and the controls become a sheet.
 pub const PHONE_WIDTH: f32 = 700.0;
-
-/// How long the map must rest before an expensive quality is computed, in seconds.
-const REST_SECONDS: f64 = 0.15;
 
 /// How long a notice is shown, in seconds: two words are read in one, once they have been seen.
 const NOTICE_SECONDS: f64 = 3.0;
 
 /// What those who hear the screen are told about: the map, whether it is there, messages, the tour; how; a notice.
 type News = ((u64, bool, usize, Option<usize>), Preferences, Option<u64>);
-
-/// What needs no screen: the session's state and the workers.
-pub struct Groundwork {
-    model: Model,
-    /// Whether the session goes on where the last one ended, and is kept for the next.
-    resumes: bool,
-    /// The outlines that the session's link only names.
-    missing: Vec<MissingOutline>,
-    message: Option<String>,
-    preferences: Preferences,
-    preparer: Preparer,
-    mailbox: Mailbox,
-    events: mpsc::Receiver<Event>,
-}
-
-impl Groundwork {
-    /// Begins with the preparations of `session`: they run while the graphics start.
-    pub fn start(session: Session) -> Self {
-        let (mailbox, events) = Mailbox::new();
-        let (mut model, mut preparer) = (Model::new(session), Preparer::new(mailbox.clone()));
-        for (subject, request) in model.take_requests(0.0) {
-            preparer.request(subject, request);
-        }
-        Self {
-            model,
-            resumes: false,
-            missing: Vec::new(),
-            message: None,
-            preferences: Preferences::fixed(),
-            preparer,
-            mailbox,
-            events,
-        }
-    }
-
-    /// As [`Self::start`], with the session and the preferences that the address or the last time has left; what went
-    /// wrong with the session is shown.
-    pub fn resume() -> Self {
-        let Start { session, missing, message } = keeping::first_session();
-        Self { missing, message, resumes: true, preferences: Preferences::remembered(), ..Self::start(session) }
-    }
-
-    /// Where events for the app are posted.
-    pub fn mailbox(&self) -> Mailbox {
-        self.mailbox.clone()
-    }
-}
 
 /// The app.
 pub struct RiemapApp {
@@ -265,43 +216,6 @@ impl RiemapApp {
         self.model.session()
     }
 
-    /// The numbers on the screen.
-    pub fn stats(&self) -> Stats {
-        let place = |side: Side, point: Option<glam::DVec2>| {
-            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| self.css_pixels(place))
-        };
-        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| self.css_pixels(place));
-        let [x2, y2] = match self.model.surface() {
-            Some(_) => [self.model.surface_point(), self.model.surface_anchor()].map(in_space),
-            None => [self.model.interior(Side::Target), self.model.anchor(Side::Target)]
-                .map(|point| place(Side::Target, point)),
-        };
-        let handles = HandlePositions {
-            x1: place(Side::Source, self.model.interior(Side::Source)),
-            x2,
-            y1: place(Side::Source, self.model.anchor(Side::Source)),
-            y2,
-        };
-        let backend = self.gpu.as_ref().map(Gpu::backend).unwrap_or_default();
-        let screen = ScreenFacts {
-            backend,
-            handles,
-            errors: self.errors(),
-            notes: self.notes(),
-            undo: self.keeper.history().undo_count(),
-            dark: self.theme == egui::Theme::Dark,
-            spoken: self.spoken,
-            playing: self.player.is_playing(),
-            export: self.exporter.places().cloned(),
-            export_count: self.exporter.count(),
-            marked_boundary: self.plots.marked(),
-            exact_difference: self.plots.exact().map(|exact| exact.difference),
-            cauchy_green: self.cauchy_green(),
-            editing: editing::stats(&self.editor, &self.views),
-        };
-        stats::collect(&self.model, screen)
-    }
-
     /// Shows another session in place of this one; what it shares is not prepared again.
     pub fn open_session(&mut self, session: Session) {
         self.keeper.touch();
@@ -312,219 +226,6 @@ impl RiemapApp {
     pub fn load_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.read_file(FilePurpose::Outline(side), name, Ok(bytes));
         self.mailbox.wake();
-    }
-
-    /// A place on the screen as the page measures it.
-    fn css_pixels(&self, place: egui::Pos2) -> [f32; 2] {
-        [place.x * self.zoom, place.y * self.zoom]
-    }
-
-    fn errors(&self) -> Vec<String> {
-        let sides = Side::BOTH.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
-        let surface = self.model.surface_side().preparation.error.iter().map(|trouble| trouble.text.clone());
-        let map = self.model.map_error().map(|(_, text)| text.to_owned());
-        sides.chain(surface).chain(map).chain(self.message.clone()).collect()
-    }
-
-    fn notes(&self) -> Vec<String> {
-        let outlines = Side::BOTH.into_iter().flat_map(|side| &self.model.side(side).notes).map(ToString::to_string);
-        outlines.chain(self.model.surface_notes()).collect()
-    }
-
-    /// The one place where wishes become changes.
-    fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
-        let now = context.input(|input| input.time);
-        let locks = Locks::of(context);
-        for action in actions.into_iter().filter(|action| locks.refused(action).is_none()) {
-            match action {
-                Action::Session(command) => {
-                    if command.moves_points() {
-                        self.player.pause();
-                    }
-                    if command.replaces_shapes() {
-                        self.explore.keep();
-                    }
-                    self.keeper.touch();
-                    self.model.dispatch(command, now);
-                }
-                Action::Undo => self.step(Keeper::undo),
-                Action::Redo => self.step(Keeper::redo),
-                Action::New => self.open_session(Session::default()),
-                Action::OpenSession => platform::pick_file(FilePurpose::Session, self.mailbox.clone()),
-                Action::SaveSession => self.save_session(),
-                Action::CopyLink => self.copy_link(context),
-                Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
-                Action::OpenTrace(side) => platform::pick_file(FilePurpose::Trace(side), self.mailbox.clone()),
-                Action::TraceImage => self.trace_image(),
-                Action::DismissOffer => self.offer = None,
-                Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
-                Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
-                Action::Fit(side) => self.views[side as usize].fit(),
-                Action::Edit(action) => {
-                    if matches!(action, EditAction::Close | EditAction::TakePasted) {
-                        self.explore.keep();
-                    }
-                    self.keeper.touch();
-                    self.editor.act(action, &mut self.model, &mut self.views);
-                }
-                Action::PasteText(text) => {
-                    self.explore.keep();
-                    self.keeper.touch();
-                    self.editor.take_text(text, &mut self.model, &mut self.views);
-                }
-                Action::Remedy(subject) => self.model.remedy(subject),
-                Action::Dismiss(subject) => self.model.dismiss(subject),
-                Action::OpenReport(report) => self.reports.open(report),
-                Action::DismissMessage => self.message = None,
-                Action::OpenExport => self.exporter.open(),
-                Action::SaveExport => self.save_export(context),
-                Action::CancelExport => self.exporter.cancel(),
-                Action::Play(action) => self.player.act(action, &self.model),
-                Action::Walks(action) => self.model.act_on_walks(action),
-                Action::Explore(action) => self.explore(action),
-                Action::Prefer(preferences) => self.prefer(context, preferences),
-                Action::TogglePanels => self.fold_panels(context),
-                Action::ToggleFullScreen => platform::toggle_full_screen(context),
-                Action::TogglePresentation => presentation::toggle(context),
-            }
-        }
-    }
-
-    fn explore(&mut self, action: ExploreAction) {
-        let is_walking = self.model.teaching().walks.is_running();
-        let explore::Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
-        if let Some(session) = session {
-            self.show_session(session);
-        }
-        if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
-            self.model.act_on_walks(WalkAction::Toggle);
-        }
-    }
-
-    fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {
-        self.preferences = preferences;
-        preferences.apply(context);
-        preferences.remember();
-    }
-
-    /// Sends what is due to the workers, updates the map, uploads.
-    fn advance(&mut self, context: &egui::Context) {
-        let now = context.input(|input| input.time);
-        self.editor.follow(&mut self.model, &mut self.views);
-        if let Some(study) = self.reports.take_study() {
-            self.laboratory.begin(study);
-        }
-        let is_held = self.handles.grip.is_some();
-        if is_held {
-            self.player.pause();
-        }
-        self.play(context, now);
-        // A dot that is held still rests.
-        let moves = self.player.is_playing() || (is_held && now - self.last_change < REST_SECONDS);
-        let changes = self.model.refresh(moves);
-        if changes != Changes::default() {
-            self.last_change = now;
-            self.show_changes(context, changes);
-        }
-        // after the map: what is in a hand is prepared anew as soon as the picture shows it, in the same frame
-        for (subject, request) in self.model.take_requests(now) {
-            self.preparer.request(subject, request);
-        }
-        if let Some(due) = self.model.next_due() {
-            context.request_repaint_after_secs((due - now).max(0.0) as f32);
-        }
-        let resting = now - self.last_change >= REST_SECONDS;
-        if resting {
-            let refined = self.model.refine_at_rest();
-            if refined.images {
-                self.show_changes(context, refined);
-            }
-        }
-        if self.model.is_pending() {
-            context.request_repaint_after_secs(if moves { REST_SECONDS as f32 } else { 0.0 });
-        }
-        for side in Side::BOTH {
-            if self.model.take_refit(side) {
-                self.views[side as usize].fit();
-                if side == Side::Target {
-                    self.look_at_surface();
-                }
-                context.request_repaint();
-            }
-        }
-        let complete = self.model.extension_progress() == 1.0;
-        if self.model.is_quality_stale() || !complete {
-            if resting && complete {
-                self.model.measure_at_rest();
-                context.request_repaint();
-            } else {
-                context.request_repaint_after_secs(REST_SECONDS as f32);
-            }
-        }
-        if let Some(delay) = self.model.teach(now) {
-            context.request_repaint_after_secs(delay as f32);
-        }
-        self.work_on_export(context);
-        self.describe(context, now);
-        self.keep(context);
-        self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
-        self.plots.update(&self.model);
-    }
-
-    /// Moves the points that are in motion.
-    fn play(&mut self, context: &egui::Context, now: f64) {
-        for command in self.player.advance(&self.model, now) {
-            self.keeper.touch();
-            self.model.dispatch(command, now);
-        }
-        if self.player.is_playing() {
-            context.request_repaint();
-        }
-    }
-
-    /// Tells those who hear the screen what is on it, whenever something else is and has come to rest.
-    fn describe(&mut self, context: &egui::Context, now: f64) {
-        let rested = now - self.last_change;
-        if rested < REST_SECONDS {
-            // a drag collects no news
-            context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
-            return;
-        }
-        let news = (self.model.generation(), self.model.is_ready(), self.errors().len(), self.explore.step());
-        let news = (news, self.preferences, self.notice.as_ref().map(|(_, until)| until.to_bits()));
-        if self.described.as_ref() == Some(&news) {
-            return;
-        }
-        platform::describe(&spoken::state(self));
-        self.described = Some(news);
-    }
-
-    /// Another surface is seen from where it shows the most.
-    fn look_at_surface(&mut self) {
-        let seen = self.model.surface();
-        if let Some(camera) = seen.and_then(|(surface, state)| surface.first_view(state, self.orbit.aspect())) {
-            self.orbit.look(camera);
-        }
-    }
-
-    /// Uploads, and asks for another frame: the status line was laid out before the change.
-    fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
-        context.request_repaint();
-        if let Some(gpu) = &mut self.gpu
-            && !gpu.upload(&self.model, changes)
-        {
-            self.message =
-                Some(String::from("This surface is too large for the graphics device: it is mapped but not shown."));
-        }
-        let extended = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
-        self.model.set_refines(if extended { Refines::AtRest } else { Refines::InRefresh });
-    }
-
-    /// Where the Cauchy–Green extension in the picture comes from, if it is asked for.
-    fn cauchy_green(&self) -> Option<Processor> {
-        let on_gpu = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
-        let asked = self.model.session().extension == Extension::CauchyGreen;
-        asked.then_some(if on_gpu { Processor::Gpu } else { Processor::Cpu })
     }
 
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {

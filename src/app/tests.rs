@@ -1,5 +1,6 @@
 //! The panels and the whole app, driven by clicks as a person would.
 
+use super::stats::ScreenFacts;
 use super::teaching::walks::WalkAction;
 use super::*;
 use crate::conformal::{Direction, Extension, PrepareSettings};

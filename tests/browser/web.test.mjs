@@ -241,12 +241,12 @@ describe('the page, with WebGL2', () => {
     const ready = () => frame.waitForFunction(() => window.riemap?.stats?.()?.ready);
     await ready();
     await page.locator('#keep').click();
-    await page.locator('#heard').getByText('the map is kept').waitFor();
+    await page.locator('#done').getByText('the map is kept').waitFor();
     const kept = await frame.evaluate(() => window.riemap.session());
     await frame.evaluate(() => window.riemap.open_session({ ...window.riemap.session(), texture_scale: 21 }));
     await page.locator('#heard').getByText('session-changed').waitFor();
     await page.locator('#back').click();
-    await page.locator('#heard').getByText('the map is back').waitFor();
+    await page.locator('#done').getByText('the map is back').waitFor();
     assert.deepEqual(await frame.evaluate(() => window.riemap.session()), kept);
 
     const answers = await page.evaluate(async () => {

@@ -1,4 +1,4 @@
-// What a page that shows the app in a frame can ask for, by messages (docs/embedding.md), and the
+// What a page that shows the app in a frame can ask for, by messages (web/embedding.md), and the
 // link that opens the same session in a window of its own.
 //
 // Only the page around the frame is listened to and answered. Nothing that it sends can do more than

@@ -11,7 +11,7 @@ pub use shot::Shot;
 use super::cells::Cells;
 use super::exporting::{self, FileWish, ReadyFile};
 use super::looping;
-use super::model::Model;
+use super::model::{Changes, Model};
 use super::surface;
 use super::textured;
 use crate::conformal::{PreparedSurface, Side};
@@ -195,7 +195,7 @@ fn settle(model: &mut Model) -> Result<(), StillError> {
         if is_complete(model) {
             return Ok(());
         }
-        if changes == super::Changes::default() && !model.is_pending() {
+        if changes == Changes::default() && !model.is_pending() {
             return Err(StillError(String::from("there is no map of this session")));
         }
     }

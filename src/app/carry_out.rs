@@ -1,0 +1,87 @@
+//! The one place where wishes become changes: what the panels, the keyboard and the page ask for is done to the
+//! session, the points in motion, the editor, files and windows. Nothing is computed here.
+
+use super::explore::{Consequences, ExploreAction};
+use super::teaching::walks::WalkAction;
+use super::{Action, Actions, EditAction, Keeper, Locks, Preferences, RiemapApp, presentation};
+use crate::conformal::Side;
+use crate::platform::{self, FilePurpose};
+use crate::session::Session;
+
+impl RiemapApp {
+    /// The one place where wishes become changes.
+    pub(super) fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
+        let now = context.input(|input| input.time);
+        let locks = Locks::of(context);
+        for action in actions.into_iter().filter(|action| locks.refused(action).is_none()) {
+            match action {
+                Action::Session(command) => {
+                    if command.moves_points() {
+                        self.player.pause();
+                    }
+                    if command.replaces_shapes() {
+                        self.explore.keep();
+                    }
+                    self.keeper.touch();
+                    self.model.dispatch(command, now);
+                }
+                Action::Undo => self.step(Keeper::undo),
+                Action::Redo => self.step(Keeper::redo),
+                Action::New => self.open_session(Session::default()),
+                Action::OpenSession => platform::pick_file(FilePurpose::Session, self.mailbox.clone()),
+                Action::SaveSession => self.save_session(),
+                Action::CopyLink => self.copy_link(context),
+                Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
+                Action::OpenTrace(side) => platform::pick_file(FilePurpose::Trace(side), self.mailbox.clone()),
+                Action::TraceImage => self.trace_image(),
+                Action::DismissOffer => self.offer = None,
+                Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
+                Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
+                Action::Fit(side) => self.views[side as usize].fit(),
+                Action::Edit(action) => {
+                    if matches!(action, EditAction::Close | EditAction::TakePasted) {
+                        self.explore.keep();
+                    }
+                    self.keeper.touch();
+                    self.editor.act(action, &mut self.model, &mut self.views);
+                }
+                Action::PasteText(text) => {
+                    self.explore.keep();
+                    self.keeper.touch();
+                    self.editor.take_text(text, &mut self.model, &mut self.views);
+                }
+                Action::Remedy(subject) => self.model.remedy(subject),
+                Action::Dismiss(subject) => self.model.dismiss(subject),
+                Action::OpenReport(report) => self.reports.open(report),
+                Action::DismissMessage => self.message = None,
+                Action::OpenExport => self.exporter.open(),
+                Action::SaveExport => self.save_export(context),
+                Action::CancelExport => self.exporter.cancel(),
+                Action::Play(action) => self.player.act(action, &self.model),
+                Action::Walks(action) => self.model.act_on_walks(action),
+                Action::Explore(action) => self.explore(action),
+                Action::Prefer(preferences) => self.prefer(context, preferences),
+                Action::TogglePanels => self.fold_panels(context),
+                Action::ToggleFullScreen => platform::toggle_full_screen(context),
+                Action::TogglePresentation => presentation::toggle(context),
+            }
+        }
+    }
+
+    pub(super) fn explore(&mut self, action: ExploreAction) {
+        let is_walking = self.model.teaching().walks.is_running();
+        let Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
+        if let Some(session) = session {
+            self.show_session(session);
+        }
+        if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
+            self.model.act_on_walks(WalkAction::Toggle);
+        }
+    }
+
+    fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {
+        self.preferences = preferences;
+        preferences.apply(context);
+        preferences.remember();
+    }
+}
