@@ -4,7 +4,7 @@
 struct View {
     // pixel = position · placement.xy + placement.zw
     placement: vec4<f32>,
-    // xy: viewport size in pixels
+    // xy: viewport size in pixels, z: the radii' scale
     size: vec4<f32>,
 }
 
@@ -33,10 +33,11 @@ fn vs_main(
         select(-1.0, 1.0, (corner & 2u) == 2u),
     );
     var out: Vertex;
-    out.offset = side * (SHADOW * radius + 1.0);
+    let scaled = radius * view.size.z;
+    out.offset = side * (SHADOW * scaled + 1.0);
     let unit = (center * view.placement.xy + view.placement.zw + out.offset) / view.size.xy;
     out.clip = vec4<f32>(2.0 * unit.x - 1.0, 1.0 - 2.0 * unit.y, 0.0, 1.0);
-    out.radius = radius;
+    out.radius = scaled;
     out.colour = colour;
     return out;
 }

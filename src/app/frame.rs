@@ -112,7 +112,7 @@ impl RiemapApp {
 
     /// Uploads, and asks for another frame: the status line was laid out before the change.
     fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
-        context.request_repaint();
+        context.request_repaint_after_secs(platform::ONE_FRAME);
         if let Some(gpu) = &mut self.gpu
             && !gpu.upload(&self.model, changes)
         {

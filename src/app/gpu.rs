@@ -10,22 +10,34 @@ use super::surface;
 use super::textured::{self, Moved};
 use crate::conformal::{Extension, PreparedDomain, Side};
 use crate::geometry::DVec2;
-use crate::render::{Camera, CellCode, CellStyle, ImageError, StrokeStyle, TextureStyle, ViewportRenderer};
+use crate::render::{
+    CellCode, CellStyle, ImageError, Pace, PlanarFrame, REFINED_AFTER, StrokeStyle, ViewportRenderer, sample_count,
+};
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
 
 /// The renderer and its device.
 pub struct Gpu {
     state: RenderState,
     extension: Option<GpuExtension>,
+    in_software: bool,
+}
+
+/// Whether the processor is what draws.
+pub fn draws_in_software(state: &RenderState) -> bool {
+    state.adapter.get_info().device_type == wgpu::DeviceType::Cpu
 }
 
 impl Gpu {
     /// Puts a renderer for both viewports next to egui's own.
     pub fn new(state: RenderState) -> Self {
-        let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, Side::BOTH.len());
+        let in_software = draws_in_software(&state);
+        // there the resolution of several samples takes two thirds of a frame
+        let samples = if in_software { 1 } else { sample_count(&state.device) };
+        let viewports = Side::BOTH.len();
+        let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, viewports, samples);
         state.renderer.write().callback_resources.insert(renderer);
         let extension = GpuExtension::new(&state);
-        Self { state, extension }
+        Self { state, extension, in_software }
     }
 
     /// What it draws with, in the words of the status line.
@@ -41,6 +53,11 @@ impl Gpu {
     /// The device and its queue, for pictures off the screen.
     pub fn device(&self) -> (&wgpu::Device, &wgpu::Queue) {
         (&self.state.device, &self.state.queue)
+    }
+
+    /// When a picture that changes now is drawn in full.
+    pub fn pace(&self, now: f64) -> Pace {
+        if self.in_software { Pace::CoarseFirst { now } } else { Pace::Full }
     }
 
     /// The largest width or height of a texture.
@@ -91,6 +108,11 @@ impl Gpu {
     pub fn set_image(&self, rgba: &[u8], width: u32, height: u32) -> Result<(), ImageError> {
         let RenderState { device, queue, .. } = &self.state;
         self.with_renderer(|renderer| renderer.set_image(device, queue, rgba, width, height)).unwrap_or(Ok(()))
+    }
+
+    /// Makes what has not been needed yet, now that there is time for it.
+    pub fn warm(&self) {
+        self.with_renderer(|renderer| renderer.warm_surface(&self.state.device, &self.state.queue));
     }
 
     /// The outlines' stroke, of constant width on the screen.
@@ -162,14 +184,12 @@ impl Gpu {
 pub struct ViewportCallback {
     /// Which one.
     pub side: Side,
-    /// Its size in physical pixels.
-    pub size_px: [u32; 2],
-    /// What it looks at.
-    pub camera: Camera,
-    /// How it is textured.
-    pub style: TextureStyle,
-    /// The ground, sRGB-encoded.
-    pub background: [f32; 4],
+    /// What it shows beside what was uploaded.
+    pub frame: PlanarFrame,
+    /// How soon in full.
+    pub pace: Pace,
+    /// Where another frame is asked for while the picture is coarse.
+    pub context: egui::Context,
 }
 
 impl CallbackTrait for ViewportCallback {
@@ -183,16 +203,10 @@ impl CallbackTrait for ViewportCallback {
     ) -> Vec<wgpu::CommandBuffer> {
         if let Some(renderer) = resources.get_mut::<ViewportRenderer>() {
             let viewport = self.side as usize;
-            renderer.prepare(
-                device,
-                queue,
-                encoder,
-                viewport,
-                self.size_px,
-                &self.camera,
-                &self.style,
-                self.background,
-            );
+            renderer.prepare(device, queue, encoder, viewport, &self.frame, self.pace);
+            if renderer.is_coarse(viewport) {
+                self.context.request_repaint_after_secs(REFINED_AFTER as f32);
+            }
         }
         Vec::new()
     }

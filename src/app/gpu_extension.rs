@@ -5,6 +5,7 @@
 //! device has no compute shaders (WebGL2), or the map is too large for it, nothing comes
 //! from here, and the picture follows the map's own refinement.
 
+use super::gpu::draws_in_software;
 use crate::conformal::{ConformalMap, Extension, PreparedDomain, Side};
 use crate::render::{CauchyGreenBuffers, CauchyGreenPass, ViewportRenderer};
 use egui_wgpu::RenderState;
@@ -32,8 +33,7 @@ impl GpuExtension {
         let flags = state.adapter.get_downlevel_capabilities().flags;
         let pass =
             flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS).then(|| CauchyGreenPass::new(&state.device))??;
-        let software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-        let most_terms = if software { MOST_TERMS_IN_SOFTWARE } else { MOST_TERMS };
+        let most_terms = if draws_in_software(state) { MOST_TERMS_IN_SOFTWARE } else { MOST_TERMS };
         Some(Self { pass, most_terms, mapped: None })
     }
 
@@ -124,7 +124,7 @@ mod tests {
             return;
         }
         let state = create_render_state(default_wgpu_setup(), egui_wgpu::RendererOptions::PREDICTABLE);
-        let mut renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, 2);
+        let mut renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, 2, 1);
         let mut extension = GpuExtension::new(&state).unwrap();
         let (source, target) = (domain(Preset::Gingerbread, 200), domain(Preset::Heart, 150));
         let at = |x: f64| Constraints {

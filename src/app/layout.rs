@@ -13,6 +13,7 @@ use super::{
     status, surface, teaching, theme, top_bar, viewport, words,
 };
 use crate::conformal::Side;
+use crate::render::Pace;
 use crate::session::Command;
 use egui::{Event, Frame, Id, Key, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
 
@@ -203,15 +204,17 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let embedded = app.options.embed;
     let around = Surroundings { narrow, edited: app.editor.reshaped_side(), folded: !app.panels_open, embedded };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
+    let now = ui.input(|input| input.time);
+    let pace = app.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
     for side in Side::BOTH {
         let view = &app.views[side as usize];
         let solid = side == Side::Target && app.model.surface().is_some();
         if solid {
             // until its first map is there, the GPU may have another one
             let style = style.as_ref().filter(|_| app.model.surface_map().is_some());
-            surface::viewport::paint_surface(ui, &app.orbit, style, app.cells.style());
+            surface::viewport::paint_surface(ui, &app.orbit, style, app.cells.style(), pace);
         } else {
-            viewport::paint_mesh(ui, side, view, style.as_ref());
+            viewport::paint_mesh(ui, side, view, style.as_ref(), pace);
         }
         editing::paint_sheet(ui, side, view, &app.editor);
         let is_fitted = if solid { app.orbit.is_fitted() } else { view.is_fitted() };

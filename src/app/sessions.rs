@@ -1,5 +1,6 @@
 //! What the app does with whole sessions: steps, files, links, and keeping them.
 
+use super::gpu::Gpu;
 use super::keeping::{self, Keeper};
 use super::{NOTICE_SECONDS, RiemapApp};
 use crate::platform::{self, Kept, PageEvent};
@@ -69,6 +70,7 @@ impl RiemapApp {
             return;
         }
         self.preparer.warm();
+        self.gpu.iter().for_each(Gpu::warm);
         let settled = self.keeper.settle(self.model.session(), now);
         let is_news = settled.address.is_some() || settled.copy.is_some();
         for command in settled.moves {

@@ -17,7 +17,8 @@ use super::theme::Palette;
 use super::view::View;
 use super::widgets::caption_font;
 use crate::conformal::Side;
-use crate::render::TextureStyle;
+use crate::platform::STAGES_SHOWN_AFTER;
+use crate::render::{Pace, PlanarFrame, TextureStyle};
 use crate::session::Command;
 use egui::{Align2, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
 
@@ -142,22 +143,21 @@ pub fn move_camera(ui: &Ui, response: &Response, view: &mut View, held: bool, fi
 }
 
 /// Draws the textured mesh.
-pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>) {
+pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>, pace: Pace) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
-    painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas);
-    if let Some(style) = style {
-        painter.add(egui_wgpu::Callback::new_paint_callback(
-            view.rect,
-            ViewportCallback {
-                side,
-                size_px: view.size_px(),
-                camera: view.camera(),
-                style: *style,
-                background: palette.canvas.to_normalized_gamma_f32(),
-            },
-        ));
-    }
+    let Some(style) = style else {
+        painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas);
+        return;
+    };
+    let frame = PlanarFrame {
+        size_px: view.size_px(),
+        camera: view.camera(),
+        style: *style,
+        background: palette.canvas.to_normalized_gamma_f32(),
+    };
+    let callback = ViewportCallback { side, frame, pace, context: ui.ctx().clone() };
+    painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
 }
 
 /// Draws the dots, over everything else in the viewport.
@@ -208,16 +208,26 @@ pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
     painter.galley(label.center() - 0.5 * galley.size(), galley, palette.on_accent);
 }
 
-/// The thin line along the upper edge while something is prepared, with the stage's name.
+/// The thin line along the upper edge while something is prepared, with the stage's name; not before that has
+/// taken so long that it is worth a look.
 pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
     let (surface, outline) = (&model.surface_side().preparation, model.side(side));
+    let begun_at = ui.scope_id().with(("preparation", side));
     let stage = if side == Side::Target && surface.is_busy() {
         surface.stage()
     } else if outline.is_busy() && !outline.is_in_hand() {
         outline.stage()
     } else {
+        ui.data_mut(|data| data.remove::<f64>(begun_at));
         return;
     };
+    let now = ui.input(|input| input.time);
+    let busy_for = now - ui.data_mut(|data| *data.get_temp_mut_or(begun_at, now));
+    let left = f64::from(STAGES_SHOWN_AFTER) - busy_for;
+    if left > 0.0 {
+        ui.ctx().request_repaint_after_secs(left as f32);
+        return;
+    }
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(rect);
     let (done, name) = super::words::stage(stage);

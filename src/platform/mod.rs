@@ -125,6 +125,12 @@ pub enum PageEvent {
     Error,
 }
 
+/// The delay, in seconds, that asks for one more frame: without one egui draws two.
+pub const ONE_FRAME: f32 = 0.001;
+
+/// How long a stage of a preparation waits to be shown, in seconds.
+pub const STAGES_SHOWN_AFTER: f32 = 0.15;
+
 /// Where events are posted.
 #[derive(Clone)]
 pub struct Mailbox {
@@ -144,17 +150,23 @@ impl Mailbox {
         self.context.get_or_init(|| context.clone());
     }
 
-    /// Posts `event`. When the app is gone, nobody is left to read it.
+    /// Posts `event`. When the app is gone, nobody is left to read it. A stage of a preparation waits for the next
+    /// frame, or for a while: most preparations end before anyone could read how far they are.
     pub fn post(&self, event: Event) {
-        if self.sender.send(event).is_ok() {
-            self.wake();
+        let is_stage = matches!(&event, Event::Worker { response: Response::Progress(_), .. });
+        if self.sender.send(event).is_err() {
+            return;
+        }
+        match self.context.get().filter(|_| is_stage) {
+            Some(context) => context.request_repaint_after_secs(STAGES_SHOWN_AFTER),
+            None => self.wake(),
         }
     }
 
     /// Asks for a frame.
     pub fn wake(&self) {
         if let Some(context) = self.context.get() {
-            context.request_repaint();
+            context.request_repaint_after_secs(ONE_FRAME);
         }
     }
 }

@@ -17,6 +17,7 @@ use std::thread;
 pub fn start() -> Result<(), String> {
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default().with_inner_size([1440.0, 900.0]).with_min_inner_size([360.0, 480.0]),
+        dithering: false,
         ..Default::default()
     };
     let groundwork = Groundwork::resume();

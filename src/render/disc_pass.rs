@@ -110,10 +110,10 @@ impl DiscBuffers {
         self.count == 0
     }
 
-    /// Writes the uniform block of a frame.
-    pub fn write_frame(&self, queue: &wgpu::Queue, camera: &Camera, size_px: [u32; 2]) {
+    /// Writes the uniform block of a frame; radii are multiplied by `scale`.
+    pub fn write_frame(&self, queue: &wgpu::Queue, camera: &Camera, size_px: [u32; 2], scale: f32) {
         let placement = placement::to_pixels(camera, self.origin, size_px);
-        let size = [size_px[0] as f32, size_px[1] as f32, 0.0, 0.0];
+        let size = [size_px[0] as f32, size_px[1] as f32, scale, 0.0];
         self.uniform.write(queue, &DiscUniform { placement, size });
     }
 }

@@ -1,8 +1,8 @@
 //! Drawing the textured meshes with wgpu, in the plane and in space: on screen and into images.
 //!
 //! [`ViewportRenderer`] owns the pipelines and, for every viewport, its buffers
-//! and off-screen targets: `prepare` renders a viewport into its own 4×
-//! multisampled target, `paint` copies the result into the caller's pass.
+//! and off-screen targets: `prepare` renders a viewport, where something of it has changed, into its own
+//! target, multisampled if asked for, `paint` copies the result into the caller's pass.
 //! `scene` does the same into a texture of any size, `readback` brings its pixels back, and
 //! `headless` does both without a window.
 //!
@@ -20,6 +20,7 @@ mod cell_lookup;
 mod cell_pass;
 mod colour_map;
 mod disc_pass;
+mod drawn;
 mod error;
 mod eye_uniform;
 mod film;
@@ -50,8 +51,10 @@ pub use camera::Camera;
 pub use cauchy_green_buffers::CauchyGreenBuffers;
 pub use cauchy_green_pass::CauchyGreenPass;
 pub use colour_map::{CellCode, ColourMap, flipped_colour};
+pub use drawn::{Detail, Pace, PlanarFrame, REFINED_AFTER, SpaceFrame};
 pub use error::{ImageError, RenderError};
 pub use film::{Film, FilmError, FilmFormat, FilmSettings, MOST_FRAMES, SECONDS};
+pub use gpu::sample_count;
 #[cfg(not(target_arch = "wasm32"))]
 pub use headless::{Studio, headless_device, render_scene, render_scene_with, render_surface_with};
 pub use orbit_camera::{BoundingSphere, OrbitCamera};
@@ -60,5 +63,5 @@ pub use readback::{Readback, guarded};
 pub use scene::{SceneCells, SceneDescription, SceneRenderer, SceneViewport};
 pub use scene_surface::SceneSurface;
 pub use style::{CellStyle, Handle, Pattern, StrokeStyle, TextureStyle};
-pub use surface_viewport::{SurfaceFrame, SurfaceGeometry, SurfaceHandle};
+pub use surface_viewport::{SurfaceGeometry, SurfaceHandle};
 pub use viewport::{MeshGeometry, ViewportRenderer};

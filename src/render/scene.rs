@@ -4,8 +4,8 @@
 
 use super::targets::attachment;
 use super::{
-    Camera, CellCode, CellStyle, Handle, MeshGeometry, RenderError, SceneSurface, StrokeStyle, TextureStyle,
-    ViewportRenderer,
+    Camera, CellCode, CellStyle, Handle, MeshGeometry, Pace, PlanarFrame, RenderError, SceneSurface, StrokeStyle,
+    TextureStyle, ViewportRenderer, sample_count,
 };
 use glam::DVec2;
 use image::RgbaImage;
@@ -71,7 +71,7 @@ impl SceneRenderer {
     /// For scenes of any number of viewports.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
         let viewports = 2;
-        Self { renderer: ViewportRenderer::new(device, queue, TARGET_FORMAT, viewports), viewports, target: None }
+        Self { renderer: renderer(device, queue, viewports), viewports, target: None }
     }
 
     /// Draws `scene`, with `surface` beside its viewports if there is one, into a texture of `size` pixels: sRGB-encoded,
@@ -90,7 +90,7 @@ impl SceneRenderer {
         check(device, surface.is_some(), scene, size)?;
         if scene.viewports.len() > self.viewports {
             self.viewports = scene.viewports.len();
-            self.renderer = ViewportRenderer::new(device, queue, TARGET_FORMAT, self.viewports);
+            self.renderer = renderer(device, queue, self.viewports);
         }
         if let Some(image) = scene.image {
             self.renderer.set_image(device, queue, image.as_raw(), image.width(), image.height())?;
@@ -106,7 +106,8 @@ impl SceneRenderer {
             upload(device, queue, renderer, k, part)?;
             let size_px = size_of(columns.of_viewport(k));
             let camera = part.camera.unwrap_or_else(|| fitted(part.geometry.positions, size_px, scene.margin_px));
-            renderer.prepare(device, queue, &mut encoder, k, size_px, &camera, &part.style, scene.background);
+            let frame = PlanarFrame { size_px, camera, style: part.style, background: scene.background };
+            renderer.prepare(device, queue, &mut encoder, k, &frame, Pace::Full);
         }
         let is_there = |target: &&wgpu::Texture| [target.width(), target.height()] == size;
         let target = self.target.as_ref().filter(is_there).cloned().unwrap_or_else(|| target_texture(device, size));
@@ -115,6 +116,10 @@ impl SceneRenderer {
         self.target = Some(target.clone());
         Ok(target)
     }
+}
+
+fn renderer(device: &wgpu::Device, queue: &wgpu::Queue, viewports: usize) -> ViewportRenderer {
+    ViewportRenderer::new(device, queue, TARGET_FORMAT, viewports, sample_count(device))
 }
 
 fn check(

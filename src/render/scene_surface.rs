@@ -1,6 +1,6 @@
 //! A surface in a picture without a window, alone or beside planar viewports.
 
-use super::{CellCode, CellStyle, OrbitCamera, StrokeStyle, SurfaceFrame, SurfaceGeometry, SurfaceHandle};
+use super::{CellCode, CellStyle, OrbitCamera, Pace, SpaceFrame, StrokeStyle, SurfaceGeometry, SurfaceHandle};
 use super::{RenderError, TextureStyle, ViewportRenderer};
 use glam::DVec2;
 
@@ -61,9 +61,10 @@ impl SceneSurface<'_> {
             return Err(RenderError::Surface { reason });
         }
         let stroke = self.stroke.unwrap_or_else(|| StrokeStyle::themed(self.style.dark, 1.0));
-        let (camera, style, cells, handles) = (&self.camera, &self.style, self.cells, self.handles);
-        let frame = SurfaceFrame { size_px, camera, style, cells, stroke, handles, background };
-        renderer.prepare_surface(device, queue, encoder, &frame);
+        renderer.set_surface_handles(self.handles);
+        let (camera, style, cells) = (self.camera, self.style, self.cells);
+        let frame = SpaceFrame { size_px, camera, style, cells, stroke, background };
+        renderer.prepare_surface(device, queue, encoder, &frame, Pace::Full);
         Ok(())
     }
 }

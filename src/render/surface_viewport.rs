@@ -5,12 +5,13 @@
 //! Inconsistent surfaces and counts that do not fit are refused: the methods answer `false`, nothing changes.
 
 use super::disc_pass::DiscBuffers;
+use super::drawn::Drawn;
 use super::space_vertices::SpaceVertex;
 use super::surface_pass::{SurfaceBuffers, SurfacePass, SurfaceView};
 use super::surface_stroke::{SurfaceStrokeBuffers, SurfaceStrokePass};
 use super::targets::{SurfaceTargets, attachment, clamped_size};
 use super::viewport::{LINE_TO_STROKE, begin_pass, clear_colour};
-use super::{Camera, CellCode, CellStyle, Handle, OrbitCamera, StrokeStyle, TextureStyle, ViewportRenderer};
+use super::{Camera, CellCode, Detail, Handle, OrbitCamera, Pace, SpaceFrame, ViewportRenderer};
 use glam::{DVec2, DVec3};
 
 /// A handle behind the surface has this part of its strength.
@@ -54,25 +55,6 @@ pub struct SurfaceHandle {
     pub radius_px: f32,
 }
 
-/// How a frame shows the surface.
-#[derive(Clone, Copy, Debug)]
-pub struct SurfaceFrame<'a> {
-    /// The viewport's size in physical pixels.
-    pub size_px: [u32; 2],
-    /// The eye.
-    pub camera: &'a OrbitCamera,
-    /// The texture.
-    pub style: &'a TextureStyle,
-    /// Colours, edges and marks of triangles; `None`: only the texture.
-    pub cells: Option<CellStyle>,
-    /// The boundary loop's stroke; pattern lines keep a fixed proportion to it.
-    pub stroke: StrokeStyle,
-    /// Discs on top; those at or behind the eye are left out.
-    pub handles: &'a [SurfaceHandle],
-    /// sRGB-encoded, straight alpha.
-    pub background: [f32; 4],
-}
-
 /// Pipelines, buffers and targets.
 #[derive(Debug)]
 pub struct SurfaceViewport {
@@ -82,6 +64,8 @@ pub struct SurfaceViewport {
     stroke: SurfaceStrokeBuffers,
     discs: DiscBuffers,
     targets: Option<SurfaceTargets>,
+    drawn: Drawn<SpaceFrame>,
+    handles: Vec<SurfaceHandle>,
     staging: Vec<SpaceVertex>,
 }
 
@@ -96,17 +80,30 @@ impl ViewportRenderer {
             log::error!("a surface was not uploaded: {reason}");
             return false;
         }
+        let viewport = self.provide_surface(device, queue);
+        viewport.outdate();
+        let SurfaceViewport { pass, surface, stroke, staging, .. } = viewport;
+        let boundary = &geometry.positions[..geometry.boundary_count as usize];
+        pass.set(device, queue, surface, staging, geometry) && stroke.set(device, queue, boundary, surface.origin)
+    }
+
+    /// Makes the pipelines that the first surface needs, if they are not there: to do so takes a software adapter
+    /// longer than a frame.
+    pub fn warm_surface(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
+        self.provide_surface(device, queue);
+    }
+
+    fn provide_surface(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> &mut SurfaceViewport {
         let (samples, images, disc) = (self.samples, &self.images, &self.disc);
-        let viewport = self.surface.get_or_insert_with(|| {
+        self.surface.get_or_insert_with(|| {
             let pass = SurfacePass::new(device, queue, &images.layout, samples);
             let stroke_pass = SurfaceStrokePass::new(device, samples);
             let (surface, stroke) = (pass.buffers(device), stroke_pass.buffers(device));
             let discs = disc.buffers(device);
-            SurfaceViewport { pass, stroke_pass, surface, stroke, discs, targets: None, staging: Vec::new() }
-        });
-        let SurfaceViewport { pass, surface, stroke, staging, .. } = viewport;
-        let boundary = &geometry.positions[..geometry.boundary_count as usize];
-        pass.set(device, queue, surface, staging, geometry) && stroke.set(device, queue, boundary, surface.origin)
+            let drawn = Drawn::default();
+            let (handles, staging) = (Vec::new(), Vec::new());
+            SurfaceViewport { pass, stroke_pass, surface, stroke, discs, targets: None, drawn, handles, staging }
+        })
     }
 
     /// New texture coordinates for the surface, without reallocation: the images of its vertices.
@@ -114,6 +111,7 @@ impl ViewportRenderer {
     /// False, and nothing changes, when the count is not the surface's.
     pub fn set_surface_coordinates(&mut self, queue: &wgpu::Queue, coordinates: &[DVec2]) -> bool {
         let Some(viewport) = &mut self.surface else { return false };
+        viewport.outdate();
         viewport.surface.set_coordinates(queue, &mut self.staging, coordinates)
     }
 
@@ -121,10 +119,21 @@ impl ViewportRenderer {
     ///
     /// False, and nothing changes, when the count is not the surface's.
     pub fn set_surface_codes(&mut self, queue: &wgpu::Queue, codes: &mut Vec<CellCode>) -> bool {
-        self.surface.as_ref().is_some_and(|viewport| viewport.surface.set_codes(queue, codes))
+        let Some(viewport) = &mut self.surface else { return false };
+        viewport.outdate();
+        viewport.surface.set_codes(queue, codes)
     }
 
-    /// Records the rendering of the surface into its own target; nothing where there was no [`Self::set_surface`].
+    /// Replaces the discs drawn over the surface; those at or behind the eye are left out.
+    pub fn set_surface_handles(&mut self, handles: &[SurfaceHandle]) {
+        if let Some(viewport) = &mut self.surface {
+            viewport.outdate();
+            viewport.handles = handles.to_vec();
+        }
+    }
+
+    /// Records the rendering of the surface into its own target, where `frame` or the geometry is not what it shows;
+    /// returns how it was recorded, `None` where it stands or there was no [`Self::set_surface`].
     ///
     /// Once per submission: the uniform blocks hold one frame.
     /// A size beyond the device's textures is clamped, and `paint_surface` stretches.
@@ -133,15 +142,18 @@ impl ViewportRenderer {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         encoder: &mut wgpu::CommandEncoder,
-        frame: &SurfaceFrame,
-    ) {
-        let Some(viewport) = &mut self.surface else { return };
+        frame: &SpaceFrame,
+        pace: Pace,
+    ) -> Option<Detail> {
+        let viewport = self.surface.as_mut()?;
         let size_px = clamped_size(device, frame.size_px);
+        let detail = viewport.drawn.due(SpaceFrame { size_px, ..*frame }, pace)?;
+        let size_px = detail.size(size_px);
         if viewport.targets.as_ref().is_none_or(|targets| targets.size_px != size_px) {
             viewport.targets = Some(SurfaceTargets::new(device, &self.blit, size_px, self.samples));
         }
-        viewport.write_frame(device, queue, frame, size_px, self.image.aspect);
-        let Some(targets) = &viewport.targets else { return };
+        viewport.write_frame(device, queue, frame, size_px, detail, self.image.aspect);
+        let targets = viewport.targets.as_ref()?;
         let mut pass = targets.begin(encoder, clear_colour(frame.background));
         viewport.draw(&mut pass, frame, &self.image.group);
         drop(pass);
@@ -149,6 +161,12 @@ impl ViewportRenderer {
             let mut pass = begin_pass(encoder, "handles", attachment(&targets.picture, wgpu::LoadOp::Load));
             self.disc.draw(&mut pass, &viewport.discs);
         }
+        Some(detail)
+    }
+
+    /// Whether the picture of the surface is coarse, and is to be recorded in full when it rests.
+    pub fn is_surface_coarse(&self) -> bool {
+        self.surface.as_ref().is_some_and(|viewport| viewport.drawn.detail() == Detail::Coarse)
     }
 
     /// Draws what [`Self::prepare_surface`] rendered over the whole viewport rectangle of
@@ -161,41 +179,53 @@ impl ViewportRenderer {
 }
 
 impl SurfaceViewport {
+    /// The picture does not stand any more.
+    pub(super) fn outdate(&mut self) {
+        self.drawn.outdate();
+    }
+
     fn write_frame(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
-        frame: &SurfaceFrame,
+        frame: &SpaceFrame,
         size_px: [u32; 2],
+        detail: Detail,
         image_aspect: f64,
     ) {
-        let SurfaceFrame { camera, style, stroke, .. } = *frame;
+        let SpaceFrame { camera, style, .. } = frame;
+        let (stroke, cells) = (detail.stroke(frame.stroke), frame.cells.map(|cells| detail.cells(cells)));
         let line_px = LINE_TO_STROKE * stroke.width_px;
-        let view = SurfaceView { camera, size_px, style, image_aspect, line_px, cells: frame.cells.as_ref() };
+        let view = SurfaceView { camera, size_px, style, image_aspect, line_px, cells: cells.as_ref() };
         self.surface.write_frame(queue, &view);
         self.stroke.write_frame(queue, camera, self.surface.origin, size_px, &stroke);
-        self.place_handles(device, queue, frame, size_px);
+        self.place_handles(device, queue, camera, size_px, detail);
     }
 
     /// Discs where the handles are seen, in a plane whose unit is the pixel.
-    fn place_handles(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, frame: &SurfaceFrame, size_px: [u32; 2]) {
+    fn place_handles(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        camera: &OrbitCamera,
+        size_px: [u32; 2],
+        detail: Detail,
+    ) {
         let size = DVec2::new(f64::from(size_px[0]), f64::from(size_px[1]));
         let upwards = DVec2::new(1.0, -1.0);
-        let discs: Vec<Handle> = frame
-            .handles
-            .iter()
-            .filter_map(|handle| {
-                let position = frame.camera.to_screen(handle.position, size)? * upwards;
-                let [r, g, b, a] = handle.colour;
-                let strength = if handle.hidden { HIDDEN_STRENGTH } else { 1.0 };
-                Some(Handle { position, colour: [r, g, b, a * strength], radius_px: handle.radius_px })
-            })
-            .collect();
+        let disc = |handle: &SurfaceHandle| {
+            let position = camera.to_screen(handle.position, size)? * upwards;
+            let [r, g, b, a] = handle.colour;
+            let strength = if handle.hidden { HIDDEN_STRENGTH } else { 1.0 };
+            Some(Handle { position, colour: [r, g, b, a * strength], radius_px: handle.radius_px })
+        };
+        let discs: Vec<Handle> = self.handles.iter().filter_map(disc).collect();
         self.discs.set(device, queue, &discs);
-        self.discs.write_frame(queue, &Camera { center: 0.5 * size * upwards, units_per_pixel: 1.0 }, size_px);
+        let middle = Camera { center: 0.5 * size * upwards, units_per_pixel: 1.0 };
+        self.discs.write_frame(queue, &middle, size_px, detail.length(1.0));
     }
 
-    fn draw(&self, pass: &mut wgpu::RenderPass, frame: &SurfaceFrame, image: &wgpu::BindGroup) {
+    fn draw(&self, pass: &mut wgpu::RenderPass, frame: &SpaceFrame, image: &wgpu::BindGroup) {
         if self.surface.is_empty() {
             return;
         }

@@ -1,6 +1,6 @@
 //! The renderer behind the viewports: uploads, off-screen rendering, the blit.
 //!
-//! A viewport is rendered in three passes (mesh and its triangles, multisampled and
+//! A viewport whose picture has changed is rendered in three passes (mesh and its triangles, multisampled and
 //! resolved; the outline's coverage; outline and handles over the picture), then painted into
 //! the caller's pass. Nothing is allocated per frame once the sizes are settled.
 //!
@@ -10,6 +10,7 @@
 use super::blit_pass::BlitPass;
 use super::cell_pass::{CellBuffers, CellPass};
 use super::disc_pass::{DiscBuffers, DiscPass};
+use super::drawn::Drawn;
 use super::image_texture::{ImageTexture, ImageTextures};
 use super::mesh_pass::{MeshBuffers, MeshFrame, MeshPass};
 use super::stroke_pass::{StrokeBuffers, StrokePass};
@@ -17,7 +18,7 @@ use super::style::linear_colour;
 use super::surface_viewport::SurfaceViewport;
 use super::targets::{Targets, attachment, clamped_size};
 use super::{
-    Camera, CauchyGreenBuffers, CellCode, CellStyle, Handle, ImageError, Pattern, StrokeStyle, TextureStyle, gpu,
+    CauchyGreenBuffers, CellCode, CellStyle, Detail, Handle, ImageError, Pace, Pattern, PlanarFrame, StrokeStyle,
 };
 use glam::DVec2;
 
@@ -76,17 +77,19 @@ struct Viewport {
     stroke_style: Option<StrokeStyle>,
     discs: DiscBuffers,
     targets: Option<Targets>,
+    drawn: Drawn<PlanarFrame>,
 }
 
 impl ViewportRenderer {
-    /// Pipelines for a target of `target_format` and `viewports` empty viewports.
+    /// Pipelines for a target of `target_format` and `viewports` empty viewports, drawn with `samples` samples a
+    /// pixel: 1, or [`super::sample_count`].
     pub fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         target_format: wgpu::TextureFormat,
         viewports: usize,
+        samples: u32,
     ) -> Self {
-        let samples = gpu::sample_count(device);
         let images = ImageTextures::new(device);
         let image = images.blank(device, queue);
         let mesh = MeshPass::new(device, &images.layout, samples);
@@ -101,6 +104,7 @@ impl ViewportRenderer {
             stroke_style: None,
             discs: disc.buffers(device),
             targets: None,
+            drawn: Drawn::default(),
         };
         let viewports = (0..viewports).map(empty).collect();
         Self { samples, mesh, cells, stroke, disc, blit, images, image, viewports, surface: None, staging: Vec::new() }
@@ -117,7 +121,7 @@ impl ViewportRenderer {
         viewport: usize,
         geometry: &MeshGeometry,
     ) -> bool {
-        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        let Some(viewport) = outdated(&mut self.viewports, viewport) else { return false };
         viewport.mesh.set(device, queue, &mut self.staging, geometry)
     }
 
@@ -125,7 +129,7 @@ impl ViewportRenderer {
     ///
     /// False, and nothing changes, when the count is not the mesh's.
     pub fn set_positions(&mut self, queue: &wgpu::Queue, viewport: usize, positions: &[DVec2]) -> bool {
-        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        let Some(viewport) = outdated(&mut self.viewports, viewport) else { return false };
         viewport.mesh.set_positions(queue, &mut self.staging, positions)
     }
 
@@ -133,7 +137,7 @@ impl ViewportRenderer {
     ///
     /// False, and nothing changes, when the count is not the mesh's.
     pub fn set_texture_coordinates(&mut self, queue: &wgpu::Queue, viewport: usize, coordinates: &[DVec2]) -> bool {
-        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        let Some(viewport) = outdated(&mut self.viewports, viewport) else { return false };
         viewport.mesh.set_texture_coordinates(queue, &mut self.staging, coordinates)
     }
 
@@ -146,7 +150,7 @@ impl ViewportRenderer {
         viewport: usize,
         images: &CauchyGreenBuffers,
     ) -> bool {
-        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        let Some(viewport) = outdated(&mut self.viewports, viewport) else { return false };
         viewport.mesh.copy_positions(encoder, images.images(), images.origin())
     }
 
@@ -159,7 +163,7 @@ impl ViewportRenderer {
         viewport: usize,
         images: &CauchyGreenBuffers,
     ) -> bool {
-        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        let Some(viewport) = outdated(&mut self.viewports, viewport) else { return false };
         viewport.mesh.copy_texture_coordinates(encoder, images.images(), images.origin())
     }
 
@@ -177,7 +181,7 @@ impl ViewportRenderer {
         triangles: &[[u32; 3]],
     ) -> bool {
         let geometry = MeshGeometry { positions, texture_coordinates: positions, triangles };
-        let Some(viewport) = self.viewports.get_mut(viewport).filter(|_| geometry.check().is_ok()) else {
+        let Some(viewport) = outdated(&mut self.viewports, viewport).filter(|_| geometry.check().is_ok()) else {
             return false;
         };
         self.cells.set(device, queue, &mut viewport.cells, &mut self.staging, positions, triangles)
@@ -187,7 +191,7 @@ impl ViewportRenderer {
     ///
     /// False, and nothing changes, when the count is not the mesh's.
     pub fn set_cell_positions(&mut self, queue: &wgpu::Queue, viewport: usize, positions: &[DVec2]) -> bool {
-        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        let Some(viewport) = outdated(&mut self.viewports, viewport) else { return false };
         viewport.cells.set_positions(queue, &mut self.staging, positions)
     }
 
@@ -195,13 +199,16 @@ impl ViewportRenderer {
     ///
     /// False, and nothing changes, when the count is not the mesh's.
     pub fn set_cell_codes(&mut self, queue: &wgpu::Queue, viewport: usize, codes: &mut Vec<CellCode>) -> bool {
-        self.viewports.get(viewport).is_some_and(|viewport| viewport.cells.set_codes(queue, codes))
+        outdated(&mut self.viewports, viewport).is_some_and(|viewport| viewport.cells.set_codes(queue, codes))
     }
 
     /// How the triangles of [`Self::set_cells`] are shown; `None`: not at all.
     pub fn set_cell_style(&mut self, viewport: usize, style: Option<CellStyle>) {
-        if let Some(viewport) = self.viewports.get_mut(viewport) {
+        if let Some(viewport) = self.viewports.get_mut(viewport)
+            && viewport.cell_style != style
+        {
             viewport.cell_style = style;
+            viewport.drawn.outdate();
         }
     }
 
@@ -213,21 +220,24 @@ impl ViewportRenderer {
         viewport: usize,
         points: &[DVec2],
     ) -> bool {
-        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        let Some(viewport) = outdated(&mut self.viewports, viewport) else { return false };
         viewport.stroke.set(device, queue, &mut self.staging, points)
     }
 
     /// Colour and width of the outline stroke, to which pattern lines keep a
     /// fixed proportion; `None`: [`StrokeStyle::themed`] at one pixel per point.
     pub fn set_boundary_style(&mut self, viewport: usize, style: Option<StrokeStyle>) {
-        if let Some(viewport) = self.viewports.get_mut(viewport) {
+        if let Some(viewport) = self.viewports.get_mut(viewport)
+            && viewport.stroke_style != style
+        {
             viewport.stroke_style = style;
+            viewport.drawn.outdate();
         }
     }
 
     /// Replaces the discs drawn over the outline.
     pub fn set_handles(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, viewport: usize, handles: &[Handle]) {
-        if let Some(viewport) = self.viewports.get_mut(viewport) {
+        if let Some(viewport) = outdated(&mut self.viewports, viewport) {
             viewport.discs.set(device, queue, handles);
         }
     }
@@ -246,53 +256,71 @@ impl ViewportRenderer {
         height: u32,
     ) -> Result<(), ImageError> {
         self.image = self.images.load(device, queue, rgba, width, height)?;
+        self.viewports.iter_mut().for_each(|viewport| viewport.drawn.outdate());
+        self.surface.iter_mut().for_each(SurfaceViewport::outdate);
         Ok(())
     }
 
-    /// Records the rendering of a viewport into its own target of `size_px`
-    /// physical pixels; `background` is sRGB-encoded with straight alpha.
+    /// Records the rendering of a viewport into its own target, where `frame` or the geometry is not what it shows;
+    /// returns how it was recorded, `None` where it stands.
     ///
     /// Once per viewport and submission: the uniform blocks hold one frame.
     /// A size beyond the device's textures is clamped, and `paint` stretches.
-    #[allow(clippy::too_many_arguments, reason = "a frame's parts come from as many owners")]
     pub fn prepare(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         encoder: &mut wgpu::CommandEncoder,
         viewport: usize,
-        size_px: [u32; 2],
-        camera: &Camera,
-        style: &TextureStyle,
-        background: [f32; 4],
-    ) {
-        let size_px = clamped_size(device, size_px);
-        if !self.provide_targets(device, viewport, size_px) {
-            return;
-        }
+        frame: &PlanarFrame,
+        pace: Pace,
+    ) -> Option<Detail> {
+        let size_px = clamped_size(device, frame.size_px);
+        let detail = self.viewports.get_mut(viewport)?.drawn.due(PlanarFrame { size_px, ..*frame }, pace)?;
+        let size_px = detail.size(size_px);
+        self.provide_targets(device, viewport, size_px);
         let viewport = &self.viewports[viewport];
-        let stroke_style = viewport.stroke_style.unwrap_or_else(|| StrokeStyle::themed(style.dark, 1.0));
-        let (image_aspect, line_px) = (self.image.aspect, LINE_TO_STROKE * stroke_style.width_px);
-        viewport.mesh.write_frame(queue, &MeshFrame { camera, size_px, style, image_aspect, line_px });
-        if let Some(cells) = &viewport.cell_style {
-            viewport.cells.write_frame(queue, camera, size_px, cells);
-        }
-        viewport.stroke.write_frame(queue, camera, size_px, &stroke_style);
-        viewport.discs.write_frame(queue, camera, size_px);
+        self.write_frame(queue, viewport, frame, size_px, detail);
         if let Some(targets) = &viewport.targets {
-            self.record_mesh(encoder, viewport, targets, style.pattern, background);
+            self.record_mesh(encoder, viewport, targets, frame.style.pattern, frame.background);
             self.record_overlay(encoder, viewport, targets);
         }
+        Some(detail)
     }
 
-    /// Makes the targets of this size where they are not there; false when there
-    /// is no such viewport.
-    fn provide_targets(&mut self, device: &wgpu::Device, viewport: usize, size_px: [u32; 2]) -> bool {
-        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
-        if viewport.targets.as_ref().is_none_or(|targets| targets.size_px != size_px) {
+    fn write_frame(
+        &self,
+        queue: &wgpu::Queue,
+        viewport: &Viewport,
+        frame: &PlanarFrame,
+        size_px: [u32; 2],
+        detail: Detail,
+    ) {
+        let PlanarFrame { style, .. } = frame;
+        let camera = &detail.camera(frame.camera);
+        let stroke = viewport.stroke_style.unwrap_or_else(|| StrokeStyle::themed(style.dark, 1.0));
+        let stroke = detail.stroke(stroke);
+        let (image_aspect, line_px) = (self.image.aspect, LINE_TO_STROKE * stroke.width_px);
+        viewport.mesh.write_frame(queue, &MeshFrame { camera, size_px, style, image_aspect, line_px });
+        if let Some(cells) = viewport.cell_style {
+            viewport.cells.write_frame(queue, camera, size_px, &detail.cells(cells));
+        }
+        viewport.stroke.write_frame(queue, camera, size_px, &stroke);
+        viewport.discs.write_frame(queue, camera, size_px, detail.length(1.0));
+    }
+
+    /// Whether the picture of a viewport is coarse, and is to be recorded in full when it rests.
+    pub fn is_coarse(&self, viewport: usize) -> bool {
+        self.viewports.get(viewport).is_some_and(|viewport| viewport.drawn.detail() == Detail::Coarse)
+    }
+
+    /// Makes the targets of this size where they are not there.
+    fn provide_targets(&mut self, device: &wgpu::Device, viewport: usize, size_px: [u32; 2]) {
+        if let Some(viewport) = self.viewports.get_mut(viewport)
+            && viewport.targets.as_ref().is_none_or(|targets| targets.size_px != size_px)
+        {
             viewport.targets = Some(Targets::new(device, &self.blit, &self.stroke, size_px, self.samples));
         }
-        true
     }
 
     /// Draws what `prepare` rendered over the whole viewport rectangle of
@@ -338,6 +366,13 @@ impl ViewportRenderer {
             self.disc.draw(&mut pass, &viewport.discs);
         }
     }
+}
+
+/// The viewport, whose picture does not stand any more.
+fn outdated(viewports: &mut [Viewport], viewport: usize) -> Option<&mut Viewport> {
+    let viewport = viewports.get_mut(viewport)?;
+    viewport.drawn.outdate();
+    Some(viewport)
 }
 
 pub(super) fn begin_pass<'encoder>(

@@ -6,7 +6,7 @@ use riemap::conformal::{BoundaryValues, Contour};
 use riemap::geometry::EdgeTree;
 use riemap::mesh::{Sizing, mesh_domain};
 use riemap::outline::{Preset, Sampling, sample};
-use riemap::render::{CauchyGreenPass, Pattern, ViewportRenderer};
+use riemap::render::{CauchyGreenPass, Pattern, ViewportRenderer, sample_count};
 use std::f64::consts::TAU;
 use std::sync::mpsc;
 
@@ -172,7 +172,7 @@ fn the_mesh_is_drawn_from_the_images_without_reading_them_back() {
     let mut three = pass.buffers(device, queue, &SQUARE, &SQUARE[..3]).unwrap();
     let style = style(Pattern::Checker, 8.0);
     for positions in [true, false] {
-        let mut renderer = ViewportRenderer::new(device, queue, format, 1);
+        let mut renderer = ViewportRenderer::new(device, queue, format, 1, sample_count(device));
         assert!(renderer.set_mesh(device, queue, 0, &square(style).geometry));
         let before = painted(gpu, &mut renderer, format, &style);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());

@@ -5,6 +5,7 @@ use glam::DVec2;
 use image::RgbaImage;
 use riemap::render::{
     CellCode, CellStyle, ColourMap, MeshGeometry, Pattern, StrokeStyle, TextureStyle, ViewportRenderer, flipped_colour,
+    sample_count,
 };
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -19,7 +20,7 @@ fn shown(map: Option<ColourMap>) -> CellStyle {
 /// A renderer with the textured square, and its two triangles in `codes`.
 fn renderer(gpu: &Gpu, codes: [CellCode; 2], style: CellStyle) -> ViewportRenderer {
     let (device, queue, _) = gpu;
-    let mut renderer = ViewportRenderer::new(device, queue, FORMAT, 1);
+    let mut renderer = ViewportRenderer::new(device, queue, FORMAT, 1, sample_count(device));
     let texture = MeshGeometry { positions: &SQUARE, texture_coordinates: &SQUARE, triangles: &SQUARE_TRIANGLES };
     assert!(renderer.set_mesh(device, queue, 0, &texture));
     assert!(renderer.set_cells(device, queue, 0, &SQUARE, &SQUARE_TRIANGLES));
@@ -100,7 +101,7 @@ fn edges_of_cells_of_a_few_pixels_fade_away() {
     let style = CellStyle { wire: Some(black), ..shown(Some(ColourMap::Diverging)) };
     let darkest = |rows: u32| {
         let (points, triangles) = lattice(rows);
-        let mut renderer = ViewportRenderer::new(device, queue, FORMAT, 1);
+        let mut renderer = ViewportRenderer::new(device, queue, FORMAT, 1, sample_count(device));
         assert!(renderer.set_cells(device, queue, 0, &points, &triangles));
         assert!(renderer.set_cell_codes(queue, 0, &mut vec![CellCode::at(0.5); triangles.len()]));
         renderer.set_cell_style(0, Some(style));

@@ -3,7 +3,10 @@
 use super::support::*;
 use glam::DVec2;
 use image::RgbaImage;
-use riemap::render::{MeshGeometry, Pattern, ViewportRenderer};
+use riemap::render::{
+    Camera, CellCode, CellStyle, Detail, Handle, MeshGeometry, Pace, Pattern, PlanarFrame, REFINED_AFTER, StrokeStyle,
+    ViewportRenderer, sample_count,
+};
 
 /// [`painted`] with the texture image.
 fn frame(gpu: &Gpu, renderer: &mut ViewportRenderer, format: wgpu::TextureFormat) -> RgbaImage {
@@ -13,7 +16,7 @@ fn frame(gpu: &Gpu, renderer: &mut ViewportRenderer, format: wgpu::TextureFormat
 /// A renderer with the square in viewport 0 and a flat image of `colour`.
 fn renderer(gpu: &Gpu, format: wgpu::TextureFormat, colour: [u8; 4]) -> ViewportRenderer {
     let (device, queue, _) = gpu;
-    let mut renderer = ViewportRenderer::new(device, queue, format, 1);
+    let mut renderer = ViewportRenderer::new(device, queue, format, 1, sample_count(device));
     renderer.set_image(device, queue, &colour.repeat(6), 3, 2).unwrap();
     assert!(renderer.set_mesh(device, queue, 0, &square(style(Pattern::Image, 1.0)).geometry));
     renderer
@@ -84,4 +87,77 @@ fn an_image_beyond_the_largest_texture_is_scaled_down() {
     let (width, colour) = (device.limits().max_texture_dimension_2d + 100, [200, 107, 57, 255]);
     renderer.set_image(device, queue, &colour.repeat(2 * width as usize), width, 2).unwrap();
     assert_pixel(&frame(gpu, &mut renderer, format), [32, 32], colour, 1, "the scaled image");
+}
+
+/// Whether the next frame is recorded, and how.
+fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &PlanarFrame, pace: Pace) -> Option<Detail> {
+    let (device, queue, _) = gpu;
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let detail = renderer.prepare(device, queue, &mut encoder, 0, frame, pace);
+    queue.submit([encoder.finish()]);
+    detail
+}
+
+#[test]
+fn a_picture_that_stands_is_not_recorded_and_every_change_is() {
+    let Some(gpu) = gpu() else { return };
+    let (device, queue, _) = gpu;
+    let mut renderer = renderer(gpu, wgpu::TextureFormat::Rgba8Unorm, [10, 180, 90, 255]);
+    let mut codes = vec![CellCode::FLIPPED; 2];
+    let frame = live_frame(&style(Pattern::Checker, 4.0));
+    let cells = CellStyle { map: None, wire: None, marks: true, pixels_per_point: 1.0 };
+    let handle = Handle { position: DVec2::ZERO, colour: GREEN, radius_px: 4.0 };
+    let geometry = square(frame.style).geometry;
+    let mut changes: Vec<(&str, Box<dyn FnMut(&mut ViewportRenderer) -> bool>)> = vec![
+        ("set_mesh", Box::new(|r| r.set_mesh(device, queue, 0, &geometry))),
+        ("set_positions", Box::new(|r| r.set_positions(queue, 0, &SQUARE))),
+        ("set_texture_coordinates", Box::new(|r| r.set_texture_coordinates(queue, 0, &SQUARE))),
+        ("set_cells", Box::new(|r| r.set_cells(device, queue, 0, &SQUARE, &SQUARE_TRIANGLES))),
+        ("set_cell_positions", Box::new(|r| r.set_cell_positions(queue, 0, &SQUARE))),
+        ("set_cell_codes", Box::new(|r| r.set_cell_codes(queue, 0, &mut codes))),
+        ("set_cell_style", Box::new(|r| (r.set_cell_style(0, Some(cells)), true).1)),
+        ("set_boundary", Box::new(|r| r.set_boundary(device, queue, 0, &SQUARE))),
+        ("set_boundary_style", Box::new(|r| (r.set_boundary_style(0, Some(StrokeStyle::themed(true, 2.0))), true).1)),
+        ("set_handles", Box::new(|r| (r.set_handles(device, queue, 0, &[handle]), true).1)),
+        ("set_image", Box::new(|r| r.set_image(device, queue, &[0; 16], 2, 2).is_ok())),
+    ];
+    assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), Some(Detail::Full), "the first");
+    for (name, change) in &mut changes {
+        assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), None, "before {name}");
+        assert!(change(&mut renderer), "{name}");
+        assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), Some(Detail::Full), "{name}");
+    }
+    renderer.set_cell_style(0, Some(cells));
+    assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), None, "the same style once more");
+    let moved = Camera { center: DVec2::X, ..frame.camera };
+    assert!(recorded(gpu, &mut renderer, &PlanarFrame { camera: moved, ..frame }, Pace::Full).is_some(), "camera");
+    let larger = PlanarFrame { size_px: [65, 64], ..frame };
+    assert!(recorded(gpu, &mut renderer, &larger, Pace::Full).is_some(), "size");
+}
+
+#[test]
+fn a_coarse_picture_shows_the_same_and_becomes_full_at_rest() {
+    let Some(gpu) = gpu() else { return };
+    let (format, colour) = (wgpu::TextureFormat::Rgba8Unorm, [10, 180, 90, 255]);
+    let mut renderer = renderer(gpu, format, colour);
+    assert!(renderer.set_boundary(&gpu.0, &gpu.1, 0, &SQUARE));
+    let frame = live_frame(&style(Pattern::Image, 1.0));
+    let full = painted_at(gpu, &mut renderer, format, &frame, Pace::Full);
+    renderer.set_handles(&gpu.0, &gpu.1, 0, &[]);
+    let at = |now| Pace::CoarseFirst { now };
+    let coarse = painted_at(gpu, &mut renderer, format, &frame, at(5.0));
+    assert!(renderer.is_coarse(0));
+    for place in [[32, 32], [4, 4], [32, 60], [24, 40]] {
+        assert_pixel(&coarse, place, full.get_pixel(place[0], place[1]).0, 1, "coarse");
+    }
+    // the square's edges are 16 pixels from the picture's
+    let from_outline = |at: u32| at.abs_diff(16).min(at.abs_diff(48));
+    let differ = |x, y| full.get_pixel(x, y) != coarse.get_pixel(x, y);
+    let differing: Vec<_> = (0..64).flat_map(|y| (0..64).map(move |x| (x, y))).filter(|&(x, y)| differ(x, y)).collect();
+    assert!(!differing.is_empty());
+    assert!(differing.iter().all(|&(x, y)| from_outline(x).min(from_outline(y)) <= 4), "only the outline is softer");
+    assert_eq!(recorded(gpu, &mut renderer, &frame, at(5.0 + 2.0 * REFINED_AFTER)), Some(Detail::Full));
+    assert!(!renderer.is_coarse(0));
+    let refined = painted_at(gpu, &mut renderer, format, &frame, at(6.0));
+    assert_eq!(refined, full);
 }

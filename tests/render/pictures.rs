@@ -6,6 +6,7 @@ use image::RgbaImage;
 use riemap::conformal::TriangleDistortion;
 use riemap::render::{
     CellCode, CellStyle, ColourMap, Handle, MeshGeometry, Pattern, SceneViewport, StrokeStyle, ViewportRenderer,
+    sample_count,
 };
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -127,7 +128,7 @@ fn distorted_disk(gpu: &Gpu) -> RgbaImage {
     let mut codes: Vec<_> = disk.triangles.iter().map(|t| CellCode::at((area_log2(t) + 3.0) / 6.0)).collect();
     codes[77] = CellCode::FLIPPED;
     let format = wgpu::TextureFormat::Rgba8Unorm;
-    let mut renderer = ViewportRenderer::new(device, queue, format, 1);
+    let mut renderer = ViewportRenderer::new(device, queue, format, 1, sample_count(device));
     let larger: Vec<DVec2> = mapped.iter().map(|&z| 1.8 * z).collect();
     assert!(renderer.set_cells(device, queue, 0, &larger, &disk.triangles));
     assert!(renderer.set_cell_codes(queue, 0, &mut codes));

@@ -3,8 +3,8 @@
 use glam::DVec2;
 use image::RgbaImage;
 use riemap::render::{
-    Camera, MeshGeometry, Pattern, SceneDescription, SceneViewport, TextureStyle, ViewportRenderer, headless_device,
-    render_scene_with,
+    Camera, MeshGeometry, Pace, Pattern, PlanarFrame, SceneDescription, SceneViewport, TextureStyle, ViewportRenderer,
+    headless_device, render_scene_with,
 };
 use std::sync::OnceLock;
 
@@ -67,12 +67,29 @@ pub fn render(gpu: &Gpu, viewports: &[SceneViewport], image: Option<&RgbaImage>,
 /// The width and height of a frame of the live renderer: 16 pixels per unit.
 const SIZE: u32 = 64;
 
+/// A frame of the live renderer, about the origin.
+pub fn live_frame(style: &TextureStyle) -> PlanarFrame {
+    let camera = Camera { center: DVec2::ZERO, units_per_pixel: 4.0 / f64::from(SIZE) };
+    PlanarFrame { size_px: [SIZE, SIZE], camera, style: *style, background: BACKGROUND }
+}
+
 /// Prepares and paints viewport 0 into a target of `format`; the target's bytes.
 pub fn painted(
     gpu: &Gpu,
     renderer: &mut ViewportRenderer,
     format: wgpu::TextureFormat,
     style: &TextureStyle,
+) -> RgbaImage {
+    painted_at(gpu, renderer, format, &live_frame(style), Pace::Full)
+}
+
+/// The same with any frame of [`live_frame`]'s size, at any pace.
+pub fn painted_at(
+    gpu: &Gpu,
+    renderer: &mut ViewportRenderer,
+    format: wgpu::TextureFormat,
+    frame: &PlanarFrame,
+    pace: Pace,
 ) -> RgbaImage {
     let (device, queue, _) = gpu;
     let size = wgpu::Extent3d { width: SIZE, height: SIZE, depth_or_array_layers: 1 };
@@ -87,8 +104,7 @@ pub fn painted(
         view_formats: &[],
     });
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    let camera = Camera { center: DVec2::ZERO, units_per_pixel: 4.0 / f64::from(SIZE) };
-    renderer.prepare(device, queue, &mut encoder, 0, [SIZE, SIZE], &camera, style, BACKGROUND);
+    renderer.prepare(device, queue, &mut encoder, 0, frame, pace);
     let view = target.create_view(&wgpu::TextureViewDescriptor::default());
     let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         color_attachments: &[Some(wgpu::RenderPassColorAttachment {

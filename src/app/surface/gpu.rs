@@ -4,9 +4,7 @@ use super::SurfaceSide;
 use crate::app::model::{Changes, Model};
 use crate::conformal::Side;
 use crate::geometry::DVec2;
-use crate::render::{
-    CellStyle, OrbitCamera, StrokeStyle, SurfaceFrame, SurfaceGeometry, TextureStyle, ViewportRenderer,
-};
+use crate::render::{Pace, REFINED_AFTER, SpaceFrame, SurfaceGeometry, ViewportRenderer};
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
 
 /// Uploads what has changed of the surface, while one is shown; whether it fits on the device.
@@ -42,18 +40,12 @@ pub fn coordinates<'a>(side: &'a SurfaceSide, model: &'a Model) -> Option<&'a [D
 
 /// Draws the surface inside egui's pass.
 pub struct SurfaceCallback {
-    /// The viewport's size in physical pixels.
-    pub size_px: [u32; 2],
-    /// The eye.
-    pub camera: OrbitCamera,
-    /// How it is textured.
-    pub style: TextureStyle,
-    /// The colours of its triangles, edges and marks.
-    pub cells: Option<CellStyle>,
-    /// The boundary loop's stroke.
-    pub stroke: StrokeStyle,
-    /// The ground, sRGB-encoded.
-    pub background: [f32; 4],
+    /// What it shows beside what was uploaded.
+    pub frame: SpaceFrame,
+    /// How soon in full.
+    pub pace: Pace,
+    /// Where another frame is asked for while the picture is coarse.
+    pub context: egui::Context,
 }
 
 impl CallbackTrait for SurfaceCallback {
@@ -66,16 +58,10 @@ impl CallbackTrait for SurfaceCallback {
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         if let Some(renderer) = resources.get_mut::<ViewportRenderer>() {
-            let frame = SurfaceFrame {
-                size_px: self.size_px,
-                camera: &self.camera,
-                style: &self.style,
-                cells: self.cells,
-                stroke: self.stroke,
-                handles: &[],
-                background: self.background,
-            };
-            renderer.prepare_surface(device, queue, encoder, &frame);
+            renderer.prepare_surface(device, queue, encoder, &self.frame, self.pace);
+            if renderer.is_surface_coarse() {
+                self.context.request_repaint_after_secs(REFINED_AFTER as f32);
+            }
         }
         Vec::new()
     }

@@ -15,7 +15,7 @@ use crate::app::theme::Palette;
 use crate::app::viewport::{BOUNDARY_REACH, ZOOM_PER_POINT};
 use crate::conformal::Side;
 use crate::geometry::DVec3;
-use crate::render::{CellStyle, StrokeStyle, TextureStyle};
+use crate::render::{CellStyle, Pace, SpaceFrame, StrokeStyle, TextureStyle};
 use crate::session::Command;
 use crate::surface::nearest_on_boundary_to_ray;
 use egui::{CornerRadius, CursorIcon, PointerButton, Pos2, Response, Sense, Ui, Vec2};
@@ -153,21 +153,23 @@ fn boundary_under_pointer(response: &Response, model: &Model, view: &OrbitView, 
 }
 
 /// Draws the textured surface.
-pub fn paint_surface(ui: &Ui, view: &OrbitView, style: Option<&TextureStyle>, cells: Option<CellStyle>) {
+pub fn paint_surface(ui: &Ui, view: &OrbitView, style: Option<&TextureStyle>, cells: Option<CellStyle>, pace: Pace) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
-    painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas);
-    if let (Some(style), Some(camera)) = (style, view.camera()) {
-        let callback = SurfaceCallback {
-            size_px: view.size_px(),
-            camera: *camera,
-            style: *style,
-            cells,
-            stroke: StrokeStyle::themed(ui.visuals().dark_mode, ui.pixels_per_point()),
-            background: palette.canvas.to_normalized_gamma_f32(),
-        };
-        painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
-    }
+    let (Some(style), Some(camera)) = (style, view.camera()) else {
+        painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas);
+        return;
+    };
+    let frame = SpaceFrame {
+        size_px: view.size_px(),
+        camera: *camera,
+        style: *style,
+        cells,
+        stroke: StrokeStyle::themed(ui.visuals().dark_mode, ui.pixels_per_point()),
+        background: palette.canvas.to_normalized_gamma_f32(),
+    };
+    let callback = SurfaceCallback { frame, pace, context: ui.ctx().clone() };
+    painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
 }
 
 /// Draws the dots, over everything else in the viewport; fainter where the surface hides them.

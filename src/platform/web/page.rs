@@ -69,6 +69,8 @@ fn web_options() -> eframe::WebOptions {
     }
     eframe::WebOptions {
         wgpu_options: egui_wgpu::WgpuConfiguration { wgpu_setup: setup.into(), ..Default::default() },
+        // nothing here shades so gently that it would show
+        dithering: false,
         ..Default::default()
     }
 }
