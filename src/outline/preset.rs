@@ -107,25 +107,6 @@ impl Preset {
         }
     }
 
-    /// One line about what the outline shows.
-    pub fn caption(self) -> &'static str {
-        match self {
-            Self::Disk => "Where every conformal map can begin",
-            Self::Square => "Four convex corners, where a map slows down",
-            Self::Gingerbread => "Round limbs on a round body",
-            Self::Heart => "One cusp and one tip",
-            Self::Blob => "The exact image of the disk under a known function",
-            Self::VShape => "The tips lie 10\u{207b}\u{b9}\u{2077} apart in the disk: crowding at its worst",
-            Self::Cinquefoil => "Five round lobes that meet in sharp cusps",
-            Self::MapleLeaf => "Sharp lobes and deep notches",
-            Self::Hand => "Five fingers, each a crowded channel",
-            Self::Turkey => "Beak, feet and a fan of feathers",
-            Self::LShape => "One re-entrant corner: the textbook singularity",
-            Self::Star => "Five points and five notches",
-            Self::Spiral => "One long corridor, wound up",
-        }
-    }
-
     /// The outline itself: a dense polygon, with edges short against the radius
     /// of curvature. The first vertex is a sensible boundary anchor.
     ///
