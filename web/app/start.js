@@ -57,7 +57,8 @@ function counter(bar, total) {
   });
 }
 
-const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
+const digits = { minimumFractionDigits: 1, maximumFractionDigits: 1 };
+const megabytes = (bytes) => (bytes / 1e6).toLocaleString(words.language, digits);
 
 function fail(text) {
   element("loading")?.remove();
@@ -82,6 +83,7 @@ function distrustEmulatedPixels() {
 
 async function start() {
   document.documentElement.lang = words.language;
+  document.title = words.title;
   element("loading-text").textContent = words.loading;
   for (const id of ["failure-reload", "update-reload"]) element(id).textContent = words.reload;
   element("failure-reload").addEventListener("click", () => location.reload());
@@ -97,4 +99,4 @@ async function start() {
   await installed();
 }
 
-start().catch((error) => fail(`${words.notLoaded} ${error}`));
+start().catch((error) => fail(`${words.notLoaded} (${error})`));

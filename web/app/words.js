@@ -1,9 +1,10 @@
 // What the page says before the app can speak, in English and German.
-// `?lang=…` decides, else the browser's languages.
+// `?lang=…` decides, else what was chosen in the app, else the browser's languages.
 
 const WORDS = {
   en: {
     language: "en",
+    title: "riemap: real-time conformal maps",
     loading: "Loading…",
     starting: "Starting the graphics…",
     reload: "Reload",
@@ -30,6 +31,7 @@ const WORDS = {
   },
   de: {
     language: "de",
+    title: "riemap: konforme Abbildungen in Echtzeit",
     loading: "Wird geladen …",
     starting: "Grafik wird gestartet …",
     reload: "Neu laden",
@@ -56,7 +58,17 @@ const WORDS = {
   },
 };
 
-const wanted = [new URLSearchParams(location.search).get("lang"), ...(navigator.languages ?? [navigator.language])];
+/** The language that was chosen in the app, if any, where the app keeps it (src/platform/web/address.rs). */
+function chosen() {
+  try {
+    return JSON.parse(localStorage.getItem("riemap preferences"))?.language;
+  } catch {
+    return null; // storage may be forbidden here, as in frames
+  }
+}
+
+const languages = navigator.languages ?? [navigator.language];
+const wanted = [new URLSearchParams(location.search).get("lang"), chosen(), ...languages];
 const known = wanted.filter(Boolean).map((language) => language.slice(0, 2).toLowerCase());
 
 /** The words in the language of this page. */

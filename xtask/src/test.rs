@@ -49,6 +49,7 @@ fn browser(places: &Places) -> Result<(), Failure> {
         "everyone.test.mjs",
         "exporting.test.mjs",
         "web.test.mjs",
+        "words.test.mjs",
     ]);
     command.current_dir(places.browser_tests());
     command.env("CHROMIUM", chromium).env("RIEMAP_DIST", places.dist());

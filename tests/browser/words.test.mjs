@@ -1,0 +1,48 @@
+// The words of the page itself: in both languages the same ones, and the language that a person wants.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import test from 'node:test';
+
+const WORDS = new URL('../../web/app/words.js', import.meta.url);
+let count = 0;
+
+/** The words for an address, a browser's languages and what was chosen before; `null`: nothing can be stored. */
+async function wordsFor({ search = '', languages = ['en'], kept }) {
+  globalThis.location = { search };
+  Object.defineProperty(globalThis, 'navigator', { value: { languages }, configurable: true });
+  const stored = { getItem: (key) => (key === 'riemap preferences' && kept) || null };
+  Object.defineProperty(globalThis, 'localStorage', {
+    get: () => (kept === null ? assert.fail('forbidden') : stored),
+    configurable: true,
+  });
+  const source = await readFile(WORDS, 'utf8');
+  count += 1; // a module is loaded once for each address
+  const module = await import(`data:text/javascript,${encodeURIComponent(`${source}\n// ${count}`)}`);
+  return module.words;
+}
+
+/** The names of all texts, with those inside of others. */
+const names = (words, at = '') =>
+  Object.entries(words).flatMap(([name, text]) =>
+    typeof text === 'object' ? names(text, `${at}${name}.`) : [`${at}${name}`],
+  );
+
+test('both languages have all words, and none is the same in both', async () => {
+  const [english, german] = [await wordsFor({}), await wordsFor({ languages: ['de-AT', 'en'] })];
+  assert.deepEqual(names(german), names(english));
+  const of = (words, name) => name.split('.').reduce((inner, key) => inner[key], words);
+  for (const name of names(english)) {
+    assert.ok(of(german, name), name);
+    assert.notEqual(of(german, name), of(english, name), name);
+  }
+});
+
+test('the address decides, then what was chosen, then the browser', async () => {
+  const kept = '{"language":"de"}';
+  const language = async (wish) => (await wordsFor(wish)).language;
+  assert.equal(await language({ search: '?lang=en', languages: ['de'], kept }), 'en');
+  assert.equal(await language({ languages: ['fr', 'en'], kept }), 'de');
+  assert.equal(await language({ languages: ['fr', 'de'], kept: 'no JSON' }), 'de');
+  assert.equal(await language({ languages: ['fr', 'de'], kept: null }), 'de');
+  assert.equal(await language({ languages: ['fr'] }), 'en');
+});
