@@ -1,8 +1,8 @@
 //! What needs no screen: the session and the workers, begun while the graphics start.
 
 use super::keeping::{self, Start};
-use super::{Model, Preferences};
-use crate::platform::{Event, Mailbox, Preparer};
+use super::{Model, Preferences, language};
+use crate::platform::{self, Event, Mailbox, Preparer};
 use crate::session::Session;
 use crate::session::link::MissingOutline;
 use std::sync::mpsc;
@@ -44,8 +44,11 @@ impl Groundwork {
     /// As [`Self::start`], with the session and the preferences that the address or the last time has left; what went
     /// wrong with the session is shown.
     pub fn resume() -> Self {
+        let preferences = Preferences::remembered();
+        // the screen's own begins with it: graphics that cannot start are said in it too
+        language::set(preferences.with(&platform::address_options()).language());
         let Start { session, missing, message } = keeping::first_session();
-        Self { missing, message, resumes: true, preferences: Preferences::remembered(), ..Self::start(session) }
+        Self { missing, message, resumes: true, preferences, ..Self::start(session) }
     }
 
     /// Where events for the app are posted.

@@ -2,6 +2,7 @@
 //!
 //! Not part of a session: a link does not change how another person's app looks or speaks.
 
+use super::address_options::AddressOptions;
 use super::language::{self, Language};
 use crate::platform::{self, Kept};
 use egui::ThemePreference;
@@ -59,6 +60,11 @@ impl Preferences {
         if let Err(reason) = kept.and_then(|text| platform::remember(Kept::Preferences, &text)) {
             log::info!("the preferences are not kept: {reason}");
         }
+    }
+
+    /// With what an address asks for in their place.
+    pub fn with(self, options: &AddressOptions) -> Self {
+        Self { language: options.language.or(self.language), appearance: options.theme.unwrap_or(self.appearance) }
     }
 
     /// The language of the screen.

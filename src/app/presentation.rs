@@ -23,10 +23,7 @@ pub fn install(context: &Context, chosen: Preferences, options: &AddressOptions)
     if options.present {
         context.set_zoom_factor(PRESENTATION_ZOOM);
     }
-    let preferences = Preferences {
-        language: options.language.or(chosen.language),
-        appearance: options.theme.unwrap_or(chosen.appearance),
-    };
+    let preferences = chosen.with(options);
     preferences.apply(context);
     preferences
 }

@@ -2,7 +2,7 @@
 
 use super::{address, bridge, files, keys};
 use crate::app::address_options::AddressOptions;
-use crate::app::language::{tr, tr_with};
+use crate::app::language::{tr, tr_message, tr_with};
 use crate::app::{Groundwork, RiemapApp};
 use crate::platform::Mailbox;
 use eframe::WebRunner;
@@ -30,7 +30,7 @@ pub fn start() {
     }));
     wasm_bindgen_futures::spawn_local(async {
         if let Err(message) = run().await {
-            show_failure(&message);
+            show_failure(&tr_message(&message));
         }
     });
 }

@@ -125,7 +125,8 @@ fn bootstrap() -> Result<JsValue, JsValue> {
     Ok(message.into())
 }
 
-/// What JavaScript says of an error.
+/// What JavaScript says of an error, or riemap itself by a text.
 pub fn describe(error: &JsValue) -> String {
-    error.dyn_ref::<js_sys::Error>().map_or_else(|| format!("{error:?}"), |error| String::from(error.message()))
+    let message = error.dyn_ref::<js_sys::Error>().map(|error| String::from(error.message()));
+    message.or_else(|| error.as_string()).unwrap_or_else(|| format!("{error:?}"))
 }
