@@ -61,7 +61,7 @@ pub fn read(purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) ->
         let message = format!("{name}: {why}");
         if image || session { FileError::Common(message) } else { FileError::Outline(side, Trouble::new(message)) }
     };
-    let bytes = bytes.map_err(failed)?;
+    let bytes = bytes.map_err(|cause| failed(format!("the file cannot be read ({cause})")))?;
     if image || purpose == FilePurpose::Trace(side) {
         return Ok(Content::Image { name: name.to_owned(), bytes });
     }
@@ -136,7 +136,13 @@ mod tests {
     #[test]
     fn an_unreadable_outline_is_told_beside_its_side() {
         let error = read(FilePurpose::Dropped(Side::Target), "shape.csv", Err("permission denied".into())).err();
-        assert_eq!(error, Some(FileError::Outline(Side::Target, Trouble::new("shape.csv: permission denied".into()))));
+        assert_eq!(
+            error,
+            Some(FileError::Outline(
+                Side::Target,
+                Trouble::new("shape.csv: the file cannot be read (permission denied)".into())
+            ))
+        );
     }
 
     fn trouble_with(text: &str) -> Trouble {

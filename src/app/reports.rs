@@ -108,7 +108,7 @@ impl Reports {
         ScrollArea::both().auto_shrink(false).show(ui, |ui| match report {
             Report::Bench => {
                 ui.label(
-                    RichText::new(tr_with("Paper: {0}. Here: one thread.", &[&PAPER_MACHINE])).color(palette.weak),
+                    RichText::new(tr_with("Paper: {0}. Here: one thread.", &[&tr(PAPER_MACHINE)])).color(palette.weak),
                 );
                 for setting in BenchSetting::ALL {
                     self.table_1(ui, setting);

@@ -5,6 +5,7 @@
 
 use super::{Event, FilePurpose, Kept, Mailbox, PageEvent, endings};
 use crate::app::address_options::AddressOptions;
+use crate::app::language::tr;
 use crate::app::{Groundwork, RiemapApp};
 use crate::conformal::Side;
 use crate::worker::{self, Finding, Request, Study, Subject};
@@ -116,7 +117,7 @@ pub fn watch_graphics(device: &wgpu::Device, mailbox: Mailbox) {
 /// Lets the person choose a file; its content is posted to `mailbox`.
 pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
     let (label, extensions) = endings(purpose);
-    let dialog = rfd::AsyncFileDialog::new().add_filter(label, &extensions).pick_file();
+    let dialog = rfd::AsyncFileDialog::new().add_filter(tr(label), &extensions).pick_file();
     thread::spawn(move || {
         if let Some(file) = pollster::block_on(dialog) {
             let bytes = std::fs::read(file.path()).map_err(|error| error.to_string());

@@ -4,26 +4,15 @@
 //! The file is part of the program, so that what is not well formed is found by
 //! a test and not by a person: such lines are passed over here.
 
-use super::message::literal;
+use super::template::Template;
 use std::collections::HashMap;
 
 /// The texts of one language, by the English ones.
 #[derive(Debug, Default)]
 pub struct Catalogue {
     texts: HashMap<String, String>,
-    /// Those with placeholders that can be recognised, the one that says the most itself first.
+    /// Those with placeholders that can be recognised, in the order in which they are tried.
     templates: Vec<Template>,
-}
-
-/// A text with placeholders.
-#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Template {
-    /// How many letters are its own, the most first.
-    own: std::cmp::Reverse<usize>,
-    /// The English text.
-    pub key: String,
-    /// The translation.
-    pub value: String,
 }
 
 impl Catalogue {
@@ -48,11 +37,7 @@ impl Catalogue {
         }
         texts.insert(key, value);
         texts.retain(|key, value| !key.is_empty() && !value.is_empty());
-        let template = |(key, value): (&String, &String)| {
-            let own = std::cmp::Reverse(literal(key)?);
-            Some(Template { own, key: key.clone(), value: value.clone() })
-        };
-        let mut templates: Vec<Template> = texts.iter().filter_map(template).collect();
+        let mut templates: Vec<Template> = texts.iter().filter_map(|(key, value)| Template::new(key, value)).collect();
         templates.sort();
         Self { texts, templates }
     }

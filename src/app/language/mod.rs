@@ -6,14 +6,25 @@
 //! numbered, `{0}`, `{1}`: another language may order them differently.
 //!
 //! The core's errors are English sentences with numbers in them. Where one is
-//! shown, [`tr_message`] finds the entry of `de_messages.po` that it is, filled.
+//! shown, [`tr_message`] finds the entries of `de_messages.po` that it is made of; words of others, such as the
+//! system's, stay as they are. Tests collect the texts of the code, and fail for one without an entry.
 
 mod catalogue;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
+mod error_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod literals;
 mod message;
+#[cfg(test)]
+mod message_tests;
+mod template;
 
 use catalogue::Catalogue;
 use std::borrow::Cow;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
 use std::fmt::Display;
 use std::sync::OnceLock;
 
@@ -64,6 +75,8 @@ impl Language {
 thread_local! {
     /// The screen is drawn by one thread, and each test by its own.
     static CURRENT: Cell<Language> = const { Cell::new(Language::English) };
+    /// What [`tr_message`] has found, or not: a text that is shown is looked up in every frame.
+    static SAID: RefCell<HashMap<String, Option<String>>> = RefCell::new(HashMap::new());
 }
 
 /// The language that the screen speaks.
@@ -89,7 +102,7 @@ pub fn tr(text: &'static str) -> &'static str {
 
 /// `template` in the language of the screen, with `parts` in the places of `{0}`, `{1}`…
 pub fn tr_with(template: &'static str, parts: &[&dyn Display]) -> String {
-    message::fill(tr(template), parts)
+    template::fill(tr(template), parts)
 }
 
 /// A number with `digits` after the decimal point or comma, for the ear: to a German one a point groups thousands.
@@ -101,13 +114,25 @@ pub fn number(value: f64, digits: usize) -> String {
     }
 }
 
-/// A sentence that was made elsewhere, such as an error of the core, in the language of the
-/// screen; as it is where there is no entry for it.
+/// A text that was made elsewhere, such as an error of the core, in the language of the screen: sentence by
+/// sentence, and as it is where there is no entry for it.
 pub fn tr_message(text: &str) -> Cow<'_, str> {
-    match present() {
-        Some(catalogue) => message::translate(catalogue, text),
-        None => Cow::Borrowed(text),
-    }
+    /// As many as a screen shows, and some.
+    const MOST_SAID: usize = 200;
+    let Some(catalogue) = present() else { return Cow::Borrowed(text) };
+    SAID.with_borrow_mut(|said| {
+        if said.len() > MOST_SAID {
+            said.clear();
+        }
+        if !said.contains_key(text) {
+            let found = match message::translate(catalogue, text) {
+                Cow::Owned(found) => Some(found),
+                Cow::Borrowed(_) => None,
+            };
+            said.insert(text.to_owned(), found);
+        }
+        said.get(text).cloned().flatten().map_or(Cow::Borrowed(text), Cow::Owned)
+    })
 }
 
 fn present() -> Option<&'static Catalogue> {

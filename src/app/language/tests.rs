@@ -1,9 +1,9 @@
 //! The files of strings hold what the screen says, and nothing else.
 
 use super::catalogue::Catalogue;
+use super::literals::literals;
 use super::*;
 use std::collections::BTreeSet;
-use std::path::Path;
 
 thread_local! {
     /// The texts that [`tr`] had no entry for, in this test.
@@ -25,54 +25,24 @@ fn a_translation_has_the_places_of_its_text() {
     }
 }
 
-/// The sources of the program, with strings that go over several lines joined.
-fn sources(folder: &Path, into: &mut String) {
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            sources(&path, into);
-        } else if path.extension().is_some_and(|extension| extension == "rs") && !path.ends_with("language/tests.rs") {
-            let text = std::fs::read_to_string(&path).unwrap();
-            let mut pieces = text.split("\\\n");
-            into.extend(pieces.next());
-            pieces.for_each(|piece| into.push_str(piece.trim_start()));
-        }
-    }
-}
-
 #[test]
 fn the_screen_says_every_text_that_is_translated() {
-    let mut all = String::new();
-    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
+    let said: BTreeSet<String> = literals().into_iter().map(|literal| literal.text).collect();
     for (key, _) in Catalogue::parse(include_str!("de.po")).pairs() {
-        let literal = format!("\"{}\"", key.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n"));
-        assert!(all.contains(&literal), "nothing says {literal} any more");
+        assert!(said.contains(key), "nothing says {key:?} any more");
     }
-}
-
-/// The literals in calls of `tr` and `tr_with`.
-fn literals(source: &str) -> Vec<String> {
-    let is_call = |at: &usize| !source[..*at].ends_with(|before: char| before.is_alphanumeric() || before == '_');
-    let call = |name: &'static str| {
-        source.match_indices(name).filter(move |(at, _)| is_call(at)).map(move |(at, _)| at + name.len())
-    };
-    let literal = |at: usize| {
-        let quoted = source[at..].trim_start().strip_prefix('"')?;
-        let mut end = 0;
-        while !quoted[end..].starts_with('"') {
-            end += quoted[end..].chars().next()?.len_utf8() + usize::from(quoted[end..].starts_with('\\'));
-        }
-        Some(quoted[..end].replace("\\n", "\n").replace("\\\"", "\""))
-    };
-    call("tr(").chain(call("tr_with(")).filter_map(literal).collect()
 }
 
 #[test]
 fn every_literal_that_is_to_be_translated_has_an_entry() {
-    let mut all = String::new();
-    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app"), &mut all);
     let catalogue = Catalogue::parse(include_str!("de.po"));
-    let found: BTreeSet<String> = literals(&all).into_iter().collect();
+    let is_translated = |before: &str| {
+        let name = before.trim_end().strip_suffix('(').unwrap_or_default();
+        let name = name.rsplit(|letter: char| !letter.is_alphanumeric() && letter != '_').next();
+        name == Some("tr") || name == Some("tr_with")
+    };
+    let found: BTreeSet<String> =
+        literals().into_iter().filter(|literal| is_translated(&literal.before)).map(|literal| literal.text).collect();
     assert!(found.len() > 80, "{} literals", found.len());
     let missing: Vec<&String> = found.iter().filter(|text| catalogue.get(text).is_none()).collect();
     assert!(missing.is_empty(), "no entry in de.po: {missing:#?}");

@@ -210,7 +210,7 @@ pub(super) fn is_complete(model: &Model) -> bool {
 fn trouble(model: &Model) -> Option<String> {
     let outline = |side| {
         let trouble = model.side(side).error.as_ref()?;
-        Some(format!("the {side}: {}", trouble.text))
+        Some(format!("{side}: {}", trouble.text))
     };
     let surface = model.surface_side().preparation.error.as_ref().map(|trouble| trouble.text.clone());
     let map = model.map_error().map(|(_, text)| text.to_owned());

@@ -39,12 +39,12 @@ fn text<'a>(value: &'a Value, key: &str) -> Option<&'a str> {
 }
 
 fn list<'a>(value: &'a Value, key: &str) -> Result<&'a [Value], OutlineError> {
-    let malformed = |found: String| OutlineError::GeoJson { message: format!("\"{key}\" {found}") };
-    match value.get(key) {
-        Some(Value::Array(list)) => Ok(list),
-        Some(other) => Err(malformed(format!("is {}, not a list", kind(other)))),
-        None => Err(malformed("is missing".to_owned())),
-    }
+    let message = match value.get(key) {
+        Some(Value::Array(list)) => return Ok(list),
+        Some(other) => format!("\"{key}\" is {}, not a list", kind(other)),
+        None => format!("\"{key}\" is missing"),
+    };
+    Err(OutlineError::GeoJson { message })
 }
 
 /// Walks features and collections; the nesting is bounded by the JSON reader.

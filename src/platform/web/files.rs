@@ -1,5 +1,6 @@
 //! Files from the dialog and from drag and drop, and to the downloads.
 
+use crate::app::language::tr;
 use crate::conformal::Side;
 use crate::platform::{Event, FilePurpose, Mailbox, endings};
 use js_sys::{Array, Uint8Array};
@@ -15,7 +16,7 @@ thread_local! {
 /// Lets the person choose a file; its content is posted to `mailbox`.
 pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
     let (label, extensions) = endings(purpose);
-    let dialog = rfd::AsyncFileDialog::new().add_filter(label, &extensions).pick_file();
+    let dialog = rfd::AsyncFileDialog::new().add_filter(tr(label), &extensions).pick_file();
     wasm_bindgen_futures::spawn_local(async move {
         if let Some(file) = dialog.await {
             let bytes = Ok(file.read().await);

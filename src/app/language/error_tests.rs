@@ -1,0 +1,262 @@
+//! Real errors, made by what a person may open, in German: no English is left, no number is lost.
+
+use super::{Language, set, tr_message};
+use crate::outline::{Sampling, parse, sample};
+use crate::session::{OutlineSpec, Session, file, link};
+use crate::surface::{SurfaceMesh, read_surface};
+use std::fmt::Display;
+
+/// Words that no German sentence has.
+const ENGLISH: [&str; 24] = [
+    "the", "is", "are", "of", "with", "and", "not", "this", "has", "be", "it", "its", "to", "must", "there", "where",
+    "than", "that", "from", "point", "line", "outline", "surface", "side",
+];
+
+fn numbers(text: &str) -> Vec<&str> {
+    let mut numbers: Vec<&str> =
+        text.split(|letter: char| !letter.is_ascii_digit()).filter(|run| !run.is_empty()).collect();
+    numbers.sort_unstable();
+    numbers
+}
+
+/// What is left without names in quotes and, of others' words, without what stands in brackets.
+fn own_words(text: &str, is_cause_foreign: bool) -> String {
+    let mut words = String::new();
+    let (mut quoted, mut bracketed) = (false, 0);
+    for letter in text.chars() {
+        match letter {
+            '„' => quoted = true,
+            '“' => quoted = false,
+            '(' if is_cause_foreign => bracketed += 1,
+            ')' if is_cause_foreign => bracketed -= 1,
+            _ if !quoted && bracketed == 0 => words.push(letter),
+            _ => {}
+        }
+    }
+    words
+}
+
+fn check(english: &str, is_cause_foreign: bool) {
+    set(Language::German);
+    let german = tr_message(english);
+    let words = own_words(&german, is_cause_foreign);
+    let left = words.split(|letter: char| !letter.is_alphabetic()).find(|word| ENGLISH.contains(word));
+    assert_eq!(left, None, "{english:?} became {german:?}");
+    assert_ne!(german, english);
+    assert_eq!(numbers(&german), numbers(english), "{german}");
+}
+
+/// German but for the words of others in brackets.
+fn german_but_for_the_cause(error: &impl Display) {
+    check(&error.to_string(), true);
+}
+
+fn german(error: &impl Display) {
+    check(&error.to_string(), false);
+}
+
+#[test]
+fn files_that_are_no_outlines() {
+    let files = [
+        ("a.csv", "0,0\n1,0\n"),
+        ("a.csv", "0,0\n1,0\n1,x y\n"),
+        ("a.csv", "0,0\n1\n"),
+        ("a.csv", "0,0\n1,0,2,3\n"),
+        ("a.csv", "0,0\n1,\n"),
+        ("a.csv", "0,0\n1,1e999\n"),
+        ("a.csv", "0,0\n2,2\n2,0\n0,2\n"),
+        ("a.csv", "0,0\n2,0\n0,0\n2,2\n"),
+        ("a.csv", "0,0\n1,1\n2,2\n"),
+        ("a.csv", "0,0\n2,0\n1,0\n1,3\n"),
+        ("a.csv", "0,0\n1e300,0\n0,1\n"),
+        ("a.csv", "0,0\n1e-300,0\n0,1e-300\n"),
+        ("a.txt", "0 0 1 0 1 1 2"),
+        ("a.txt", " "),
+        ("a.json", "[[0,0],[1,\"b\"],[1,1]]"),
+        ("a.json", "[[0,0],[1],[1,1]]"),
+        ("a.json", "[[0,0],[1,2,3],[1,1]]"),
+        ("a.json", "[[0,0],null,[1,1]]"),
+        ("a.json", "{\"points\": {}}"),
+        ("a.json", "{\"pints\": []}"),
+        ("a.json", "true"),
+        ("a.json", "{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[1,0],[1,1],[0,1]]]}"),
+        ("a.json", "{\"type\": \"Polygon\", \"coordinates\": [3]}"),
+        ("a.json", "{\"type\": \"Polygon\", \"coordinates\": [[]]}"),
+        ("a.json", "{\"type\": \"MultiPolygon\", \"coordinates\": [3]}"),
+        ("a.json", "{\"type\": \"Polygon\"}"),
+        ("a.json", "{\"type\": \"Polygon\", \"coordinates\": 3}"),
+        ("a.json", "{\"type\": \"Circle\"}"),
+        ("a.json", "{\"type\": \"FeatureCollection\", \"features\": [{}]}"),
+        ("a.json", "{\"type\": \"Point\"}"),
+        ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M 0 0 L 1 0 L 1 1\"/></svg>"),
+        ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>"),
+    ];
+    for (name, text) in files {
+        let error = parse(name, text.as_bytes()).expect_err(text);
+        german(&error);
+        german(&format!("{name}: {error}"));
+    }
+    german(&parse("a.csv", b"0,0\n1,\xff\n").unwrap_err());
+    let nested = format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{}{}</svg>", "<g>".repeat(99), "</g>".repeat(99));
+    german(&parse("a.svg", nested.as_bytes()).unwrap_err());
+    for (name, text) in [("a.json", "[[0,0],"), ("a.svg", "<svg><g></svg>")] {
+        german_but_for_the_cause(&parse(name, text.as_bytes()).unwrap_err());
+    }
+}
+
+#[test]
+fn notes_on_outlines() {
+    let files = [
+        "{\"type\": \"MultiPolygon\", \"coordinates\": [[[[0,0],[0,1],[1,0],[0,0]], [[0,0],[1,0],[0,1],[0,0]]], \
+         [[[0,0],[9,0],[0,9],[0,0]], [[0,0],[1,0],[0,1],[0,0]], [[0,0],[1,0],[0,1],[0,0]]]]}",
+        "[[0,0],[0,1],[1,1],[1,0],[0,0]]",
+    ];
+    let notes: Vec<_> = files.iter().flat_map(|text| parse("a.json", text.as_bytes()).unwrap().notes).collect();
+    assert_eq!(notes.len(), 4, "{notes:?}");
+    notes.iter().for_each(german);
+}
+
+#[test]
+fn files_that_are_no_surfaces() {
+    let head = "ply\nformat ascii 1.0\n";
+    let vertices = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+    let asset = "{\"asset\": {\"version\": \"2.0\"}, ";
+    let primitive = "\"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}], \"nodes\": [{\"mesh\": 0}]";
+    let files = [
+        ("a.obj", "v 0 0\n".into()),
+        ("a.obj", "v 0 0 x\n".into()),
+        ("a.obj", "v 0 0 inf\n".into()),
+        ("a.obj", "v 0 0 0\nf 1 2 3\n".into()),
+        ("a.obj", "v 0 0 0\nf 1 1\n".into()),
+        ("a.off", "OFF\n-3 1 0\n".into()),
+        ("a.off", "OFF\n3\n".into()),
+        ("a.off", "OFF\n2 1 0\n0 0 0\n".into()),
+        ("a.off", "OFF\n1 1 0\n0 0 0\n3 0 0\n".into()),
+        ("a.off", "OFF BINARY\n".into()),
+        ("a.off", "4OFF\n".into()),
+        ("a.off", String::new()),
+        ("a.stl", "solid a\nfacet\nouter loop\nvertex 0 0 0\n".into()),
+        ("a.stl", "\0\0\0".into()),
+        ("a.ply", "plx\n".into()),
+        ("a.ply", format!("{head}{vertices}")),
+        ("a.ply", "ply\nformat utf8 1.0\nend_header\n".into()),
+        ("a.ply", "ply\nfoo\nend_header\n".into()),
+        ("a.ply", "ply\nproperty float x\nend_header\n".into()),
+        ("a.ply", "ply\nend_header\n".into()),
+        ("a.ply", format!("{head}element vertex 1\nproperty real x\nend_header\n")),
+        ("a.ply", format!("{head}element vertex 1\nproperty list float int a\nend_header\n")),
+        ("a.ply", format!("{head}element vertex 1\nproperty float x\nend_header\n0\n")),
+        ("a.ply", format!("{head}{vertices}end_header\n0 0\n")),
+        ("a.ply", format!("{head}{vertices}element face 1\nend_header\n0 0 0\n")),
+        ("a.ply", format!("{head}element tristrips 1\nproperty list int int vertex_indices\nend_header\n3 0 0 0\n")),
+        ("a.glb", "glTX".into()),
+        ("a.glb", "glTF\u{3}\0\0\0".into()),
+        ("a.glb", "glTF\u{2}\0\0\0\0\0\0\0".into()),
+        ("a.glb", "glTF\u{2}\0\0\0\0\0\0\0\u{9}\0\0\0".into()),
+        ("a.gltf", format!("{asset}\"extensionsRequired\": [\"KHR_mesh_quantization\"]}}")),
+        ("a.gltf", format!("{asset}\"scene\": 4}}")),
+        ("a.gltf", format!("{asset}\"nodes\": [{{\"mesh\": 3}}]}}")),
+        ("a.gltf", format!("{asset}\"scenes\": [{{\"nodes\": [0, 0]}}], \"nodes\": [{{}}]}}")),
+        ("a.gltf", format!("{asset}\"buffers\": [{{}}]}}")),
+        ("a.gltf", format!("{asset}\"buffers\": [{{\"uri\": \"b.bin\"}}]}}")),
+        ("a.gltf", format!("{asset}\"buffers\": [{{\"uri\": \"data:,a\"}}]}}")),
+        ("a.gltf", format!("{asset}\"buffers\": [{{\"uri\": \"data:;base64,A?\"}}]}}")),
+        ("a.gltf", format!("{asset}{primitive}}}")),
+        ("a.gltf", format!("{asset}{primitive}, \"accessors\": [{{\"sparse\": {{}}}}]}}")),
+        ("a.gltf", format!("{asset}{primitive}, \"accessors\": [{{\"type\": \"VEC2\", \"componentType\": 5126}}]}}")),
+        ("a.xyz", "nothing".into()),
+    ];
+    for (name, text) in &files {
+        let error = read_surface(name, text.as_bytes()).map(|surface| surface.triangles.len()).expect_err(text);
+        german(&error);
+        german(&format!("{name}: {error}"));
+    }
+    german_but_for_the_cause(&read_surface("a.gltf", b"{").unwrap_err());
+}
+
+#[test]
+fn surfaces_that_are_no_disks() {
+    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    let surfaces = [
+        (square, "f 1 2 2\n"),
+        ("v 0 0 0\nv 1 0 0\nv 2 0 0\n", "f 1 2 3\n"),
+        (square, "f 1 2 3\nf 1 2 4\nf 2 1 4\nf 1 2 3\n"),
+        (square, "f 1 2 3\nf 1 4 3\n"),
+        (square, "f 1 2 3\n"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\n", "f 1 2 3\nf 4 5 6\n"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\n", "f 1 2 3\nf 1 4 5\n"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n", "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
+        (
+            "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 0\nv 3 1 0\nv 1 3 0\n",
+            "f 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\nf 3 1 4\nf 3 4 6\n",
+        ),
+    ];
+    for (vertices, faces) in surfaces {
+        let surface = read_surface("a.obj", format!("{vertices}{faces}").as_bytes()).unwrap();
+        german(&SurfaceMesh::new(&surface).expect_err(faces));
+        if let Ok(repaired) = SurfaceMesh::repaired(&surface) {
+            repaired.repairs.iter().for_each(german);
+        }
+    }
+    let polygon = read_surface("a.obj", format!("{square}f 1 2 3 4\n").as_bytes()).unwrap();
+    polygon.notes.iter().for_each(german);
+}
+
+#[test]
+fn sessions_and_links_that_cannot_be_opened() {
+    for text in ["{}", "{\"riemap\": 7}"] {
+        german(&file::read(text.as_bytes()).unwrap_err());
+    }
+    for text in ["{\"riemap\": 1}", "[", "\u{1}"] {
+        german_but_for_the_cause(&file::read(text.as_bytes()).unwrap_err());
+    }
+    for address in ["", "#s=1.AAAA", "#s=2.AAAA", "#s=1.____", &format!("#s={}", "A".repeat(9000))] {
+        let error = link::decode(address).unwrap_err();
+        german(&error);
+        german(&format!("The link could not be opened: {error}"));
+        german(&format!(
+            "The link could not be opened: {error}. What was kept from the last time could not be opened: {}",
+            file::read(b"{}").unwrap_err()
+        ));
+    }
+    let changes: [fn(&mut Session); 5] = [
+        |session| session.texture_scale = 1e9,
+        |session| session.anchor[1] = -3.0,
+        |session| session.version = 2,
+        |session| session.source.settings.sampling = Sampling::Uniform { count: 7, keep_corners: true },
+        |session| session.interior[0] = Some([0.0, f64::INFINITY].into()),
+    ];
+    for change in changes {
+        let mut session = Session::default();
+        change(&mut session);
+        german(&format!("The session was not saved: {}", file::write(&session).unwrap_err()));
+        german(&format!("There is no link to this session: {}", link::encode(&session).unwrap_err()));
+    }
+    let mut session = Session::default();
+    let points = [(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)].map(Into::into).to_vec();
+    session.target.outline = OutlineSpec::Points { name: "the bow".into(), points };
+    german(&file::check(&session).unwrap_err());
+    for left_out in &link::encode(&session).unwrap().left_out {
+        german(&format!("The link was copied, but {left_out}; the image is not in it."));
+    }
+}
+
+#[test]
+fn what_cannot_be_computed_or_exported() {
+    use crate::conformal::{HarmonicTable, Memory};
+    use crate::render::{Film, FilmFormat, FilmSettings};
+    let disk = crate::outline::Preset::Disk.outline().polygon;
+    for count in [2, u32::MAX] {
+        german(&sample(&disk, Sampling::Uniform { count, keep_corners: true }).unwrap_err());
+    }
+    german(&HarmonicTable::check(10_000_000, 10_000, Memory::default()).unwrap_err());
+    let sound = FilmSettings { format: FilmFormat::Gif, size: [100, 80], frames: 20, seconds: 2.0 };
+    for settings in [
+        FilmSettings { frames: 1, ..sound },
+        FilmSettings { seconds: 1e9, ..sound },
+        FilmSettings { size: [70_000, 80], ..sound },
+        FilmSettings { frames: 200, seconds: 1.0, ..sound },
+    ] {
+        german(&Film::new(settings).err().unwrap());
+    }
+}
