@@ -23,7 +23,7 @@ impl RiemapApp {
         }
         self.play(context, now);
         // A dot that is held still rests.
-        let moves = self.player.is_playing() || (is_held && now - self.last_change < REST_SECONDS);
+        let moves = self.player.is_moving() || (is_held && now - self.last_change < REST_SECONDS);
         let changes = self.model.refresh(moves);
         if changes != Changes::default() {
             self.last_change = now;

@@ -2,10 +2,13 @@
 //!
 //! Nothing plays by itself. A pause leaves the points where they are, and playing on from there goes on along
 //! the same loop. All of it is one change of the session: it comes to rest when it is paused.
+//!
+//! A way begins at a complete map. Where another motion is chosen while the map is behind the points, they stand
+//! still until it is there; where outlines or the surface become others meanwhile, the motion ends.
 
 use super::looping;
 use super::model::Model;
-use crate::conformal::{PreparedDomain, Side};
+use crate::conformal::{PreparedDomain, PreparedSurface, Side};
 use crate::family::{Loop, Path, Place};
 use crate::session::Command;
 use std::sync::Arc;
@@ -36,6 +39,8 @@ pub struct Player {
     is_playing: bool,
     /// The way that was gone last, as long as the points are where it left them.
     run: Option<Run>,
+    /// What the map that is waited for is made from.
+    awaited: Option<Scene>,
 }
 
 /// A way, and where on it.
@@ -45,13 +50,19 @@ struct Run {
     t: f64,
     /// The time of the last frame; `None` at the beginning and after a pause.
     at: Option<f64>,
+    scene: Scene,
+}
+
+/// The prepared outlines and the surface that a way leads through.
+#[derive(Debug, Clone)]
+struct Scene {
     domains: [Option<Arc<PreparedDomain>>; 2],
-    on_surface: bool,
+    surface: Option<Arc<PreparedSurface>>,
 }
 
 impl Default for Player {
     fn default() -> Self {
-        Self { path: Path::default(), period: PERIOD, is_playing: false, run: None }
+        Self { path: Path::default(), period: PERIOD, is_playing: false, run: None, awaited: None }
     }
 }
 
@@ -66,14 +77,19 @@ impl Player {
         self.period
     }
 
-    /// Whether they do.
+    /// Whether they do, or will as soon as the map is there.
     pub fn is_playing(&self) -> bool {
         self.is_playing
     }
 
+    /// Whether they do now.
+    pub fn is_moving(&self) -> bool {
+        self.is_playing && self.awaited.is_none()
+    }
+
     /// Lets the points stay where they are.
     pub fn pause(&mut self) {
-        self.is_playing = false;
+        (self.is_playing, self.awaited) = (false, None);
         if let Some(run) = &mut self.run {
             run.at = None;
         }
@@ -86,27 +102,37 @@ impl Player {
             PlayAction::Toggle => self.play(model),
             PlayAction::Along(path) => {
                 (self.path, self.run) = (path, None);
-                if self.is_playing {
-                    self.is_playing = false;
-                    self.play(model);
-                }
+                self.awaited = self.is_playing.then(|| Scene::of(model));
+                self.go_on_when_ready(model);
             }
             PlayAction::Period(seconds) => self.period = seconds.clamp(*PERIODS.start(), *PERIODS.end()),
         }
     }
 
     fn play(&mut self, model: &Model) {
-        self.run = self.run.take().filter(|run| run.is_of(model) && run.is_at(model));
+        self.run = self.run.take().filter(|run| run.scene.is_of(model) && run.is_at(model));
         if self.run.is_none() {
             self.run = looping::begin(model, self.path).map(|way| Run::new(way, model));
         }
         self.is_playing = self.run.is_some();
     }
 
-    /// The moves of a frame at the time `now`, in seconds. Where the domains are others by now, it pauses.
+    /// Plays on as soon as the awaited map is there; no more where it will be that of another scene.
+    fn go_on_when_ready(&mut self, model: &Model) {
+        let Some(scene) = &self.awaited else { return };
+        if !scene.is_of(model) {
+            self.pause();
+        } else if model.is_ready() {
+            self.awaited = None;
+            self.play(model);
+        }
+    }
+
+    /// The moves of a frame at the time `now`, in seconds. Where the scene is another one by now, it ends.
     pub fn advance(&mut self, model: &Model, now: f64) -> Vec<Command> {
+        self.go_on_when_ready(model);
         let Some(run) = self.run.as_mut().filter(|_| self.is_playing) else { return Vec::new() };
-        if !run.is_of(model) {
+        if !run.scene.is_of(model) {
             (self.is_playing, self.run) = (false, None);
             return Vec::new();
         }
@@ -119,17 +145,7 @@ impl Player {
 
 impl Run {
     fn new(way: Loop, model: &Model) -> Self {
-        let on_surface = model.surface().is_some();
-        Self { way, t: 0.0, at: None, domains: domains(model), on_surface }
-    }
-
-    /// Whether the model still has the domains that the way leads through.
-    fn is_of(&self, model: &Model) -> bool {
-        let same = |(ours, there): (&Option<Arc<PreparedDomain>>, &Option<Arc<PreparedDomain>>)| match (ours, there) {
-            (Some(ours), Some(there)) => Arc::ptr_eq(ours, there),
-            _ => ours.is_none() && there.is_none(),
-        };
-        self.on_surface == model.surface().is_some() && self.domains.iter().zip(&domains(model)).all(same)
+        Self { way, t: 0.0, at: None, scene: Scene::of(model) }
     }
 
     /// Whether the model's points are where the way has left them.
@@ -141,8 +157,25 @@ impl Run {
     }
 }
 
-fn domains(model: &Model) -> [Option<Arc<PreparedDomain>>; 2] {
-    Side::BOTH.map(|side| model.domain(side).cloned())
+impl Scene {
+    fn of(model: &Model) -> Self {
+        let surface = model.surface().and_then(|(surface, _)| surface.surface().cloned());
+        Self { domains: Side::BOTH.map(|side| model.domain(side).cloned()), surface }
+    }
+
+    /// Whether the model still has the same outlines and surface.
+    fn is_of(&self, model: &Model) -> bool {
+        let now = Self::of(model);
+        self.domains.iter().zip(&now.domains).all(|(ours, there)| is_same(ours.as_ref(), there.as_ref()))
+            && is_same(self.surface.as_ref(), now.surface.as_ref())
+    }
+}
+
+fn is_same<T>(one: Option<&Arc<T>>, other: Option<&Arc<T>>) -> bool {
+    match (one, other) {
+        (Some(one), Some(other)) => Arc::ptr_eq(one, other),
+        _ => one.is_none() && other.is_none(),
+    }
 }
 
 #[cfg(test)]

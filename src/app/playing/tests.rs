@@ -3,7 +3,8 @@
 use super::*;
 use crate::app::RiemapApp;
 use crate::app::tests::{prepared_model, ready_app};
-use crate::session::OutlineSpec;
+use crate::session::{OutlineSpec, SurfaceShape, SurfaceSpec};
+use crate::surface::SurfacePreset;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 
@@ -62,13 +63,102 @@ fn another_outline_ends_the_motion() {
     let mut player = Player::default();
     player.act(PlayAction::Toggle, &model);
     play_for(&mut player, &mut model, 0.0, 3);
-    let outline = OutlineSpec::Preset(crate::outline::Preset::Star);
-    model.dispatch(Command::SetOutline { side: Side::Source, outline }, 0.0);
+    show_star(&mut model);
+    play_for(&mut player, &mut model, 1.0, 3);
+    assert!(!player.is_playing());
+}
+
+/// A model whose frames are too short for its map.
+fn slow_model() -> Model {
+    let mut model = prepared_model();
+    model.update_ms = 0.0;
+    model
+}
+
+#[test]
+fn another_motion_waits_for_a_slow_map_and_then_goes_on() {
+    let mut model = slow_model();
+    let mut player = Player::default();
+    player.act(PlayAction::Along(Path::SourcePoint), &model);
+    player.act(PlayAction::Toggle, &model);
+    for now in [0.05, 0.1, 0.15] {
+        for command in player.advance(&model, now) {
+            model.dispatch(command, 0.0);
+        }
+    }
+    model.refresh(true);
+    assert!(player.is_moving() && !model.is_ready(), "the map is behind the points");
+    let anchor = model.session().anchor[0];
+    player.act(PlayAction::Along(Path::Boundary), &model);
+    assert!(player.is_playing() && !player.is_moving());
+    let there = model.interior(Side::Source);
+    assert_eq!(player.advance(&model, 0.2), [], "it waits");
+    for _ in 0..100_000 {
+        if model.is_ready() {
+            break;
+        }
+        model.refresh(player.is_moving());
+    }
+    assert!(model.is_ready(), "it never will be");
+    play_for(&mut player, &mut model, 100.0, 4);
+    assert!(player.is_moving());
+    assert_eq!(model.interior(Side::Source), there, "the old motion is over");
+    assert_ne!(model.session().anchor[0], anchor);
+}
+
+#[test]
+fn a_motion_that_waits_is_given_up_when_the_outline_becomes_another_one_or_it_is_paused() {
+    for pauses in [false, true] {
+        let mut model = slow_model();
+        let mut player = Player::default();
+        player.act(PlayAction::Toggle, &model);
+        let point = model.interior(Side::Source).unwrap() + glam::DVec2::new(0.02, 0.01);
+        model.dispatch(Command::MoveInterior { side: Side::Source, point }, 0.0);
+        model.refresh(true);
+        player.act(PlayAction::Along(Path::SourcePoint), &model);
+        assert!(player.is_playing() && !player.is_moving());
+        if pauses {
+            player.act(PlayAction::Toggle, &model);
+        } else {
+            show_star(&mut model);
+        }
+        model.update_ms = 1e9;
+        play_for(&mut player, &mut model, 1.0, 3);
+        assert!(!player.is_playing() && model.is_ready(), "pauses: {pauses}");
+    }
+}
+
+#[test]
+fn another_surface_ends_the_motion() {
+    let surface = |boundary| {
+        let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary };
+        Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() })
+    };
+    let mut model = prepared_model();
+    model.dispatch(surface(40), 0.0);
+    carry_out_requests(&mut model);
+    model.refresh(false);
+    let mut player = Player::default();
+    player.act(PlayAction::Along(Path::Boundary), &model);
+    player.act(PlayAction::Toggle, &model);
+    let now = play_for(&mut player, &mut model, 0.0, 3);
+    assert!(player.is_moving());
+    model.dispatch(surface(60), 0.0);
+    carry_out_requests(&mut model);
+    play_for(&mut player, &mut model, now, 2);
+    assert!(!player.is_playing());
+}
+
+fn carry_out_requests(model: &mut Model) {
     for (subject, request) in model.take_requests(f64::INFINITY) {
         crate::worker::run(&request, &mut |generation, response| model.accept(subject, generation, response));
     }
-    play_for(&mut player, &mut model, 1.0, 3);
-    assert!(!player.is_playing());
+}
+
+fn show_star(model: &mut Model) {
+    let outline = OutlineSpec::Preset(crate::outline::Preset::Star);
+    model.dispatch(Command::SetOutline { side: Side::Source, outline }, 0.0);
+    carry_out_requests(model);
 }
 
 fn y1(harness: &Harness<'_, RiemapApp>) -> [f32; 2] {
