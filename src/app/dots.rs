@@ -34,7 +34,7 @@ pub fn grab_and_release(
         (pointer.primary_pressed(), pointer.primary_down(), pointer.interact_pos(), input.time)
     });
     let locks = Locks::of(ui.ctx());
-    let under = pointer.filter(|_| response.contains_pointer()).and_then(|pointer| hit(side, places, pointer));
+    let under = pointer.filter(|_| response.hovered()).and_then(|pointer| hit(side, places, pointer));
     let under = under.filter(|handle| !locks.holds_handle(handle.kind));
     if let (true, Some(handle), Some(pointer)) = (pressed, under, pointer)
         && let Some(place) = places[handle.kind as usize]

@@ -3,7 +3,7 @@
 use super::action::{Action, Actions};
 use super::editing::EditAction;
 use super::language::{tr, tr_message};
-use super::locks::{Control, guarded};
+use super::locks::{Control, guarded, menu_entry};
 use super::model::Model;
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use super::trouble::Remedy;
@@ -61,7 +61,7 @@ pub fn show(
         let line = vec2(ui.available_width(), theme::control_height(ui, TITLE_HEIGHT));
         ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {
             if !around.embedded {
-                buttons(ui, side, model, is_fitted, around, actions);
+                widgets::opaque(ui, |ui| buttons(ui, side, model, is_fitted, around, actions));
             }
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
@@ -129,8 +129,9 @@ fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings,
         }
     }
     if !around.narrow {
-        if ui.button(tr("Open…")).on_hover_text(tr(open_tooltip(side))).clicked() {
-            actions.push(Action::OpenOutline(side));
+        let open = Action::OpenOutline(side);
+        if menu_entry(ui, true, egui::Button::new(tr("Open…")), open_tooltip(side), &open) {
+            actions.push(open);
         }
         shapes::menu_button(ui, tr("Shapes"), side, model, actions);
     }

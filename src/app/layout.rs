@@ -237,7 +237,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
             viewport::paint_dots(ui, side, &app.model, view, &app.handles);
         }
         editing::paint(ui, side, view, &app.editor);
-        editing::show_bar(ui, side, view.rect, narrow, &app.editor, actions);
+        editing::show_bar(ui, side, view, narrow, &app.editor, actions);
         viewport::paint_focus(ui, side, view.rect, &app.handles);
         viewport::paint_progress(ui, side, &app.model, view.rect);
         viewport::paint_drop_target(ui, side, view.rect);

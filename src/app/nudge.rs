@@ -101,18 +101,20 @@ fn held_arrows(ui: &Ui, response: &Response) -> [Vec2; 2] {
     arrow_keys(ui)
 }
 
+/// The arrow keys and their ways, y down.
+pub const ARROWS: [(Key, Vec2); 4] = [
+    (Key::ArrowRight, vec2(1.0, 0.0)),
+    (Key::ArrowLeft, vec2(-1.0, 0.0)),
+    (Key::ArrowUp, vec2(0.0, -1.0)),
+    (Key::ArrowDown, vec2(0.0, 1.0)),
+];
+
 /// The arrow keys that were pressed in this frame, y down: without and with Shift.
 pub fn arrow_keys(ui: &Ui) -> [Vec2; 2] {
-    let ways = [
-        (Key::ArrowRight, vec2(1.0, 0.0)),
-        (Key::ArrowLeft, vec2(-1.0, 0.0)),
-        (Key::ArrowUp, vec2(0.0, -1.0)),
-        (Key::ArrowDown, vec2(0.0, 1.0)),
-    ];
     ui.input_mut(|input| {
         let mut sum = |modifiers| {
             let pressed = |(key, way)| input.count_and_consume_key(modifiers, key) as f32 * way;
-            ways.map(pressed).into_iter().fold(Vec2::ZERO, |sum, by| sum + by)
+            ARROWS.map(pressed).into_iter().fold(Vec2::ZERO, |sum, by| sum + by)
         };
         // with Shift first: without it an arrow would match too
         let fine = sum(Modifiers::SHIFT);

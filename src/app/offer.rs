@@ -5,6 +5,7 @@ use super::files::{self, Picture};
 use super::language::tr;
 use super::theme::{Palette, ROUNDING};
 use super::tracing;
+use super::widgets::opaque;
 use crate::conformal::Side;
 use egui::{Align, Button, CornerRadius, Frame, Layout, Margin, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
 
@@ -59,17 +60,19 @@ pub fn show(ui: &mut Ui, offer: &mut Option<Offer>, actions: &mut Actions) {
             .stroke(Stroke::new(1.0, palette.border))
             .corner_radius(CornerRadius::same(ROUNDING + 2))
             .inner_margin(Margin::symmetric(12, 6));
-        frame.show(ui, |ui| {
-            ui.horizontal_wrapped(|ui| {
-                ui.label(tr("The picture is the texture."));
-                let trace = ui.add(Button::new(tr("Trace it as outline")).min_size(vec2(0.0, 40.0)));
-                if trace.on_hover_text(tr("The outline of the largest shape in a PNG or JPEG")).clicked() {
-                    actions.push(Action::TraceImage);
-                }
-                if ui.add(Button::new(tr("No")).min_size(vec2(40.0, 40.0))).clicked() {
-                    actions.push(Action::DismissOffer);
-                }
-            });
+        opaque(ui, |ui| {
+            frame.show(ui, |ui| {
+                ui.horizontal_wrapped(|ui| {
+                    ui.label(tr("The picture is the texture."));
+                    let trace = ui.add(Button::new(tr("Trace it as outline")).min_size(vec2(0.0, 40.0)));
+                    if trace.on_hover_text(tr("The outline of the largest shape in a PNG or JPEG")).clicked() {
+                        actions.push(Action::TraceImage);
+                    }
+                    if ui.add(Button::new(tr("No")).min_size(vec2(40.0, 40.0))).clicked() {
+                        actions.push(Action::DismissOffer);
+                    }
+                });
+            })
         });
     });
 }

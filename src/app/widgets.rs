@@ -5,7 +5,7 @@ use super::language::{tr, tr_message};
 use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
 use egui::{
     Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
-    TextStyle, Ui, WidgetInfo, pos2, vec2,
+    TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 use std::ops::RangeInclusive;
 
@@ -144,6 +144,11 @@ pub fn group_heading(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text.to_uppercase()).font(bold(11.0)).color(palette.weak).extra_letter_spacing(0.8));
 }
 
+/// Content over a picture: what lies under it, between its controls too, cannot be touched through it.
+pub fn opaque<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
+    ui.scope_builder(UiBuilder::new().sense(Sense::CLICK | Sense::DRAG), content).inner
+}
+
 /// What the person wants done about a message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MessageAnswer {
@@ -161,28 +166,27 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>) -> Opt
         .stroke(Stroke::new(1.0, palette.error_edge))
         .corner_radius(CornerRadius::same(ROUNDING + 2))
         .inner_margin(Margin::symmetric(12, 8));
-    frame
-        .show(ui, |ui| {
-            let mut answer = None;
-            ui.horizontal(|ui| {
-                let buttons = if remedy.is_some() { 150.0 } else { 34.0 };
-                ui.scope(|ui| {
-                    ui.set_max_width(ui.available_width() - buttons);
-                    ui.add(egui::Label::new(RichText::new(tr_message(text)).color(palette.text)).wrap());
-                });
-                if remedy.is_some_and(|label| ui.button(tr(label)).clicked()) {
-                    answer = Some(MessageAnswer::Remedy);
-                }
-                let size = vec2(control_height(ui, 0.0), 0.0);
-                let cross = ui.add(egui::Button::new("×").min_size(size)).on_hover_text(tr("Close this message"));
-                cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Close this message")));
-                if cross.clicked() {
-                    answer = Some(MessageAnswer::Dismiss);
-                }
+    let content = |ui: &mut Ui| {
+        let mut answer = None;
+        ui.horizontal(|ui| {
+            let buttons = if remedy.is_some() { 150.0 } else { 34.0 };
+            ui.scope(|ui| {
+                ui.set_max_width(ui.available_width() - buttons);
+                ui.add(egui::Label::new(RichText::new(tr_message(text)).color(palette.text)).wrap());
             });
-            answer
-        })
-        .inner
+            if remedy.is_some_and(|label| ui.button(tr(label)).clicked()) {
+                answer = Some(MessageAnswer::Remedy);
+            }
+            let size = vec2(control_height(ui, 0.0), 0.0);
+            let cross = ui.add(egui::Button::new("×").min_size(size)).on_hover_text(tr("Close this message"));
+            cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Close this message")));
+            if cross.clicked() {
+                answer = Some(MessageAnswer::Dismiss);
+            }
+        });
+        answer
+    };
+    opaque(ui, |ui| frame.show(ui, content).inner)
 }
 
 /// A few words about what has gone well, in a box that goes away by itself.

@@ -73,8 +73,22 @@ pub fn preset(preset: Preset) -> &'static str {
     })
 }
 
-/// The name of an outline in a title.
-pub fn outline(outline: &OutlineSpec) -> &str {
+/// What marks the name of an outline that was reshaped, in a session of any language.
+const EDITED: char = '*';
+
+/// The name of an outline in a title, which says so if it was reshaped.
+pub fn outline(outline: &OutlineSpec) -> Cow<'_, str> {
+    let name = own_name(outline);
+    name.strip_suffix(EDITED).map_or(name.into(), |name| tr_with("{0} (edited)", &[&name]).into())
+}
+
+/// The name that an outline has in a session once it is reshaped: marked, but not twice.
+pub fn edited(outline: &OutlineSpec) -> String {
+    let name = own_name(outline);
+    format!("{}{EDITED}", name.strip_suffix(EDITED).unwrap_or(name))
+}
+
+fn own_name(outline: &OutlineSpec) -> &str {
     match outline {
         OutlineSpec::Preset(shape) => preset(*shape),
         OutlineSpec::Points { name, .. } => name,
@@ -169,3 +183,23 @@ pub const FLIPPED_TOOLTIP: &str = "Triangles whose orientation the map reversed.
 pub const FRAME_TOOLTIP: &str = "What the last update of the map took: kernel (harmonic measure: the chance that a random walk \
     from x leaves through a part of the boundary), match (the boundaries' measures are made equal), extend (to the inside), \
     and what drawing took on the processor.";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(name: &str) -> OutlineSpec {
+        OutlineSpec::Points { name: name.into(), points: Vec::new() }
+    }
+
+    #[test]
+    fn a_reshaped_outline_says_so_once_in_the_language_of_the_screen() {
+        let once = named(&edited(&OutlineSpec::Preset(Preset::VShape)));
+        let twice = named(&edited(&once));
+        assert_eq!(once, twice);
+        assert_eq!(outline(&twice), "V-shape (edited)");
+        assert_eq!(outline(&named("V")), "V");
+        crate::app::language::set(crate::app::language::Language::German);
+        assert_eq!(outline(&named("V*")), "V (bearbeitet)");
+    }
+}

@@ -1,12 +1,16 @@
 //! The small bar over the picture of an edited side: what can be done, and what went wrong.
 
+use super::paint::RING;
 use super::{Change, Drawing, EditAction, Editor, Pen};
 use crate::app::action::{Action, Actions};
 use crate::app::language::tr;
 use crate::app::theme::{Palette, ROUNDING};
+use crate::app::view::View;
 use crate::app::widgets::message_box;
 use crate::conformal::Side;
-use egui::{Align2, Area, Button, CornerRadius, Frame, Id, Margin, Order, Rect, RichText, Stroke, Ui, pos2, vec2};
+use egui::{
+    Align2, Area, Button, CornerRadius, Frame, Id, Margin, Order, Pos2, Rect, RichText, Stroke, Ui, pos2, vec2,
+};
 
 /// The height of the buttons on a phone, enough for a thumb.
 const THUMB: f32 = 40.0;
@@ -19,11 +23,57 @@ const HANDLES_TOOLTIP: &str = "Drag a square to reshape the outline. Double-clic
 /// How much of a phone's picture is free for the bar.
 pub const ROOM: f32 = 62.0;
 
-/// Shows the bar of an edited side at the lower edge of its picture.
-pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, actions: &mut Actions) {
+/// Between the bar and the message above it.
+const GAP: f32 = 4.0;
+/// Free space above a message at the upper end: the title is there, and the buttons.
+const BELOW_TITLE: f32 = 64.0;
+/// The height of a message of two lines, before it was laid out.
+const TWO_LINES: f32 = 56.0;
+
+/// Shows the bar of an edited side at the lower edge of its picture, and what is to be said.
+pub fn show(ui: &mut Ui, side: Side, view: &View, narrow: bool, editor: &Editor, actions: &mut Actions) {
     if editor.side() != Some(side) {
         return;
     }
+    let bar = show_bar(ui, side, view.rect, narrow, editor, actions);
+    if let Some(text) = editor.message() {
+        let crossing = editor.crossing().and_then(|crossing| crossing.at).map(|at| view.to_screen(at));
+        show_message(ui, side, view.rect, bar.top() - GAP, crossing, text, actions);
+    }
+}
+
+fn widest(rect: Rect) -> f32 {
+    (rect.width() - 20.0).min(460.0)
+}
+
+/// Shows a message with its lower edge at `bottom`; at the upper end of the picture, where it would hide the crossing
+/// that it is about.
+fn show_message(
+    ui: &Ui,
+    side: Side,
+    rect: Rect,
+    bottom: f32,
+    crossing: Option<Pos2>,
+    text: &str,
+    actions: &mut Actions,
+) {
+    let id = Id::unique(("edit message", side));
+    let size = ui.memory(|memory| memory.area_rect(id)).map_or(vec2(widest(rect), TWO_LINES), |area| area.size());
+    let below = Rect::from_min_size(pos2(rect.center().x - 0.5 * size.x, bottom - size.y), size);
+    let hides = crossing.is_some_and(|place| below.expand(RING).contains(place));
+    let (pivot, y) =
+        if hides { (Align2::CENTER_TOP, rect.top() + BELOW_TITLE) } else { (Align2::CENTER_BOTTOM, bottom) };
+    let area = Area::new(id).order(Order::Middle).pivot(pivot).fixed_pos(pos2(rect.center().x, y));
+    area.show(ui.ctx(), |ui| {
+        ui.set_max_width(widest(rect));
+        if message_box(ui, text, None).is_some() {
+            actions.push(Action::Edit(EditAction::Dismiss));
+        }
+    });
+}
+
+/// Shows the buttons; returns where.
+fn show_bar(ui: &Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, actions: &mut Actions) -> Rect {
     let palette = Palette::of(ui.visuals());
     let bottom = rect.bottom() - if narrow { 8.0 } else { ABOVE_LEGEND };
     let frame = Frame::new()
@@ -35,13 +85,8 @@ pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, 
         .order(Order::Middle)
         .pivot(Align2::CENTER_BOTTOM)
         .fixed_pos(pos2(rect.center().x, bottom));
-    area.show(ui.ctx(), |ui| {
-        ui.set_max_width((rect.width() - 20.0).min(460.0));
-        if let Some(text) = editor.message()
-            && message_box(ui, text, None).is_some()
-        {
-            actions.push(Action::Edit(EditAction::Dismiss));
-        }
+    let shown = area.show(ui.ctx(), |ui| {
+        ui.set_max_width(widest(rect));
         frame.show(ui, |ui| {
             if let Some(drawing) = editor.drawing(side) {
                 ui.label(RichText::new(pen_words(drawing.pen())).color(palette.text));
@@ -57,6 +102,7 @@ pub fn show(ui: &mut Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, 
             });
         });
     });
+    shown.response.rect
 }
 
 /// What the pens want from the person.

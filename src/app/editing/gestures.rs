@@ -3,11 +3,11 @@
 //! A press on a handle takes it in hand; one beside it moves the picture, a double-click on the
 //! boundary sets another handle there, a long press or a right click on a handle takes it away.
 
-use super::{Change, EditAction, Editor, Pen, Reshaping, pen};
+use super::{Change, EditAction, Editor, Hold, Pen, Reshaping, pen};
 use crate::app::action::{Action, Actions};
 use crate::app::handles::{GRAB_RADIUS, HandleState};
 use crate::app::model::Model;
-use crate::app::nudge::arrow_keys;
+use crate::app::nudge::{ARROWS, arrow_keys};
 use crate::app::view::View;
 use crate::app::viewport::{self, BOUNDARY_REACH};
 use crate::conformal::Side;
@@ -35,12 +35,12 @@ pub fn interact(
         return pen::interact(ui, &response, view, drawing, actions);
     }
     let Some(reshaping) = editor.reshaping(side) else { return };
-    let grabbed = reshaping.grabbed();
+    let grabbed = reshaping.held_by(Hold::Pointer);
     if viewport::pinch(ui, &response, view) {
         actions.extend(grabbed.map(|_| Action::Edit(EditAction::Release)));
         return;
     }
-    let pointer = ui.input(|input| input.pointer.interact_pos()).filter(|_| response.contains_pointer());
+    let pointer = ui.input(|input| input.pointer.interact_pos()).filter(|_| response.hovered());
     let under = pointer.filter(|_| dots.grip.is_none()).and_then(|pointer| handle_near(reshaping, view, pointer));
     if grabbed.is_none() && under.is_none() {
         viewport::drag_dots(ui, &response, side, model, view, dots, actions);
@@ -83,7 +83,7 @@ fn press(
     if let Some(handle) = under.filter(|_| response.secondary_clicked()) {
         actions.push(edit(EditAction::Change(Change::Remove(handle))));
     } else if let Some(handle) = under.filter(|_| ui.input(|input| input.pointer.primary_pressed())) {
-        actions.push(edit(EditAction::Grab(handle)));
+        actions.push(edit(EditAction::Grab(handle, Hold::Pointer)));
     } else if under.is_none() && response.double_clicked() {
         let at = view.to_world(pointer);
         if is_near_boundary(reshaping, view, pointer) {
@@ -163,14 +163,35 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
         push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + 1) % count))));
     }
     let free = focused.is_none() && reshaping.grabbed().is_none();
-    let Some(selected) = reshaping.selected.filter(|_| free) else { return };
-    if pressed(Key::Delete) || pressed(Key::Backspace) {
+    if let Some(selected) = reshaping.selected.filter(|_| free)
+        && (pressed(Key::Delete) || pressed(Key::Backspace))
+    {
         push(EditAction::Change(Change::Remove(selected)));
+        return;
     }
+    hold_by_keys(ui, reshaping, &views[side as usize], focused.is_none(), actions);
+}
+
+/// Arrow keys have the selected handle in hand from the first press on until none of them is down. They take one
+/// only while they are `free`: no control has the keyboard.
+fn hold_by_keys(ui: &Ui, reshaping: &Reshaping, view: &View, free: bool, actions: &mut Actions) {
+    let mut push = |action| actions.push(Action::Edit(action));
+    let held = reshaping.held_by(Hold::Keys);
+    let takes = free && reshaping.grabbed().is_none();
+    let Some(handle) = held.or(reshaping.selected.filter(|_| takes)) else { return };
+    let Some(at) = reshaping.shape().handle(handle) else { return };
     let [coarse, fine] = arrow_keys(ui);
     let by = NUDGE * coarse + FINE_NUDGE * fine;
-    if let Some(at) = reshaping.shape().handle(selected).filter(|_| by != Vec2::ZERO) {
-        let to = shifted(&views[reshaping.side() as usize], at, by);
-        push(EditAction::Change(Change::Move(selected, to)));
+    if held.is_none() && by == Vec2::ZERO {
+        return;
+    }
+    if held.is_none() {
+        push(EditAction::Grab(handle, Hold::Keys));
+    }
+    if by != Vec2::ZERO {
+        push(EditAction::Drag(shifted(view, at, by)));
+    }
+    if !ui.input(|input| ARROWS.iter().any(|(key, _)| input.key_down(*key))) {
+        push(EditAction::Release);
     }
 }

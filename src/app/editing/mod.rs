@@ -21,22 +21,17 @@ pub use live::Reshaped;
 pub use paint::{paint, paint_sheet};
 pub use paste::{pasted, show as show_paste};
 pub use record::{EditingStats, stats};
-pub use reshaping::{Change, Reshaping};
+pub use reshaping::{Change, Hold, Reshaping};
 
 use super::language::tr;
 use super::model::Model;
 use super::view::View;
-use super::words;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::outline::Outline;
-use crate::session::OutlineSpec;
 use egui::vec2;
 use paste::Paste;
 use reshaping::Crossing;
-
-/// What is added to the name of an outline that was reshaped, in any language.
-const EDITED: &str = "*";
 
 /// A step of a person who edits.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,7 +51,7 @@ pub enum EditAction {
     /// No more.
     Leave,
     /// Take a handle in hand.
-    Grab(usize),
+    Grab(usize, Hold),
     /// Move it.
     Drag(DVec2),
     /// Let it go.
@@ -177,7 +172,7 @@ impl Editor {
             }
             _ => match &self.work {
                 Some(Work::Reshaping(reshaping)) => {
-                    if matches!(action, EditAction::Grab(_) | EditAction::Change(_)) {
+                    if matches!(action, EditAction::Grab(..) | EditAction::Change(_)) {
                         // while the outline changes, what is in hand stays under the pointer
                         views[reshaping.side() as usize].stay();
                     }
@@ -223,7 +218,7 @@ impl Editor {
             self.refusal = None;
         }
         match action {
-            EditAction::Grab(handle) => reshaping.grab(handle, model),
+            EditAction::Grab(handle, hold) => reshaping.grab(handle, hold, model),
             EditAction::Drag(to) => reshaping.drag(to, model),
             EditAction::Release => {
                 let crossed = reshaping.release(model);
@@ -243,12 +238,7 @@ impl Editor {
         if side == Side::Target && model.surface().is_some() {
             return;
         }
-        let name = match &model.side(side).wanted().outline {
-            OutlineSpec::Preset(preset) => tr(words::preset(*preset)),
-            OutlineSpec::Points { name, .. } => name,
-        };
-        let name = format!("{}{EDITED}", name.strip_suffix(EDITED).unwrap_or(name));
-        let Some(reshaping) = Reshaping::new(side, name, model) else { return };
+        let Some(reshaping) = Reshaping::new(side, model) else { return };
         self.work = Some(Work::Reshaping(Box::new(reshaping)));
         self.was_fitted = views[side as usize].is_fitted();
     }

@@ -11,7 +11,7 @@ use egui::{CornerRadius, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec
 const HALF: [f32; 2] = [4.0, 6.5];
 
 /// The radius of the ring around a crossing.
-const RING: f32 = 16.0;
+pub(super) const RING: f32 = 16.0;
 
 /// How much of what is under a drawing is hidden by the sheet that it is drawn on.
 const SHEET: f32 = 0.78;

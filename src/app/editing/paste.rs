@@ -1,4 +1,6 @@
 //! Outlines from text: a small window to paste it into, and pasting anywhere.
+//!
+//! Any text that a file may be is read. One that is long is read at once and never put into the field.
 
 use super::{EditAction, Editor};
 use crate::app::action::{Action, Actions};
@@ -11,6 +13,10 @@ use egui::{Align2, Button, Context, Event, FontId, Key, Label, RichText, ScrollA
 /// What the text may be.
 const KINDS: &str =
     "SVG path data (M 0 0 L 2 0 …), SVG, coordinates (0,0 2,0 1,3 or one point per line), JSON or GeoJSON";
+
+/// The most bytes of a text in the field, which lays out all of it whenever it changes: 3000 points with many digits.
+/// This many are laid out in 10 ms on a desktop; a megabyte takes a fifth of a second for every key.
+pub const LONGEST_SHOWN: usize = 50_000;
 
 /// The height of the field for the text: ten lines.
 const FIELD: f32 = 150.0;
@@ -41,33 +47,44 @@ impl Paste {
         self.side
     }
 
+    /// What is written in the field.
+    #[cfg(test)]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Why the text is no outline.
     pub fn error(&self) -> Option<&str> {
         self.error.as_deref()
     }
 
-    /// The outline that is written in it; where there is none, the reason is kept.
+    /// The outline that is written in it; where there is none, the reason is kept, but no text that is too long to show.
     pub fn take(&mut self) -> Option<(Side, Outline)> {
-        match parse(tr("Pasted"), self.text.as_bytes()) {
-            Ok(outline) => Some((self.side, outline)),
-            Err(error) => {
-                self.error = Some(error.to_string());
-                None
-            }
-        }
+        let error = match parse(tr("Pasted"), self.text.as_bytes()) {
+            Ok(outline) => return Some((self.side, outline)),
+            Err(error) => error,
+        };
+        let length = self.text.len();
+        self.error = Some(if length > LONGEST_SHOWN {
+            self.text = String::new();
+            format!(
+                "{error}. The text is not shown: it has {length} bytes, and the field takes {LONGEST_SHOWN} at most"
+            )
+        } else {
+            error.to_string()
+        });
+        None
     }
 }
 
-/// What was pasted in this frame, unless a text is being written.
+/// What was pasted in this frame, unless it is for a text that is being written, which only a short one can be.
 pub fn pasted(ui: &Ui) -> Option<String> {
-    if ui.ctx().text_edit_focused() {
-        return None;
-    }
-    ui.input(|input| {
-        input.events.iter().find_map(|event| match event {
-            Event::Paste(text) if !text.trim().is_empty() => Some(text.clone()),
-            _ => None,
-        })
+    let writes = ui.ctx().text_edit_focused();
+    let is_ours = |text: &str| if writes { text.len() > LONGEST_SHOWN } else { !text.trim().is_empty() };
+    ui.input_mut(|input| {
+        let at = input.events.iter().position(|event| matches!(event, Event::Paste(text) if is_ours(text)))?;
+        let Event::Paste(text) = input.events.remove(at) else { return None };
+        Some(text)
     })
 }
 
@@ -108,6 +125,9 @@ fn content(ui: &mut Ui, paste: &mut Paste, actions: &mut Actions) {
         }
         if response.changed() {
             paste.error = None;
+            if paste.text.len() > LONGEST_SHOWN {
+                actions.push(Action::Edit(EditAction::TakePasted));
+            }
         }
     });
     if let Some(error) = &paste.error {

@@ -23,7 +23,7 @@ pub fn interact(ui: &Ui, response: &Response, view: &mut View, drawing: &Drawing
         return;
     }
     viewport::move_camera(ui, response, view, freehand, false);
-    if response.contains_pointer() {
+    if response.hovered() {
         ui.set_cursor_icon(CursorIcon::Crosshair);
     }
     let Some(pointer) = response.interact_pointer_pos() else { return };

@@ -5,16 +5,33 @@
 
 use super::live::Reshaped;
 use crate::app::model::Model;
+use crate::app::words;
 use crate::conformal::Side;
 use crate::drawing::{DrawingError, Shape, carried_fraction};
 use crate::geometry::{Bounds, DVec2, PolygonError};
 use crate::session::OutlineSpec;
 
+/// What has a handle in hand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Hold {
+    /// The pointer.
+    Pointer,
+    /// Arrow keys that are down.
+    Keys,
+}
+
+/// A handle in hand.
+#[derive(Debug)]
+struct Grip {
+    /// What was good when it was grabbed.
+    from: Form,
+    handle: usize,
+    hold: Hold,
+}
+
 /// A change of the outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change {
-    /// A handle goes to a place.
-    Move(usize, DVec2),
     /// A handle more, on the boundary near a place.
     Insert(DVec2),
     /// A handle less.
@@ -62,13 +79,13 @@ struct Form {
 #[derive(Debug)]
 pub struct Reshaping {
     side: Side,
+    /// What it is called from its first change on.
     name: String,
     /// The outline that the model was asked for last.
     sent: OutlineSpec,
     /// The last good form.
     good: Form,
-    /// What was good when the handle was grabbed, and which handle.
-    grabbed: Option<(Form, usize)>,
+    grip: Option<Grip>,
     /// What is drawn: the good one, or one that crosses itself.
     shape: Shape,
     crossing: Option<Crossing>,
@@ -77,12 +94,12 @@ pub struct Reshaping {
 }
 
 impl Reshaping {
-    /// Takes up the outline of a side, called `name` from its first change on.
-    pub fn new(side: Side, name: String, model: &Model) -> Option<Self> {
+    /// Takes up the outline of a side.
+    pub fn new(side: Side, model: &Model) -> Option<Self> {
         let sent = model.side(side).wanted().outline.clone();
         let good = form(side, &sent, model)?;
-        let shape = good.shape.clone();
-        Some(Self { side, name, sent, good, grabbed: None, shape, crossing: None, selected: None })
+        let (name, shape) = (words::edited(&sent), good.shape.clone());
+        Some(Self { side, name, sent, good, grip: None, shape, crossing: None, selected: None })
     }
 
     /// Whose outline it is.
@@ -102,16 +119,22 @@ impl Reshaping {
 
     /// The handle in hand.
     pub fn grabbed(&self) -> Option<usize> {
-        self.grabbed.as_ref().map(|(_, handle)| *handle)
+        self.grip.as_ref().map(|grip| grip.handle)
+    }
+
+    /// The handle in hand, if that is what `hold` has.
+    pub fn held_by(&self, hold: Hold) -> Option<usize> {
+        self.grip.as_ref().filter(|grip| grip.hold == hold).map(|grip| grip.handle)
     }
 
     /// Takes up the side's outline anew if it has become another one by other means.
     pub fn follow(&mut self, model: &Model) {
         let wanted = &model.side(self.side).wanted().outline;
-        if self.grabbed.is_some() || *wanted == self.sent {
+        if self.grip.is_some() || *wanted == self.sent {
             return;
         }
         if let Some(good) = form(self.side, wanted, model) {
+            self.name = words::edited(wanted);
             self.sent = wanted.clone();
             self.shape = good.shape.clone();
             self.good = good;
@@ -120,24 +143,26 @@ impl Reshaping {
         }
     }
 
-    /// Takes a handle in hand.
-    pub fn grab(&mut self, handle: usize, model: &Model) {
+    /// Takes a handle in hand; what was in another one is let go.
+    pub fn grab(&mut self, handle: usize, hold: Hold, model: &mut Model) {
+        self.release(model);
         self.selected = Some(handle);
         self.remember_points(model);
-        self.grabbed = Some((self.good.clone(), handle));
+        self.grip = Some(Grip { from: self.good.clone(), handle, hold });
     }
 
     /// Lets go without a word to the model: what it has been told stays.
     pub fn drop_handle(&mut self) {
-        self.grabbed = None;
+        self.grip = None;
         self.shape = self.good.shape.clone();
         self.crossing = None;
     }
 
     /// Moves the handle in hand; the model follows coarsely while the outline is one.
     pub fn drag(&mut self, to: DVec2, model: &mut Model) {
-        let Some((from, handle)) = self.grabbed.clone() else { return };
-        if let Some(form) = self.tried(&from, from.shape.moved(handle, to)) {
+        let Some(Grip { from, handle, .. }) = &self.grip else { return };
+        let (from, shape) = (from.clone(), from.shape.moved(*handle, to));
+        if let Some(form) = self.tried(&from, shape) {
             self.good = form;
             self.send(model, true);
         }
@@ -145,7 +170,7 @@ impl Reshaping {
 
     /// Lets the handle go. Where the outline crossed itself, the last good one stays; returns whether it did.
     pub fn release(&mut self, model: &mut Model) -> bool {
-        if self.grabbed.take().is_none() {
+        if self.grip.take().is_none() {
             return false;
         }
         let crossed = self.crossing.take().is_some();
@@ -156,14 +181,14 @@ impl Reshaping {
         crossed
     }
 
-    /// Makes a change at once. Errors: why it was not made.
+    /// Makes a change at once; a handle in hand is let go first. Errors: why it was not made.
     pub fn change(&mut self, change: Change, model: &mut Model) -> Result<(), DrawingError> {
+        self.release(model);
         self.remember_points(model);
         let from = self.good.clone();
-        let mut selected = self.selected;
+        let selected;
         let mut interior = from.interior;
         let shape = match change {
-            Change::Move(handle, to) => from.shape.moved(handle, to),
             Change::Insert(at) => {
                 let (shape, handle) = from.shape.inserted(at);
                 selected = Some(handle);

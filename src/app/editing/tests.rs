@@ -93,7 +93,7 @@ fn settings_of(requests: &[(Subject, Request)]) -> PrepareSettings {
 #[test]
 fn while_a_handle_is_dragged_one_coarse_request_is_under_way_and_the_newest_is_next() {
     let mut bench = Bench::square();
-    bench.act(EditAction::Grab(2));
+    bench.act(EditAction::Grab(2, Hold::Pointer));
     bench.act(EditAction::Drag(DVec2::new(2.2, 2.1)));
     let first = bench.requests();
     let settings = settings_of(&first);
@@ -123,11 +123,11 @@ fn while_a_handle_is_dragged_one_coarse_request_is_under_way_and_the_newest_is_n
 fn a_handle_that_is_let_go_where_it_was_leaves_nothing_in_hand() {
     let mut bench = Bench::square();
     let before = bench.model.session().clone();
-    bench.act(EditAction::Grab(1));
+    bench.act(EditAction::Grab(1, Hold::Pointer));
     bench.act(EditAction::Release);
     assert!(bench.requests().is_empty() && bench.model.is_ready());
     assert_eq!(*bench.model.session(), before, "a click is no change");
-    bench.act(EditAction::Grab(1));
+    bench.act(EditAction::Grab(1, Hold::Pointer));
     bench.act(EditAction::Drag(DVec2::new(3.0, 0.0)));
     bench.act(EditAction::Drag(DVec2::new(2.0, 0.0)));
     bench.act(EditAction::Release);
@@ -138,7 +138,7 @@ fn a_handle_that_is_let_go_where_it_was_leaves_nothing_in_hand() {
 #[test]
 fn while_the_outline_crosses_itself_the_last_good_one_stays_and_the_place_is_known() {
     let mut bench = Bench::square();
-    bench.act(EditAction::Grab(2));
+    bench.act(EditAction::Grab(2, Hold::Pointer));
     bench.act(EditAction::Drag(DVec2::new(1.5, 1.5)));
     bench.answer_all();
     let good = bench.points();
@@ -172,7 +172,7 @@ fn the_points_stay_where_they_are_and_come_back_when_the_outline_does() {
     bench.model.dispatch(Command::MoveAnchor { side: SIDE, fraction: 0.125 }, 0.0);
     bench.answer_all();
     let anchor = bench.model.anchor(SIDE).unwrap();
-    bench.act(EditAction::Grab(2));
+    bench.act(EditAction::Grab(2, Hold::Pointer));
     bench.act(EditAction::Drag(DVec2::new(1.3, 1.3)));
     bench.answer_all();
     let pushed = bench.model.interior(SIDE).unwrap();
@@ -193,7 +193,7 @@ fn an_outline_turned_inside_out_is_taken_the_other_way_round() {
     bench.model.dispatch(Command::MoveAnchor { side: SIDE, fraction: 0.1 }, 0.0);
     bench.answer_all();
     let anchor = bench.model.anchor(SIDE).unwrap();
-    bench.act(EditAction::Grab(2));
+    bench.act(EditAction::Grab(2, Hold::Pointer));
     bench.act(EditAction::Drag(DVec2::new(1.0, -1.0)));
     bench.act(EditAction::Release);
     bench.answer_all();
@@ -208,7 +208,9 @@ fn changes_at_once_are_prepared_as_they_are_to_stay() {
     bench.act(EditAction::Change(Change::Insert(DVec2::new(1.0, -0.1))));
     assert_eq!(bench.reshaping().selected, Some(1));
     assert_eq!(settings_of(&bench.requests()), SETTINGS);
-    bench.act(EditAction::Change(Change::Move(1, DVec2::new(1.0, -1.0))));
+    bench.act(EditAction::Grab(1, Hold::Keys));
+    bench.act(EditAction::Drag(DVec2::new(1.0, -1.0)));
+    bench.act(EditAction::Release);
     bench.answer_all();
     assert_eq!(bench.points().len(), 5);
     let point = DVec2::new(0.4, 0.7);
@@ -243,6 +245,9 @@ fn another_outline_is_taken_up_and_a_surface_ends_the_editing() {
     bench.answer_all();
     let star = Preset::Star.outline().polygon.vertices()[0];
     assert_eq!(bench.reshaping().shape().vertices()[0], star);
+    bench.act(EditAction::Change(Change::Smooth));
+    bench.answer_all();
+    assert_eq!(crate::app::words::outline(&bench.model.session().source.outline), "Star (edited)");
     bench.act(EditAction::Toggle(Side::Target));
     assert_eq!(bench.editor.side(), Some(Side::Target));
     bench.act(EditAction::Leave);
@@ -253,7 +258,7 @@ fn another_outline_is_taken_up_and_a_surface_ends_the_editing() {
 fn the_view_rests_while_editing_and_fits_afterwards() {
     let mut bench = Bench::square();
     assert!(bench.views[0].is_fitted());
-    bench.act(EditAction::Grab(0));
+    bench.act(EditAction::Grab(0, Hold::Pointer));
     assert!(!bench.views[0].is_fitted(), "what is in hand stays under the pointer");
     bench.act(EditAction::Toggle(SIDE));
     assert!(bench.views[0].is_fitted());
@@ -263,7 +268,7 @@ fn the_view_rests_while_editing_and_fits_afterwards() {
 fn a_link_carries_an_edited_preset() {
     let mut bench = Bench::of(OutlineSpec::Preset(Preset::Gingerbread));
     let at = bench.reshaping().shape().handle(3).unwrap();
-    bench.act(EditAction::Grab(3));
+    bench.act(EditAction::Grab(3, Hold::Pointer));
     bench.act(EditAction::Drag(at + DVec2::new(0.01, 0.01)));
     bench.act(EditAction::Release);
     bench.answer_all();
@@ -316,6 +321,62 @@ fn a_drag_in_the_picture_is_one_step_back() {
     harness.key_press(egui::Key::Escape);
     harness.run_steps(3);
     assert!(harness.state().stats().editing.is_none());
+}
+
+/// As an arrow key that is held: it repeats in every frame, and many of them come while one map is prepared.
+#[test]
+fn a_handle_that_keys_hold_is_followed_coarsely_and_is_one_step_back() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    let before = harness.state().session().clone();
+    harness.get_all_by_label("Edit").next().unwrap().click();
+    harness.run_steps(3);
+    harness.key_press(egui::Key::N);
+    harness.run_steps(2);
+    let editing = harness.state().stats().editing.unwrap();
+    let handle = editing.selected.unwrap();
+    let [x, y] = editing.handles[handle];
+    for repeat in 1..=5 {
+        harness.key_down(egui::Key::ArrowRight);
+        harness.step();
+        let side = harness.state().model.side(SIDE);
+        assert!(side.is_in_hand(), "after {repeat} repeats");
+    }
+    assert_eq!(harness.state().stats().undo, 0);
+    harness.key_up(egui::Key::ArrowRight);
+    harness.step();
+    assert!(!harness.state().model.side(SIDE).is_in_hand(), "let go");
+    let after = settle(&mut harness);
+    let [u, v] = after.editing.as_ref().unwrap().handles[handle];
+    assert!((u - x - 20.0).abs() < 0.6 && (v - y).abs() < 0.6, "from {x}, {y} to {u}, {v}");
+    assert_eq!(after.undo, 1, "a hold is one step");
+    assert_eq!(harness.state().session().source.settings, before.source.settings);
+    // down and up within a frame
+    let key = |pressed| egui::Event::Key {
+        key: egui::Key::ArrowUp,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers: egui::Modifiers::NONE,
+    };
+    harness.input_mut().events.extend([key(true), key(false)]);
+    harness.step();
+    assert!(!harness.state().model.side(SIDE).is_in_hand());
+    assert_eq!(settle(&mut harness).undo, 2);
+}
+
+#[test]
+fn a_button_takes_the_handle_from_the_keys() {
+    let mut bench = Bench::square();
+    bench.act(EditAction::Grab(2, Hold::Keys));
+    bench.act(EditAction::Drag(DVec2::new(2.5, 2.5)));
+    bench.act(EditAction::Change(Change::Remove(2)));
+    let requests = bench.requests();
+    assert_eq!(settings_of(&requests), SETTINGS);
+    bench.answer(requests);
+    bench.act(EditAction::Drag(DVec2::new(3.0, 3.0)));
+    bench.act(EditAction::Release);
+    bench.answer_all();
+    assert_eq!(bench.points().len(), 3, "what was removed does not come back");
 }
 
 fn pixel(bench: &mut Bench) {
@@ -392,4 +453,108 @@ fn pasted_text_becomes_the_outline_and_other_text_is_shown_with_its_error() {
     assert_eq!(bench.points().len(), 4, "the last good one stays");
     bench.act(EditAction::ClosePaste);
     assert!(bench.editor.paste.is_none());
+}
+
+#[test]
+fn a_long_text_is_read_without_being_shown() {
+    let mut bench = Bench::square();
+    let ring = |count: u32| {
+        let angle = |k: u32| std::f64::consts::TAU * f64::from(k) / f64::from(count);
+        (0..count)
+            .map(|k| DVec2::from_angle(angle(k)))
+            .map(|p| format!("{:.12},{:.12}\n", p.x, p.y))
+            .collect::<String>()
+    };
+    let text = ring(3000);
+    assert!(text.len() > paste::LONGEST_SHOWN, "{}", text.len());
+    bench.editor.take_text(text.clone(), &mut bench.model, &mut bench.views);
+    bench.answer_all();
+    assert!(bench.editor.paste.is_none() && bench.points().len() == 3000);
+    bench.editor.take_text(text + "and so on", &mut bench.model, &mut bench.views);
+    let paste = bench.editor.paste.as_ref().unwrap();
+    let error = paste.error().unwrap();
+    assert!(error.contains("line 3001") && error.contains(" bytes") && error.contains("50000"), "{error}");
+    assert!(paste.text().is_empty());
+}
+
+#[test]
+fn a_long_text_that_is_pasted_into_the_field_does_not_get_there() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    let app = harness.state_mut();
+    app.editor.act(EditAction::OpenPaste(SIDE), &mut app.model, &mut app.views);
+    harness.run_steps(3);
+    assert!(harness.ctx.text_edit_focused(), "the empty field has the keyboard");
+    for (text, shown) in [(String::from("M 0 0"), 5), ("no outline ".repeat(10_000), 0)] {
+        harness.event(egui::Event::Paste(text));
+        harness.run_steps(2);
+        assert_eq!(harness.state().editor.paste.as_ref().unwrap().text().len(), shown);
+    }
+    let message = harness.state().stats().editing.unwrap().message.unwrap();
+    assert!(message.contains("110000 bytes"), "{message}");
+}
+
+#[test]
+fn the_message_about_a_crossing_does_not_hide_it() {
+    let mut harness = ready_app([390.0, 844.0]);
+    let act = |harness: &mut Harness<'_, RiemapApp>, action| {
+        let app = harness.state_mut();
+        app.editor.act(action, &mut app.model, &mut app.views);
+    };
+    let rect = harness.state().views[0].rect;
+    for (place, is_below) in [(rect.center() - vec2(0.0, 60.0), true), (rect.center_bottom() - vec2(0.0, 110.0), false)]
+    {
+        act(&mut harness, EditAction::Draw(SIDE, Pen::Lines));
+        harness.run_steps(3); // the picture makes room for the bar
+        for by in [vec2(-40.0, -20.0), vec2(40.0, 20.0), vec2(40.0, -20.0), vec2(-40.0, 20.0)] {
+            let point = harness.state().views[0].to_world(place + by);
+            act(&mut harness, EditAction::Point(point));
+        }
+        act(&mut harness, EditAction::Close);
+        harness.run_steps(5);
+        let crossing = egui::Pos2::from(harness.state().stats().editing.unwrap().crossing.unwrap());
+        assert!(crossing.distance(place) < 1.0, "{crossing:?} is not {place:?}");
+        let message = harness.get_by_label_contains("crosses itself").rect();
+        assert!(!message.expand(paint::RING).contains(place), "{message:?} lies over {place:?}");
+        assert_eq!(message.center().y > rect.center().y, is_below);
+    }
+}
+
+/// Puts a place of the source's picture under the middle of the first "Edit" button.
+fn move_under_the_button(harness: &mut Harness<'_, RiemapApp>, place: egui::Pos2) -> egui::Pos2 {
+    let button = harness.get_all_by_label("Edit").next().unwrap().rect().center();
+    harness.state_mut().views[0].pan(button - place);
+    harness.run_steps(2);
+    button
+}
+
+#[test]
+fn what_lies_under_a_button_is_not_taken_through_it() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    let x1 = |harness: &Harness<'_, RiemapApp>| egui::Pos2::from(harness.state().stats().handles.x1.unwrap());
+    let place = x1(&harness);
+    let button = move_under_the_button(&mut harness, place);
+    assert!(x1(&harness).distance(button) < 1.0);
+    let before = harness.state().session().clone();
+    harness.drag_at(button);
+    harness.step();
+    assert!(harness.state().handles.grip.is_none(), "no dot is in hand");
+    harness.hover_at(button + vec2(0.0, 60.0));
+    harness.run_steps(2);
+    assert!(x1(&harness).distance(button) < 1.0, "nor does the picture move");
+    harness.drop_at(button + vec2(0.0, 60.0));
+    harness.run_steps(2);
+    assert_eq!(*harness.state().session(), before);
+    assert!(harness.state().stats().editing.is_none(), "let go elsewhere: no click");
+    harness.key_press(egui::Key::D);
+    harness.run_steps(2);
+    let open = harness.get_all_by_label("Fit").next().unwrap().rect().center();
+    harness.drag_at(open);
+    for step in 1..8 {
+        harness.hover_at(open + vec2(-8.0 * step as f32, 12.0 * step as f32));
+        harness.step();
+    }
+    let editing = harness.state().stats().editing.unwrap();
+    assert!(editing.draws && editing.handles.is_empty(), "nothing is drawn from a button on: {editing:?}");
+    harness.drop_at(open + vec2(-64.0, 96.0));
+    harness.run_steps(2);
 }
