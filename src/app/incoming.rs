@@ -41,7 +41,7 @@ impl RiemapApp {
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
         let content = files::read(purpose, name, bytes);
         if let Ok(content) = &content
-            && !self.may(locked_by(content, purpose))
+            && !locked_by(content, purpose).iter().all(|&control| self.may(control))
         {
             return;
         }
@@ -126,11 +126,11 @@ impl RiemapApp {
 }
 
 /// What a file would change.
-fn locked_by(content: &Content, purpose: FilePurpose) -> Control {
+fn locked_by(content: &Content, purpose: FilePurpose) -> &'static [Control] {
     match content {
-        Content::Outline(..) | Content::Surface { .. } => Control::Outline,
-        Content::Image { .. } if matches!(purpose, FilePurpose::Trace(_)) => Control::Outline,
-        Content::Image { .. } => Control::Pattern,
-        Content::Session(_) => Control::Session,
+        Content::Outline(..) | Content::Surface { .. } => Control::OF_SHAPES,
+        Content::Image { .. } if matches!(purpose, FilePurpose::Trace(_)) => Control::OF_SHAPES,
+        Content::Image { .. } => &[Control::Pattern],
+        Content::Session(_) => &[Control::Session],
     }
 }

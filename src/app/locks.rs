@@ -5,6 +5,7 @@
 //! the screen is grey and says why. The page around a frame is not bound by them.
 
 use super::action::Action;
+use super::editing::EditAction;
 use super::explore::ExploreAction;
 use super::handles::HandleKind;
 use super::language::tr;
@@ -56,6 +57,9 @@ impl Control {
         Self::Theme,
         Self::Panels,
     ];
+
+    /// What another outline or surface changes: it has two points of its own.
+    pub const OF_SHAPES: &[Self] = &[Self::Outline, Self::Interior, Self::Boundary];
 
     /// Its name in the address.
     pub fn name(self) -> &'static str {
@@ -177,7 +181,14 @@ impl Locks {
         let also: &[Control] = match action {
             Action::Play(_) => &[Control::Boundary],
             Action::Session(Command::Swap) => &[Control::Interior, Control::Boundary, Control::Method],
-            Action::Session(Command::SetOutline { .. }) => &[Control::Interior, Control::Boundary],
+            Action::Session(Command::SetOutline { .. })
+            | Action::OpenOutline(_)
+            | Action::OpenTrace(_)
+            | Action::TraceImage
+            | Action::PasteText(_)
+            | Action::Edit(
+                EditAction::Draw(..) | EditAction::Close | EditAction::OpenPaste(_) | EditAction::TakePasted,
+            ) => Control::OF_SHAPES,
             _ => &[],
         };
         if let Some(&held) = also.iter().find(|&&control| self.holds(control)) {
@@ -267,6 +278,24 @@ mod tests {
             let expected = !matches!(control, Control::View | Control::Theme | Control::Panels);
             assert_eq!(locks.refused(&open).is_some(), expected, "{control:?}");
             assert_eq!(locks.refused(&Action::New).is_some(), expected, "{control:?}");
+        }
+    }
+
+    #[test]
+    fn no_new_outline_brings_points_of_its_own_where_points_are_locked() {
+        use crate::app::editing::{Change, Pen};
+        for control in [Control::Interior, Control::Boundary] {
+            let locks = Locks::default().with(control);
+            for action in [
+                Action::OpenOutline(Side::Source),
+                Action::PasteText(String::from("M 0 0")),
+                Action::Edit(EditAction::Draw(Side::Target, Pen::Lines)),
+                Action::TraceImage,
+            ] {
+                assert_eq!(locks.refused(&action), Some(control), "{action:?}");
+            }
+            let reshaped = Action::Edit(EditAction::Change(Change::Smooth));
+            assert_eq!(locks.refused(&reshaped), None, "its points stay");
         }
     }
 

@@ -45,6 +45,35 @@ fn what_is_locked_is_refused_wherever_it_comes_from() {
 }
 
 #[test]
+fn no_undo_brings_back_what_the_page_around_has_replaced_in_spite_of_a_lock() {
+    for (control, steps) in [(Control::Outline, 0), (Control::View, 1)] {
+        let mut harness = ready_app([1200.0, 800.0]);
+        harness.run_steps(2);
+        let app = harness.state_mut();
+        app.options.locks = Locks::default().with(control);
+        let mut session = app.session().clone();
+        session.apply(Command::SetTextureScale(21.0));
+        app.open_session(session);
+        harness.run_steps(3);
+        let stats = harness.state().stats();
+        assert_eq!((harness.state().session().texture_scale, stats.undo), (21.0, steps), "{control:?}");
+    }
+}
+
+#[test]
+fn a_file_does_not_reset_locked_points() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    let app = harness.state_mut();
+    app.options.locks = Locks::default().with(Control::Interior);
+    let before = app.session().clone();
+    app.load_file(Side::Source, "square.csv", b"0,0\n1,0\n1,1\n0,1\n".to_vec());
+    harness.run_steps(3);
+    let stats = harness.state().stats();
+    assert!(stats.ready && stats.errors.iter().any(|error| error.contains("interior")), "{:?}", stats.errors);
+    assert_eq!(*harness.state().session(), before);
+}
+
+#[test]
 fn a_locked_panel_stays_folded() {
     let mut harness = ready_app([1200.0, 800.0]);
     let context = harness.ctx.clone();

@@ -85,7 +85,7 @@ use handles::HandleState;
 use image::RgbaImage;
 use keeping::Keeper;
 use keyboard::Keyboard;
-use locks::Locks;
+use locks::{Control, Locks};
 use offer::Offer;
 use playing::Player;
 use plots::Plots;
@@ -216,9 +216,14 @@ impl RiemapApp {
         self.model.session()
     }
 
-    /// Shows another session in place of this one; what it shares is not prepared again.
+    /// Shows another session in place of this one; what it shares is not prepared again. Where sessions are locked, only
+    /// the page around the app may do so: its session is the one to begin with, and no undo leads behind it.
     pub fn open_session(&mut self, session: Session) {
-        self.keeper.touch();
+        if self.options.locks.holds(Control::Session) {
+            self.keeper.begin_anew();
+        } else {
+            self.keeper.touch();
+        }
         self.show_session(session);
     }
 

@@ -45,6 +45,11 @@ impl RiemapApp {
         }
     }
 
+    /// The link of this session, if it carries all of its outlines.
+    pub fn link(&self) -> Option<String> {
+        keeping::whole_link(self.model.session())
+    }
+
     /// Shows what another link carries.
     pub(super) fn open_link(&mut self, address: &str) {
         if let Err(reason) = self.try_link(address) {

@@ -3,6 +3,7 @@
 use super::action::{Action, Actions};
 use super::editing::{EditAction, Pen};
 use super::language::tr;
+use super::locks::menu_entry;
 use super::model::{Model, bounds};
 use super::surface::surface_picture;
 use super::theme::{Palette, ROUNDING};
@@ -97,20 +98,20 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
 fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
     let draw = |pen| Action::Edit(EditAction::Draw(side, pen));
     let ways = [
-        (tr("Draw freehand"), tr("Around the shape in one stroke; corners stay corners (D)"), draw(Pen::Freehand)),
-        (tr("Draw lines"), tr("Straight edges between clicked points (L)"), draw(Pen::Lines)),
-        (tr("Draw a curve"), tr("A smooth curve through clicked points (C)"), draw(Pen::Curve)),
+        (tr("Draw freehand"), "Around the shape in one stroke; corners stay corners (D)", draw(Pen::Freehand)),
+        (tr("Draw lines"), "Straight edges between clicked points (L)", draw(Pen::Lines)),
+        (tr("Draw a curve"), "A smooth curve through clicked points (C)", draw(Pen::Curve)),
         (
             tr("Paste…"),
-            tr("SVG path data or coordinates; Ctrl+V anywhere is the source's"),
+            "SVG path data or coordinates; Ctrl+V anywhere is the source's",
             Action::Edit(EditAction::OpenPaste(side)),
         ),
-        (tr("Trace a picture…"), tr("The outline of the largest shape in a PNG or JPEG"), Action::OpenTrace(side)),
-        (tr("Open a file…"), tr(super::header::open_tooltip(side)), Action::OpenOutline(side)),
+        (tr("Trace a picture…"), "The outline of the largest shape in a PNG or JPEG", Action::OpenTrace(side)),
+        (tr("Open a file…"), super::header::open_tooltip(side), Action::OpenOutline(side)),
     ];
     for (label, tooltip, action) in ways {
         let button = egui::Button::new(label).frame_when_inactive(true);
-        if ui.add(button).on_hover_text(tooltip).clicked() {
+        if menu_entry(ui, true, button, tooltip, &action) {
             actions.push(action);
             ui.close();
         }

@@ -289,6 +289,50 @@ describe('the page, with WebGL2', () => {
   });
 
   test(
+    'a frame without options neither goes on with the kept session nor keeps one',
+    withApp(async (app) => {
+      await app.openSession({ texture_scale: 19 });
+      await app.page.waitForFunction(() => JSON.parse(localStorage.getItem('riemap session'))?.texture_scale === 19);
+      const kept = await app.page.evaluate(() => localStorage.getItem('riemap session'));
+      // the example page lies beside the app: the two have one storage
+      const around = await app.page.context().newPage();
+      await around.goto(new URL('embedding.html', site.address).href);
+      const [frame] = around.mainFrame().childFrames();
+      await frame.goto(site.address);
+      await frame.waitForFunction(() => window.riemap?.stats?.()?.ready);
+      assert.equal(await frame.evaluate(() => window.riemap.session().texture_scale), 8);
+      await frame.evaluate(() => window.riemap.open_session({ ...window.riemap.session(), texture_scale: 21 }));
+      await frame.waitForFunction(() => window.riemap.stats().undo === 1 && location.hash === window.riemap.link());
+      assert.equal(await around.evaluate(() => localStorage.getItem('riemap session')), kept);
+      await around.close();
+    }),
+  );
+
+  test(
+    'the link is that of the present session, and null where none carries it',
+    withApp(async (app) => {
+      const [before, link, address] = await app.page.evaluate(() => {
+        const before = window.riemap.link();
+        window.riemap.open_session({ ...window.riemap.session(), texture_scale: 23 });
+        return [before, window.riemap.link(), location.hash];
+      });
+      assert.match(link, /^#s=1\./);
+      assert.ok(link !== before && link !== address, 'it does not wait for the address');
+      await app.page.waitForFunction((hash) => location.hash === hash, link);
+      await app.page.evaluate(() => {
+        const rough = (k) => 1 + 0.01 * (((k * 2654435761) >>> 16) / 65536);
+        const at = (k) => [rough(k) * Math.cos((k * Math.PI) / 3000), rough(k) * Math.sin((k * Math.PI) / 3000)];
+        const outline = { points: { name: 'rough', points: Array.from({ length: 6000 }, (_, k) => at(k)) } };
+        const session = window.riemap.session();
+        window.riemap.open_session({ ...session, source: { ...session.source, outline } });
+      });
+      await app.until('the rough outline is mapped', (stats) => stats.ready);
+      assert.equal((await app.session()).source.outline.points.name, 'rough');
+      assert.equal(await app.page.evaluate(() => window.riemap.link()), null);
+    }),
+  );
+
+  test(
     'F fills the screen and gives it back',
     withApp(async (app) => {
       await app.press('f');

@@ -34,7 +34,7 @@ function answer(request) {
     if (request.riemap !== VERSION) return refused(`this is version ${VERSION} of the messages`);
     const session = window.riemap?.session();
     if (session === undefined) return refused("the app is not there yet, or has stopped");
-    if (request.type === "get-session") return { ok: true, session, link: location.hash };
+    if (request.type === "get-session") return { ok: true, session, link: window.riemap.link() };
     if (request.type === "set-session") return set(request);
     return refused(`there is no message of the type ${JSON.stringify(request.type)}`);
   } catch (error) {
@@ -57,7 +57,7 @@ function tellChanges(tell) {
   window.addEventListener("riemap-session", () => {
     due ??= setTimeout(() => {
       due = null;
-      tell("session-changed", { session: window.riemap.session(), link: location.hash });
+      tell("session-changed", { session: window.riemap.session(), link: window.riemap.link() });
     }, CHANGE_PAUSE_MS);
   });
   window.addEventListener("riemap-error", ({ detail }) => tell("error", { error: detail }));

@@ -13,7 +13,7 @@ mod public;
 mod report;
 
 pub use first::{Start, first_session, missing_text};
-pub use report::link_report;
+pub use report::{link_report, whole_link};
 
 use crate::session::link::MissingOutline;
 use crate::session::{Command, History, Session};
@@ -127,6 +127,11 @@ impl Keeper {
     /// The person changes something: what comes to rest next is a step of its own.
     pub fn touch(&mut self) {
         self.coming = Coming::Change;
+    }
+
+    /// What comes to rest next is where the history begins: there is no way back behind it.
+    pub fn begin_anew(&mut self) {
+        (self.is_new, self.coming) = (true, Coming::Change);
     }
 
     /// A link is being opened that only names the `missing` outlines.

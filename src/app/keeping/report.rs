@@ -1,6 +1,6 @@
-//! What the sender of a link is told: what is not in it.
+//! What a link of a session holds, for its sender: all of it, or what is not in it.
 
-use crate::session::link::{Encoded, MissingOutline};
+use crate::session::link::{self, Encoded, MissingOutline};
 use crate::session::{Session, SurfaceShape, TextureKind};
 
 /// What the `encoded` link of `session` does not carry, or `None`; `missing`: the outlines that a disk stands in for.
@@ -18,23 +18,32 @@ pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutli
     (!all.is_empty()).then(|| format!("The link was copied, but {}.", all.join("; ")))
 }
 
+/// The link of `session`, if all of its outlines are in it.
+pub fn whole_link(session: &Session) -> Option<String> {
+    let encoded = link::encode(session).ok().filter(|encoded| encoded.left_out.is_empty())?;
+    Some(encoded.fragment)
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
     use crate::conformal::Side;
     use crate::geometry::DVec2;
-    use crate::session::{Command, OutlineSpec, SurfaceSpec, link};
+    use crate::session::{Command, OutlineSpec, SurfaceSpec};
 
     #[test]
     fn everything_that_is_not_in_the_link_is_named() {
         let mut session = Session::default();
-        assert_eq!(link_report(&session, &link::encode(&session).unwrap(), &[]), None);
+        let encoded = link::encode(&session).unwrap();
+        assert_eq!(link_report(&session, &encoded, &[]), None);
+        assert_eq!(whole_link(&session), Some(encoded.fragment));
         let name = String::from("spike");
         let spike =
             [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
         let points = spike.map(DVec2::from).to_vec();
         session.apply(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Points { name, points } });
+        assert_eq!(whole_link(&session), None, "a spike finer than a link can tell");
         let shape = SurfaceShape::File { name: "cow.obj".into() };
         session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
         session.apply(Command::SetTexture(TextureKind::Image));

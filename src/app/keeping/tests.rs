@@ -109,6 +109,22 @@ fn a_link_that_is_taken_back_while_it_is_prepared_leaves_nothing() {
 }
 
 #[test]
+fn nothing_leads_behind_a_new_beginning() {
+    let mut at_rest = keeper(&[2.0, 3.0]);
+    at_rest.begin_anew();
+    assert_eq!(at_rest.undo(Some(&scaled(9.0))), None);
+    let mut under_way = keeper(&[2.0, 3.0]);
+    under_way.undo(Some(&scaled(3.0)));
+    under_way.settle(&scaled(2.0), 0.0);
+    under_way.begin_anew();
+    assert_eq!((under_way.undo(None), under_way.redo(None)), (None, None), "while it is prepared");
+    assert_eq!(under_way.settle(&scaled(9.0), 1.0).address, address(&scaled(9.0)));
+    assert!(!under_way.history().can_undo() && !under_way.history().can_redo());
+    under_way.settle(&scaled(10.0), 2.0);
+    assert_eq!(under_way.undo(Some(&scaled(10.0))), Some(scaled(9.0)), "from there on there is a way back");
+}
+
+#[test]
 fn a_failing_store_is_complained_of_once() {
     let mut keeper = keeper(&[]);
     assert!(keeper.not_kept("the disk is full").unwrap().contains("the disk is full"));

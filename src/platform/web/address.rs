@@ -1,5 +1,6 @@
 //! The page's address and the browser's storage: what carries a session to other places and times.
 
+use super::surroundings::is_framed;
 use crate::platform::{Event, Kept, Mailbox};
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
@@ -37,9 +38,8 @@ pub fn address_with(fragment: &str) -> String {
 }
 
 /// Keeps a text for [`remembered`], or says why not: the page may store nothing, or not so much.
-/// A picture in another page is not what its reader goes on with elsewhere: its session is not kept.
 pub fn remember(what: Kept, text: &str) -> Result<(), String> {
-    if what == Kept::Session && super::address_options().embed {
+    if !is_kept(what) {
         return Ok(());
     }
     let storage = |window: Window| window.local_storage().ok()?;
@@ -49,9 +49,15 @@ pub fn remember(what: Kept, text: &str) -> Result<(), String> {
         .map_err(|_| format!("its {} characters are more than the browser lets this page store", text.len()))
 }
 
+/// A picture in another page is not what its reader goes on with elsewhere: its session is neither kept nor that which
+/// was kept, whatever the options. The same holds for the picture of such a frame in a window of its own.
+fn is_kept(what: Kept) -> bool {
+    what != Kept::Session || !(is_framed() || super::address_options().embed)
+}
+
 /// What was kept last.
 pub fn remembered(what: Kept) -> Option<String> {
-    if what == Kept::Session && super::address_options().embed {
+    if !is_kept(what) {
         return None;
     }
     web_sys::window()?.local_storage().ok()??.get_item(key(what)).ok()?

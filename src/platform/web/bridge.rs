@@ -2,6 +2,7 @@
 //!
 //! * `riemap.stats()` → [`Stats`](crate::app::Stats) as an object,
 //! * `riemap.session()` → the session as an object,
+//! * `riemap.link()` → the fragment of an address that opens this session, or `null` where none carries all of its outlines,
 //! * `riemap.open_session(object)` → `null`, or why the object is no session that can be used; the map follows
 //!   when its domains are prepared,
 //! * `riemap.open_link(text)` → the same for a link or its fragment,
@@ -27,6 +28,10 @@ pub fn install(runner: &WebRunner) {
     let stats = Closure::<dyn Fn() -> JsValue>::new(move || with_app(&app, |app| to_js(&app.stats())));
     let app = runner.clone();
     let session = Closure::<dyn Fn() -> JsValue>::new(move || with_app(&app, |app| to_js(app.session())));
+    let app = runner.clone();
+    let own_link = Closure::<dyn Fn() -> JsValue>::new(move || {
+        with_app(&app, |app| app.link().map_or(JsValue::NULL, |fragment| format!("#{fragment}").into()))
+    });
     let app = runner.clone();
     let load =
         Closure::<dyn Fn(String, String, String) -> JsValue>::new(move |side: String, name: String, text: String| {
@@ -58,6 +63,7 @@ pub fn install(runner: &WebRunner) {
     let link = Closure::<dyn Fn(String) -> JsValue>::new(move |text: String| {
         with_app(&app, |app| app.try_link(&text).map_or_else(JsValue::from, |()| JsValue::NULL))
     });
+    put(&object, "link", &own_link.into_js_value());
     put(&object, "open_link", &link.into_js_value());
     put(&object, "load_file", &file.into_js_value());
     put(&object, "open_session", &open.into_js_value());

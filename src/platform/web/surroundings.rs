@@ -3,7 +3,14 @@
 use super::worker_handle::describe;
 use crate::platform::PageEvent;
 use wasm_bindgen::JsValue;
-use web_sys::{CustomEvent, CustomEventInit, Document};
+use web_sys::{CustomEvent, CustomEventInit, Document, Window};
+
+/// Whether this page is shown in a frame of another one.
+pub fn is_framed() -> bool {
+    let around = |window: &Window| window.parent().ok().flatten();
+    // where the browser does not say what is around the page, something is
+    web_sys::window().is_some_and(|window| around(&window).is_none_or(|parent| parent != window))
+}
 
 /// Whether the page may fill the screen: phones of one maker do not let it, nor do frames without leave.
 pub fn has_full_screen() -> bool {
