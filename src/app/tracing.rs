@@ -216,6 +216,19 @@ mod tests {
     }
 
     #[test]
+    fn a_soft_edge_is_where_it_is_half_transparent_whatever_colour_the_ground_has() {
+        for ground in [[0, 0, 0], [255, 255, 255]] {
+            let picture = RgbaImage::from_fn(600, 480, |x, y| {
+                let within = 150.0 - (f64::from(x) + 0.5 - 270.0).hypot(f64::from(y) + 0.5 - 180.0);
+                let share = (0.5 + within / 8.0).clamp(0.0, 1.0);
+                let [r, g, b] = if share > 0.0 { [30, 40, 60] } else { ground };
+                Rgba([r, g, b, (255.0 * share).round() as u8])
+            });
+            assert_is_disk(&trace("disk", &picture).unwrap());
+        }
+    }
+
+    #[test]
     fn of_several_shapes_the_largest_is_taken_without_its_holes() {
         let speck = |x: f64, y: f64| (x - 180.0).hypot(y - 140.0) < 9.0;
         let hole = |x: f64, y: f64| (x - 90.0).hypot(y - 60.0) < 20.0;

@@ -1,7 +1,8 @@
 //! Images on the desktop: decoded by the crate `image`, on a thread.
 
 use super::{Event, FilePurpose, Mailbox};
-use image::RgbaImage;
+use image::imageops::thumbnail;
+use image::{ImageBuffer, Rgba, RgbaImage};
 use std::thread;
 
 /// Decodes a PNG or JPEG, made smaller until no side is longer than `max_side`, and posts it to `mailbox`.
@@ -19,7 +20,24 @@ fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, String> {
     }
     let scale = f64::from(max_side) / f64::from(largest);
     let [width, height] = [decoded.width(), decoded.height()].map(|side| ((f64::from(side) * scale) as u32).max(1));
-    Ok(image::imageops::thumbnail(&decoded, width, height))
+    Ok(smaller(&decoded, width, height))
+}
+
+/// Colours are averaged by how opaque they are: what cannot be seen has none.
+fn smaller(picture: &RgbaImage, width: u32, height: u32) -> RgbaImage {
+    if picture.pixels().all(|pixel| pixel.0[3] == 255) {
+        return thumbnail(picture, width, height);
+    }
+    let weighted = ImageBuffer::from_fn(picture.width(), picture.height(), |x, y| {
+        let [r, g, b, alpha] = picture.get_pixel(x, y).0.map(u16::from);
+        Rgba([r * alpha, g * alpha, b * alpha, 255 * alpha])
+    });
+    let small = thumbnail(&weighted, width, height);
+    RgbaImage::from_fn(width, height, |x, y| {
+        let [r, g, b, weight] = small.get_pixel(x, y).0.map(u32::from);
+        let colour = |sum: u32| (255 * sum + weight / 2).checked_div(weight).unwrap_or(0).min(255) as u8;
+        Rgba([colour(r), colour(g), colour(b), ((weight + 127) / 255) as u8])
+    })
 }
 
 #[cfg(test)]
@@ -29,7 +47,7 @@ mod tests {
 
     fn png(width: u32, height: u32) -> Vec<u8> {
         let mut bytes = std::io::Cursor::new(Vec::new());
-        let picture = RgbaImage::from_pixel(width, height, image::Rgba([1, 2, 3, 255]));
+        let picture = RgbaImage::from_pixel(width, height, Rgba([1, 2, 3, 255]));
         picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
         bytes.into_inner()
     }
@@ -43,6 +61,18 @@ mod tests {
     #[test]
     fn an_image_that_the_device_cannot_hold_is_made_smaller_in_proportion() {
         assert_eq!(decode(&png(64, 16), 32).unwrap().dimensions(), (32, 8));
+    }
+
+    #[test]
+    fn half_transparent_pixels_keep_their_straight_colours() {
+        let seen = Rgba([200, 100, 50, 128]);
+        let picture = RgbaImage::from_fn(64, 32, |x, _| if x % 2 == 0 { seen } else { Rgba([0; 4]) });
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+        let bytes = bytes.into_inner();
+        assert_eq!(decode(&bytes, 64).unwrap(), picture);
+        let small = decode(&bytes, 32).unwrap();
+        assert!(small.pixels().all(|pixel| pixel.0 == [200, 100, 50, 64]), "{:?}", small.get_pixel(3, 3));
     }
 
     #[test]

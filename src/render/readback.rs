@@ -111,3 +111,16 @@ fn straight(pixel: &[u8]) -> [u8; 4] {
     let channel = |value: u8| (u32::from(value) * 255 + alpha / 2).checked_div(alpha).unwrap_or(0).min(255) as u8;
     [channel(pixel[0]), channel(pixel[1]), channel(pixel[2]), pixel[3]]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::straight;
+
+    #[test]
+    fn a_half_covered_pixel_gets_its_straight_colour_back() {
+        assert_eq!(straight(&[100, 50, 25, 128]), [199, 100, 50, 128]);
+        assert_eq!(straight(&[7, 200, 0, 255]), [7, 200, 0, 255]);
+        assert_eq!(straight(&[0, 0, 0, 0]), [0; 4], "nothing has no colour");
+        assert_eq!(straight(&[9, 8, 7, 8]), [255, 255, 223, 8], "never more than there is");
+    }
+}

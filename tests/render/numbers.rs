@@ -120,6 +120,30 @@ fn a_transparent_background_stays_transparent() {
 }
 
 #[test]
+fn half_covered_pixels_on_a_transparent_ground_have_straight_colours() {
+    let Some(gpu) = gpu() else { return };
+    let flat = image::Rgba([200, 100, 50, 255]);
+    let mut viewport = square(style(Pattern::Image, 1.0));
+    // moved by half a pixel: the edges run through the middles of the pixels 10 and 90
+    let units_per_pixel = 2.0 / 80.0;
+    viewport.camera = Some(Camera { center: DVec2::splat(0.5 * units_per_pixel), units_per_pixel });
+    let image = RgbaImage::from_pixel(4, 4, flat);
+    // a ground that nobody sees leaves no trace of its colour either
+    let background = [0.1, 0.9, 0.9, 0.0];
+    let viewports = [viewport];
+    let scene = SceneDescription { viewports: &viewports, background, image: Some(&image), margin_px: 0.0 };
+    let picture = render_scene_with(&gpu.0, &gpu.1, &scene, [100, 100]).unwrap();
+    let mut half = 0;
+    for (x, y, pixel) in picture.enumerate_pixels().filter(|(.., pixel)| (40..=215).contains(&pixel.0[3])) {
+        half += 1;
+        let [r, g, b, _] = flat.0;
+        // two roundings, divided by a share of one sixth at least
+        assert_pixel(&picture, [x, y], [r, g, b, pixel.0[3]], 8, "edge");
+    }
+    assert!(half > 250, "only {half} pixels along the edges");
+}
+
+#[test]
 fn a_row_that_is_not_aligned_for_copies_comes_back_straight() {
     let Some(gpu) = gpu() else { return };
     let viewports = [square(style(Pattern::Checker, 1.0)), square(style(Pattern::Checker, 1.0))];
