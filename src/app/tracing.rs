@@ -221,8 +221,8 @@ mod tests {
             let picture = RgbaImage::from_fn(600, 480, |x, y| {
                 let within = 150.0 - (f64::from(x) + 0.5 - 270.0).hypot(f64::from(y) + 0.5 - 180.0);
                 let share = (0.5 + within / 8.0).clamp(0.0, 1.0);
-                let [r, g, b] = if share > 0.0 { [30, 40, 60] } else { ground };
-                Rgba([r, g, b, (255.0 * share).round() as u8])
+                let [red, green, blue] = if share > 0.0 { [30, 40, 60] } else { ground };
+                Rgba([red, green, blue, (255.0 * share).round() as u8])
             });
             assert_is_disk(&trace("disk", &picture).unwrap());
         }

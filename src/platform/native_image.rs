@@ -29,14 +29,14 @@ fn smaller(picture: &RgbaImage, width: u32, height: u32) -> RgbaImage {
         return thumbnail(picture, width, height);
     }
     let weighted = ImageBuffer::from_fn(picture.width(), picture.height(), |x, y| {
-        let [r, g, b, alpha] = picture.get_pixel(x, y).0.map(u16::from);
-        Rgba([r * alpha, g * alpha, b * alpha, 255 * alpha])
+        let [red, green, blue, alpha] = picture.get_pixel(x, y).0.map(u16::from);
+        Rgba([red * alpha, green * alpha, blue * alpha, 255 * alpha])
     });
     let small = thumbnail(&weighted, width, height);
     RgbaImage::from_fn(width, height, |x, y| {
-        let [r, g, b, weight] = small.get_pixel(x, y).0.map(u32::from);
-        let colour = |sum: u32| (255 * sum + weight / 2).checked_div(weight).unwrap_or(0).min(255) as u8;
-        Rgba([colour(r), colour(g), colour(b), ((weight + 127) / 255) as u8])
+        let [red, green, blue, weight] = small.get_pixel(x, y).0.map(u32::from);
+        let mean = |sum: u32| (255 * sum + weight / 2).checked_div(weight).unwrap_or(0).min(255) as u8;
+        Rgba([mean(red), mean(green), mean(blue), ((weight + 127) / 255) as u8])
     })
 }
 
