@@ -5,6 +5,7 @@ use super::keeping::Keeper;
 use super::language::tr;
 use super::locks::menu_entry;
 use super::presentation;
+use super::room::{BELOW_BAR, menu_label, scroll_beyond};
 use super::theme::FINGER_HEIGHT;
 use super::widgets::chevron;
 use crate::platform;
@@ -25,20 +26,24 @@ const EXPORT_TOOLTIP: &str = "Pictures, animations, vector graphics, tables, mes
 
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
-    let (response, _) = MenuButton::from_button(egui::Button::new(format!("{}     ", tr("File")))).ui(ui, |ui| {
+    let (response, _) = MenuButton::from_button(egui::Button::new(menu_label(tr("File")))).ui(ui, |ui| {
         ui.set_width(190.0);
-        for (entry, enabled, action) in entries(keeper, ui.ctx()) {
-            let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
-            let button =
-                egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, FINGER_HEIGHT));
-            if menu_entry(ui, enabled, button, entry.tooltip, &action) {
-                actions.push(action);
-                ui.close();
-            }
-        }
+        scroll_beyond(ui, BELOW_BAR, |ui| content(ui, keeper, actions));
     });
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("File")));
     chevron(ui, response.rect, false);
+}
+
+fn content(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
+    for (entry, enabled, action) in entries(keeper, ui.ctx()) {
+        let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
+        let button =
+            egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, FINGER_HEIGHT));
+        if menu_entry(ui, enabled, button, entry.tooltip, &action) {
+            actions.push(action);
+            ui.close();
+        }
+    }
 }
 
 struct Entry {

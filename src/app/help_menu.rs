@@ -1,10 +1,11 @@
-//! The menu of what helps: gallery, tour, keys; and what the app looks like and speaks.
+//! The menu of what helps: gallery, figures, tour, keys; and what the app looks like and speaks.
 
 use super::action::{Action, Actions};
 use super::explore::ExploreAction;
 use super::language::{Language, tr};
 use super::locks::{Control, guarded, menu_entry};
 use super::preferences::{Appearance, Preferences};
+use super::room::{BELOW_BAR, menu_label, scroll_beyond};
 use super::theme::{FINGER_HEIGHT, Palette};
 use super::widgets::{Segment, chevron, segmented};
 use egui::containers::menu::{MenuButton, MenuConfig};
@@ -20,28 +21,33 @@ const APPEARANCES: [Segment<Appearance>; 3] = [
 
 /// A button that opens the menu.
 pub fn menu_button(ui: &mut Ui, preferences: Preferences, actions: &mut Actions) {
-    let button = egui::Button::new(format!("{}     ", tr("Help")));
+    let button = egui::Button::new(menu_label(tr("Help")));
     let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let (response, _) = MenuButton::from_button(button).config(stays_open).ui(ui, |ui| {
         ui.set_width(WIDTH);
-        for (label, tooltip, action) in entries() {
-            let button = egui::Button::new(tr(label)).min_size(vec2(WIDTH, FINGER_HEIGHT));
-            let action = Action::Explore(action);
-            if menu_entry(ui, true, button, tooltip, &action) {
-                actions.push(action);
-                ui.close();
-            }
-        }
-        ui.separator();
-        guarded(ui, Control::Theme, |ui| choices(ui, preferences, actions));
+        scroll_beyond(ui, BELOW_BAR, |ui| content(ui, preferences, actions));
     });
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Help")));
     chevron(ui, response.rect, false);
 }
 
-fn entries() -> [(&'static str, &'static str, ExploreAction); 3] {
+fn content(ui: &mut Ui, preferences: Preferences, actions: &mut Actions) {
+    for (label, tooltip, action) in entries() {
+        let button = egui::Button::new(tr(label)).min_size(vec2(WIDTH, FINGER_HEIGHT));
+        let action = Action::Explore(action);
+        if menu_entry(ui, true, button, tooltip, &action) {
+            actions.push(action);
+            ui.close();
+        }
+    }
+    ui.separator();
+    guarded(ui, Control::Theme, |ui| choices(ui, preferences, actions));
+}
+
+fn entries() -> [(&'static str, &'static str, ExploreAction); 4] {
     [
         ("Gallery…", "Maps worth seeing", ExploreAction::Gallery),
+        ("The paper's figures…", "Its figures and tables, made anew", ExploreAction::Figures),
         ("Guided tour", "Six pictures: what a conformal map is, and what it is held by", ExploreAction::Tour(0)),
         ("Keys and gestures…", "What keys, mouse and fingers do", ExploreAction::Shortcuts),
     ]

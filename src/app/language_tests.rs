@@ -52,7 +52,7 @@ fn the_whole_screen_speaks_german() {
         harness.key_press(egui::Key::Escape);
         harness.run_steps(3);
     }
-    for action in [ExploreAction::Gallery, ExploreAction::Shortcuts] {
+    for action in [ExploreAction::Gallery, ExploreAction::Figures, ExploreAction::Shortcuts] {
         harness.state_mut().explore(action);
         check(&mut harness, &format!("{action:?}"));
         harness.key_press(egui::Key::Escape);

@@ -88,7 +88,9 @@ impl Control {
     fn of(action: &Action) -> Option<Self> {
         Some(match action {
             Action::Session(command) => Self::of_command(command),
-            Action::New | Action::OpenSession | Action::Explore(ExploreAction::Gallery | ExploreAction::Tour(_)) => {
+            Action::New
+            | Action::OpenSession
+            | Action::Explore(ExploreAction::Gallery | ExploreAction::Figures | ExploreAction::Tour(_)) => {
                 Self::Session
             }
             Action::OpenOutline(_)

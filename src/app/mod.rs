@@ -46,6 +46,7 @@ mod preferences;
 mod prepare_state;
 mod presentation;
 mod reports;
+mod room;
 mod sessions;
 mod shapes;
 mod side_panel;

@@ -5,11 +5,12 @@
 use super::language::{tr, tr_message, tr_with};
 use super::plots::convergence_chart;
 use super::theme::Palette;
+use super::widgets::close_button;
 use crate::figures::{
     BenchRow, BenchSetting, ConvergenceRow, Measurement, PAPER_MACHINE, PaperFrame, PaperPreparation, TABLE_1, TABLE_2,
 };
 use crate::worker::{Finding, Study};
-use egui::{Grid, RichText, ScrollArea, Ui, Window, vec2};
+use egui::{Grid, Key, RichText, ScrollArea, Ui, Window, vec2};
 use std::collections::VecDeque;
 
 /// Measurements per row, of which the median is taken.
@@ -87,6 +88,7 @@ impl Reports {
         };
         let screen = context.content_rect();
         let mut still_open = true;
+        let given_up = context.input(|input| input.key_pressed(Key::Escape));
         Window::new(tr(title))
             .open(&mut still_open)
             .collapsible(false)
@@ -94,7 +96,7 @@ impl Reports {
             .default_pos(screen.center())
             .default_size(vec2(780.0, 700.0).min(screen.size() - vec2(24.0, 90.0)))
             .show(context, |ui| self.content(ui, report));
-        if !still_open {
+        if !still_open || given_up {
             self.close();
         }
     }
@@ -105,20 +107,26 @@ impl Reports {
         let state =
             if left == 0 { String::from(tr("done")) } else { tr_with("measuring, {0} rows to go…", &[&left]) };
         ui.label(RichText::new(state).color(palette.weak));
-        ScrollArea::both().auto_shrink(false).show(ui, |ui| match report {
-            Report::Bench => {
-                ui.label(
-                    RichText::new(tr_with("Paper: {0}. Here: one thread.", &[&tr(PAPER_MACHINE)])).color(palette.weak),
-                );
-                for setting in BenchSetting::ALL {
-                    self.table_1(ui, setting);
-                    self.table_2(ui, setting);
-                }
-            }
-            Report::Convergence => convergence_chart(ui, &self.convergence),
-        });
         for failure in &self.failures {
             ui.label(RichText::new(tr_message(failure)).color(palette.error_edge));
+        }
+        let below = 2.0 * ui.spacing().item_spacing.y + ui.spacing().interact_size.y;
+        let height = ui.available_height() - below;
+        ScrollArea::both().auto_shrink(false).max_height(height).show(ui, |ui| match report {
+            Report::Bench => self.tables(ui),
+            Report::Convergence => convergence_chart(ui, &self.convergence),
+        });
+        if close_button(ui).clicked() {
+            ui.close();
+        }
+    }
+
+    fn tables(&self, ui: &mut Ui) {
+        let weak = Palette::of(ui.visuals()).weak;
+        ui.label(RichText::new(tr_with("Paper: {0}. Here: one thread.", &[&tr(PAPER_MACHINE)])).color(weak));
+        for setting in BenchSetting::ALL {
+            self.table_1(ui, setting);
+            self.table_2(ui, setting);
         }
     }
 

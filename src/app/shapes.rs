@@ -5,6 +5,7 @@ use super::editing::{EditAction, Pen};
 use super::language::tr;
 use super::locks::menu_entry;
 use super::model::{Model, bounds};
+use super::room::{menu_label, scroll_beyond};
 use super::surface::surface_picture;
 use super::theme::{Palette, ROUNDING};
 use super::widgets::chevron;
@@ -22,13 +23,14 @@ use std::sync::Arc;
 
 const CELL: egui::Vec2 = vec2(100.0, 84.0);
 const COLUMNS: usize = 4;
+/// What of the screen's height is above the cells, and below them: two or three rows of buttons.
+const BESIDES: f32 = 260.0;
 /// Points of a picture: its 50 points across need no more.
 const PICTURE_POINTS: usize = 160;
 
 /// A button that opens the menu of a side's shapes.
 pub fn menu_button(ui: &mut Ui, label: &str, side: Side, model: &Model, actions: &mut Actions) {
-    // The spaces make room for the chevron.
-    let button = egui::Button::new(format!("{label}     "));
+    let button = egui::Button::new(menu_label(label));
     let (response, _) = MenuButton::from_button(button).ui(ui, |ui| menu(ui, side, model, actions));
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
     chevron(ui, response.rect, false);
@@ -81,7 +83,7 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let current = Shown::current(side, model);
     ui.set_width(columns as f32 * (CELL.x + 4.0));
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
-    egui::ScrollArea::vertical().max_height(0.7 * ui.ctx().content_rect().height()).show(ui, |ui| {
+    scroll_beyond(ui, BESIDES, |ui| {
         cells(ui, &Preset::ALL.map(Shown::Outline), columns, side, current, actions);
         if side == Side::Target {
             ui.separator();

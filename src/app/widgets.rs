@@ -2,10 +2,11 @@
 //! sliders with a caption above, headings of groups, messages.
 
 use super::language::{tr, tr_message};
+use super::room::{button_width, text_width};
 use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
 use egui::{
-    Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind,
-    TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Align2, Button, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, Sense, Stroke,
+    StrokeKind, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 use std::ops::RangeInclusive;
 
@@ -60,10 +61,7 @@ pub fn segmented_where<T: Copy + PartialEq>(
 fn segment_widths<T>(ui: &Ui, segments: &[Segment<T>], whole: f32) -> Vec<f32> {
     let equal = whole / segments.len() as f32;
     let font = FontId::proportional(SEGMENT_TEXT);
-    let label = |segment: &Segment<T>| {
-        ui.painter().layout_no_wrap(tr(segment.label).into(), font.clone(), Color32::PLACEHOLDER).size().x
-    };
-    let labels: Vec<f32> = segments.iter().map(label).collect();
+    let labels: Vec<f32> = segments.iter().map(|segment| text_width(ui, tr(segment.label), font.clone())).collect();
     if labels.iter().all(|width| width + 2.0 * SEGMENT_PADDING <= equal) {
         return vec![equal; segments.len()];
     }
@@ -158,6 +156,9 @@ pub enum MessageAnswer {
     Remedy,
 }
 
+/// The width of the cross that closes a message, where a mouse points at it.
+const CROSS_WIDTH: f32 = 30.0;
+
 /// An error in a box, with a cross to close it and, where there is one, its remedy.
 pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>) -> Option<MessageAnswer> {
     let palette = Palette::of(ui.visuals());
@@ -169,7 +170,9 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>) -> Opt
     let content = |ui: &mut Ui| {
         let mut answer = None;
         ui.horizontal(|ui| {
-            let buttons = if remedy.is_some() { 150.0 } else { 34.0 };
+            let cross_width = control_height(ui, CROSS_WIDTH);
+            let remedy_width = remedy.map_or(0.0, |label| button_width(ui, tr(label)));
+            let buttons = cross_width + ui.spacing().item_spacing.x + remedy_width;
             ui.scope(|ui| {
                 ui.set_max_width(ui.available_width() - buttons);
                 ui.add(egui::Label::new(RichText::new(tr_message(text)).color(palette.text)).wrap());
@@ -177,8 +180,8 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>) -> Opt
             if remedy.is_some_and(|label| ui.button(tr(label)).clicked()) {
                 answer = Some(MessageAnswer::Remedy);
             }
-            let size = vec2(control_height(ui, 0.0), 0.0);
-            let cross = ui.add(egui::Button::new("×").min_size(size)).on_hover_text(tr("Close this message"));
+            let cross =
+                ui.add(Button::new("×").min_size(vec2(cross_width, 0.0))).on_hover_text(tr("Close this message"));
             cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Close this message")));
             if cross.clicked() {
                 answer = Some(MessageAnswer::Dismiss);
@@ -200,6 +203,14 @@ pub fn notice_box(ui: &mut Ui, text: &str) {
         .show(ui, |ui| ui.vertical_centered(|ui| ui.label(RichText::new(tr_message(text)).color(palette.text))));
 }
 
+/// The button that closes a window, large enough for a finger where there are fingers: the cross of its title is not.
+pub fn close_button(ui: &mut Ui) -> Response {
+    let size = vec2(CLOSE_WIDTH, control_height(ui, ROW_HEIGHT));
+    ui.add_sized(size, Button::new(tr("Close")))
+}
+
+const CLOSE_WIDTH: f32 = 88.0;
+
 /// A chevron at the right end of a button that opens something, down or up.
 pub fn chevron(ui: &Ui, button: Rect, up: bool) {
     let center = button.right_center() - vec2(13.0, 0.0);
@@ -207,6 +218,9 @@ pub fn chevron(ui: &Ui, button: Rect, up: bool) {
     let points = vec![center + vec2(-half, -rise), center + vec2(0.0, rise), center + vec2(half, -rise)];
     ui.painter().line(points, Stroke::new(1.5, Palette::of(ui.visuals()).weak));
 }
+
+/// The largest width of a [`dot`] or a [`dash`].
+pub const SIGN_WIDTH: f32 = 12.0;
 
 /// A dot as in the legend.
 pub fn dot(ui: &mut Ui, colour: Color32) {
@@ -216,7 +230,7 @@ pub fn dot(ui: &mut Ui, colour: Color32) {
 
 /// A short line as in the legend.
 pub fn dash(ui: &mut Ui, colour: Color32) {
-    let (rect, _) = ui.allocate_exact_size(vec2(12.0, 10.0), Sense::hover());
+    let (rect, _) = ui.allocate_exact_size(vec2(SIGN_WIDTH, 10.0), Sense::hover());
     ui.painter().line_segment([rect.left_center(), rect.right_center()], Stroke::new(2.5, colour));
 }
 

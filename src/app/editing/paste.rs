@@ -5,10 +5,13 @@
 use super::{EditAction, Editor};
 use crate::app::action::{Action, Actions};
 use crate::app::language::{tr, tr_message};
-use crate::app::theme::Palette;
+use crate::app::theme::{Palette, ROUNDING};
 use crate::conformal::Side;
 use crate::outline::{Outline, parse};
-use egui::{Align2, Button, Context, Event, FontId, Key, Label, RichText, ScrollArea, TextEdit, Ui, Window, vec2};
+use egui::{
+    Align2, Button, Context, CornerRadius, Event, FontId, Frame, Key, Label, RichText, ScrollArea, Stroke, TextEdit,
+    Ui, Window, vec2,
+};
 
 /// What the text may be.
 const KINDS: &str =
@@ -113,6 +116,24 @@ pub fn show(context: &Context, editor: &mut Editor, actions: &mut Actions) {
 fn content(ui: &mut Ui, paste: &mut Paste, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     ui.add(Label::new(RichText::new(tr(KINDS)).small().color(palette.weak)).wrap());
+    // a field's own edge is the ground's colour on the light theme
+    let edge = Frame::new().stroke(Stroke::new(1.0, palette.border)).corner_radius(CornerRadius::same(ROUNDING));
+    edge.show(ui, |ui| field(ui, paste));
+    if let Some(error) = &paste.error {
+        ui.add(Label::new(RichText::new(tr_message(error)).color(palette.error_edge)).wrap());
+    }
+    ui.horizontal(|ui| {
+        let filled = !paste.text.trim().is_empty();
+        if ui.add_enabled(filled, Button::new(tr("Use it")).min_size(vec2(0.0, 40.0))).clicked() {
+            actions.push(Action::Edit(EditAction::TakePasted));
+        }
+        if ui.add(Button::new(tr("Cancel")).min_size(vec2(0.0, 40.0))).clicked() {
+            actions.push(Action::Edit(EditAction::ClosePaste));
+        }
+    });
+}
+
+fn field(ui: &mut Ui, paste: &mut Paste) {
     ScrollArea::vertical().max_height(FIELD).min_scrolled_height(FIELD).show(ui, |ui| {
         let field = TextEdit::multiline(&mut paste.text)
             .font(FontId::monospace(12.0))
@@ -128,18 +149,6 @@ fn content(ui: &mut Ui, paste: &mut Paste, actions: &mut Actions) {
             if paste.text.len() > LONGEST_SHOWN {
                 actions.push(Action::Edit(EditAction::TakePasted));
             }
-        }
-    });
-    if let Some(error) = &paste.error {
-        ui.add(Label::new(RichText::new(tr_message(error)).color(palette.error_edge)).wrap());
-    }
-    ui.horizontal(|ui| {
-        let filled = !paste.text.trim().is_empty();
-        if ui.add_enabled(filled, Button::new(tr("Use it")).min_size(vec2(0.0, 40.0))).clicked() {
-            actions.push(Action::Edit(EditAction::TakePasted));
-        }
-        if ui.add(Button::new(tr("Cancel")).min_size(vec2(0.0, 40.0))).clicked() {
-            actions.push(Action::Edit(EditAction::ClosePaste));
         }
     });
 }

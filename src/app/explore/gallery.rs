@@ -1,18 +1,20 @@
 //! The gallery: maps worth seeing, each with a small picture and a line about it.
 
 use super::thumbnail::{self, SIZE};
-use crate::app::PHONE_WIDTH;
+use super::window::BESIDES;
 use crate::app::action::{Action, Actions};
 use crate::app::language::tr;
+use crate::app::room::scroll_beyond;
 use crate::app::theme::{Palette, ROUNDING, bold};
 use crate::conformal::Direction;
 use crate::outline::Preset;
 use crate::session::{Colouring, Command, Comparison, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
 use egui::{
-    Color32, Context, CornerRadius, Key, Rect, Response, Role, ScrollArea, Sense, TextStyle, TextureHandle,
-    TextureOptions, Ui, WidgetInfo, Window, pos2, vec2,
+    Color32, CornerRadius, Rect, Response, Role, Sense, Stroke, StrokeKind, TextStyle, TextureHandle, TextureOptions,
+    Ui, Vec2, WidgetInfo, pos2, vec2,
 };
+use std::sync::LazyLock;
 
 /// One picture.
 pub struct Piece {
@@ -24,8 +26,13 @@ pub struct Piece {
     pub session: Session,
 }
 
-/// All of them, from easy to hard, then the surfaces.
-pub fn pieces() -> Vec<Piece> {
+/// All of them, from easy to hard, then the surfaces; made once.
+pub fn pieces() -> &'static [Piece] {
+    static PIECES: LazyLock<Vec<Piece>> = LazyLock::new(make_pieces);
+    &PIECES
+}
+
+fn make_pieces() -> Vec<Piece> {
     let piece = |title, caption, session| Piece { title, caption, session };
     vec![
         piece("Gingerbread heart", "Every limb finds its place", planar(Preset::Gingerbread, Preset::Heart)),
@@ -86,87 +93,77 @@ pub fn crowding() -> Session {
     }
 }
 
-/// A picture with its two lines of words.
-const CARD: egui::Vec2 = vec2(SIZE[0] as f32 + 16.0, SIZE[1] as f32 + 82.0);
+/// The frame around a picture.
+const PADDING: f32 = 8.0;
+/// A picture with its words below.
+const CARD: Vec2 = vec2(SIZE[0] as f32 + 2.0 * PADDING, SIZE[1] as f32 + 82.0);
+/// A picture with its words beside it: where there is room for one column only.
+const ROW: Vec2 = vec2(420.0, SIZE[1] as f32 + 2.0 * PADDING);
 
 /// Between them, in points.
 const GAP: f32 = 8.0;
-/// The share of the window that they may take.
-const HEIGHT: f32 = 0.75;
+const MOST_COLUMNS: f32 = 3.0;
 
-/// Shows the gallery while `open`; one picture is made in a frame.
-pub fn show(
-    context: &Context,
-    open: &mut bool,
-    made: &mut Vec<Option<TextureHandle>>,
-    takes_focus: bool,
-    actions: &mut Actions,
-) {
-    if !*open {
-        return;
-    }
+fn columns(most: f32) -> f32 {
+    ((most + GAP) / (CARD.x + GAP)).floor().min(MOST_COLUMNS)
+}
+
+/// How wide the gallery is where there is room for `most`.
+pub fn width(most: f32) -> f32 {
+    let columns = columns(most);
+    if columns < 2.0 { ROW.x.min(most) } else { columns * (CARD.x + GAP) - GAP }
+}
+
+/// Shows the gallery; one picture is made in a frame. Who chooses one closes it. `takes_focus`: the first picture gets
+/// the keyboard.
+pub fn show(ui: &mut Ui, made: &mut Vec<Option<TextureHandle>>, takes_focus: bool, actions: &mut Actions) {
     let pieces = pieces();
     if let Some(next) = pieces.get(made.len()) {
         let picture = thumbnail::of(&next.session);
-        made.push(picture.map(|picture| context.load_texture(next.title, picture, TextureOptions::LINEAR)));
-        context.request_repaint();
+        made.push(picture.map(|picture| ui.ctx().load_texture(next.title, picture, TextureOptions::LINEAR)));
+        ui.request_repaint();
     }
-    let screen = context.content_rect();
-    let columns = if screen.width() < PHONE_WIDTH { 1 } else { 3 };
-    let (mut chosen, mut closed) = (None, context.input(|input| input.key_pressed(Key::Escape)));
-    Window::new(tr("Gallery"))
-        .open(open)
-        .collapsible(false)
-        .resizable(false)
-        .pivot(egui::Align2::CENTER_CENTER)
-        .fixed_pos(screen.center())
-        .default_width(columns as f32 * (CARD.x + GAP))
-        .show(context, |ui| {
-            let height = HEIGHT * screen.height();
-            ui.spacing_mut().item_spacing = vec2(GAP, GAP);
-            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
-                for (row, cards) in pieces.chunks(columns).enumerate() {
-                    ui.horizontal(|ui| {
-                        for (k, piece) in cards.iter().enumerate() {
-                            let picture = made.get(row * columns + k).and_then(Option::as_ref);
-                            let card = card(ui, piece, picture);
-                            if takes_focus && row + k == 0 {
-                                card.request_focus();
-                            }
-                            if card.clicked() {
-                                chosen = Some(piece.session.clone());
-                            }
-                        }
-                    });
+    ui.spacing_mut().item_spacing = vec2(GAP, GAP);
+    let width = ui.available_width();
+    let columns = columns(width);
+    let size = if columns < 2.0 { vec2(width, ROW.y) } else { CARD };
+    scroll_beyond(ui, BESIDES, |ui| {
+        ui.horizontal_wrapped(|ui| {
+            for (k, piece) in pieces.iter().enumerate() {
+                let card = card(ui, piece, made.get(k).and_then(Option::as_ref), size);
+                if takes_focus && k == 0 {
+                    card.request_focus();
                 }
-            });
-            closed |= ui.button(tr("Close")).clicked();
+                if card.clicked() {
+                    actions.push(Action::Session(Command::Open(Box::new(piece.session.clone()))));
+                    ui.close();
+                }
+            }
         });
-    *open &= !closed;
-    if let Some(session) = chosen {
-        *open = false;
-        actions.push(Action::Session(Command::Open(Box::new(session))));
-    }
+    });
 }
 
-fn card(ui: &mut Ui, piece: &Piece, picture: Option<&TextureHandle>) -> Response {
+fn card(ui: &mut Ui, piece: &Piece, picture: Option<&TextureHandle>, size: Vec2) -> Response {
     let palette = Palette::of(ui.visuals());
-    let (rect, response) = ui.allocate_exact_size(CARD, Sense::click());
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let (title, caption) = (tr(piece.title), tr(piece.caption));
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{title}: {caption}")));
     let fill = if response.hovered() || response.has_focus() { palette.control_hovered } else { palette.control };
-    ui.painter().rect_filled(rect, CornerRadius::same(ROUNDING), fill);
-    let frame = Rect::from_min_size(rect.min + vec2(8.0, 8.0), vec2(SIZE[0] as f32, SIZE[1] as f32));
+    let edge = Stroke::new(1.0, palette.border);
+    ui.painter().rect(rect, CornerRadius::same(ROUNDING), fill, edge, StrokeKind::Inside);
+    let frame = Rect::from_min_size(rect.min + Vec2::splat(PADDING), vec2(SIZE[0] as f32, SIZE[1] as f32));
     if let Some(picture) = picture {
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         ui.painter().image(picture.id(), frame, whole, Color32::WHITE);
     }
-    let words = |text: &str, font, colour| ui.painter().layout(text.to_owned(), font, colour, frame.width());
+    let is_beside = size.y < CARD.y;
+    let place = if is_beside { frame.right_top() + vec2(PADDING, 2.0) } else { frame.left_bottom() + vec2(0.0, 6.0) };
+    let width = rect.right() - PADDING - place.x;
+    let words = |text: &str, font, colour| ui.painter().layout(text.to_owned(), font, colour, width);
     let title = words(title, bold(13.0), palette.text);
-    let below = frame.left_bottom() + vec2(0.0, 6.0);
-    let caption_at = below + vec2(0.0, title.size().y + 2.0);
-    ui.painter().galley(below, title, palette.text);
-    ui.painter().galley(caption_at, words(caption, TextStyle::Small.resolve(ui.style()), palette.weak), palette.weak);
+    let below = place + vec2(0.0, title.size().y + 2.0);
+    ui.painter().galley(place, title, palette.text);
+    ui.painter().galley(below, words(caption, TextStyle::Small.resolve(ui.style()), palette.weak), palette.weak);
     response
 }
 

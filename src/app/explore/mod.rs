@@ -1,20 +1,25 @@
-//! Ways to explore by oneself: a gallery of pictures, a guided tour, what the keys and the mouse do.
+//! Ways to explore by oneself: a gallery of pictures, the paper's figures, a guided tour, what the keys and the mouse do.
 
 mod gallery;
 mod shortcuts;
 mod thumbnail;
 mod tour;
+mod window;
 
 use super::action::Actions;
+use super::figures_menu;
 use super::language::tr;
 use crate::session::Session;
 use egui::{Context, TextureHandle, Ui};
+use window::{BESIDES, Window};
 
 /// What the menu opens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExploreAction {
     /// The gallery.
     Gallery,
+    /// The paper's figures.
+    Figures,
     /// The list of keys and gestures.
     Shortcuts,
     /// The tour, or its step of this number.
@@ -26,11 +31,10 @@ pub enum ExploreAction {
     },
 }
 
-/// Which of them are open.
+/// What is open: a window at a time, and the tour.
 #[derive(Default)]
 pub struct Explore {
-    gallery: bool,
-    shortcuts: bool,
+    window: Option<Window>,
     tour: Option<Tour>,
     /// What was just opened gets the keyboard.
     focus_due: bool,
@@ -59,8 +63,9 @@ impl Explore {
     /// Opens or goes on; `present` is the session on the screen, `is_walking`: its random walks run.
     pub fn act(&mut self, action: ExploreAction, present: &Session, is_walking: bool) -> Consequences {
         match action {
-            ExploreAction::Gallery => (self.gallery, self.focus_due) = (true, true),
-            ExploreAction::Shortcuts => (self.shortcuts, self.focus_due) = (true, true),
+            ExploreAction::Gallery => self.open(Window::Gallery),
+            ExploreAction::Figures => self.open(Window::Figures),
+            ExploreAction::Shortcuts => self.open(Window::Shortcuts),
             ExploreAction::Tour(step) => return self.go_to(step, present, is_walking),
             ExploreAction::LeaveTour { keeps } => {
                 let Some(Tour { before, walked, .. }) = self.tour.take() else { return Consequences::default() };
@@ -70,14 +75,18 @@ impl Explore {
         Consequences::default()
     }
 
+    fn open(&mut self, window: Window) {
+        (self.window, self.focus_due) = (Some(window), true);
+    }
+
     fn go_to(&mut self, step: usize, present: &Session, is_walking: bool) -> Consequences {
-        let Some(stop) = tour::steps().into_iter().nth(step) else { return Consequences::default() };
-        self.gallery = false;
+        let Some(stop) = tour::steps().get(step) else { return Consequences::default() };
+        self.window = None;
         self.focus_due = true;
         let begun = self.tour.take().map(|tour| (tour.before, tour.walked));
         let (before, walked) = begun.unwrap_or_else(|| (present.clone(), is_walking));
         self.tour = Some(Tour { step, before, walked });
-        Consequences { session: Some(stop.session), walks: Some(stop.walks) }
+        Consequences { session: Some(stop.session.clone()), walks: Some(stop.walks) }
     }
 
     /// The number of the tour's step that is shown.
@@ -97,7 +106,7 @@ impl Explore {
 
     /// What the tour says now.
     pub fn words(&self) -> Option<[&'static str; 2]> {
-        let stop = tour::steps().into_iter().nth(self.step()?)?;
+        let stop = tour::steps().get(self.step()?)?;
         Some([stop.title, stop.text].map(tr))
     }
 
@@ -108,11 +117,19 @@ impl Explore {
         }
     }
 
-    /// Shows the windows that are open.
+    /// Shows the window that is open.
     pub fn show(&mut self, context: &Context, actions: &mut Actions) {
-        let takes_focus = (self.gallery || self.shortcuts) && std::mem::take(&mut self.focus_due);
-        gallery::show(context, &mut self.gallery, &mut self.thumbnails, takes_focus, actions);
-        shortcuts::show(context, &mut self.shortcuts, takes_focus);
+        let Some(open) = self.window else { return };
+        let takes_focus = std::mem::take(&mut self.focus_due);
+        let thumbnails = &mut self.thumbnails;
+        let stays = open.show(context, takes_focus && open != Window::Gallery, |ui| match open {
+            Window::Gallery => gallery::show(ui, thumbnails, takes_focus, actions),
+            Window::Figures => figures_menu::list(ui, BESIDES, actions),
+            Window::Shortcuts => shortcuts::show(ui),
+        });
+        if !stays {
+            self.window = None;
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use crate::outline::Preset;
 use crate::session::{Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
 use egui::{Frame, Label, Margin, Panel, RichText, Ui};
+use std::sync::LazyLock;
 
 /// One stop.
 pub struct Step {
@@ -23,8 +24,13 @@ pub struct Step {
     pub walks: bool,
 }
 
-/// All of them, in order.
-pub fn steps() -> Vec<Step> {
+/// All of them, in order; made once.
+pub fn steps() -> &'static [Step] {
+    static STEPS: LazyLock<Vec<Step>> = LazyLock::new(make_steps);
+    &STEPS
+}
+
+fn make_steps() -> Vec<Step> {
     let step = |title, text, session| Step { title, text, session, walks: false };
     let polar = Session { texture: TextureKind::Conformal, ..Session::default() };
     vec![
