@@ -5,6 +5,7 @@ use super::editing::EditAction;
 use super::language::{tr, tr_message};
 use super::locks::{Control, guarded, menu_entry};
 use super::model::Model;
+use super::room::{button_width, menu_label, text_width};
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
 use super::trouble::Remedy;
 use super::view::View;
@@ -33,8 +34,8 @@ pub fn open_tooltip(side: Side) -> &'static str {
 /// What else is on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Surroundings {
-    /// Little room: the bar along the top has the shapes.
-    pub narrow: bool,
+    /// The ways to another outline fit beside the title; the bar along the top has them too.
+    pub has_room: bool,
     /// The side whose outline is being edited.
     pub edited: Option<Side>,
     /// The panels are folded away: here is the way back for those without a Tab key.
@@ -43,8 +44,17 @@ pub struct Surroundings {
     pub embedded: bool,
 }
 
+/// Whether all buttons fit beside the title of a viewport of this width; the same for both sides.
+pub fn has_room(ui: &Ui, width: f32) -> bool {
+    let buttons: f32 = ["Fit", "Edit", "Open…", "Swap"].map(|label| button_width(ui, tr(label))).iter().sum();
+    width >= TITLE_WIDTH + buttons + button_width(ui, &menu_label(tr("Shapes")))
+}
+
 /// The height of the title and the line below it, in points; the buttons stand beside them.
 const TITLE_HEIGHT: f32 = 36.0;
+
+/// What the title has beside the buttons, at least.
+const TITLE_WIDTH: f32 = 190.0;
 
 /// Shows the title line, the buttons and the messages of a viewport.
 pub fn show(
@@ -128,7 +138,7 @@ fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings,
             actions.push(Action::Edit(EditAction::Toggle(side)));
         }
     }
-    if !around.narrow {
+    if around.has_room {
         let open = Action::OpenOutline(side);
         if menu_entry(ui, true, egui::Button::new(tr("Open…")), open_tooltip(side), &open) {
             actions.push(open);
@@ -164,17 +174,21 @@ fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     }
 }
 
-/// What the dots mean.
-pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View) {
-    let place =
-        Rect::from_min_max(view.rect.left_bottom() + vec2(14.0, -30.0), view.rect.right_bottom() - vec2(14.0, 8.0));
+/// How far the words of a legend reach up from a picture's lower edge.
+pub const LEGEND_HEIGHT: f32 = 32.0;
+
+/// What the dots mean, and the dashes; `beside`: the width at the right that something else takes.
+pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) {
+    let low = view.rect.bottom();
+    let place = view.rect.with_min_y(low - LEGEND_HEIGHT + 2.0).with_max_y(low - 8.0).shrink2(vec2(14.0, 0.0));
     let (interior, boundary) = match side {
         Side::Source => ("interior point x₁", "boundary point y₁"),
         Side::Target => ("x₂ = f(x₁)", "y₂ = f(y₁)"),
     };
     let dots = [(INTERIOR_COLOUR, tr(interior)), (BOUNDARY_COLOUR, tr(boundary))];
     let dashes = teaching::paint::legend(side, model, ui.visuals().dark_mode);
-    let two_rows = place.width() < ONE_ROW && dashes.len() > 2;
+    let all: f32 = dots.iter().chain(&dashes).map(|(_, text)| entry_width(ui, text)).sum();
+    let two_rows = !dashes.is_empty() && all > place.width() - beside;
     ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
         over_the_mesh(ui, |ui| {
             entries(ui, &dots, widgets::dot);
@@ -191,16 +205,23 @@ pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View) {
     }
 }
 
-/// A viewport narrower than this has a legend of more than four entries in two rows: on the narrowest phones
-/// four of them have 330 points.
-const ONE_ROW: f32 = 480.0;
+/// Free space after an entry, besides the usual.
+const ENTRY_GAP: f32 = 2.0;
+
+/// What an entry takes of a row.
+fn entry_width(ui: &Ui, text: &str) -> f32 {
+    widgets::SIGN_WIDTH
+        + text_width(ui, text, widgets::caption_font(ui))
+        + ENTRY_GAP
+        + 2.0 * ui.spacing().item_spacing.x
+}
 
 fn entries(ui: &mut Ui, entries: &[(Color32, &str)], sign: impl Fn(&mut Ui, Color32)) {
     let weak = Palette::of(ui.visuals()).weak;
     for (colour, text) in entries {
         sign(ui, *colour);
         ui.label(RichText::new(*text).small().color(weak));
-        ui.add_space(2.0);
+        ui.add_space(ENTRY_GAP);
     }
 }
 

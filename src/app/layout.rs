@@ -3,10 +3,10 @@
 //! sheet of controls or plots.
 
 use super::action::{Action, Actions};
+use super::arrangement::{LEGEND_SIDE, divide, legend_height, margins};
 use super::header::Surroundings;
 use super::language::tr;
 use super::theme::Palette;
-use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS};
 use super::widgets::{chevron, message_box, notice_box};
 use super::{
     PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, presentation, side_panel,
@@ -19,9 +19,6 @@ use egui::{Event, Frame, Id, Key, Margin, Panel, Rect, RichText, ScrollArea, Str
 
 /// The width of the side panel.
 const PANEL_WIDTH: f32 = 268.0;
-
-/// The viewport that has the legend of the colours.
-const LEGEND_SIDE: Side = Side::Target;
 /// Room for the scroll bar beside the controls.
 const SCROLL_BAR: f32 = 8.0;
 /// The height of the sheet's handle, enough for a thumb.
@@ -100,8 +97,9 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
 fn dock(app: &mut RiemapApp, ui: &mut Ui) {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new().fill(palette.panel).inner_margin(Margin { left: 14, right: 14, top: 6, bottom: 4 });
-    Panel::bottom("plots").exact_size(plots::DOCK_HEIGHT).resizable(false).frame(frame).show(ui, |ui| {
-        app.plots.show_row(ui, &app.model);
+    let (width, height) = (ui.available_width(), ui.available_height());
+    Panel::bottom("plots").exact_size(plots::dock_height(width, height)).resizable(false).frame(frame).show(ui, |ui| {
+        app.plots.show_dock(ui, &app.model, width);
     });
 }
 
@@ -154,16 +152,13 @@ fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
 
 /// Both viewports; here the frame's actions are carried out and the map is updated.
 fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions) {
-    let rects = divide(ui.max_rect(), narrow || ui.max_rect().width() < ui.max_rect().height());
-    let margins = if narrow { PHONE_MARGINS } else { DESK_MARGINS };
+    let stacked = narrow || ui.max_rect().width() < ui.max_rect().height();
+    let rects = divide(ui.max_rect(), stacked);
     let mut pointed = None;
     for side in Side::BOTH {
-        let view = &mut app.views[side as usize];
         let rect = rects[side as usize];
-        let below =
-            if narrow && side == LEGEND_SIDE && app.cells.scale().is_some() { legend::height(rect) } else { 0.0 };
-        let bar = if narrow && app.editor.side() == Some(side) { editing::ROOM } else { 0.0 };
-        let margins = Margins { bottom: margins.bottom + below + bar, ..margins };
+        let margins = margins(app, side, rect, narrow, stacked);
+        let view = &mut app.views[side as usize];
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
         let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
         if let Some(scene) = scene {
@@ -192,7 +187,7 @@ fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
     offer::show(ui, &mut app.offer, &mut actions);
     editing::show_paste(&context, &mut app.editor, &mut actions);
     app.explore.show(&context, &mut actions);
-    app.show_exporter(&context, narrow, &mut actions);
+    app.show_exporter(&context, &mut actions);
     app.carry_out(&context, actions);
 }
 
@@ -202,7 +197,8 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
     let embedded = app.options.embed;
-    let around = Surroundings { narrow, edited: app.editor.reshaped_side(), folded: !app.panels_open, embedded };
+    let has_room = !narrow && header::has_room(ui, app.views[0].rect.width());
+    let around = Surroundings { has_room, edited: app.editor.reshaped_side(), folded: !app.panels_open, embedded };
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     let now = ui.input(|input| input.time);
     let pace = app.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
@@ -219,11 +215,13 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
         editing::paint_sheet(ui, side, view, &app.editor);
         let is_fitted = if solid { app.orbit.is_fitted() } else { view.is_fitted() };
         header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
+        let scale = app.cells.scale().filter(|_| side == LEGEND_SIDE);
         if !narrow {
-            header::legend(ui, side, &app.model, view);
+            let beside = scale.map_or(0.0, |_| legend::width(view.rect, narrow));
+            header::legend(ui, side, &app.model, view, beside);
         }
         teaching::paint::show(ui, side, &app.model, view);
-        if let Some(scale) = app.cells.scale().filter(|_| side == LEGEND_SIDE) {
+        if let Some(scale) = scale {
             legend::paint(ui, view.rect, scale, narrow);
         }
         let marked = app.plots.marked().map(|marked| marked[side as usize]);
@@ -237,7 +235,10 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
             viewport::paint_dots(ui, side, &app.model, view, &app.handles);
         }
         editing::paint(ui, side, view, &app.editor);
-        editing::show_bar(ui, side, view, narrow, &app.editor, actions);
+        let words = if narrow { 0.0 } else { header::LEGEND_HEIGHT };
+        let below = legend_height(app, side, view.rect, narrow).max(words);
+        let room = view.rect.with_max_y(view.rect.bottom() - below);
+        editing::show_bar(ui, side, view, room, &app.editor, actions);
         viewport::paint_focus(ui, side, view.rect, &app.handles);
         viewport::paint_progress(ui, side, &app.model, view.rect);
         viewport::paint_drop_target(ui, side, view.rect);
@@ -249,16 +250,6 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let stacked = a.bottom() <= b.top();
     let edge = if stacked { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
     ui.painter().line_segment(edge, Stroke::new(1.0, Palette::of(ui.visuals()).border));
-}
-
-fn divide(rect: Rect, stacked: bool) -> [Rect; 2] {
-    if stacked {
-        let y = rect.center().y.round();
-        [Rect::from_min_max(rect.min, pos2(rect.right(), y)), Rect::from_min_max(pos2(rect.left(), y), rect.max)]
-    } else {
-        let x = rect.center().x.round();
-        [Rect::from_min_max(rect.min, pos2(x, rect.bottom())), Rect::from_min_max(pos2(x, rect.top()), rect.max)]
-    }
 }
 
 /// The texture and exports belong to both sides: their message lies over the middle, or a notice.

@@ -1,6 +1,7 @@
 //! The legend of triangle colours: a bar with ticks, the distribution above it, the mean marked.
 
 use super::colouring::ColourScale;
+use super::room::text_width;
 use super::theme::{Palette, bold};
 use egui::{Align2, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
 
@@ -18,24 +19,45 @@ const TINY: Size = Size { width: 104.0, histogram: 2.0 };
 /// A viewport lower than this has room for the tiny one only.
 const TINY_BELOW: f32 = 220.0;
 
+/// Beside the words of the dots, the legend of a desk and that of a phone need this width.
+const DESK_FROM: f32 = 420.0;
+const NARROW_FROM: f32 = 360.0;
+
 /// The height of the bar.
 const BAR: f32 = 9.0;
+/// The size of the words above the colours, and the least space between them.
+const TITLE_TEXT: f32 = 11.5;
+const TITLE_GAP: f32 = 6.0;
 /// The heights of the title above and the ticks below.
 const TITLE: f32 = 17.0;
 const TICKS: f32 = 15.0;
+/// From the picture's right edge to the ground.
+const BESIDE: f32 = 12.0;
+/// From the picture's lower edge to the ground.
+const BELOW: f32 = 10.0;
 /// From the ground's edge to what is on it.
 const PADDING: f32 = 10.0;
 
-/// The height that a picture leaves free for the legend at the bottom of a narrow screen's `area`.
-pub fn height(area: Rect) -> f32 {
-    if area.height() < TINY_BELOW { 0.0 } else { TITLE + PHONE.histogram + BAR + TICKS + PADDING }
+/// The height that the legend takes at the lower edge of `area`; the tiny one lies over the picture.
+pub fn height(area: Rect, narrow: bool) -> f32 {
+    if narrow && area.height() < TINY_BELOW {
+        return 0.0;
+    }
+    TITLE + size_in(area, narrow).histogram + BAR + TICKS + PADDING + BELOW
 }
 
+/// The width that it takes at the right edge of `area`.
+pub fn width(area: Rect, narrow: bool) -> f32 {
+    size_in(area, narrow).width + 2.0 * PADDING + BESIDE
+}
+
+/// On a phone the words of the dots stand elsewhere; otherwise they need their part of the width.
 fn size_in(area: Rect, narrow: bool) -> Size {
-    match narrow {
-        false => DESK,
-        true if area.height() < TINY_BELOW => TINY,
-        true => PHONE,
+    match area.width() {
+        _ if narrow && area.height() < TINY_BELOW => TINY,
+        width if narrow || (NARROW_FROM..DESK_FROM).contains(&width) => PHONE,
+        width if width < NARROW_FROM => TINY,
+        _ => DESK,
     }
 }
 
@@ -45,7 +67,7 @@ pub fn paint(ui: &Ui, area: Rect, scale: &ColourScale, narrow: bool) {
     let size = size_in(area, narrow);
     let painter = ui.painter_at(area);
     let whole = vec2(size.width, TITLE + size.histogram + BAR + TICKS);
-    let corner = area.right_bottom() - vec2(12.0, 10.0) - 2.0 * vec2(PADDING, 0.5 * PADDING) - whole;
+    let corner = area.right_bottom() - vec2(BESIDE, BELOW) - 2.0 * vec2(PADDING, 0.5 * PADDING) - whole;
     let inner = Rect::from_min_size(corner + vec2(PADDING, 0.5 * PADDING), whole);
     painter.rect_filled(
         inner.expand2(vec2(PADDING, 0.5 * PADDING)),
@@ -53,24 +75,28 @@ pub fn paint(ui: &Ui, area: Rect, scale: &ColourScale, narrow: bool) {
         palette.canvas.gamma_multiply(0.86),
     );
     let bar = Rect::from_min_size(inner.min + vec2(0.0, TITLE + size.histogram), vec2(size.width, BAR));
-    paint_title(&painter, inner, scale, &palette, narrow);
+    paint_title(ui, &painter, inner, scale, &palette);
     if size.histogram > 5.0 {
         paint_histogram(&painter, bar, size.histogram - 3.0, scale, &palette);
     }
     paint_bar(&painter, bar, scale);
-    paint_ticks(&painter, bar, scale, &palette, narrow);
+    paint_ticks(&painter, bar, scale, &palette);
     paint_mean(&painter, bar, size.histogram, scale, &palette);
 }
 
-fn paint_title(painter: &Painter, inner: Rect, scale: &ColourScale, palette: &Palette, narrow: bool) {
-    if !narrow {
-        painter.text(inner.left_top(), Align2::LEFT_TOP, scale.title(), bold(11.5), palette.text);
-    }
+/// The mean at the right, and beside it as much of the title as there is room for.
+fn paint_title(ui: &Ui, painter: &Painter, inner: Rect, scale: &ColourScale, palette: &Palette) {
+    let mut room = inner.width();
     if let Some(mean) = scale.mean() {
-        painter.text(inner.right_top(), Align2::RIGHT_TOP, mean, FontId::proportional(11.5), palette.text);
+        let font = FontId::proportional(TITLE_TEXT);
+        room -= text_width(ui, &mean, font.clone()) + TITLE_GAP;
+        painter.text(inner.right_top(), Align2::RIGHT_TOP, mean, font, palette.text);
     }
-    if narrow && let Some(symbol) = scale.title().split_once(' ').map(|(name, _)| name) {
-        painter.text(inner.left_top(), Align2::LEFT_TOP, symbol, bold(11.5), palette.text);
+    let (whole, font) = (scale.title(), bold(TITLE_TEXT));
+    let parts = whole.split_once(' ').map_or([whole; 2], |(name, symbols)| [name, symbols]);
+    let title = [whole].into_iter().chain(parts).find(|title| text_width(ui, title, font.clone()) <= room);
+    if let Some(title) = title {
+        painter.text(inner.left_top(), Align2::LEFT_TOP, title, font, palette.text);
     }
 }
 
@@ -105,13 +131,13 @@ fn paint_bar(painter: &Painter, bar: Rect, scale: &ColourScale) {
     painter.add(Shape::mesh(mesh));
 }
 
-fn paint_ticks(painter: &Painter, bar: Rect, scale: &ColourScale, palette: &Palette, narrow: bool) {
+fn paint_ticks(painter: &Painter, bar: Rect, scale: &ColourScale, palette: &Palette) {
     let ticks = scale.ticks();
     let last = ticks.len() - 1;
     for (k, (value, text)) in ticks.into_iter().enumerate() {
         let x = bar.left() + scale.place(value) as f32 * bar.width();
         painter.line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], Stroke::new(1.0, palette.weak));
-        if narrow && k % 2 == 1 {
+        if bar.width() < DESK.width && k % 2 == 1 {
             continue;
         }
         let align = match k {

@@ -8,6 +8,7 @@
 mod action;
 pub mod address_options;
 mod announced;
+mod arrangement;
 mod carry_out;
 mod cells;
 mod colouring;
@@ -279,6 +280,9 @@ impl eframe::App for RiemapApp {
 
 #[cfg(test)]
 mod colour_vision_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod fitting_tests;
 #[cfg(test)]
 mod language_tests;
 #[cfg(test)]

@@ -2,10 +2,11 @@
 
 use super::language::{tr, tr_with};
 use super::model::Model;
+use super::room::text_width;
 use super::theme::Palette;
-use super::widgets::grouped;
+use super::widgets::{caption_font, grouped};
 use super::words;
-use egui::{Align, Layout, RichText, Ui};
+use egui::{Align, Label, Layout, RichText, Ui};
 
 /// Frames further apart than this are not counted for the frame rate: nothing moved.
 const PAUSE_SECONDS: f32 = 0.1;
@@ -77,7 +78,8 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
             if model.is_pending() {
                 ui.label(weak(String::from(tr(words::PENDING)))).on_hover_text(tr(words::PENDING_TOOLTIP));
             }
-            ui.label(weak(tr_with("frame {0} ms + draw {1} ms", &[&tenths(compute), &tenths(meter.draw_ms)])))
+            let times = tr_with("frame {0} ms + draw {1} ms", &[&tenths(compute), &tenths(meter.draw_ms)]);
+            ui.add(Label::new(weak(times)).truncate())
                 .on_hover_text(format!("{}\n\n{split}", tr(words::FRAME_TOOLTIP)));
         }
         if let (Some(rate), false) = (meter.frames_per_second(), narrow) {
@@ -86,11 +88,13 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if !narrow {
-                let hint = match model.surface() {
+                let hint = tr(match model.surface() {
                     None => "drag a dot · scroll to zoom · drop a file anywhere",
                     Some(_) => "drag a dot, or the surface to turn it · shift moves it · scroll to zoom",
-                };
-                ui.label(weak(String::from(tr(hint))));
+                });
+                if text_width(ui, hint, caption_font(ui)) + BACKEND_FROM <= ui.available_width() {
+                    ui.label(weak(hint.to_owned()));
+                }
             }
             if ui.available_width() >= BACKEND_FROM {
                 ui.label(weak(String::from(backend))).on_hover_text(adapter);

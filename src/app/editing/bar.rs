@@ -4,7 +4,7 @@ use super::paint::RING;
 use super::{Change, Drawing, EditAction, Editor, Pen};
 use crate::app::action::{Action, Actions};
 use crate::app::language::tr;
-use crate::app::theme::{Palette, ROUNDING};
+use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
 use crate::app::view::View;
 use crate::app::widgets::message_box;
 use crate::conformal::Side;
@@ -12,33 +12,31 @@ use egui::{
     Align2, Area, Button, CornerRadius, Frame, Id, Margin, Order, Pos2, Rect, RichText, Stroke, Ui, pos2, vec2,
 };
 
-/// The height of the buttons on a phone, enough for a thumb.
-const THUMB: f32 = 40.0;
-/// Free space below the bar: the legend is there.
-const ABOVE_LEGEND: f32 = 40.0;
+/// Free space below the bar.
+const GAP: f32 = 8.0;
 
 const HANDLES_TOOLTIP: &str = "Drag a square to reshape the outline. Double-click on the outline for another one; \
     a right click or a long press takes one away. Arrow keys move the selected one (finely with Shift), N goes to the next; Escape ends.";
 
-/// How much of a phone's picture is free for the bar.
+/// How much of a picture is free for the bar where the pictures lie one above the other.
 pub const ROOM: f32 = 62.0;
 
 /// Between the bar and the message above it.
-const GAP: f32 = 4.0;
+const BELOW_MESSAGE: f32 = 4.0;
 /// Free space above a message at the upper end: the title is there, and the buttons.
 const BELOW_TITLE: f32 = 64.0;
 /// The height of a message of two lines, before it was laid out.
 const TWO_LINES: f32 = 56.0;
 
-/// Shows the bar of an edited side at the lower edge of its picture, and what is to be said.
-pub fn show(ui: &mut Ui, side: Side, view: &View, narrow: bool, editor: &Editor, actions: &mut Actions) {
+/// Shows the bar of an edited side at the lower edge of `room`, which is free in its picture, and what is to be said.
+pub fn show(ui: &mut Ui, side: Side, view: &View, room: Rect, editor: &Editor, actions: &mut Actions) {
     if editor.side() != Some(side) {
         return;
     }
-    let bar = show_bar(ui, side, view.rect, narrow, editor, actions);
+    let bar = show_bar(ui, side, room, editor, actions);
     if let Some(text) = editor.message() {
         let crossing = editor.crossing().and_then(|crossing| crossing.at).map(|at| view.to_screen(at));
-        show_message(ui, side, view.rect, bar.top() - GAP, crossing, text, actions);
+        show_message(ui, side, view.rect, bar.top() - BELOW_MESSAGE, crossing, text, actions);
     }
 }
 
@@ -73,9 +71,8 @@ fn show_message(
 }
 
 /// Shows the buttons; returns where.
-fn show_bar(ui: &Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, actions: &mut Actions) -> Rect {
+fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Actions) -> Rect {
     let palette = Palette::of(ui.visuals());
-    let bottom = rect.bottom() - if narrow { 8.0 } else { ABOVE_LEGEND };
     let frame = Frame::new()
         .fill(palette.raised)
         .stroke(Stroke::new(1.0, palette.border))
@@ -84,16 +81,16 @@ fn show_bar(ui: &Ui, side: Side, rect: Rect, narrow: bool, editor: &Editor, acti
     let area = Area::new(Id::unique(("edit bar", side)))
         .order(Order::Middle)
         .pivot(Align2::CENTER_BOTTOM)
-        .fixed_pos(pos2(rect.center().x, bottom));
+        .fixed_pos(pos2(room.center().x, room.bottom() - GAP));
     let shown = area.show(ui.ctx(), |ui| {
-        ui.set_max_width(widest(rect));
+        ui.set_max_width(widest(room));
         frame.show(ui, |ui| {
             if let Some(drawing) = editor.drawing(side) {
                 ui.label(RichText::new(pen_words(drawing.pen())).color(palette.text));
             }
-            ui.horizontal(|ui| {
-                ui.spacing_mut().item_spacing.x = 4.0;
-                let height = if narrow { THUMB } else { 28.0 };
+            ui.horizontal_wrapped(|ui| {
+                ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+                let height = control_height(ui, ROW_HEIGHT);
                 if let Some(drawing) = editor.drawing(side) {
                     drawing_buttons(ui, height, drawing, actions);
                 } else if let Some(reshaping) = editor.reshaping(side) {

@@ -14,11 +14,10 @@ const NO_DEVICE: &str = "There is no graphics device to draw with.";
 
 impl RiemapApp {
     /// Shows the window, if it is open.
-    pub(in crate::app) fn show_exporter(&mut self, context: &Context, narrow: bool, actions: &mut Actions) {
+    pub(in crate::app) fn show_exporter(&mut self, context: &Context, actions: &mut Actions) {
         let around = Surroundings {
             map: self.map_state(),
             on_surface: self.model.surface().is_some(),
-            narrow,
             max_side: self.gpu.as_ref().map_or(0, Gpu::max_texture_side),
         };
         self.exporter.show(context, around, actions);

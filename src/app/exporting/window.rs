@@ -5,22 +5,20 @@ use super::wish::{Kind, Wish};
 use super::{FileWish, ReadyFile};
 use crate::app::action::{Action, Actions};
 use crate::app::language::{tr, tr_message, tr_with};
-use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT};
-use crate::app::widgets::message_box;
+use crate::app::room::scroll_beyond;
+use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
+use crate::app::widgets::{close_button, message_box};
 use crate::family::Path;
 use egui::{
-    Align2, Button, CornerRadius, Grid, Key, Modifiers, RichText, Role, ScrollArea, Sense, Ui, Vec2, WidgetInfo,
-    Window, vec2,
+    Align2, Button, CornerRadius, Grid, Key, Modifiers, RichText, Role, Sense, Ui, Vec2, WidgetInfo, Window, vec2,
 };
 use std::collections::BTreeMap;
 
-/// The height of what a finger touches.
-const TOUCH_HEIGHT: f32 = 40.0;
 const WIDTH: f32 = 400.0;
 /// Room for the scroll bar beside the choices.
 const SCROLL_BAR: f32 = 10.0;
 /// What of the screen's height is above the choices, and below them.
-const BESIDES: f32 = 200.0;
+const BESIDES: f32 = 210.0;
 /// The window's upper edge, below the bar.
 const FROM_TOP: f32 = 64.0;
 
@@ -42,8 +40,6 @@ pub struct Surroundings {
     pub map: MapState,
     /// It is one of a surface.
     pub on_surface: bool,
-    /// Little room, and fingers.
-    pub narrow: bool,
     /// The largest side of a texture.
     pub max_side: u32,
 }
@@ -146,7 +142,7 @@ impl Exporter {
             .default_pos(screen.center_top() + vec2(0.0, FROM_TOP))
             .show(context, |ui| {
                 ui.set_width(width);
-                self.content(ui, around, screen.height() - BESIDES, actions);
+                self.content(ui, around, actions);
             });
         if !stays {
             (self.is_open, self.error) = (false, None);
@@ -155,10 +151,9 @@ impl Exporter {
     }
 
     /// The choices, which may be scrolled, and below them what is done with them.
-    fn content(&mut self, ui: &mut Ui, around: Surroundings, max_height: f32, actions: &mut Actions) {
-        let height = if around.narrow { TOUCH_HEIGHT } else { ROW_HEIGHT };
-        ui.spacing_mut().interact_size.y = height;
-        ScrollArea::vertical().max_height(max_height).auto_shrink([false, true]).show(ui, |ui| {
+    fn content(&mut self, ui: &mut Ui, around: Surroundings, actions: &mut Actions) {
+        let height = control_height(ui, ROW_HEIGHT);
+        scroll_beyond(ui, BESIDES, |ui| {
             ui.set_width(ui.available_width() - SCROLL_BAR);
             ui.add_enabled_ui(!self.is_busy(), |ui| {
                 self.kinds(ui, around, height);
@@ -210,6 +205,9 @@ impl Exporter {
         self.note("Save", &response);
         if response.clicked() {
             actions.push(Action::SaveExport);
+        }
+        if close_button(ui).clicked() {
+            ui.close();
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The plots: kernel, measure and reparameterisation over the arc length, live.
 //!
-//! In a dock below the viewports, three in a row; on a phone one at a time in the
+//! In a dock below the viewports, three in a row, on a tablet one at a time; so too on a phone, in the
 //! sheet. Pointing at a plot marks the boundary point and its partner in both
 //! viewports, pointing at a boundary marks both in the plots.
 
@@ -26,8 +26,21 @@ use crate::conformal::Side;
 use crate::session::DiskWay;
 use egui::{Align, Color32, Layout, RichText, Ui};
 
-/// The height of the dock.
-pub const DOCK_HEIGHT: f32 = 212.0;
+/// The height of the dock with all plots in a row.
+const ROW_HEIGHT: f32 = 212.0;
+/// That with one plot under a switch.
+const ONE_HEIGHT: f32 = 260.0;
+/// A dock that is narrower has one plot at a time: three of them would be narrower than their titles.
+const ROW_FROM: f32 = 900.0;
+
+/// The least height of a plot with its title and the switch.
+const LEAST_HEIGHT: f32 = 176.0;
+
+/// The height of a dock of this width beside pictures, which have half of `both` at least where that is enough for a plot.
+pub fn dock_height(width: f32, both: f32) -> f32 {
+    let wanted = if width < ROW_FROM { ONE_HEIGHT } else { ROW_HEIGHT };
+    wanted.min((0.5 * both).max(LEAST_HEIGHT))
+}
 
 /// Which plot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -74,7 +87,7 @@ pub struct Plots {
     exact: Option<(u64, KeptExact)>,
     /// The kernel's axis.
     logarithmic: bool,
-    /// The one on a phone.
+    /// The one where there is room for one.
     shown: Kind,
     /// Where the pointer was in the plots in the last frame, and is in this one: plots
     /// that are drawn before the one under the pointer are marked too.
@@ -179,8 +192,12 @@ impl Plots {
         Some(if place.side == Side::Source { [x, there] } else { [there, x] })
     }
 
-    /// All three in a row.
-    pub fn show_row(&mut self, ui: &mut Ui, model: &Model) {
+    /// All three in a row where they fit, else one.
+    pub fn show_dock(&mut self, ui: &mut Ui, model: &Model, width: f32) {
+        if width < ROW_FROM { self.show_one(ui, model) } else { self.show_row(ui, model) }
+    }
+
+    fn show_row(&mut self, ui: &mut Ui, model: &Model) {
         self.update(model);
         let none = Overlays::default();
         let overlays = overlays_of(model).unwrap_or(&none);

@@ -1,0 +1,180 @@
+//! What there is to press lies on the screen, beside and not over each other: on a desk, a tablet and a phone, in both
+//! languages.
+
+use super::editing::EditAction;
+use super::explore::ExploreAction;
+use super::language::{self, Language, tr};
+use super::reports::Report;
+use super::tests::ready_app;
+use super::*;
+use crate::session::{Colouring, OutlineSpec};
+use egui::{Key, Rect, Role};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+
+const DESK: [f32; 2] = [1440.0, 900.0];
+const TABLET: [f32; 2] = [820.0, 1180.0];
+const PHONE: [f32; 2] = [390.0, 844.0];
+/// The lowest screen: a phone on its side.
+const LYING_PHONE: [f32; 2] = [844.0, 390.0];
+/// The height of the bar along the top.
+const BAR: f32 = 46.0;
+
+type Screen = Harness<'static, RiemapApp>;
+
+/// The app on a screen of this size, with fingers unless it is a desk's.
+fn screen(size: [f32; 2], language: Language) -> Screen {
+    let mut screen = ready_app(size);
+    screen.state_mut().has_fingers = size != DESK;
+    screen.state_mut().preferences = Preferences { language: Some(language), ..Preferences::fixed() };
+    language::set(language);
+    screen.run_steps(4);
+    screen
+}
+
+fn act(screen: &mut Screen, action: Action) {
+    let context = screen.ctx.clone();
+    screen.state_mut().carry_out(&context, vec![action]);
+    screen.run_steps(8);
+}
+
+/// The buttons whose places `is_there` picks, from left to right.
+fn buttons(screen: &Screen, is_there: impl Fn(Rect) -> bool) -> Vec<(String, Rect)> {
+    let nodes = screen.root().children_recursive().filter_map(|node| {
+        let accessible = node.accesskit_node();
+        let label = accessible.label().filter(|_| accessible.role() == Role::Button)?;
+        Some((label, node.rect()))
+    });
+    let mut found: Vec<_> = nodes.filter(|(_, rect)| is_there(*rect)).collect();
+    found.sort_by(|(_, a), (_, b)| a.left().total_cmp(&b.left()));
+    found
+}
+
+fn assert_in_a_row(found: &[(String, Rect)], place: Rect, where_: &str) {
+    for (label, rect) in found {
+        assert!(place.contains_rect(*rect), "{where_}: {label} at {rect:?} is cut off by {place:?}");
+    }
+    for pair in found.windows(2) {
+        assert!(pair[0].1.right() <= pair[1].1.left(), "{where_}: {pair:?} overlap");
+    }
+}
+
+fn whole(screen: &Screen) -> Rect {
+    screen.ctx.content_rect()
+}
+
+#[test]
+fn the_bar_along_the_top_has_room_for_what_it_shows() {
+    for language in [Language::English, Language::German] {
+        for (width, least) in [(360.0, 4), (390.0, 4), (700.0, 6), (820.0, 7), (1024.0, 7), (1440.0, 8)] {
+            let screen = screen([width, 800.0], language);
+            let found = buttons(&screen, |rect| rect.top() < BAR && rect.bottom() <= BAR);
+            assert!(found.len() >= least, "{width} points: {found:?}");
+            assert_in_a_row(&found, whole(&screen), &format!("{language:?}, {width} points"));
+        }
+    }
+}
+
+#[test]
+fn the_buttons_over_a_picture_have_room_beside_its_title() {
+    for language in [Language::English, Language::German] {
+        for size in [DESK, TABLET, PHONE] {
+            let screen = screen(size, language);
+            for view in &screen.state().views {
+                let line = view.rect.with_max_y(view.rect.top() + 60.0);
+                let found = buttons(&screen, |rect| line.contains(rect.center()));
+                assert!(found.len() >= 2, "{found:?}");
+                let beside_title = line.with_min_x(line.left() + 90.0);
+                assert_in_a_row(&found, beside_title, &format!("{language:?}, {size:?}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn windows_fit_and_are_closed_with_a_finger() {
+    for size in [DESK, TABLET, PHONE, LYING_PHONE] {
+        let mut screen = screen(size, Language::English);
+        let finger = if size == DESK { theme::ROW_HEIGHT } else { theme::FINGER_HEIGHT };
+        for action in [
+            Action::Explore(ExploreAction::Gallery),
+            Action::Explore(ExploreAction::Figures),
+            Action::Explore(ExploreAction::Shortcuts),
+            Action::OpenExport,
+            Action::OpenReport(Report::Convergence),
+        ] {
+            act(&mut screen, action.clone());
+            let close = screen.get_by_label("Close").rect();
+            assert!(whole(&screen).contains_rect(close), "{action:?} on {size:?}: the button is at {close:?}");
+            assert!(close.size().min_elem() >= finger - 0.1, "{action:?} on {size:?}: {:?}", close.size());
+            screen.get_by_label("Close").click();
+            screen.run_steps(20);
+            assert!(screen.query_by_label("Close").is_none(), "{action:?} on {size:?} is still open");
+        }
+    }
+}
+
+#[test]
+fn a_list_is_as_high_as_the_screen_allows() {
+    let mut screen = screen(TABLET, Language::English);
+    let check = |screen: &Screen, [first, last, below]: [&'static str; 3]| {
+        let at = |label| screen.query_all_by_label(label).next().unwrap().rect();
+        let height = at(last).bottom() - at(first).top();
+        assert!(height > 400.0 && at(last).bottom() < at(below).top(), "{height} points until {:?}", at(last));
+    };
+    screen.get_by_label("Figures").click();
+    screen.run_steps(4);
+    check(&screen, ["m = 25", "x₁ = 0", "Tables 1 and 2 · times on this machine, beside the paper's"]);
+    screen.key_press(Key::Escape);
+    screen.run_steps(4);
+    act(&mut screen, Action::Explore(ExploreAction::Shortcuts));
+    check(&screen, ["Drag a dot", "Space or Enter", "Close"]);
+}
+
+#[test]
+fn the_papers_figures_are_reached_on_a_phone() {
+    let mut screen = screen(PHONE, Language::English);
+    assert!(screen.query_by_label("Figures").is_none());
+    screen.get_by_label("Help").click();
+    screen.run_steps(4);
+    screen.get_by_label("The paper's figures…").click();
+    screen.run_steps(4);
+    screen.query_all_by_label("m = 50").next().unwrap().click();
+    screen.run_steps(20);
+    let session = screen.state().session();
+    assert_eq!(session.target.outline, OutlineSpec::Preset(crate::outline::Preset::Disk), "Figure 6 is of the disk");
+    assert!(screen.query_by_label("Close").is_none(), "the map takes the window's place");
+}
+
+#[test]
+fn a_tablet_has_one_plot_at_a_time_and_a_desk_all() {
+    for (size, expected) in [(TABLET, 1), (DESK, 3)] {
+        let mut screen = screen(size, Language::English);
+        screen.key_press(Key::P);
+        screen.run_steps(4);
+        let titles = ["Poisson kernel", "Harmonic measure", "Reparameterisation"];
+        assert_eq!(titles.iter().filter(|title| screen.query_by_label(title).is_some()).count(), expected);
+    }
+}
+
+#[test]
+fn the_edit_bar_lies_below_the_outline_and_above_the_legend() {
+    for language in [Language::English, Language::German] {
+        for size in [TABLET, PHONE] {
+            let mut screen = screen(size, language);
+            act(&mut screen, Action::Session(crate::session::Command::SetColouring(Colouring::Angle)));
+            act(&mut screen, Action::Edit(EditAction::Toggle(Side::Target)));
+            let app = screen.state();
+            let view = &app.views[Side::Target as usize];
+            let legend = view.rect.bottom() - legend::height(view.rect, size == PHONE);
+            let (low, _) = app.model.extent(Side::Target).unwrap();
+            let outline = view.to_screen(low).y;
+            let names = ["Smooth", "Mirror", "Delete", "Done"].map(tr);
+            let mut bar: Vec<_> = buttons(&screen, |rect| view.rect.contains(rect.center()));
+            bar.retain(|(label, _)| names.contains(&label.as_str()));
+            assert_eq!(bar.len(), names.len(), "{bar:?}");
+            let place = view.rect.with_min_y(outline).with_max_y(legend);
+            assert_in_a_row(&bar, place, &format!("{language:?}, {size:?}"));
+        }
+    }
+}
