@@ -140,9 +140,15 @@ fn the_papers_figures_are_reached_on_a_phone() {
     screen.get_by_label("The paper's figures…").click();
     screen.run_steps(4);
     screen.query_all_by_label("m = 50").next().unwrap().click();
-    screen.run_steps(20);
-    let session = screen.state().session();
-    assert_eq!(session.target.outline, OutlineSpec::Preset(crate::outline::Preset::Disk), "Figure 6 is of the disk");
+    let disk = OutlineSpec::Preset(crate::outline::Preset::Disk);
+    for _ in 0..600 {
+        screen.step();
+        if screen.state().session().target.outline == disk {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20)); // until its preparation is done
+    }
+    assert_eq!(screen.state().session().target.outline, disk, "Figure 6 is of the disk");
     assert!(screen.query_by_label("Close").is_none(), "the map takes the window's place");
 }
 

@@ -118,7 +118,7 @@ fn content(ui: &mut Ui, paste: &mut Paste, actions: &mut Actions) {
     ui.add(Label::new(RichText::new(tr(KINDS)).small().color(palette.weak)).wrap());
     // a field's own edge is the ground's colour on the light theme
     let edge = Frame::new().stroke(Stroke::new(1.0, palette.border)).corner_radius(CornerRadius::same(ROUNDING));
-    edge.show(ui, |ui| field(ui, paste));
+    edge.show(ui, |ui| field(ui, paste, actions));
     if let Some(error) = &paste.error {
         ui.add(Label::new(RichText::new(tr_message(error)).color(palette.error_edge)).wrap());
     }
@@ -133,7 +133,7 @@ fn content(ui: &mut Ui, paste: &mut Paste, actions: &mut Actions) {
     });
 }
 
-fn field(ui: &mut Ui, paste: &mut Paste) {
+fn field(ui: &mut Ui, paste: &mut Paste, actions: &mut Actions) {
     ScrollArea::vertical().max_height(FIELD).min_scrolled_height(FIELD).show(ui, |ui| {
         let field = TextEdit::multiline(&mut paste.text)
             .font(FontId::monospace(12.0))
