@@ -4,32 +4,34 @@ import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 
+import { newPage } from './chromium.mjs';
+
 const DESKTOP = { viewport: { width: 1440, height: 900 } };
 const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 export const DEVICES = { desktop: DESKTOP, phone: PHONE };
 
-/** Software drawing on two busy cores; a state that takes longer is not reached at all. */
-const PATIENCE_MS = 60_000;
+/** What stands still for so many frames has found its place: an input shows after two at most. */
+const STILL_FRAMES = 3;
 
 /** The app on one page. Errors that nobody caught are kept, and `during` fails on them. */
 export class App {
-  #context;
   #page;
+  #backend;
   #faults = [];
+  #waits = 0;
 
-  /** `prepare` runs in the page before its own scripts. */
-  static async open(browser, address, device, prepare) {
-    const context = await browser.newContext(device);
-    const app = new App(context, await context.newPage());
-    if (prepare) await app.#page.addInitScript(prepare);
-    await app.#page.goto(address);
+  /** Opens an address in a page with the `options` of its context; `prepare` runs in it before its own scripts. */
+  static async open(browser, address, { backend, prepare, ...options }) {
+    const page = await newPage(browser, options);
+    const app = new App(page, backend);
+    if (prepare) await page.addInitScript(prepare);
+    await page.goto(address);
     return app;
   }
 
-  constructor(context, page) {
-    this.#context = context;
+  constructor(page, backend) {
     this.#page = page;
-    page.setDefaultTimeout(PATIENCE_MS);
+    this.#backend = backend;
     page.on('pageerror', (error) => this.#giveUp(`uncaught: ${error.stack ?? error}`));
     page.on('crash', () => this.#giveUp('the page crashed'));
     page.on('requestfailed', (request) => {
@@ -51,12 +53,13 @@ export class App {
   /** Lets `act` use the app, then closes it; fails if anything went wrong in front of or behind the scenes. */
   async during(act) {
     try {
-      await this.until('a first map is shown', (stats) => stats.ready);
+      const { backend } = await this.atRest('a first map is shown');
+      assert.equal(backend, this.#backend);
       await act();
     } catch (error) {
       throw this.#faults.length === 0 ? error : new Error(this.#faults.join('\n'), { cause: error });
     } finally {
-      await this.#context.close();
+      await this.#page.context().close();
     }
     assert.deepEqual(this.#faults, [], 'nothing goes wrong behind the scenes');
   }
@@ -81,6 +84,7 @@ export class App {
       changes,
     );
     assert.equal(refusal, null, 'the session is taken');
+    await this.#frames();
   }
 
   /** What `riemap.open_session` says of something that is no session. */
@@ -89,12 +93,27 @@ export class App {
   }
 
   /** Waits until `reached(stats, argument)`, asked once a frame in the page, and returns the stats. */
-  async until(state, reached, argument) {
+  until(state, reached, argument) {
+    return this.#reach(state, `return (${reached})(stats, argument) ? stats : null;`, argument);
+  }
+
+  /** As `until`; then dots and controls must have stood still, as a new view or window takes frames to find its place. */
+  atRest(state, reached = (stats) => stats.ready, argument = null) {
+    const wait = ++this.#waits;
+    const body = `
+      if (!(${reached})(stats, argument)) return null;
+      const places = JSON.stringify([stats.handles, stats.editing, stats.export, stats.close]);
+      const { still } = window.seen?.wait === ${wait} && window.seen.places === places ? window.seen : { still: 0 };
+      window.seen = { wait: ${wait}, places, still: still + 1 };
+      return still >= ${STILL_FRAMES} ? stats : null;`;
+    return this.#reach(state, body, argument);
+  }
+
+  async #reach(state, body, argument) {
     // a function, as the page's policy lets no text be evaluated between the frames
-    const body = `const stats = window.riemap?.stats?.(); return stats && (${reached})(stats, argument) ? stats : null;`;
+    const asked = new Function('argument', `const stats = window.riemap?.stats?.(); if (!stats) return null; ${body}`);
     try {
-      const handle = await this.#page.waitForFunction(new Function('argument', body), argument ?? null);
-      return await handle.jsonValue();
+      return await (await this.#page.waitForFunction(asked, argument ?? null)).jsonValue();
     } catch (error) {
       const last = await this.#page.evaluate(() => JSON.stringify(window.riemap?.stats?.())).catch(String);
       throw new Error(`not reached: ${state}\nlast stats: ${last}`, { cause: error });
@@ -161,7 +180,7 @@ export class App {
 
   /** Drags with one finger. */
   async touchDrag(from, to, steps = 4) {
-    const protocol = await this.#context.newCDPSession(this.#page);
+    const protocol = await this.#page.context().newCDPSession(this.#page);
     const touch = async (type, touchPoints) => {
       await protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
       await this.#frames();
@@ -171,16 +190,24 @@ export class App {
     await touch('touchEnd', []);
   }
 
-  loadOutline(side, name, text) {
-    return this.#page.evaluate((given) => window.riemap.load_outline(...given), [side, name, text]);
+  /** Taps with one finger. */
+  async tap(at) {
+    await this.#page.touchscreen.tap(...at);
+    await this.#frames();
   }
 
-  /** Opens a file of any kind, given as bytes in base64. */
-  loadFile(side, name, base64) {
-    return this.#page.evaluate(
+  async loadOutline(side, name, text) {
+    await this.#page.evaluate((given) => window.riemap.load_outline(...given), [side, name, text]);
+    await this.#frames();
+  }
+
+  /** Opens a file of any kind, given as bytes. */
+  async loadFile(side, name, bytes) {
+    await this.#page.evaluate(
       ([where, called, text]) => window.riemap.load_file(where, called, Uint8Array.from(atob(text), (c) => c.charCodeAt(0))),
-      [side, name, base64],
+      [side, name, bytes.toString('base64')],
     );
+    await this.#frames();
   }
 
   /** The page's address. */
@@ -191,18 +218,19 @@ export class App {
   /** Loads the page again, and waits for its map. */
   async reload() {
     await this.#page.reload();
-    return this.until('a map is shown again', (stats) => stats.ready);
+    return this.atRest('a map is shown again');
   }
 
   /** Waits until the address has another fragment than `before`, and returns it. */
   async otherAddress(before) {
-    await this.#page.waitForFunction((old) => window.location.href !== old, before);
-    return this.address();
+    const other = (old) => window.location.href !== old && window.location.href;
+    return (await this.#page.waitForFunction(other, before)).jsonValue();
   }
 
   /** Goes to another fragment, as a person does who pastes a link into the address bar. */
-  paste(fragment) {
-    return this.#page.evaluate((hash) => (window.location.hash = hash), fragment);
+  async paste(fragment) {
+    await this.#page.evaluate((hash) => (window.location.hash = hash), fragment);
+    await this.#frames();
   }
 
   /** Presses keys together, such as "Control+z". */
@@ -216,12 +244,18 @@ export class App {
     const heard = [];
     for (let step = 0; step < furthest; step++) {
       const { spoken } = await this.stats();
-      await this.#page.keyboard.press(step === 0 ? 'F6' : 'Tab');
-      await this.until('another control is said', (stats, before) => stats.spoken > before, spoken);
-      heard.push(await this.#page.textContent('#spoken'));
-      if (control.test(heard.at(-1))) return this.#frames(); // nobody presses the next key within a frame
+      // nobody presses the next key within a frame; what is said then is said of this one
+      await this.press(step === 0 ? 'F6' : 'Tab');
+      heard.push(await this.#saidAfter(spoken));
+      if (control.test(heard.at(-1))) return;
     }
     throw new Error(`no control ${control} among: ${heard.join(' | ')}`);
+  }
+
+  /** What was said last, once more than `spoken` controls have been said. */
+  async #saidAfter(spoken) {
+    const said = (before) => window.riemap.stats().spoken > before && { text: document.getElementById('spoken').textContent };
+    return (await (await this.#page.waitForFunction(said, spoken)).jsonValue()).text;
   }
 
   /** Waits until the page says something that matches in one of its regions, other than `before`, and returns it. */
@@ -248,21 +282,20 @@ export class App {
   }
 
   /** Presses keys, and returns the file that the browser downloads then. */
-  async downloadBy(keys) {
-    const coming = this.#page.waitForEvent('download');
-    await this.press(keys);
-    return contentOf(await coming);
+  downloadBy(keys) {
+    return this.#downloaded(() => this.press(keys));
   }
 
   /** Clicks at a place of the window, and returns the file that the browser downloads then. */
-  async download(at) {
-    const { mouse } = this.#page;
-    await mouse.move(...at);
-    await this.#frames();
-    const coming = this.#page.waitForEvent('download');
-    // at once: a press that lasts longer than 0.8 s, as slow frames can make it, is no click
-    await mouse.click(...at);
-    return contentOf(await coming);
+  download(at) {
+    return this.#downloaded(() => this.click(at));
+  }
+
+  async #downloaded(act) {
+    const [download] = await Promise.all([this.#page.waitForEvent('download'), act()]);
+    const chunks = [];
+    for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+    return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
   }
 
   /** Writes into the number at a place of the window. */
@@ -313,12 +346,6 @@ export class App {
     const png = await this.#page.screenshot(folder ? { path: join(folder, `${name}.png`) } : {});
     return this.#page.evaluate(countColours, png.toString('base64'));
   }
-}
-
-async function contentOf(download) {
-  const chunks = [];
-  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
-  return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
 }
 
 function between(from, to, steps) {

@@ -29,10 +29,20 @@ const BACKEND_ARGUMENTS = {
 
 export const BACKENDS = Object.keys(BACKEND_ARGUMENTS);
 
+/** Software drawing on two busy cores; a state that takes longer is not reached at all. */
+const PATIENCE_MS = 60_000;
+
 /** A headless browser for one backend: the program that `CHROMIUM` names, else the one named chromium. */
 export function launch(backend) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: [...QUIET, ...BACKEND_ARGUMENTS[backend]],
   });
+}
+
+/** A page in a context of its own, which waits for everything as patiently as all others. */
+export async function newPage(browser, options = {}) {
+  const context = await browser.newContext(options);
+  context.setDefaultTimeout(PATIENCE_MS);
+  return context.newPage();
 }

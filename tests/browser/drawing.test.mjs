@@ -1,50 +1,28 @@
 // Outlines by hand: drawn by clicks, reshaped while the map follows, crossed, taken back, pasted.
 
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { test } from 'node:test';
 
-import { App, DEVICES } from './app.mjs';
-import { BACKENDS, launch } from './chromium.mjs';
-import { serve } from './server.mjs';
-
-const DIST = process.env.RIEMAP_DIST ?? fileURLToPath(new URL('../../dist', import.meta.url));
-
-let site;
-before(async () => (site = await serve(DIST)));
-after(() => site?.close());
-
-// What draws makes no difference here: one backend is enough.
-const [BACKEND] = BACKENDS;
+import { withEachBackend } from './backends.mjs';
 
 /** A square with its handles at known places of the outline. */
 const SQUARE = '0,0\n2,0\n2,2\n0,2\n';
 
-describe('outlines by hand', () => {
-  let browser;
-  before(async () => (browser = await launch(BACKEND)));
-  after(() => browser?.close());
-
-  const withApp = (act) => async () => {
-    const app = await App.open(browser, site.address, DEVICES.desktop);
-    await app.during(() => act(app));
-  };
-
+withEachBackend('outlines by hand', (bench) => {
   /** A square on the left, ready to be reshaped; the places of its handles, counter-clockwise from the lower left. */
   const editSquare = async (app) => {
     await app.loadOutline('source', 'square.csv', SQUARE);
-    await app.until('the square is there', (stats) => stats.ready && stats.undo === 1);
-    const { handles } = await app.stats();
+    const { handles } = await app.atRest('the square is there', (stats) => stats.ready && stats.undo === 1);
     await app.pointAt([handles.x1[0], handles.x1[1] + 60]);
     await app.press('e');
-    const { editing } = await app.until('it can be reshaped', (stats) => stats.editing);
+    const { editing } = await app.atRest('it can be reshaped', (stats) => stats.editing);
     assert.equal(editing.handles.length, 4);
     return editing.handles;
   };
 
   test(
     'the map follows a handle while it is dragged, and the drag is one step',
-    withApp(async (app) => {
+    bench.withApp(async (app) => {
       const handles = await editSquare(app);
       const start = await app.session();
       const { generation } = await app.stats();
@@ -70,16 +48,16 @@ describe('outlines by hand', () => {
 
   test(
     'while the outline crosses itself the last good map stays, and the place is marked',
-    withApp(async (app) => {
+    bench.withApp(async (app) => {
       const handles = await editSquare(app);
       const beyond = [handles[0][0] - 40, 0.5 * (handles[0][1] + handles[3][1])];
       await app.hold(handles[2], beyond, 16);
-      const { editing } = await app.until('the crossing is seen', (stats) => stats.editing.crossing);
+      const { editing } = await app.until('the crossing is seen', (stats) => stats.editing?.crossing);
       assert.match(editing.message, /crosses itself/);
       assert.ok(Math.abs(editing.crossing[0] - handles[0][0]) < 3, `the left edge is crossed: ${editing.crossing}`);
-      await app.picture('crossing');
+      await app.picture(`${bench.backend}-crossing`);
       await app.letGo();
-      const after = await app.until('the good one is prepared', (stats) => stats.ready && !stats.editing.crossing);
+      const after = await app.until('the good one is prepared', (stats) => stats.ready && stats.editing && !stats.editing.crossing);
       assert.match(after.editing.message, /last good one was kept/);
       assert.deepEqual(after.errors, []);
       assert.equal(after.flipped, 0);
@@ -88,15 +66,16 @@ describe('outlines by hand', () => {
 
   test(
     'an outline is drawn by clicks, and closed by a click on its first point',
-    withApp(async (app) => {
+    bench.withApp(async (app) => {
       const { handles } = await app.stats();
       const [x, y] = handles.x1;
       await app.pointAt([x, y + 60]);
       await app.press('l');
+      await app.until('it can be drawn', (stats) => stats.editing?.draws);
       const corners = [[x - 120, y + 100], [x + 120, y + 100], [x + 90, y - 60], [x - 70, y - 110]];
       for (const [k, corner] of corners.entries()) {
         await app.click(corner);
-        await app.until('the point is set', (stats, count) => stats.editing.handles.length === count, k + 1);
+        await app.until('the point is set', (stats, count) => stats.editing?.handles.length === count, k + 1);
       }
       await app.click(corners[0]);
       await app.until('the map is there', (stats) => stats.ready && stats.undo === 1 && !stats.editing);
@@ -107,7 +86,7 @@ describe('outlines by hand', () => {
 
   test(
     'path data that is pasted becomes the source, and what is no outline is told',
-    withApp(async (app) => {
+    bench.withApp(async (app) => {
       await app.pasteText('M 0 0 L 4 0 L 4 1 L 1 3 Z');
       await app.until('the map is there', (stats) => stats.ready && stats.undo === 1);
       const { points } = (await app.session()).source.outline.points;

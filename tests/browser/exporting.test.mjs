@@ -1,33 +1,26 @@
 // Files that leave the app in a browser, and points in motion.
 
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { test } from 'node:test';
 
-import { App, DEVICES } from './app.mjs';
-import { BACKENDS, launch } from './chromium.mjs';
-import { serve } from './server.mjs';
+import { withEachBackend } from './backends.mjs';
 
-const DIST = process.env.RIEMAP_DIST ?? fileURLToPath(new URL('../../dist', import.meta.url));
+/** Where a control of the window of exports is, by what is written on it. */
+async function placeOf(app, name) {
+  const { export: places } = await app.atRest(`there is "${name}"`, (stats, wanted) => stats.export?.[wanted], name);
+  return places[name];
+}
 
-let site;
-before(async () => (site = await serve(DIST)));
-after(() => site?.close());
-
-/** Opens the window of exports and chooses, by what is written on its controls. */
+/** Opens the window of exports and chooses. */
 async function choose(app, ...names) {
   if ((await app.stats()).export === null) await app.press('Control+e');
-  for (const name of names) {
-    const { export: places } = await app.until(`there is "${name}"`, (stats, wanted) => stats.export?.[wanted], name);
-    await app.click(places[name]);
-  }
-  return (await app.stats()).export;
+  for (const name of names) await app.click(await placeOf(app, name));
 }
 
 /** Saves what is chosen, and returns the file. */
 async function saved(app, ...names) {
-  const places = await choose(app, ...names);
-  return app.download(places.Save);
+  await choose(app, ...names);
+  return app.download(await placeOf(app, 'Save'));
 }
 
 /** The chunks of a PNG, by type. */
@@ -46,110 +39,100 @@ function sizeOf(png) {
   return [content.readUInt32BE(0), content.readUInt32BE(4)];
 }
 
-for (const backend of BACKENDS) {
-  describe(`exports with ${backend}`, () => {
-    let browser;
-    before(async () => (browser = await launch(backend)));
-    after(() => browser?.close());
+withEachBackend('exports and motion', (bench) => {
+  const { backend } = bench;
 
-    const withApp = (device, act) => async () => {
-      const app = await App.open(browser, site.address, DEVICES[device]);
-      await app.during(() => act(app));
-    };
+  test(
+    'a planar map is saved in every format',
+    bench.withApp(async (app) => {
+      const { name, bytes } = await saved(app, 'PNG', 'Transparent');
+      assert.equal(name, 'riemap.png');
+      assert.deepEqual(sizeOf(bytes), [1600, 900], 'larger than the viewports on the screen');
+      const pixels = await app.pixelsOf(bytes, [[0, 0], [400, 450], [1200, 450]]);
+      assert.equal(pixels[0][3], 0, 'there is no ground');
+      assert.deepEqual([pixels[1][3], pixels[2][3]], [255, 255], 'both domains are there');
+      const svg = (await saved(app, 'SVG')).bytes.toString();
+      assert.match(svg, /^<svg/);
+      assert.equal(svg.match(/class="outline"/g).length, 2);
+      const csv = (await saved(app, 'CSV')).bytes.toString().trim().split('\n');
+      const { target } = await app.stats();
+      assert.equal(csv.length, target.m + 1, 'a line for each sample of the mapped side');
+      const measures = csv.slice(1).map((line) => Number(line.split(',').at(-1)));
+      assert.ok(measures.every((value, k) => k === 0 || value >= measures[k - 1]), 'harmonic measure grows');
+      const obj = (await saved(app, 'OBJ')).bytes.toString();
+      assert.equal(obj.match(/^f /gm).length, target.triangles);
+    }),
+  );
 
-    test(
-      'a planar map is saved in every format',
-      withApp('desktop', async (app) => {
-        const { name, bytes } = await saved(app, 'PNG', 'Transparent');
-        assert.equal(name, 'riemap.png');
-        assert.deepEqual(sizeOf(bytes), [1600, 900], 'larger than the viewports on the screen');
-        const pixels = await app.pixelsOf(bytes, [[0, 0], [400, 450], [1200, 450]]);
-        assert.equal(pixels[0][3], 0, 'there is no ground');
-        assert.deepEqual([pixels[1][3], pixels[2][3]], [255, 255], 'both domains are there');
-        const svg = (await saved(app, 'SVG')).bytes.toString();
-        assert.match(svg, /^<svg/);
-        assert.equal(svg.match(/class="outline"/g).length, 2);
-        const csv = (await saved(app, 'CSV')).bytes.toString().trim().split('\n');
-        const { target } = await app.stats();
-        assert.equal(csv.length, target.m + 1, 'a line for each sample of the mapped side');
-        const measures = csv.slice(1).map((line) => Number(line.split(',').at(-1)));
-        assert.ok(measures.every((value, k) => k === 0 || value >= measures[k - 1]), 'harmonic measure grows');
-        const obj = (await saved(app, 'OBJ')).bytes.toString();
-        assert.equal(obj.match(/^f /gm).length, target.triangles);
-      }),
-    );
+  test(
+    'an animation is made, while another one is given up',
+    bench.withApp(async (app) => {
+      await app.openSession({ texture_scale: 6 });
+      await app.until('the map is there', (stats) => stats.ready);
+      await choose(app, 'Animated PNG', '800 × 450');
+      // so many that they are not all made before this one is given up
+      await app.type(await placeOf(app, 'Pictures'), '400');
+      await choose(app, 'Save');
+      const busy = await app.until('some pictures are made', (stats) => stats.export_count?.[0] >= 2);
+      assert.equal(busy.export_count[1], 400);
+      await app.picture(`${backend}-export-progress`);
+      await choose(app, 'Cancel');
+      await app.until('it is given up', (stats) => stats.export_count === null);
+      await app.type(await placeOf(app, 'Pictures'), '6');
+      const before = await app.session();
+      const { name, bytes } = await saved(app);
+      assert.equal(name, 'riemap-animation.png');
+      const chunks = chunksOf(bytes);
+      assert.deepEqual(sizeOf(bytes), [800, 450]);
+      assert.equal(chunks.filter(({ type }) => type === 'fcTL').length, 6);
+      const pictures = chunks.filter(({ type }) => type === 'fdAT').map(({ content }) => content.subarray(4).toString('base64'));
+      assert.equal(new Set(pictures).size, pictures.length, 'every picture is another one');
+      assert.deepEqual(await app.session(), before, 'what is on the screen stays');
+      const gif = await saved(app, 'GIF', 'x₁');
+      assert.equal(gif.name, 'riemap-animation.gif');
+      assert.equal(gif.bytes.subarray(0, 6).toString(), 'GIF89a');
+    }),
+  );
 
-    test(
-      'an animation is made, while another one is given up',
-      withApp('desktop', async (app) => {
-        await app.openSession({ texture_scale: 6 });
-        await app.until('the map is there', (stats) => stats.ready);
-        const places = await choose(app, 'Animated PNG', '800 × 450');
-        await app.click(places.Save);
-        const busy = await app.until('some pictures are made', (stats) => stats.export_count?.[0] >= 2 && stats.export?.Cancel);
-        assert.equal(busy.export_count[1], 60);
-        await app.picture(`${backend}-export-progress`);
-        await app.click(busy.export.Cancel);
-        await app.until('it is given up', (stats) => stats.export_count === null && stats.export?.Save);
-        await app.type(places.Pictures, '6');
-        const before = await app.session();
-        const { name, bytes } = await app.download((await app.stats()).export.Save);
-        assert.equal(name, 'riemap-animation.png');
-        const chunks = chunksOf(bytes);
-        assert.deepEqual(sizeOf(bytes), [800, 450]);
-        assert.equal(chunks.filter(({ type }) => type === 'fcTL').length, 6);
-        const pictures = chunks.filter(({ type }) => type === 'fdAT').map(({ content }) => content.subarray(4).toString('base64'));
-        assert.equal(new Set(pictures).size, pictures.length, 'every picture is another one');
-        assert.deepEqual(await app.session(), before, 'what is on the screen stays');
-        const gif = await saved(app, 'GIF', 'x₁');
-        assert.equal(gif.name, 'riemap-animation.gif');
-        assert.equal(gif.bytes.subarray(0, 6).toString(), 'GIF89a');
-      }),
-    );
+  test(
+    'a surface is saved with its texture coordinates, and as it is seen',
+    bench.withApp(async (app) => {
+      const shape = { preset: { preset: 'hemisphere', boundary: 80 } };
+      await app.openSession({ surface: { spec: { shape } } });
+      const { target } = await app.until('the surface is there', (stats) => stats.ready && stats.target.m === 80);
+      const obj = await saved(app, 'OBJ', 'Unit box');
+      assert.equal(obj.name, 'hemisphere-mapped.obj');
+      const lines = obj.bytes.toString().split('\n');
+      const count = (start) => lines.filter((line) => line.startsWith(start)).length;
+      assert.deepEqual(['v ', 'vt ', 'f '].map(count), [target.m + target.n, target.m + target.n, target.triangles]);
+      for (const line of lines.filter((text) => text.startsWith('vt '))) {
+        const [u, v] = line.slice(3).split(' ').map(Number);
+        assert.ok(u >= 0 && u <= 1 && v >= 0 && v <= 1, `in the unit box: ${line}`);
+      }
+      assert.equal((await saved(app, 'GLB')).bytes.subarray(0, 4).toString(), 'glTF');
+      const { bytes } = await saved(app, 'PNG', 'Target', 'Transparent');
+      const pixels = await app.pixelsOf(bytes, [[0, 0], [800, 450]]);
+      assert.deepEqual([pixels[0][3], pixels[1][3]], [0, 255]);
+    }),
+  );
 
-    test(
-      'a surface is saved with its texture coordinates, and as it is seen',
-      withApp('desktop', async (app) => {
-        const shape = { preset: { preset: 'hemisphere', boundary: 80 } };
-        await app.openSession({ surface: { spec: { shape } } });
-        const { target } = await app.until('the surface is there', (stats) => stats.ready && stats.target.m === 80);
-        const obj = await saved(app, 'OBJ', 'Unit box');
-        assert.equal(obj.name, 'hemisphere-mapped.obj');
-        const lines = obj.bytes.toString().split('\n');
-        const count = (start) => lines.filter((line) => line.startsWith(start)).length;
-        assert.deepEqual(['v ', 'vt ', 'f '].map(count), [target.m + target.n, target.m + target.n, target.triangles]);
-        for (const line of lines.filter((text) => text.startsWith('vt '))) {
-          const [u, v] = line.slice(3).split(' ').map(Number);
-          assert.ok(u >= 0 && u <= 1 && v >= 0 && v <= 1, `in the unit box: ${line}`);
-        }
-        assert.equal((await saved(app, 'GLB')).bytes.subarray(0, 4).toString(), 'glTF');
-        const { bytes } = await saved(app, 'PNG', 'Target', 'Transparent');
-        const pixels = await app.pixelsOf(bytes, [[0, 0], [800, 450]]);
-        assert.deepEqual([pixels[0][3], pixels[1][3]], [0, 255]);
-      }),
-    );
-
-    test(
-      'a picture is saved on a phone',
-      withApp('phone', async (app) => {
+  test(
+    'a picture is saved on a phone',
+    bench.withApp(
+      async (app) => {
         await choose(app, 'PNG');
         await app.picture(`${backend}-export-phone`);
         const { bytes } = await saved(app, '800 × 450');
         assert.deepEqual(sizeOf(bytes), [800, 450]);
-      }),
-    );
-  });
-}
+      },
+      { device: 'phone' },
+    ),
+  );
 
-describe('motion', () => {
-  let browser;
-  before(async () => (browser = await launch(BACKENDS[0])));
-  after(() => browser?.close());
-
-  test('space plays and pauses, the points stay, and one step takes it back', async () => {
-    const app = await App.open(browser, site.address, DEVICES.desktop);
-    await app.during(async () => {
-      const [start, address] = [await app.session(), await app.otherAddress(site.address)];
+  test(
+    'space plays and pauses, the points stay, and one step takes it back',
+    bench.withApp(async (app) => {
+      const [start, address] = [await app.session(), await app.otherAddress(bench.address())];
       const { handles, generation } = await app.stats();
       await app.press('Space');
       await app.until(
@@ -162,10 +145,11 @@ describe('motion', () => {
       await app.until('it is one step', (stats) => !stats.playing && stats.ready && stats.undo === 1);
       const there = await app.session();
       assert.notDeepEqual(there.anchor, start.anchor);
+      await app.atRest();
       assert.deepEqual(await app.session(), there);
       await app.press('Control+z');
       await app.until('it is taken back', (stats) => stats.ready && stats.undo === 0);
       assert.deepEqual(await app.session(), start);
-    });
-  });
+    }),
+  );
 });

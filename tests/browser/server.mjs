@@ -1,7 +1,7 @@
-// Serves a folder on a free port of this machine, with the types that a browser insists on,
-// compressed if that is asked for, and below any path.
+// Serves a folder on a free port of this machine, with the types that a browser insists on, below any
+// path; if that is asked for compressed, and with a pause in the middle of a file.
 
-import { createReadStream, statSync } from 'node:fs';
+import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
 import { createGzip } from 'node:zlib';
@@ -28,23 +28,43 @@ function fileFor(folder, below, url) {
   return inside && statSync(file, { throwIfNoEntry: false })?.isFile() ? file : null;
 }
 
-/** Starts serving; `address` is what to open, `close()` ends it. */
-export async function serve(folder, { packed = false, below = '/' } = {}) {
+/** Sends the first half of a file, waits for `halfway`, and sends the rest. */
+async function send(file, response, packed, halfway) {
+  const bytes = readFileSync(file);
+  const middle = bytes.length >> 1;
+  const encoder = packed ? createGzip({ level: 1 }) : null;
+  encoder?.pipe(response);
+  (encoder ?? response).write(bytes.subarray(0, middle));
+  encoder?.flush();
+  await halfway;
+  (encoder ?? response).end(bytes.subarray(middle));
+}
+
+/**
+ * Starts serving; `address` is what to open, `close()` ends it once everything that was asked for is answered.
+ * `halfway(file)` is what is waited for in the middle of a file.
+ */
+export async function serve(folder, { packed = false, below = '/', halfway = () => null } = {}) {
+  const underway = new Set();
   const server = createServer((request, response) => {
     const file = fileFor(folder, below, request.url);
     if (!file) {
       response.writeHead(404).end();
       return;
     }
+    const answered = new Promise((resolve) => response.on('close', resolve));
+    underway.add(answered);
+    answered.then(() => underway.delete(answered));
     const encoding = packed ? { 'content-encoding': 'gzip' } : {};
     response.writeHead(200, { 'content-type': TYPES.get(extname(file)) ?? 'application/octet-stream', ...encoding });
-    const content = createReadStream(file);
-    (packed ? content.pipe(createGzip({ level: 1 })) : content).pipe(response);
+    send(file, response, packed, halfway(file));
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const close = () => {
+  const close = async () => {
+    const closed = new Promise((resolve) => server.close(resolve));
+    await Promise.all(underway);
     server.closeAllConnections();
-    return new Promise((resolve) => server.close(resolve));
+    return closed;
   };
   return { address: `http://127.0.0.1:${server.address().port}${below}`, close };
 }

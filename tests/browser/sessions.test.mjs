@@ -1,38 +1,17 @@
 // What a person has set outlives the moment: steps back, the address, a reload, a file.
 
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { test } from 'node:test';
 
-import { App, DEVICES } from './app.mjs';
-import { BACKENDS, launch } from './chromium.mjs';
-import { serve } from './server.mjs';
-
-const DIST = process.env.RIEMAP_DIST ?? fileURLToPath(new URL('../../dist', import.meta.url));
+import { withEachBackend } from './backends.mjs';
 
 /** A triangle that no preset is. */
 const TRIANGLE = '0,0\n3,0\n1,2\n';
 
-let site;
-before(async () => (site = await serve(DIST)));
-after(() => site?.close());
-
-// What draws makes no difference here: one backend is enough.
-const [BACKEND] = BACKENDS;
-
-describe('sessions', () => {
-  let browser;
-  before(async () => (browser = await launch(BACKEND)));
-  after(() => browser?.close());
-
-  const withApp = (act, fragment = '') => async () => {
-    const app = await App.open(browser, site.address + fragment, DEVICES.desktop);
-    await app.during(() => act(app));
-  };
-
+withEachBackend('sessions', (bench) => {
   test(
     'a drag is one step back and one forward',
-    withApp(async (app) => {
+    bench.withApp(async (app) => {
       const start = await app.session();
       const { handles } = await app.stats();
       await app.drag(handles.x1, [handles.x1[0] + 25, handles.x1[1] - 30], 8);
@@ -50,13 +29,13 @@ describe('sessions', () => {
 
   test(
     'the address opens the same picture in another window',
-    withApp(async (app) => {
-      const before = await app.otherAddress(site.address);
+    bench.withApp(async (app) => {
+      const before = await app.otherAddress(bench.address());
       await app.openSession({ texture: 'grid', texture_scale: 13, direction: 'backward', anchor: [0.25, 0.5], wireframe: true });
       const address = await app.otherAddress(before);
       assert.match(address, /#s=1\./);
       const [session, stats] = [await app.session(), await app.stats()];
-      const other = await App.open(browser, address, DEVICES.desktop);
+      const other = await bench.open(address);
       await other.during(async () => {
         assert.deepEqual(await other.session(), session);
         const opened = await other.stats();
@@ -69,9 +48,9 @@ describe('sessions', () => {
 
   test(
     'a link that is pasted into the address is opened, and can be taken back',
-    withApp(async (app) => {
+    bench.withApp(async (app) => {
       const start = await app.session();
-      const first = await app.otherAddress(site.address);
+      const first = await app.otherAddress(bench.address());
       await app.openSession({ texture_scale: 20 });
       await app.otherAddress(first);
       await app.paste(new URL(first).hash);
@@ -82,17 +61,17 @@ describe('sessions', () => {
 
   test(
     'a damaged link gives a message and the default session',
-    withApp(async (app) => {
+    bench.withApp(async (app) => {
       const { errors } = await app.stats();
       assert.match(errors.join(' '), /link could not be opened/);
       assert.equal((await app.session()).source.outline.preset, 'gingerbread');
-    }, '#s=1.AAAAnonsense'),
+    }, { at: '#s=1.AAAAnonsense' }),
   );
 
   test(
     'a reload brings everything back, a loaded outline too',
-    withApp(async (app) => {
-      const first = await app.otherAddress(site.address);
+    bench.withApp(async (app) => {
+      const first = await app.otherAddress(bench.address());
       await app.loadOutline('source', 'triangle.csv', TRIANGLE);
       await app.otherAddress(first);
       const session = await app.session();
@@ -104,8 +83,8 @@ describe('sessions', () => {
 
   test(
     'a session is saved as a file and opened again',
-    withApp(async (app) => {
-      const first = await app.otherAddress(site.address);
+    bench.withApp(async (app) => {
+      const first = await app.otherAddress(bench.address());
       await app.openSession({ texture_scale: 17 });
       const second = await app.otherAddress(first);
       const saved = await app.session();
@@ -113,7 +92,7 @@ describe('sessions', () => {
       assert.equal(name, 'map.riemap');
       await app.openSession({ texture_scale: 5 });
       await app.otherAddress(second);
-      await app.loadFile('source', name, bytes.toString('base64'));
+      await app.loadFile('source', name, bytes);
       await app.until('the file is opened', (stats) => stats.ready && stats.undo === 3);
       assert.deepEqual(await app.session(), saved);
     }),

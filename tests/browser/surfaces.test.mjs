@@ -1,14 +1,14 @@
 // Surfaces in the release web app: prepared by a worker, drawn in space, dragged, coloured, refused.
 
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { existsSync, readFileSync } from 'node:fs';
+import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-import { App, DEVICES } from './app.mjs';
-import { BACKENDS, launch } from './chromium.mjs';
-import { serve } from './server.mjs';
+import { withEachBackend } from './backends.mjs';
 
-const DIST = process.env.RIEMAP_DIST ?? fileURLToPath(new URL('../../dist', import.meta.url));
+/** A scanned head with one hole; it lies outside of the repository. */
+const COW_HEAD = fileURLToPath(new URL('../../../shared/data/meshes/cowhead.obj', import.meta.url));
 
 const surface = (preset, boundary) => ({ spec: { shape: { preset: { preset, boundary } } } });
 
@@ -22,97 +22,84 @@ function wave(n, loose = false) {
   for (let j = 0; j < n; j++) {
     for (let i = 0; i < n; i++) lines.push(`f ${vertex(i, j)} ${vertex(i + 1, j)} ${vertex(i + 1, j + 1)} ${vertex(i, j + 1)}`);
   }
-  return Buffer.from(`${lines.join('\n')}\n`).toString('base64');
+  return Buffer.from(`${lines.join('\n')}\n`);
 }
 
-let site;
-before(async () => (site = await serve(DIST)));
-after(() => site?.close());
+withEachBackend('surfaces', (bench) => {
+  const { backend } = bench;
 
-for (const backend of BACKENDS) {
-  describe(`surfaces with ${backend}`, () => {
-    let browser;
-    before(async () => (browser = await launch(backend)));
-    after(() => browser?.close());
-
-    /** Runs `act` on a freshly opened app. */
-    const withApp = (device, act) => async () => {
-      const app = await App.open(browser, site.address, DEVICES[device]);
-      await app.during(() => act(app));
-    };
-
-    /** Puts a preset into the target's place. */
-    async function show(app, preset, boundary, changes = {}) {
-      const { generation } = await app.stats();
-      await app.openSession({ surface: surface(preset, boundary), ...changes });
-      return app.until(
-        'the surface is mapped',
-        (stats, last) => stats.ready && stats.surface_ms !== null && stats.generation > last,
-        generation,
-      );
-    }
-
-    test(
-      'a surface is mapped to the outline, and its dots are dragged in space',
-      withApp('desktop', async (app) => {
-        const shown = await show(app, 'animal-head', 250);
-        assert.equal(shown.target.m, 250);
-        assert.equal(shown.flipped, 0);
-        assert.ok(shown.q_mean < 1.2, `nearly conformal: mean Q = ${shown.q_mean}`);
-        assertShowsSomething(await app.picture(`${backend}-surface`));
-        assertMapsPoint(shown);
-        for (const [handle, by] of Object.entries({ x1: [20, -25], x2: [-30, 40], y1: [40, 60] })) {
-          const { generation, boundary_checksum, handles } = await app.stats();
-          await app.drag(handles[handle], handles[handle].map((value, axis) => value + by[axis]));
-          const moved = await app.until(
-            `the map has followed ${handle}`,
-            (stats, last) => stats.ready && stats.generation > last.generation && stats.boundary_checksum !== last.boundary_checksum,
-            { generation, boundary_checksum },
-          );
-          const [x, y] = handles[handle];
-          assert.ok(Math.hypot(moved.handles[handle][0] - x, moved.handles[handle][1] - y) > 10, `${handle} has moved`);
-          assertMapsPoint(moved);
-        }
-      }),
+  /** Puts a preset into the target's place. */
+  async function show(app, preset, boundary, changes = {}) {
+    const { generation } = await app.stats();
+    await app.openSession({ surface: surface(preset, boundary), ...changes });
+    return app.atRest(
+      'the surface is mapped',
+      (stats, last) => stats.ready && stats.surface_ms !== null && stats.generation > last,
+      generation,
     );
+  }
 
-    test(
-      'a drag beside the dots turns the surface and leaves the map',
-      withApp('desktop', async (app) => {
-        const before = await show(app, 'hemisphere', 120);
-        const [x, y] = before.handles.x2;
-        await app.drag([x + 80, y + 90], [x - 40, y + 60]);
-        const after = await app.until(
-          'the dot is elsewhere',
-          (stats, last) => Math.hypot(stats.handles.x2[0] - last[0], stats.handles.x2[1] - last[1]) > 5,
-          before.handles.x2,
+  test(
+    'a surface is mapped to the outline, and its dots are dragged in space',
+    bench.withApp(async (app) => {
+      const shown = await show(app, 'animal-head', 250);
+      assert.equal(shown.target.m, 250);
+      assert.equal(shown.flipped, 0);
+      assert.ok(shown.q_mean < 1.2, `nearly conformal: mean Q = ${shown.q_mean}`);
+      assertShowsSomething(await app.picture(`${backend}-surface`));
+      assertMapsPoint(shown);
+      for (const [handle, by] of Object.entries({ x1: [20, -25], x2: [-30, 40], y1: [40, 60] })) {
+        const { generation, boundary_checksum, handles } = await app.stats();
+        await app.drag(handles[handle], handles[handle].map((value, axis) => value + by[axis]));
+        const moved = await app.atRest(
+          `the map has followed ${handle}`,
+          (stats, last) => stats.ready && stats.generation > last.generation && stats.boundary_checksum !== last.boundary_checksum,
+          { generation, boundary_checksum },
         );
-        assert.equal(after.boundary_checksum, before.boundary_checksum);
-        assertShowsSomething(await app.picture(`${backend}-surface-turned`));
+        const [x, y] = handles[handle];
+        assert.ok(Math.hypot(moved.handles[handle][0] - x, moved.handles[handle][1] - y) > 10, `${handle} has moved`);
+        assertMapsPoint(moved);
+      }
+    }),
+  );
+
+  test(
+    'a drag beside the dots turns the surface and leaves the map',
+    bench.withApp(async (app) => {
+      const before = await show(app, 'hemisphere', 120);
+      const [x, y] = before.handles.x2;
+      await app.drag([x + 80, y + 90], [x - 40, y + 60]);
+      const after = await app.until(
+        'the dot is elsewhere',
+        (stats, last) => Math.hypot(stats.handles.x2[0] - last[0], stats.handles.x2[1] - last[1]) > 5,
+        before.handles.x2,
+      );
+      assert.equal(after.boundary_checksum, before.boundary_checksum);
+      assertShowsSomething(await app.picture(`${backend}-surface-turned`));
+    }),
+  );
+
+  const modes = {
+    'angle distortion with the mesh': { colouring: 'angle', wireframe: true },
+    'area distortion': { colouring: 'area' },
+    'the conformal polar grid and the plots': { texture: 'conformal', plots: true },
+  };
+  for (const [mode, changes] of Object.entries(modes)) {
+    test(
+      `${mode} of a surface`,
+      bench.withApp(async (app) => {
+        const shown = await show(app, 'half-torus', 150, changes);
+        assert.deepEqual(shown.errors, []);
+        assertShowsSomething(await app.picture(`${backend}-surface-${mode.replaceAll(' ', '-')}`));
       }),
     );
+  }
 
-    const modes = {
-      'angle distortion with the mesh': { colouring: 'angle', wireframe: true },
-      'area distortion': { colouring: 'area' },
-      'the conformal polar grid and the plots': { texture: 'conformal', plots: true },
-    };
-    for (const [mode, changes] of Object.entries(modes)) {
-      test(
-        `${mode} of a surface`,
-        withApp('desktop', async (app) => {
-          const shown = await show(app, 'half-torus', 150, changes);
-          assert.deepEqual(shown.errors, []);
-          assertShowsSomething(await app.picture(`${backend}-surface-${mode.replaceAll(' ', '-')}`));
-        }),
-      );
-    }
-
-    test(
-      'a surface on a phone',
-      withApp('phone', async (app) => {
-        await show(app, 'height-field', 120);
-        const { handles, boundary_checksum } = await app.stats();
+  test(
+    'a surface on a phone',
+    bench.withApp(
+      async (app) => {
+        const { handles, boundary_checksum } = await show(app, 'height-field', 120);
         await app.touchDrag(handles.x2, [handles.x2[0] + 20, handles.x2[1] + 15]);
         await app.until(
           'the map has followed the finger',
@@ -120,52 +107,83 @@ for (const backend of BACKENDS) {
           boundary_checksum,
         );
         assertShowsSomething(await app.picture(`${backend}-surface-phone`));
-      }),
-    );
+      },
+      { device: 'phone' },
+    ),
+  );
 
-    test(
-      'a surface in a file is mapped, a broken one is refused with the reason, and the plane comes back',
-      withApp('desktop', async (app) => {
-        await app.loadFile('target', 'wave.obj', wave(20));
-        const mapped = await app.until('the file is mapped', (stats) => stats.ready && stats.target.triangles === 800);
-        assert.ok(mapped.notes.some((note) => note.includes('400 polygons')), 'the note about polygons');
-        assertMapsPoint(mapped);
-        await app.loadFile('target', 'loose.obj', wave(20, true));
-        const refused = await app.until('an error is shown', (stats) => stats.errors.length > 0);
-        assert.match(refused.errors.join(' '), /loose\.obj: 1 vertices are in no triangle.*vertex 0/);
-        assert.equal(refused.boundary_checksum, mapped.boundary_checksum, 'the last good map stays');
-        assertShowsSomething(await app.picture(`${backend}-surface-refused`));
-        await app.walkTo(/^Repair it, button/);
+  test(
+    'a surface in a file is mapped, a broken one is refused with the reason, and the plane comes back',
+    bench.withApp(async (app) => {
+      await app.loadFile('target', 'wave.obj', wave(20));
+      const mapped = await app.until('the file is mapped', (stats) => stats.ready && stats.target.triangles === 800);
+      assert.ok(mapped.notes.some((note) => note.includes('400 polygons')), 'the note about polygons');
+      assertMapsPoint(mapped);
+      await app.loadFile('target', 'loose.obj', wave(20, true));
+      const refused = await app.until('an error is shown', (stats) => stats.errors.length > 0);
+      assert.match(refused.errors.join(' '), /loose\.obj: 1 vertices are in no triangle.*vertex 0/);
+      assert.equal(refused.boundary_checksum, mapped.boundary_checksum, 'the last good map stays');
+      assertShowsSomething(await app.picture(`${backend}-surface-refused`));
+      await app.walkTo(/^Repair it, button/);
+      await app.press('Space');
+      const repaired = await app.until(
+        'it is repaired, and what was done is said',
+        (stats) => stats.ready && stats.errors.length === 0 && /1 vertices in no triangle were dropped/.test(stats.notes.join()),
+      );
+      assert.equal(repaired.target.triangles, 800);
+      await app.openSession({ surface: null });
+      const planar = await app.until('the plane is back', (stats) => stats.ready && stats.surface_ms === null);
+      assert.ok(planar.target.triangles !== 800);
+    }),
+  );
+
+  test(
+    'a surface that was scanned is mapped, and its dot is dragged',
+    { skip: !existsSync(COW_HEAD) && `${COW_HEAD} is absent` },
+    bench.withApp(async (app) => {
+      await app.loadFile('target', 'cowhead.obj', readFileSync(COW_HEAD));
+      const shown = await app.atRest('it is mapped', (stats) => stats.ready && stats.surface_ms !== null);
+      assert.deepEqual([shown.target.m, shown.target.triangles], [97, 29_999]);
+      assert.deepEqual([shown.errors, shown.flipped], [[], 0]);
+      assert.ok(shown.q_mean < 1.2, `nearly conformal: mean Q = ${shown.q_mean}`);
+      assertMapsPoint(shown);
+      const { x2 } = shown.handles;
+      await app.drag(x2, [x2[0] + 30, x2[1] - 20]);
+      const moved = await app.atRest(
+        'the map has followed',
+        (stats, last) => stats.ready && stats.boundary_checksum !== last,
+        shown.boundary_checksum,
+      );
+      assert.ok(Math.hypot(moved.handles.x2[0] - x2[0], moved.handles.x2[1] - x2[1]) > 10, 'the dot has moved');
+      assertMapsPoint(moved);
+      assertShowsSomething(await app.picture(`${backend}-surface-scanned`));
+    }),
+  );
+
+  test(
+    'the figures with surfaces are opened from their menu',
+    bench.withApp(async (app) => {
+      for (const [scene, preset] of [
+        [/^sixths to corners, button/, 'hemisphere'],
+        [/^x₁ = 0, button/, 'animal-head'],
+        [/^Maple leaf, button/, 'height-field'],
+      ]) {
+        await app.walkTo(/^Figures, button/);
         await app.press('Space');
-        const repaired = await app.until('it is repaired', (stats) => stats.ready && stats.errors.length === 0);
-        assert.equal(repaired.target.triangles, 800);
-        assert.ok(repaired.notes.some((note) => /1 vertices in no triangle were dropped/.test(note)), `${repaired.notes}`);
-        await app.openSession({ surface: null });
-        const planar = await app.until('the plane is back', (stats) => stats.ready && stats.surface_ms === null);
-        assert.ok(planar.target.triangles !== 800);
-      }),
-    );
-
-    test(
-      'the figures with surfaces are opened from their menu',
-      withApp('desktop', async (app) => {
-        for (const [scene, preset] of [
-          [/^sixths to corners, button/, 'hemisphere'],
-          [/^x₁ = 0, button/, 'animal-head'],
-          [/^Maple leaf, button/, 'height-field'],
-        ]) {
-          await app.walkTo(/^Figures, button/);
-          await app.press('Space');
-          await app.walkTo(scene);
-          await app.press('Enter');
-          await app.until('the surface is mapped', (stats) => stats.ready && stats.surface_ms !== null);
-          assert.equal((await app.session()).surface.spec.shape.preset.preset, preset);
-          assertShowsSomething(await app.picture(`${backend}-figure-with-the-${preset}`));
-        }
-      }),
-    );
-  });
-}
+        await app.walkTo(scene);
+        const { generation } = await app.stats();
+        await app.press('Enter');
+        await app.until(
+          'the surface is mapped',
+          (stats, last) => stats.ready && stats.surface_ms !== null && stats.generation > last,
+          generation,
+        );
+        assert.equal((await app.session()).surface.spec.shape.preset.preset, preset);
+        assertShowsSomething(await app.picture(`${backend}-figure-with-the-${preset}`));
+      }
+    }),
+  );
+});
 
 /** The surface's point goes to the outline's: the constraint that the two interior points set. */
 function assertMapsPoint({ image_of_mapped_point: image, expected }) {

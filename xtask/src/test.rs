@@ -38,19 +38,8 @@ fn browser(places: &Places) -> Result<(), Failure> {
     let chromium = ensure_chromium()?;
     ensure_test_packages(places)?;
     let mut command = Command::new("node");
-    command.args([
-        "--test",
-        "--test-reporter=spec",
-        "--test-concurrency=1",
-        "app.test.mjs",
-        "surfaces.test.mjs",
-        "sessions.test.mjs",
-        "drawing.test.mjs",
-        "everyone.test.mjs",
-        "exporting.test.mjs",
-        "web.test.mjs",
-        "words.test.mjs",
-    ]);
+    // every file whose name ends in ".test.mjs", one after the other
+    command.args(["--test", "--test-reporter=spec", "--test-concurrency=1"]);
     command.current_dir(places.browser_tests());
     command.env("CHROMIUM", chromium).env("RIEMAP_DIST", places.dist());
     run("the web app in Chromium", &mut command)
