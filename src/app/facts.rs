@@ -33,6 +33,7 @@ impl RiemapApp {
             spoken: self.spoken,
             playing: self.player.is_playing(),
             export: self.exporter.places().cloned(),
+            close: self.explore.close().map(|(name, place)| (name, self.css_pixels(place))).into_iter().collect(),
             export_count: self.exporter.count(),
             marked_boundary: self.plots.marked(),
             exact_difference: self.plots.exact().map(|exact| exact.difference),

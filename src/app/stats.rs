@@ -107,6 +107,8 @@ pub struct Stats {
     pub playing: bool,
     /// Where the controls of the window of exports are, by name; `None` while it is closed.
     pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
+    /// Where the windows that are open are closed, by name.
+    pub close: BTreeMap<&'static str, [f32; 2]>,
     /// How many pictures of how many are made, while they are.
     pub export_count: Option<[u32; 2]>,
     /// What the meshes are painted with.
@@ -162,6 +164,8 @@ pub struct ScreenFacts {
     pub playing: bool,
     /// Where the controls of the window of exports are.
     pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
+    /// Where the windows that are open are closed.
+    pub close: BTreeMap<&'static str, [f32; 2]>,
     /// How many pictures of how many are made.
     pub export_count: Option<[u32; 2]>,
     /// The boundary point under the pointer and its partner.
@@ -201,6 +205,7 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
         spoken: screen.spoken,
         playing: screen.playing,
         export: screen.export,
+        close: screen.close,
         export_count: screen.export_count,
         colouring: model.session().colouring,
         cauchy_green: screen.cauchy_green,

@@ -10,7 +10,7 @@ use super::action::Actions;
 use super::figures_menu;
 use super::language::tr;
 use crate::session::Session;
-use egui::{Context, TextureHandle, Ui};
+use egui::{Context, Pos2, TextureHandle, Ui};
 use window::{BESIDES, Window};
 
 /// What the menu opens.
@@ -35,6 +35,8 @@ pub enum ExploreAction {
 #[derive(Default)]
 pub struct Explore {
     window: Option<Window>,
+    /// Where it is closed.
+    close: Option<Pos2>,
     tour: Option<Tour>,
     /// What was just opened gets the keyboard.
     focus_due: bool,
@@ -122,14 +124,19 @@ impl Explore {
         let Some(open) = self.window else { return };
         let takes_focus = std::mem::take(&mut self.focus_due);
         let thumbnails = &mut self.thumbnails;
-        let stays = open.show(context, takes_focus && open != Window::Gallery, |ui| match open {
+        self.close = open.show(context, takes_focus && open != Window::Gallery, |ui| match open {
             Window::Gallery => gallery::show(ui, thumbnails, takes_focus, actions),
             Window::Figures => figures_menu::list(ui, BESIDES, actions),
             Window::Shortcuts => shortcuts::show(ui),
         });
-        if !stays {
+        if self.close.is_none() {
             self.window = None;
         }
+    }
+
+    /// The name of the window that is open, and where it is closed.
+    pub fn close(&self) -> Option<(&'static str, Pos2)> {
+        Some((self.window?.name(), self.close?))
     }
 }
 

@@ -4,7 +4,7 @@ use super::{gallery, shortcuts};
 use crate::app::figures_menu;
 use crate::app::language::tr;
 use crate::app::widgets::close_button;
-use egui::{Align2, Context, Key, Ui};
+use egui::{Align2, Context, Key, Pos2, Ui};
 
 /// What of the screen's height is above what a window shows, and below it: title, button, margins.
 pub const BESIDES: f32 = 140.0;
@@ -39,13 +39,22 @@ impl Window {
         }
     }
 
-    /// Shows it around `content`, which may close it; whether it stays open. `takes_focus`: the button that closes it gets
-    /// the keyboard.
-    pub fn show(self, context: &Context, takes_focus: bool, content: impl FnOnce(&mut Ui)) -> bool {
+    /// Its name in the numbers of the screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gallery => "Gallery",
+            Self::Figures => "Figures",
+            Self::Shortcuts => "Keys",
+        }
+    }
+
+    /// Shows it around `content`, which may close it. Returns where it is closed; `None`: it has been. `takes_focus`: the
+    /// button that closes it gets the keyboard.
+    pub fn show(self, context: &Context, takes_focus: bool, content: impl FnOnce(&mut Ui)) -> Option<Pos2> {
         let screen = context.content_rect();
         let mut stays = true;
         let mut closed = context.input(|input| input.key_pressed(Key::Escape));
-        egui::Window::new(self.title())
+        let window = egui::Window::new(self.title())
             .id(egui::Id::unique(("explore", self as usize)))
             .open(&mut stays)
             .collapsible(false)
@@ -61,7 +70,8 @@ impl Window {
                     close.request_focus();
                 }
                 closed |= close.clicked();
+                close.rect.center()
             });
-        stays && !closed
+        window?.inner.filter(|_| stays && !closed)
     }
 }

@@ -142,3 +142,17 @@ fn the_window_opens_by_key_says_what_is_wrong_and_closes() {
     harness.run_steps(3);
     assert_eq!(harness.state().stats().export, None);
 }
+
+#[test]
+fn on_a_phone_a_button_as_large_as_a_fingertip_closes_the_window() {
+    let mut harness = ready_app([390.0, 844.0]);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    harness.run_steps(4);
+    let button = harness.get_by_label("Close").rect();
+    assert!(button.width().min(button.height()) >= 39.9, "{button:?}");
+    let noted = harness.state().stats().export.unwrap()["Close"];
+    assert!(egui::Pos2::from(noted).distance(button.center()) < 0.5, "{noted:?}, {button:?}");
+    harness.get_by_label("Close").click();
+    harness.run_steps(3);
+    assert_eq!(harness.state().stats().export, None);
+}

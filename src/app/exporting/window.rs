@@ -206,7 +206,9 @@ impl Exporter {
         if response.clicked() {
             actions.push(Action::SaveExport);
         }
-        if close_button(ui).clicked() {
+        let close = close_button(ui);
+        self.note("Close", &close);
+        if close.clicked() {
             ui.close();
         }
     }
