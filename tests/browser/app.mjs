@@ -120,24 +120,19 @@ export class App {
     }
   }
 
-  /** Two animation frames: the app has seen what was done, and drawn it. */
-  #frames() {
-    return this.#page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  /** Animation frames: after one the app has seen what was done, after two it has drawn it. */
+  #frames(count = 2) {
+    const pass = (left) => new Promise((done) => {
+      const next = () => (left-- > 0 ? requestAnimationFrame(next) : done());
+      next();
+    });
+    return this.#page.evaluate(pass, count);
   }
 
   /** Drags with the mouse, one step a frame, as a hand would. */
   async drag(from, to, steps = 4) {
-    const { mouse } = this.#page;
-    await mouse.move(...from);
-    await this.#frames();
-    await mouse.down();
-    await this.#frames();
-    for (const point of between(from, to, steps)) {
-      await mouse.move(...point);
-      await this.#frames();
-    }
-    await mouse.up();
-    await this.#frames();
+    await this.hold(from, to, steps);
+    await this.letGo();
   }
 
   /** Moves the pointer there. */
@@ -155,10 +150,15 @@ export class App {
 
   /** Drags with the mouse and does not let go. */
   async hold(from, to, steps = 4) {
+    const { mouse } = this.#page;
     await this.pointAt(from);
-    await this.#page.mouse.down();
+    await mouse.down();
     await this.#frames();
-    for (const point of between(from, to, steps)) await this.pointAt(point);
+    for (const point of between(from, to, steps)) {
+      await mouse.move(...point);
+      await this.#frames(1);
+    }
+    await this.#frames(1);
   }
 
   /** Lets go of what is held. */
@@ -183,11 +183,13 @@ export class App {
     const protocol = await this.#page.context().newCDPSession(this.#page);
     const touch = async (type, touchPoints) => {
       await protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
-      await this.#frames();
+      await this.#frames(1);
     };
     await touch('touchStart', [{ x: from[0], y: from[1] }]);
+    await this.#frames(1);
     for (const [x, y] of between(from, to, steps)) await touch('touchMove', [{ x, y }]);
     await touch('touchEnd', []);
+    await this.#frames(1);
   }
 
   /** Taps with one finger. */
@@ -244,10 +246,12 @@ export class App {
     const heard = [];
     for (let step = 0; step < furthest; step++) {
       const { spoken } = await this.stats();
-      // nobody presses the next key within a frame; what is said then is said of this one
-      await this.press(step === 0 ? 'F6' : 'Tab');
+      await this.#page.keyboard.press(step === 0 ? 'F6' : 'Tab');
       heard.push(await this.#saidAfter(spoken));
-      if (control.test(heard.at(-1))) return;
+      if (!control.test(heard.at(-1))) continue;
+      // what was said may have been said of the key before: then this one has led on by now
+      await this.#frames();
+      if (control.test(await this.#page.textContent('#spoken'))) return;
     }
     throw new Error(`no control ${control} among: ${heard.join(' | ')}`);
   }
