@@ -27,7 +27,7 @@ withEachBackend('outlines by hand', (bench) => {
       const start = await app.session();
       const { generation } = await app.stats();
       const to = [handles[2][0] - 60, handles[2][1] + 40];
-      await app.hold(handles[2], to, 12);
+      await app.hold(handles[2], to);
       const held = await app.until(
         'a coarse map follows',
         (stats, before) => stats.generation > before && stats.source.m <= 500 && !stats.ready,
@@ -51,7 +51,7 @@ withEachBackend('outlines by hand', (bench) => {
     bench.withApp(async (app) => {
       const handles = await editSquare(app);
       const beyond = [handles[0][0] - 40, 0.5 * (handles[0][1] + handles[3][1])];
-      await app.hold(handles[2], beyond, 16);
+      await app.hold(handles[2], beyond, 6);
       const { editing } = await app.until('the crossing is seen', (stats) => stats.editing?.crossing);
       assert.match(editing.message, /crosses itself/);
       assert.ok(Math.abs(editing.crossing[0] - handles[0][0]) < 3, `the left edge is crossed: ${editing.crossing}`);

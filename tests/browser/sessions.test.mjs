@@ -14,7 +14,7 @@ withEachBackend('sessions', (bench) => {
     bench.withApp(async (app) => {
       const start = await app.session();
       const { handles } = await app.stats();
-      await app.drag(handles.x1, [handles.x1[0] + 25, handles.x1[1] - 30], 8);
+      await app.drag(handles.x1, [handles.x1[0] + 25, handles.x1[1] - 30]);
       await app.until('the map has come to rest', (stats) => stats.ready && stats.undo === 1);
       const dragged = await app.session();
       assert.notDeepEqual(dragged.interior, start.interior);

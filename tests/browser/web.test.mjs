@@ -156,7 +156,7 @@ withEachBackend(
           const { handles } = await app.stats();
           const [x, y] = handles.x1;
           assert.ok((await app.picture(`${bench.backend}-presentation`)).length > 50);
-          await app.drag([x, y], [x + 30, y - 30], 8);
+          await app.drag([x, y], [x + 30, y - 30]);
           await app.until('the dot has moved', (stats) => stats.ready && stats.undo === 1);
           assert.notDeepEqual((await app.session()).interior, start.interior);
         },
