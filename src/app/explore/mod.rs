@@ -141,6 +141,7 @@ impl Explore {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
 
@@ -167,5 +168,21 @@ mod tests {
         let mut explore = Explore::default();
         explore.act(ExploreAction::Tour(2), &Session::default(), false);
         assert_eq!(explore.act(ExploreAction::LeaveTour { keeps: true }, &Session::default(), false).session, None);
+    }
+
+    #[test]
+    fn on_a_phone_the_windows_are_closed_by_what_they_show() {
+        for action in [ExploreAction::Gallery, ExploreAction::Shortcuts] {
+            let mut harness = crate::app::tests::ready_app([390.0, 844.0]);
+            harness.state_mut().explore.act(action, &Session::default(), false);
+            harness.run_steps(6);
+            let close = harness.state().stats().close;
+            let at = Pos2::from(*close.values().next().unwrap());
+            harness.drag_at(at);
+            harness.step();
+            harness.drop_at(at);
+            harness.run_steps(3);
+            assert!(harness.state().stats().close.is_empty(), "{action:?} is closed at {at}");
+        }
     }
 }
