@@ -13,6 +13,19 @@ export const DEVICES = { desktop: DESKTOP, phone: PHONE };
 /** What stands still for so many frames has found its place: an input shows after two at most. */
 const STILL_FRAMES = 3;
 
+/** Runs in the page before its scripts: lets frames be held back. */
+function makeFramesHoldable() {
+  const ask = window.requestAnimationFrame.bind(window);
+  let held = null;
+  window.requestAnimationFrame = (callback) => ask((time) => (held ? held.push(callback) : callback(time)));
+  window.holdFrames = () => (held = []);
+  window.releaseFrames = () => {
+    const late = held;
+    held = null;
+    late.forEach((callback) => ask(callback));
+  };
+}
+
 /** The app on one page. Errors that nobody caught are kept, and `during` fails on them. */
 export class App {
   #page;
@@ -24,6 +37,7 @@ export class App {
   static async open(browser, address, { backend, prepare, ...options }) {
     const page = await newPage(browser, options);
     const app = new App(page, backend);
+    await page.addInitScript(makeFramesHoldable);
     if (prepare) await page.addInitScript(prepare);
     await page.goto(address);
     return app;
@@ -141,10 +155,17 @@ export class App {
     await this.#frames();
   }
 
-  /** Clicks, at once: a press that lasts longer than 0.8 s, as slow frames can make it, is no click. */
+  /** Clicks. */
   async click(at) {
     await this.pointAt(at);
-    await this.#page.mouse.click(...at);
+    await this.#betweenFrames(() => this.#page.mouse.click(...at));
+  }
+
+  /** Presses and lets go within a frame: a press that lasts longer than 0.8 s, as slow frames can make it, is no click. */
+  async #betweenFrames(press) {
+    await this.#page.evaluate(() => window.holdFrames());
+    await press();
+    await this.#page.evaluate(() => window.releaseFrames());
     await this.#frames();
   }
 
@@ -194,8 +215,7 @@ export class App {
 
   /** Taps with one finger. */
   async tap(at) {
-    await this.#page.touchscreen.tap(...at);
-    await this.#frames();
+    await this.#betweenFrames(() => this.#page.touchscreen.tap(...at));
   }
 
   async loadOutline(side, name, text) {
