@@ -52,14 +52,14 @@ impl RiemapApp {
                 if side == Side::Target {
                     self.look_at_surface();
                 }
-                context.request_repaint();
+                context.request_repaint_after_secs(platform::ONE_FRAME);
             }
         }
         let complete = self.model.extension_progress() == 1.0;
         if self.model.is_quality_stale() || !complete {
             if resting && complete {
                 self.model.measure_at_rest();
-                context.request_repaint();
+                context.request_repaint_after_secs(platform::ONE_FRAME);
             } else {
                 context.request_repaint_after_secs(REST_SECONDS as f32);
             }

@@ -211,6 +211,13 @@ pub fn close_button(ui: &mut Ui) -> Response {
 
 const CLOSE_WIDTH: f32 = 88.0;
 
+/// Gives a button the keyboard, and says so: egui announces only what a person has moved to.
+pub fn give_keyboard(button: &Response, label: &str) {
+    button.request_focus();
+    let said = egui::output::OutputEvent::FocusGained(WidgetInfo::labeled(Role::Button, true, label));
+    button.ctx.output_mut(|output| output.events.push(said));
+}
+
 /// A chevron at the right end of a button that opens something, down or up.
 pub fn chevron(ui: &Ui, button: Rect, up: bool) {
     let center = button.right_center() - vec2(13.0, 0.0);

@@ -6,6 +6,7 @@ use crate::app::action::{Action, Actions};
 use crate::app::language::tr;
 use crate::app::room::scroll_beyond;
 use crate::app::theme::{Palette, ROUNDING, bold};
+use crate::app::widgets::give_keyboard;
 use crate::conformal::Direction;
 use crate::outline::Preset;
 use crate::session::{Colouring, Command, Comparison, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
@@ -24,6 +25,13 @@ pub struct Piece {
     pub caption: &'static str,
     /// The map.
     pub session: Session,
+}
+
+impl Piece {
+    /// Its words, for those who hear the screen.
+    fn said(&self) -> String {
+        format!("{}: {}", tr(self.title), tr(self.caption))
+    }
 }
 
 /// All of them, from easy to hard, then the surfaces; made once.
@@ -132,7 +140,7 @@ pub fn show(ui: &mut Ui, made: &mut Vec<Option<TextureHandle>>, takes_focus: boo
             for (k, piece) in pieces.iter().enumerate() {
                 let card = card(ui, piece, made.get(k).and_then(Option::as_ref), size);
                 if takes_focus && k == 0 {
-                    card.request_focus();
+                    give_keyboard(&card, &piece.said());
                 }
                 if card.clicked() {
                     actions.push(Action::Session(Command::Open(Box::new(piece.session.clone()))));
@@ -147,7 +155,7 @@ fn card(ui: &mut Ui, piece: &Piece, picture: Option<&TextureHandle>, size: Vec2)
     let palette = Palette::of(ui.visuals());
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let (title, caption) = (tr(piece.title), tr(piece.caption));
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{title}: {caption}")));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, piece.said()));
     let fill = if response.hovered() || response.has_focus() { palette.control_hovered } else { palette.control };
     let edge = Stroke::new(1.0, palette.border);
     ui.painter().rect(rect, CornerRadius::same(ROUNDING), fill, edge, StrokeKind::Inside);

@@ -171,6 +171,18 @@ mod tests {
     }
 
     #[test]
+    fn what_is_opened_says_which_button_has_the_keyboard() {
+        for action in [ExploreAction::Gallery, ExploreAction::Shortcuts, ExploreAction::Tour(1)] {
+            let mut harness = crate::app::tests::ready_app([1200.0, 800.0]);
+            harness.run_steps(3);
+            let before = harness.state().stats().spoken;
+            harness.state_mut().explore(action);
+            harness.run_steps(3);
+            assert_eq!(harness.state().stats().spoken, before + 1, "{action:?}");
+        }
+    }
+
+    #[test]
     fn on_a_phone_the_windows_are_closed_by_what_they_show() {
         for action in [ExploreAction::Gallery, ExploreAction::Shortcuts] {
             let mut harness = crate::app::tests::ready_app([390.0, 844.0]);

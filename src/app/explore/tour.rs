@@ -5,6 +5,7 @@ use super::gallery::crowding;
 use crate::app::action::{Action, Actions};
 use crate::app::language::{tr, tr_with};
 use crate::app::theme::{FINGER_HEIGHT, Palette, bold};
+use crate::app::widgets::give_keyboard;
 use crate::conformal::Direction;
 use crate::outline::Preset;
 use crate::session::{Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
@@ -116,10 +117,11 @@ fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &
             act(ExploreAction::Tour(step - 1));
         }
         let is_last = step + 1 == count;
-        let on = ui.button(tr(if is_last { "Keep this picture" } else { "Next" }));
+        let label = tr(if is_last { "Keep this picture" } else { "Next" });
+        let on = ui.button(label);
         let on = if is_last { on.on_hover_text(tr("Ends the tour here")) } else { on };
         if takes_focus {
-            on.request_focus();
+            give_keyboard(&on, label);
         }
         if on.clicked() {
             act(if is_last { ExploreAction::LeaveTour { keeps: true } } else { ExploreAction::Tour(step + 1) });

@@ -3,7 +3,7 @@
 use super::{gallery, shortcuts};
 use crate::app::figures_menu;
 use crate::app::language::tr;
-use crate::app::widgets::close_button;
+use crate::app::widgets::{close_button, give_keyboard};
 use egui::{Align2, Context, Key, Pos2, Ui};
 
 /// What of the screen's height is above what a window shows, and below it: title, button, margins.
@@ -67,7 +67,7 @@ impl Window {
                 ui.add_space(4.0);
                 let close = close_button(ui);
                 if takes_focus {
-                    close.request_focus();
+                    give_keyboard(&close, tr("Close"));
                 }
                 closed |= close.clicked();
                 close.rect.center()
