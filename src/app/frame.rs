@@ -93,7 +93,7 @@ impl RiemapApp {
             context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
             return;
         }
-        let news = (self.model.generation(), self.model.is_ready(), self.errors().len(), self.explore.step());
+        let news = (self.model.generation(), self.model.is_ready(), self.errors(), self.explore.step());
         let news = (news, self.preferences, self.notice.as_ref().map(|(_, until)| until.to_bits()));
         if self.described.as_ref() == Some(&news) {
             return;

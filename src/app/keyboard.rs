@@ -38,7 +38,9 @@ impl Keyboard {
                 || (has_passed && walks_from_here(&event))
                 || (is_fresh && leads_away(&event));
             if waits && is_of_keyboard(&event) {
-                later.push(event);
+                if !is_repeated(&event, &later) {
+                    later.push(event);
+                }
                 continue;
             }
             has_passed |= is_of_keyboard(&event) && !matches!(event, Event::Key { pressed: false, .. });
@@ -73,6 +75,14 @@ impl Keyboard {
     }
 }
 
+/// Whether a key that walks is held down and its last step has not been taken yet: no more of them pile up than frames
+/// can follow.
+fn is_repeated(event: &Event, waiting: &[Event]) -> bool {
+    let Event::Key { key: held @ (Key::Tab | Key::F6), pressed: true, .. } = event else { return false };
+    let last = waiting.iter().rev().find(|event| matches!(event, Event::Key { key, .. } if key == held));
+    matches!(last, Some(Event::Key { pressed: true, .. }))
+}
+
 /// Whether the control that has the keyboard loses it by this key, as nearly all do.
 fn walks_from_here(event: &Event) -> bool {
     matches!(event, Event::Key { key: Key::Tab | Key::F6 | Key::Escape, pressed: true, .. })
@@ -102,6 +112,15 @@ mod tests {
 
     fn plain(of: Key) -> Event {
         key(of, Modifiers::NONE)
+    }
+
+    /// The end of a press.
+    fn released(press: &Event) -> Event {
+        let mut end = press.clone();
+        if let Event::Key { pressed, .. } = &mut end {
+            *pressed = false;
+        }
+        end
     }
 
     /// How often the panels fold, and how many Tab keys are left for egui.
@@ -183,10 +202,22 @@ mod tests {
     fn keys_of_one_frame_go_one_after_the_other() {
         let [tab, space, escape] = [Key::Tab, Key::Space, Key::Escape].map(plain);
         let mut screen = Screen::default();
-        let all = [&tab, &space, &tab, &tab, &tab, &space, &escape, &tab, &tab].map(Event::clone);
-        screen.run([all.to_vec()]);
+        let all = [&tab, &space, &tab, &tab, &tab, &space, &escape, &tab, &tab];
+        screen.run([all.into_iter().flat_map(|press| [press.clone(), released(press)]).collect()]);
         assert_eq!(screen.clicks, [1, 1]);
         assert_eq!(screen.focused(), Some(HandleKind::Interior), "from the beginning after Escape");
+    }
+
+    #[test]
+    fn a_held_key_walks_no_further_than_frames_can_follow() {
+        let mut keyboard = Keyboard::default();
+        let release = released(&plain(Key::Tab));
+        let mut events = vec![plain(Key::Tab); 30];
+        events.extend([release.clone(), plain(Key::Tab), release.clone()]);
+        let mut input = RawInput { events, ..RawInput::default() };
+        keyboard.take_in(&Context::default(), &mut input);
+        assert_eq!(input.events, [plain(Key::Tab)]);
+        assert_eq!(keyboard.waiting, [plain(Key::Tab), release.clone(), plain(Key::Tab), release]);
     }
 
     #[test]

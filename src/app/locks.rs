@@ -183,7 +183,7 @@ impl Locks {
         let also: &[Control] = match action {
             Action::Play(_) => &[Control::Boundary],
             Action::Session(Command::Swap) => &[Control::Interior, Control::Boundary, Control::Method],
-            Action::Session(Command::SetOutline { .. })
+            Action::Session(Command::SetOutline { .. } | Command::CloseSurface)
             | Action::OpenOutline(_)
             | Action::OpenTrace(_)
             | Action::TraceImage
@@ -227,7 +227,13 @@ pub const REFUSAL: &str = "The page's address keeps this as it is";
 
 /// Shows controls, grey and with the reason while they are locked.
 pub fn guarded<R>(ui: &mut Ui, control: Control, show: impl FnOnce(&mut Ui) -> R) -> R {
-    let locked = Locks::of(ui.ctx()).holds(control);
+    guarded_by(ui, &[control], show)
+}
+
+/// Shows controls that any of these locks.
+pub fn guarded_by<R>(ui: &mut Ui, controls: &[Control], show: impl FnOnce(&mut Ui) -> R) -> R {
+    let locks = Locks::of(ui.ctx());
+    let locked = controls.iter().any(|&control| locks.holds(control));
     let shown = ui.add_enabled_ui(!locked, show);
     if locked {
         let id = shown.response.id.with("why it is locked");
@@ -293,6 +299,7 @@ mod tests {
                 Action::PasteText(String::from("M 0 0")),
                 Action::Edit(EditAction::Draw(Side::Target, Pen::Lines)),
                 Action::TraceImage,
+                Action::Session(Command::CloseSurface),
             ] {
                 assert_eq!(locks.refused(&action), Some(control), "{action:?}");
             }

@@ -105,7 +105,7 @@ pub const PHONE_WIDTH: f32 = 700.0;
 const NOTICE_SECONDS: f64 = 3.0;
 
 /// What those who hear the screen are told about: the map, whether it is there, messages, the tour; how; a notice.
-type News = ((u64, bool, usize, Option<usize>), Preferences, Option<u64>);
+type News = ((u64, bool, Vec<String>, Option<usize>), Preferences, Option<u64>);
 
 /// The app.
 pub struct RiemapApp {

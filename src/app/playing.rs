@@ -131,11 +131,11 @@ impl Player {
     /// The moves of a frame at the time `now`, in seconds. Where the scene is another one by now, it ends.
     pub fn advance(&mut self, model: &Model, now: f64) -> Vec<Command> {
         self.go_on_when_ready(model);
-        let Some(run) = self.run.as_mut().filter(|_| self.is_playing) else { return Vec::new() };
-        if !run.scene.is_of(model) {
+        if self.run.as_ref().is_some_and(|run| !run.scene.is_of(model)) {
+            // nor is what was prepared for a scene that is gone kept for a way that is paused
             (self.is_playing, self.run) = (false, None);
-            return Vec::new();
         }
+        let Some(run) = self.run.as_mut().filter(|_| self.is_playing) else { return Vec::new() };
         let step = run.at.map_or(0.0, |at| (now - at).clamp(0.0, LONGEST_FRAME));
         run.at = Some(now);
         run.t = (run.t + step / self.period).rem_euclid(1.0);

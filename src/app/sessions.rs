@@ -45,9 +45,9 @@ impl RiemapApp {
         }
     }
 
-    /// The link of this session, if it carries all of its outlines.
+    /// The link of this session, if it carries all of its outlines and no disk stands in for one.
     pub fn link(&self) -> Option<String> {
-        keeping::whole_link(self.model.session())
+        keeping::whole_link(self.model.session(), self.keeper.missing())
     }
 
     /// Shows what another link carries.

@@ -3,7 +3,7 @@
 use super::action::{Action, Actions};
 use super::editing::{EditAction, Pen};
 use super::language::tr;
-use super::locks::menu_entry;
+use super::locks::{Control, guarded_by, menu_entry};
 use super::model::{Model, bounds};
 use super::room::{menu_label, scroll_beyond};
 use super::surface::surface_picture;
@@ -83,7 +83,7 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let current = Shown::current(side, model);
     ui.set_width(columns as f32 * (CELL.x + 4.0));
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
-    scroll_beyond(ui, BESIDES, |ui| {
+    let all = |ui: &mut Ui| {
         cells(ui, &Preset::ALL.map(Shown::Outline), columns, side, current, actions);
         if side == Side::Target {
             ui.separator();
@@ -91,7 +91,8 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
             ui.label(RichText::new(tr("Surfaces, mapped to the source")).small().color(palette.weak));
             cells(ui, &SurfacePreset::ALL.map(Shown::Surface), columns, side, current, actions);
         }
-    });
+    };
+    scroll_beyond(ui, BESIDES, |ui| guarded_by(ui, Control::OF_SHAPES, all));
     ui.separator();
     ui.horizontal_wrapped(|ui| by_hand(ui, side, actions));
 }

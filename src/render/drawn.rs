@@ -2,9 +2,11 @@
 //!
 //! Where the processor draws, a picture takes longer than a frame may. There one that has changed is recorded
 //! coarsely first, with a quarter of the pixels, and once in full when it has stayed as it is for a while.
-//! Geometry is not compared: whoever replaces it outdates the picture.
+//! Geometry is not compared: whoever replaces it outdates the picture. What was recorded counts when it is painted:
+//! a frame for which the window has no surface at the moment is dropped with all that was recorded for it.
 
 use super::{Camera, CellStyle, OrbitCamera, StrokeStyle, TextureStyle};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How long a coarse picture stays, in seconds, before it is recorded in full.
 pub const REFINED_AFTER: f64 = 0.15;
@@ -97,10 +99,12 @@ impl Detail {
 }
 
 /// The picture of a viewport, as it was recorded last.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(super) struct Drawn<F> {
     /// `None`: there is none, or its geometry has changed since.
     frame: Option<F>,
+    /// Whether it was painted since it was recorded.
+    is_painted: AtomicBool,
     detail: Detail,
     /// When it became coarse.
     since: f64,
@@ -108,7 +112,7 @@ pub(super) struct Drawn<F> {
 
 impl<F> Default for Drawn<F> {
     fn default() -> Self {
-        Self { frame: None, detail: Detail::Full, since: 0.0 }
+        Self { frame: None, is_painted: AtomicBool::new(false), detail: Detail::Full, since: 0.0 }
     }
 }
 
@@ -118,6 +122,11 @@ impl<F: PartialEq> Drawn<F> {
         self.frame = None;
     }
 
+    /// It is on its way to the screen.
+    pub fn confirm(&self) {
+        self.is_painted.store(true, Ordering::Relaxed);
+    }
+
     /// How it was recorded last.
     pub fn detail(&self) -> Detail {
         self.detail
@@ -125,7 +134,7 @@ impl<F: PartialEq> Drawn<F> {
 
     /// How `frame` is to be recorded now; `None`: it stands.
     pub fn due(&mut self, frame: F, pace: Pace) -> Option<Detail> {
-        let stands = self.frame.as_ref() == Some(&frame);
+        let stands = *self.is_painted.get_mut() && self.frame.as_ref() == Some(&frame);
         let due = match pace {
             Pace::Full => (!stands || self.detail == Detail::Coarse).then_some(Detail::Full),
             Pace::CoarseFirst { .. } if !stands => Some(Detail::Coarse),
@@ -136,6 +145,7 @@ impl<F: PartialEq> Drawn<F> {
         };
         if let Some(detail) = due {
             self.frame = Some(frame);
+            *self.is_painted.get_mut() = false;
             self.detail = detail;
             if let Pace::CoarseFirst { now } = pace {
                 self.since = now;
@@ -149,27 +159,43 @@ impl<F: PartialEq> Drawn<F> {
 mod tests {
     use super::*;
 
+    /// What is due, and painted.
+    fn painted(drawn: &mut Drawn<u32>, frame: u32, pace: Pace) -> Option<Detail> {
+        let due = drawn.due(frame, pace);
+        drawn.confirm();
+        due
+    }
+
     #[test]
     fn a_picture_is_recorded_when_it_changes() {
         let mut drawn = Drawn::default();
-        assert_eq!(drawn.due(1, Pace::Full), Some(Detail::Full));
-        assert_eq!(drawn.due(1, Pace::Full), None);
-        assert_eq!(drawn.due(2, Pace::Full), Some(Detail::Full));
+        assert_eq!(painted(&mut drawn, 1, Pace::Full), Some(Detail::Full));
+        assert_eq!(painted(&mut drawn, 1, Pace::Full), None);
+        assert_eq!(painted(&mut drawn, 2, Pace::Full), Some(Detail::Full));
         drawn.outdate();
-        assert_eq!(drawn.due(2, Pace::Full), Some(Detail::Full));
+        assert_eq!(painted(&mut drawn, 2, Pace::Full), Some(Detail::Full));
+    }
+
+    #[test]
+    fn what_was_recorded_and_never_painted_is_recorded_again() {
+        let mut drawn = Drawn::default();
+        assert_eq!(drawn.due(1, Pace::Full), Some(Detail::Full));
+        assert_eq!(painted(&mut drawn, 1, Pace::Full), Some(Detail::Full));
+        assert_eq!(drawn.due(1, Pace::Full), None);
+        assert_eq!(drawn.due(1, Pace::Full), None, "painted once is enough");
     }
 
     #[test]
     fn in_a_hurry_it_is_coarse_until_it_rests() {
         let at = |now| Pace::CoarseFirst { now };
         let mut drawn = Drawn::default();
-        assert_eq!(drawn.due(1, at(10.0)), Some(Detail::Coarse));
-        assert_eq!(drawn.due(1, at(10.1)), None, "it has only just changed");
-        assert_eq!(drawn.due(2, at(10.2)), Some(Detail::Coarse));
-        assert_eq!(drawn.due(2, at(10.2 + 0.5 * REFINED_AFTER)), None);
-        assert_eq!(drawn.due(2, at(10.2 + REFINED_AFTER + 1e-9)), Some(Detail::Full));
-        assert_eq!(drawn.due(2, at(11.0)), None);
-        assert_eq!(drawn.due(3, at(11.0)), Some(Detail::Coarse));
-        assert_eq!(drawn.due(3, Pace::Full), Some(Detail::Full), "no hurry any more");
+        assert_eq!(painted(&mut drawn, 1, at(10.0)), Some(Detail::Coarse));
+        assert_eq!(painted(&mut drawn, 1, at(10.1)), None, "it has only just changed");
+        assert_eq!(painted(&mut drawn, 2, at(10.2)), Some(Detail::Coarse));
+        assert_eq!(painted(&mut drawn, 2, at(10.2 + 0.5 * REFINED_AFTER)), None);
+        assert_eq!(painted(&mut drawn, 2, at(10.2 + REFINED_AFTER + 1e-9)), Some(Detail::Full));
+        assert_eq!(painted(&mut drawn, 2, at(11.0)), None);
+        assert_eq!(painted(&mut drawn, 3, at(11.0)), Some(Detail::Coarse));
+        assert_eq!(painted(&mut drawn, 3, Pace::Full), Some(Detail::Full), "no hurry any more");
     }
 }

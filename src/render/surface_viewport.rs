@@ -172,7 +172,9 @@ impl ViewportRenderer {
     /// Draws what [`Self::prepare_surface`] rendered over the whole viewport rectangle of
     /// `render_pass`; nothing when there was none.
     pub fn paint_surface(&self, render_pass: &mut wgpu::RenderPass<'static>) {
-        if let Some(targets) = self.surface.as_ref().and_then(|viewport| viewport.targets.as_ref()) {
+        let Some(viewport) = &self.surface else { return };
+        if let Some(targets) = &viewport.targets {
+            viewport.drawn.confirm();
             self.blit.draw(render_pass, &targets.picture_group);
         }
     }

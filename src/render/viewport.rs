@@ -326,7 +326,9 @@ impl ViewportRenderer {
     /// Draws what `prepare` rendered over the whole viewport rectangle of
     /// `render_pass`; nothing when there was no `prepare`.
     pub fn paint(&self, render_pass: &mut wgpu::RenderPass<'static>, viewport: usize) {
-        if let Some(targets) = self.viewports.get(viewport).and_then(|viewport| viewport.targets.as_ref()) {
+        let Some(viewport) = self.viewports.get(viewport) else { return };
+        if let Some(targets) = &viewport.targets {
+            viewport.drawn.confirm();
             self.blit.draw(render_pass, &targets.picture_group);
         }
     }

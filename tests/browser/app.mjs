@@ -272,6 +272,8 @@ export class App {
       // what was said may have been said of the key before: then this one has led on by now
       await this.#frames();
       if (control.test(await this.#page.textContent('#spoken'))) return;
+      await this.press('Shift+Tab');
+      if (control.test(await this.#page.textContent('#spoken'))) return;
     }
     throw new Error(`no control ${control} among: ${heard.join(' | ')}`);
   }

@@ -33,6 +33,8 @@ withEachBackend('everyone', (bench) => {
       await app.saying('state', /^Conformal map .* flipped\.$/, first);
       await app.loadOutline('source', 'bow.csv', '0,0\n1,1\n1,0\n0,1\n');
       await app.saying('state', /Problem: .*bow.*crosses itself/);
+      await app.loadOutline('source', 'line.csv', '0,0\n1,0\n');
+      await app.saying('state', /Problem: .*line\.csv/);
     }),
   );
 

@@ -23,8 +23,9 @@ function changeVersion(folder, version) {
 const isKept = (page) => page.waitForFunction(() => navigator.serviceWorker.controller !== null);
 
 withEachBackend('kept for use without a network', (bench) => {
-  test('it opens again without a network', async () => {
+  test('it opens again without a network', async (context) => {
     const host = await serve(DIST, { packed: true, below: '/maps/' });
+    context.after(() => host.close()); // a second time does no harm
     const app = await bench.open(host.address);
     await app.during(async () => {
       await isKept(app.page);

@@ -89,13 +89,13 @@ fn an_image_beyond_the_largest_texture_is_scaled_down() {
     assert_pixel(&frame(gpu, &mut renderer, format), [32, 32], colour, 1, "the scaled image");
 }
 
-/// Whether the next frame is recorded, and how.
+/// How the next frame is recorded, which is painted.
 fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &PlanarFrame, pace: Pace) -> Option<Detail> {
     let (device, queue, _) = gpu;
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    let detail = renderer.prepare(device, queue, &mut encoder, 0, frame, pace);
-    queue.submit([encoder.finish()]);
-    detail
+    let prepare = |renderer: &mut ViewportRenderer, encoder: &mut wgpu::CommandEncoder| {
+        renderer.prepare(device, queue, encoder, 0, frame, pace)
+    };
+    one_frame(gpu, renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, |renderer, pass| renderer.paint(pass, 0)).0
 }
 
 #[test]
@@ -129,6 +129,11 @@ fn a_picture_that_stands_is_not_recorded_and_every_change_is() {
     }
     renderer.set_cell_style(0, Some(cells));
     assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), None, "the same style once more");
+    let mut dropped = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    assert!(renderer.set_positions(queue, 0, &SQUARE));
+    renderer.prepare(device, queue, &mut dropped, 0, &frame, Pace::Full);
+    drop(dropped); // as when the window has no surface at the moment
+    assert!(recorded(gpu, &mut renderer, &frame, Pace::Full).is_some(), "what was never painted");
     let moved = Camera { center: DVec2::X, ..frame.camera };
     assert!(recorded(gpu, &mut renderer, &PlanarFrame { camera: moved, ..frame }, Pace::Full).is_some(), "camera");
     let larger = PlanarFrame { size_px: [65, 64], ..frame };

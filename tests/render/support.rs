@@ -3,8 +3,8 @@
 use glam::DVec2;
 use image::RgbaImage;
 use riemap::render::{
-    Camera, MeshGeometry, Pace, Pattern, PlanarFrame, SceneDescription, SceneViewport, TextureStyle, ViewportRenderer,
-    headless_device, render_scene_with,
+    Camera, Detail, MeshGeometry, Pace, Pattern, PlanarFrame, SceneDescription, SceneViewport, TextureStyle,
+    ViewportRenderer, headless_device, render_scene_with,
 };
 use std::sync::OnceLock;
 
@@ -92,6 +92,21 @@ pub fn painted_at(
     pace: Pace,
 ) -> RgbaImage {
     let (device, queue, _) = gpu;
+    let prepare = |renderer: &mut ViewportRenderer, encoder: &mut wgpu::CommandEncoder| {
+        renderer.prepare(device, queue, encoder, 0, frame, pace)
+    };
+    one_frame(gpu, renderer, format, prepare, |renderer, pass| renderer.paint(pass, 0)).1
+}
+
+/// One frame into a target of `format`: what `prepare` has recorded, and the target's bytes.
+pub fn one_frame(
+    gpu: &Gpu,
+    renderer: &mut ViewportRenderer,
+    format: wgpu::TextureFormat,
+    prepare: impl FnOnce(&mut ViewportRenderer, &mut wgpu::CommandEncoder) -> Option<Detail>,
+    paint: impl FnOnce(&ViewportRenderer, &mut wgpu::RenderPass<'static>),
+) -> (Option<Detail>, RgbaImage) {
+    let (device, queue, _) = gpu;
     let size = wgpu::Extent3d { width: SIZE, height: SIZE, depth_or_array_layers: 1 };
     let target = device.create_texture(&wgpu::TextureDescriptor {
         label: None,
@@ -104,7 +119,7 @@ pub fn painted_at(
         view_formats: &[],
     });
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    renderer.prepare(device, queue, &mut encoder, 0, frame, pace);
+    let detail = prepare(renderer, &mut encoder);
     let view = target.create_view(&wgpu::TextureViewDescriptor::default());
     let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -115,7 +130,7 @@ pub fn painted_at(
         })],
         ..Default::default()
     });
-    renderer.paint(&mut pass.forget_lifetime(), 0);
+    paint(renderer, &mut pass.forget_lifetime());
     let row = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * SIZE), rows_per_image: None };
     let buffer = device.create_buffer(&wgpu::BufferDescriptor {
         label: None,
@@ -128,7 +143,7 @@ pub fn painted_at(
     queue.submit([encoder.finish()]);
     buffer.map_async(wgpu::MapMode::Read, .., |result| result.unwrap());
     device.poll(wgpu::PollType::wait_indefinitely()).unwrap();
-    RgbaImage::from_raw(SIZE, SIZE, buffer.get_mapped_range(..).unwrap().to_vec()).unwrap()
+    (detail, RgbaImage::from_raw(SIZE, SIZE, buffer.get_mapped_range(..).unwrap().to_vec()).unwrap())
 }
 
 /// The linear intensity of an sRGB-encoded byte.

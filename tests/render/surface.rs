@@ -4,8 +4,9 @@ use super::support::*;
 use glam::{DVec2, DVec3};
 use image::{Rgba, RgbaImage};
 use riemap::render::{
-    BoundingSphere, CellCode, CellStyle, ColourMap, OrbitCamera, Pattern, SceneDescription, SceneSurface, StrokeStyle,
-    SurfaceGeometry, SurfaceHandle, TextureStyle, render_surface_with,
+    BoundingSphere, CellCode, CellStyle, ColourMap, Detail, OrbitCamera, Pace, Pattern, REFINED_AFTER,
+    SceneDescription, SceneSurface, SpaceFrame, StrokeStyle, SurfaceGeometry, SurfaceHandle, TextureStyle,
+    ViewportRenderer, render_surface_with,
 };
 use riemap::surface::{SurfaceMesh, SurfacePreset};
 
@@ -250,4 +251,51 @@ fn through_the_open_side_of_a_hemisphere_its_inside_is_seen_darker() {
     };
     let (outside, inside) = (red(DVec3::Z), red(-DVec3::Z));
     assert!((inside / outside - 0.6).abs() < 0.03, "{inside} inside, {outside} outside");
+}
+
+/// How the next frame of the surface is recorded, which is painted.
+fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &SpaceFrame, pace: Pace) -> Option<Detail> {
+    let (device, queue, _) = gpu;
+    let prepare = |renderer: &mut ViewportRenderer, encoder: &mut wgpu::CommandEncoder| {
+        renderer.prepare_surface(device, queue, encoder, frame, pace)
+    };
+    one_frame(gpu, renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, |renderer, pass| renderer.paint_surface(pass)).0
+}
+
+#[test]
+fn a_surface_that_stands_is_not_recorded_and_every_change_is() {
+    let Some(gpu) = gpu() else { return };
+    let (device, queue, _) = gpu;
+    let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 0, 1);
+    let squares = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
+    let scene = squares.scene();
+    let frame = SpaceFrame {
+        size_px: [64, 64],
+        camera: scene.camera,
+        style: scene.style,
+        cells: None,
+        stroke: LOOP,
+        background: BACKGROUND,
+    };
+    assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), None, "there is no surface");
+    let handle = SurfaceHandle { position: DVec3::ZERO, hidden: false, colour: GREEN, radius_px: 4.0 };
+    let mut codes = vec![CellCode::FLIPPED; 2];
+    let mut changes: Vec<(&str, Box<dyn FnMut(&mut ViewportRenderer) -> bool>)> = vec![
+        ("set_surface", Box::new(|r| r.set_surface(device, queue, &scene.geometry))),
+        ("set_surface_coordinates", Box::new(|r| r.set_surface_coordinates(queue, &squares.coordinates))),
+        ("set_surface_codes", Box::new(|r| r.set_surface_codes(queue, &mut codes))),
+        ("set_surface_handles", Box::new(|r| (r.set_surface_handles(&[handle]), true).1)),
+        ("set_image", Box::new(|r| r.set_image(device, queue, &[0; 16], 2, 2).is_ok())),
+    ];
+    for (name, change) in &mut changes {
+        assert!(change(&mut renderer), "{name}");
+        assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), Some(Detail::Full), "{name}");
+        assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), None, "after {name}");
+    }
+    let turned = SpaceFrame { camera: camera(DVec3::new(1.0, 0.0, 1.0)), ..frame };
+    let at = |now| Pace::CoarseFirst { now };
+    assert_eq!(recorded(gpu, &mut renderer, &turned, at(1.0)), Some(Detail::Coarse));
+    assert!(renderer.is_surface_coarse());
+    assert_eq!(recorded(gpu, &mut renderer, &turned, at(1.0 + 2.0 * REFINED_AFTER)), Some(Detail::Full));
+    assert!(!renderer.is_surface_coarse());
 }

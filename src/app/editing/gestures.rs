@@ -123,6 +123,9 @@ fn shifted(view: &View, at: DVec2, by: Vec2) -> DVec2 {
 /// away, N goes to the next one and takes the keyboard from the control that has it. Not while a text is written.
 pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) {
     if ui.ctx().text_edit_focused() {
+        // the keys are the text's: it will not be heard that they are let go of
+        let held = editor.side().and_then(|side| editor.reshaping(side)?.held_by(Hold::Keys));
+        actions.extend(held.map(|_| Action::Edit(EditAction::Release)));
         return;
     }
     let mut push = |action| actions.push(Action::Edit(action));

@@ -115,7 +115,9 @@ impl Explore {
     /// Shows the tour's words below the pictures.
     pub fn show_tour(&mut self, ui: &mut Ui, actions: &mut Actions) {
         if let Some(step) = self.step() {
-            tour::show(ui, step, std::mem::take(&mut self.focus_due), actions);
+            // a window over it comes first
+            let takes_focus = self.window.is_none() && std::mem::take(&mut self.focus_due);
+            tour::show(ui, step, takes_focus, actions);
         }
     }
 
@@ -144,6 +146,7 @@ impl Explore {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+    use egui_kittest::kittest::{NodeT, Queryable};
 
     #[test]
     fn the_tour_goes_on_from_step_to_step_and_gives_the_picture_from_before_back() {
@@ -180,6 +183,16 @@ mod tests {
             harness.run_steps(3);
             assert_eq!(harness.state().stats().spoken, before + 1, "{action:?}");
         }
+    }
+
+    #[test]
+    fn a_window_that_opens_during_the_tour_has_the_keyboard() {
+        let mut harness = crate::app::tests::ready_app([1200.0, 800.0]);
+        for action in [ExploreAction::Tour(1), ExploreAction::Shortcuts] {
+            harness.state_mut().explore(action);
+            harness.run_steps(3);
+        }
+        assert!(harness.get_by_label("Close").accesskit_node().is_focused());
     }
 
     #[test]

@@ -144,7 +144,7 @@ impl Exporter {
                 ui.set_width(width);
                 self.content(ui, around, actions);
             });
-        if !stays {
+        if !(stays && self.is_open) {
             (self.is_open, self.error) = (false, None);
             actions.push(Action::CancelExport);
         }
@@ -208,9 +208,7 @@ impl Exporter {
         }
         let close = close_button(ui);
         self.note("Close", &close);
-        if close.clicked() {
-            ui.close();
-        }
+        self.is_open &= !close.clicked();
     }
 }
 

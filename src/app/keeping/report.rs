@@ -18,9 +18,10 @@ pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutli
     (!all.is_empty()).then(|| format!("The link was copied, but {}.", all.join("; ")))
 }
 
-/// The link of `session`, if all of its outlines are in it.
-pub fn whole_link(session: &Session) -> Option<String> {
-    let encoded = link::encode(session).ok().filter(|encoded| encoded.left_out.is_empty())?;
+/// The link of `session`, if all of its outlines are in it, and no disk stands in for one of the `missing`.
+pub fn whole_link(session: &Session, missing: &[MissingOutline]) -> Option<String> {
+    let is_whole = |left_out: &[_]| left_out.is_empty() && missing.is_empty();
+    let encoded = link::encode(session).ok().filter(|encoded| is_whole(&encoded.left_out))?;
     Some(encoded.fragment)
 }
 
@@ -37,18 +38,20 @@ mod tests {
         let mut session = Session::default();
         let encoded = link::encode(&session).unwrap();
         assert_eq!(link_report(&session, &encoded, &[]), None);
-        assert_eq!(whole_link(&session), Some(encoded.fragment));
+        assert_eq!(whole_link(&session, &[]), Some(encoded.fragment));
         let name = String::from("spike");
         let spike =
             [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
         let points = spike.map(DVec2::from).to_vec();
         session.apply(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Points { name, points } });
-        assert_eq!(whole_link(&session), None, "a spike finer than a link can tell");
+        assert_eq!(whole_link(&session, &[]), None, "a spike finer than a link can tell");
         let shape = SurfaceShape::File { name: "cow.obj".into() };
         session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
         session.apply(Command::SetTexture(TextureKind::Image));
         let missing = MissingOutline { side: Side::Target, name: "long".into(), interior: None, anchor: 0.0 };
-        let report = link_report(&session, &link::encode(&session).unwrap(), &[missing]).unwrap();
+        let missing = [missing];
+        assert_eq!(whole_link(&Session::default(), &missing), None, "a disk stands in");
+        let report = link_report(&session, &link::encode(&session).unwrap(), &missing).unwrap();
         for word in ["spike", "cow.obj", "image", "long"] {
             assert!(report.contains(word), "no {word:?} in: {report}");
         }

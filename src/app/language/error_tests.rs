@@ -198,6 +198,15 @@ fn surfaces_that_are_no_disks() {
             repaired.repairs.iter().for_each(german);
         }
     }
+    // a strip of 7 × 3 squares without three of them: four boundary loops
+    let vertices: String = (0..32).map(|k| format!("v {} {} 0\n", k % 8, k / 8)).collect();
+    let kept = (0..21).map(|k| (k % 7, k / 7)).filter(|place| ![(1, 1), (3, 1), (5, 1)].contains(place));
+    let corners = |(x, y): (usize, usize)| [0, 1, 9, 8].map(|corner| 8 * y + x + corner + 1);
+    let faces: String = kept.map(corners).map(|[a, b, c, d]| format!("f {a} {b} {c} {d}\n")).collect();
+    let strip = read_surface("a.obj", format!("{vertices}{faces}").as_bytes()).unwrap();
+    let error = SurfaceMesh::new(&strip).unwrap_err();
+    assert!(error.to_string().contains("4 boundary loops"), "{error}");
+    german(&error);
     let polygon = read_surface("a.obj", format!("{square}f 1 2 3 4\n").as_bytes()).unwrap();
     polygon.notes.iter().for_each(german);
 }
@@ -236,7 +245,12 @@ fn sessions_and_links_that_cannot_be_opened() {
     let points = [(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)].map(Into::into).to_vec();
     session.target.outline = OutlineSpec::Points { name: "the bow".into(), points };
     german(&file::check(&session).unwrap_err());
-    for left_out in &link::encode(&session).unwrap().left_out {
+    let points = [(0.0, 0.0), (3.0, 1.0), (3.0, 0.0), (0.0, 1.0)].map(Into::into).to_vec();
+    session.source.outline = OutlineSpec::Points { name: "another bow".into(), points };
+    let both = link::encode(&session).unwrap().left_out;
+    assert_eq!(both.len(), 2);
+    german(&format!("The link was copied, but {}; {}.", both[0], both[1]));
+    for left_out in &both {
         german(&format!("The link was copied, but {left_out}; the image is not in it."));
     }
 }

@@ -94,7 +94,7 @@ fn after_name(catalogue: &Catalogue, text: &str, depth: u32) -> Option<Said> {
 }
 
 /// Several texts with `mark` between them, if each is known. One may have `mark` in itself: the longest beginning
-/// that is known is taken.
+/// of which nothing is unknown is taken, else the longest that is known in part.
 fn items(catalogue: &Catalogue, text: &str, mark: &str, depth: u32) -> Option<Said> {
     let count = text.matches(mark).count();
     if count == 0 || count > MOST_ITEMS {
@@ -105,7 +105,8 @@ fn items(catalogue: &Catalogue, text: &str, mark: &str, depth: u32) -> Option<Sa
         // all of what is left, if that is not all of the text
         let all = (rest.len() < text.len()).then_some(rest.len());
         let ends = all.into_iter().chain(rest.rmatch_indices(mark).map(|(at, _)| at));
-        let (end, said) = ends.into_iter().find_map(|at| Some((at, item(catalogue, &rest[..at], depth)?)))?;
+        let known = ends.filter_map(|at| Some((at, item(catalogue, &rest[..at], depth)?)));
+        let (end, said) = longest(known)?;
         result.text.push_str(&said.text);
         result.unknown += said.unknown;
         if end == rest.len() {
@@ -114,6 +115,18 @@ fn items(catalogue: &Catalogue, text: &str, mark: &str, depth: u32) -> Option<Sa
         result.text.push_str(mark);
         rest = &rest[end + mark.len()..];
     }
+}
+
+/// The first that is known as a whole, else the first.
+fn longest(known: impl Iterator<Item = (usize, Said)>) -> Option<(usize, Said)> {
+    let mut first = None;
+    for each in known {
+        if each.1.unknown == 0 {
+            return Some(each);
+        }
+        first = first.or(Some(each));
+    }
+    first
 }
 
 /// An item may lack the full stop that its entry has, or be the "…" of a list that goes on.

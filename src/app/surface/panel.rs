@@ -2,11 +2,12 @@
 
 use crate::app::action::{Action, Actions};
 use crate::app::language::{tr, tr_with};
+use crate::app::locks::menu_entry;
 use crate::app::model::Model;
 use crate::app::theme::Palette;
 use crate::app::widgets::{captioned_slider, group_heading, grouped};
 use crate::session::{Command, SurfaceShape, SurfaceSpec};
-use egui::{Label, RichText, Ui};
+use egui::{Button, Label, RichText, Ui};
 
 /// Boundary vertices of a surface by formula: fewer than 24 make a hemisphere a gem, 2000 make it a million triangles.
 const BOUNDARY: std::ops::RangeInclusive<f64> = 24.0..=2000.0;
@@ -35,8 +36,9 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     if wanted != *spec {
         actions.push(Action::Session(Command::SetSurface(wanted)));
     }
-    if ui.button(tr("Back to the plane")).on_hover_text(tr("Show the target's outline again")).clicked() {
-        actions.push(Action::Session(Command::CloseSurface));
+    let back = Action::Session(Command::CloseSurface);
+    if menu_entry(ui, true, Button::new(tr("Back to the plane")), "Show the target's outline again", &back) {
+        actions.push(back);
     }
 }
 
