@@ -26,7 +26,7 @@ pub struct Keyboard {
 impl Keyboard {
     /// Looks at a frame's events before egui does; returns how many times the panels are to be folded or brought back.
     pub fn take_in(&mut self, context: &Context, input: &mut RawInput) -> usize {
-        let focused = context.memory(|memory| memory.focused());
+        let focused = context.memory(egui::Memory::focused);
         let is_new = focused != std::mem::replace(&mut self.focused, focused);
         let is_fresh = std::mem::take(&mut self.has_walked) || is_new;
         let (mut walks, mut folds) = (focused.is_some(), 0);

@@ -108,7 +108,7 @@ fn a_picture_that_stands_is_not_recorded_and_every_change_is() {
     let cells = CellStyle { map: None, wire: None, marks: true, pixels_per_point: 1.0 };
     let handle = Handle { position: DVec2::ZERO, colour: GREEN, radius_px: 4.0 };
     let geometry = square(frame.style).geometry;
-    let mut changes: Vec<(&str, Box<dyn FnMut(&mut ViewportRenderer) -> bool>)> = vec![
+    let mut changes: Vec<Change> = vec![
         ("set_mesh", Box::new(|r| r.set_mesh(device, queue, 0, &geometry))),
         ("set_positions", Box::new(|r| r.set_positions(queue, 0, &SQUARE))),
         ("set_texture_coordinates", Box::new(|r| r.set_texture_coordinates(queue, 0, &SQUARE))),

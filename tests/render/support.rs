@@ -67,6 +67,9 @@ pub fn render(gpu: &Gpu, viewports: &[SceneViewport], image: Option<&RgbaImage>,
 /// The width and height of a frame of the live renderer: 16 pixels per unit.
 const SIZE: u32 = 64;
 
+/// A change of what is uploaded, with its name; whether it was taken.
+pub type Change<'a> = (&'a str, Box<dyn FnMut(&mut ViewportRenderer) -> bool + 'a>);
+
 /// A frame of the live renderer, about the origin.
 pub fn live_frame(style: &TextureStyle) -> PlanarFrame {
     let camera = Camera { center: DVec2::ZERO, units_per_pixel: 4.0 / f64::from(SIZE) };

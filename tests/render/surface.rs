@@ -259,7 +259,7 @@ fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &SpaceFrame, pace
     let prepare = |renderer: &mut ViewportRenderer, encoder: &mut wgpu::CommandEncoder| {
         renderer.prepare_surface(device, queue, encoder, frame, pace)
     };
-    one_frame(gpu, renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, |renderer, pass| renderer.paint_surface(pass)).0
+    one_frame(gpu, renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, ViewportRenderer::paint_surface).0
 }
 
 #[test]
@@ -280,7 +280,7 @@ fn a_surface_that_stands_is_not_recorded_and_every_change_is() {
     assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), None, "there is no surface");
     let handle = SurfaceHandle { position: DVec3::ZERO, hidden: false, colour: GREEN, radius_px: 4.0 };
     let mut codes = vec![CellCode::FLIPPED; 2];
-    let mut changes: Vec<(&str, Box<dyn FnMut(&mut ViewportRenderer) -> bool>)> = vec![
+    let mut changes: Vec<Change> = vec![
         ("set_surface", Box::new(|r| r.set_surface(device, queue, &scene.geometry))),
         ("set_surface_coordinates", Box::new(|r| r.set_surface_coordinates(queue, &squares.coordinates))),
         ("set_surface_codes", Box::new(|r| r.set_surface_codes(queue, &mut codes))),

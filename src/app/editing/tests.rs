@@ -463,7 +463,8 @@ fn a_long_text_is_read_without_being_shown() {
         (0..count)
             .map(|k| DVec2::from_angle(angle(k)))
             .map(|p| format!("{:.12},{:.12}\n", p.x, p.y))
-            .collect::<String>()
+            .collect::<Vec<_>>()
+            .concat()
     };
     let text = ring(3000);
     assert!(text.len() > paste::LONGEST_SHOWN, "{}", text.len());

@@ -199,10 +199,10 @@ fn surfaces_that_are_no_disks() {
         }
     }
     // a strip of 7 × 3 squares without three of them: four boundary loops
-    let vertices: String = (0..32).map(|k| format!("v {} {} 0\n", k % 8, k / 8)).collect();
+    let vertices = (0..32).map(|k| format!("v {} {} 0\n", k % 8, k / 8)).collect::<Vec<_>>().concat();
     let kept = (0..21).map(|k| (k % 7, k / 7)).filter(|place| ![(1, 1), (3, 1), (5, 1)].contains(place));
     let corners = |(x, y): (usize, usize)| [0, 1, 9, 8].map(|corner| 8 * y + x + corner + 1);
-    let faces: String = kept.map(corners).map(|[a, b, c, d]| format!("f {a} {b} {c} {d}\n")).collect();
+    let faces = kept.map(corners).map(|[a, b, c, d]| format!("f {a} {b} {c} {d}\n")).collect::<Vec<_>>().concat();
     let strip = read_surface("a.obj", format!("{vertices}{faces}").as_bytes()).unwrap();
     let error = SurfaceMesh::new(&strip).unwrap_err();
     assert!(error.to_string().contains("4 boundary loops"), "{error}");
