@@ -9,6 +9,9 @@ use crate::platform;
 /// How long the map must rest before an expensive quality is computed, in seconds.
 const REST_SECONDS: f64 = 0.15;
 
+/// When what the panels say of a map follows its picture, in seconds: sooner than anyone reads.
+const WORDS_FOLLOW_AFTER: f32 = 0.05;
+
 impl RiemapApp {
     /// Sends what is due to the workers, updates the map, uploads.
     pub(super) fn advance(&mut self, context: &egui::Context) {
@@ -49,10 +52,11 @@ impl RiemapApp {
         for side in Side::BOTH {
             if self.model.take_refit(side) {
                 self.views[side as usize].fit();
-                if side == Side::Target {
+                if side == Side::Target && self.model.surface().is_some() {
                     self.look_at_surface();
+                } else {
+                    context.request_repaint_after_secs(platform::ONE_FRAME);
                 }
-                context.request_repaint_after_secs(platform::ONE_FRAME);
             }
         }
         let complete = self.model.extension_progress() == 1.0;
@@ -110,9 +114,10 @@ impl RiemapApp {
         }
     }
 
-    /// Uploads, and asks for another frame: the status line was laid out before the change.
+    /// Uploads, and asks for another frame: the status line was laid out before the change. That one waits a little:
+    /// where the processor draws, it would keep the first from the screen.
     fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
-        context.request_repaint_after_secs(platform::ONE_FRAME);
+        context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
         if let Some(gpu) = &mut self.gpu
             && !gpu.upload(&self.model, changes)
         {

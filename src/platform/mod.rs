@@ -129,7 +129,7 @@ pub enum PageEvent {
 pub const ONE_FRAME: f32 = 0.001;
 
 /// How long a stage of a preparation waits to be shown, in seconds.
-pub const STAGES_SHOWN_AFTER: f32 = 0.15;
+pub const STAGES_SHOWN_AFTER: f32 = 0.3;
 
 /// Where events are posted.
 #[derive(Clone)]

@@ -1,16 +1,12 @@
-//! What an editor asks of the model, step by step, without a screen; and the whole app under a pointer.
+//! What an editor asks of the model, step by step, without a screen.
 
 use super::*;
-use crate::app::tests::ready_app;
-use crate::app::{RiemapApp, Stats};
 use crate::conformal::PrepareSettings;
 use crate::geometry::SimplePolygon;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
 use crate::session::{Command, OutlineSpec, Session};
 use crate::worker::{Request, Subject, Task, run};
-use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
 
 const SIDE: Side = Side::Source;
 
@@ -276,94 +272,6 @@ fn a_link_carries_an_edited_preset() {
     assert_eq!(encoded.left_out, [], "{} points", bench.points().len());
 }
 
-/// Waits until the map of what is asked for is there.
-fn settle(harness: &mut Harness<'_, RiemapApp>) -> Stats {
-    harness.run_steps(2);
-    for _ in 0..600 {
-        if harness.state().stats().ready {
-            break;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-        harness.step();
-    }
-    harness.run_steps(2);
-    let stats = harness.state().stats();
-    assert!(stats.ready, "{stats:?}");
-    stats
-}
-
-#[test]
-fn a_drag_in_the_picture_is_one_step_back() {
-    let mut harness = ready_app([1200.0, 800.0]);
-    let before = harness.state().session().clone();
-    harness.get_all_by_label("Edit").next().unwrap().click();
-    harness.run_steps(3);
-    let editing = harness.state().stats().editing.unwrap();
-    assert_eq!(editing.side, Side::Source);
-    let [x, y] = editing.handles[0];
-    harness.drag_at(egui::pos2(x, y));
-    harness.step();
-    for step in 1..6 {
-        harness.hover_at(egui::pos2(x + 2.0 * step as f32, y - 3.0 * step as f32));
-        harness.step();
-    }
-    harness.drop_at(egui::pos2(x + 10.0, y - 15.0));
-    harness.step();
-    let after = settle(&mut harness);
-    let [u, v] = after.editing.as_ref().unwrap().handles[0];
-    assert!((u - x - 10.0).abs() < 0.6 && (v - y + 15.0).abs() < 0.6, "from {x}, {y} to {u}, {v}");
-    assert_eq!(after.undo, 1, "a drag is one step");
-    assert_ne!(harness.state().session().source.outline, before.source.outline);
-    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
-    harness.step();
-    settle(&mut harness);
-    assert_eq!(*harness.state().session(), before);
-    harness.key_press(egui::Key::Escape);
-    harness.run_steps(3);
-    assert!(harness.state().stats().editing.is_none());
-}
-
-/// As an arrow key that is held: it repeats in every frame, and many of them come while one map is prepared.
-#[test]
-fn a_handle_that_keys_hold_is_followed_coarsely_and_is_one_step_back() {
-    let mut harness = ready_app([1200.0, 800.0]);
-    let before = harness.state().session().clone();
-    harness.get_all_by_label("Edit").next().unwrap().click();
-    harness.run_steps(3);
-    harness.key_press(egui::Key::N);
-    harness.run_steps(2);
-    let editing = harness.state().stats().editing.unwrap();
-    let handle = editing.selected.unwrap();
-    let [x, y] = editing.handles[handle];
-    for repeat in 1..=5 {
-        harness.key_down(egui::Key::ArrowRight);
-        harness.step();
-        let side = harness.state().model.side(SIDE);
-        assert!(side.is_in_hand(), "after {repeat} repeats");
-    }
-    assert_eq!(harness.state().stats().undo, 0);
-    harness.key_up(egui::Key::ArrowRight);
-    harness.step();
-    assert!(!harness.state().model.side(SIDE).is_in_hand(), "let go");
-    let after = settle(&mut harness);
-    let [u, v] = after.editing.as_ref().unwrap().handles[handle];
-    assert!((u - x - 20.0).abs() < 0.6 && (v - y).abs() < 0.6, "from {x}, {y} to {u}, {v}");
-    assert_eq!(after.undo, 1, "a hold is one step");
-    assert_eq!(harness.state().session().source.settings, before.source.settings);
-    // down and up within a frame
-    let key = |pressed| egui::Event::Key {
-        key: egui::Key::ArrowUp,
-        physical_key: None,
-        pressed,
-        repeat: false,
-        modifiers: egui::Modifiers::NONE,
-    };
-    harness.input_mut().events.extend([key(true), key(false)]);
-    harness.step();
-    assert!(!harness.state().model.side(SIDE).is_in_hand());
-    assert_eq!(settle(&mut harness).undo, 2);
-}
-
 #[test]
 fn a_button_takes_the_handle_from_the_keys() {
     let mut bench = Bench::square();
@@ -476,86 +384,4 @@ fn a_long_text_is_read_without_being_shown() {
     let error = paste.error().unwrap();
     assert!(error.contains("line 3001") && error.contains(" bytes") && error.contains("50000"), "{error}");
     assert!(paste.text().is_empty());
-}
-
-#[test]
-fn a_long_text_that_is_pasted_into_the_field_does_not_get_there() {
-    let mut harness = ready_app([1200.0, 800.0]);
-    let app = harness.state_mut();
-    app.editor.act(EditAction::OpenPaste(SIDE), &mut app.model, &mut app.views);
-    harness.run_steps(3);
-    assert!(harness.ctx.text_edit_focused(), "the empty field has the keyboard");
-    for (text, shown) in [(String::from("M 0 0"), 5), ("no outline ".repeat(10_000), 0)] {
-        harness.event(egui::Event::Paste(text));
-        harness.run_steps(2);
-        assert_eq!(harness.state().editor.paste.as_ref().unwrap().text().len(), shown);
-    }
-    let message = harness.state().stats().editing.unwrap().message.unwrap();
-    assert!(message.contains("110000 bytes"), "{message}");
-}
-
-#[test]
-fn the_message_about_a_crossing_does_not_hide_it() {
-    let mut harness = ready_app([390.0, 844.0]);
-    let act = |harness: &mut Harness<'_, RiemapApp>, action| {
-        let app = harness.state_mut();
-        app.editor.act(action, &mut app.model, &mut app.views);
-    };
-    let rect = harness.state().views[0].rect;
-    for (place, is_below) in [(rect.center() - vec2(0.0, 60.0), true), (rect.center_bottom() - vec2(0.0, 110.0), false)]
-    {
-        act(&mut harness, EditAction::Draw(SIDE, Pen::Lines));
-        harness.run_steps(3); // the picture makes room for the bar
-        for by in [vec2(-40.0, -20.0), vec2(40.0, 20.0), vec2(40.0, -20.0), vec2(-40.0, 20.0)] {
-            let point = harness.state().views[0].to_world(place + by);
-            act(&mut harness, EditAction::Point(point));
-        }
-        act(&mut harness, EditAction::Close);
-        harness.run_steps(5);
-        let crossing = egui::Pos2::from(harness.state().stats().editing.unwrap().crossing.unwrap());
-        assert!(crossing.distance(place) < 1.0, "{crossing:?} is not {place:?}");
-        let message = harness.get_by_label_contains("crosses itself").rect();
-        assert!(!message.expand(paint::RING).contains(place), "{message:?} lies over {place:?}");
-        assert_eq!(message.center().y > rect.center().y, is_below);
-    }
-}
-
-/// Puts a place of the source's picture under the middle of the first "Edit" button.
-fn move_under_the_button(harness: &mut Harness<'_, RiemapApp>, place: egui::Pos2) -> egui::Pos2 {
-    let button = harness.get_all_by_label("Edit").next().unwrap().rect().center();
-    harness.state_mut().views[0].pan(button - place);
-    harness.run_steps(2);
-    button
-}
-
-#[test]
-fn what_lies_under_a_button_is_not_taken_through_it() {
-    let mut harness = ready_app([1200.0, 800.0]);
-    let x1 = |harness: &Harness<'_, RiemapApp>| egui::Pos2::from(harness.state().stats().handles.x1.unwrap());
-    let place = x1(&harness);
-    let button = move_under_the_button(&mut harness, place);
-    assert!(x1(&harness).distance(button) < 1.0);
-    let before = harness.state().session().clone();
-    harness.drag_at(button);
-    harness.step();
-    assert!(harness.state().handles.grip.is_none(), "no dot is in hand");
-    harness.hover_at(button + vec2(0.0, 60.0));
-    harness.run_steps(2);
-    assert!(x1(&harness).distance(button) < 1.0, "nor does the picture move");
-    harness.drop_at(button + vec2(0.0, 60.0));
-    harness.run_steps(2);
-    assert_eq!(*harness.state().session(), before);
-    assert!(harness.state().stats().editing.is_none(), "let go elsewhere: no click");
-    harness.key_press(egui::Key::D);
-    harness.run_steps(2);
-    let open = harness.get_all_by_label("Fit").next().unwrap().rect().center();
-    harness.drag_at(open);
-    for step in 1..8 {
-        harness.hover_at(open + vec2(-8.0 * step as f32, 12.0 * step as f32));
-        harness.step();
-    }
-    let editing = harness.state().stats().editing.unwrap();
-    assert!(editing.draws && editing.handles.is_empty(), "nothing is drawn from a button on: {editing:?}");
-    harness.drop_at(open + vec2(-64.0, 96.0));
-    harness.run_steps(2);
 }
