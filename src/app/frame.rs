@@ -49,16 +49,7 @@ impl RiemapApp {
         if self.model.is_pending() {
             context.request_repaint_after_secs(if moves { REST_SECONDS as f32 } else { 0.0 });
         }
-        for side in Side::BOTH {
-            if self.model.take_refit(side) {
-                self.views[side as usize].fit();
-                if side == Side::Target && self.model.surface().is_some() {
-                    self.look_at_surface();
-                } else {
-                    context.request_repaint_after_secs(platform::ONE_FRAME);
-                }
-            }
-        }
+        self.refit(context);
         let complete = self.model.extension_progress() == 1.0;
         if self.model.is_quality_stale() || !complete {
             if resting && complete {
@@ -76,6 +67,20 @@ impl RiemapApp {
         self.keep(context);
         self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
+    }
+
+    /// What has another shape is seen as a whole again.
+    fn refit(&mut self, context: &egui::Context) {
+        for side in Side::BOTH {
+            if self.model.take_refit(side) {
+                self.views[side as usize].fit();
+                if side == Side::Target && self.model.surface().is_some() {
+                    self.look_at_surface();
+                } else {
+                    context.request_repaint_after_secs(platform::ONE_FRAME);
+                }
+            }
+        }
     }
 
     /// Moves the points that are in motion.
