@@ -112,7 +112,7 @@ impl Gpu {
 
     /// Makes what has not been needed yet, now that there is time for it.
     pub fn warm(&self) {
-        self.with_renderer(|renderer| renderer.warm_surface(&self.state.device, &self.state.queue));
+        self.with_renderer(|renderer| renderer.rehearse_surface(&self.state.device, &self.state.queue));
     }
 
     /// The outlines' stroke, of constant width on the screen.

@@ -33,6 +33,7 @@ mod pattern_uniform;
 mod placement;
 mod png_file;
 mod readback;
+mod rehearsal;
 mod scene;
 mod scene_surface;
 mod space_vertices;

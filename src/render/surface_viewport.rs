@@ -87,12 +87,6 @@ impl ViewportRenderer {
         pass.set(device, queue, surface, staging, geometry) && stroke.set(device, queue, boundary, surface.origin)
     }
 
-    /// Makes the pipelines that the first surface needs, if they are not there: to do so takes a software adapter
-    /// longer than a frame.
-    pub fn warm_surface(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
-        self.provide_surface(device, queue);
-    }
-
     fn provide_surface(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> &mut SurfaceViewport {
         let (samples, images, disc) = (self.samples, &self.images, &self.disc);
         self.surface.get_or_insert_with(|| {
@@ -104,6 +98,11 @@ impl ViewportRenderer {
             let (handles, staging) = (Vec::new(), Vec::new());
             SurfaceViewport { pass, stroke_pass, surface, stroke, discs, targets: None, drawn, handles, staging }
         })
+    }
+
+    /// Whether there has been a surface.
+    pub(super) fn has_surface(&self) -> bool {
+        self.surface.is_some()
     }
 
     /// New texture coordinates for the surface, without reallocation: the images of its vertices.

@@ -3,8 +3,10 @@
 //! The engine is pure: it runs in a web worker, and natively on a thread. Every
 //! message carries the generation of its request; the receiver drops stale ones.
 
+mod rehearsal;
 mod study;
 
+pub use rehearsal::rehearsal;
 pub use study::{Finding, Study};
 
 use crate::conformal::{

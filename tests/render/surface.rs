@@ -299,3 +299,34 @@ fn a_surface_that_stands_is_not_recorded_and_every_change_is() {
     assert_eq!(recorded(gpu, &mut renderer, &turned, at(1.0 + 2.0 * REFINED_AFTER)), Some(Detail::Full));
     assert!(!renderer.is_surface_coarse());
 }
+
+#[test]
+fn a_surface_looks_the_same_whether_its_drawing_was_rehearsed_or_not() {
+    let Some(gpu) = gpu() else { return };
+    let (device, queue, _) = gpu;
+    let (mesh, images) = hemisphere();
+    let scene = hemisphere_scene(&mesh, &images, DVec3::new(0.3, -0.8, 0.9).normalize());
+    let frame = SpaceFrame {
+        size_px: [64, 64],
+        camera: scene.camera,
+        style: scene.style,
+        cells: None,
+        stroke: LOOP,
+        background: BACKGROUND,
+    };
+    let painted = |rehearses: bool| {
+        let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 0, 1);
+        if rehearses {
+            renderer.rehearse_surface(device, queue);
+        }
+        assert!(renderer.set_surface(device, queue, &scene.geometry));
+        assert!(renderer.set_surface_coordinates(queue, &images));
+        let prepare = |renderer: &mut ViewportRenderer, encoder: &mut wgpu::CommandEncoder| {
+            renderer.prepare_surface(device, queue, encoder, &frame, Pace::Full)
+        };
+        one_frame(gpu, &mut renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, ViewportRenderer::paint_surface).1
+    };
+    let (at_once, rehearsed) = (painted(false), painted(true));
+    assert!(at_once.pixels().any(|pixel| pixel.0 == bytes(LOOP.colour)), "something is drawn");
+    assert!(at_once == rehearsed);
+}

@@ -1,6 +1,7 @@
 //! The worker's side: requests in, answers out, one at a time.
 
 use super::messages;
+use crate::worker;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
@@ -23,11 +24,17 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
                 }
                 return;
             }
+            if messages::is_rehearsal(&event.data()) {
+                worker::run(&worker::rehearsal(), &mut |generation, response| {
+                    messages::encode_response(generation, response);
+                });
+                return;
+            }
             let Some(request) = messages::decode_request(&event.data()) else {
                 log::error!("a request of an unknown form was dropped");
                 return;
             };
-            crate::worker::run(&request, &mut |generation, response| {
+            worker::run(&request, &mut |generation, response| {
                 let (message, transfer) = messages::encode_response(generation, response);
                 if let Err(error) = scope.post_message_with_transfer(&message, &transfer) {
                     // Thrown out of the message handler it reaches the page as the worker's error.

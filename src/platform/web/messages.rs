@@ -2,7 +2,7 @@
 //!
 //! A request is `{ generation, settings }` with `points`, or with `repair` and one of `preset` and
 //! `name` and `bytes`; an answer `{ generation }` with one of `stage`, `failed`, or `floats`, `indices`
-//! and `text`, and for a surface its `notes`; a study is `{ study }`, what it found `{ study, finding }`;
+//! and `text`, and for a surface its `notes`; `{ rehearsal }` is answered by nothing; a study is `{ study }`, what it found `{ study, finding }`;
 //! a panic's last word is `{ died }`. Small enums travel as JSON text in the form that serde gives them.
 
 use crate::conformal::{FlatBuffers, PreparedDomain, PreparedSurface};
@@ -101,6 +101,16 @@ fn decode_buffers(message: &JsValue) -> Option<FlatBuffers> {
         indices: indices.iter().map(|array| Uint32Array::from(array).to_vec()).collect(),
         text: get(message, "text")?.as_string()?,
     })
+}
+
+/// What a worker is sent while nobody waits for it.
+pub fn encode_rehearsal() -> JsValue {
+    object(&[("rehearsal", true.into())])
+}
+
+/// Whether it reads that.
+pub fn is_rehearsal(message: &JsValue) -> bool {
+    get(message, "rehearsal").is_some()
 }
 
 /// What the laboratory's worker is sent.

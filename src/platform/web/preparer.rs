@@ -36,10 +36,12 @@ impl Preparer {
         }
     }
 
-    /// Starts what has not been needed yet, now that there is time for it.
+    /// Starts what has not been needed yet and lets it rehearse, now that there is time for it.
     pub fn warm(&mut self) {
-        if self.workers[Subject::Surface.index()].is_none() {
-            self.ensure_idle(Subject::Surface);
+        if self.workers[Subject::Surface.index()].is_none()
+            && let Some(worker) = self.ensure_idle(Subject::Surface)
+        {
+            worker.rehearse();
         }
     }
 

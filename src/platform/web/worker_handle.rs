@@ -68,6 +68,11 @@ impl WorkerHandle {
         self.state.get()
     }
 
+    /// Lets it rehearse. That a rehearsal could not begin is no loss.
+    pub fn rehearse(&self) {
+        let _ = self.worker.post_message(&messages::encode_rehearsal());
+    }
+
     /// Gives it something to do. The error is why it could not be told.
     pub fn post(&self, message: &JsValue) -> Result<(), String> {
         self.state.set(State::Busy);

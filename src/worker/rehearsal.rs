@@ -1,0 +1,38 @@
+//! What a web worker does while nobody waits for it, for nobody: a browser compiles a function when it is first called.
+
+use super::{Request, SurfaceSource, Task};
+use crate::conformal::SurfaceSettings;
+use crate::surface::SurfacePreset;
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+/// The vertices of the rehearsal's boundary: of some thousand triangles every step is taken, in a few milliseconds.
+const BOUNDARY: u32 = 120;
+
+/// A surface from a small file: reading, checking, flips, assembly, ordering and factorization.
+pub fn rehearsal() -> Request {
+    let mut text = String::new();
+    if let Ok(surface) = SurfacePreset::Hemisphere.surface(BOUNDARY) {
+        for p in surface.vertices {
+            let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
+        }
+        for [a, b, c] in surface.triangles {
+            let _ = writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1);
+        }
+    }
+    let source = SurfaceSource::File { name: "rehearsal.obj".into(), bytes: Arc::new(text.into_bytes()) };
+    Request { generation: 0, task: Task::Surface { source, repair: false, settings: SurfaceSettings::default() } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::worker::{Response, run};
+
+    #[test]
+    fn nothing_goes_wrong_in_a_rehearsal() {
+        let mut last = None;
+        run(&rehearsal(), &mut |_, response| last = Some(response));
+        assert!(matches!(&last, Some(Response::Surface(..))), "{last:?}");
+    }
+}
