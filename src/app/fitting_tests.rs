@@ -7,6 +7,7 @@ use super::language::{self, Language, tr};
 use super::reports::Report;
 use super::tests::ready_app;
 use super::*;
+use crate::conformal::Side;
 use crate::session::{Colouring, OutlineSpec};
 use egui::{Key, Rect, Role};
 use egui_kittest::Harness;

@@ -1,6 +1,7 @@
 //! What a frame does once the wishes are carried out: sends what is due to the workers, brings the map up to date,
 //! uploads what changed, and tells those who hear the screen. At rest it does nothing and asks for no other frame.
 
+use super::incoming::WORDS_FOLLOW_AFTER;
 use super::model::{Changes, Refines};
 use super::{RiemapApp, spoken};
 use crate::conformal::Side;
@@ -8,9 +9,6 @@ use crate::platform;
 
 /// How long the map must rest before an expensive quality is computed, in seconds.
 const REST_SECONDS: f64 = 0.15;
-
-/// When what the panels say of a map follows its picture, in seconds: sooner than anyone reads.
-const WORDS_FOLLOW_AFTER: f32 = 0.05;
 
 impl RiemapApp {
     /// Sends what is due to the workers, updates the map, uploads.
@@ -44,6 +42,9 @@ impl RiemapApp {
             let refined = self.model.refine_at_rest();
             if refined.images {
                 self.show_changes(context, refined);
+            }
+            if self.model.surface_map().is_some() && self.model.surface_side().sort_at_rest() {
+                context.request_repaint_after_secs(platform::ONE_FRAME);
             }
         }
         if self.model.is_pending() {

@@ -14,10 +14,17 @@ use crate::platform::{self, Event, FilePurpose};
 use crate::session::{Command, TextureKind};
 use std::sync::Arc;
 
+/// When what the panels say follows the pictures, in seconds: sooner than anyone reads.
+pub(super) const WORDS_FOLLOW_AFTER: f32 = 0.05;
+
 impl RiemapApp {
-    /// What happened since the last frame.
-    pub(super) fn take_events(&mut self) {
+    /// What happened since the last frame; the panels follow in another one. That waits a little: where the
+    /// processor draws, it would keep the pictures from the screen.
+    pub(super) fn take_events(&mut self, context: &egui::Context) {
         while let Ok(event) = self.events.try_recv() {
+            if !event.is_stage() {
+                context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
+            }
             match event {
                 Event::Worker { subject, generation, response } => self.model.accept(subject, generation, response),
                 Event::WorkerDied { subject, reason } => self.model.worker_died(subject, &reason),
@@ -35,7 +42,22 @@ impl RiemapApp {
         }
     }
 
-    pub(super) fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
+    /// Takes in a file between two frames.
+    pub fn take_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
+        self.read_file(purpose, name, bytes);
+        let requests = self.model.take_requests(f64::NEG_INFINITY);
+        if requests.is_empty() {
+            self.mailbox.wake();
+        } else {
+            // a frame would show nothing new yet, and take the processor from the worker
+            self.mailbox.wake_for_stages();
+        }
+        for (subject, request) in requests {
+            self.preparer.request(subject, request);
+        }
+    }
+
+    fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
         self.explore.keep();
         self.keeper.touch();
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
@@ -114,12 +136,11 @@ impl RiemapApp {
     }
 
     /// Reads the files that were dropped, for the side that they were dropped over.
-    pub(super) fn take_dropped(&self, context: &egui::Context) {
-        let dropped = context.input(|input| input.raw.dropped_files.clone());
+    pub(super) fn take_dropped(&mut self, context: &egui::Context) {
         let place = platform::drop_position(context);
         let over_target = place.is_some_and(|place| self.views[Side::Target as usize].rect.contains(place));
         let side = if over_target { Side::Target } else { Side::Source };
-        for file in &dropped {
+        for file in self.dropped.drain(..) {
             platform::read_dropped(file, side, self.mailbox.clone());
         }
     }
@@ -132,5 +153,64 @@ fn locked_by(content: &Content, purpose: FilePurpose) -> &'static [Control] {
         Content::Image { .. } if matches!(purpose, FilePurpose::Trace(_)) => Control::OF_SHAPES,
         Content::Image { .. } => &[Control::Pattern],
         Content::Session(_) => &[Control::Session],
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::app::tests::ready_app;
+    use crate::surface::SurfacePreset;
+    use egui_kittest::Harness;
+    use std::fmt::Write as _;
+    use std::time::Duration;
+
+    /// A hemisphere as an OBJ file.
+    fn hemisphere() -> Vec<u8> {
+        let surface = SurfacePreset::Hemisphere.surface(60).unwrap();
+        let mut text = String::new();
+        for p in surface.vertices {
+            writeln!(text, "v {} {} {}", p.x, p.y, p.z).unwrap();
+        }
+        for t in surface.triangles {
+            writeln!(text, "f {} {} {}", t[0] + 1, t[1] + 1, t[2] + 1).unwrap();
+        }
+        text.into_bytes()
+    }
+
+    fn step_until(harness: &mut Harness<'_, RiemapApp>, is_there: impl Fn(&RiemapApp) -> bool) {
+        for _ in 0..600 {
+            harness.step();
+            if is_there(harness.state()) {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        assert!(is_there(harness.state()), "after 600 frames: {:?}", harness.state().stats());
+    }
+
+    #[test]
+    fn a_surface_is_prepared_before_the_next_frame_and_seen_before_its_triangles_are_sorted() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let app = harness.state_mut();
+        app.take_file(FilePurpose::Outline(Side::Target), "hemisphere.obj", Ok(hemisphere()));
+        assert!(app.model.surface_side().preparation.is_busy());
+        assert_eq!(app.model.next_due(), None, "nothing is left for a frame to ask for");
+        step_until(&mut harness, |app| app.model.surface_map().is_some());
+        let is_sorted = |app: &RiemapApp| {
+            app.model.surface_side().surface().is_some_and(|surface| surface.tree_if_made().is_some())
+        };
+        assert!(!is_sorted(harness.state()), "the first frame of a surface does not wait for that");
+        step_until(&mut harness, is_sorted);
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_used_says_so_in_the_next_frame() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        harness.run_steps(20);
+        harness.state_mut().take_file(FilePurpose::Session, "a.riemap", Ok(vec![1, 2]));
+        harness.step();
+        assert!(harness.state().errors().iter().any(|error| error.starts_with("a.riemap: ")));
     }
 }

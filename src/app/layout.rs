@@ -50,6 +50,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
         dock(app, ui);
     }
     app.explore.show_tour(ui, &mut actions);
+    app.take_events(ui.ctx());
     egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow, actions));
 }
 

@@ -3,6 +3,8 @@
 use super::locks::{Control, Locks, guarded};
 use super::tests::ready_app;
 use super::*;
+use crate::conformal::Side;
+use crate::platform::FilePurpose;
 use crate::session::{Command, TextureKind};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -66,7 +68,7 @@ fn a_file_does_not_reset_locked_points() {
     let app = harness.state_mut();
     app.options.locks = Locks::default().with(Control::Interior);
     let before = app.session().clone();
-    app.load_file(Side::Source, "square.csv", b"0,0\n1,0\n1,1\n0,1\n".to_vec());
+    app.take_file(FilePurpose::Outline(Side::Source), "square.csv", Ok(b"0,0\n1,0\n1,1\n0,1\n".to_vec()));
     harness.run_steps(3);
     let stats = harness.state().stats();
     assert!(stats.ready && stats.errors.iter().any(|error| error.contains("interior")), "{:?}", stats.errors);

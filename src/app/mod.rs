@@ -1,9 +1,10 @@
 //! The app: panels, viewports, handles.
 //!
-//! A frame: take in what happened outside of it (workers, files), show the
-//! panels and collect what the person wants as [`Action`]s, carry those out in
+//! A frame: show the panels and collect what the person wants as [`Action`]s,
+//! take in what happened outside of it (workers, files), carry the actions out in
 //! one place (`carry_out`), bring the map up to date, upload what
-//! changed, paint. At rest nothing is computed and nothing drawn.
+//! changed, paint. Panels that have more to say then do so in a frame that follows.
+//! At rest nothing is computed and nothing drawn.
 
 mod action;
 pub mod address_options;
@@ -72,8 +73,7 @@ pub use groundwork::Groundwork;
 pub use model::Model;
 pub use stats::{Processor, Stats};
 
-use crate::conformal::Side;
-use crate::platform::{self, Event, FilePurpose, Laboratory, Mailbox, Preparer};
+use crate::platform::{self, Event, Laboratory, Mailbox, Preparer};
 use crate::render::TextureStyle;
 use crate::session::Session;
 use address_options::AddressOptions;
@@ -113,6 +113,8 @@ pub struct RiemapApp {
     preparer: Preparer,
     mailbox: Mailbox,
     events: mpsc::Receiver<Event>,
+    /// Files that were dropped since the last frame.
+    dropped: Vec<egui::DroppedFileHandle>,
     gpu: Option<Gpu>,
     views: [View; 2],
     /// How the surface is seen that may stand in the target's place.
@@ -179,6 +181,7 @@ impl RiemapApp {
             preparer,
             mailbox,
             events,
+            dropped: Vec::new(),
             gpu: creation.wgpu_render_state.clone().map(Gpu::new),
             views: [View::default(), View::default()],
             orbit: OrbitView::default(),
@@ -229,12 +232,6 @@ impl RiemapApp {
         self.show_session(session);
     }
 
-    /// Takes in an outline or a surface as if its file had been opened.
-    pub fn load_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
-        self.read_file(FilePurpose::Outline(side), name, Ok(bytes));
-        self.mailbox.wake();
-    }
-
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {
         textured::style(&self.model, self.image_name.is_some(), dark)
     }
@@ -242,7 +239,6 @@ impl RiemapApp {
 
 impl eframe::App for RiemapApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
-        self.take_events();
         self.take_dropped(ui.ctx());
         self.zoom = ui.ctx().zoom_factor();
         let compute = self.model.shown().map_or(0.0, |map| {
@@ -262,6 +258,8 @@ impl eframe::App for RiemapApp {
     }
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
+        // egui would draw two frames for what stays in here
+        self.dropped.append(&mut input.dropped_files);
         let folds = self.keyboard.take_in(context, input);
         if folds % 2 == 1 {
             self.fold_panels(context);

@@ -3,7 +3,7 @@
 use super::stats::ScreenFacts;
 use super::teaching::walks::WalkAction;
 use super::*;
-use crate::conformal::{Direction, Extension, PrepareSettings};
+use crate::conformal::{Direction, Extension, PrepareSettings, Side};
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
 use crate::session::{Colouring, Command, Comparison, OutlineSpec, TextureKind};

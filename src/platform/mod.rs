@@ -114,6 +114,13 @@ pub enum Event {
     },
 }
 
+impl Event {
+    /// Whether a preparation has only come to its next stage.
+    pub fn is_stage(&self) -> bool {
+        matches!(self, Self::Worker { response: Response::Progress(_), .. })
+    }
+}
+
 /// What the page around the app is told of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PageEvent {
@@ -153,13 +160,14 @@ impl Mailbox {
     /// Posts `event`. When the app is gone, nobody is left to read it. A stage of a preparation waits for the next
     /// frame, or for a while: most preparations end before anyone could read how far they are.
     pub fn post(&self, event: Event) {
-        let is_stage = matches!(&event, Event::Worker { response: Response::Progress(_), .. });
+        let is_stage = event.is_stage();
         if self.sender.send(event).is_err() {
             return;
         }
-        match self.context.get().filter(|_| is_stage) {
-            Some(context) => context.request_repaint_after_secs(STAGES_SHOWN_AFTER),
-            None => self.wake(),
+        if is_stage {
+            self.wake_for_stages();
+        } else {
+            self.wake();
         }
     }
 
@@ -167,6 +175,13 @@ impl Mailbox {
     pub fn wake(&self) {
         if let Some(context) = self.context.get() {
             context.request_repaint_after_secs(ONE_FRAME);
+        }
+    }
+
+    /// Asks for a frame that shows how far a preparation is, should it take so long.
+    pub fn wake_for_stages(&self) {
+        if let Some(context) = self.context.get() {
+            context.request_repaint_after_secs(STAGES_SHOWN_AFTER);
         }
     }
 }

@@ -139,8 +139,7 @@ pub fn save_file(name: &str, bytes: Vec<u8>, mailbox: Mailbox) {
 }
 
 /// Reads a dropped file and posts its content to `mailbox`.
-pub fn read_dropped(file: &egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
-    let file = file.clone();
+pub fn read_dropped(file: egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
     thread::spawn(move || {
         let name = file.path().file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         mailbox.post(Event::File { purpose: FilePurpose::Dropped(side), name, bytes: file.bytes() });

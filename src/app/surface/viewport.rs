@@ -23,10 +23,6 @@ use egui::{CornerRadius, CursorIcon, PointerButton, Pos2, Response, Sense, Ui, V
 /// The side that a surface takes.
 const SIDE: Side = Side::Target;
 
-/// Triangles that are sorted into their tree within a frame, about 20 ms for 70,000; of more the dots
-/// are never drawn fainter before the first one was dragged.
-const SORTED_AT_ONCE: usize = 150_000;
-
 /// How near the ray passages of the loop compete for the boundary handle, as a tangent: 14 points at arm's length.
 const REACH: f64 = 0.015;
 
@@ -190,9 +186,7 @@ pub fn paint_dots(ui: &Ui, model: &Model, view: &OrbitView, handles: &HandleStat
 fn dot(model: &Model, view: &OrbitView, point: DVec3) -> Option<Dot> {
     let eye = view.camera()?.eye();
     let surface = model.surface()?.0.surface()?;
-    let is_large = surface.surface.mesh.triangles.len() > SORTED_AT_ONCE;
-    let tree = if is_large { surface.tree_if_made() } else { Some(surface.tree()) };
-    let hidden = tree.is_some_and(|tree| tree.hides(eye, point));
+    let hidden = surface.tree_if_made().is_some_and(|tree| tree.hides(eye, point));
     Some(Dot { place: view.to_screen(point)?, hidden })
 }
 

@@ -13,6 +13,7 @@
 
 use crate::app::RiemapApp;
 use crate::conformal::Side;
+use crate::platform::FilePurpose;
 use crate::session::{Session, file};
 use eframe::WebRunner;
 use js_sys::{Object, Reflect};
@@ -37,7 +38,7 @@ pub fn install(runner: &WebRunner) {
         Closure::<dyn Fn(String, String, String) -> JsValue>::new(move |side: String, name: String, text: String| {
             let Some(side) = side_named(&side) else { return JsValue::FALSE };
             with_app(&app, |app| {
-                app.load_file(side, &name, text.into_bytes());
+                app.take_file(FilePurpose::Outline(side), &name, Ok(text.into_bytes()));
                 JsValue::TRUE
             })
         });
@@ -55,7 +56,7 @@ pub fn install(runner: &WebRunner) {
     let file = Closure::<dyn Fn(String, String, Vec<u8>) -> JsValue>::new(move |side: String, name: String, bytes| {
         let Some(side) = side_named(&side) else { return JsValue::FALSE };
         with_app(&app, |app| {
-            app.load_file(side, &name, bytes);
+            app.take_file(FilePurpose::Outline(side), &name, Ok(bytes));
             JsValue::TRUE
         })
     });

@@ -1,5 +1,6 @@
 //! Files from the dialog and from drag and drop, and to the downloads.
 
+use super::page;
 use crate::app::language::tr;
 use crate::conformal::Side;
 use crate::platform::{Event, FilePurpose, Mailbox, endings};
@@ -13,14 +14,14 @@ thread_local! {
     static LAST_DRAG: Cell<Option<egui::Pos2>> = const { Cell::new(None) };
 }
 
-/// Lets the person choose a file; its content is posted to `mailbox`.
+/// Lets the person choose a file, and hands it to the app.
 pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
     let (label, extensions) = endings(purpose);
     let dialog = rfd::AsyncFileDialog::new().add_filter(tr(label), &extensions).pick_file();
     wasm_bindgen_futures::spawn_local(async move {
         if let Some(file) = dialog.await {
             let bytes = Ok(file.read().await);
-            mailbox.post(Event::File { purpose, name: file.file_name(), bytes });
+            page::hand_over(purpose, file.file_name(), bytes, &mailbox);
         }
     });
 }
@@ -45,13 +46,12 @@ fn download(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     Url::revoke_object_url(&address)
 }
 
-/// Reads a dropped file and posts its content to `mailbox`.
-pub fn read_dropped(file: &egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
-    let file = file.clone();
+/// Reads a dropped file and hands it to the app.
+pub fn read_dropped(file: egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
         let name = file.path().to_string_lossy().into_owned();
         let bytes = file.bytes_async().await;
-        mailbox.post(Event::File { purpose: FilePurpose::Dropped(side), name, bytes });
+        page::hand_over(FilePurpose::Dropped(side), name, bytes, &mailbox);
     });
 }
 

@@ -4,7 +4,7 @@ use super::{address, bridge, files, keys};
 use crate::app::address_options::AddressOptions;
 use crate::app::language::{tr, tr_message, tr_with};
 use crate::app::{Groundwork, RiemapApp};
-use crate::platform::Mailbox;
+use crate::platform::{Event, FilePurpose, Mailbox};
 use eframe::WebRunner;
 use std::cell::RefCell;
 use wasm_bindgen::JsCast;
@@ -59,6 +59,15 @@ async fn run() -> Result<(), String> {
         loading.remove();
     }
     Ok(())
+}
+
+/// Hands a file that was read to the app: between two frames, or by `mailbox` where it cannot be had.
+pub fn hand_over(purpose: FilePurpose, name: String, bytes: Result<Vec<u8>, String>, mailbox: &Mailbox) {
+    let runner = RUNNER.with_borrow(Clone::clone);
+    match runner.as_ref().and_then(WebRunner::app_mut::<RiemapApp>) {
+        Some(mut app) => app.take_file(purpose, &name, bytes),
+        None => mailbox.post(Event::File { purpose, name, bytes }),
+    }
 }
 
 /// `?backend=webgl` leaves WebGPU out, for comparison and for tests.
