@@ -26,7 +26,7 @@ const SHEET_HANDLE: f32 = 44.0;
 /// How much of the screen the open sheet takes besides.
 const SHEET_SHARE: f32 = 0.42;
 
-/// One frame: panels, then what they ask for, then the pictures.
+/// One frame: panels, then what they ask for, then what has come from outside, then the pictures.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     let narrow = ui.available_width() < PHONE_WIDTH;
     theme::suit_pointer(ui.ctx(), narrow || app.has_fingers || ui.input(egui::InputState::has_touch_screen));
@@ -50,8 +50,11 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
         dock(app, ui);
     }
     app.explore.show_tour(ui, &mut actions);
-    app.take_events(ui.ctx());
-    egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow, actions));
+    let context = ui.ctx().clone();
+    // the panels' wishes are about what they have shown
+    app.carry_out(&context, actions);
+    app.take_events(&context);
+    egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow));
 }
 
 /// P opens the plots or closes them, unless a control has the keyboard.
@@ -151,8 +154,9 @@ fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
     asked
 }
 
-/// Both viewports; here the frame's actions are carried out and the map is updated.
-fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions) {
+/// Both viewports; here the map is updated.
+fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool) {
+    let mut actions = Actions::new();
     let stacked = narrow || ui.max_rect().width() < ui.max_rect().height();
     let rects = divide(ui.max_rect(), stacked);
     let mut pointed = None;

@@ -1,8 +1,8 @@
 //! The app: panels, viewports, handles.
 //!
 //! A frame: show the panels and collect what the person wants as [`Action`]s,
-//! take in what happened outside of it (workers, files), carry the actions out in
-//! one place (`carry_out`), bring the map up to date, upload what
+//! carry those out in one place (`carry_out`), take in what happened outside of it
+//! (workers, files), the same for the pictures, bring the map up to date, upload what
 //! changed, paint. Panels that have more to say then do so in a frame that follows.
 //! At rest nothing is computed and nothing drawn.
 
