@@ -1,6 +1,7 @@
 //! What a frame does once the wishes are carried out: sends what is due to the workers, brings the map up to date,
 //! uploads what changed, and tells those who hear the screen. At rest it does nothing and asks for no other frame.
 
+use super::gpu::Gpu;
 use super::incoming::WORDS_FOLLOW_AFTER;
 use super::model::{Changes, Refines};
 use super::{RiemapApp, spoken};
@@ -43,8 +44,12 @@ impl RiemapApp {
             if refined.images {
                 self.show_changes(context, refined);
             }
-            if self.model.surface_map().is_some() && self.model.surface_side().sort_at_rest() {
-                context.request_repaint_after_secs(platform::ONE_FRAME);
+            if self.model.surface_map().is_some() {
+                self.model.surface_side().sort_at_rest();
+            }
+            if self.model.is_ready() {
+                self.preparer.warm();
+                self.gpu.iter().for_each(Gpu::warm);
             }
         }
         if self.model.is_pending() {

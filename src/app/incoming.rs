@@ -18,8 +18,8 @@ use std::sync::Arc;
 pub(super) const WORDS_FOLLOW_AFTER: f32 = 0.05;
 
 impl RiemapApp {
-    /// What happened since the last frame; the panels follow in another one. That waits a little: where the
-    /// processor draws, it would keep the pictures from the screen.
+    /// What happened since the last frame; the panels follow in another one, but for stages, of which they say
+    /// nothing. That frame waits a little: where the processor draws, it would keep the pictures from the screen.
     pub(super) fn take_events(&mut self, context: &egui::Context) {
         while let Ok(event) = self.events.try_recv() {
             if !event.is_stage() {
@@ -49,7 +49,7 @@ impl RiemapApp {
         if requests.is_empty() {
             self.mailbox.wake();
         } else {
-            // a frame would show nothing new yet, and take the processor from the worker
+            // a frame would show little that is new, and take the processor from the worker
             self.mailbox.wake_for_stages();
         }
         for (subject, request) in requests {
@@ -157,26 +157,21 @@ fn locked_by(content: &Content, purpose: FilePurpose) -> &'static [Control] {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::*;
     use crate::app::tests::ready_app;
-    use crate::surface::SurfacePreset;
+    use crate::worker::{self, SurfaceSource, Task};
     use egui_kittest::Harness;
-    use std::fmt::Write as _;
+    use egui_kittest::kittest::Queryable;
     use std::time::Duration;
 
-    /// A hemisphere as an OBJ file.
-    fn hemisphere() -> Vec<u8> {
-        let surface = SurfacePreset::Hemisphere.surface(60).unwrap();
-        let mut text = String::new();
-        for p in surface.vertices {
-            writeln!(text, "v {} {} {}", p.x, p.y, p.z).unwrap();
-        }
-        for t in surface.triangles {
-            writeln!(text, "f {} {} {}", t[0] + 1, t[1] + 1, t[2] + 1).unwrap();
-        }
-        text.into_bytes()
+    /// A small surface as an OBJ file.
+    fn surface_file() -> Vec<u8> {
+        let Task::Surface { source: SurfaceSource::File { bytes, .. }, .. } = worker::rehearsal().task else {
+            panic!("the rehearsal reads a file")
+        };
+        bytes.to_vec()
     }
 
     fn step_until(harness: &mut Harness<'_, RiemapApp>, is_there: impl Fn(&RiemapApp) -> bool) {
@@ -194,7 +189,7 @@ mod tests {
     fn a_surface_is_prepared_before_the_next_frame_and_seen_before_its_triangles_are_sorted() {
         let mut harness = ready_app([1200.0, 800.0]);
         let app = harness.state_mut();
-        app.take_file(FilePurpose::Outline(Side::Target), "hemisphere.obj", Ok(hemisphere()));
+        app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
         assert!(app.model.surface_side().preparation.is_busy());
         assert_eq!(app.model.next_due(), None, "nothing is left for a frame to ask for");
         step_until(&mut harness, |app| app.model.surface_map().is_some());
@@ -205,12 +200,39 @@ mod tests {
         step_until(&mut harness, is_sorted);
     }
 
-    #[test]
-    fn a_file_that_cannot_be_used_says_so_in_the_next_frame() {
+    /// The app when no frame is asked for any more.
+    fn app_at_rest() -> Harness<'static, RiemapApp> {
         let mut harness = ready_app([1200.0, 800.0]);
-        harness.run_steps(20);
+        harness.try_run().unwrap();
+        assert!(!harness.ctx.has_requested_repaint());
+        harness
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_used_asks_for_a_frame_that_says_so() {
+        let mut harness = app_at_rest();
         harness.state_mut().take_file(FilePurpose::Session, "a.riemap", Ok(vec![1, 2]));
+        assert!(harness.ctx.has_requested_repaint());
         harness.step();
-        assert!(harness.state().errors().iter().any(|error| error.starts_with("a.riemap: ")));
+        harness.get_by_label_contains("a.riemap: ");
+    }
+
+    #[test]
+    fn after_what_has_come_in_the_panels_get_another_frame_and_stages_wait() {
+        let mut harness = app_at_rest();
+        let mailbox = harness.state().mailbox.clone();
+        let mut asks_for_a_frame = |event| {
+            let context = egui::Context::default();
+            for _ in 0..3 {
+                context.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
+            }
+            assert!(!context.has_requested_repaint());
+            mailbox.post(event);
+            harness.state_mut().take_events(&context);
+            context.has_requested_repaint()
+        };
+        assert!(asks_for_a_frame(Event::NotSaved { name: "a.png".into(), reason: "no room".into() }));
+        let response = worker::Response::Progress(crate::conformal::Stage::Read);
+        assert!(!asks_for_a_frame(Event::Worker { subject: worker::Subject::Surface, generation: 0, response }));
     }
 }

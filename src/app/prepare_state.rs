@@ -12,6 +12,7 @@ use crate::outline::OutlineNote;
 use crate::session::{DomainSpec, OutlineSpec};
 use crate::worker::{Request, Response, Task};
 use std::sync::Arc;
+use web_time::Instant;
 
 /// How long the resolution controls must rest before a preparation starts, in
 /// seconds: a dragged slider gives a value per frame (0.017 s), a person who
@@ -38,6 +39,7 @@ pub enum Progress {
 
 #[derive(Debug)]
 struct Running {
+    since: Instant,
     spec: DomainSpec,
     notes: Vec<OutlineNote>,
     stage: Option<Stage>,
@@ -123,6 +125,11 @@ impl Preparation {
         self.running.as_ref().and_then(|running| running.stage)
     }
 
+    /// For how long the worker has had the request, in seconds.
+    pub fn seconds_under_way(&self) -> Option<f64> {
+        self.running.as_ref().map(|running| running.since.elapsed().as_secs_f64())
+    }
+
     /// The generation of the last request.
     pub fn generation(&self) -> u64 {
         self.generation
@@ -197,6 +204,7 @@ impl Preparation {
                 let reshaped = self.reshaped;
                 let settings = Reshaped::settings(reshaped, self.wanted.settings);
                 self.running = Some(Running {
+                    since: Instant::now(),
                     spec: DomainSpec { settings, ..self.wanted.clone() },
                     notes: std::mem::take(&mut self.incoming_notes),
                     stage: None,

@@ -1,6 +1,5 @@
 //! What the app does with whole sessions: steps, files, links, and keeping them.
 
-use super::gpu::Gpu;
 use super::keeping::{self, Keeper};
 use super::{NOTICE_SECONDS, RiemapApp};
 use crate::platform::{self, Kept, PageEvent};
@@ -74,8 +73,6 @@ impl RiemapApp {
         if held || passes || !self.model.is_ready() {
             return;
         }
-        self.preparer.warm();
-        self.gpu.iter().for_each(Gpu::warm);
         let settled = self.keeper.settle(self.model.session(), now);
         let is_news = settled.address.is_some() || settled.copy.is_some();
         for command in settled.moves {

@@ -212,18 +212,15 @@ pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
 /// taken so long that it is worth a look.
 pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
     let (surface, outline) = (&model.surface_side().preparation, model.side(side));
-    let begun_at = ui.scope_id().with(("preparation", side));
-    let stage = if side == Side::Target && surface.is_busy() {
-        surface.stage()
-    } else if outline.is_busy() && !outline.is_in_hand() {
-        outline.stage()
+    let (stage, seconds) = if side == Side::Target && surface.is_busy() {
+        (surface.stage(), surface.seconds_under_way())
+    } else if !outline.is_in_hand() {
+        (outline.stage(), outline.seconds_under_way())
     } else {
-        ui.data_mut(|data| data.remove::<f64>(begun_at));
         return;
     };
-    let now = ui.input(|input| input.time);
-    let busy_for = now - ui.data_mut(|data| *data.get_temp_mut_or(begun_at, now));
-    let left = f64::from(STAGES_SHOWN_AFTER) - busy_for;
+    let Some(seconds) = seconds else { return };
+    let left = f64::from(STAGES_SHOWN_AFTER) - seconds;
     if left > 0.0 {
         ui.ctx().request_repaint_after_secs(left as f32);
         return;

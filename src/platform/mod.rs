@@ -4,8 +4,8 @@
 //! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`decode_image`], [`save_file`],
 //! [`drop_position`], [`address_options`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
 //! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`], [`has_full_screen`], [`toggle_full_screen`], [`tell_page`],
-//! [`watch_graphics`]. Whatever happens outside of a frame arrives as an [`Event`] in the app's mailbox, in order, and
-//! wakes the app.
+//! [`watch_graphics`]. What happens outside of a frame arrives as an [`Event`] in the app's mailbox, in order, and
+//! wakes the app; only files, on the web, are handed to the app itself, between two frames.
 
 #[cfg(target_arch = "wasm32")]
 mod web;

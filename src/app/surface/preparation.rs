@@ -8,6 +8,7 @@ use crate::conformal::{PreparedSurface, Stage};
 use crate::session::{SurfaceShape, SurfaceSpec};
 use crate::worker::{Failure, Request, Response, SurfaceSource, Task};
 use std::sync::Arc;
+use web_time::Instant;
 
 /// A surface that is wanted: what the session says of it, and its triangles.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +53,7 @@ pub struct SurfacePreparation {
 
 #[derive(Debug)]
 struct Running {
+    since: Instant,
     wish: Wish,
     stage: Option<Stage>,
 }
@@ -87,6 +89,11 @@ impl SurfacePreparation {
     /// The stage that the worker is in.
     pub fn stage(&self) -> Option<Stage> {
         self.running.as_ref().and_then(|running| running.stage)
+    }
+
+    /// For how long the worker has had the request, in seconds.
+    pub fn seconds_under_way(&self) -> Option<f64> {
+        self.running.as_ref().map(|running| running.since.elapsed().as_secs_f64())
     }
 
     /// Wants a surface, at once; what is under way is not wanted any more.
@@ -193,7 +200,7 @@ impl SurfacePreparation {
         self.generation += 1;
         let SurfaceSpec { repair, settings, .. } = wish.spec;
         let task = Task::Surface { source: wish.source.clone(), repair, settings };
-        self.running = Some(Running { wish, stage: None });
+        self.running = Some(Running { since: Instant::now(), wish, stage: None });
         Some(Request { generation: self.generation, task })
     }
 

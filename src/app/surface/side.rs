@@ -65,13 +65,14 @@ impl SurfaceSide {
         self.shown.as_ref()
     }
 
-    /// Sorts its triangles for rays, now that there is time for it: whether something of it is behind something else is
-    /// seen from then on. Returns whether that was done.
-    pub fn sort_at_rest(&self) -> bool {
-        let due = self.shown.as_ref().filter(|surface| {
-            surface.tree_if_made().is_none() && surface.surface.mesh.triangles.len() <= SORTED_AT_ONCE
-        });
-        due.map(|surface| surface.tree()).is_some()
+    /// Sorts its triangles for rays, now that there is time for it: until then, a tenth of a second after a surface is
+    /// prepared, its dots are drawn as if nothing were before them.
+    pub fn sort_at_rest(&self) {
+        if let Some(surface) = &self.shown
+            && surface.surface.mesh.triangles.len() <= SORTED_AT_ONCE
+        {
+            surface.tree();
+        }
     }
 
     /// Its map.

@@ -26,6 +26,7 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
             }
             if messages::is_rehearsal(&event.data()) {
                 worker::run(&worker::rehearsal(), &mut |generation, response| {
+                    // the way of the answer is rehearsed too
                     messages::encode_response(generation, response);
                 });
                 return;
