@@ -190,7 +190,8 @@ mod tests {
         let mut harness = ready_app([1200.0, 800.0]);
         let app = harness.state_mut();
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
-        assert!(app.model.surface_side().preparation.is_busy());
+        let preparation = &app.model.surface_side().preparation;
+        assert!(preparation.seconds_under_way().is_some(), "its progress is shown from now on");
         assert_eq!(app.model.next_due(), None, "nothing is left for a frame to ask for");
         step_until(&mut harness, |app| app.model.surface_map().is_some());
         let is_sorted = |app: &RiemapApp| {
