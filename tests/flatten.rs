@@ -173,3 +173,44 @@ fn errors_name_their_cause() {
     assert!(with(&["--surface-point", "1:1,-1,2"], 2).contains("expected a vertex"));
     assert!(with(&["--out", "a.bmp"], 2).contains("obj, ply, glb, csv, svg or png"));
 }
+
+#[test]
+fn weights_belong_to_the_corners_of_the_file_though_a_repair_turns_the_triangle() {
+    let folder = folder("turned-corners");
+    // a fan whose third triangle (0, 3, 4) has the other orientation
+    let text = "v 0 0 0\nv 1 0 0\nv 0.5 1 0\nv -0.5 1 0\nv -1 0 0\nv -0.5 -1 0\nv 0.5 -1 0\n\
+                f 1 2 3\nf 1 3 4\nf 1 5 4\nf 1 5 6\nf 1 6 7\nf 1 7 2\n";
+    let surface = file(&folder, "fan.obj", text);
+    let summary = json(&[&surface, "preset:disk", "--repair", "--surface-point", "2:0.5,0.2,0.3", "--json"]);
+    let number = |value: &Value| value.as_f64().unwrap();
+    let [x, y] = [0, 1].map(|i| number(&summary["surface_point"]["position"][i]));
+    // 0.5 · (0, 0) + 0.2 · (−1, 0) + 0.3 · (−0.5, 1)
+    assert!((x + 0.35).abs() < 1e-15 && (y - 0.3).abs() < 1e-15, "({x}, {y})");
+    assert_eq!([0, 1, 2].map(|i| number(&summary["surface_point"]["weights"][i])), [0.5, 0.2, 0.3]);
+}
+
+#[test]
+fn a_glb_keeps_the_shape_of_what_is_far_away_large_or_small() {
+    let folder = folder("glb-frames");
+    for (name, offset, scale) in [("far", 1e9, 1.0), ("large", 0.0, 1e40), ("small", 0.0, 1e-50), ("usual", 0.0, 1.0)] {
+        let vertices: Vec<[f64; 3]> =
+            (0..25).map(|k| [f64::from(k % 5), f64::from(k / 5), f64::from(k * k % 7) / 9.0]).collect();
+        let placed: Vec<[f64; 3]> = vertices.iter().map(|p| p.map(|x| offset + scale * x)).collect();
+        let mut text = String::new();
+        for [x, y, z] in &placed {
+            let _ = writeln!(text, "v {x:e} {y:e} {z:e}");
+        }
+        for k in (0..20).filter(|k| k % 5 < 4) {
+            let _ = writeln!(text, "f {} {} {} {}", k + 1, k + 2, k + 7, k + 6);
+        }
+        let (surface, out) = (file(&folder, "grid.obj", &text), folder.join(format!("{name}.glb")));
+        let out = out.to_str().unwrap();
+        json(&[&surface, "preset:disk", "--out", out, "--json"]);
+        let read = read_surface(out, &std::fs::read(out).unwrap()).unwrap();
+        assert_eq!(read.vertices.len(), 25, "{name}");
+        for (p, q) in placed.iter().zip(&read.vertices) {
+            let distance = (0..3).map(|i| (p[i] - q[i]).abs()).fold(0.0, f64::max);
+            assert!(distance < 2e-6 * scale, "{name}: {p:?} became {q}");
+        }
+    }
+}

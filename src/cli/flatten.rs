@@ -52,7 +52,7 @@ struct Summary {
     timing_ms: Timings,
 }
 
-/// A point of the surface, by its triangle in the file.
+/// A point of the surface, by its triangle in the file and the weights of its corners there.
 #[derive(Debug, serde::Serialize)]
 struct Point {
     triangle: u32,
@@ -141,7 +141,7 @@ fn compute(
     let constraints = SurfaceConstraints {
         source_point: arguments.outline_point.map_or(source.pole, |p| p.0),
         source_anchor: arguments.outline_anchor.fraction(&source.samples),
-        surface_point: arguments.surface_point.map_or(Ok(prepared.centre), |point| point.locate(&prepared))?,
+        surface_point: arguments.surface_point.map_or(Ok(prepared.centre), |point| point.locate(surface, &prepared))?,
         surface_anchor: arguments.surface_anchor.fraction(&prepared)?,
     };
     outline.say_notes(&arguments.outline);
@@ -163,6 +163,10 @@ fn summarize(
     let prepared = map.surface();
     let mesh = &prepared.surface.mesh;
     let point = constraints.surface_point;
+    let mut weights = [0.0; 3];
+    for (i, weight) in prepared.surface.corners_in(surface, point.triangle).into_iter().zip(point.weights) {
+        weights[i] = weight;
+    }
     Summary {
         quality: map.quality(),
         counts: Counts { m: mesh.boundary_count, n: mesh.interior_count(), triangles: mesh.triangles.len() },
@@ -171,7 +175,7 @@ fn summarize(
         notes: surface.notes.iter().map(ToString::to_string).collect(),
         surface_point: Point {
             triangle: prepared.surface.triangle_origins[point.triangle as usize],
-            weights: point.weights,
+            weights,
             position: prepared.position(point).to_array(),
         },
         surface_anchor: constraints.surface_anchor,

@@ -99,8 +99,8 @@ impl FromStr for SurfacePoint {
 }
 
 impl SurfacePoint {
-    /// The point of the prepared surface that is meant.
-    pub fn locate(self, surface: &PreparedSurface) -> Result<BarycentricPoint, CliError> {
+    /// The point of the prepared surface that is meant; `given` is what it was made from.
+    pub fn locate(self, given: &Surface, surface: &PreparedSurface) -> Result<BarycentricPoint, CliError> {
         let whole = &surface.surface;
         match self {
             Self::Vertex(vertex) => {
@@ -110,7 +110,8 @@ impl SurfacePoint {
             Self::InTriangle(triangle, weights) => {
                 let kept = whole.triangle_origins.iter().position(|&origin| origin == triangle);
                 let missing = || CliError::Input(format!("--surface-point: the surface has no triangle {triangle}"));
-                Ok(BarycentricPoint { triangle: kept.ok_or_else(missing)? as u32, weights })
+                let kept = kept.ok_or_else(missing)? as u32;
+                Ok(BarycentricPoint { triangle: kept, weights: whole.corners_in(given, kept).map(|i| weights[i]) })
             }
             Self::Nearest(place) => surface
                 .tree()

@@ -102,20 +102,29 @@ impl<'a> Flattened<'a> {
     }
 
     /// One mesh in f32, as glTF has it; its v runs downwards: 1 − v.
+    /// Vertices are f32: where that would round away the surface's shape, they are those about its middle, of unit
+    /// size, and the node says where and how large it is.
     fn glb(&self) -> Vec<u8> {
         let (count, corners) = (self.vertices.len(), 3 * self.triangles.len());
         let mut buffer = Vec::with_capacity(20 * count + 4 * corners);
         let mut push = |value: f64| buffer.extend((value as f32).to_le_bytes());
-        self.rows().for_each(|(p, _)| p.to_array().into_iter().for_each(&mut push));
+        let (middle, size) = frame_of(self.vertices);
+        let placed = |p: DVec3| (p - middle) / size;
+        self.rows().for_each(|(p, _)| placed(p).to_array().into_iter().for_each(&mut push));
         self.rows().for_each(|(_, uv)| [uv.x, 1.0 - uv.y].into_iter().for_each(&mut push));
         self.triangles.as_flattened().iter().for_each(|v| buffer.extend(v.to_le_bytes()));
         let (low, high) = self.vertices.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| {
-            let rounded = p.as_vec3().as_dvec3();
+            let rounded = placed(p).as_vec3().as_dvec3();
             (low.min(rounded), high.max(rounded))
         });
+        let node = if (middle, size) == (DVec3::ZERO, 1.0) {
+            serde_json::json!({ "mesh": 0 })
+        } else {
+            serde_json::json!({ "mesh": 0, "translation": middle.to_array(), "scale": [size, size, size] })
+        };
         let document = serde_json::json!({
             "asset": { "version": "2.0", "generator": "riemap" },
-            "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
+            "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [node],
             "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2 }] }],
             "accessors": [
                 { "bufferView": 0, "componentType": 5126, "count": count, "type": "VEC3",
@@ -162,6 +171,20 @@ impl<'a> Flattened<'a> {
         text.push_str("\"/>\n</svg>\n");
         text
     }
+}
+
+/// Where the vertices' f32 have their origin, and their unit: those of the world, unless the surface is so far from its
+/// origin, so large or so small, that they would not carry its shape.
+fn frame_of(vertices: &[DVec3]) -> (DVec3, f64) {
+    const FARTHEST: f64 = 16.0;
+    const SIZES: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
+    let (low, high) =
+        vertices.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+    let (middle, extent) = (low.midpoint(high), (high - low).max_element());
+    if SIZES.contains(&extent) && middle.abs().max_element() <= FARTHEST * extent {
+        return (DVec3::ZERO, 1.0);
+    }
+    (middle, if extent > 0.0 && extent.is_finite() { extent } else { 1.0 })
 }
 
 /// Takes the bounding box of the coordinates to [0, 1]², its larger side to a whole side.

@@ -33,6 +33,14 @@ impl SurfaceMesh {
         Self::ordered(repair(surface.clone())?, surface.vertices.len())
     }
 
+    /// For each corner of a triangle, which corner it is of that triangle of `surface`, which this was made from: repairs
+    /// turn some round.
+    pub fn corners_in(&self, surface: &Surface, triangle: u32) -> [usize; 3] {
+        let corners = self.mesh.triangles[triangle as usize].map(|v| self.vertex_origins[v as usize]);
+        let given = surface.triangles.get(self.triangle_origins[triangle as usize] as usize);
+        std::array::from_fn(|i| given.and_then(|given| given.iter().position(|&v| v == corners[i])).unwrap_or(i))
+    }
+
     fn ordered(repaired: Repaired, before: usize) -> Result<Self, TopologyError> {
         let Repaired { surface, vertex_origins, triangle_origins, notes: repairs } = repaired;
         let found = connectivity(&surface)?;

@@ -39,6 +39,8 @@ pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceErr
     if bytes.len() > MAX_BYTES {
         return Err(SurfaceError::TooLarge { bytes: bytes.len() });
     }
+    // editors put the mark of UTF-8 before text
+    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let extension = file_name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase();
     let surface = match extension.as_str() {
         "obj" => obj::read(bytes),
@@ -60,7 +62,7 @@ fn by_first_bytes(extension: &str, bytes: &[u8]) -> Result<Surface, SurfaceError
         _ if begins("glTF") => glb::read(bytes),
         _ if begins("OFF") => off::read(bytes),
         _ if begins("{") => gltf::read(bytes, None),
-        _ if begins("solid") || stl::is_binary(bytes) => stl::read(bytes),
+        _ if stl::begins_as_text(first) || stl::is_binary(bytes) => stl::read(bytes),
         _ if begins("v ") || begins("#") || begins("o ") || begins("mtllib") => obj::read(bytes),
         _ => Err(SurfaceError::UnknownFormat { extension: extension.to_owned() }),
     }

@@ -52,7 +52,7 @@ fn vertex_of(word: &[u8], line: Line<'_>, so_far: usize) -> Result<i64, SurfaceE
     Err(SurfaceError::IndexOutOfRange { place: line.place(), index, vertices: so_far })
 }
 
-/// A line that ends in a backslash goes on in the next one; the line feeds that this takes
+/// A line that ends in a backslash goes on in the next one, unless that stands in a comment; the line feeds that this takes
 /// away follow after it, so that the lines' numbers stay right.
 fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
     if !bytes.contains(&b'\\') {
@@ -61,7 +61,7 @@ fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
     let (mut owned, mut held) = (Vec::with_capacity(bytes.len()), 0);
     for line in bytes.split(|&b| b == b'\n') {
         let line = line.strip_suffix(b"\r").unwrap_or(line);
-        if let Some(begun) = line.strip_suffix(b"\\") {
+        if let Some(begun) = line.strip_suffix(b"\\").filter(|begun| !begun.contains(&b'#')) {
             owned.extend_from_slice(begun);
             owned.push(b' ');
             held += 1;

@@ -4,7 +4,11 @@
 //! that crosses itself, or has no area, may have no ear: then the rest becomes a fan, whose
 //! triangles are judged like all others.
 
-use crate::geometry::{DVec2, DVec3, orientation};
+use crate::geometry::{DVec2, DVec3};
+
+/// The sine of the least turn that counts: the corners of a plane polygon that is turned in space are rounded by 1e-16
+/// of its size, and one in the middle of an edge would else be the tip of a triangle without area.
+const LEAST_TURN: f64 = 1e-12;
 
 /// Appends the `corners.len() − 2` triangles of a polygon with at least 3 corners. Cost O(k), O(k²)
 /// and rarely more if it is not convex.
@@ -35,10 +39,17 @@ fn projected(vertices: &[DVec3], corners: &[u32]) -> Vec<DVec2> {
     points.iter().map(|p| DVec2::new(p.dot(x), p.dot(turned))).collect()
 }
 
+/// The sine of the angle between b − a and p − b: positive where the way turns left.
+fn turn(a: DVec2, b: DVec2, p: DVec2) -> f64 {
+    let (along, on) = (b - a, p - b);
+    let lengths = along.length() * on.length();
+    if lengths > 0.0 { along.perp_dot(on) / lengths } else { 0.0 }
+}
+
 /// Whether every corner turns left; the fan of a polygon that also winds twice is as good as any.
 fn is_convex(points: &[DVec2]) -> bool {
     let m = points.len();
-    (0..m).all(|k| orientation(points[k], points[(k + 1) % m], points[(k + 2) % m]) > 0.0)
+    (0..m).all(|k| turn(points[k], points[(k + 1) % m], points[(k + 2) % m]) > LEAST_TURN)
 }
 
 /// Position `k` of the remaining polygon with its neighbours.
@@ -51,9 +62,9 @@ fn around(rest: &[usize], k: usize) -> [usize; 3] {
 fn is_ear(points: &[DVec2], rest: &[usize], k: usize) -> bool {
     let [i, j, l] = around(rest, k);
     let [a, b, c] = [points[i], points[j], points[l]];
-    let inside = |p: DVec2| orientation(a, b, p) >= 0.0 && orientation(b, c, p) >= 0.0 && orientation(c, a, p) >= 0.0;
+    let inside = |p: DVec2| [(a, b), (b, c), (c, a)].iter().all(|&(from, to)| turn(from, to, p) >= -LEAST_TURN);
     let other = |&&v: &&usize| ![i, j, l].contains(&v) && ![a, b, c].contains(&points[v]);
-    orientation(a, b, c) > 0.0 && !rest.iter().filter(other).any(|&v| inside(points[v]))
+    turn(a, b, c) > LEAST_TURN && !rest.iter().filter(other).any(|&v| inside(points[v]))
 }
 
 #[cfg(test)]
@@ -90,6 +101,26 @@ mod tests {
                 let found = area(&vertices, &triangles);
                 assert!((found - expected).abs() < 1e-12 * expected, "{found} for {expected}");
             }
+        }
+    }
+
+    #[test]
+    fn a_corner_in_the_middle_of_an_edge_gives_no_triangle_without_area() {
+        let corners = [0, 1, 2, 3, 4, 5, 6];
+        for step in 0..200 {
+            let rotation = glam::DQuat::from_euler(
+                glam::EulerRot::XYZ,
+                0.1 + 0.37 * f64::from(step),
+                0.61 * f64::from(step),
+                0.23 * f64::from(step),
+            );
+            let flat = [[0.0, 0.0], [0.3, 0.1], [0.9, 0.3], [2.4, 0.8], [2.0, 2.0], [1.0, 5.0 / 3.0], [-0.4, 1.2]];
+            let vertices: Vec<DVec3> = flat.iter().map(|&[x, y]| rotation * DVec3::new(x, y, 0.0)).collect();
+            let mut triangles = Vec::new();
+            triangulate(&vertices, &corners, &mut triangles);
+            let least = triangles.iter().map(|&t| area(&vertices, &[t])).fold(f64::INFINITY, f64::min);
+            let whole = area(&vertices, &triangles);
+            assert!(least > 1e-3 && (whole - 3.2).abs() < 1e-12, "turn {step}: {least} of {whole}: {triangles:?}");
         }
     }
 

@@ -20,10 +20,15 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
     count.is_some_and(|count| HEADER + RECORD * count as usize == bytes.len())
 }
 
+/// Whether the first word is `solid`, in letters of any size.
+pub(super) fn begins_as_text(bytes: &[u8]) -> bool {
+    bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+}
+
 /// Reads either kind. The normals are passed over: corners are counter-clockwise from outside.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let beginning = &bytes[..bytes.len().min(HEADER)];
-    let text = beginning.trim_ascii_start().starts_with(b"solid") && !is_binary(bytes) && !beginning.contains(&0);
+    let text = begins_as_text(beginning) && !is_binary(bytes) && !beginning.contains(&0);
     let faces = if text { read_text(bytes) } else { read_binary(bytes) }?;
     let mut surface = faces.finish();
     weld(&mut surface);
@@ -57,7 +62,7 @@ fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
 fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     let mut faces = Faces::default();
     let mut corners = Vec::new();
-    let mut last = 1;
+    let (mut last, mut is_open) = (1, false);
     for line in lines(bytes) {
         last = line.number;
         let mut words = line.words();
@@ -71,8 +76,14 @@ fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
                 faces.push(&corners, || line.place())?;
                 corners.clear();
             }
+            Some(b"solid") => is_open = true,
+            Some(b"endsolid") => is_open = false,
             _ => {}
         }
     }
-    if corners.is_empty() { Ok(faces) } else { Err(SurfaceError::missing(Place::Line(last), "endloop")) }
+    match (corners.is_empty(), is_open) {
+        (true, false) => Ok(faces),
+        (false, _) => Err(SurfaceError::missing(Place::Line(last), "endloop")),
+        (true, true) => Err(SurfaceError::missing(Place::Line(last), "endsolid")),
+    }
 }

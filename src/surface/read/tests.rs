@@ -265,3 +265,23 @@ fn damaged_files_are_errors_or_other_surfaces_but_never_a_panic() {
         }
     }
 }
+
+#[test]
+fn marks_and_comments_before_the_first_vertex_take_nothing_away() {
+    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    let plain = read_surface("a.obj", square.as_bytes()).unwrap();
+    for before in ["\u{feff}", "# exported from C:\\models\\\n", "\u{feff}# C:\\\r\n"] {
+        let read = read_surface("a.obj", format!("{before}{square}").as_bytes()).unwrap();
+        assert_eq!((read.vertices, read.triangles), (plain.vertices.clone(), plain.triangles.clone()), "{before:?}");
+    }
+}
+
+#[test]
+fn a_text_stl_is_told_by_its_first_word_and_ends_with_its_last() {
+    let facet = "FACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\n";
+    let whole = format!("SOLID a\n{facet}ENDSOLID a\n");
+    assert_eq!(read_surface("a.stl", whole.as_bytes()).unwrap().triangles.len(), 1);
+    assert_eq!(read_surface("a", whole.as_bytes()).unwrap().triangles.len(), 1);
+    let error = read_surface("a.stl", format!("solid a\n{facet}").as_bytes()).unwrap_err();
+    assert!(error.to_string().contains("endsolid"), "{error}");
+}
