@@ -33,6 +33,8 @@ impl RiemapApp {
                 Event::Link(address) => {
                     if self.may(Control::Session) {
                         self.open_link(&address);
+                    } else {
+                        self.keeper.correct_address();
                     }
                 }
                 Event::GraphicsLost(reason) => self.message = Some(presentation::graphics_lost(&reason)),
@@ -58,17 +60,18 @@ impl RiemapApp {
     }
 
     fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
-        self.explore.keep();
-        self.keeper.touch();
         let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
         let content = files::read(purpose, name, bytes);
-        if let Ok(content) = &content
-            && !locked_by(content, purpose).iter().all(|&control| self.may(control))
-        {
+        if !locked_by(&content, purpose).iter().all(|&control| self.may(control)) {
             return;
+        }
+        if content.is_ok() {
+            self.explore.keep();
+            self.keeper.touch();
         }
         match content {
             Ok(Content::Image { name, bytes }) => {
+                self.message = None;
                 let limit = if matches!(purpose, FilePurpose::Trace(_)) { tracing::MAX_SIDE } else { limit };
                 platform::decode_image(purpose, name, bytes, limit, self.mailbox.clone());
             }
@@ -105,7 +108,10 @@ impl RiemapApp {
         match content {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
             Ok(Content::Image { .. }) => {} // is decoded first
-            Ok(Content::Session(session)) => self.open_session(*session),
+            Ok(Content::Session(session)) => {
+                self.message = None;
+                self.open_session(*session);
+            }
             Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(&name, bytes),
             Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
             Err(FileError::Common(message)) => self.message = Some(message),
@@ -128,7 +134,6 @@ impl RiemapApp {
             Ok(()) => {
                 self.image_name = Some(picture.name);
                 self.image = Some(Arc::new(picture.pixels));
-                self.message = None;
                 self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
             }
             Err(error) => self.message = Some(format!("{}: {error}", picture.name)),
@@ -146,13 +151,14 @@ impl RiemapApp {
     }
 }
 
-/// What a file would change.
-fn locked_by(content: &Content, purpose: FilePurpose) -> &'static [Control] {
+/// What a file would change, or could if it were repaired.
+fn locked_by(content: &Result<Content, FileError>, purpose: FilePurpose) -> &'static [Control] {
     match content {
-        Content::Outline(..) | Content::Surface { .. } => Control::OF_SHAPES,
-        Content::Image { .. } if matches!(purpose, FilePurpose::Trace(_)) => Control::OF_SHAPES,
-        Content::Image { .. } => &[Control::Pattern],
-        Content::Session(_) => &[Control::Session],
+        Ok(Content::Outline(..) | Content::Surface { .. }) | Err(FileError::Outline(..)) => Control::OF_SHAPES,
+        Ok(Content::Image { .. }) if matches!(purpose, FilePurpose::Trace(_)) => Control::OF_SHAPES,
+        Ok(Content::Image { .. }) => &[Control::Pattern],
+        Ok(Content::Session(_)) => &[Control::Session],
+        Err(FileError::Common(_)) => &[],
     }
 }
 
@@ -160,7 +166,9 @@ fn locked_by(content: &Content, purpose: FilePurpose) -> &'static [Control] {
 #[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::*;
+    use crate::app::explore::ExploreAction;
     use crate::app::tests::ready_app;
+    use crate::app::{Action, Session};
     use crate::worker::{self, SurfaceSource, Task};
     use egui_kittest::Harness;
     use egui_kittest::kittest::Queryable;
@@ -207,6 +215,25 @@ mod tests {
         harness.try_run().unwrap();
         assert!(!harness.ctx.has_requested_repaint());
         harness
+    }
+
+    #[test]
+    fn another_picture_ends_the_tour_and_a_file_without_one_does_not() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let begin = |app: &mut RiemapApp| {
+            app.carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
+            assert!(app.explore.is_touring());
+        };
+        let app = harness.state_mut();
+        begin(app);
+        app.take_file(FilePurpose::Outline(Side::Source), "bow.csv", Ok(b"0,0\n1,1\n1,0\n0,1\n".to_vec()));
+        assert!(app.explore.is_touring() && !app.errors().is_empty());
+        app.open_session(Session::default());
+        assert!(!app.explore.is_touring());
+        begin(app);
+        app.take_file(FilePurpose::Outline(Side::Source), "square.csv", Ok(b"0,0\n1,0\n1,1\n0,1\n".to_vec()));
+        assert!(!app.explore.is_touring());
     }
 
     #[test]

@@ -76,6 +76,20 @@ fn a_file_does_not_reset_locked_points() {
 }
 
 #[test]
+fn a_file_that_could_be_repaired_is_not_offered_where_shapes_are_locked() {
+    let spike = b"0,0\n2,0\n2,1\n3,1\n2,1\n2,2\n0,2\n";
+    for locked in [false, true] {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let app = harness.state_mut();
+        app.options.locks = if locked { Locks::default().with(Control::Outline) } else { Locks::default() };
+        app.take_file(FilePurpose::Outline(Side::Source), "spike.csv", Ok(spike.to_vec()));
+        let remedy = app.model.side(Side::Source).error.as_ref().and_then(|trouble| trouble.remedy.as_ref());
+        assert_eq!(remedy.is_some(), !locked);
+        assert_eq!(app.message.is_some(), locked);
+    }
+}
+
+#[test]
 fn a_locked_panel_stays_folded() {
     let mut harness = ready_app([1200.0, 800.0]);
     let context = harness.ctx.clone();

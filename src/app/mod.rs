@@ -61,6 +61,7 @@ mod teaching;
 mod textured;
 mod theme;
 mod top_bar;
+mod touches;
 mod tracing;
 mod trouble;
 mod view;
@@ -224,6 +225,7 @@ impl RiemapApp {
     /// Shows another session in place of this one; what it shares is not prepared again. Where sessions are locked, only
     /// the page around the app may do so: its session is the one to begin with, and no undo leads behind it.
     pub fn open_session(&mut self, session: Session) {
+        self.explore.keep();
         if self.options.locks.holds(Control::Session) {
             self.keeper.begin_anew();
         } else {
@@ -258,6 +260,7 @@ impl eframe::App for RiemapApp {
     }
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
+        touches::end_cancelled(&mut input.events);
         // egui would draw two frames for what stays in here
         self.dropped.append(&mut input.dropped_files);
         let folds = self.keyboard.take_in(context, input);

@@ -142,6 +142,7 @@ impl Preparation {
 
     /// Wants another outline, at once.
     pub fn want_outline(&mut self, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+        self.error = None;
         self.wanted.outline = outline;
         self.incoming_notes = notes;
         self.running = None;
@@ -175,6 +176,7 @@ impl Preparation {
     /// Wants another discretisation, once the wish has rested.
     pub fn want_settings(&mut self, settings: crate::conformal::PrepareSettings, now: f64) {
         if settings != self.wanted.settings {
+            self.error = None;
             self.wanted.settings = settings;
             self.due = Some(now + SETTLE_SECONDS);
         }
@@ -255,7 +257,6 @@ impl Preparation {
         if new_outline {
             self.notes = running.notes;
         }
-        self.error = None;
         if self.due.is_none() {
             self.forget_reshaping();
         }
@@ -351,6 +352,19 @@ mod tests {
         assert!(side.error.is_some());
         assert!(Arc::ptr_eq(&good, side.domain().unwrap()));
         assert_eq!(side.wanted().outline, OutlineSpec::Preset(Preset::Gingerbread));
+    }
+
+    #[test]
+    fn an_error_about_something_else_outlives_what_is_under_way() {
+        let mut side = coarse();
+        let request = side.take_request(0.0).unwrap();
+        side.error = Some(Trouble::new("another file: no".into()));
+        for (generation, response) in answers(&request) {
+            side.accept(generation, response);
+        }
+        assert!(side.domain().is_some() && side.error.is_some());
+        side.want_outline(OutlineSpec::Preset(Preset::Gingerbread), Vec::new());
+        assert!(side.error.is_none());
     }
 
     #[test]

@@ -10,6 +10,7 @@ impl RiemapApp {
     pub(super) fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
         let at_rest = self.model.is_ready().then(|| self.model.session());
         let Some(session) = to(&mut self.keeper, at_rest) else { return };
+        self.explore.keep();
         self.handles.release();
         self.editor.drop_handle();
         self.show_session(session);
@@ -53,6 +54,7 @@ impl RiemapApp {
     pub(super) fn open_link(&mut self, address: &str) {
         if let Err(reason) = self.try_link(address) {
             self.message = Some(format!("The link could not be opened: {reason}"));
+            self.keeper.correct_address();
         }
     }
 

@@ -141,6 +141,13 @@ impl Keeper {
         self.missing = missing;
     }
 
+    /// What stands in the address was refused: it shows the session again.
+    pub fn correct_address(&mut self) {
+        if let Some(public) = &mut self.public {
+            public.correct_address();
+        }
+    }
+
     /// Takes in a session that has come to rest, at a time in seconds; the first one is where the history begins.
     pub fn settle(&mut self, session: &Session, now: f64) -> Settled {
         let moves = self.moves_in(session);

@@ -25,6 +25,11 @@ impl Public {
         self.owes_copy |= by_person;
     }
 
+    /// The address shows something else than the session.
+    pub fn correct_address(&mut self) {
+        self.owes_address = true;
+    }
+
     /// Pays what is owed, at a time in seconds.
     pub fn pay(&mut self, session: &Session, now: f64) -> Settled {
         let mut settled = Settled::default();

@@ -202,3 +202,12 @@ fn a_large_session_is_copied_once_in_a_while() {
     let copy = keeper.settle(&large, 10.0 + COPY_SECONDS).copy;
     assert_eq!(file::read(copy.unwrap().as_bytes()), Ok(large));
 }
+
+#[test]
+fn an_address_that_was_refused_shows_the_session_again() {
+    let mut keeper = Keeper::new(scaled(1.0), true);
+    keeper.settle(&scaled(1.0), 0.0);
+    assert_eq!(keeper.settle(&scaled(1.0), 1.0), Settled::default());
+    keeper.correct_address();
+    assert_eq!(keeper.settle(&scaled(1.0), 2.0), Settled { address: address(&scaled(1.0)), ..Settled::default() });
+}

@@ -148,6 +148,7 @@ impl SurfacePreparation {
             let due = if slides { now + SETTLE_SECONDS } else { f64::NEG_INFINITY };
             self.want(Wish { spec: spec.clone(), source }, due);
         } else if let SurfaceShape::File { name } = &spec.shape {
+            (self.due, self.running) = (None, None);
             let text = "This surface travels as a file of its own: open that file here, or drop it.";
             self.error = Some(Trouble::new(format!("{name}: {text}")));
         }
@@ -290,6 +291,18 @@ mod tests {
         assert!(preparation.surface().is_none());
         assert_eq!(answer(&mut preparation, &second), None);
         assert!(preparation.error.as_ref().unwrap().text.starts_with("a.obj: "));
+    }
+
+    #[test]
+    fn what_is_under_way_is_not_taken_for_a_file_that_is_missing() {
+        let mut preparation = SurfacePreparation::default();
+        preparation.want_spec(&hemisphere(), 0.0);
+        let request = preparation.take_request(f64::INFINITY).unwrap();
+        let shape = SurfaceShape::File { name: "missing.obj".into() };
+        assert!(preparation.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, 0.0));
+        assert!(preparation.error.as_ref().unwrap().text.starts_with("missing.obj: "));
+        assert_eq!(answer(&mut preparation, &request), None);
+        assert!(preparation.surface().is_none() && preparation.error.is_some());
     }
 
     #[test]
