@@ -18,6 +18,7 @@ mod farthest;
 mod fill;
 mod head;
 mod nearest;
+mod orient;
 mod preset;
 mod read;
 mod repair;

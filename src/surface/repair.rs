@@ -5,8 +5,9 @@
 //! in no triangle are dropped; all holes but the longest boundary loop are filled. What would
 //! need a guess (edges of three triangles, vertices that join parts, flat triangles) stays an error.
 
-use super::edges::{EdgeTable, ends};
+use super::edges::EdgeTable;
 use super::fill::fill_holes;
+use super::orient::turned;
 use super::survey::{check_edges, check_values, components, connectivity, repeats};
 use super::{LoopReport, Surface, TopologyError};
 
@@ -116,52 +117,15 @@ fn twins_of(surface: &Surface) -> Result<Vec<u32>, TopologyError> {
 fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
     let twins = twins_of(&repaired.surface)?;
     let triangles = &mut repaired.surface.triangles;
-    let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
-    for start in 0..triangles.len() {
-        if turned[start].is_some() {
-            continue;
-        }
-        let members = orient_component(triangles, &twins, start, &mut turned)?;
-        let many = members.iter().filter(|&&t| turned[t] == Some(true)).count() > members.len() / 2;
-        for t in members.into_iter().filter(|_| many) {
-            turned[t] = turned[t].map(|turned| !turned);
-        }
-    }
-    let mut count = 0;
-    for (corners, _) in triangles.iter_mut().zip(&turned).filter(|(_, turned)| **turned == Some(true)) {
+    let turned = turned(triangles, &twins)?;
+    for (corners, _) in triangles.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
         corners.swap(1, 2);
-        count += 1;
     }
+    let count = turned.iter().filter(|turned| **turned).count();
     if count > 0 {
         repaired.notes.push(RepairNote::Oriented { count });
     }
     Ok(())
-}
-
-/// Which triangles of the component of `start` must be turned to agree with it; its members.
-fn orient_component(
-    triangles: &[[u32; 3]],
-    twins: &[u32],
-    start: usize,
-    turned: &mut [Option<bool>],
-) -> Result<Vec<usize>, TopologyError> {
-    turned[start] = Some(false);
-    let (mut pending, mut members) = (vec![start], Vec::new());
-    while let Some(t) = pending.pop() {
-        members.push(t);
-        for (half, &twin) in (3 * t as u32..).zip(&twins[3 * t..3 * t + 3]).filter(|(_, twin)| **twin != u32::MAX) {
-            let same = ends(triangles, half) == ends(triangles, twin);
-            let wanted = turned[t].map(|turned| turned != same);
-            let other = twin as usize / 3;
-            if turned[other].is_none() {
-                turned[other] = wanted;
-                pending.push(other);
-            } else if turned[other] != wanted {
-                return Err(TopologyError::OneSided { triangle: other as u32 });
-            }
-        }
-    }
-    Ok(members)
 }
 
 /// Of equally large components, the one that comes first.

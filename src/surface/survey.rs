@@ -4,6 +4,7 @@
 //! it found: loops are walked only where every edge has at most two triangles of equal orientation.
 
 use super::edges::{EdgeTable, ends};
+use super::orient::turned;
 use super::{LoopReport, Surface, TopologyError};
 use crate::geometry::DVec3;
 
@@ -86,6 +87,7 @@ pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result
     let halves = (0..twins.len() as u32).zip(twins).filter(|&(half, &twin)| twin != u32::MAX && half < twin);
     let mut wrong = halves.filter(|&(half, &twin)| ends(triangles, half) == ends(triangles, twin));
     let Some((half, &twin)) = wrong.next() else { return Ok(()) };
+    turned(triangles, twins)?; // with one side only there is none to be found
     let edge = ends(triangles, half);
     Err(TopologyError::Orientation { edge, triangles: [half / 3, twin / 3], count: 1 + wrong.count() })
 }
@@ -209,8 +211,8 @@ impl Connectivity {
         let genus = self.genus(surface.vertices.len());
         match self.loops.len() {
             0 => Err(TopologyError::Closed { genus }),
-            1 if genus == 0 => Ok(()),
-            1 => Err(TopologyError::Genus { genus }),
+            _ if genus > 0 => Err(TopologyError::Genus { genus }),
+            1 => Ok(()),
             _ => Err(TopologyError::Loops { loops: self.loops.iter().map(|l| report(surface, l)).collect() }),
         }
     }

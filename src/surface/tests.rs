@@ -127,7 +127,7 @@ fn a_moebius_strip_has_one_side() {
         [[a, c, b], [b, c, d]]
     };
     let strip = Surface { vertices, triangles: (0..5).flat_map(square).collect(), notes: Vec::new() };
-    assert!(matches!(error(&strip), TopologyError::Orientation { .. }));
+    assert!(matches!(error(&strip), TopologyError::OneSided { .. }));
     assert!(matches!(SurfaceMesh::repaired(&strip), Err(TopologyError::OneSided { .. })));
 }
 
@@ -151,6 +151,9 @@ fn loops_and_handles_are_counted() {
     assert_eq!(error(&torus(8, 6)), TopologyError::Closed { genus: 1 });
     let mut open = torus(8, 6);
     open.triangles.remove(0);
+    assert_eq!(error(&open), TopologyError::Genus { genus: 1 });
+    // no two neighbours: another loop, and the handle is still what cannot be repaired
+    open.triangles.remove(40);
     assert_eq!(error(&open), TopologyError::Genus { genus: 1 });
     let mut surface = grid(4);
     // the two squares in the middle of the second row

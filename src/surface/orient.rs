@@ -1,0 +1,47 @@
+//! Which triangles to turn round so that neighbours run along their edge in opposite directions.
+
+use super::TopologyError;
+use super::edges::ends;
+
+/// Whether to turn each triangle: of each component those that are fewer. A surface with one side has no orientation.
+/// Cost O(n).
+pub(super) fn turned(triangles: &[[u32; 3]], twins: &[u32]) -> Result<Vec<bool>, TopologyError> {
+    let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
+    for start in 0..triangles.len() {
+        if turned[start].is_some() {
+            continue;
+        }
+        let members = orient_component(triangles, twins, start, &mut turned)?;
+        let many = members.iter().filter(|&&t| turned[t] == Some(true)).count() > members.len() / 2;
+        for t in members.into_iter().filter(|_| many) {
+            turned[t] = turned[t].map(|turned| !turned);
+        }
+    }
+    Ok(turned.into_iter().map(|turned| turned == Some(true)).collect())
+}
+
+/// Which triangles of the component of `start` must be turned to agree with it; its members.
+fn orient_component(
+    triangles: &[[u32; 3]],
+    twins: &[u32],
+    start: usize,
+    turned: &mut [Option<bool>],
+) -> Result<Vec<usize>, TopologyError> {
+    turned[start] = Some(false);
+    let (mut pending, mut members) = (vec![start], Vec::new());
+    while let Some(t) = pending.pop() {
+        members.push(t);
+        for (half, &twin) in (3 * t as u32..).zip(&twins[3 * t..3 * t + 3]).filter(|(_, twin)| **twin != u32::MAX) {
+            let same = ends(triangles, half) == ends(triangles, twin);
+            let wanted = turned[t].map(|turned| turned != same);
+            let other = twin as usize / 3;
+            if turned[other].is_none() {
+                turned[other] = wanted;
+                pending.push(other);
+            } else if turned[other] != wanted {
+                return Err(TopologyError::OneSided { triangle: other as u32 });
+            }
+        }
+    }
+    Ok(members)
+}
