@@ -20,7 +20,7 @@ impl RiemapApp {
                         self.player.pause();
                     }
                     if command.replaces_shapes() {
-                        self.explore.keep();
+                        self.end_tour();
                     }
                     self.keeper.touch();
                     self.model.dispatch(command, now);
@@ -40,13 +40,13 @@ impl RiemapApp {
                 Action::Fit(side) => self.views[side as usize].fit(),
                 Action::Edit(action) => {
                     if matches!(action, EditAction::Close | EditAction::TakePasted) {
-                        self.explore.keep();
+                        self.end_tour();
                     }
                     self.keeper.touch();
                     self.editor.act(action, &mut self.model, &mut self.views);
                 }
                 Action::PasteText(text) => {
-                    self.explore.keep();
+                    self.end_tour();
                     self.keeper.touch();
                     self.editor.take_text(text, &mut self.model, &mut self.views);
                 }
@@ -77,6 +77,11 @@ impl RiemapApp {
         if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
             self.model.act_on_walks(WalkAction::Toggle);
         }
+    }
+
+    /// Another picture takes the tour's place: it stays, and what the tour has set in motion does not.
+    pub(super) fn end_tour(&mut self) {
+        self.explore(ExploreAction::LeaveTour { keeps: true });
     }
 
     fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {

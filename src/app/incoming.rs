@@ -65,9 +65,8 @@ impl RiemapApp {
         if !locked_by(&content, purpose).iter().all(|&control| self.may(control)) {
             return;
         }
-        if content.is_ok() {
-            self.explore.keep();
-            self.keeper.touch();
+        if content.as_ref().is_ok_and(|content| !matches!(content, Content::Image { .. })) {
+            self.begin_change();
         }
         match content {
             Ok(Content::Image { name, bytes }) => {
@@ -79,8 +78,17 @@ impl RiemapApp {
         }
     }
 
+    /// What the person has brought changes the session.
+    fn begin_change(&mut self) {
+        self.end_tour();
+        self.keeper.touch();
+    }
+
     /// An image was decoded, or could not be.
     fn take_image(&mut self, purpose: FilePurpose, name: String, pixels: Result<image::RgbaImage, String>) {
+        if pixels.is_ok() {
+            self.begin_change();
+        }
         match (purpose, pixels) {
             (FilePurpose::Trace(side), Ok(pixels)) => self.take(files::traced(side, &Picture { name, pixels })),
             (FilePurpose::Trace(side), Err(reason)) => {

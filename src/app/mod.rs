@@ -97,6 +97,7 @@ use reports::{Report, Reports};
 use status::FrameMeter;
 use std::sync::{Arc, mpsc};
 use surface::OrbitView;
+use touches::Touches;
 use view::View;
 
 /// Below this width (in points) the viewports are stacked and the controls become a sheet.
@@ -129,6 +130,7 @@ pub struct RiemapApp {
     panels_open: bool,
     sheet_open: bool,
     keyboard: Keyboard,
+    touches: Touches,
     /// How many times a control was said, and which theme is shown: for [`Stats`].
     spoken: u64,
     theme: egui::Theme,
@@ -194,6 +196,7 @@ impl RiemapApp {
             panels_open: !options.embed,
             sheet_open: false,
             keyboard: Keyboard::default(),
+            touches: Touches::default(),
             spoken: 0,
             theme: egui::Theme::Dark,
             has_fingers: platform::has_fingers(),
@@ -225,7 +228,7 @@ impl RiemapApp {
     /// Shows another session in place of this one; what it shares is not prepared again. Where sessions are locked, only
     /// the page around the app may do so: its session is the one to begin with, and no undo leads behind it.
     pub fn open_session(&mut self, session: Session) {
-        self.explore.keep();
+        self.end_tour();
         if self.options.locks.holds(Control::Session) {
             self.keeper.begin_anew();
         } else {
@@ -260,7 +263,7 @@ impl eframe::App for RiemapApp {
     }
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
-        touches::end_cancelled(&mut input.events);
+        self.touches.take_in(&mut input.events);
         // egui would draw two frames for what stays in here
         self.dropped.append(&mut input.dropped_files);
         let folds = self.keyboard.take_in(context, input);

@@ -57,6 +57,8 @@ pub struct Preparation {
     domain: Option<Arc<PreparedDomain>>,
     /// What to say about the last wish, if it failed.
     pub error: Option<Trouble>,
+    /// Whether it is a preparation that has failed: another one that succeeds makes up for that.
+    has_failed: bool,
     /// What was noticed when the outline was read.
     pub notes: Vec<OutlineNote>,
     incoming_notes: Vec<OutlineNote>,
@@ -75,6 +77,7 @@ impl Preparation {
             running: None,
             domain: None,
             error: None,
+            has_failed: false,
             notes: Vec::new(),
             incoming_notes: Vec::new(),
             reshaped: None,
@@ -142,7 +145,7 @@ impl Preparation {
 
     /// Wants another outline, at once.
     pub fn want_outline(&mut self, outline: OutlineSpec, notes: Vec<OutlineNote>) {
-        self.error = None;
+        self.forget_error();
         self.wanted.outline = outline;
         self.incoming_notes = notes;
         self.running = None;
@@ -152,7 +155,7 @@ impl Preparation {
 
     /// Wants the outline in another form, as soon as the one under way is done.
     pub fn want_reshaped(&mut self, outline: OutlineSpec, reshaped: Reshaped) {
-        self.error = None;
+        self.forget_error();
         self.wanted.outline = outline;
         self.reshaped = Some(reshaped);
         self.due = Some(f64::NEG_INFINITY);
@@ -160,7 +163,7 @@ impl Preparation {
 
     /// Wants `spec`, at once; whether it has to be prepared.
     pub fn want_spec(&mut self, spec: &DomainSpec) -> bool {
-        self.error = None;
+        self.forget_error();
         let prepared = !self.is_busy() && self.prepared_from.as_ref() == Some(spec);
         self.wanted = spec.clone();
         self.reshaped = None;
@@ -176,7 +179,7 @@ impl Preparation {
     /// Wants another discretisation, once the wish has rested.
     pub fn want_settings(&mut self, settings: crate::conformal::PrepareSettings, now: f64) {
         if settings != self.wanted.settings {
-            self.error = None;
+            self.forget_error();
             self.wanted.settings = settings;
             self.due = Some(now + SETTLE_SECONDS);
         }
@@ -184,7 +187,7 @@ impl Preparation {
 
     /// Asks for the same once more.
     pub fn retry(&mut self) {
-        self.error = None;
+        self.forget_error();
         self.due = Some(f64::NEG_INFINITY);
     }
 
@@ -247,7 +250,7 @@ impl Preparation {
     pub fn worker_died(&mut self, reason: &str) {
         if self.running.take().is_some() {
             let text = format!("The preparation stopped unexpectedly ({reason}). The map shown is the last one.");
-            self.error = Some(Trouble { text, remedy: Some(Remedy::Retry) });
+            (self.error, self.has_failed) = (Some(Trouble { text, remedy: Some(Remedy::Retry) }), true);
         }
     }
 
@@ -256,6 +259,9 @@ impl Preparation {
         let new_outline = self.prepared_from.as_ref().is_none_or(|old| old.outline != running.spec.outline);
         if new_outline {
             self.notes = running.notes;
+        }
+        if std::mem::take(&mut self.has_failed) {
+            self.error = None;
         }
         if self.due.is_none() {
             self.forget_reshaping();
@@ -270,9 +276,13 @@ impl Preparation {
         self.reshaped = self.reshaped.filter(|reshaped| reshaped.in_hand);
     }
 
+    fn forget_error(&mut self) {
+        (self.error, self.has_failed) = (None, false);
+    }
+
     /// Goes back to the last good outline; the settings stay as the person left them.
     fn fail(&mut self, message: String) {
-        self.error = Some(Trouble::new(message));
+        (self.error, self.has_failed) = (Some(Trouble::new(message)), true);
         self.forget_reshaping();
         if let Some(good) = &self.prepared_from {
             self.wanted.outline = good.outline.clone();
@@ -364,6 +374,18 @@ mod tests {
         }
         assert!(side.domain().is_some() && side.error.is_some());
         side.want_outline(OutlineSpec::Preset(Preset::Gingerbread), Vec::new());
+        assert!(side.error.is_none());
+        // and one about a preparation ends with the next that succeeds
+        side.take_request(0.0).unwrap();
+        let mut settings = side.wanted().settings;
+        settings.sampling = Sampling::Uniform { count: 80, keep_corners: false };
+        side.want_settings(settings, 1.0);
+        side.worker_died("no memory");
+        let request = side.take_request(f64::INFINITY).unwrap();
+        assert!(side.error.is_some());
+        for (generation, response) in answers(&request) {
+            side.accept(generation, response);
+        }
         assert!(side.error.is_none());
     }
 

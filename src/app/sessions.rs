@@ -10,7 +10,7 @@ impl RiemapApp {
     pub(super) fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
         let at_rest = self.model.is_ready().then(|| self.model.session());
         let Some(session) = to(&mut self.keeper, at_rest) else { return };
-        self.explore.keep();
+        self.end_tour();
         self.handles.release();
         self.editor.drop_handle();
         self.show_session(session);

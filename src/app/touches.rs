@@ -1,38 +1,87 @@
 //! Touches that the system takes away: by a gesture of its own, a call, a palm.
 
-use egui::{Event, Modifiers, PointerButton, TouchPhase};
+use egui::{Event, Modifiers, PointerButton, TouchId, TouchPhase, vec2};
 
-/// Lets go of what a cancelled touch has held; browsers tell of it, but not that the pointer is up.
-pub fn end_cancelled(events: &mut Vec<Event>) {
-    let released = |event: &Event| {
-        let Event::Touch { phase: TouchPhase::Cancel, pos, .. } = *event else { return None };
-        let button =
-            Event::PointerButton { pos, button: PointerButton::Primary, pressed: false, modifiers: Modifiers::NONE };
-        Some([button, Event::PointerGone])
-    };
-    let ends: Vec<Event> = events.iter().filter_map(released).flatten().collect();
-    events.extend(ends);
+/// Farther than a press may move and be a click.
+const AWAY: egui::Vec2 = vec2(1e4, 0.0);
+
+/// Which touch holds the pointer.
+#[derive(Debug, Default)]
+pub struct Touches {
+    first: Option<TouchId>,
+}
+
+impl Touches {
+    /// Lets go of what a cancelled touch has held, without a click: of a cancelled touch egui is not told that the
+    /// pointer is up.
+    pub fn take_in(&mut self, events: &mut Vec<Event>) {
+        for event in std::mem::take(events) {
+            let Event::Touch { id, phase, pos, .. } = event else {
+                events.push(event);
+                continue;
+            };
+            events.push(event);
+            match phase {
+                TouchPhase::Start => self.first = self.first.or(Some(id)),
+                TouchPhase::Move => {}
+                TouchPhase::End | TouchPhase::Cancel if self.first != Some(id) => {}
+                TouchPhase::End => self.first = None,
+                TouchPhase::Cancel => {
+                    self.first = None;
+                    let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+                    events.extend([
+                        Event::PointerMoved(pos + AWAY),
+                        Event::PointerMoved(pos),
+                        Event::PointerButton { pos, button, pressed: false, modifiers },
+                        Event::PointerGone,
+                    ]);
+                }
+            }
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use egui::{Context, RawInput, TouchDeviceId, TouchId, pos2};
+    use egui::{Context, Pos2, RawInput, Rect, Sense, TouchDeviceId, pos2};
+
+    const PLACE: Pos2 = pos2(20.0, 30.0);
+
+    fn touch(finger: u64, phase: TouchPhase) -> Event {
+        Event::Touch { device_id: TouchDeviceId(0), id: TouchId(finger), phase, pos: PLACE, force: None }
+    }
+
+    fn button(pressed: bool) -> Event {
+        Event::PointerButton { pos: PLACE, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
+    }
+
+    /// Whether the pointer is down after each frame, and whether what lies there was ever clicked.
+    fn after(frames: Vec<Vec<Event>>) -> (Vec<bool>, bool) {
+        let (context, mut touches, mut is_clicked) = (Context::default(), Touches::default(), false);
+        let mut is_down = Vec::new();
+        for mut events in [vec![], vec![Event::PointerMoved(PLACE)]].into_iter().chain(frames) {
+            touches.take_in(&mut events);
+            let input = RawInput { events, ..RawInput::default() };
+            let mut shown = context.run_ui(input, |ui| {
+                let place = Rect::from_center_size(PLACE, vec2(20.0, 20.0));
+                is_clicked |= ui.interact(place, egui::Id::unique("button"), Sense::click_and_drag()).clicked();
+            });
+            shown.textures_delta.clear();
+            is_down.push(context.input(|input| input.pointer.any_down()));
+        }
+        (is_down.split_off(2), is_clicked)
+    }
 
     #[test]
-    fn a_cancelled_touch_holds_nothing_any_more() {
-        let (context, pos) = (Context::default(), pos2(20.0, 30.0));
-        let touch = |phase| Event::Touch { device_id: TouchDeviceId(0), id: TouchId(1), phase, pos, force: None };
-        let press =
-            Event::PointerButton { pos, button: PointerButton::Primary, pressed: true, modifiers: Modifiers::NONE };
-        let is_down = |mut events: Vec<Event>| {
-            end_cancelled(&mut events);
-            let input = RawInput { events, ..RawInput::default() };
-            context.run_ui(input, |_| {}).textures_delta.clear();
-            context.input(|input| input.pointer.any_down())
-        };
-        assert!(is_down(vec![touch(TouchPhase::Start), press]));
-        assert!(is_down(vec![touch(TouchPhase::Move)]));
-        assert!(!is_down(vec![touch(TouchPhase::Cancel)]));
+    fn a_cancelled_touch_holds_nothing_any_more_and_clicks_nothing() {
+        use TouchPhase::{Cancel, End, Start};
+        let press = || vec![touch(1, Start), button(true)];
+        assert_eq!(after(vec![press(), vec![touch(1, End), button(false)]]), (vec![true, false], true));
+        assert_eq!(after(vec![press(), vec![touch(1, Cancel)]]), (vec![true, false], false));
+        // the next finger may come in the same frame, and a palm holds nothing
+        let again = vec![touch(1, Cancel), touch(2, Start), button(true)];
+        assert_eq!(after(vec![press(), again]), (vec![true, true], false));
+        assert_eq!(after(vec![press(), vec![touch(2, Start)], vec![touch(2, Cancel)]]), (vec![true; 3], false));
     }
 }

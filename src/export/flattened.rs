@@ -108,8 +108,10 @@ impl<'a> Flattened<'a> {
         let (count, corners) = (self.vertices.len(), 3 * self.triangles.len());
         let mut buffer = Vec::with_capacity(20 * count + 4 * corners);
         let mut push = |value: f64| buffer.extend((value as f32).to_le_bytes());
-        let (middle, size) = frame_of(self.vertices);
-        let placed = |p: DVec3| (p - middle) / size;
+        let (middle, size) = self.frame();
+        // a vertex in no triangle may be anywhere
+        let most = DVec3::splat(f64::from(f32::MAX));
+        let placed = |p: DVec3| ((p - middle) / size).clamp(-most, most);
         self.rows().for_each(|(p, _)| placed(p).to_array().into_iter().for_each(&mut push));
         self.rows().for_each(|(_, uv)| [uv.x, 1.0 - uv.y].into_iter().for_each(&mut push));
         self.triangles.as_flattened().iter().for_each(|v| buffer.extend(v.to_le_bytes()));
@@ -151,6 +153,24 @@ impl<'a> Flattened<'a> {
         bytes
     }
 
+    /// Where a GLB's f32 have their origin, and their unit: those of the world, unless the triangles are so far from its
+    /// origin, so large or so small, that they would not carry their shape.
+    fn frame(&self) -> (DVec3, f64) {
+        const FARTHEST: f64 = 16.0;
+        const SIZES: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
+        let (low, high) = self
+            .triangles
+            .iter()
+            .flatten()
+            .map(|&v| self.vertices[v as usize])
+            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
+        let (middle, extent) = (low.midpoint(high), (high - low).max_element());
+        if SIZES.contains(&extent) && middle.abs().max_element() <= FARTHEST * extent {
+            return (DVec3::ZERO, 1.0);
+        }
+        (middle, extent)
+    }
+
     /// The edges of the layout, 1000 units across, v upwards.
     fn svg(&self) -> String {
         const ACROSS: f64 = 1000.0;
@@ -171,20 +191,6 @@ impl<'a> Flattened<'a> {
         text.push_str("\"/>\n</svg>\n");
         text
     }
-}
-
-/// Where the vertices' f32 have their origin, and their unit: those of the world, unless the surface is so far from its
-/// origin, so large or so small, that they would not carry its shape.
-fn frame_of(vertices: &[DVec3]) -> (DVec3, f64) {
-    const FARTHEST: f64 = 16.0;
-    const SIZES: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
-    let (low, high) =
-        vertices.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
-    let (middle, extent) = (low.midpoint(high), (high - low).max_element());
-    if SIZES.contains(&extent) && middle.abs().max_element() <= FARTHEST * extent {
-        return (DVec3::ZERO, 1.0);
-    }
-    (middle, if extent > 0.0 && extent.is_finite() { extent } else { 1.0 })
 }
 
 /// Takes the bounding box of the coordinates to [0, 1]², its larger side to a whole side.

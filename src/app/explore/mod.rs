@@ -101,11 +101,6 @@ impl Explore {
         self.tour.is_some()
     }
 
-    /// Another picture has taken the tour's place: it stays.
-    pub fn keep(&mut self) {
-        self.tour = None;
-    }
-
     /// What the tour says now.
     pub fn words(&self) -> Option<[&'static str; 2]> {
         let stop = tour::steps().get(self.step()?)?;

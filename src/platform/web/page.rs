@@ -47,6 +47,7 @@ async fn run() -> Result<(), String> {
     let runner = WebRunner::new();
     let groundwork = Groundwork::resume();
     address::follow(groundwork.mailbox());
+    wake_when_cancelled(&canvas, groundwork.mailbox());
     let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
     runner.start(canvas, web_options(), creator).await.map_err(|error| {
         log::error!("{error:?}");
@@ -109,6 +110,13 @@ fn watch_canvas(canvas: &HtmlCanvasElement) {
     // Listening for a named event does not fail.
     let _ = canvas.add_event_listener_with_callback("webglcontextlost", lost.as_ref().unchecked_ref());
     lost.forget();
+}
+
+/// A touch that is taken away lets go in a frame that nobody else asks for.
+fn wake_when_cancelled(canvas: &HtmlCanvasElement, mailbox: Mailbox) {
+    let cancelled = Closure::<dyn FnMut()>::new(move || mailbox.wake());
+    let _ = canvas.add_event_listener_with_callback("touchcancel", cancelled.as_ref().unchecked_ref());
+    cancelled.forget();
 }
 
 /// Stops drawing and says why. A frame may be under way: what it uses is given back after it.

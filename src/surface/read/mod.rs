@@ -40,7 +40,8 @@ pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceErr
         return Err(SurfaceError::TooLarge { bytes: bytes.len() });
     }
     // editors put the mark of UTF-8 before text
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    let text = bytes.strip_prefix(b"\xEF\xBB\xBF").filter(|_| !stl::is_binary(bytes));
+    let bytes = text.unwrap_or(bytes);
     let extension = file_name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase();
     let surface = match extension.as_str() {
         "obj" => obj::read(bytes),

@@ -6,9 +6,10 @@
 
 use crate::geometry::{DVec2, DVec3};
 
-/// The sine of the least turn that counts: the corners of a plane polygon that is turned in space are rounded by 1e-16
-/// of its size, and one in the middle of an edge would else be the tip of a triangle without area.
-const LEAST_TURN: f64 = 1e-12;
+/// Sines of the least turn that counts, the second where the first leaves no ear. Corners in the middle of an edge turn by
+/// what they are rounded by, 1e-7 to 1e-6 in files with six decimals, and would be the tips of triangles without
+/// area; of a corner that is meant, 1e-5 is the length of a finger on a kilometre.
+const LEAST_TURNS: [f64; 2] = [1e-5, 1e-12];
 
 /// Appends the `corners.len() − 2` triangles of a polygon with at least 3 corners. Cost O(k), O(k²)
 /// and rarely more if it is not convex.
@@ -17,7 +18,8 @@ pub(super) fn triangulate(vertices: &[DVec3], corners: &[u32], triangles: &mut V
     let mut rest: Vec<usize> = (0..corners.len()).collect();
     if !is_convex(&points) {
         while rest.len() > 3 {
-            let Some(k) = (0..rest.len()).find(|&k| is_ear(&points, &rest, k)) else { break };
+            let ear = |least: f64| (0..rest.len()).find(|&k| is_ear(&points, &rest, k, least));
+            let Some(k) = LEAST_TURNS.into_iter().find_map(ear) else { break };
             let [a, b, c] = around(&rest, k);
             triangles.push([corners[a], corners[b], corners[c]]);
             rest.remove(k);
@@ -49,7 +51,7 @@ fn turn(a: DVec2, b: DVec2, p: DVec2) -> f64 {
 /// Whether every corner turns left; the fan of a polygon that also winds twice is as good as any.
 fn is_convex(points: &[DVec2]) -> bool {
     let m = points.len();
-    (0..m).all(|k| turn(points[k], points[(k + 1) % m], points[(k + 2) % m]) > LEAST_TURN)
+    (0..m).all(|k| turn(points[k], points[(k + 1) % m], points[(k + 2) % m]) > LEAST_TURNS[0])
 }
 
 /// Position `k` of the remaining polygon with its neighbours.
@@ -58,13 +60,13 @@ fn around(rest: &[usize], k: usize) -> [usize; 3] {
     [rest[(k + count - 1) % count], rest[k], rest[(k + 1) % count]]
 }
 
-/// Whether the corner turns left and no other corner lies in its closed triangle.
-fn is_ear(points: &[DVec2], rest: &[usize], k: usize) -> bool {
+/// Whether the corner turns left by more than `least`, and no other corner lies in its closed triangle or so near to it.
+fn is_ear(points: &[DVec2], rest: &[usize], k: usize, least: f64) -> bool {
     let [i, j, l] = around(rest, k);
     let [a, b, c] = [points[i], points[j], points[l]];
-    let inside = |p: DVec2| [(a, b), (b, c), (c, a)].iter().all(|&(from, to)| turn(from, to, p) >= -LEAST_TURN);
+    let inside = |p: DVec2| [(a, b), (b, c), (c, a)].iter().all(|&(from, to)| turn(from, to, p) >= -least);
     let other = |&&v: &&usize| ![i, j, l].contains(&v) && ![a, b, c].contains(&points[v]);
-    turn(a, b, c) > LEAST_TURN && !rest.iter().filter(other).any(|&v| inside(points[v]))
+    turn(a, b, c) > least && !rest.iter().filter(other).any(|&v| inside(points[v]))
 }
 
 #[cfg(test)]
@@ -115,12 +117,18 @@ mod tests {
                 0.23 * f64::from(step),
             );
             let flat = [[0.0, 0.0], [0.3, 0.1], [0.9, 0.3], [2.4, 0.8], [2.0, 2.0], [1.0, 5.0 / 3.0], [-0.4, 1.2]];
-            let vertices: Vec<DVec3> = flat.iter().map(|&[x, y]| rotation * DVec3::new(x, y, 0.0)).collect();
-            let mut triangles = Vec::new();
-            triangulate(&vertices, &corners, &mut triangles);
-            let least = triangles.iter().map(|&t| area(&vertices, &[t])).fold(f64::INFINITY, f64::min);
-            let whole = area(&vertices, &triangles);
-            assert!(least > 1e-3 && (whole - 3.2).abs() < 1e-12, "turn {step}: {least} of {whole}: {triangles:?}");
+            let exact: Vec<DVec3> = flat.iter().map(|&[x, y]| rotation * DVec3::new(x, y, 0.0)).collect();
+            let in_file = exact.iter().map(|p| (p * 1e6).round() / 1e6).collect();
+            for (vertices, rounding) in [(exact, 1e-12), (in_file, 1e-5)] {
+                let mut triangles = Vec::new();
+                triangulate(&vertices, &corners, &mut triangles);
+                let least = triangles.iter().map(|&t| area(&vertices, &[t])).fold(f64::INFINITY, f64::min);
+                let whole = area(&vertices, &triangles);
+                assert!(
+                    least > 1e-3 && (whole - 3.2).abs() < rounding,
+                    "turn {step}: {least} of {whole}: {triangles:?}"
+                );
+            }
         }
     }
 
