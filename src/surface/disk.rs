@@ -33,8 +33,8 @@ impl SurfaceMesh {
         Self::ordered(repair(surface.clone())?, surface.vertices.len())
     }
 
-    /// For each corner of a triangle, which corner it is of that triangle of `surface`, which this was made from: repairs
-    /// turn some round.
+    /// For each corner of a triangle, which corner of the same triangle it is in `surface`, which this was made
+    /// from: repairs turn some round.
     pub fn corners_in(&self, surface: &Surface, triangle: u32) -> [usize; 3] {
         let corners = self.mesh.triangles[triangle as usize].map(|v| self.vertex_origins[v as usize]);
         let given = surface.triangles.get(self.triangle_origins[triangle as usize] as usize);

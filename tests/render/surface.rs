@@ -253,6 +253,18 @@ fn through_the_open_side_of_a_hemisphere_its_inside_is_seen_darker() {
     assert!((inside / outside - 0.6).abs() < 0.03, "{inside} inside, {outside} outside");
 }
 
+/// A frame of the live renderer that shows the scene.
+fn live_frame_of(scene: &SceneSurface) -> SpaceFrame {
+    SpaceFrame {
+        size_px: [64, 64],
+        camera: scene.camera,
+        style: scene.style,
+        cells: None,
+        stroke: LOOP,
+        background: BACKGROUND,
+    }
+}
+
 /// How the next frame of the surface is recorded, which is painted.
 fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &SpaceFrame, pace: Pace) -> Option<Detail> {
     let (device, queue, _) = gpu;
@@ -269,14 +281,7 @@ fn a_surface_that_stands_is_not_recorded_and_every_change_is() {
     let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 0, 1);
     let squares = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
     let scene = squares.scene();
-    let frame = SpaceFrame {
-        size_px: [64, 64],
-        camera: scene.camera,
-        style: scene.style,
-        cells: None,
-        stroke: LOOP,
-        background: BACKGROUND,
-    };
+    let frame = live_frame_of(&scene);
     assert_eq!(recorded(gpu, &mut renderer, &frame, Pace::Full), None, "there is no surface");
     let handle = SurfaceHandle { position: DVec3::ZERO, hidden: false, colour: GREEN, radius_px: 4.0 };
     let mut codes = vec![CellCode::FLIPPED; 2];
@@ -306,14 +311,7 @@ fn a_surface_looks_the_same_whether_its_drawing_was_rehearsed_or_not() {
     let (device, queue, _) = gpu;
     let (mesh, images) = hemisphere();
     let scene = hemisphere_scene(&mesh, &images, DVec3::new(0.3, -0.8, 0.9).normalize());
-    let frame = SpaceFrame {
-        size_px: [64, 64],
-        camera: scene.camera,
-        style: scene.style,
-        cells: None,
-        stroke: LOOP,
-        background: BACKGROUND,
-    };
+    let frame = live_frame_of(&scene);
     let painted = |rehearses: bool| {
         let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 0, 1);
         if rehearses {

@@ -52,8 +52,8 @@ fn vertex_of(word: &[u8], line: Line<'_>, so_far: usize) -> Result<i64, SurfaceE
     Err(SurfaceError::IndexOutOfRange { place: line.place(), index, vertices: so_far })
 }
 
-/// A line that ends in a backslash goes on in the next one, unless that stands in a comment; the line feeds that this takes
-/// away follow after it, so that the lines' numbers stay right.
+/// A line that ends in a backslash goes on in the next one, unless that stands in a comment; the line
+/// feeds that this takes away follow after it, so that the lines' numbers stay right.
 fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
     if !bytes.contains(&b'\\') {
         return bytes.into();

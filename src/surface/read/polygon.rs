@@ -8,7 +8,7 @@ use crate::geometry::{DVec2, DVec3};
 
 /// Sines of the least turn that counts, the second where the first leaves no ear. Corners in the middle of an edge turn by
 /// what they are rounded by, 1e-7 to 1e-6 in files with six decimals, and would be the tips of triangles without
-/// area; of a corner that is meant, 1e-5 is the length of a finger on a kilometre.
+/// area; of a corner that is meant, 1e-5 is a centimetre on a kilometre.
 const LEAST_TURNS: [f64; 2] = [1e-5, 1e-12];
 
 /// Appends the `corners.len() − 2` triangles of a polygon with at least 3 corners. Cost O(k), O(k²)
