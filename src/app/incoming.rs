@@ -11,7 +11,7 @@ use super::tracing;
 use super::trouble::Trouble;
 use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose};
-use crate::session::{Command, TextureKind};
+use crate::session::{Command, SurfaceShape, SurfaceSpec, TextureKind};
 use std::sync::Arc;
 
 /// When what the panels say follows the pictures, in seconds: sooner than anyone reads.
@@ -26,7 +26,13 @@ impl RiemapApp {
                 context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
             }
             match event {
-                Event::Worker { subject, generation, response } => self.model.accept(subject, generation, response),
+                Event::Worker { subject, generation, response } => {
+                    let before = self.surface_file();
+                    self.model.accept(subject, generation, response);
+                    if self.surface_file().is_some_and(|file| before != Some(file)) {
+                        self.end_tour();
+                    }
+                }
                 Event::WorkerDied { subject, reason } => self.model.worker_died(subject, &reason),
                 Event::Found { study, finding } => self.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
@@ -34,7 +40,7 @@ impl RiemapApp {
                     if self.may(Control::Session) {
                         self.open_link(&address);
                     } else {
-                        self.keeper.correct_address();
+                        self.correct_address();
                     }
                 }
                 Event::GraphicsLost(reason) => self.message = Some(presentation::graphics_lost(&reason)),
@@ -65,8 +71,11 @@ impl RiemapApp {
         if !locked_by(&content, purpose).iter().all(|&control| self.may(control)) {
             return;
         }
-        if content.as_ref().is_ok_and(|content| !matches!(content, Content::Image { .. })) {
-            self.begin_change();
+        match content {
+            Ok(Content::Outline(..) | Content::Session(_)) => self.begin_change(),
+            // it takes the tour's place when it is there: it is read by its worker
+            Ok(Content::Surface { .. }) => self.keeper.touch(),
+            Ok(Content::Image { .. }) | Err(_) => {}
         }
         match content {
             Ok(Content::Image { name, bytes }) => {
@@ -76,6 +85,12 @@ impl RiemapApp {
             }
             content => self.take(content),
         }
+    }
+
+    /// The surface on the screen, if it came from a file.
+    fn surface_file(&self) -> Option<SurfaceSpec> {
+        let (_, state) = self.model.surface()?;
+        matches!(state.spec.shape, SurfaceShape::File { .. }).then(|| state.spec.clone())
     }
 
     /// What the person has brought changes the session.
@@ -242,6 +257,30 @@ mod tests {
         begin(app);
         app.take_file(FilePurpose::Outline(Side::Source), "square.csv", Ok(b"0,0\n1,0\n1,1\n0,1\n".to_vec()));
         assert!(!app.explore.is_touring());
+    }
+
+    #[test]
+    fn a_surface_ends_the_tour_when_it_is_there_and_a_broken_one_does_not() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        harness.state_mut().carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
+        let mut take = |name: &str, bytes: Vec<u8>| {
+            harness.state_mut().take_file(FilePurpose::Outline(Side::Target), name, Ok(bytes));
+            step_until(&mut harness, |app| !app.model.surface_side().preparation.is_busy());
+            (harness.state().explore.is_touring(), harness.state().errors().len())
+        };
+        assert_eq!(take("broken.obj", b"v 0 0 0\nf 1 2 3\n".to_vec()), (true, 1));
+        assert_eq!(take("head.obj", surface_file()), (false, 0));
+    }
+
+    #[test]
+    fn what_was_wrong_with_a_target_outline_is_past_when_a_surface_takes_its_place() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let app = harness.state_mut();
+        app.take_file(FilePurpose::Outline(Side::Target), "bow.csv", Ok(b"0,0\n1,1\n1,0\n0,1\n".to_vec()));
+        assert_eq!(app.errors().len(), 1);
+        app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
+        assert!(app.errors().is_empty(), "{:?}", app.errors());
     }
 
     #[test]

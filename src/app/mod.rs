@@ -174,7 +174,7 @@ impl RiemapApp {
             platform::watch_graphics(&state.device, mailbox.clone());
         }
         let mut keeper = Keeper::new(model.session().clone(), resumes);
-        keeper.open_link(missing);
+        keeper.open_link(missing, platform::link());
         let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
         if options.bench {
             reports.open(Report::Bench);

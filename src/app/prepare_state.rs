@@ -239,6 +239,9 @@ impl Preparation {
             Response::Domain(domain) => self.finish(*domain),
             Response::Failed(failure) => {
                 self.running = None;
+                if self.due.is_some() {
+                    return Progress::Nothing; // what is wanted by now is another thing
+                }
                 self.fail(failure.text);
                 Progress::Failed
             }
@@ -387,6 +390,23 @@ mod tests {
             side.accept(generation, response);
         }
         assert!(side.error.is_none());
+    }
+
+    #[test]
+    fn what_fails_on_the_way_of_a_hand_does_not_take_back_where_it_ended() {
+        let mut side = coarse();
+        let request = side.take_request(0.0).unwrap();
+        for (generation, response) in answers(&request) {
+            side.accept(generation, response);
+        }
+        let reshaped = |in_hand| Reshaped { interior: None, anchor: 0.0, in_hand };
+        side.want_reshaped(OutlineSpec::Preset(Preset::Star), reshaped(true));
+        let under_way = side.take_request(0.0).unwrap();
+        side.want_reshaped(OutlineSpec::Preset(Preset::Disk), reshaped(false));
+        let failed = Response::Failed(Failure::new(&"too thin"));
+        assert!(matches!(side.accept(under_way.generation, failed), Progress::Nothing));
+        assert_eq!(side.wanted().outline, OutlineSpec::Preset(Preset::Disk));
+        assert!(side.error.is_none() && side.take_request(0.0).is_some());
     }
 
     #[test]

@@ -6,19 +6,20 @@ use crate::platform::{self, Kept, PageEvent};
 use crate::session::{Command, Session, file, link};
 
 impl RiemapApp {
-    /// Goes to another step; what is being dragged is let go of.
+    /// Goes to another step.
     pub(super) fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
         let at_rest = self.model.is_ready().then(|| self.model.session());
         let Some(session) = to(&mut self.keeper, at_rest) else { return };
         self.end_tour();
-        self.handles.release();
-        self.editor.drop_handle();
         self.show_session(session);
     }
 
-    /// Takes another session in place of this one; whose change that is, is for the caller to say.
+    /// Takes another session in place of this one, and lets go of what is being dragged; whose change that is, is for
+    /// the caller to say.
     pub(super) fn show_session(&mut self, session: Session) {
         self.player.pause();
+        self.handles.release();
+        self.editor.drop_handle();
         self.model.dispatch(Command::Open(Box::new(session)), 0.0);
         self.mailbox.wake();
     }
@@ -54,7 +55,14 @@ impl RiemapApp {
     pub(super) fn open_link(&mut self, address: &str) {
         if let Err(reason) = self.try_link(address) {
             self.message = Some(format!("The link could not be opened: {reason}"));
-            self.keeper.correct_address();
+            self.correct_address();
+        }
+    }
+
+    /// What stands in the address was refused.
+    pub(super) fn correct_address(&mut self) {
+        if let Some(fragment) = self.keeper.correct_address() {
+            platform::show_link(fragment.trim_start_matches('#'));
         }
     }
 
@@ -63,7 +71,7 @@ impl RiemapApp {
         let decoded = link::decode(address).map_err(|error| error.to_string())?;
         self.message = keeping::missing_text(&decoded.missing);
         self.open_session(decoded.session);
-        self.keeper.open_link(decoded.missing);
+        self.keeper.open_link(decoded.missing, platform::link());
         Ok(())
     }
 

@@ -127,13 +127,15 @@ impl Reshaping {
         self.grip.as_ref().filter(|grip| grip.hold == hold).map(|grip| grip.handle)
     }
 
-    /// Takes up the side's outline anew if it has become another one by other means.
+    /// Takes up the side's outline anew if it has become another one by other means; a handle of the old one that was
+    /// in hand is let go.
     pub fn follow(&mut self, model: &Model) {
-        let wanted = &model.side(self.side).wanted().outline;
-        if self.grip.is_some() || *wanted == self.sent {
+        if !self.is_replaced(model) {
             return;
         }
+        let wanted = &model.side(self.side).wanted().outline;
         if let Some(good) = form(self.side, wanted, model) {
+            self.grip = None;
             self.name = words::edited(wanted);
             self.sent = wanted.clone();
             self.shape = good.shape.clone();
@@ -141,6 +143,12 @@ impl Reshaping {
             self.crossing = None;
             self.selected = None;
         }
+    }
+
+    /// Whether another outline than that in hand is wanted: not one that failed on the way of a hand.
+    fn is_replaced(&self, model: &Model) -> bool {
+        let side = model.side(self.side);
+        side.wanted().outline != self.sent && !(self.grip.is_some() && side.is_in_hand())
     }
 
     /// Takes a handle in hand; what was in another one is let go.
@@ -160,7 +168,7 @@ impl Reshaping {
 
     /// Moves the handle in hand; the model follows coarsely while the outline is one.
     pub fn drag(&mut self, to: DVec2, model: &mut Model) {
-        let Some(Grip { from, handle, .. }) = &self.grip else { return };
+        let Some(Grip { from, handle, .. }) = self.grip.as_ref().filter(|_| !self.is_replaced(model)) else { return };
         let (from, shape) = (from.clone(), from.shape.moved(*handle, to));
         if let Some(form) = self.tried(&from, shape) {
             self.good = form;

@@ -3,6 +3,7 @@
 use super::*;
 use crate::app::tests::ready_app;
 use crate::app::{RiemapApp, Stats};
+use crate::session::OutlineSpec;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -176,4 +177,92 @@ fn what_lies_under_a_button_is_not_taken_through_it() {
     assert!(editing.draws && editing.handles.is_empty(), "nothing is drawn from a button on: {editing:?}");
     harness.drop_at(open + vec2(-64.0, 96.0));
     harness.run_steps(2);
+}
+
+/// As where the processor draws and frames are slow: a stroke may take two of them, or one.
+#[test]
+fn a_quick_stroke_is_an_outline_whatever_frames_it_falls_into() {
+    let press = |pos, pressed| {
+        let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
+        egui::Event::PointerButton { pos, button, pressed, modifiers }
+    };
+    for frames in [1, 2, 3] {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let before = harness.state().session().source.outline.clone();
+        let middle = harness.state().views[0].rect.center();
+        harness.hover_at(middle);
+        harness.step();
+        harness.key_press(egui::Key::D);
+        harness.run_steps(2);
+        let around: Vec<egui::Pos2> =
+            (0..48).map(|k| middle + 120.0 * egui::Vec2::angled(std::f32::consts::TAU * k as f32 / 48.0)).collect();
+        let mut events = vec![egui::Event::PointerMoved(around[0]), press(around[0], true)];
+        events.extend(around.iter().map(|&place| egui::Event::PointerMoved(place)));
+        events.push(press(around[47], false));
+        let cuts = [0, 2, 25];
+        let ends = [if frames == 1 { 51 } else { 2 }, if frames == 2 { 51 } else { 25 }, 51];
+        for (from, to) in cuts.into_iter().zip(ends).take(frames) {
+            harness.input_mut().events.extend_from_slice(&events[from..to]);
+            harness.step();
+        }
+        let stats = settle(&mut harness);
+        assert!(stats.editing.is_none(), "{frames} frames: {:?}", stats.editing);
+        assert_ne!(harness.state().session().source.outline, before, "{frames} frames");
+    }
+}
+
+#[test]
+fn a_stroke_whose_touch_is_cancelled_is_forgotten() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    let middle = harness.state().views[0].rect.center();
+    harness.hover_at(middle);
+    harness.key_press(egui::Key::D);
+    harness.run_steps(2);
+    let touch = |phase, pos| egui::Event::Touch {
+        device_id: egui::TouchDeviceId(0),
+        id: egui::TouchId(1),
+        phase,
+        pos,
+        force: None,
+    };
+    let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
+    let press = egui::Event::PointerButton { pos: middle, button, pressed: true, modifiers };
+    harness.input_mut().events.extend([touch(egui::TouchPhase::Start, middle), press]);
+    harness.step();
+    harness.input_mut().events.push(egui::Event::PointerMoved(middle + vec2(40.0, 0.0)));
+    harness.step();
+    assert!(harness.state().stats().editing.unwrap().handles.len() > 1);
+    harness.input_mut().events.push(touch(egui::TouchPhase::Cancel, middle));
+    harness.run_steps(2);
+    let editing = harness.state().stats().editing.unwrap();
+    assert!(editing.draws && editing.handles.is_empty() && editing.message.is_none(), "{editing:?}");
+}
+
+#[test]
+fn a_file_that_comes_while_a_handle_is_held_takes_its_outlines_place() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    harness.get_all_by_label("Edit").next().unwrap().click();
+    harness.run_steps(3);
+    let handle = egui::Pos2::from(harness.state().stats().editing.unwrap().handles[0]);
+    harness.drag_at(handle);
+    harness.step();
+    harness.hover_at(handle + vec2(6.0, 0.0));
+    harness.step();
+    assert!(harness.state().model.side(SIDE).is_in_hand());
+    let bytes = b"0,0\n2,0\n2,1\n0,1\n".to_vec();
+    harness.state_mut().take_file(crate::platform::FilePurpose::Outline(SIDE), "box.csv", Ok(bytes));
+    for step in 2..5 {
+        harness.hover_at(handle + vec2(6.0 * step as f32, 0.0));
+        harness.step();
+    }
+    harness.drop_at(handle + vec2(24.0, 0.0));
+    harness.step();
+    let stats = settle(&mut harness);
+    let outline = harness.state().session().source.outline.clone();
+    assert!(
+        matches!(&outline, OutlineSpec::Points { name, points } if name == "box" && points.len() == 4),
+        "{outline:?}"
+    );
+    assert_eq!(stats.editing.unwrap().handles.len(), 4, "its handles are those of the new one");
+    assert_eq!(stats.undo, 1);
 }

@@ -134,18 +134,19 @@ impl Keeper {
         (self.is_new, self.coming) = (true, Coming::Change);
     }
 
-    /// A link is being opened that only names the `missing` outlines.
-    pub fn open_link(&mut self, missing: Vec<MissingOutline>) {
+    /// A link is being opened that only names the `missing` outlines; `address`: what the address shows.
+    pub fn open_link(&mut self, missing: Vec<MissingOutline>, address: Option<String>) {
         self.coming = Coming::Opened;
         self.waits = !missing.is_empty();
         self.missing = missing;
+        if let Some(public) = self.public.as_mut().filter(|_| self.waits) {
+            public.stay_at(address);
+        }
     }
 
-    /// What stands in the address was refused: it shows the session again.
-    pub fn correct_address(&mut self) {
-        if let Some(public) = &mut self.public {
-            public.correct_address();
-        }
+    /// What stands in the address was refused: what is to stand there again, at once.
+    pub fn correct_address(&mut self) -> Option<String> {
+        self.public.as_mut()?.correct_address()
     }
 
     /// Takes in a session that has come to rest, at a time in seconds; the first one is where the history begins.

@@ -12,6 +12,8 @@ pub const COPY_SECONDS: f64 = 5.0;
 /// What is owed to the address and to the copy.
 #[derive(Debug, Default)]
 pub struct Public {
+    /// What the address shows, or a link that was opened and waits: unless a person has written something else there.
+    address: Option<String>,
     owes_address: bool,
     owes_copy: bool,
     copied_at: Option<f64>,
@@ -25,9 +27,16 @@ impl Public {
         self.owes_copy |= by_person;
     }
 
-    /// The address shows something else than the session.
-    pub fn correct_address(&mut self) {
-        self.owes_address = true;
+    /// The address shows `link`, and goes on to.
+    pub fn stay_at(&mut self, link: Option<String>) {
+        self.address = link;
+        self.owes_address = false;
+    }
+
+    /// The address shows something that was refused: what it showed before; if nothing, it will follow the session.
+    pub fn correct_address(&mut self) -> Option<String> {
+        self.owes_address |= self.address.is_none();
+        self.address.clone()
     }
 
     /// Pays what is owed, at a time in seconds.
@@ -36,6 +45,7 @@ impl Public {
         if std::mem::take(&mut self.owes_address) {
             // Copy link says why there is none.
             settled.address = link::encode(session).ok().map(|encoded| encoded.fragment);
+            self.address.clone_from(&settled.address);
         }
         if !self.owes_copy {
             return settled;

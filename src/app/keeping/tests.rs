@@ -76,7 +76,7 @@ fn the_copy_follows_changes_and_not_what_is_merely_opened() {
     let first = keeper.settle(&scaled(2.5), 0.0);
     assert_eq!(first, Settled { address: address(&scaled(2.5)), ..Settled::default() });
     assert_eq!(keeper.settle(&scaled(2.5), 0.1), Settled::default(), "nothing has changed");
-    keeper.open_link(Vec::new());
+    keeper.open_link(Vec::new(), None);
     let opened = keeper.settle(&scaled(9.0), 0.2);
     assert_eq!(opened, Settled { address: address(&scaled(9.0)), ..Settled::default() });
     assert_eq!(keeper.history().undo_count(), 1);
@@ -102,7 +102,7 @@ fn a_change_before_the_first_rest_is_copied() {
 fn a_link_that_is_taken_back_while_it_is_prepared_leaves_nothing() {
     let (_, Decoded { session: _, missing }) = with_missing();
     let mut keeper = keeper(&[2.0, 3.0]);
-    keeper.open_link(missing);
+    keeper.open_link(missing, None);
     assert_eq!(keeper.undo(None), Some(scaled(3.0)));
     assert!(keeper.missing().is_empty());
     assert_eq!(keeper.settle(&scaled(3.0), 1.0).address, address(&scaled(3.0)));
@@ -155,7 +155,7 @@ fn with_missing() -> (Session, Decoded) {
 fn an_outline_that_comes_later_gets_its_points_and_then_the_address_follows() {
     let (whole, Decoded { session, missing }) = with_missing();
     let mut keeper = Keeper::new(session.clone(), true);
-    keeper.open_link(missing);
+    keeper.open_link(missing, None);
     assert_eq!(keeper.settle(&session, 0.0), Settled::default(), "the address stays as it was opened");
     let outline = whole.source.outline.clone();
     let mut loaded = changed(&session, Command::SetOutline { side: Side::Source, outline });
@@ -174,7 +174,7 @@ fn an_outline_that_comes_later_gets_its_points_and_then_the_address_follows() {
 fn another_change_ends_the_waiting_and_another_outline_what_it_is_for() {
     let (whole, Decoded { session, missing }) = with_missing();
     let mut keeper = Keeper::new(session.clone(), true);
-    keeper.open_link(missing);
+    keeper.open_link(missing, None);
     keeper.settle(&session, 0.0);
     let grown = changed(&session, Command::SetTextureScale(20.0));
     assert_eq!(keeper.settle(&grown, 1.0).address, address(&grown));
@@ -204,10 +204,22 @@ fn a_large_session_is_copied_once_in_a_while() {
 }
 
 #[test]
-fn an_address_that_was_refused_shows_the_session_again() {
+fn an_address_that_was_refused_shows_at_once_what_it_showed_before() {
     let mut keeper = Keeper::new(scaled(1.0), true);
+    assert_eq!(keeper.correct_address(), None, "nothing yet");
+    let first = keeper.settle(&scaled(1.0), 0.0).address;
+    assert_eq!(first, address(&scaled(1.0)));
+    assert_eq!(keeper.correct_address(), first);
+    assert_eq!(keeper.settle(&scaled(1.0), 1.0), Settled::default(), "it is shown already");
+    let (_, Decoded { session, missing }) = with_missing();
+    keeper.open_link(missing, Some("#s=1.opened".into()));
+    assert_eq!(keeper.settle(&session, 2.0), Settled::default());
+    assert_eq!(keeper.correct_address().as_deref(), Some("#s=1.opened"), "it waits for its outline");
+}
+
+#[test]
+fn an_address_that_does_not_follow_is_left_alone() {
+    let mut keeper = Keeper::new(scaled(1.0), false);
     keeper.settle(&scaled(1.0), 0.0);
-    assert_eq!(keeper.settle(&scaled(1.0), 1.0), Settled::default());
-    keeper.correct_address();
-    assert_eq!(keeper.settle(&scaled(1.0), 2.0), Settled { address: address(&scaled(1.0)), ..Settled::default() });
+    assert_eq!(keeper.correct_address(), None);
 }

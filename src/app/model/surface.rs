@@ -12,7 +12,7 @@ use crate::laplace::Deadline;
 use crate::mesh::BarycentricPoint;
 use crate::session::{Command, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::surface::RepairNote;
-use crate::worker::{Request, Response};
+use crate::worker::{Request, Response, Subject};
 use std::sync::Arc;
 
 impl Model {
@@ -43,10 +43,11 @@ impl Model {
         side.anchor_place(state)
     }
 
-    /// Begins to prepare a surface that a person has opened or dropped. If a session waits for the file of
-    /// that name, it comes with the session's points.
+    /// Begins to prepare a surface that a person has opened or dropped; what was wrong with an outline for its place is
+    /// past. If a session waits for the file of that name, it comes with the session's points.
     pub fn want_surface_file(&mut self, name: &str, bytes: Vec<u8>) {
         self.surface.gives_way = false;
+        self.dismiss(Subject::Domain(Side::Target));
         let is_awaited =
             |state: &SurfaceState| matches!(&state.spec.shape, SurfaceShape::File { name: awaited } if awaited == name);
         match self.incoming_surface.take().filter(is_awaited) {
@@ -67,6 +68,7 @@ impl Model {
             Command::SetSurface(spec) => {
                 self.incoming_surface = None;
                 self.surface.gives_way = false;
+                self.dismiss(Subject::Domain(Side::Target));
                 if !self.surface.preparation.want_spec(&spec, now) {
                     let is_new = self.session.surface.as_ref().is_none_or(|shown| shown.spec.shape != spec.shape);
                     self.show_surface(spec, is_new);
