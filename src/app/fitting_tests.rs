@@ -164,24 +164,86 @@ fn a_tablet_has_one_plot_at_a_time_and_a_desk_all() {
     }
 }
 
+/// The edit bar of the target, whose triangles are coloured, lies between outline and legend.
+fn assert_bar_between(screen: &mut Screen, narrow: bool, where_: &str) {
+    act(screen, Action::Session(crate::session::Command::SetColouring(Colouring::Angle)));
+    act(screen, Action::Edit(EditAction::Toggle(Side::Target)));
+    let app = screen.state();
+    let view = &app.views[Side::Target as usize];
+    let legend = view.rect.bottom() - legend::height(view.rect, narrow);
+    let (low, _) = app.model.extent(Side::Target).unwrap();
+    let outline = view.to_screen(low).y;
+    let names = ["Smooth", "Mirror", "Delete", "Done"].map(tr);
+    let mut bar: Vec<_> = buttons(screen, |rect| view.rect.contains(rect.center()));
+    bar.retain(|(label, _)| names.contains(&label.as_str()));
+    assert_eq!(bar.len(), names.len(), "{where_}: {bar:?}");
+    let place = view.rect.with_min_y(outline).with_max_y(legend);
+    for (k, (label, rect)) in bar.iter().enumerate() {
+        assert!(place.contains_rect(*rect), "{where_}: {label} at {rect:?} is not in {place:?}");
+        let covers = bar[..k].iter().any(|(_, other)| other.shrink(0.1).intersects(*rect));
+        assert!(!covers, "{where_}: {bar:?} overlap");
+    }
+}
+
 #[test]
 fn the_edit_bar_lies_below_the_outline_and_above_the_legend() {
     for language in [Language::English, Language::German] {
-        for size in [TABLET, PHONE] {
+        for size in [DESK, TABLET, PHONE, LYING_PHONE] {
             let mut screen = screen(size, language);
-            act(&mut screen, Action::Session(crate::session::Command::SetColouring(Colouring::Angle)));
-            act(&mut screen, Action::Edit(EditAction::Toggle(Side::Target)));
-            let app = screen.state();
-            let view = &app.views[Side::Target as usize];
-            let legend = view.rect.bottom() - legend::height(view.rect, size == PHONE);
-            let (low, _) = app.model.extent(Side::Target).unwrap();
-            let outline = view.to_screen(low).y;
-            let names = ["Smooth", "Mirror", "Delete", "Done"].map(tr);
-            let mut bar: Vec<_> = buttons(&screen, |rect| view.rect.contains(rect.center()));
-            bar.retain(|(label, _)| names.contains(&label.as_str()));
-            assert_eq!(bar.len(), names.len(), "{bar:?}");
-            let place = view.rect.with_min_y(outline).with_max_y(legend);
-            assert_in_a_row(&bar, place, &format!("{language:?}, {size:?}"));
+            assert_bar_between(&mut screen, size == PHONE, &format!("{language:?}, {size:?}"));
         }
     }
+}
+
+#[test]
+fn the_pictures_lie_side_by_side_in_what_lies_and_one_above_the_other_in_what_stands() {
+    for (size, stacked) in [([480.0, 320.0], false), (LYING_PHONE, false), (PHONE, true), (TABLET, true)] {
+        let mut screen = screen(size, Language::English);
+        screen.state_mut().sheet_open = true;
+        screen.run_steps(40); // it slides
+        let [source, target] = screen.state().views.each_ref().map(|view| view.rect);
+        assert_eq!(source.bottom() <= target.top(), stacked, "{size:?}: {source:?} and {target:?}");
+    }
+}
+
+#[test]
+fn a_message_about_both_sides_covers_nothing_and_can_be_closed() {
+    for size in [DESK, PHONE, LYING_PHONE, [480.0, 320.0]] {
+        let mut screen = screen(size, Language::English);
+        act(&mut screen, Action::Edit(EditAction::Toggle(Side::Source)));
+        screen.state_mut().message = Some("The link could not be opened: ".repeat(40));
+        let picture = image::RgbaImage::from_pixel(20, 20, image::Rgba([9, 9, 9, 255]));
+        screen.state_mut().offer =
+            Some(Offer::new(Side::Source, &files::Picture { name: "a.png".into(), pixels: picture }));
+        screen.run_steps(4);
+        let foot = screen.state().views.iter().map(|view| view.rect.bottom()).fold(0.0, f32::max);
+        for label in ["Trace it as outline", "No", "Close this message"] {
+            let Some(button) = screen.query_by_label(label) else { continue };
+            assert!(button.rect().top() >= foot, "{size:?}: {label} at {:?} lies over a picture", button.rect());
+        }
+        assert!(foot > 0.2 * size[1], "{size:?}: the pictures end at {foot}");
+        screen.state_mut().message = Some("Not saved.".into());
+        screen.run_steps(4);
+        let cross = screen.get_by_label("Close this message").rect();
+        assert!(whole(&screen).contains_rect(cross), "{size:?}: {cross:?}");
+        screen.get_by_label("Close this message").click();
+        screen.run_steps(3);
+        assert!(screen.state().message.is_none());
+    }
+}
+
+#[test]
+fn messages_of_a_side_lie_over_its_dots() {
+    let mut screen = screen(LYING_PHONE, Language::English);
+    let text = "This outline is none, for a reason that takes some words. ".repeat(6);
+    screen.state_mut().model.side_mut(Side::Source).error = Some(trouble::Trouble::new(text));
+    screen.run_steps(4);
+    let place = |is: &dyn Fn(&egui::Shape) -> bool| {
+        screen.output().shapes.iter().position(|clipped| is(&clipped.shape)).unwrap()
+    };
+    let words = place(&|shape| matches!(shape, egui::Shape::Text(text) if text.galley.text().contains("is none")));
+    let dot = place(&|shape| matches!(shape, egui::Shape::Circle(dot) if dot.fill == theme::INTERIOR_COLOUR));
+    let source = screen.state().stats().handles.x1.unwrap();
+    assert!(screen.get_by_label_contains("is none").rect().contains(source.into()), "the dot is under the message");
+    assert!(dot < words, "the dot is painted before the words");
 }

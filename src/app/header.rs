@@ -14,7 +14,7 @@ use super::{shapes, teaching, theme, words};
 use crate::conformal::Side;
 use crate::session::Command;
 use crate::worker::Subject;
-use egui::{Align, Color32, CornerRadius, Label, Layout, Rect, RichText, Shape, Ui, UiBuilder, vec2};
+use egui::{Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Shape, Ui, UiBuilder, vec2};
 
 /// What folds the panels.
 pub const PANELS_TOOLTIP: &str = "Fold the panels away, or bring them back (Tab)";
@@ -56,7 +56,10 @@ const TITLE_HEIGHT: f32 = 36.0;
 /// What the title has beside the buttons, at least.
 const TITLE_WIDTH: f32 = 190.0;
 
-/// Shows the title line, the buttons and the messages of a viewport.
+/// From a viewport's edges to its title, buttons and messages.
+const INSET: [f32; 2] = [14.0, 10.0];
+
+/// Shows the title line and the buttons of a viewport; returns how far down they reach.
 pub fn show(
     ui: &mut Ui,
     side: Side,
@@ -65,9 +68,9 @@ pub fn show(
     is_fitted: bool,
     around: Surroundings,
     actions: &mut Actions,
-) {
-    let area = rect.shrink2(vec2(14.0, 10.0));
-    ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
+) -> f32 {
+    let area = rect.shrink2(INSET.into());
+    let shown = ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
         let line = vec2(ui.available_width(), theme::control_height(ui, TITLE_HEIGHT));
         ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {
             if !around.embedded {
@@ -78,8 +81,8 @@ pub fn show(
                 over_the_mesh(ui, |ui| title(ui, side, model));
             });
         });
-        messages(ui, side, model, actions);
     });
+    shown.response.rect.bottom()
 }
 
 fn title(ui: &mut Ui, side: Side, model: &Model) {
@@ -155,7 +158,8 @@ fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings,
     }
 }
 
-fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
+/// Shows what is wrong on a side; more than its `room` has place for scrolls.
+pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mut Actions) {
     let of_domain = (Subject::Domain(side), model.side(side).error.as_ref());
     let of_surface = (Subject::Surface, model.surface_side().preparation.error.as_ref());
     let subjects = [Some(of_domain), (side == Side::Target).then_some(of_surface)];
@@ -164,14 +168,23 @@ fn messages(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
         Some((subject, trouble.text.as_str(), trouble.remedy.as_ref()))
     });
     let of_map = model.map_error().filter(|(at, _)| *at == side).map(|(_, text)| (Subject::Domain(side), text, None));
-    for (subject, text, remedy) in troubles.chain(of_map) {
-        ui.add_space(4.0);
-        match message_box(ui, text, remedy.map(Remedy::label)) {
-            Some(MessageAnswer::Dismiss) => actions.push(Action::Dismiss(subject)),
-            Some(MessageAnswer::Remedy) => actions.push(Action::Remedy(subject)),
-            None => {}
-        }
+    let all: Vec<_> = troubles.chain(of_map).collect();
+    if all.is_empty() {
+        return;
     }
+    let area = room.shrink2(vec2(INSET[0], 0.0));
+    ui.scope_builder(UiBuilder::new().max_rect(area).id_salt(("messages", side)), |ui| {
+        ScrollArea::vertical().max_height(area.height()).show(ui, |ui| {
+            for (subject, text, remedy) in all {
+                ui.add_space(4.0);
+                match message_box(ui, text, remedy.map(Remedy::label)) {
+                    Some(MessageAnswer::Dismiss) => actions.push(Action::Dismiss(subject)),
+                    Some(MessageAnswer::Remedy) => actions.push(Action::Remedy(subject)),
+                    None => {}
+                }
+            }
+        });
+    });
 }
 
 /// How far the words of a legend reach up from a picture's lower edge.

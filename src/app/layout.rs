@@ -1,21 +1,17 @@
 //! How the screen is divided: on a desk bars, panel and two viewports side by
-//! side with the plots below; on a phone the viewports one above the other and a
-//! sheet of controls or plots.
+//! side with the plots below; on a phone a sheet of controls or plots, and upright
+//! the viewports one above the other.
 
 use super::action::{Action, Actions};
-use super::arrangement::{LEGEND_SIDE, divide, legend_height, margins};
-use super::header::Surroundings;
 use super::language::tr;
 use super::theme::Palette;
-use super::widgets::{chevron, message_box, notice_box};
+use super::widgets::chevron;
 use super::{
-    PHONE_WIDTH, RiemapApp, editing, file_menu, header, legend, offer, play_panel, plots, presentation, side_panel,
-    status, surface, teaching, theme, top_bar, viewport, words,
+    PHONE_WIDTH, RiemapApp, editing, file_menu, foot, pictures, play_panel, plots, presentation, side_panel, status,
+    theme, top_bar, words,
 };
-use crate::conformal::Side;
-use crate::render::Pace;
 use crate::session::Command;
-use egui::{Event, Frame, Id, Key, Margin, Panel, Rect, RichText, ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Event, Frame, Id, Key, Margin, Panel, RichText, ScrollArea, Stroke, Ui, vec2};
 
 /// The width of the side panel.
 const PANEL_WIDTH: f32 = 268.0;
@@ -23,6 +19,8 @@ const PANEL_WIDTH: f32 = 268.0;
 const SCROLL_BAR: f32 = 8.0;
 /// The height of the sheet's handle, enough for a thumb.
 const SHEET_HANDLE: f32 = 44.0;
+/// The height of the strip that is free for the page's own link, where the app is embedded.
+const LINK_STRIP: f32 = 28.0;
 /// How much of the screen the open sheet takes besides.
 const SHEET_SHARE: f32 = 0.42;
 
@@ -46,6 +44,12 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
             panel(app, ui, &mut actions);
         }
     }
+    if app.options.embed {
+        // the page's link to the whole app lies there
+        let strip = if app.has_fingers { theme::FINGER_HEIGHT } else { LINK_STRIP };
+        let frame = Frame::new().fill(Palette::of(ui.visuals()).panel);
+        Panel::bottom("link").exact_size(strip).resizable(false).frame(frame).show(ui, |_| {});
+    }
     if !narrow && app.model.session().plots {
         dock(app, ui);
     }
@@ -54,7 +58,12 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     // the panels' wishes are about what they have shown
     app.carry_out(&context, actions);
     app.take_events(&context);
-    egui::CentralPanel::no_frame().show(ui, |ui| pictures(app, ui, narrow));
+    let (said, mut actions) = (app.message.clone(), Actions::new());
+    foot::show(app, ui, &mut actions);
+    egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(app, ui, narrow, actions));
+    if app.message != said {
+        context.request_repaint();
+    }
 }
 
 /// P opens the plots or closes them, unless a control has the keyboard.
@@ -152,133 +161,4 @@ fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
         }
     });
     asked
-}
-
-/// Both viewports; here the map is updated.
-fn pictures(app: &mut RiemapApp, ui: &mut Ui, narrow: bool) {
-    let mut actions = Actions::new();
-    let stacked = narrow || ui.max_rect().width() < ui.max_rect().height();
-    let rects = divide(ui.max_rect(), stacked);
-    let mut pointed = None;
-    for side in Side::BOTH {
-        let rect = rects[side as usize];
-        let margins = margins(app, side, rect, narrow, stacked);
-        let view = &mut app.views[side as usize];
-        view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
-        let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
-        if let Some(scene) = scene {
-            app.orbit.place(view.rect, ui.pixels_per_point(), scene);
-        }
-        let boundary = if app.editor.side() == Some(side) {
-            editing::interact(ui, side, &app.model, view, &mut app.editor, &mut app.handles, &mut actions);
-            None
-        } else if scene.is_some() {
-            surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, &mut actions)
-        } else {
-            viewport::interact(ui, side, &app.model, view, &mut app.handles, &mut actions)
-        };
-        pointed = pointed.or(boundary.map(|fraction| (side, fraction)));
-    }
-    if app.plots.point_at(pointed) {
-        // The plots were laid out before.
-        ui.request_repaint();
-    }
-    let context = ui.ctx().clone();
-    app.carry_out(&context, std::mem::take(&mut actions));
-    app.advance(&context);
-    paint(app, ui, narrow, &mut actions);
-    common_message(app, ui, &mut actions);
-    app.reports.show(&context);
-    offer::show(ui, &mut app.offer, &mut actions);
-    editing::show_paste(&context, &mut app.editor, &mut actions);
-    app.explore.show(&context, &mut actions);
-    app.show_exporter(&context, &mut actions);
-    app.carry_out(&context, actions);
-}
-
-fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
-    let dark = ui.visuals().dark_mode;
-    if let Some(gpu) = &app.gpu {
-        gpu.set_stroke(dark, ui.pixels_per_point());
-    }
-    let embedded = app.options.embed;
-    let has_room = !narrow && header::has_room(ui, app.views[0].rect.width());
-    let around = Surroundings { has_room, edited: app.editor.reshaped_side(), folded: !app.panels_open, embedded };
-    let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
-    let now = ui.input(|input| input.time);
-    let pace = app.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
-    for side in Side::BOTH {
-        let view = &app.views[side as usize];
-        let solid = side == Side::Target && app.model.surface().is_some();
-        if solid {
-            // until its first map is there, the GPU may have another one
-            let style = style.as_ref().filter(|_| app.model.surface_map().is_some());
-            surface::viewport::paint_surface(ui, &app.orbit, style, app.cells.style(), pace);
-        } else {
-            viewport::paint_mesh(ui, side, view, style.as_ref(), pace);
-        }
-        editing::paint_sheet(ui, side, view, &app.editor);
-        let is_fitted = if solid { app.orbit.is_fitted() } else { view.is_fitted() };
-        header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
-        let scale = app.cells.scale().filter(|_| side == LEGEND_SIDE);
-        if !narrow {
-            let beside = scale.map_or(0.0, |_| legend::width(view.rect, narrow));
-            header::legend(ui, side, &app.model, view, beside);
-        }
-        teaching::paint::show(ui, side, &app.model, view);
-        if let Some(scale) = scale {
-            legend::paint(ui, view.rect, scale, narrow);
-        }
-        let marked = app.plots.marked().map(|marked| marked[side as usize]);
-        if app.editor.drawing(side).is_some() {
-            // the dots are those of the outline under the sheet
-        } else if solid {
-            marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.orbit, at));
-            surface::viewport::paint_dots(ui, &app.model, &app.orbit, &app.handles);
-        } else {
-            marked.inspect(|&at| viewport::paint_boundary_mark(ui, side, &app.model, view, at));
-            viewport::paint_dots(ui, side, &app.model, view, &app.handles);
-        }
-        editing::paint(ui, side, view, &app.editor);
-        let words = if narrow { 0.0 } else { header::LEGEND_HEIGHT };
-        let below = legend_height(app, side, view.rect, narrow).max(words);
-        let room = view.rect.with_max_y(view.rect.bottom() - below);
-        editing::show_bar(ui, side, view, room, &app.editor, actions);
-        viewport::paint_focus(ui, side, view.rect, &app.handles);
-        viewport::paint_progress(ui, side, &app.model, view.rect);
-        viewport::paint_drop_target(ui, side, view.rect);
-    }
-    if !app.handles.ever_dragged && app.model.shown().is_some() && app.editor.side().is_none() {
-        viewport::paint_hint(ui, &app.model, &app.views[0]);
-    }
-    let [a, b] = app.views.each_ref().map(|view| view.rect);
-    let stacked = a.bottom() <= b.top();
-    let edge = if stacked { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
-    ui.painter().line_segment(edge, Stroke::new(1.0, Palette::of(ui.visuals()).border));
-}
-
-/// The texture and exports belong to both sides: their message lies over the middle, or a notice.
-fn common_message(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
-    let Some(message) = &app.message else { return notice(app, ui) };
-    let area = ui.max_rect();
-    let width = (area.width() - 32.0).min(460.0);
-    let place = Rect::from_min_size(pos2(area.center().x - 0.5 * width, area.bottom() - 110.0), vec2(width, 100.0));
-    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
-        if message_box(ui, message, None).is_some() {
-            actions.push(Action::DismissMessage);
-        }
-    });
-}
-
-fn notice(app: &RiemapApp, ui: &mut Ui) {
-    let Some((text, until)) = app.notice else { return };
-    let left = until - ui.input(|input| input.time);
-    if left <= 0.0 {
-        return;
-    }
-    ui.ctx().request_repaint_after_secs(left as f32);
-    let area = ui.max_rect();
-    let size = vec2(140.0, 34.0);
-    let place = Rect::from_min_size(pos2(area.center().x - 0.5 * size.x, area.bottom() - 64.0), size);
-    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| notice_box(ui, text));
 }

@@ -22,6 +22,7 @@ mod facts;
 mod figures_menu;
 mod file_menu;
 mod files;
+mod foot;
 mod frame;
 mod gpu;
 mod gpu_extension;
@@ -41,6 +42,7 @@ mod method;
 mod model;
 mod nudge;
 mod offer;
+mod pictures;
 mod play_panel;
 mod playing;
 mod plots;
@@ -100,7 +102,7 @@ use surface::OrbitView;
 use touches::Touches;
 use view::View;
 
-/// Below this width (in points) the viewports are stacked and the controls become a sheet.
+/// Below this width (in points) the controls become a sheet.
 pub const PHONE_WIDTH: f32 = 700.0;
 
 /// How long a notice is shown, in seconds: two words are read in one, once they have been seen.

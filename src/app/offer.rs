@@ -3,11 +3,10 @@
 use super::action::{Action, Actions};
 use super::files::{self, Picture};
 use super::language::tr;
-use super::theme::{Palette, ROUNDING};
+use super::theme::{ROW_HEIGHT, control_height};
 use super::tracing;
-use super::widgets::opaque;
 use crate::conformal::Side;
-use egui::{Align, Button, CornerRadius, Frame, Layout, Margin, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Button, Ui, vec2};
 
 /// How long the offer stands, in seconds: a sentence and two buttons are read in five.
 const SECONDS: f64 = 12.0;
@@ -40,39 +39,30 @@ impl Offer {
     }
 }
 
-/// Shows the offer over the middle of the pictures while it stands.
-pub fn show(ui: &mut Ui, offer: &mut Option<Offer>, actions: &mut Actions) {
+/// Takes the offer away when it has stood long enough; not while the pointer has something in hand, for the pictures
+/// grow when it goes.
+pub fn expire(ui: &Ui, offer: &mut Option<Offer>) {
     let Some(standing) = offer else { return };
-    let now = ui.input(|input| input.time);
+    let (now, held) = ui.input(|input| (input.time, input.pointer.any_down()));
     let left = *standing.until.get_or_insert(now + SECONDS) - now;
-    if left <= 0.0 {
+    if left > 0.0 {
+        ui.ctx().request_repaint_after_secs(left as f32);
+    } else if !held {
         *offer = None;
-        return;
     }
-    ui.ctx().request_repaint_after_secs(left as f32);
-    let palette = Palette::of(ui.visuals());
-    let area = ui.max_rect();
-    let width = (area.width() - 16.0).min(420.0);
-    let place = Rect::from_min_size(pos2(area.center().x - 0.5 * width, area.bottom() - 110.0), vec2(width, 56.0));
-    ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::top_down(Align::Center)), |ui| {
-        let frame = Frame::new()
-            .fill(palette.panel)
-            .stroke(Stroke::new(1.0, palette.border))
-            .corner_radius(CornerRadius::same(ROUNDING + 2))
-            .inner_margin(Margin::symmetric(12, 6));
-        opaque(ui, |ui| {
-            frame.show(ui, |ui| {
-                ui.horizontal_wrapped(|ui| {
-                    ui.label(tr("The picture is the texture."));
-                    let trace = ui.add(Button::new(tr("Trace it as outline")).min_size(vec2(0.0, 40.0)));
-                    if trace.on_hover_text(tr("The outline of the largest shape in a PNG or JPEG")).clicked() {
-                        actions.push(Action::TraceImage);
-                    }
-                    if ui.add(Button::new(tr("No")).min_size(vec2(40.0, 40.0))).clicked() {
-                        actions.push(Action::DismissOffer);
-                    }
-                });
-            })
-        });
+}
+
+/// Shows the offer.
+pub fn show(ui: &mut Ui, actions: &mut Actions) {
+    let height = control_height(ui, ROW_HEIGHT);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(tr("The picture is the texture."));
+        let trace = ui.add(Button::new(tr("Trace it as outline")).min_size(vec2(0.0, height)));
+        if trace.on_hover_text(tr("The outline of the largest shape in a PNG or JPEG")).clicked() {
+            actions.push(Action::TraceImage);
+        }
+        if ui.add(Button::new(tr("No")).min_size(vec2(40.0, height))).clicked() {
+            actions.push(Action::DismissOffer);
+        }
     });
 }

@@ -159,6 +159,9 @@ pub enum MessageAnswer {
 /// The width of the cross that closes a message, where a mouse points at it.
 const CROSS_WIDTH: f32 = 30.0;
 
+/// A message narrower than this has its buttons below the words.
+const LEAST_WORDS: f32 = 150.0;
+
 /// An error in a box, with a cross to close it and, where there is one, its remedy.
 pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>) -> Option<MessageAnswer> {
     let palette = Palette::of(ui.visuals());
@@ -168,28 +171,31 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>) -> Opt
         .corner_radius(CornerRadius::same(ROUNDING + 2))
         .inner_margin(Margin::symmetric(12, 8));
     let content = |ui: &mut Ui| {
-        let mut answer = None;
-        ui.horizontal(|ui| {
-            let cross_width = control_height(ui, CROSS_WIDTH);
-            let remedy_width = remedy.map_or(0.0, |label| button_width(ui, tr(label)));
-            let buttons = cross_width + ui.spacing().item_spacing.x + remedy_width;
+        let remedy_width = remedy.map_or(0.0, |label| button_width(ui, tr(label)));
+        let buttons = control_height(ui, CROSS_WIDTH) + ui.spacing().item_spacing.x + remedy_width;
+        let words = RichText::new(tr_message(text)).color(palette.text);
+        if ui.available_width() - buttons < LEAST_WORDS {
+            ui.add(egui::Label::new(words).wrap());
+            return ui.horizontal(|ui| message_buttons(ui, remedy)).inner;
+        }
+        let in_a_row = |ui: &mut Ui| {
             ui.scope(|ui| {
                 ui.set_max_width(ui.available_width() - buttons);
-                ui.add(egui::Label::new(RichText::new(tr_message(text)).color(palette.text)).wrap());
+                ui.add(egui::Label::new(words).wrap());
             });
-            if remedy.is_some_and(|label| ui.button(tr(label)).clicked()) {
-                answer = Some(MessageAnswer::Remedy);
-            }
-            let cross =
-                ui.add(Button::new("×").min_size(vec2(cross_width, 0.0))).on_hover_text(tr("Close this message"));
-            cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Close this message")));
-            if cross.clicked() {
-                answer = Some(MessageAnswer::Dismiss);
-            }
-        });
-        answer
+            message_buttons(ui, remedy)
+        };
+        ui.horizontal(in_a_row).inner
     };
     opaque(ui, |ui| frame.show(ui, content).inner)
+}
+
+fn message_buttons(ui: &mut Ui, remedy: Option<&'static str>) -> Option<MessageAnswer> {
+    let helps = remedy.is_some_and(|label| ui.button(tr(label)).clicked());
+    let width = control_height(ui, CROSS_WIDTH);
+    let cross = ui.add(Button::new("×").min_size(vec2(width, 0.0))).on_hover_text(tr("Close this message"));
+    cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr("Close this message")));
+    if cross.clicked() { Some(MessageAnswer::Dismiss) } else { helps.then_some(MessageAnswer::Remedy) }
 }
 
 /// A few words about what has gone well, in a box that goes away by itself.

@@ -18,8 +18,21 @@ const GAP: f32 = 8.0;
 const HANDLES_TOOLTIP: &str = "Drag a square to reshape the outline. Double-click on the outline for another one; \
     a right click or a long press takes one away. Arrow keys move the selected one (finely with Shift), N goes to the next; Escape ends.";
 
-/// How much of a picture is free for the bar where the pictures lie one above the other.
-pub const ROOM: f32 = 62.0;
+/// The height of a bar of one row, before it was laid out.
+const ONE_ROW: f32 = 52.0;
+
+/// How much of a picture's height the bar of a side takes, and the gap below it.
+pub fn room(ui: &Ui, side: Side) -> f32 {
+    ui.memory(|memory| memory.area_rect(bar_id(side))).map_or(ONE_ROW, |area| area.height()) + GAP
+}
+
+fn bar_id(side: Side) -> Id {
+    Id::unique(("edit bar", side))
+}
+
+/// In a picture narrower than this, words are nearer to their buttons' edges, so that all fit into one row.
+const WIDE_ROOM: f32 = 300.0;
+const NARROW_PADDING: f32 = 5.0;
 
 /// Between the bar and the message above it.
 const BELOW_MESSAGE: f32 = 4.0;
@@ -41,7 +54,7 @@ pub fn show(ui: &mut Ui, side: Side, view: &View, room: Rect, editor: &Editor, a
 }
 
 fn widest(rect: Rect) -> f32 {
-    (rect.width() - 20.0).min(460.0)
+    (rect.width() - 12.0).min(460.0)
 }
 
 /// Shows a message with its lower edge at `bottom`; at the upper end of the picture, where it would hide the crossing
@@ -78,7 +91,7 @@ fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Acti
         .stroke(Stroke::new(1.0, palette.border))
         .corner_radius(CornerRadius::same(ROUNDING + 4))
         .inner_margin(Margin::same(6));
-    let area = Area::new(Id::unique(("edit bar", side)))
+    let area = Area::new(bar_id(side))
         .order(Order::Middle)
         .pivot(Align2::CENTER_BOTTOM)
         .fixed_pos(pos2(room.center().x, room.bottom() - GAP));
@@ -90,6 +103,9 @@ fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Acti
             }
             ui.horizontal_wrapped(|ui| {
                 ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+                if room.width() < WIDE_ROOM {
+                    ui.spacing_mut().button_padding.x = NARROW_PADDING;
+                }
                 let height = control_height(ui, ROW_HEIGHT);
                 if let Some(drawing) = editor.drawing(side) {
                     drawing_buttons(ui, height, drawing, actions);

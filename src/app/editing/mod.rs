@@ -14,7 +14,7 @@ mod pen;
 mod record;
 mod reshaping;
 
-pub use bar::{ROOM, show as show_bar};
+pub use bar::{room as bar_room, show as show_bar};
 pub use drawing::{Drawing, Pen};
 pub use gestures::{interact, keys};
 pub use live::Reshaped;

@@ -1,0 +1,148 @@
+//! The two pictures of a frame: gestures in them become wishes, the map is brought up to date, both are painted.
+
+use super::action::Actions;
+use super::arrangement::{LEGEND_SIDE, divide, is_stacked, is_tight, legend_height, margins, message_room};
+use super::header::Surroundings;
+use super::theme::Palette;
+use super::{RiemapApp, editing, foot, header, legend, surface, teaching, viewport};
+use crate::conformal::Side;
+use crate::render::{Pace, TextureStyle};
+use egui::{Stroke, Ui};
+
+/// Both pictures, and the windows over them; carries out what they ask for besides `actions`.
+pub fn show(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions) {
+    let context = ui.ctx().clone();
+    interact(app, ui, narrow, &mut actions);
+    app.carry_out(&context, std::mem::take(&mut actions));
+    app.advance(&context);
+    paint(app, ui, narrow, &mut actions);
+    foot::notice(app, ui);
+    app.reports.show(&context);
+    editing::show_paste(&context, &mut app.editor, &mut actions);
+    app.explore.show(&context, &mut actions);
+    app.show_exporter(&context, &mut actions);
+    app.carry_out(&context, actions);
+}
+
+/// Places the pictures and turns gestures over them into wishes.
+fn interact(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
+    let stacked = is_stacked(ui, narrow);
+    let rects = divide(ui.max_rect(), stacked);
+    let mut pointed = None;
+    for side in Side::BOTH {
+        let rect = rects[side as usize];
+        let margins = margins(app, ui, side, rect, narrow, stacked);
+        let view = &mut app.views[side as usize];
+        view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
+        let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
+        if let Some(scene) = scene {
+            app.orbit.place(view.rect, ui.pixels_per_point(), scene);
+        }
+        let boundary = if app.editor.side() == Some(side) {
+            editing::interact(ui, side, &app.model, view, &mut app.editor, &mut app.handles, actions);
+            None
+        } else if scene.is_some() {
+            surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, actions)
+        } else {
+            viewport::interact(ui, side, &app.model, view, &mut app.handles, actions)
+        };
+        pointed = pointed.or(boundary.map(|fraction| (side, fraction)));
+    }
+    if app.plots.point_at(pointed) {
+        // The plots were laid out before.
+        ui.request_repaint();
+    }
+}
+
+fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
+    let dark = ui.visuals().dark_mode;
+    if let Some(gpu) = &app.gpu {
+        gpu.set_stroke(dark, ui.pixels_per_point());
+    }
+    let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
+    for side in Side::BOTH {
+        paint_map(app, ui, side, style.as_ref());
+        let title = paint_words(app, ui, side, narrow, actions);
+        paint_handles(app, ui, side);
+        show_tools(app, ui, side, narrow, title, actions);
+    }
+    let [a, b] = app.views.each_ref().map(|view| view.rect);
+    let stacked = a.bottom() <= b.top();
+    let edge = if stacked { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
+    ui.painter().line_segment(edge, Stroke::new(1.0, Palette::of(ui.visuals()).border));
+}
+
+/// Whether a surface stands in this side's place.
+fn is_solid(app: &RiemapApp, side: Side) -> bool {
+    side == Side::Target && app.model.surface().is_some()
+}
+
+fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>) {
+    let view = &app.views[side as usize];
+    let now = ui.input(|input| input.time);
+    let pace = app.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
+    if is_solid(app, side) {
+        // until its first map is there, the GPU may have another one
+        let style = style.filter(|_| app.model.surface_map().is_some());
+        surface::viewport::paint_surface(ui, &app.orbit, style, app.cells.style(), pace);
+    } else {
+        viewport::paint_mesh(ui, side, view, style, pace);
+    }
+    editing::paint_sheet(ui, side, view, &app.editor);
+}
+
+/// Title, buttons and legends; returns how far down the title reaches.
+fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, narrow: bool, actions: &mut Actions) -> f32 {
+    let view = &app.views[side as usize];
+    let tight = is_tight(view.rect, narrow);
+    let around = Surroundings {
+        has_room: !narrow && header::has_room(ui, app.views[0].rect.width()),
+        edited: app.editor.reshaped_side(),
+        folded: !app.panels_open,
+        embedded: app.options.embed,
+    };
+    let is_fitted = if is_solid(app, side) { app.orbit.is_fitted() } else { view.is_fitted() };
+    let title = header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
+    let scale = app.cells.scale().filter(|_| side == LEGEND_SIDE);
+    if !tight {
+        let beside = scale.map_or(0.0, |_| legend::width(view.rect, tight));
+        header::legend(ui, side, &app.model, view, beside);
+    }
+    teaching::paint::show(ui, side, &app.model, view);
+    if let Some(scale) = scale {
+        legend::paint(ui, view.rect, scale, tight);
+    }
+    title
+}
+
+/// The dots, what a plot points at, and what is edited.
+fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
+    let view = &app.views[side as usize];
+    let marked = app.plots.marked().map(|marked| marked[side as usize]);
+    if app.editor.drawing(side).is_some() {
+        // the dots are those of the outline under the sheet
+    } else if is_solid(app, side) {
+        marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.orbit, at));
+        surface::viewport::paint_dots(ui, &app.model, &app.orbit, &app.handles);
+    } else {
+        marked.inspect(|&at| viewport::paint_boundary_mark(ui, side, &app.model, view, at));
+        viewport::paint_dots(ui, side, &app.model, view, &app.handles);
+    }
+    editing::paint(ui, side, view, &app.editor);
+    if side == Side::Source && !app.handles.ever_dragged && app.model.shown().is_some() && app.editor.side().is_none() {
+        viewport::paint_hint(ui, &app.model, view);
+    }
+}
+
+/// What lies over all of a picture: messages from below its `title` on, the edit bar, frames and progress.
+fn show_tools(app: &RiemapApp, ui: &mut Ui, side: Side, narrow: bool, title: f32, actions: &mut Actions) {
+    let view = &app.views[side as usize];
+    header::messages(ui, side, &app.model, message_room(app, ui, side, title), actions);
+    let words = if is_tight(view.rect, narrow) { 0.0 } else { header::LEGEND_HEIGHT };
+    let below = legend_height(app, side, view.rect, narrow).max(words);
+    let room = view.rect.with_max_y(view.rect.bottom() - below);
+    editing::show_bar(ui, side, view, room, &app.editor, actions);
+    viewport::paint_focus(ui, side, view.rect, &app.handles);
+    viewport::paint_progress(ui, side, &app.model, view.rect);
+    viewport::paint_drop_target(ui, side, view.rect);
+}
