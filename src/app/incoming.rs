@@ -3,8 +3,7 @@
 use super::RiemapApp;
 use super::files::{self, Content, FileError, Picture};
 use super::gpu::Gpu;
-use super::language::tr;
-use super::locks::{Control, REFUSAL};
+use super::locks::Control;
 use super::offer::Offer;
 use super::presentation;
 use super::tracing;
@@ -145,7 +144,7 @@ impl RiemapApp {
     fn may(&mut self, control: Control) -> bool {
         let locked = self.options.locks.holds(control);
         if locked {
-            self.message = Some(format!("{}: {}.", tr(REFUSAL), control.name()));
+            self.message = Some(format!("The page's address keeps \"{}\" as it is.", control.name()));
         }
         !locked
     }

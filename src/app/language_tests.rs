@@ -1,10 +1,13 @@
 //! The whole screen in German: nothing on it is left in English.
 
+use super::editing::Hold;
 use super::explore::ExploreAction;
 use super::language::{self, Language, tests::MISSING};
 use super::tests::ready_app;
 use super::*;
-use crate::conformal::Extension;
+use crate::conformal::{Extension, Side};
+use crate::geometry::DVec2;
+use crate::platform::FilePurpose;
 use crate::session::{Colouring, Command, Comparison, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
 use egui_kittest::Harness;
@@ -79,4 +82,47 @@ fn the_whole_screen_speaks_german() {
     open(&mut harness, solid);
     assert!(harness.state().model.surface().is_some());
     check(&mut harness, "a surface");
+}
+
+/// Drags a handle of the source's outline far across it, and lets it go.
+fn cross(app: &mut RiemapApp) {
+    let across = DVec2::splat(-40.0);
+    for action in [
+        EditAction::Toggle(Side::Source),
+        EditAction::Grab(0, Hold::Pointer),
+        EditAction::Drag(across),
+        EditAction::Release,
+    ] {
+        app.editor.act(action, &mut app.model, &mut app.views);
+    }
+}
+
+#[test]
+fn what_was_said_follows_the_language() {
+    let mut harness = ready_app([1500.0, 1000.0]);
+    language::set(Language::German);
+    let app = harness.state_mut();
+    app.options.locks = Locks::default().with(Control::Outline);
+    app.take_file(FilePurpose::Outline(Side::Source), "square.csv", Ok(b"0,0\n1,0\n1,1\n0,1\n".to_vec()));
+    cross(app);
+    let said = [
+        (
+            Language::German,
+            ["Die Adresse der Seite hält „outline“ fest.", "Der Umriss kreuzte sich dort: der letzte gute blieb."],
+        ),
+        (
+            Language::English,
+            [
+                "The page's address keeps \"outline\" as it is.",
+                "The outline crossed itself there: the last good one was kept.",
+            ],
+        ),
+    ];
+    for (language, sentences) in said {
+        language::set(language);
+        harness.run_steps(2);
+        for sentence in sentences {
+            harness.get_by_label(sentence);
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use super::RiemapApp;
 use super::action::{Action, Actions};
 use super::address_options::AddressOptions;
-use super::language::{tr, tr_with};
+use super::language::tr;
 use super::locks::{Control, Locks};
 use super::preferences::Preferences;
 use crate::platform;
@@ -73,7 +73,7 @@ pub fn full_screen_button(ui: &mut Ui, size: egui::Vec2, ink: egui::Color32) -> 
 
 /// What to do when nothing can be drawn any more.
 pub fn graphics_lost(reason: &str) -> String {
-    tr_with("The graphics device was lost ({0}). Start riemap again: the map is kept.", &[&reason])
+    format!("The graphics device was lost ({reason}). Start riemap again: the map is kept.")
 }
 
 impl RiemapApp {

@@ -4,7 +4,7 @@
 //! brightness from the picture's edge, beyond Otsu's threshold. Marching squares (crate `contour`) with
 //! linear interpolation give rings to a fraction of a pixel; of these the one of largest area is simplified and rounded.
 
-use super::language::tr;
+use super::words;
 use crate::drawing::{curve_with_corners, simplified_ring};
 use crate::geometry::{DVec2, PolygonError, SimplePolygon};
 use crate::outline::{Outline, OutlineNote};
@@ -53,7 +53,7 @@ pub fn trace(name: &str, picture: &RgbaImage) -> Result<Outline, TraceError> {
     let count = rings.iter().filter(|ring| area(ring) >= LEAST_SHARE * whole).count();
     let ring = rings.into_iter().next().filter(|_| count > 0).ok_or(TraceError::NoShape)?;
     let notes = if count > 1 { vec![OutlineNote::LargestOf { rings: count }] } else { Vec::new() };
-    let name = if name.is_empty() { String::from(tr("Traced")) } else { name.to_owned() };
+    let name = if name.is_empty() { String::from(words::TRACED) } else { name.to_owned() };
     Ok(Outline { name, polygon: simplified(&ring)?, notes })
 }
 

@@ -56,7 +56,12 @@ pub fn side_within(side: Side) -> &'static str {
 
 /// A preset's name in a menu.
 pub fn preset(preset: Preset) -> &'static str {
-    tr(match preset {
+    tr(given(preset))
+}
+
+/// The same as sessions have it.
+fn given(preset: Preset) -> &'static str {
+    match preset {
         Preset::Disk => "Disk",
         Preset::Square => "Square",
         Preset::Gingerbread => "Gingerbread man",
@@ -70,16 +75,29 @@ pub fn preset(preset: Preset) -> &'static str {
         Preset::LShape => "L-shape",
         Preset::Star => "Star",
         Preset::Spiral => "Spiral",
-    })
+    }
 }
 
 /// What marks the name of an outline that was reshaped, in a session of any language.
 const EDITED: char = '*';
 
+/// What an outline that was drawn is called in a session of any language.
+pub const DRAWN: &str = "Drawing";
+/// One that was pasted.
+pub const PASTED: &str = "Pasted";
+/// One that was traced from a picture without a name.
+pub const TRACED: &str = "Traced";
+
 /// The name of an outline in a title, which says so if it was reshaped.
 pub fn outline(outline: &OutlineSpec) -> Cow<'_, str> {
     let name = own_name(outline);
-    name.strip_suffix(EDITED).map_or(name.into(), |name| tr_with("{0} (edited)", &[&name]).into())
+    name.strip_suffix(EDITED).map_or(said(name).into(), |name| tr_with("{0} (edited)", &[&said(name)]).into())
+}
+
+/// A name of a session in the language of the screen, if it is one that riemap gives; names of files stay.
+fn said(name: &str) -> &str {
+    let mut own = [DRAWN, PASTED, TRACED].into_iter().chain(Preset::ALL.map(given));
+    if let Some(own) = own.find(|own| *own == name) { tr(own) } else { name }
 }
 
 /// The name that an outline has in a session once it is reshaped: marked, but not twice.
@@ -90,14 +108,18 @@ pub fn edited(outline: &OutlineSpec) -> String {
 
 fn own_name(outline: &OutlineSpec) -> &str {
     match outline {
-        OutlineSpec::Preset(shape) => preset(*shape),
+        OutlineSpec::Preset(shape) => given(*shape),
         OutlineSpec::Points { name, .. } => name,
     }
 }
 
 /// A built-in surface's name in a menu.
 pub fn surface_preset(preset: SurfacePreset) -> &'static str {
-    tr(match preset {
+    tr(given_surface(preset))
+}
+
+fn given_surface(preset: SurfacePreset) -> &'static str {
+    match preset {
         SurfacePreset::Hemisphere => "Hemisphere",
         SurfacePreset::Paraboloid => "Paraboloid",
         SurfacePreset::Saddle => "Saddle",
@@ -105,13 +127,21 @@ pub fn surface_preset(preset: SurfacePreset) -> &'static str {
         SurfacePreset::HalfTorus => "Half torus",
         SurfacePreset::HeightField => "Face-like",
         SurfacePreset::AnimalHead => "Animal head",
-    })
+    }
 }
 
 /// The name of a surface in a title.
 pub fn surface(shape: &SurfaceShape) -> &str {
     match shape {
         SurfaceShape::Preset { preset, .. } => surface_preset(*preset),
+        SurfaceShape::File { name } => name,
+    }
+}
+
+/// The same in a message that is kept, and translated when it is shown.
+pub fn surface_in_message(shape: &SurfaceShape) -> &str {
+    match shape {
+        SurfaceShape::Preset { preset, .. } => given_surface(*preset),
         SurfaceShape::File { name } => name,
     }
 }
@@ -201,5 +231,8 @@ mod tests {
         assert_eq!(outline(&named("V")), "V");
         crate::app::language::set(crate::app::language::Language::German);
         assert_eq!(outline(&named("V*")), "V (bearbeitet)");
+        assert_eq!(outline(&twice), "V-Form (bearbeitet)", "it was named in English");
+        assert_eq!(outline(&named(&edited(&OutlineSpec::Preset(Preset::VShape)))), "V-Form (bearbeitet)");
+        assert_eq!([DRAWN, "my drawing"].map(|name| outline(&named(name)).into_owned()), ["Zeichnung", "my drawing"]);
     }
 }

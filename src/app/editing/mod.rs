@@ -23,9 +23,9 @@ pub use paste::{pasted, show as show_paste};
 pub use record::{EditingStats, stats};
 pub use reshaping::{Change, Hold, Reshaping};
 
-use super::language::tr;
 use super::model::Model;
 use super::view::View;
+use super::words;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::outline::Outline;
@@ -203,7 +203,7 @@ impl Editor {
                 let view = &views[side as usize];
                 let pixel = view.to_world(view.rect.min + vec2(1.0, 0.0)).distance(view.to_world(view.rect.min));
                 if let Some(polygon) = drawing.close(pixel) {
-                    let outline = Outline { name: String::from(tr("Drawing")), polygon, notes: Vec::new() };
+                    let outline = Outline { name: String::from(words::DRAWN), polygon, notes: Vec::new() };
                     model.want_loaded(side, outline);
                     self.leave(model, views);
                 }
@@ -223,7 +223,7 @@ impl Editor {
             EditAction::Release => {
                 let crossed = reshaping.release(model);
                 self.refusal =
-                    crossed.then(|| tr("The outline crossed itself there: the last good one was kept.").into());
+                    crossed.then(|| String::from("The outline crossed itself there: the last good one was kept."));
             }
             EditAction::Select(handle) => reshaping.selected = handle,
             EditAction::Change(change) => {

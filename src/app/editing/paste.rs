@@ -6,6 +6,7 @@ use super::{EditAction, Editor};
 use crate::app::action::{Action, Actions};
 use crate::app::language::{tr, tr_message};
 use crate::app::theme::{Palette, ROUNDING};
+use crate::app::words;
 use crate::conformal::Side;
 use crate::outline::{Outline, parse};
 use egui::{
@@ -63,7 +64,7 @@ impl Paste {
 
     /// The outline that is written in it; where there is none, the reason is kept, but no text that is too long to show.
     pub fn take(&mut self) -> Option<(Side, Outline)> {
-        let error = match parse(tr("Pasted"), self.text.as_bytes()) {
+        let error = match parse(words::PASTED, self.text.as_bytes()) {
             Ok(outline) => return Some((self.side, outline)),
             Err(error) => error,
         };

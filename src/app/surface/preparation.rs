@@ -4,6 +4,7 @@
 //! dropped by their generation, and after a failure the last good surface stays and the message says why.
 
 use crate::app::trouble::{Remedy, Trouble};
+use crate::app::words;
 use crate::conformal::{PreparedSurface, Stage};
 use crate::session::{SurfaceShape, SurfaceSpec};
 use crate::worker::{Failure, Request, Response, SurfaceSource, Task};
@@ -241,7 +242,7 @@ impl SurfacePreparation {
 
     /// The wish stays while its message offers a remedy.
     fn fail(&mut self, failure: &Failure) {
-        let name = self.wanted.as_ref().map(|wish| crate::app::words::surface(&wish.spec.shape)).unwrap_or_default();
+        let name = self.wanted.as_ref().map(|wish| words::surface_in_message(&wish.spec.shape)).unwrap_or_default();
         let text = format!("{name}: {}", failure.text);
         let remedy = failure.repairable.then_some(Remedy::RepairSurface);
         if remedy.is_none() {
