@@ -1,7 +1,7 @@
 //! What the app knows of itself: the numbers on the screen, errors and notes, where the dots are.
 
 use super::stats::{HandlePositions, ScreenFacts};
-use super::{Gpu, Processor, RiemapApp, Stats, editing, stats};
+use super::{Gpu, Processor, RiemapApp, Stats, editing, stats, teaching};
 use crate::conformal::{Extension, Side};
 
 impl RiemapApp {
@@ -48,11 +48,15 @@ impl RiemapApp {
         [place.x * self.zoom, place.y * self.zoom]
     }
 
+    /// All that is said to be wrong: beside the inputs, over the pictures, in the panel and in the windows.
     pub(super) fn errors(&self) -> Vec<String> {
         let sides = Side::BOTH.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
         let surface = self.model.surface_side().preparation.error.iter().map(|trouble| trouble.text.clone());
         let map = self.model.map_error().map(|(_, text)| text.to_owned());
-        sides.chain(surface).chain(map).chain(self.message.clone()).collect()
+        let inputs = sides.chain(surface).chain(map).chain(self.message.clone());
+        let panel = teaching::panel::errors(&self.model).map(String::from);
+        let windows = self.editor.errors().chain(self.reports.errors()).map(String::from).chain(self.exporter.errors());
+        inputs.chain(panel).chain(windows).collect()
     }
 
     pub(super) fn notes(&self) -> Vec<String> {

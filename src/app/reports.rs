@@ -79,6 +79,11 @@ impl Reports {
         }
     }
 
+    /// What could not be measured, in the words of the window that is open.
+    pub fn errors(&self) -> impl Iterator<Item = &str> {
+        self.failures.iter().map(String::as_str)
+    }
+
     /// Shows the window, if one is open.
     pub fn show(&mut self, context: &egui::Context) {
         let Some(report) = self.open else { return };

@@ -80,6 +80,31 @@ pub fn control(info: &WidgetInfo) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::reports::Report;
+    use crate::app::tests::ready_app;
+    use crate::app::{Action, EditAction};
+    use crate::worker::Finding;
+
+    #[test]
+    fn what_is_wrong_in_a_window_is_said_and_counted_among_the_errors() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let app = harness.state_mut();
+        assert_eq!(app.stats().errors, [""; 0]);
+        app.carry_out(&context, vec![Action::PasteText(String::from("0,0 1,x")), Action::OpenExport]);
+        app.exporter.tell(Some(String::from("there is no map of this session")));
+        app.reports.open(Report::Convergence);
+        assert!(app.reports.take_study().is_some());
+        app.reports.accept(None, Finding::Failed(String::from("there is no such row")));
+        let errors = app.stats().errors;
+        assert_eq!(errors.len(), 3, "{errors:?}");
+        assert!(errors[0].contains('x'), "{errors:?}");
+        for error in errors {
+            assert!(state(app).contains(&format!("Problem: {error}")), "{}", state(app));
+        }
+        app.carry_out(&context, vec![Action::Edit(EditAction::ClosePaste)]);
+        assert_eq!(app.stats().errors.len(), 2);
+    }
 
     #[test]
     fn a_control_is_read_with_its_kind_and_its_state() {

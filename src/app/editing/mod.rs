@@ -133,6 +133,13 @@ impl Editor {
         self.crossing().map(|crossing| crossing.text.as_str()).or(self.refusal.as_deref())
     }
 
+    /// What went wrong and is still said, in the window too. Where an outline in hand crosses itself it may be mended
+    /// yet: that is said when it is let go.
+    pub fn errors(&self) -> impl Iterator<Item = &str> {
+        let drawn = self.crossing().filter(|_| self.reshaped_side().is_none()).map(|crossing| crossing.text.as_str());
+        drawn.or(self.refusal.as_deref()).into_iter().chain(self.paste.as_ref().and_then(Paste::error))
+    }
+
     /// Lets go without a word to the model: what was in hand is about to be replaced.
     pub fn drop_handle(&mut self) {
         if let Some(Work::Reshaping(reshaping)) = &mut self.work {

@@ -90,6 +90,15 @@ impl Exporter {
         self.error = error;
     }
 
+    /// What the window says is wrong, while it is open.
+    pub fn errors(&self) -> impl Iterator<Item = String> {
+        let refused = match self.wish.kind {
+            Kind::Film(format) => self.wish.film(format).check().err().map(|error| error.to_string()),
+            _ => None,
+        };
+        self.error.clone().into_iter().chain(refused).filter(|_| self.is_open)
+    }
+
     /// Whether something is being made.
     pub fn is_busy(&self) -> bool {
         self.job.is_some()

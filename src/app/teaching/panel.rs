@@ -130,6 +130,16 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     walks(ui, &model.teaching().walks, actions);
 }
 
+/// What the groups say is wrong.
+pub fn errors(model: &Model) -> impl Iterator<Item = &str> {
+    let session = model.session();
+    let grid = model.shown_grid().error().filter(|_| session.texture == TextureKind::Conformal);
+    let disk = DiskWay::ALL.into_iter().filter(|way| session.comparison.shows(*way));
+    let of_plane =
+        disk.filter_map(|way| model.teaching().through_disk.error(way)).chain(model.teaching().walks.error());
+    grid.into_iter().chain(of_plane.filter(|_| model.surface().is_none()))
+}
+
 fn problem(ui: &mut Ui, error: Option<&str>) {
     if let Some(error) = error {
         let ink = Palette::of(ui.visuals()).error_edge;
