@@ -5,7 +5,7 @@
 //! the screen is grey and says why. The page around a frame is not bound by them.
 
 use super::action::Action;
-use super::editing::EditAction;
+use super::editing::{Change, EditAction};
 use super::explore::ExploreAction;
 use super::handles::HandleKind;
 use super::language::tr;
@@ -189,7 +189,11 @@ impl Locks {
             | Action::TraceImage
             | Action::PasteText(_)
             | Action::Edit(
-                EditAction::Draw(..) | EditAction::Close | EditAction::OpenPaste(_) | EditAction::TakePasted,
+                EditAction::Draw(..)
+                | EditAction::Close
+                | EditAction::OpenPaste(_)
+                | EditAction::TakePasted
+                | EditAction::Change(Change::Mirror),
             ) => Control::OF_SHAPES,
             _ => &[],
         };
@@ -291,7 +295,7 @@ mod tests {
 
     #[test]
     fn no_new_outline_brings_points_of_its_own_where_points_are_locked() {
-        use crate::app::editing::{Change, Pen};
+        use crate::app::editing::Pen;
         for control in [Control::Interior, Control::Boundary] {
             let locks = Locks::default().with(control);
             for action in [
@@ -300,6 +304,7 @@ mod tests {
                 Action::Edit(EditAction::Draw(Side::Target, Pen::Lines)),
                 Action::TraceImage,
                 Action::Session(Command::CloseSurface),
+                Action::Edit(EditAction::Change(Change::Mirror)),
             ] {
                 assert_eq!(locks.refused(&action), Some(control), "{action:?}");
             }

@@ -76,6 +76,22 @@ fn a_file_does_not_reset_locked_points() {
 }
 
 #[test]
+fn an_outline_is_not_mirrored_where_that_would_move_locked_points() {
+    for (locks, moves) in [(Locks::default(), true), (Locks::default().with(Control::Boundary), false)] {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        locks.install(&context);
+        harness.state_mut().carry_out(&context, vec![Action::Edit(EditAction::Toggle(Side::Source))]);
+        harness.run_steps(2);
+        let before = harness.state().session().clone();
+        assert_eq!(harness.get_by_label("Mirror").accesskit_node().is_disabled(), !moves);
+        harness.get_by_label("Mirror").click();
+        harness.run_steps(3);
+        assert_eq!(harness.state().model.side(Side::Source).wanted().outline != before.source.outline, moves);
+    }
+}
+
+#[test]
 fn a_file_that_could_be_repaired_is_not_offered_where_shapes_are_locked() {
     let spike = b"0,0\n2,0\n2,1\n3,1\n2,1\n2,2\n0,2\n";
     for locked in [false, true] {

@@ -4,6 +4,7 @@ use super::paint::RING;
 use super::{Change, Drawing, EditAction, Editor, Pen};
 use crate::app::action::{Action, Actions};
 use crate::app::language::tr;
+use crate::app::locks::menu_entry;
 use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
 use crate::app::view::View;
 use crate::app::widgets::message_box;
@@ -144,13 +145,16 @@ fn drawing_buttons(ui: &mut Ui, height: f32, drawing: &Drawing, actions: &mut Ac
     button(ui, height, ["Cancel", "Draw nothing (Escape)"], Some(EditAction::Leave), actions);
 }
 
-/// A button of the bar, by its label and its tooltip; without an action it is greyed.
+/// A button of the bar, by its label and its tooltip; without an action, or where that is locked, it is greyed.
 fn button(ui: &mut Ui, height: f32, words: [&'static str; 2], action: Option<EditAction>, actions: &mut Actions) {
-    let [label, tooltip] = words.map(tr);
-    let button = Button::new(label).min_size(vec2(0.0, height));
-    let response = ui.add_enabled(action.is_some(), button).on_hover_text(tooltip).on_disabled_hover_text(tooltip);
-    if let Some(action) = action.filter(|_| response.clicked()) {
-        actions.push(Action::Edit(action));
+    let [label, tooltip] = words;
+    let button = Button::new(tr(label)).min_size(vec2(0.0, height));
+    let Some(action) = action.map(Action::Edit) else {
+        ui.add_enabled(false, button).on_disabled_hover_text(tr(tooltip));
+        return;
+    };
+    if menu_entry(ui, true, button, tooltip, &action) {
+        actions.push(action);
     }
 }
 
