@@ -132,7 +132,10 @@ impl Control {
             | Command::Swap => Self::Outline,
             Command::SetTexture(_) | Command::SetTextureScale(_) | Command::SetTextureSide(_) => Self::Pattern,
             Command::SetColouring(_) | Command::SetWireframe(_) => Self::Colours,
-            Command::SetSettings { .. } | Command::SetDirection(_) | Command::SetExtension(_) => Self::Method,
+            Command::SetSettings { .. }
+            | Command::RefineSurface(_)
+            | Command::SetDirection(_)
+            | Command::SetExtension(_) => Self::Method,
             Command::SetPlots(_) => Self::Plots,
             Command::SetComparison(_) => Self::Comparison,
             Command::Open(_) => Self::Session,
@@ -183,7 +186,7 @@ impl Locks {
         let also: &[Control] = match action {
             Action::Play(_) => &[Control::Boundary],
             Action::Session(Command::Swap) => &[Control::Interior, Control::Boundary, Control::Method],
-            Action::Session(Command::SetOutline { .. } | Command::CloseSurface)
+            Action::Session(Command::SetOutline { .. } | Command::SetSurface(_) | Command::CloseSurface)
             | Action::OpenOutline(_)
             | Action::OpenTrace(_)
             | Action::TraceImage
@@ -260,7 +263,7 @@ pub fn menu_entry(ui: &mut Ui, enabled: bool, button: Button<'_>, tooltip: &'sta
 mod tests {
     use super::*;
     use crate::conformal::Side;
-    use crate::session::TextureKind;
+    use crate::session::{SurfaceSpec, TextureKind};
 
     #[test]
     fn names_are_read_and_what_is_none_is_reported() {
@@ -304,12 +307,22 @@ mod tests {
                 Action::Edit(EditAction::Draw(Side::Target, Pen::Lines)),
                 Action::TraceImage,
                 Action::Session(Command::CloseSurface),
+                Action::Session(Command::SetSurface(SurfaceSpec::default())),
                 Action::Edit(EditAction::Change(Change::Mirror)),
             ] {
                 assert_eq!(locks.refused(&action), Some(control), "{action:?}");
             }
             let reshaped = Action::Edit(EditAction::Change(Change::Smooth));
             assert_eq!(locks.refused(&reshaped), None, "its points stay");
+        }
+    }
+
+    #[test]
+    fn the_resolution_of_a_surface_belongs_to_the_method() {
+        let refined = Action::Session(Command::RefineSurface(SurfaceSpec::default()));
+        for control in Control::ALL {
+            let expected = (control == Control::Method).then_some(control);
+            assert_eq!(Locks::default().with(control).refused(&refined), expected);
         }
     }
 

@@ -56,7 +56,7 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str
         let direction = guarded(ui, Control::Method, |ui| segmented(ui, &DIRECTIONS, model.session().direction));
         actions.extend(direction.map(|direction| Action::Session(Command::SetDirection(direction))));
     } else {
-        guarded(ui, Control::Outline, |ui| surface::panel::show(ui, model, actions));
+        surface::panel::show(ui, model, actions);
     }
     guarded(ui, Control::Colours, |ui| shown(ui, model, actions));
     guarded(ui, Control::Pattern, |ui| texture(ui, model, image_name, actions));

@@ -209,6 +209,9 @@ pub enum Command {
     SetComparison(Comparison),
     /// Puts a surface in the target's place.
     SetSurface(SurfaceSpec),
+    /// Discretises the surface that is there in another way: other settings, or another number of boundary vertices of
+    /// one by formula. Another surface changes nothing.
+    RefineSurface(SurfaceSpec),
     /// Moves the surface's interior point.
     MoveSurfacePoint(BarycentricPoint),
     /// Moves the point of the surface's boundary loop, to a fraction of its length.
@@ -311,6 +314,11 @@ impl Session {
                     old.point = None; // its triangles are others
                 }
                 self.surface = Some(SurfaceState { spec, ..old });
+            }
+            Command::RefineSurface(spec) => {
+                if self.surface.as_ref().is_some_and(|there| there.spec.is_like(&spec)) {
+                    self.apply(Command::SetSurface(spec));
+                }
             }
             Command::MoveSurfacePoint(point) => {
                 if let Some(surface) = &mut self.surface {

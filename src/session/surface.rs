@@ -56,6 +56,13 @@ pub struct SurfaceSpec {
     pub settings: SurfaceSettings,
 }
 
+impl SurfaceSpec {
+    /// Whether the other is the same surface, in whatever resolution and with whatever settings.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.repair == other.repair && self.shape.is_like(&other.shape)
+    }
+}
+
 /// A surface with its two points.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct SurfaceState {

@@ -74,6 +74,11 @@ impl Model {
                     self.show_surface(spec, is_new);
                 }
             }
+            Command::RefineSurface(spec) => {
+                if self.surface.preparation.wanted().is_some_and(|wanted| wanted.is_like(&spec)) {
+                    self.dispatch_surface(Command::SetSurface(spec), now);
+                }
+            }
             Command::CloseSurface => self.close_surface(),
             moved => {
                 self.session.apply(moved);

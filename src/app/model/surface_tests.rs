@@ -254,3 +254,20 @@ fn the_source_shows_the_disk_pattern_too() {
     assert_eq!(geometry.texture_coordinates, model.shown_grid().of(Side::Source));
     assert!(geometry.texture_coordinates.iter().all(|g| g.length() < 1.0 + 1e-9), "in the disk");
 }
+
+#[test]
+fn a_surface_is_refined_and_no_other_one_comes_that_way() {
+    let mut model = with_hemisphere();
+    model.dispatch(Command::MoveSurfaceAnchor(0.4), 0.0);
+    for (asked, there) in [(SurfacePreset::Hemisphere, 30), (SurfacePreset::Saddle, 30)]
+        .map(|(preset, boundary)| (spec(preset, boundary), spec(SurfacePreset::Hemisphere, boundary)))
+    {
+        model.dispatch(Command::RefineSurface(asked.clone()), 0.0);
+        settle(&mut model);
+        let state = model.session().surface.as_ref().unwrap();
+        assert_eq!((&state.spec, state.anchor), (&there, 0.4));
+        let mut session = model.session().clone();
+        session.apply(Command::RefineSurface(asked));
+        assert_eq!(session.surface.unwrap().spec, there);
+    }
+}

@@ -25,6 +25,7 @@ impl Model {
                 self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false });
             }
             Command::SetSurface(_)
+            | Command::RefineSurface(_)
             | Command::MoveSurfacePoint(_)
             | Command::MoveSurfaceAnchor(_)
             | Command::CloseSurface => self.dispatch_surface(command, now),

@@ -2,7 +2,7 @@
 
 use crate::app::action::{Action, Actions};
 use crate::app::language::{tr, tr_with};
-use crate::app::locks::menu_entry;
+use crate::app::locks::{Control, guarded, menu_entry};
 use crate::app::model::Model;
 use crate::app::theme::Palette;
 use crate::app::widgets::{captioned_slider, group_heading, grouped};
@@ -25,6 +25,14 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     group_heading(ui, tr("Surface"));
     let words = "Every point of the surface is mapped to the outline on the left";
     ui.add(Label::new(RichText::new(tr(words)).small().color(weak)).wrap()).on_hover_text(tr(MAP_TOOLTIP));
+    guarded(ui, Control::Method, |ui| discretisation(ui, spec, actions));
+    let back = Action::Session(Command::CloseSurface);
+    if menu_entry(ui, true, Button::new(tr("Back to the plane")), "Show the target's outline again", &back) {
+        actions.push(back);
+    }
+}
+
+fn discretisation(ui: &mut Ui, spec: &SurfaceSpec, actions: &mut Actions) {
     let mut wanted = spec.clone();
     if let SurfaceShape::Preset { boundary, .. } = &mut wanted.shape {
         let shown = tr_with("{0} along the boundary", &[&grouped(*boundary as usize)]);
@@ -34,11 +42,7 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     }
     ui.checkbox(&mut wanted.settings.intrinsic_delaunay, tr("Intrinsic Delaunay")).on_hover_text(tr(DELAUNAY_TOOLTIP));
     if wanted != *spec {
-        actions.push(Action::Session(Command::SetSurface(wanted)));
-    }
-    let back = Action::Session(Command::CloseSurface);
-    if menu_entry(ui, true, Button::new(tr("Back to the plane")), "Show the target's outline again", &back) {
-        actions.push(back);
+        actions.push(Action::Session(Command::RefineSurface(wanted)));
     }
 }
 
@@ -46,5 +50,5 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 pub fn with_settings(model: &Model, change: impl Fn(&mut SurfaceSpec)) -> Option<Action> {
     let mut spec = model.surface_side().preparation.wanted().filter(|_| model.surface().is_some())?.clone();
     change(&mut spec);
-    Some(Action::Session(Command::SetSurface(spec)))
+    Some(Action::Session(Command::RefineSurface(spec)))
 }
