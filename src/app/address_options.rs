@@ -16,6 +16,7 @@
 use super::language::Language;
 use super::locks::{Control, Locks};
 use super::preferences::Appearance;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The options of an address; the default is that of an address without any.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -45,53 +46,84 @@ impl AddressOptions {
     /// Reads names and values, decoded, in their order.
     pub fn parse<'a>(pairs: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
         let mut options = Self::default();
+        let mut unknown = Unknown::default();
         for (name, value) in pairs {
-            options.read(name, value);
+            for value in options.read(name, value) {
+                unknown.entry(name).or_default().insert(value);
+            }
         }
+        options.troubles = unknown.iter().map(|(name, values)| trouble(name, values)).collect();
         options
     }
 
-    fn read(&mut self, name: &str, value: &str) {
+    /// Takes in an option; what of its value is not understood.
+    fn read<'a>(&mut self, name: &str, value: &'a str) -> Vec<&'a str> {
+        let mut is_understood = true;
         match name {
             "embed" => self.embed = true,
             "present" => self.present = true,
             "bench" => self.bench = true,
-            "lock" => self.lock(value),
+            "lock" => {
+                let (locks, unknown) = Locks::parse(value);
+                self.locks = self.locks.and(locks);
+                return unknown;
+            }
             "backend" => {
                 self.webgl = value.eq_ignore_ascii_case("webgl");
-                self.expect(self.webgl, name, value, "webgl");
+                is_understood = self.webgl;
             }
             "theme" => {
                 self.theme = THEMES.into_iter().find(|(theme, _)| value == *theme).map(|(_, theme)| theme);
-                self.expect(self.theme.is_some(), name, value, &THEMES.map(|(theme, _)| theme).join(", "));
+                is_understood = self.theme.is_some();
             }
             "lang" => {
                 self.language = Language::ALL.into_iter().find(|language| value == language.code());
-                self.expect(self.language.is_some(), name, value, &Language::ALL.map(Language::code).join(", "));
+                is_understood = self.language.is_some();
             }
             _ => {}
         }
+        if is_understood { Vec::new() } else { vec![value] }
     }
+}
 
-    fn lock(&mut self, list: &str) {
-        let (locks, unknown) = Locks::parse(list);
-        self.locks = self.locks.and(locks);
-        for name in unknown {
-            let known = Control::ALL.map(Control::name).join(", ");
-            self.expect(false, "lock", name, &known);
-        }
+/// By option what was not understood, each once.
+type Unknown<'a> = BTreeMap<&'a str, BTreeSet<&'a str>>;
+
+/// How many values that are not understood are named, and how many letters of each: an address may be of any length.
+const MOST_NAMED: usize = 3;
+const MOST_LETTERS: usize = 24;
+
+/// What is wrong with an option, in one sentence.
+fn trouble(name: &str, values: &BTreeSet<&str>) -> String {
+    let said = values.iter().take(MOST_NAMED).map(|value| shortened(value)).collect::<Vec<_>>().join(",");
+    let (asked, known) = (format!("{name}={said}"), known(name).join(", "));
+    match values.len().saturating_sub(MOST_NAMED) {
+        0 => format!("The address says \"{asked}\", but {name} knows only: {known}."),
+        more => format!("The address says \"{asked}\" and {more} more, but {name} knows only: {known}."),
     }
+}
 
-    fn expect(&mut self, is_understood: bool, name: &str, value: &str, known: &str) {
-        if !is_understood {
-            self.troubles.push(format!("The address says {name}={value}, but {name} knows only: {known}."));
-        }
+/// The values that an option may have.
+fn known(name: &str) -> Vec<&'static str> {
+    match name {
+        "lock" => Control::ALL.map(Control::name).into(),
+        "theme" => THEMES.map(|(theme, _)| theme).into(),
+        "lang" => Language::ALL.map(Language::code).into(),
+        _ => vec!["webgl"],
+    }
+}
+
+fn shortened(value: &str) -> String {
+    match value.char_indices().nth(MOST_LETTERS) {
+        Some((end, _)) => format!("{}…", &value[..end]),
+        None => value.to_owned(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::language::{set, tr_message};
 
     #[test]
     fn everything_can_be_asked_for_at_once() {
@@ -113,12 +145,34 @@ mod tests {
     fn what_is_not_understood_is_reported_with_what_would_be() {
         let options = AddressOptions::parse([("lock", "outline,vieuw"), ("theme", "blue"), ("backend", "webgpu")]);
         assert!(options.locks.holds(Control::Outline) && options.theme.is_none() && !options.webgl);
-        let [lock, theme, backend] = options.troubles.as_slice() else {
+        let [backend, lock, theme] = options.troubles.as_slice() else {
             unreachable!("{:?}", options.troubles);
         };
         assert!(lock.contains("lock=vieuw") && lock.contains("boundary"), "{lock}");
         assert!(theme.contains("theme=blue") && theme.contains("light, dark"), "{theme}");
         assert!(backend.contains("backend=webgpu"), "{backend}");
+        set(Language::German);
+        let theme = tr_message(theme);
+        assert_eq!(theme, "In der Adresse steht „theme=blue“, aber theme kennt nur: light, dark.");
+    }
+
+    #[test]
+    fn whatever_is_not_understood_is_said_in_one_short_sentence_for_each_option() {
+        let names: Vec<String> = (0..30).map(|k| format!("{k:02}{}", "ü".repeat(1000))).collect();
+        let (list, twice) = (names.join(","), [&*names[0], &*names[0]].join(","));
+        let options = AddressOptions::parse([("lock", &*list), ("lock", "vieuw"), ("lock", &*twice)]);
+        let [lock] = options.troubles.as_slice() else {
+            unreachable!("{:?}", options.troubles);
+        };
+        assert!(lock.contains("01üü") && lock.contains("…\" and 28 more, but lock knows only: interior, "), "{lock}");
+        assert!(lock.chars().count() < 300 && lock.matches("interior").count() == 1, "{lock}");
+        set(Language::German);
+        let german = tr_message(lock);
+        assert!(
+            german.starts_with("In der Adresse steht „lock=00ü")
+                && german.contains("“ und 28 weitere, aber lock kennt nur: interior, boundary, outline,"),
+            "{german}"
+        );
     }
 
     #[test]

@@ -113,7 +113,7 @@ mod tests {
     fn troubles_of_the_address_follow_the_first_message() {
         let options = AddressOptions::parse([("theme", "blue")]);
         let text = with_troubles(Some(String::from("First.")), &options).unwrap_or_default();
-        assert!(text.starts_with("First. The address says theme=blue"), "{text}");
+        assert!(text.starts_with("First. The address says \"theme=blue\""), "{text}");
         assert_eq!(with_troubles(None, &AddressOptions::default()), None);
     }
 }
