@@ -13,6 +13,7 @@
 
 pub mod closed_form;
 pub mod conformal;
+mod counted;
 pub mod drawing;
 pub mod exact;
 pub mod export;

@@ -186,7 +186,7 @@ fn a_surface_turns_too_and_on_no_ground() {
 fn animations_that_cannot_be_are_refused() {
     let link = link(&Session::default());
     fails(&["animate", &link, "--out", "a.webm"], 2, &["png", "gif"]);
-    fails(&["animate", &link, "--out", "a.gif", "--frames", "1"], 2, &["1 frames"]);
+    fails(&["animate", &link, "--out", "a.gif", "--frames", "1"], 2, &["1 frame:"]);
     fails(&["animate", &link, "--out", "a.gif", "--frames", "100", "--seconds", "1"], 2, &["at most 50"]);
     fails(&["animate", &link, "--out", "a.png", "--path", "sideways"], 2, &["sideways", "boundary"]);
 }

@@ -73,7 +73,7 @@ fn every_format_keeps_the_file_s_vertices_and_reads_back() {
     let summary = json(&arguments);
     assert_eq!(summary["counts"]["m"], 16);
     assert_eq!(summary["counts"]["n"], 9);
-    assert_eq!(summary["repairs"][0], "1 vertices in no triangle were dropped");
+    assert_eq!(summary["repairs"][0], "1 vertex in no triangle was dropped");
     // 9 interior vertices; the corners of the square go to a circle
     assert!(summary["quality"]["q_mean"].as_f64().unwrap() < 2.0, "{}", summary["quality"]);
     assert!(summary["timing_ms"]["surface"]["factor"].as_f64().is_some());
@@ -159,7 +159,7 @@ fn errors_name_their_cause() {
     assert!(fails(&[&turned, "preset:disk"], 1).contains("different orientation"));
     let output = flatten(&[&turned, "preset:disk", "--repair"]);
     assert!(output.status.success());
-    assert!(String::from_utf8_lossy(&output.stderr).contains("1 triangles were turned round"));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("1 triangle was turned round"));
     assert!(fails(&["preset:cube", "preset:disk"], 1).contains("hemisphere"));
     assert!(fails(&["preset:saddle:5", "preset:disk"], 1).contains("12 to 4000"));
     assert!(fails(&["nothing.obj", "preset:disk"], 1).contains("cannot read nothing.obj"));

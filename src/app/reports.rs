@@ -2,7 +2,7 @@
 //!
 //! A window that is closed asks for no more rows; the one under way is dropped when it comes.
 
-use super::language::{tr, tr_message, tr_with};
+use super::language::{tr, tr_count, tr_message, tr_with};
 use super::plots::convergence_chart;
 use super::theme::Palette;
 use super::widgets::close_button;
@@ -109,8 +109,11 @@ impl Reports {
     fn content(&self, ui: &mut Ui, report: Report) {
         let palette = Palette::of(ui.visuals());
         let left = self.waiting.len() + usize::from(self.running.is_some());
-        let state =
-            if left == 0 { String::from(tr("done")) } else { tr_with("measuring, {0} rows to go…", &[&left]) };
+        let state = if left == 0 {
+            String::from(tr("done"))
+        } else {
+            tr_count(left, ["measuring, {0} row to go…", "measuring, {0} rows to go…"], &[&left])
+        };
         ui.label(RichText::new(state).color(palette.weak));
         for failure in &self.failures {
             ui.label(RichText::new(tr_message(failure)).color(palette.error_edge));

@@ -4,7 +4,7 @@
 //! it in the page. On the desktop the system's accessibility interface reads the widgets themselves.
 
 use super::RiemapApp;
-use super::language::{number, tr, tr_message, tr_with};
+use super::language::{number, tr, tr_count, tr_message, tr_with};
 use super::model::Model;
 use super::words;
 use crate::conformal::Side;
@@ -18,7 +18,9 @@ pub fn state(app: &RiemapApp) -> String {
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| points(model, side)));
     if let Some(quality) = model.quality() {
         let mean = number(quality.q_mean, 3);
-        sentences.push(tr_with("Mean angle distortion {0}; {1} triangles flipped.", &[&mean, &quality.flipped]));
+        let forms =
+            ["Mean angle distortion {0}; {1} triangle flipped.", "Mean angle distortion {0}; {1} triangles flipped."];
+        sentences.push(tr_count(quality.flipped as usize, forms, &[&mean, &quality.flipped]));
     }
     if !model.is_ready() {
         sentences.push(tr("Being prepared.").into());

@@ -1,7 +1,7 @@
 //! The words on the screen that are not beside their control: stages, shapes,
 //! patterns, and the field's own terms, each explained once.
 
-use super::language::{tr, tr_with};
+use super::language::{tr, tr_count, tr_with};
 use super::stats::Processor;
 use super::widgets::{grouped, milliseconds};
 use crate::conformal::{PrepareTimings, PreparedDomain, PreparedSurface, Side, Stage};
@@ -164,12 +164,21 @@ fn sizes(m: usize, n: usize, ms: f64) -> String {
 /// What the intrinsic Delaunay flips have done to a surface, and how long the stages took.
 pub fn surface_details(surface: &PreparedSurface) -> String {
     let FlipReport { flips, negative_before, negative_after } = surface.flips;
-    let sizes = tr_with(
-        "m: boundary vertices. n: interior vertices. {0} triangles.",
-        &[&grouped(surface.surface.mesh.triangles.len())],
+    let triangles = surface.surface.mesh.triangles.len();
+    let sizes = tr_count(
+        triangles,
+        [
+            "m: boundary vertices. n: interior vertices. {0} triangle.",
+            "m: boundary vertices. n: interior vertices. {0} triangles.",
+        ],
+        &[&grouped(triangles)],
     );
-    let flips = tr_with(
-        "Intrinsic Delaunay: {0} edges flipped, negative weights {1} → {2}",
+    let flips = tr_count(
+        flips,
+        [
+            "Intrinsic Delaunay: {0} edge flipped, negative weights {1} → {2}",
+            "Intrinsic Delaunay: {0} edges flipped, negative weights {1} → {2}",
+        ],
         &[&grouped(flips), &grouped(negative_before), &grouped(negative_after)],
     );
     format!("{sizes}\n\n{flips}\n\n{}", timings(&surface.timings))

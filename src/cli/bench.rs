@@ -3,6 +3,7 @@
 use super::CliError;
 use super::arguments::BenchArguments;
 use super::output::print;
+use crate::counted::counted;
 use crate::figures::{
     BenchRow, BenchSetting, Frame, Measurement, PAPER_MACHINE, PaperFrame, PaperPreparation, Preparation, TABLE_1,
     TABLE_2,
@@ -35,7 +36,7 @@ impl Machine {
 
     fn say(&self) -> String {
         let cpu = self.cpu.as_deref().unwrap_or("a processor that does not say its name");
-        let cores = self.cores.map_or_else(String::new, |cores| format!(", {cores} cores"));
+        let cores = self.cores.map_or_else(String::new, |cores| counted!(cores, ", 1 core", ", {cores} cores"));
         let build = if self.optimised { "" } else { "; not a release build: times are too long" };
         format!("{cpu}{cores} ({}); one thread{build}", self.system)
     }

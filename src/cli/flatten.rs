@@ -3,7 +3,7 @@
 use super::CliError;
 use super::arguments::read_outline;
 use super::flatten_arguments::{FlattenArguments, UvArgument, read};
-use super::output::{check_paths, print, say_solver, warn_if_coarse, write_all};
+use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, write_all};
 use super::surface_picture;
 use crate::conformal::{
     FrameTimings, Memory, PrepareTimings, Quality, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare,
@@ -103,11 +103,11 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     }
     let Summary { quality, counts, flips, .. } = summary;
     print(&format!(
-        "m = {}, n = {}, {} triangles; {} edges flipped, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed",
+        "m = {}, n = {}, {}; {}, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed",
         counts.m,
         counts.n,
-        counts.triangles,
-        flips.flips,
+        triangles(counts.triangles),
+        edges_flipped(flips.flips),
         flips.negative_before,
         flips.negative_after,
         quality.q_mean,

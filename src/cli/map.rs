@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments, NamedOutline, read_outline};
-use super::output::{Format, check_paths, print, say_solver, warn_if_coarse, write_all};
+use super::output::{Format, check_paths, print, say_solver, triangles, warn_if_coarse, write_all};
 use super::picture;
 use super::progress::Progress;
 use super::tables::{self, Summary};
@@ -31,8 +31,13 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     }
     let Summary { quality, counts, .. } = summary;
     print(&format!(
-        "m = {}, n = {}, {} triangles\nmean Q = {:.4}, {} flipped, {} collapsed",
-        counts.m, counts.n, counts.triangles, quality.q_mean, quality.flipped, quality.collapsed
+        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed",
+        counts.m,
+        counts.n,
+        triangles(counts.triangles),
+        quality.q_mean,
+        quality.flipped,
+        quality.collapsed
     ))
 }
 

@@ -1,10 +1,21 @@
 //! Writing files whole or not at all.
 
 use super::CliError;
+use crate::counted::counted;
 use crate::laplace::{Solver, SolverKind};
 use crate::mesh::RefineReport;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
+
+/// "1 triangle", "960 triangles".
+pub fn triangles(count: usize) -> String {
+    counted!(count, "1 triangle", "{count} triangles")
+}
+
+/// "1 edge flipped", "7 edges flipped".
+pub fn edges_flipped(count: usize) -> String {
+    counted!(count, "1 edge flipped", "{count} edges flipped")
+}
 
 /// The formats of `riemap map --out`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::arguments::{PrepareArguments, read_outline};
-use super::output::{print, say_solver, warn_if_coarse};
+use super::output::{print, say_solver, triangles, warn_if_coarse};
 use super::tables::Counts;
 use crate::conformal::{PrepareTimings, prepare};
 
@@ -28,12 +28,12 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
     }
     let PrepareTimings { sample, mesh, assemble, order, factor, table } = timings;
     print(&format!(
-        "{}: m = {}, n = {}, {} triangles\n\
+        "{}: m = {}, n = {}, {}\n\
          {:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}{}",
         named.outline.name,
         counts.m,
         counts.n,
-        counts.triangles,
+        triangles(counts.triangles),
         timings.total(),
         if table > 0.0 { format!(", table {table:.1}") } else { String::new() },
     ))

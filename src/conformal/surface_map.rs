@@ -13,6 +13,7 @@ use super::{
     BoundaryCorrespondence, Constraints, ExtensionScratch, FrameTimings, HarmonicMeasure, KernelScratch, MapError,
     PreparedDomain, PreparedSurface, Quality, Side, TriangleDistortion, match_measures, surface_distortions,
 };
+use crate::counted::counted;
 use crate::geometry::DVec2;
 use crate::laplace::{Deadline, NotConverged};
 use crate::mesh::BarycentricPoint;
@@ -48,8 +49,14 @@ pub enum SurfaceMapError {
     #[error(transparent)]
     Planar(#[from] MapError),
     /// No such triangle, or weights that are negative or do not sum to 1.
-    #[error("({}, {}, {}) in triangle {triangle} is no point of the surface, which has {triangles} triangles",
-        .weights[0], .weights[1], .weights[2])]
+    #[error("{}", counted!(
+        *triangles,
+        "({}, {}, {}) in triangle {triangle} is no point of the surface, which has 1 triangle",
+        "({}, {}, {}) in triangle {triangle} is no point of the surface, which has {triangles} triangles",
+        weights[0],
+        weights[1],
+        weights[2]
+    ))]
     NoPoint {
         /// Which triangle.
         triangle: u32,

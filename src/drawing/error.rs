@@ -1,5 +1,6 @@
 //! Why a drawing is no outline, or a handle cannot go.
 
+use crate::counted::counted;
 use crate::geometry::PolygonError;
 
 /// Why a drawing is no outline, or a change of one was not made.
@@ -9,7 +10,11 @@ pub enum DrawingError {
     #[error("this stroke is too short for an outline: draw around the shape in one go")]
     TooShort,
     /// Fewer than three points were clicked.
-    #[error("an outline needs at least 3 points; {count} are set")]
+    #[error("{}", counted!(
+        *count,
+        "an outline needs at least 3 points; 1 is set",
+        "an outline needs at least 3 points; {count} are set"
+    ))]
     TooFewPoints {
         /// How many there are.
         count: usize,

@@ -11,6 +11,7 @@ mod shapes;
 
 use std::fmt;
 
+use crate::counted::counted;
 use crate::geometry::SimplePolygon;
 pub use parse::{MAX_BYTES, OutlineError, parse, parse_repaired};
 pub use preset::{Preset, UnknownPreset};
@@ -57,10 +58,14 @@ impl fmt::Display for OutlineNote {
             Self::Reversed => f.write_str("The points ran clockwise and were reversed."),
             Self::LargestOf { rings } => write!(f, "Of {rings} closed rings, the largest was taken."),
             Self::ClosingPointDropped => f.write_str("The last point repeated the first one and was dropped."),
-            Self::Repaired { dropped: 1 } => f.write_str("A repeated point or spike was cut off."),
-            Self::Repaired { dropped } => write!(f, "{dropped} points of loops and spikes were cut off."),
-            Self::HolesIgnored { holes: 1 } => f.write_str("A hole was left out."),
-            Self::HolesIgnored { holes } => write!(f, "{holes} holes were left out."),
+            Self::Repaired { dropped } => f.write_str(&counted!(
+                *dropped,
+                "A repeated point or spike was cut off.",
+                "{dropped} points of loops and spikes were cut off."
+            )),
+            Self::HolesIgnored { holes } => {
+                f.write_str(&counted!(*holes, "A hole was left out.", "{holes} holes were left out."))
+            }
         }
     }
 }

@@ -5,6 +5,7 @@
 //! own for every frame would flicker.
 
 use super::palette::Palette;
+use crate::counted::counted;
 use gif::{DisposalMethod, Repeat};
 use image::RgbaImage;
 use std::io::{self, Write};
@@ -64,7 +65,11 @@ const MOST_BYTES: usize = 512 << 20;
 #[derive(Debug, thiserror::Error)]
 pub enum FilmError {
     /// No frames, or more than can be waited for.
-    #[error("{frames} frames: an animation has from 2 to {MOST_FRAMES}")]
+    #[error("{}", counted!(
+        *frames,
+        "1 frame: an animation has from 2 to {MOST_FRAMES}",
+        "{frames} frames: an animation has from 2 to {MOST_FRAMES}"
+    ))]
     Frames {
         /// How many were asked for.
         frames: u32,
@@ -90,7 +95,12 @@ pub enum FilmError {
         height: u32,
     },
     /// A longer file does not grow further in the memory of a browser.
-    #[error("the animation is longer than {} MiB after {pictures} pictures: make it smaller or shorter", MOST_BYTES >> 20)]
+    #[error("{}", counted!(
+        *pictures,
+        "the animation is longer than {} MiB after 1 picture: make it smaller or shorter",
+        "the animation is longer than {} MiB after {pictures} pictures: make it smaller or shorter",
+        MOST_BYTES >> 20
+    ))]
     Long {
         /// How many there are.
         pictures: u32,

@@ -39,6 +39,7 @@ pub use repair::{ADDED, RepairNote, Repaired, repair};
 pub use topology_error::{LoopReport, TopologyError};
 pub use tree::SurfaceTree;
 
+use crate::counted::counted;
 use crate::geometry::DVec3;
 
 /// Triangles in space, as a file gives them: nothing is known about their connectivity.
@@ -56,7 +57,7 @@ pub struct Surface {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SurfaceNote {
     /// Polygons were cut into triangles.
-    #[error("{polygons} polygons were cut into triangles")]
+    #[error("{}", counted!(*polygons, "1 polygon was cut into triangles", "{polygons} polygons were cut into triangles"))]
     Triangulated {
         /// How many.
         polygons: usize,

@@ -10,6 +10,7 @@ use super::fill::fill_holes;
 use super::orient::turned;
 use super::survey::{check_edges, check_values, components, connectivity, repeats};
 use super::{LoopReport, Surface, TopologyError};
+use crate::counted::counted;
 
 /// The origin of a vertex or triangle that a repair has added.
 pub const ADDED: u32 = u32::MAX;
@@ -19,19 +20,31 @@ pub const ADDED: u32 = u32::MAX;
 #[serde(rename_all = "kebab-case")]
 pub enum RepairNote {
     /// Triangles that name a vertex twice were dropped.
-    #[error("{count} triangles that name a vertex twice were dropped")]
+    #[error("{}", counted!(
+        *count,
+        "1 triangle that names a vertex twice was dropped",
+        "{count} triangles that name a vertex twice were dropped"
+    ))]
     DroppedTriangles {
         /// How many.
         count: usize,
     },
     /// Triangles were turned round.
-    #[error("{count} triangles were turned round, so that all have the same orientation")]
+    #[error("{}", counted!(
+        *count,
+        "1 triangle was turned round, so that all have the same orientation",
+        "{count} triangles were turned round, so that all have the same orientation"
+    ))]
     Oriented {
         /// How many.
         count: usize,
     },
     /// Only one component was kept.
-    #[error("the largest of {components} components was kept; {dropped} triangles were dropped")]
+    #[error("{}", counted!(
+        *dropped,
+        "the largest of {components} components was kept; 1 triangle was dropped",
+        "the largest of {components} components was kept; {dropped} triangles were dropped"
+    ))]
     KeptLargest {
         /// How many there were.
         components: usize,
@@ -39,19 +52,30 @@ pub enum RepairNote {
         dropped: usize,
     },
     /// Vertices in no triangle were dropped.
-    #[error("{count} vertices in no triangle were dropped")]
+    #[error("{}", counted!(
+        *count,
+        "1 vertex in no triangle was dropped",
+        "{count} vertices in no triangle were dropped"
+    ))]
     DroppedVertices {
         /// How many.
         count: usize,
     },
     /// Holes were closed.
-    #[error("{} holes were filled with {triangles} triangles", .holes.len())]
+    #[error("{}", filled(.holes.len(), *.triangles))]
     FilledHoles {
         /// Their boundary loops.
         holes: Vec<LoopReport>,
         /// How many triangles were added.
         triangles: usize,
     },
+}
+
+fn filled(holes: usize, triangles: usize) -> String {
+    if holes > 1 {
+        return format!("{holes} holes were filled with {triangles} triangles");
+    }
+    counted!(triangles, "1 hole was filled with 1 triangle", "1 hole was filled with {triangles} triangles")
 }
 
 /// A repaired surface, with where its parts come from.

@@ -1,5 +1,6 @@
 //! What keeps a surface from being a disk, with all that is needed to find it.
 
+use crate::counted::counted;
 use std::fmt;
 
 /// A boundary loop of a surface.
@@ -20,7 +21,11 @@ pub enum TopologyError {
     #[error("the surface has no triangles")]
     Empty,
     /// A triangle names a vertex that does not exist.
-    #[error("triangle {triangle} names vertex {vertex}, but there are {vertices} vertices")]
+    #[error("{}", counted!(
+        *vertices,
+        "triangle {triangle} names vertex {vertex}, but there is 1 vertex",
+        "triangle {triangle} names vertex {vertex}, but there are {vertices} vertices"
+    ))]
     IndexOutOfRange {
         /// Which triangle.
         triangle: u32,
@@ -36,7 +41,11 @@ pub enum TopologyError {
         vertex: u32,
     },
     /// Triangles that name a vertex twice.
-    #[error("{count} triangles name a vertex twice, the first is triangle {triangle} {corners:?}: drop them")]
+    #[error("{}", counted!(
+        *count,
+        "triangle {triangle} {corners:?} names a vertex twice: drop it",
+        "{count} triangles name a vertex twice, the first is triangle {triangle} {corners:?}: drop them"
+    ))]
     RepeatedCorner {
         /// The first one.
         triangle: u32,
@@ -46,7 +55,11 @@ pub enum TopologyError {
         count: usize,
     },
     /// Triangles without area.
-    #[error("{count} triangles have no area, the first is triangle {triangle} {corners:?}")]
+    #[error("{}", counted!(
+        *count,
+        "triangle {triangle} {corners:?} has no area",
+        "{count} triangles have no area, the first is triangle {triangle} {corners:?}"
+    ))]
     Degenerate {
         /// The first one.
         triangle: u32,
@@ -56,7 +69,13 @@ pub enum TopologyError {
         count: usize,
     },
     /// Edges with three triangles or more.
-    #[error("{count} edges have more than two triangles, the first, from vertex {} to {}, the triangles {triangles:?}", .edge[0], .edge[1])]
+    #[error("{}", counted!(
+        *count,
+        "the edge from vertex {} to {} has more than two triangles: {triangles:?}",
+        "{count} edges have more than two triangles, the first, from vertex {} to {}, the triangles {triangles:?}",
+        edge[0],
+        edge[1]
+    ))]
     NonManifoldEdge {
         /// The first one's ends.
         edge: [u32; 2],
@@ -66,10 +85,17 @@ pub enum TopologyError {
         count: usize,
     },
     /// Neighbours of different orientation, in a surface that can be oriented.
-    #[error(
+    #[error("{}", counted!(
+        *count,
+        "the edge from vertex {} to {} lies between triangles of different orientation, {} and {}: orient the surface \
+         consistently",
         "{count} edges lie between triangles of different orientation, the first from vertex {} to {}, between the \
-         triangles {} and {}: orient it consistently", .edge[0], .edge[1], .triangles[0], .triangles[1]
-    )]
+         triangles {} and {}: orient the surface consistently",
+        edge[0],
+        edge[1],
+        triangles[0],
+        triangles[1]
+    ))]
     Orientation {
         /// The first one's ends.
         edge: [u32; 2],
@@ -85,9 +111,11 @@ pub enum TopologyError {
         triangle: u32,
     },
     /// Vertices at which several fans of triangles meet.
-    #[error(
+    #[error("{}", counted!(
+        *count,
+        "vertex {vertex} joins parts that share no edge: {fans} fans of triangles",
         "{count} vertices join parts that share no edge, the first is vertex {vertex} with {fans} fans of triangles"
-    )]
+    ))]
     NonManifoldVertex {
         /// The first one.
         vertex: u32,
@@ -97,13 +125,17 @@ pub enum TopologyError {
         count: usize,
     },
     /// More than one connected part.
-    #[error("the surface has {} components ({} triangles): keep the largest one", .triangles.len(), Listed(.triangles))]
+    #[error("the surface has {} components (triangles: {}): keep the largest one", .triangles.len(), Listed(.triangles))]
     Components {
         /// The number of triangles of each, largest first.
         triangles: Vec<usize>,
     },
     /// Vertices in no triangle.
-    #[error("{count} vertices are in no triangle, the first is vertex {vertex}: drop them")]
+    #[error("{}", counted!(
+        *count,
+        "vertex {vertex} is in no triangle: drop it",
+        "{count} vertices are in no triangle, the first is vertex {vertex}: drop them"
+    ))]
     Unreferenced {
         /// The first one.
         vertex: u32,
@@ -123,7 +155,11 @@ pub enum TopologyError {
         loops: Vec<LoopReport>,
     },
     /// Handles.
-    #[error("the surface has {genus} handles; a disk has none: cut it open")]
+    #[error("{}", counted!(
+        *genus,
+        "the surface has 1 handle; a disk has none: cut it open",
+        "the surface has {genus} handles; a disk has none: cut it open"
+    ))]
     Genus {
         /// How many.
         genus: usize,

@@ -183,7 +183,7 @@ mod tests {
         let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
         let Response::Surface(surface, notes) = last(file(square), false) else { panic!() };
         assert_eq!(surface.surface.mesh.triangles.len(), 2);
-        assert_eq!(notes, ["1 polygons were cut into triangles"]);
+        assert_eq!(notes, ["1 polygon was cut into triangles"]);
     }
 
     #[test]

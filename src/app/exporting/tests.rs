@@ -108,7 +108,7 @@ fn animations_that_cannot_be_are_refused_in_words() {
     let (device, queue, _) = headless_device().unwrap();
     let wish = Wish { frames: 1, ..wish(Kind::Film(FilmFormat::Gif)) };
     let refused = Job::begin(&prepared_model(), &wish, scenery(), (&device, &queue)).err();
-    assert!(refused.unwrap().contains("1 frames"));
+    assert!(refused.unwrap().contains("1 frame:"));
 }
 
 #[test]

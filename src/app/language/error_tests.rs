@@ -274,3 +274,35 @@ fn what_cannot_be_computed_or_exported() {
         german(&Film::new(settings).err().unwrap());
     }
 }
+
+/// What is said of one thing and of several.
+#[test]
+fn counts_of_one() {
+    use crate::surface::{RepairNote, TopologyError};
+    let sentences = |count: usize| {
+        let corners = [4, 4, 7];
+        [
+            TopologyError::RepeatedCorner { triangle: 5, corners, count }.to_string(),
+            TopologyError::Degenerate { triangle: 5, corners, count }.to_string(),
+            TopologyError::NonManifoldEdge { edge: [2, 4], triangles: vec![5, 7, 9], count }.to_string(),
+            TopologyError::Orientation { edge: [2, 4], triangles: [5, 7], count }.to_string(),
+            TopologyError::NonManifoldVertex { vertex: 4, fans: 3, count }.to_string(),
+            TopologyError::Unreferenced { vertex: 4, count }.to_string(),
+            TopologyError::Genus { genus: count }.to_string(),
+            RepairNote::DroppedTriangles { count }.to_string(),
+            RepairNote::Oriented { count }.to_string(),
+            RepairNote::KeptLargest { components: 3, dropped: count }.to_string(),
+            RepairNote::DroppedVertices { count }.to_string(),
+        ]
+    };
+    for sentence in sentences(1) {
+        let words: Vec<&str> = sentence.split_whitespace().collect();
+        assert!(!words.windows(2).any(|pair| pair[0] == "1" && pair[1].ends_with('s')), "{sentence}");
+        assert!(![" vertices", "s were ", "s have "].iter().any(|plural| sentence.contains(plural)), "{sentence}");
+        german(&sentence);
+    }
+    for sentence in sentences(6) {
+        assert!(sentence.contains('6'), "{sentence}");
+        german(&sentence);
+    }
+}

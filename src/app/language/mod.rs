@@ -105,6 +105,11 @@ pub fn tr_with(template: &'static str, parts: &[&dyn Display]) -> String {
     template::fill(tr(template), parts)
 }
 
+/// Of two templates the one for `count` things, the first for one of them, filled like [`tr_with`]'s.
+pub fn tr_count(count: usize, [one, several]: [&'static str; 2], parts: &[&dyn Display]) -> String {
+    tr_with(if count == 1 { one } else { several }, parts)
+}
+
 /// A number with `digits` after the decimal point or comma, for the ear: to a German one a point groups thousands.
 pub fn number(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");

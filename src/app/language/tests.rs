@@ -39,7 +39,7 @@ fn every_literal_that_is_to_be_translated_has_an_entry() {
     let is_translated = |before: &str| {
         let name = before.trim_end().strip_suffix('(').unwrap_or_default();
         let name = name.rsplit(|letter: char| !letter.is_alphanumeric() && letter != '_').next();
-        name == Some("tr") || name == Some("tr_with")
+        name == Some("tr") || name == Some("tr_with") || before.contains("tr_count(")
     };
     let found: BTreeSet<String> =
         literals().into_iter().filter(|literal| is_translated(&literal.before)).map(|literal| literal.text).collect();
@@ -66,6 +66,14 @@ fn the_screen_speaks_the_language_that_was_set() {
     assert_eq!(tr_with("{0} of {1}", &[&3, &7]), "3 von 7");
     assert_eq!(tr("no text of the screen"), "no text of the screen");
     assert!(MISSING.with_borrow(|missing| missing.contains("no text of the screen")));
+}
+
+#[test]
+fn one_thing_is_said_of_in_the_singular() {
+    let walks = |count: usize| tr_count(count, ["{0} walk", "{0} walks"], &[&count]);
+    assert_eq!([0, 1, 2].map(walks), ["0 walks", "1 walk", "2 walks"]);
+    set(Language::German);
+    assert_eq!([0, 1, 2].map(walks), ["0 Irrfahrten", "1 Irrfahrt", "2 Irrfahrten"]);
 }
 
 #[test]

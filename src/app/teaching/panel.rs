@@ -9,7 +9,7 @@ use super::super::words;
 use super::overlay::Origin;
 use super::through_disk::{Found, ThroughDisk};
 use super::walks::{SPEEDS, WalkAction, Walks};
-use crate::app::language::{tr, tr_message, tr_with};
+use crate::app::language::{tr, tr_count, tr_message, tr_with};
 use crate::conformal::Side;
 use crate::session::{Command, Comparison, DiskWay, Session, TextureKind};
 use egui::{Label, RichText, Ui};
@@ -215,7 +215,9 @@ fn walks(ui: &mut Ui, walks: &Walks, actions: &mut Actions) {
         if clear.on_hover_text(tr("Forget all hits")).clicked() {
             actions.push(Action::Walks(WalkAction::Clear));
         }
-        ui.label(RichText::new(tr_with("{0} walks", &[&grouped(walks.count() as usize)])).color(palette.weak));
+        let count = walks.count() as usize;
+        let counted = tr_count(count, ["{0} walk", "{0} walks"], &[&grouped(count)]);
+        ui.label(RichText::new(counted).color(palette.weak));
     });
     let shown = tr_with("{0} per second", &[&grouped(walks.speed().round() as usize)]);
     if let Some(speed) = captioned_slider(ui, tr("Speed"), &shown, walks.speed(), SPEEDS, true) {

@@ -6,6 +6,7 @@ use super::svg::{Anchor, LABEL, Page, SMALL, Stroke, TITLE, colour};
 use super::{Drawing, pictures};
 use crate::cli::{CliError, picture};
 use crate::conformal::Side;
+use crate::counted::counted;
 use crate::figures::{BoundaryMap, ConvergenceRow, ConvergenceStudy, CrowdingStudy, Detail, Figure, Method, SecondMap};
 use crate::figures::{FigureError, fitted_order};
 use crate::geometry::DVec2;
@@ -47,12 +48,9 @@ pub fn figure_12(detail: Detail) -> Result<Drawing, CliError> {
 fn finding(study: &CrowdingStudy, map: &BoundaryMap, stray: DVec2) -> String {
     let (max, mean) = map.max_and_mean_error();
     let off = stray.distance(study.constraints.target_point);
-    format!(
-        "{}: error max {max:.2e}, mean {mean:.2e}; the image of x₁ is {off:.1e} from x₂; {} of {} samples collapse in the disk",
-        map.method.title(),
-        map.collapsed,
-        map.images.len()
-    )
+    let (title, collapsed, all) = (map.method.title(), map.collapsed, map.images.len());
+    let lost = counted!(collapsed, "1 of {all} samples collapses", "{collapsed} of {all} samples collapse");
+    format!("{title}: error max {max:.2e}, mean {mean:.2e}; the image of x₁ is {off:.1e} from x₂; {lost} in the disk")
 }
 
 /// The V, and the blob under each map.
@@ -98,7 +96,11 @@ fn label_panels(page: &mut Page, study: &CrowdingStudy, strays: &[DVec2]) {
         let off = stray.distance(study.constraints.target_point);
         let note = match map.method {
             Method::Exact => "boundary by the closed forms".to_owned(),
-            _ if off > VISIBLE => format!("{} of {} samples leave y₂; x₁ → yellow", moved(map), map.images.len()),
+            _ if off > VISIBLE => {
+                let (moved, all) = (moved(map), map.images.len());
+                let left = counted!(moved, "1 of {all} samples leaves y₂", "{moved} of {all} samples leave y₂");
+                format!("{left}; x₁ → yellow")
+            }
             _ => format!("mean error {:.1e}; x₁ is {off:.0e} off", map.max_and_mean_error().1),
         };
         label(k + 1, map.method.title(), &note);

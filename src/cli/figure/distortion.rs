@@ -5,6 +5,7 @@ use super::pictures::{LEFT, PANEL, Sheet, Shown, maps};
 use super::raster::{Raster, RasterPanel};
 use super::svg::{Anchor, LABEL, Page, SMALL, colour};
 use crate::cli::CliError;
+use crate::cli::output::triangles;
 use crate::conformal::{Side, TriangleDistortion};
 use crate::figures::{Detail, Figure};
 use crate::geometry::DVec2;
@@ -37,8 +38,8 @@ pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
     let title = format!("Figure 9: {}, Q = σ₁/σ₂", Figure::Distortion.title());
     let mut sheet = Sheet::new(&title, &rows, maps.len(), 60.0)?;
     for (k, shown) in maps.iter().enumerate() {
-        let triangles = shown.map.domain(Side::Source).mesh.triangles.len();
-        sheet.label(0, k, &shown.label, &format!("{triangles} triangles"));
+        let count = shown.map.domain(Side::Source).mesh.triangles.len();
+        sheet.label(0, k, &shown.label, &triangles(count));
         sheet.label(1, k, "", &shown.note());
     }
     legend(&mut sheet.page, Sheet::bottom(rows.len()), maps.len(), TOP_Q);

@@ -7,6 +7,7 @@ use super::raster::{Raster, RasterPanel};
 use crate::app::still::compose::{HANDLE_COLOURS, surface_handles};
 use crate::cli::CliError;
 use crate::cli::flatten_arguments::{preset, read};
+use crate::cli::output::{edges_flipped, triangles};
 use crate::cli::surface_picture::{camera, places, planar_places};
 use crate::conformal::{Quality, TriangleDistortion, surface_distortions};
 use crate::figures::{Detail, Figure, FigureError, SurfaceStudy};
@@ -66,8 +67,8 @@ fn findings(name: Option<&str>, shown: &[Shown<'_>]) -> Vec<String> {
         let prepared = shown.study.map.surface();
         let mesh = &prepared.surface.mesh;
         let name = name.map_or_else(String::new, |name| format!(" ({name})"));
-        let (m, triangles, flips) = (mesh.boundary_count, mesh.triangles.len(), prepared.flips.flips);
-        format!("surface{name}: m = {m}, {triangles} triangles, {flips} edges flipped to be Delaunay")
+        let (m, triangles) = (mesh.boundary_count, triangles(mesh.triangles.len()));
+        format!("surface{name}: m = {m}, {triangles}, {} to be Delaunay", edges_flipped(prepared.flips.flips))
     });
     let maps = shown.iter().map(|shown| {
         let Quality { q_max, flipped, collapsed, .. } = shown.quality();

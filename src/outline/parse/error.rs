@@ -3,6 +3,7 @@
 //! Lines, columns, points and rings count from 1, as people do.
 
 use super::MAX_BYTES;
+use crate::counted::counted;
 use crate::geometry::{DVec2, PolygonError};
 
 /// Why a file is no outline, and where in it.
@@ -60,7 +61,11 @@ pub enum OutlineError {
         column: usize,
     },
     /// A line of a table without exactly two numbers.
-    #[error("line {line} has {count} {}; a point is two", if *.count == 1 { "number" } else { "numbers" })]
+    #[error("{}", counted!(
+        *count,
+        "line {line} has 1 number; a point is two",
+        "line {line} has {count} numbers; a point is two"
+    ))]
     NumbersOnLine {
         /// The line.
         line: usize,
@@ -68,7 +73,11 @@ pub enum OutlineError {
         count: usize,
     },
     /// A line of points with a number too many, or too few.
-    #[error("this line has {count} numbers, an odd number; a point is two")]
+    #[error("{}", counted!(
+        *count,
+        "this line has 1 number; a point is two",
+        "this line has {count} numbers, an odd number; a point is two"
+    ))]
     OddNumbers {
         /// How many it has.
         count: usize,

@@ -4,6 +4,7 @@ use serde_json::Value;
 
 use super::ring::Ring;
 use super::{OutlineError, geojson};
+use crate::counted::counted;
 use crate::geometry::DVec2;
 
 pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
@@ -51,8 +52,10 @@ pub(super) fn position(value: &Value, more_allowed: bool) -> Result<DVec2, Strin
             (None, _) => Err(format!("has {} where a number should be", kind(x))),
             (_, None) => Err(format!("has {} where a number should be", kind(y))),
         },
-        [_] => Err("has 1 number".to_owned()),
-        other => Err(format!("has {} numbers", other.len())),
+        other => {
+            let count = other.len();
+            Err(counted!(count, "has 1 number", "has {count} numbers"))
+        }
     }
 }
 

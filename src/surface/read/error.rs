@@ -2,6 +2,7 @@
 
 use super::faces::MAX_CORNERS;
 use super::{MAX_BYTES, MAX_TRIANGLES};
+use crate::counted::counted;
 
 /// Where in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -70,7 +71,11 @@ pub enum SurfaceError {
         what: String,
     },
     /// A face names a vertex that does not exist.
-    #[error("{place}: a face names vertex {index}, but the file has {vertices} vertices")]
+    #[error("{}", counted!(
+        *vertices,
+        "{place}: a face names vertex {index}, but the file has 1 vertex",
+        "{place}: a face names vertex {index}, but the file has {vertices} vertices"
+    ))]
     IndexOutOfRange {
         /// Where.
         place: Place,
@@ -80,7 +85,11 @@ pub enum SurfaceError {
         vertices: usize,
     },
     /// A face with fewer than 3 corners or more than [`MAX_CORNERS`].
-    #[error("{place}: a face has {count} corners; 3 to {MAX_CORNERS} are possible")]
+    #[error("{}", counted!(
+        *count,
+        "{place}: a face has 1 corner; 3 to {MAX_CORNERS} are possible",
+        "{place}: a face has {count} corners; 3 to {MAX_CORNERS} are possible"
+    ))]
     Corners {
         /// Where.
         place: Place,

@@ -2,6 +2,7 @@
 
 use super::scalar::{Cursor, Scalar};
 use super::{Place, SurfaceError, gltf};
+use crate::counted::counted;
 use crate::surface::Surface;
 
 const JSON: u32 = 0x4E4F_534A;
@@ -23,7 +24,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         let length = cursor.number(Scalar::U32, "the length of a chunk")? as usize;
         let kind = cursor.number(Scalar::U32, "the type of a chunk")? as u32;
         let start = cursor.offset;
-        cursor.skip(length, &format!("a chunk of {length} bytes"))?;
+        cursor.skip(length, &counted!(length, "a chunk of 1 byte", "a chunk of {length} bytes"))?;
         let chunk = &bytes[start..cursor.offset];
         match kind {
             JSON if document.is_none() => document = Some(chunk),

@@ -8,6 +8,7 @@ use super::gltf_buffers::Buffers;
 use super::text::finite;
 use super::weld::weld;
 use super::{MAX_TRIANGLES, Place, SurfaceError};
+use crate::counted::counted;
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 use glam::{DMat4, DQuat};
@@ -208,7 +209,11 @@ fn read_primitive(
         4 if count % 3 == 0 => (0..count / 3).try_for_each(|t| push(3 * t, 3 * t + 1, 3 * t + 2)),
         5 => (2..count).try_for_each(|k| if k % 2 == 0 { push(k - 2, k - 1, k) } else { push(k - 1, k - 2, k) }),
         6 => (2..count).try_for_each(|k| push(0, k - 1, k)),
-        4 => Err(SurfaceError::malformed(place.clone(), format!("{count} corners are no whole number of triangles"))),
+        4 => {
+            let message =
+                counted!(count, "1 corner is no triangle", "{count} corners are no whole number of triangles");
+            Err(SurfaceError::malformed(place.clone(), message))
+        }
         _ => Err(SurfaceError::malformed(place.clone(), format!("unknown mode {mode}"))),
     }
 }
