@@ -221,7 +221,7 @@ mod tests {
         let app = harness.state_mut();
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
         let preparation = &app.model.surface_side().preparation;
-        assert!(preparation.seconds_under_way().is_some(), "its progress is shown from now on");
+        assert!(preparation.errand().seconds_under_way().is_some(), "its progress is shown from now on");
         assert_eq!(app.model.next_due(), None, "nothing is left for a frame to ask for");
         step_until(&mut harness, |app| app.model.surface_map().is_some());
         let is_sorted = |app: &RiemapApp| {

@@ -16,6 +16,7 @@ mod colouring;
 mod dots;
 mod draft;
 mod editing;
+mod errand;
 mod explore;
 pub mod exporting;
 mod facts;

@@ -2,22 +2,16 @@
 //!
 //! The panels show what is *wanted*; the map uses the last domain that was
 //! *prepared*. A new wish supersedes the one under way: its generation is
-//! higher, and [`Preparation::accept`] is the one place where stale answers are
-//! dropped. After a failure the last good domain stays and the message says why.
+//! higher ([`Errand`]). After a failure the last good domain stays and the message says why.
 
 use super::editing::Reshaped;
+use super::errand::{Errand, SETTLE_SECONDS};
 use super::trouble::{Remedy, Trouble};
-use crate::conformal::{PreparedDomain, Stage};
+use crate::conformal::PreparedDomain;
 use crate::outline::OutlineNote;
 use crate::session::{DomainSpec, OutlineSpec};
 use crate::worker::{Request, Response, Task};
 use std::sync::Arc;
-use web_time::Instant;
-
-/// How long the resolution controls must rest before a preparation starts, in
-/// seconds: a dragged slider gives a value per frame (0.017 s), a person who
-/// waits for the result notices 0.3 s.
-const SETTLE_SECONDS: f64 = 0.12;
 
 /// What an answer of the worker changed.
 #[derive(Debug)]
@@ -37,12 +31,11 @@ pub enum Progress {
     Failed,
 }
 
+/// What is being prepared.
 #[derive(Debug)]
-struct Running {
-    since: Instant,
+pub struct Wish {
     spec: DomainSpec,
     notes: Vec<OutlineNote>,
-    stage: Option<Stage>,
     reshaped: Option<Reshaped>,
 }
 
@@ -51,9 +44,7 @@ struct Running {
 pub struct Preparation {
     wanted: DomainSpec,
     prepared_from: Option<DomainSpec>,
-    due: Option<f64>,
-    generation: u64,
-    running: Option<Running>,
+    errand: Errand<Wish>,
     domain: Option<Arc<PreparedDomain>>,
     /// What to say about the last wish, if it failed.
     pub error: Option<Trouble>,
@@ -69,12 +60,12 @@ pub struct Preparation {
 impl Preparation {
     /// Wants `spec`, at once.
     pub fn new(spec: DomainSpec) -> Self {
+        let mut errand = Errand::default();
+        errand.want_now();
         Self {
             wanted: spec,
             prepared_from: None,
-            due: Some(f64::NEG_INFINITY),
-            generation: 0,
-            running: None,
+            errand,
             domain: None,
             error: None,
             has_failed: false,
@@ -89,7 +80,7 @@ impl Preparation {
     pub fn twin(&self) -> Self {
         let wanted = self.prepared_from.clone().unwrap_or_else(|| self.wanted.clone());
         let prepared_from = self.prepared_from.clone();
-        Self { prepared_from, due: None, domain: self.domain.clone(), ..Self::new(wanted) }
+        Self { prepared_from, errand: Errand::default(), domain: self.domain.clone(), ..Self::new(wanted) }
     }
 
     /// What the panels show.
@@ -104,7 +95,7 @@ impl Preparation {
 
     /// Whether something is wanted that is not there yet.
     pub fn is_busy(&self) -> bool {
-        self.due.is_some() || self.running.is_some() || self.is_in_hand()
+        self.errand.is_busy() || self.is_in_hand()
     }
 
     /// Whether the outline is being reshaped: what is prepared is coarse, and followed by more.
@@ -115,32 +106,17 @@ impl Preparation {
     /// Whether a coarse preparation is under way: it is soon done, and to supersede it would cost
     /// a browser the worker with all that it has compiled.
     fn is_soon_done(&self) -> bool {
-        self.running.as_ref().and_then(|running| running.reshaped).is_some_and(|reshaped| reshaped.in_hand)
+        self.errand.under_way().and_then(|wish| wish.reshaped).is_some_and(|reshaped| reshaped.in_hand)
     }
 
-    /// Whether a request is with the worker.
-    pub fn is_running(&self) -> bool {
-        self.running.is_some()
-    }
-
-    /// The stage that the worker is in.
-    pub fn stage(&self) -> Option<Stage> {
-        self.running.as_ref().and_then(|running| running.stage)
-    }
-
-    /// For how long the worker has had the request, in seconds.
-    pub fn seconds_under_way(&self) -> Option<f64> {
-        self.running.as_ref().map(|running| running.since.elapsed().as_secs_f64())
-    }
-
-    /// The generation of the last request.
-    pub fn generation(&self) -> u64 {
-        self.generation
+    /// What is with the worker.
+    pub fn errand(&self) -> &Errand<Wish> {
+        &self.errand
     }
 
     /// Makes answers up to `generation` stale: after a swap the sides' workers answer for each other.
     pub fn skip_to(&mut self, generation: u64) {
-        self.generation = self.generation.max(generation);
+        self.errand.skip_to(generation);
     }
 
     /// Wants another outline, at once.
@@ -148,9 +124,9 @@ impl Preparation {
         self.forget_error();
         self.wanted.outline = outline;
         self.incoming_notes = notes;
-        self.running = None;
+        self.errand.end();
         self.reshaped = None;
-        self.due = Some(f64::NEG_INFINITY);
+        self.errand.want_now();
     }
 
     /// Wants the outline in another form, as soon as the one under way is done.
@@ -158,7 +134,7 @@ impl Preparation {
         self.forget_error();
         self.wanted.outline = outline;
         self.reshaped = Some(reshaped);
-        self.due = Some(f64::NEG_INFINITY);
+        self.errand.want_now();
     }
 
     /// Wants `spec`, at once; whether it has to be prepared.
@@ -171,8 +147,8 @@ impl Preparation {
             return false;
         }
         self.incoming_notes = Vec::new();
-        self.running = None;
-        self.due = Some(f64::NEG_INFINITY);
+        self.errand.end();
+        self.errand.want_now();
         true
     }
 
@@ -181,42 +157,34 @@ impl Preparation {
         if settings != self.wanted.settings {
             self.forget_error();
             self.wanted.settings = settings;
-            self.due = Some(now + SETTLE_SECONDS);
+            self.errand.want(now + SETTLE_SECONDS);
         }
     }
 
     /// Asks for the same once more.
     pub fn retry(&mut self) {
         self.forget_error();
-        self.due = Some(f64::NEG_INFINITY);
+        self.errand.want_now();
     }
 
     /// When [`Self::take_request`] should be called again.
     pub fn due(&self) -> Option<f64> {
-        self.due.filter(|_| !self.is_soon_done())
+        self.errand.due().filter(|_| !self.is_soon_done())
     }
 
     /// The request that is due, if any.
     pub fn take_request(&mut self, now: f64) -> Option<Request> {
-        if self.is_soon_done() {
+        if self.is_soon_done() || !self.errand.take_due(now) {
             return None;
         }
-        self.due.take_if(|due| *due <= now)?;
-        self.generation += 1;
-        self.running = None;
+        self.errand.end();
         match self.wanted.outline.polygon() {
             Ok(polygon) => {
                 let reshaped = self.reshaped;
                 let settings = Reshaped::settings(reshaped, self.wanted.settings);
-                self.running = Some(Running {
-                    since: Instant::now(),
-                    spec: DomainSpec { settings, ..self.wanted.clone() },
-                    notes: std::mem::take(&mut self.incoming_notes),
-                    stage: None,
-                    reshaped,
-                });
-                let task = Task::Domain { polygon, settings };
-                Some(Request { generation: self.generation, task })
+                let spec = DomainSpec { settings, ..self.wanted.clone() };
+                let wish = Wish { spec, notes: std::mem::take(&mut self.incoming_notes), reshaped };
+                Some(self.errand.send(wish, Task::Domain { polygon, settings }))
             }
             Err(error) => {
                 self.fail(error.to_string());
@@ -227,51 +195,43 @@ impl Preparation {
 
     /// Takes in an answer of the worker; a stale one changes nothing.
     pub fn accept(&mut self, generation: u64, response: Response) -> Progress {
-        if generation != self.generation {
-            return Progress::Nothing;
-        }
-        let Some(running) = &mut self.running else { return Progress::Nothing };
-        match response {
-            Response::Progress(stage) => {
-                running.stage = Some(stage);
-                Progress::Nothing
-            }
-            Response::Domain(domain) => self.finish(*domain),
-            Response::Failed(failure) => {
-                self.running = None;
-                if self.due.is_some() {
+        match self.errand.take_in(generation, response) {
+            Some(Response::Domain(domain)) => self.finish(*domain),
+            Some(Response::Failed(failure)) => {
+                self.errand.end();
+                if self.errand.due().is_some() {
                     return Progress::Nothing; // what is wanted by now is another thing
                 }
                 self.fail(failure.text);
                 Progress::Failed
             }
-            Response::Surface(..) => Progress::Nothing, // no answer to this request
+            _ => Progress::Nothing,
         }
     }
 
     /// The worker is gone; what it was doing is lost, nothing else.
     pub fn worker_died(&mut self, reason: &str) {
-        if self.running.take().is_some() {
+        if self.errand.end().is_some() {
             let text = format!("The preparation stopped unexpectedly ({reason}). The map shown is the last one.");
             (self.error, self.has_failed) = (Some(Trouble { text, remedy: Some(Remedy::Retry) }), true);
         }
     }
 
     fn finish(&mut self, domain: PreparedDomain) -> Progress {
-        let Some(running) = self.running.take() else { return Progress::Nothing };
-        let new_outline = self.prepared_from.as_ref().is_none_or(|old| old.outline != running.spec.outline);
+        let Some(Wish { spec, notes, reshaped }) = self.errand.end() else { return Progress::Nothing };
+        let new_outline = self.prepared_from.as_ref().is_none_or(|old| old.outline != spec.outline);
         if new_outline {
-            self.notes = running.notes;
+            self.notes = notes;
         }
         if std::mem::take(&mut self.has_failed) {
             self.error = None;
         }
-        if self.due.is_none() {
+        if self.errand.due().is_none() {
             self.forget_reshaping();
         }
         self.domain = Some(Arc::new(domain));
-        self.prepared_from = Some(running.spec.clone());
-        Progress::Ready { spec: running.spec, new_outline, reshaped: running.reshaped }
+        self.prepared_from = Some(spec.clone());
+        Progress::Ready { spec, new_outline, reshaped }
     }
 
     /// What was reshaped is prepared as it is to stay, or not to be had; what is in hand goes on.
@@ -317,7 +277,7 @@ mod tests {
     fn a_wish_becomes_a_domain() {
         let mut side = coarse();
         let request = side.take_request(0.0).unwrap();
-        assert!(side.is_running() && side.domain().is_none());
+        assert!(side.errand().under_way().is_some() && side.domain().is_none());
         let last = answers(&request).into_iter().map(|(g, r)| side.accept(g, r)).last();
         assert!(matches!(last, Some(Progress::Ready { new_outline: true, .. })));
         assert!(side.domain().is_some() && !side.is_busy());
@@ -333,7 +293,7 @@ mod tests {
         for (generation, response) in answers(&first) {
             assert!(matches!(side.accept(generation, response), Progress::Nothing));
         }
-        assert!(side.domain().is_none() && side.is_running());
+        assert!(side.domain().is_none() && side.errand().under_way().is_some());
     }
 
     #[test]

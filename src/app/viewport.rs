@@ -213,9 +213,9 @@ pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
 pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
     let (surface, outline) = (&model.surface_side().preparation, model.side(side));
     let (stage, seconds) = if side == Side::Target && surface.is_busy() {
-        (surface.stage(), surface.seconds_under_way())
+        (surface.errand().stage(), surface.errand().seconds_under_way())
     } else if !outline.is_in_hand() {
-        (outline.stage(), outline.seconds_under_way())
+        (outline.errand().stage(), outline.errand().seconds_under_way())
     } else {
         return;
     };

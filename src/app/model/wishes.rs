@@ -211,7 +211,7 @@ impl Model {
         }
         self.session.apply(Command::Swap);
         self.sides.swap(0, 1);
-        let generation = self.sides.iter().map(Preparation::generation).max().unwrap_or(0);
+        let generation = self.sides.iter().map(|side| side.errand().generation()).max().unwrap_or(0);
         self.sides.iter_mut().for_each(|side| side.skip_to(generation));
         self.refit = [true; 2];
         self.domains_changed = true;

@@ -1,15 +1,15 @@
 //! The preparation of the surface: what is wanted, what is under way, what is there.
 //!
-//! As for outlines (`prepare_state`): a new wish supersedes the one under way, stale answers are
-//! dropped by their generation, and after a failure the last good surface stays and the message says why.
+//! As for outlines (`prepare_state`): a new wish supersedes the one under way ([`Errand`]), and after a failure
+//! the last good surface stays and the message says why.
 
+use crate::app::errand::{Errand, SETTLE_SECONDS};
 use crate::app::trouble::{Remedy, Trouble};
 use crate::app::words;
-use crate::conformal::{PreparedSurface, Stage};
+use crate::conformal::PreparedSurface;
 use crate::session::{SurfaceShape, SurfaceSpec};
 use crate::worker::{Failure, Request, Response, SurfaceSource, Task};
 use std::sync::Arc;
-use web_time::Instant;
 
 /// A surface that is wanted: what the session says of it, and its triangles.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,9 +28,6 @@ pub struct Arrival {
     pub is_new: bool,
 }
 
-/// How long the slider of a surface by formula must rest before it is prepared, in seconds; as for outlines.
-const SETTLE_SECONDS: f64 = 0.12;
-
 /// The most bytes of opened files that are kept, to go back to.
 const MOST_KEPT_BYTES: usize = 256 << 20;
 
@@ -38,10 +35,7 @@ const MOST_KEPT_BYTES: usize = 256 << 20;
 #[derive(Debug, Default)]
 pub struct SurfacePreparation {
     wanted: Option<Wish>,
-    /// When the wish becomes a request.
-    due: Option<f64>,
-    generation: u64,
-    running: Option<Running>,
+    errand: Errand<Wish>,
     /// What is there, and what it was prepared from.
     there: Option<(Wish, Arc<PreparedSurface>)>,
     /// What to say about the last wish, if it failed.
@@ -50,13 +44,6 @@ pub struct SurfacePreparation {
     pub notes: Vec<String>,
     /// The files that were opened, the last one at the end: undo goes back to them. No two have one name.
     files: Vec<(String, Arc<Vec<u8>>)>,
-}
-
-#[derive(Debug)]
-struct Running {
-    since: Instant,
-    wish: Wish,
-    stage: Option<Stage>,
 }
 
 impl SurfacePreparation {
@@ -84,24 +71,20 @@ impl SurfacePreparation {
 
     /// Whether something is wanted that is not there yet.
     pub fn is_busy(&self) -> bool {
-        self.due.is_some() || self.running.is_some()
+        self.errand.is_busy()
     }
 
-    /// The stage that the worker is in.
-    pub fn stage(&self) -> Option<Stage> {
-        self.running.as_ref().and_then(|running| running.stage)
-    }
-
-    /// For how long the worker has had the request, in seconds.
-    pub fn seconds_under_way(&self) -> Option<f64> {
-        self.running.as_ref().map(|running| running.since.elapsed().as_secs_f64())
+    /// What is with the worker.
+    pub fn errand(&self) -> &Errand<Wish> {
+        &self.errand
     }
 
     /// Wants a surface, at once; what is under way is not wanted any more.
     fn want(&mut self, wish: Wish, due: f64) {
-        (self.error, self.running) = (None, None);
+        self.error = None;
         self.wanted = Some(wish);
-        self.due = Some(due);
+        self.errand.end();
+        self.errand.want(due);
     }
 
     /// Wants a file that was opened. Another one of the same name is called anew: "head (2).obj".
@@ -141,7 +124,8 @@ impl SurfacePreparation {
     pub fn want_spec(&mut self, spec: &SurfaceSpec, now: f64) -> bool {
         if let Some((wish, _)) = self.there.as_ref().filter(|(wish, _)| wish.spec == *spec) {
             self.wanted = Some(wish.clone());
-            (self.due, self.running, self.error) = (None, None, None);
+            self.errand.forget();
+            self.error = None;
             return false;
         }
         if let Some(source) = self.source_of(&spec.shape) {
@@ -149,7 +133,7 @@ impl SurfacePreparation {
             let due = if slides { now + SETTLE_SECONDS } else { f64::NEG_INFINITY };
             self.want(Wish { spec: spec.clone(), source }, due);
         } else if let SurfaceShape::File { name } = &spec.shape {
-            (self.due, self.running) = (None, None);
+            self.errand.forget();
             let text = "This surface travels as a file of its own: open that file here, or drop it.";
             self.error = Some(Trouble::new(format!("{name}: {text}")));
         }
@@ -170,8 +154,8 @@ impl SurfacePreparation {
 
     /// Does not want a surface any more; the one that is there is kept for the next time.
     pub fn give_up(&mut self) {
-        (self.due, self.running, self.error) = (None, None, None);
-        self.generation += 1;
+        self.errand.forget();
+        self.error = None;
     }
 
     /// Closes the message: what could not be prepared is not wanted any more.
@@ -186,52 +170,52 @@ impl SurfacePreparation {
         let remedy = self.error.take().and_then(|trouble| trouble.remedy);
         if let Some(wish) = &mut self.wanted {
             wish.spec.repair |= matches!(remedy, Some(Remedy::RepairSurface));
-            self.due = remedy.map(|_| f64::NEG_INFINITY);
+            if remedy.is_some() {
+                self.errand.want_now();
+            }
         }
     }
 
     /// When [`Self::take_request`] should be called again.
     pub fn due(&self) -> Option<f64> {
-        self.due
+        self.errand.due()
     }
 
     /// The request that is due, if any.
     pub fn take_request(&mut self, now: f64) -> Option<Request> {
-        self.due.take_if(|due| *due <= now)?;
+        if !self.errand.take_due(now) {
+            return None;
+        }
         let wish = self.wanted.clone()?;
-        self.generation += 1;
         let SurfaceSpec { repair, settings, .. } = wish.spec;
         let task = Task::Surface { source: wish.source.clone(), repair, settings };
-        self.running = Some(Running { since: Instant::now(), wish, stage: None });
-        Some(Request { generation: self.generation, task })
+        Some(self.errand.send(wish, task))
     }
 
     /// Takes in an answer of the worker; the surface, if it has come. A stale answer changes nothing.
     pub fn accept(&mut self, generation: u64, response: Response) -> Option<Arrival> {
-        let running = self.running.as_mut().filter(|_| generation == self.generation)?;
-        match response {
-            Response::Progress(stage) => running.stage = Some(stage),
+        match self.errand.take_in(generation, response)? {
             Response::Surface(surface, notes) => {
-                let Running { wish, .. } = self.running.take()?;
+                let wish = self.errand.end()?;
                 let is_new = self.there.as_ref().is_none_or(|(old, _)| old.source != wish.source);
                 let spec = wish.spec.clone();
                 self.there = Some((wish, Arc::new(*surface)));
                 self.notes = notes;
                 self.error = None;
-                return Some(Arrival { spec, is_new });
+                Some(Arrival { spec, is_new })
             }
             Response::Failed(failure) => {
-                self.running = None;
+                self.errand.end();
                 self.fail(&failure);
+                None
             }
-            Response::Domain(_) => {} // no answer to this request
+            _ => None, // no answer to this request
         }
-        None
     }
 
     /// The worker is gone; what it was doing is lost, nothing else.
     pub fn worker_died(&mut self, reason: &str) {
-        if self.running.take().is_some() {
+        if self.errand.end().is_some() {
             let text = format!(
                 "The preparation of the surface stopped unexpectedly ({reason}). If it is very large, there may be \
                  too little memory. The map shown is the last one."
