@@ -2,24 +2,24 @@
 //!
 //! With the complex derivatives of the linear map on a triangle, σ₁,₂ = |f_z| ± |f_z̄|,
 //! and the triangle is flipped where |f_z| < |f_z̄|; σ₁σ₂ is the ratio of the areas.
-//! Triangles whose image is a point up to rounding have no Q: they are counted as
-//! collapsed and left out of the mean.
+//! Triangles whose image is a point or a segment up to rounding have no Q: they are counted
+//! as collapsed and left out of the mean.
 
 use crate::geometry::{Bounds, DVec2, DVec3};
 use crate::laplace::Deadline;
 use crate::mesh::TriMesh;
 
-/// An image shorter than this part of the whole image's extent is rounding: the
-/// V's far arm has images of 1e-16, resolved triangles start at 1e-9.
+/// An image whose least height is below this part of the whole image's extent is rounding: the V's far arm has
+/// images of 1e-16, a segment of boundary points heights of 1e-16; resolved triangles start at 1e-9.
 const COLLAPSED: f64 = 1e-13;
 
 /// Triangles between two looks at the clock: 0.3 ms.
 const BLOCK: usize = 8192;
 
-/// The largest Q that is reported: a triangle flattened to a segment has Q = ∞.
+/// The largest Q that is reported; in a triangle of 1e-4, more is rounding.
 const Q_LIMIT: f64 = 1e9;
 
-/// The largest |log₂(σ₁σ₂)| that is reported: a triangle flattened to a segment has −∞.
+/// The largest |log₂(σ₁σ₂)| that is reported: a triangle without area has −∞.
 /// 2¹²⁸ is beyond the f64 resolution of any domain that the other triangles still fill.
 const AREA_LIMIT: f64 = 128.0;
 
@@ -32,7 +32,7 @@ pub struct Quality {
     pub q_max: f64,
     /// How many triangles changed their orientation.
     pub flipped: u32,
-    /// How many triangles have an image too small to have an angle; not in the other figures.
+    /// How many triangles have a point or a segment as their image; not in the other figures.
     pub collapsed: u32,
 }
 
@@ -47,19 +47,19 @@ pub struct TriangleDistortion {
     pub area: f64,
     /// Its image has the other orientation.
     pub flipped: bool,
-    /// Its image is a point up to rounding; it is in no mean.
+    /// Its image is a point or a segment up to rounding; it is in no mean.
     pub collapsed: bool,
 }
 
 impl TriangleDistortion {
     /// The distortion of the linear map that takes `corners` (counter-clockwise) to
-    /// `images`; collapsed where both images of the edges at the first corner are no
-    /// longer than `smallest`.
+    /// `images`; collapsed where the least height of the image is not above `smallest`.
     pub fn of([a, b, c]: [DVec2; 3], [fa, fb, fc]: [DVec2; 3], smallest: f64) -> Self {
         let (u, v) = (b - a, c - a);
         let (p, q) = (fb - fa, fc - fa);
         let area = 0.5 * u.perp_dot(v);
-        if p.length() <= smallest && q.length() <= smallest {
+        let longest = p.length().max(q.length()).max(p.distance(q));
+        if p.perp_dot(q).abs() <= smallest * longest {
             return Self { q: 1.0, area_log2: -AREA_LIMIT, area, flipped: false, collapsed: true };
         }
         // f_z and f_z̄ times 4·area·i; the common factor drops out of Q
@@ -257,12 +257,19 @@ mod tests {
     }
 
     #[test]
-    fn flat_and_collapsed_triangles_stay_within_the_limits() {
-        let flat = distortion_under(|v| DVec2::new(v.x + v.y, 0.0));
-        assert!(
-            flat.q > 1e8 && flat.q <= Q_LIMIT && flat.area_log2 < -20.0 && flat.area_log2 >= -AREA_LIMIT,
-            "{flat:?}"
-        );
+    fn images_that_are_segments_or_points_are_collapsed_and_thin_ones_stay_within_the_limits() {
+        let slanted = DVec2::new(0.6, 0.8);
+        for segment in [DVec2::X, slanted] {
+            let flat = distortion_under(|v| (v.x + v.y) * segment);
+            assert!(flat.collapsed && !flat.flipped && flat.q == 1.0 && flat.area_log2 == -AREA_LIMIT, "{flat:?}");
+        }
+        // two corners at one place
+        let folded = distortion_under(|v| (v.x + 0.3 / 0.7 * v.y) * slanted);
+        assert!(folded.collapsed, "{folded:?}");
+        for height in [1e-9, 1e-12] {
+            let thin = distortion_under(|v| DVec2::new(v.x, height * v.y));
+            assert!(!thin.collapsed && thin.q > 1e8 && thin.q <= Q_LIMIT, "{height}: {thin:?}");
+        }
         let point = distortion_under(|_| DVec2::ONE);
         assert!(point.collapsed && !point.flipped && point.area_log2 == -AREA_LIMIT);
     }
