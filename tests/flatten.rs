@@ -145,6 +145,7 @@ fn presets_of_surfaces_are_flattened() {
         let summary = json(&[&format!("preset:{preset}"), "preset:disk", "--samples", "300", "--json"]);
         println!("{preset}: {}", summary["quality"]);
         assert_eq!(summary["quality"]["collapsed"], 0, "{preset}");
+        assert_eq!(summary["notes"], serde_json::json!([]), "{preset}");
         assert!(summary["quality"]["q_mean"].as_f64().unwrap() < 1.1, "{preset}: {}", summary["quality"]);
     }
 }
@@ -157,6 +158,10 @@ fn errors_name_their_cause() {
     assert!(fails(&[&bad, "preset:disk"], 1).contains("bad.obj: line 6: a face names vertex 7"));
     let turned = file(&folder, "turned.obj", &format!("{square}f 1 2 3\nf 1 4 3\n"));
     assert!(fails(&[&turned, "preset:disk"], 1).contains("different orientation"));
+    let strip = file(&folder, "strip.obj", &format!("{square}v 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n"));
+    assert!(
+        fails(&[&strip, "preset:disk"], 1).contains("strip.obj: all 6 vertices of the surface lie on its boundary")
+    );
     let output = flatten(&[&turned, "preset:disk", "--repair"]);
     assert!(output.status.success());
     assert!(String::from_utf8_lossy(&output.stderr).contains("1 triangle was turned round"));

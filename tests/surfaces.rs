@@ -6,9 +6,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, FlatBuffers, KernelMode, KernelScratch, Memory, PrepareSettings,
-    PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare, prepare_surface,
-    surface_kernel,
+    ConformalMap, Constraints, Direction, FlatBuffers, KernelMode, KernelScratch, Memory, PrepareError,
+    PrepareSettings, PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceMapNote, SurfaceSettings,
+    prepare, prepare_surface, surface_kernel,
 };
 use riemap::geometry::{DVec2, DVec3};
 use riemap::laplace::SolverKind;
@@ -347,6 +347,40 @@ fn a_single_triangle_is_a_disk_too() {
     let surface = prepared(&surface, SurfaceSettings::default());
     let map = SurfaceMap::new(source.clone(), surface.clone(), &constraints(&surface, &source)).unwrap();
     assert!(map.images().iter().all(|p| (p.length() - 1.0).abs() < 1e-2), "{:?}", map.images());
+}
+
+#[test]
+fn what_no_inner_vertex_joins_to_the_point_falls_together_and_is_told() {
+    let source = disk();
+    let whole = folded(10, 4, |_| 0.0);
+    assert_eq!(default_map(prepared(&whole, SurfaceSettings::default())).note(), None);
+    // two patches of 4 × 4 squares with a bridge of two squares between them
+    let is_kept = |q: usize| !matches!((q % 10, q / 10), (4 | 5, 0 | 2 | 3));
+    let kept = whole.triangles.iter().enumerate().filter(|(t, _)| is_kept(t / 2)).map(|(_, corners)| *corners);
+    let patches = SurfaceMesh::repaired(&surface_of(whole.vertices.clone(), kept.collect())).unwrap();
+    for solver in [SolverKind::Direct, SolverKind::Pcg] {
+        let settings = SurfaceSettings { solver, ..SurfaceSettings::default() };
+        let surface = prepare_surface(Memory::default(), patches.clone(), settings, &mut |_| ()).unwrap();
+        let surface = Arc::new(surface);
+        let map = SurfaceMap::new(source.clone(), surface.clone(), &constraints(&surface, &source)).unwrap();
+        let quality = map.quality();
+        // of the other patch all edges but the bridge's end, and two of the bridge
+        assert_eq!(map.note(), Some(SurfaceMapNote::NoMeasure { edges: 15 + 2 }), "{quality:?}");
+        // its triangles, and two of the bridge that have an edge there or in the middle
+        assert!((33..=35).contains(&quality.collapsed), "{solver:?}: {quality:?}");
+        assert!(quality.q_max < 1e3, "{solver:?}: {quality:?}");
+    }
+}
+
+#[test]
+fn a_strip_without_inner_vertices_is_refused() {
+    let refused = |columns| {
+        let strip = SurfaceMesh::new(&folded(columns, 1, |_| 0.1)).unwrap();
+        prepare_surface(Memory::default(), strip, SurfaceSettings::default(), &mut |_| ()).err()
+    };
+    assert_eq!(refused(1), None);
+    assert_eq!(refused(2), Some(PrepareError::NoInnerVertex { vertices: 6 }));
+    assert_eq!(refused(40), Some(PrepareError::NoInnerVertex { vertices: 82 }));
 }
 
 fn read(name: &str) -> Option<Surface> {

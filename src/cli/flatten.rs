@@ -172,7 +172,7 @@ fn summarize(
         counts: Counts { m: mesh.boundary_count, n: mesh.interior_count(), triangles: mesh.triangles.len() },
         flips: prepared.flips,
         repairs: prepared.surface.repairs.iter().map(ToString::to_string).collect(),
-        notes: surface.notes.iter().map(ToString::to_string).collect(),
+        notes: surface.notes.iter().map(ToString::to_string).chain(map.note().map(|note| note.to_string())).collect(),
         surface_point: Point {
             triangle: prepared.surface.triangle_origins[point.triangle as usize],
             weights,

@@ -66,5 +66,5 @@ pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
 pub use surface::{PreparedSurface, SurfaceSettings, advance_surface_extension, prepare_surface, surface_kernel};
-pub use surface_map::{SurfaceConstraints, SurfaceMap, SurfaceMapError};
+pub use surface_map::{SurfaceConstraints, SurfaceMap, SurfaceMapError, SurfaceMapNote};
 pub use table::{HarmonicTable, TableError};

@@ -76,6 +76,20 @@ pub enum SurfaceMapError {
     NotConverged(#[from] NotConverged),
 }
 
+/// What is to be known of a parameterization.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum SurfaceMapNote {
+    /// The images of boundary edges are points.
+    #[error(
+        "{edges} boundary edges have no harmonic measure, and the ends of each fall together: no way through inner \
+         vertices leads from the surface point to them, or too long a one"
+    )]
+    NoMeasure {
+        /// How many.
+        edges: usize,
+    },
+}
+
 /// How far from 1 the weights of a point may sum.
 const WEIGHT_TOLERANCE: f64 = 1e-9;
 
@@ -238,6 +252,12 @@ impl SurfaceMap {
     /// The harmonic measure of the surface's boundary, from its anchor.
     pub fn measure(&self) -> &HarmonicMeasure {
         &self.measured.measure
+    }
+
+    /// What is to be known of the map under the current constraints. Cost O(m).
+    pub fn note(&self) -> Option<SurfaceMapNote> {
+        let edges = self.measure().vanishing_edges();
+        (edges > 0).then_some(SurfaceMapNote::NoMeasure { edges })
     }
 
     /// The harmonic measure of the parameter domain, from its anchor.

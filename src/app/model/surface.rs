@@ -240,7 +240,7 @@ impl Model {
         self.points_changed = point.is_some() || interior.is_some();
     }
 
-    /// What was noticed when the surface was read, and how it was repaired.
+    /// What was noticed when the surface was read, how it was repaired, and what is to be known of its map.
     pub fn surface_notes(&self) -> Vec<String> {
         let Some((side, _)) = self.surface() else { return Vec::new() };
         let words = |repair: &RepairNote| match repair {
@@ -248,7 +248,8 @@ impl Model {
             _ => repair.to_string(),
         };
         let repairs = side.surface().into_iter().flat_map(|surface| &surface.surface.repairs);
-        side.preparation.notes.iter().cloned().chain(repairs.map(words)).collect()
+        let map = side.map().and_then(SurfaceMap::note).map(|note| note.to_string());
+        side.preparation.notes.iter().cloned().chain(repairs.map(words)).chain(map).collect()
     }
 
     /// Where the interior handle goes when the pointer's ray meets the surface at `found`.
