@@ -6,7 +6,7 @@
 use image::RgbImage;
 use riemap::conformal::{Extension, Side};
 use riemap::geometry::DVec2;
-use riemap::mesh::Sizing;
+use riemap::mesh::{BarycentricPoint, Sizing};
 use riemap::outline::{Preset, Sampling};
 use riemap::session::{
     Colouring, Command as Change, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind, file, link,
@@ -165,7 +165,43 @@ fn a_surface_from_a_file_is_asked_for() {
     let out = folder.join("x.png").display().to_string();
     fails(&["render", &link, "--out", &out], 1, &["pyramid.obj", "file"]);
     assert!(drawn(&rendered(&folder, &link, &["--surface", &path]), 1) > 2000);
+    // the file is told by the name that it has here, and so is its format
+    let broken = written(&folder, "broken.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+    fails(&["render", &link, "--out", &out, "--surface", &broken], 1, &["broken.off: line 6: a face names vertex 7"]);
     fails(&["render", &link_of(&coarse()), "--out", &out, "--surface", &path], 1, &["no surface"]);
+}
+
+#[test]
+fn points_that_the_domains_do_not_have_are_told() {
+    let folder = folder("moved");
+    let out = folder.join("x.csv").display().to_string();
+    let notes = |session: &Session| {
+        let output = riemap(&["render", &link_of(session), "--out", &out]);
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success(), "{stderr}");
+        stderr
+    };
+    let mut session = coarse();
+    session.apply(Change::MoveInterior { side: Side::Source, point: DVec2::new(0.1, 0.05) });
+    assert_eq!(notes(&session), "");
+    session.apply(Change::MoveInterior { side: Side::Target, point: DVec2::new(70.0, -3.0) });
+    let note = notes(&session);
+    assert!(note.starts_with("riemap: the target point (70, -3) is outside of the target outline"), "{note}");
+    assert_eq!(note.lines().count(), 1, "{note}");
+    let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
+    session.apply(Change::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    assert_eq!(notes(&session), "", "the target's outline is not mapped");
+    let mut with_point = |triangle| {
+        let point = Some(BarycentricPoint { triangle, weights: [0.25, 0.25, 0.5] });
+        session.surface.as_mut().unwrap().point = point;
+        notes(&session)
+    };
+    assert_eq!(with_point(200), "");
+    let note = with_point(123_456);
+    assert!(
+        note.starts_with("riemap: (0.25, 0.25, 0.5) in triangle 123456 is no inner point of the surface"),
+        "{note}"
+    );
 }
 
 #[test]

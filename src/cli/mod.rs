@@ -10,6 +10,7 @@ mod figure;
 mod flatten;
 mod flatten_arguments;
 mod map;
+mod moved;
 mod output;
 mod picture;
 mod prepare;

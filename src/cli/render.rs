@@ -4,6 +4,7 @@ use super::CliError;
 use super::arguments::{
     LinkArguments, RenderArguments, SessionArguments, SideArgument, ThemeArgument, read_file, read_outline,
 };
+use super::moved::say_moved;
 use super::output::{check_paths, print, write_all};
 use super::picture::{encode, failed};
 use crate::app::exporting::FileWish;
@@ -12,7 +13,7 @@ use crate::conformal::Side;
 use crate::export::FileFormat;
 use crate::render::Studio;
 use crate::session::link::{Decoded, MissingOutline, decode, encode as link_of, is_link};
-use crate::session::{OutlineSpec, Session, TextureKind, file};
+use crate::session::{OutlineSpec, Session, SurfaceShape, TextureKind, file};
 use crate::surface::MAX_BYTES;
 use std::path::Path;
 
@@ -64,10 +65,11 @@ fn shot(arguments: &RenderArguments) -> Shot {
 
 /// The session that is named, brought to rest.
 pub fn still(arguments: &SessionArguments, shot: &Shot) -> Result<Still, CliError> {
-    let session = with_files(open(&arguments.link)?, arguments)?;
-    let surface = arguments.surface.as_ref().map(|name| read_file(name, MAX_BYTES)).transpose()?;
-    let still = Still::new(session, surface, shot.pixels_per_point());
+    let mut session = with_files(open(&arguments.link)?, arguments)?;
+    let surface = surface_file(&mut session, arguments)?;
+    let still = Still::new(session.clone(), surface, shot.pixels_per_point());
     let still = still.map_err(|error| CliError::Input(error.to_string()))?;
+    say_moved(&session, &still);
     if still.session().texture == TextureKind::Image {
         eprintln!("riemap: images do not travel with sessions: a checkerboard stands in");
     }
@@ -118,6 +120,15 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
     }
     refuse_missing(&missing)?;
     Ok(session)
+}
+
+/// The bytes of the surface's file; the session gets its name, which says the format and stands in errors.
+fn surface_file(session: &mut Session, arguments: &SessionArguments) -> Result<Option<Vec<u8>>, CliError> {
+    let Some(name) = &arguments.surface else { return Ok(None) };
+    if let Some(SurfaceShape::File { name: known }) = session.surface.as_mut().map(|state| &mut state.spec.shape) {
+        known.clone_from(name);
+    }
+    read_file(name, MAX_BYTES).map(Some)
 }
 
 fn refuse_missing(missing: &[MissingOutline]) -> Result<(), CliError> {

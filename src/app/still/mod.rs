@@ -17,6 +17,7 @@ use super::textured;
 use crate::conformal::{PreparedSurface, Side};
 use crate::family::{Loop, Path, Place};
 use crate::geometry::{DVec2, DVec3};
+use crate::mesh::BarycentricPoint;
 use crate::render::{CellCode, CellStyle, MeshGeometry, OrbitCamera, TextureStyle};
 use crate::session::{Command, Session, SurfaceShape};
 use crate::worker;
@@ -151,6 +152,12 @@ impl Still {
             coordinates: surface::gpu::coordinates(side, &self.model)?,
             points: [self.model.surface_point()?, self.model.surface_anchor()?],
         })
+    }
+
+    /// The interior point of the surface as it is mapped, and how many triangles the surface has.
+    pub fn surface_point(&self) -> Option<(BarycentricPoint, usize)> {
+        let (side, state) = self.model.surface()?;
+        Some((side.point(state)?, side.surface()?.surface.mesh.triangles.len()))
     }
 
     /// From where the surface is seen at first, in a viewport of this width over height.

@@ -1,0 +1,62 @@
+//! What is said of a session's points that its domains do not have: the picture is made with others, as in the app.
+
+use crate::app::still::Still;
+use crate::conformal::Side;
+use crate::geometry::DVec2;
+use crate::mesh::BarycentricPoint;
+use crate::session::Session;
+
+/// A point that moves by less than this part of its coordinates was where it stands: one at the distance that the app
+/// keeps from the outline is moved by rounding, 1e-16; a step that can be seen is 1e-3.
+const ROUNDING: f64 = 1e-9;
+
+/// Says on stderr which points of `wanted` the still has others for.
+pub fn say_moved(wanted: &Session, still: &Still) {
+    let used = still.session();
+    for side in Side::BOTH.into_iter().filter(|&side| side == Side::Source || used.surface.is_none()) {
+        let [wanted, used] = [wanted, used].map(|session| session.interior[side as usize]);
+        if let Some(note) = wanted.and_then(|wanted| planar(side, wanted, used)) {
+            eprintln!("riemap: {note}");
+        }
+    }
+    let wanted = wanted.surface.as_ref().and_then(|surface| surface.point);
+    let used = still.surface_point().filter(|(used, _)| wanted.is_some_and(|wanted| wanted != *used));
+    if let (Some(wanted), Some((_, triangles))) = (wanted, used) {
+        eprintln!("riemap: {}", on_surface(wanted, triangles));
+    }
+}
+
+fn planar(side: Side, wanted: DVec2, used: Option<DVec2>) -> Option<String> {
+    let place = match used {
+        Some(used) if used.distance(wanted) <= ROUNDING * wanted.length().max(used.length()) => return None,
+        Some(used) => format!("({}, {})", used.x, used.y),
+        None => String::from("the middle"),
+    };
+    let DVec2 { x, y } = wanted;
+    Some(format!("the {side} point ({x}, {y}) is outside of the {side} outline, or next to it: {place} stands in"))
+}
+
+fn on_surface(wanted: BarycentricPoint, triangles: usize) -> String {
+    let BarycentricPoint { triangle, weights: [a, b, c] } = wanted;
+    format!(
+        "({a}, {b}, {c}) in triangle {triangle} is no inner point of the surface, which has {triangles} triangles: the \
+         vertex farthest from its boundary stands in"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_that_stays_is_not_spoken_of() {
+        let point = DVec2::new(0.3, -0.4);
+        assert_eq!(planar(Side::Source, point, Some(point)), None);
+        assert_eq!(planar(Side::Source, point, Some(point + DVec2::splat(1e-16))), None);
+        let moved = planar(Side::Target, point, Some(DVec2::new(0.3, -0.39)));
+        let expected =
+            "the target point (0.3, -0.4) is outside of the target outline, or next to it: (0.3, -0.39) stands in";
+        assert_eq!(moved.as_deref(), Some(expected));
+        assert!(planar(Side::Source, point, None).is_some_and(|note| note.contains("the middle")));
+    }
+}
