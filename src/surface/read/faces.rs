@@ -8,6 +8,12 @@ use crate::surface::{Surface, SurfaceNote};
 /// The most corners of a face: cutting ears off takes the square of it.
 pub const MAX_CORNERS: usize = 1000;
 
+/// The index as one of `vertices` vertices.
+pub(super) fn vertex_of(index: i64, vertices: usize, place: impl Fn() -> Place) -> Result<u32, SurfaceError> {
+    let vertex = u32::try_from(index).ok().filter(|&vertex| (vertex as usize) < vertices);
+    vertex.ok_or_else(|| SurfaceError::IndexOutOfRange { place: place(), index, vertices })
+}
+
 /// The vertices and faces read so far.
 #[derive(Debug, Default)]
 pub(super) struct Faces {
@@ -31,13 +37,6 @@ impl Faces {
         self.corners.extend_from_slice(corners);
         self.ends.push(self.corners.len() as u32);
         Ok(())
-    }
-
-    /// The index as a vertex that is already there.
-    pub(super) fn known(&self, index: i64, place: impl Fn() -> Place) -> Result<u32, SurfaceError> {
-        let vertices = self.vertices.len();
-        let known = usize::try_from(index).is_ok_and(|index| index < vertices);
-        if known { Ok(index as u32) } else { Err(SurfaceError::IndexOutOfRange { place: place(), index, vertices }) }
     }
 
     /// The surface, its polygons cut into triangles.

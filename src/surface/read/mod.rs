@@ -61,7 +61,7 @@ fn by_first_bytes(extension: &str, bytes: &[u8]) -> Result<Surface, SurfaceError
     match first {
         _ if begins("ply") => ply::read(bytes),
         _ if begins("glTF") => glb::read(bytes),
-        _ if begins("OFF") => off::read(bytes),
+        _ if begins("OFF") || begins("off") => off::read(bytes),
         _ if begins("{") => gltf::read(bytes, None),
         _ if stl::begins_as_text(first) || stl::is_binary(bytes) => stl::read(bytes),
         _ if begins("v ") || begins("#") || begins("o ") || begins("mtllib") => obj::read(bytes),

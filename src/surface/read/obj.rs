@@ -1,7 +1,7 @@
 //! Wavefront OBJ: `v` and `f`; every other keyword is passed over.
 
 use super::faces::Faces;
-use super::text::{Line, lines};
+use super::text::{Line, line_end, lines};
 use super::{Place, SurfaceError};
 use crate::surface::Surface;
 use std::borrow::Cow;
@@ -59,7 +59,8 @@ fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
         return bytes.into();
     }
     let (mut owned, mut held) = (Vec::with_capacity(bytes.len()), 0);
-    for line in bytes.split(|&b| b == b'\n') {
+    let end = line_end(bytes);
+    for line in bytes.split(|&b| b == end) {
         let line = line.strip_suffix(b"\r").unwrap_or(line);
         if let Some(begun) = line.strip_suffix(b"\\").filter(|begun| !begun.contains(&b'#')) {
             owned.extend_from_slice(begun);

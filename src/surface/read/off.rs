@@ -1,13 +1,14 @@
 //! OFF, the object file format of Geomview: text; normals, colours and texture coordinates are passed over.
 
-use super::faces::Faces;
+use super::faces::{Faces, vertex_of};
 use super::text::{Line, lines, shown};
 use super::{Place, SurfaceError};
 use crate::surface::Surface;
+use std::iter::Peekable;
 
 /// Reads `OFF` and its kin `COFF`, `NOFF`, `STOFF` …: a vertex and a face on each line.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
-    let mut lines = lines(bytes);
+    let mut lines = lines(bytes).peekable();
     let (vertices, count) = header(&mut lines)?;
     let mut faces = Faces::default();
     let mut last = 0;
@@ -25,7 +26,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         let wanted = line.count(&mut words, "the number of corners")?;
         corners.clear();
         for word in words.take(wanted) {
-            corners.push(faces.known(line.integer_in(word)?, || line.place())?);
+            corners.push(vertex_of(line.integer_in(word)?, vertices, || line.place())?);
         }
         if corners.len() < wanted {
             return Err(SurfaceError::missing(line.place(), format!("corner {} of {wanted}", corners.len() + 1)));
@@ -35,28 +36,42 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     Ok(faces.finish())
 }
 
-/// The numbers of vertices and faces, on the line of the keyword or the next one.
-fn header<'a>(lines: &mut impl Iterator<Item = Line<'a>>) -> Result<(usize, usize), SurfaceError> {
+/// The numbers of vertices and faces, after the keyword or without one, on one line or several.
+fn header<'a>(lines: &mut Peekable<impl Iterator<Item = Line<'a>>>) -> Result<(usize, usize), SurfaceError> {
     let mut line = next(lines, 0, "the keyword OFF")?;
     let mut words = line.words().peekable();
-    if let Some(word) = words.next_if(|word| word.ends_with(b"OFF")) {
-        let kind = &word[..word.len() - 3];
-        if kind.contains(&b'4') || kind.contains(&b'n') {
-            return Err(SurfaceError::unsupported(
-                line.place(),
-                format!("a surface in 4 or n dimensions ({})", shown(word)),
-            ));
+    if let Some(word) = words.next_if(|word| is_keyword(word)) {
+        if is_of_other_dimension(word) {
+            let what = format!("a surface in 4 or n dimensions ({})", shown(word));
+            return Err(SurfaceError::unsupported(line.place(), what));
         }
         if words.peek().is_some_and(|word| word.eq_ignore_ascii_case(b"BINARY")) {
             return Err(SurfaceError::unsupported(line.place(), "binary OFF"));
         }
+    }
+    let mut counts = [0, 0];
+    for (count, what) in counts.iter_mut().zip(["the number of vertices", "the number of faces"]) {
         if words.peek().is_none() {
-            line = next(lines, line.number, "the number of vertices")?;
+            line = next(lines, line.number, what)?;
             words = line.words().peekable();
         }
+        *count = line.count(&mut words, what)?;
     }
-    let vertices = line.count(&mut words, "the number of vertices")?;
-    Ok((vertices, line.count(&mut words, "the number of faces")?))
+    if words.next().is_none() {
+        // the number of edges means nothing; a vertex has three words at least
+        lines.next_if(|line| line.words().count() == 1);
+    }
+    Ok((counts[0], counts[1]))
+}
+
+/// `OFF` in letters of either size, with or without letters before it.
+fn is_keyword(word: &[u8]) -> bool {
+    word.len() >= 3 && word[word.len() - 3..].eq_ignore_ascii_case(b"OFF")
+}
+
+/// `4OFF` and `nOFF`, where `NOFF` has normals; in small letters they cannot be told apart.
+fn is_of_other_dimension(keyword: &[u8]) -> bool {
+    keyword.contains(&b'4') || keyword.contains(&b'n') && keyword.ends_with(b"OFF")
 }
 
 fn next<'a>(lines: &mut impl Iterator<Item = Line<'a>>, last: usize, what: &str) -> Result<Line<'a>, SurfaceError> {

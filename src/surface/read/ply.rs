@@ -3,7 +3,7 @@
 //! Read are `x`, `y`, `z` of the element `vertex` and the list `vertex_indices` (or
 //! `vertex_index`) of `face`; all other elements and properties are passed over.
 
-use super::faces::{Faces, MAX_CORNERS};
+use super::faces::{Faces, MAX_CORNERS, vertex_of};
 use super::ply_header::{Body, Element, Encoding, Header, Property, Shape, header};
 use super::scalar::{Cursor, Scalar};
 use super::text::finite;
@@ -16,10 +16,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let Header { encoding, elements, body } = header(bytes)?;
     let mut numbers = Numbers::new(bytes, encoding, body);
     let mut faces = Faces::default();
+    // faces may come before the vertices that they name
+    let of_vertices = elements.iter().filter(|element| element.name == "vertex");
+    let vertices = of_vertices.fold(0_usize, |sum, element| sum.saturating_add(element.count));
     for element in &elements {
         match element.name.as_str() {
             "vertex" => read_vertices(element, &mut numbers, &mut faces)?,
-            "face" => read_faces(element, &mut numbers, &mut faces)?,
+            "face" => read_faces(element, vertices, &mut numbers, &mut faces)?,
             "tristrips" => return Err(SurfaceError::unsupported(numbers.place(), "the element tristrips")),
             _ if element.properties.is_empty() => {}
             _ => (0..element.count).try_for_each(|_| skip(&element.properties, &mut numbers))?,
@@ -34,6 +37,7 @@ enum Numbers<'a> {
     Text {
         rest: &'a [u8],
         line: usize,
+        line_end: u8,
     },
     Binary(Cursor<'a>),
 }
@@ -41,7 +45,7 @@ enum Numbers<'a> {
 impl<'a> Numbers<'a> {
     fn new(bytes: &'a [u8], encoding: Encoding, body: Body) -> Self {
         match encoding {
-            Encoding::Text => Self::Text { rest: &bytes[body.offset..], line: body.line },
+            Encoding::Text => Self::Text { rest: &bytes[body.offset..], line: body.line, line_end: body.line_end },
             Encoding::LittleEndian | Encoding::BigEndian => {
                 Self::Binary(Cursor { bytes, offset: body.offset, big_endian: encoding == Encoding::BigEndian })
             }
@@ -58,9 +62,9 @@ impl<'a> Numbers<'a> {
     fn next(&mut self, scalar: Scalar, what: &str) -> Result<f64, SurfaceError> {
         match self {
             Self::Binary(cursor) => cursor.number(scalar, what),
-            Self::Text { rest, line } => {
+            Self::Text { rest, line, line_end } => {
                 let start = rest.iter().position(|b| !b.is_ascii_whitespace()).unwrap_or(rest.len());
-                *line += rest[..start].split(|&b| b == b'\n').count() - 1;
+                *line += rest[..start].split(|b| b == line_end).count() - 1;
                 let word = &rest[start..];
                 let word = &word[..word.iter().position(u8::is_ascii_whitespace).unwrap_or(word.len())];
                 *rest = &rest[start + word.len()..];
@@ -134,7 +138,12 @@ fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces
     Ok(())
 }
 
-fn read_faces(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces) -> Result<(), SurfaceError> {
+fn read_faces(
+    element: &Element,
+    vertices: usize,
+    numbers: &mut Numbers<'_>,
+    faces: &mut Faces,
+) -> Result<(), SurfaceError> {
     let is_list = |p: &Property| p.name == "vertex_indices" || p.name == "vertex_index";
     if element.count > 0 && !element.properties.iter().any(is_list) {
         return Err(SurfaceError::missing(Place::Line(1), "the property vertex_indices of the element face"));
@@ -159,7 +168,7 @@ fn read_faces(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces) -
                     Numbers::Text { line, .. } => Place::Line(*line),
                     Numbers::Binary(_) => place,
                 };
-                corners.push(faces.known(whole, || here.clone())?);
+                corners.push(vertex_of(whole, vertices, || here.clone())?);
             }
             faces.push(&corners, || numbers.place())?;
         }

@@ -49,6 +49,8 @@ pub(super) struct Body {
     pub offset: usize,
     /// The line of that byte, from 1.
     pub line: usize,
+    /// What ends the lines of the header, and of a body of text.
+    pub line_end: u8,
 }
 
 /// Headers are shorter than this; so a binary body is not searched for lines.
@@ -85,17 +87,24 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, SurfaceError> {
 }
 
 fn body(bytes: &[u8]) -> Result<Body, SurfaceError> {
+    let line_end = header_line_end(bytes);
     let mut offset = 0;
-    for (k, line) in bytes.split_inclusive(|&b| b == b'\n').enumerate() {
+    for (k, line) in bytes.split_inclusive(|&b| b == line_end).enumerate() {
         offset += line.len();
         if line.trim_ascii() == b"end_header" {
-            return Ok(Body { offset, line: k + 2 });
+            return Ok(Body { offset, line: k + 2, line_end });
         }
         if offset > LONGEST {
             break;
         }
     }
     Err(SurfaceError::missing(Place::Line(1), "the line end_header"))
+}
+
+/// As the first line ends: a binary body may have bytes of either kind.
+fn header_line_end(bytes: &[u8]) -> u8 {
+    let first = bytes.iter().position(|b| b"\r\n".contains(b)).unwrap_or(bytes.len());
+    if bytes.get(first) == Some(&b'\r') && bytes.get(first + 1) != Some(&b'\n') { b'\r' } else { b'\n' }
 }
 
 fn encoding_of(line: Line<'_>, word: Option<&[u8]>) -> Result<Encoding, SurfaceError> {

@@ -285,3 +285,62 @@ fn a_text_stl_is_told_by_its_first_word_and_ends_with_its_last() {
     let error = read_surface("a.stl", format!("solid a\n{facet}").as_bytes()).unwrap_err();
     assert!(error.to_string().contains("endsolid"), "{error}");
 }
+
+/// The square in three formats whose lines may end in any way.
+fn texts() -> [(&'static str, String); 4] {
+    [("a.obj", OBJ.into()), ("a.off", OFF.into()), ("a.ply", PLY.into()), ("a.stl", stl_text())]
+}
+
+#[test]
+fn lines_end_in_line_feeds_carriage_returns_or_both() {
+    for (name, text) in texts() {
+        let plain = read_surface(name, text.as_bytes()).unwrap();
+        for end in ["\r\n", "\r"] {
+            let other = text.replace('\n', end);
+            assert_eq!(read_surface(name, other.as_bytes()).unwrap(), plain, "{name}, {end:?}");
+        }
+    }
+    // a carriage return in a comment ends no line of a file that has line feeds
+    let comment = OBJ.replacen('\n', "\rv 7 7 7\n", 1);
+    assert_eq!(read_surface("a.obj", comment.as_bytes()).unwrap().vertices.len(), 4);
+    let continued = "v 0 0 0\rv 1 0 \\\r0\rv 0 1 0\rf 1 2 4\r";
+    let error = SurfaceError::IndexOutOfRange { place: Place::Line(5), index: 4, vertices: 3 };
+    assert_eq!(read_surface("a.obj", continued.as_bytes()).unwrap_err(), error);
+    let damaged = PLY.replace("3 0 2 3", "3 0 2 9").replace('\n', "\r");
+    let error = SurfaceError::IndexOutOfRange { place: Place::Line(20), index: 9, vertices: 4 };
+    assert_eq!(read_surface("a.ply", damaged.as_bytes()).unwrap_err(), error);
+    let body = binary_ply(false);
+    let at = body.windows(11).position(|word| word == b"end_header\n").unwrap() + 11;
+    let header: Vec<u8> = body[..at].iter().map(|&b| if b == b'\n' { b'\r' } else { b }).collect();
+    let plain = read_surface("b.ply", &body).unwrap();
+    assert_eq!(read_surface("b.ply", &[&header, &body[at..]].concat()).unwrap(), plain);
+}
+
+#[test]
+fn the_counts_of_an_off_stand_on_one_line_or_several() {
+    let plain = read_surface("a.off", OFF.as_bytes()).unwrap();
+    for head in ["COFF 4 2 5", "COFF\n4 2", "COFF\n4\n2\n5", "COFF 4\n2 5", "coff\n4 2\n5", "Coff\n4\n2", "4 2 0"] {
+        let other = OFF.replace("COFF # kind\n4 2 5", head);
+        assert_eq!(read_surface("a.off", other.as_bytes()).unwrap(), plain, "{head}");
+    }
+    let lower = OFF.replace("COFF", "off");
+    assert_eq!(read_surface("surface", lower.as_bytes()).unwrap(), plain);
+    for (head, error) in [
+        ("OFF\n4", SurfaceError::missing(Place::Line(3), "the number of faces")),
+        ("nOFF\n4 2 5", SurfaceError::unsupported(Place::Line(1), "a surface in 4 or n dimensions (nOFF)")),
+    ] {
+        assert_eq!(read_surface("a.off", head.as_bytes()).unwrap_err(), error);
+    }
+}
+
+#[test]
+fn the_faces_of_a_ply_may_come_before_its_vertices() {
+    let [head, faces] = ["element face 2\nproperty list uchar int vertex_indices\n", "3 0 1 2\n3 0 2 3\n"];
+    let vertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+    let body = "0 0 2\n1 0 2.5\n1 1 2\n0 1 2\n";
+    let text = |faces: &str| format!("ply\nformat ascii 1.0\n{head}{vertices}end_header\n{faces}{body}");
+    let plain = read_surface("a.ply", PLY.as_bytes()).unwrap();
+    assert_eq!(read_surface("a.ply", text(faces).as_bytes()).unwrap(), plain);
+    let error = SurfaceError::IndexOutOfRange { place: Place::Line(11), index: 4, vertices: 4 };
+    assert_eq!(read_surface("a.ply", text("3 0 1 2\n3 0 2 4\n").as_bytes()).unwrap_err(), error);
+}

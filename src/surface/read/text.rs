@@ -11,9 +11,16 @@ pub(super) struct Line<'a> {
     bytes: &'a [u8],
 }
 
+/// What ends the lines of a whole text: a line feed, after a carriage return or not; where there is none, carriage
+/// returns alone.
+pub(super) fn line_end(text: &[u8]) -> u8 {
+    if text.contains(&b'\n') { b'\n' } else { b'\r' }
+}
+
 /// The lines of `bytes` that hold more than blanks and a comment (from `#` on).
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
-    let numbered = bytes.split(|&b| b == b'\n').enumerate();
+    let end = line_end(bytes);
+    let numbered = bytes.split(move |&b| b == end).enumerate();
     let lines = numbered.map(|(k, line)| {
         let end = line.iter().position(|&b| b == b'#').unwrap_or(line.len());
         Line { number: k + 1, bytes: line[..end].trim_ascii() }
