@@ -29,8 +29,8 @@ pub struct FlattenArguments {
     /// y₁, the image of y₂: the point of the outline nearest to X,Y, or at fraction S of its length.
     #[arg(long, alias = "source-anchor", value_name = "X,Y|@S", default_value = "@0", allow_hyphen_values = true)]
     pub outline_anchor: Anchor,
-    /// Repair the surface where that is safe (orient, keep the largest component, drop loose vertices, fill holes),
-    /// and cut small loops and spikes off the outline.
+    /// Repair the surface where that is safe (drop doubled triangles and loose vertices, orient, keep the largest
+    /// component, fill holes), and cut small loops and spikes off the outline.
     #[arg(long)]
     pub repair: bool,
     /// Use the triangles' own cotangent weights, negative ones too, instead of flipping edges to be Delaunay.

@@ -3,7 +3,7 @@
 //! | step | file |
 //! |---|---|
 //! | bytes → [`Surface`] | `read` |
-//! | what its connectivity is, and what keeps it from being a disk | `survey`, `topology_error` |
+//! | what its connectivity is, and what keeps it from being a disk | `survey`, `duplicates`, `topology_error` |
 //! | repairs that are safe, each told | `repair`, `fill` |
 //! | boundary loop first, interior after | `disk` |
 //! | the default interior point | `farthest` |
@@ -13,6 +13,7 @@
 //! Positions are [`DVec3`]; the map needs only the lengths of the edges.
 
 mod disk;
+mod duplicates;
 mod edges;
 mod farthest;
 mod fill;

@@ -1,16 +1,18 @@
 //! Repairs that are safe, in a fixed order, each told in a [`RepairNote`].
 //!
-//! Triangles that name a vertex twice are dropped; the rest is oriented consistently, as
+//! Triangles that name a vertex twice are dropped, and those with the corners of an earlier one; the rest is oriented consistently, as
 //! most of its triangles are; the component with the most triangles is kept; vertices
 //! in no triangle are dropped; all holes but the longest boundary loop are filled. What would
 //! need a guess (edges of three triangles, vertices that join parts, flat triangles) stays an error.
 
+use super::duplicates::duplicates;
 use super::edges::EdgeTable;
 use super::fill::fill_holes;
 use super::orient::turned;
 use super::survey::{check_edges, check_values, components, connectivity, repeats};
 use super::{LoopReport, Surface, TopologyError};
 use crate::counted::counted;
+use std::collections::HashSet;
 
 /// The origin of a vertex or triangle that a repair has added.
 pub const ADDED: u32 = u32::MAX;
@@ -26,6 +28,16 @@ pub enum RepairNote {
         "{count} triangles that name a vertex twice were dropped"
     ))]
     DroppedTriangles {
+        /// How many.
+        count: usize,
+    },
+    /// Triangles with the corners of an earlier one were dropped.
+    #[error("{}", counted!(
+        *count,
+        "1 triangle with the same corners as another one was dropped",
+        "{count} triangles with the same corners as another one were dropped"
+    ))]
+    DroppedDuplicates {
         /// How many.
         count: usize,
     },
@@ -120,12 +132,24 @@ pub fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
     if count > 0 {
         repaired.notes.push(RepairNote::DroppedTriangles { count });
     }
+    drop_duplicates(&mut repaired);
     orient(&mut repaired)?;
     keep_largest(&mut repaired);
     drop_unreferenced(&mut repaired);
     let found = connectivity(&repaired.surface)?;
     fill_holes(&mut repaired, &found.loops);
     Ok(repaired)
+}
+
+/// Of triangles with the same corners, those after the first.
+fn drop_duplicates(repaired: &mut Repaired) {
+    let surface = &repaired.surface;
+    let found = duplicates(&surface.triangles, &EdgeTable::new(&surface.triangles, surface.vertices.len()));
+    let dropped: HashSet<u32> = found.iter().map(|&[triangle, _]| triangle).collect();
+    let count = repaired.retain(|t, _| !dropped.contains(&(t as u32)));
+    if count > 0 {
+        repaired.notes.push(RepairNote::DroppedDuplicates { count });
+    }
 }
 
 fn twins_of(surface: &Surface) -> Result<Vec<u32>, TopologyError> {

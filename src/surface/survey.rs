@@ -3,6 +3,7 @@
 //! The checks stand in an order in which each one may take for granted what those before
 //! it found: loops are walked only where every edge has at most two triangles of equal orientation.
 
+use super::duplicates::duplicates;
 use super::edges::{EdgeTable, ends};
 use super::orient::turned;
 use super::{LoopReport, Surface, TopologyError};
@@ -69,6 +70,14 @@ fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
     let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
     let double_area = (b - a).cross(c - a).length();
     double_area.is_nan() || double_area <= FLAT * longest
+}
+
+/// No two triangles have the same corners.
+fn check_duplicates(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), TopologyError> {
+    let found = duplicates(triangles, edges);
+    let Some(&[triangle, other]) = found.first() else { return Ok(()) };
+    let corners = triangles[triangle as usize];
+    Err(TopologyError::Duplicates { triangle, corners, other, count: found.len() })
 }
 
 /// Every edge has at most two triangles.
@@ -185,6 +194,7 @@ pub(super) fn connectivity(surface: &Surface) -> Result<Connectivity, TopologyEr
     check_values(surface)?;
     check_triangles(surface)?;
     let edges = EdgeTable::new(&surface.triangles, surface.vertices.len());
+    check_duplicates(&surface.triangles, &edges)?;
     check_edges(&surface.triangles, &edges)?;
     let twins = edges.twins();
     check_orientation(&surface.triangles, &twins)?;

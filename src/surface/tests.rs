@@ -90,6 +90,26 @@ fn triangles_without_area_are_named() {
 }
 
 #[test]
+fn triangles_with_the_same_corners_are_named_and_dropped() {
+    let clean = SurfaceMesh::new(&grid(3)).unwrap();
+    let doubled = grid(3).triangles;
+    let turned: Vec<_> = doubled.iter().map(|&[a, b, c]| [b, a, c]).collect();
+    let cycled: Vec<_> = doubled.iter().map(|&[a, b, c]| [c, a, b]).collect();
+    for others in [&cycled[7..8], &turned[7..8], &[cycled[7], turned[7], turned[7]], &turned, &cycled] {
+        let mut surface = grid(3);
+        let first = surface.triangles.len() as u32;
+        surface.triangles.extend(others);
+        let other = if others.len() > 3 { 0 } else { 7 };
+        let (corners, count) = (others[0], others.len());
+        let expected = TopologyError::Duplicates { triangle: first, corners, other, count };
+        assert_eq!(error(&surface), expected);
+        let repaired = SurfaceMesh::repaired(&surface).unwrap();
+        assert_eq!(repaired.repairs, [RepairNote::DroppedDuplicates { count }]);
+        assert_eq!((repaired.mesh, repaired.triangle_origins), (clean.mesh.clone(), clean.triangle_origins.clone()));
+    }
+}
+
+#[test]
 fn edges_and_vertices_that_are_no_manifold_are_named() {
     let mut surface = grid(2);
     surface.vertices.push(DVec3::Z);

@@ -68,6 +68,23 @@ pub enum TopologyError {
         /// How many there are.
         count: usize,
     },
+    /// Triangles with the corners of an earlier one, of the same orientation or the other.
+    #[error("{}", counted!(
+        *count,
+        "triangle {triangle} {corners:?} has the same corners as triangle {other}: drop it",
+        "{count} triangles have the same corners as another one, the first is triangle {triangle} {corners:?}, as \
+         triangle {other}: drop them"
+    ))]
+    Duplicates {
+        /// The first one.
+        triangle: u32,
+        /// Its corners.
+        corners: [u32; 3],
+        /// The one that has them already.
+        other: u32,
+        /// How many there are.
+        count: usize,
+    },
     /// Edges with three triangles or more.
     #[error("{}", counted!(
         *count,
