@@ -55,7 +55,7 @@ pub struct Surface {
 }
 
 /// What a reader did that its user should know.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SurfaceNote {
     /// Polygons were cut into triangles.
     #[error("{}", counted!(*polygons, "1 polygon was cut into triangles", "{polygons} polygons were cut into triangles"))]
@@ -70,5 +70,11 @@ pub enum SurfaceNote {
         before: usize,
         /// How many are left.
         after: usize,
+    },
+    /// The file goes on after all that it counts at its beginning.
+    #[error("{place}: more follows than the file says it has; it was passed over")]
+    Surplus {
+        /// Where it begins.
+        place: Place,
     },
 }

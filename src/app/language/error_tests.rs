@@ -210,6 +210,9 @@ fn surfaces_that_are_no_disks() {
     german(&error);
     let polygon = read_surface("a.obj", format!("{square}f 1 2 3 4\n").as_bytes()).unwrap();
     polygon.notes.iter().for_each(german);
+    let longer = read_surface("a.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n").unwrap();
+    assert_eq!(longer.notes.len(), 1);
+    longer.notes.iter().for_each(german);
 }
 
 #[test]

@@ -22,6 +22,8 @@ pub(super) struct Faces {
     /// Where each face ends in `corners`.
     ends: Vec<u32>,
     triangles: usize,
+    /// Where the file goes on after all that it has counted.
+    pub surplus: Option<Place>,
 }
 
 impl Faces {
@@ -41,7 +43,7 @@ impl Faces {
 
     /// The surface, its polygons cut into triangles.
     pub(super) fn finish(self) -> Surface {
-        let Self { vertices, corners, ends, triangles: count } = self;
+        let Self { vertices, corners, ends, triangles: count, surplus } = self;
         let (mut triangles, mut polygons, mut start) = (Vec::with_capacity(count), 0, 0);
         for end in ends {
             match &corners[start..end as usize] {
@@ -53,7 +55,8 @@ impl Faces {
             }
             start = end as usize;
         }
-        let notes = if polygons > 0 { vec![SurfaceNote::Triangulated { polygons }] } else { Vec::new() };
+        let cut = (polygons > 0).then_some(SurfaceNote::Triangulated { polygons });
+        let notes = cut.into_iter().chain(surplus.map(|place| SurfaceNote::Surplus { place })).collect();
         Surface { vertices, triangles, notes }
     }
 }

@@ -33,6 +33,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         }
         faces.push(&corners, || line.place())?;
     }
+    faces.surplus = lines.next().map(|line| line.place());
     Ok(faces.finish())
 }
 

@@ -28,24 +28,47 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
             _ => (0..element.count).try_for_each(|_| skip(&element.properties, &mut numbers))?,
         }
     }
+    faces.surplus = numbers.surplus();
     Ok(faces.finish())
+}
+
+/// The rest of a body of text.
+struct Words<'a> {
+    rest: &'a [u8],
+    /// The line where it begins.
+    line: usize,
+    line_end: u8,
+}
+
+impl<'a> Words<'a> {
+    fn skip_blanks(&mut self) {
+        let start = self.rest.iter().position(|b| !b.is_ascii_whitespace()).unwrap_or(self.rest.len());
+        self.line += self.rest[..start].iter().filter(|&&b| b == self.line_end).count();
+        self.rest = &self.rest[start..];
+    }
+
+    /// The next word; empty at the end of the file.
+    fn next(&mut self) -> &'a [u8] {
+        self.skip_blanks();
+        let end = self.rest.iter().position(u8::is_ascii_whitespace).unwrap_or(self.rest.len());
+        let (word, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        word
+    }
 }
 
 /// The numbers of the body, one after another.
 enum Numbers<'a> {
-    /// The rest of the text, and the line where it begins.
-    Text {
-        rest: &'a [u8],
-        line: usize,
-        line_end: u8,
-    },
+    Text(Words<'a>),
     Binary(Cursor<'a>),
 }
 
 impl<'a> Numbers<'a> {
     fn new(bytes: &'a [u8], encoding: Encoding, body: Body) -> Self {
         match encoding {
-            Encoding::Text => Self::Text { rest: &bytes[body.offset..], line: body.line, line_end: body.line_end },
+            Encoding::Text => {
+                Self::Text(Words { rest: &bytes[body.offset..], line: body.line, line_end: body.line_end })
+            }
             Encoding::LittleEndian | Encoding::BigEndian => {
                 Self::Binary(Cursor { bytes, offset: body.offset, big_endian: encoding == Encoding::BigEndian })
             }
@@ -54,26 +77,33 @@ impl<'a> Numbers<'a> {
 
     fn place(&self) -> Place {
         match self {
-            Self::Text { line, .. } => Place::Line(*line),
+            Self::Text(words) => Place::Line(words.line),
             Self::Binary(cursor) => cursor.place(),
+        }
+    }
+
+    /// Where the rest begins, if there is more of it than blanks.
+    fn surplus(mut self) -> Option<Place> {
+        match &mut self {
+            Self::Text(words) => {
+                words.skip_blanks();
+                (!words.rest.is_empty()).then(|| self.place())
+            }
+            Self::Binary(cursor) => cursor.surplus(),
         }
     }
 
     fn next(&mut self, scalar: Scalar, what: &str) -> Result<f64, SurfaceError> {
         match self {
             Self::Binary(cursor) => cursor.number(scalar, what),
-            Self::Text { rest, line, line_end } => {
-                let start = rest.iter().position(|b| !b.is_ascii_whitespace()).unwrap_or(rest.len());
-                *line += rest[..start].split(|b| b == line_end).count() - 1;
-                let word = &rest[start..];
-                let word = &word[..word.iter().position(u8::is_ascii_whitespace).unwrap_or(word.len())];
-                *rest = &rest[start + word.len()..];
+            Self::Text(words) => {
+                let word = words.next();
+                let place = Place::Line(words.line);
                 if word.is_empty() {
-                    return Err(SurfaceError::missing(Place::Line(*line), what));
+                    return Err(SurfaceError::missing(place, what));
                 }
                 let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
-                let found = || super::text::shown(word);
-                number.ok_or_else(|| SurfaceError::NotANumber { place: Place::Line(*line), found: found() })
+                number.ok_or_else(|| SurfaceError::NotANumber { place, found: super::text::shown(word) })
             }
         }
     }
@@ -97,7 +127,7 @@ impl<'a> Numbers<'a> {
                 let count = self.length(length)?;
                 match self {
                     Self::Binary(cursor) => cursor.skip(count * item.size(), "a list"),
-                    Self::Text { .. } => (0..count).try_for_each(|_| self.next(item, "a list").map(|_| ())),
+                    Self::Text(_) => (0..count).try_for_each(|_| self.next(item, "a list").map(|_| ())),
                 }
             }
         }
@@ -165,7 +195,7 @@ fn read_faces(
                 let index = numbers.next(item, "a corner of a face")?;
                 let whole = if index.fract() == 0.0 { index as i64 } else { -1 };
                 let here = match numbers {
-                    Numbers::Text { line, .. } => Place::Line(*line),
+                    Numbers::Text(words) => Place::Line(words.line),
                     Numbers::Binary(_) => place,
                 };
                 corners.push(vertex_of(whole, vertices, || here.clone())?);

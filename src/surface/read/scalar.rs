@@ -73,6 +73,12 @@ impl Cursor<'_> {
         Ok(value)
     }
 
+    /// Where the rest begins, if there is more of it than blanks.
+    pub(super) fn surplus(&self) -> Option<Place> {
+        let rest = self.bytes.get(self.offset..).unwrap_or_default();
+        (!rest.trim_ascii().is_empty()).then(|| self.place())
+    }
+
     /// Passes over `count` bytes.
     pub(super) fn skip(&mut self, count: usize, what: &str) -> Result<(), SurfaceError> {
         let end = self.offset.checked_add(count).filter(|&end| end <= self.bytes.len());

@@ -55,6 +55,7 @@ fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
         faces.push(&[first, first + 1, first + 2], || cursor.place())?;
         cursor.skip(2, "the end of a triangle")?;
     }
+    faces.surplus = cursor.surplus();
     Ok(faces)
 }
 

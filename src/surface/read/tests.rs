@@ -344,3 +344,24 @@ fn the_faces_of_a_ply_may_come_before_its_vertices() {
     let error = SurfaceError::IndexOutOfRange { place: Place::Line(11), index: 4, vertices: 4 };
     assert_eq!(read_surface("a.ply", text("3 0 1 2\n3 0 2 4\n").as_bytes()).unwrap_err(), error);
 }
+
+#[test]
+fn what_follows_after_all_that_was_counted_is_told() {
+    let stl = binary_stl();
+    let files: [(&str, Vec<u8>, Place); 6] = [
+        ("a.off", OFF.into(), Place::Line(10)),
+        ("a.ply", PLY.into(), Place::Line(22)),
+        ("b.ply", binary_ply(false), Place::Byte(binary_ply(false).len())),
+        ("c.ply", binary_ply(true), Place::Byte(binary_ply(true).len())),
+        ("a.stl", stl.clone(), Place::Byte(stl.len())),
+        ("d.ply", PLY.replace('\n', "\r").into(), Place::Line(22)),
+    ];
+    for (name, bytes, place) in files {
+        let plain = read_surface(name, &bytes).unwrap();
+        let is_told = |surface: &Surface| surface.notes.contains(&SurfaceNote::Surplus { place: place.clone() });
+        assert_eq!(read_surface(name, &[&bytes, b"\n \r\n".as_slice()].concat()).unwrap(), plain, "{name}");
+        let longer = read_surface(name, &[&bytes, b"3 0 2 3 0.5".as_slice()].concat()).unwrap();
+        assert!(is_told(&longer) && !is_told(&plain), "{name}: {:?}", longer.notes);
+        assert_eq!((longer.vertices, longer.triangles), (plain.vertices, plain.triangles), "{name}");
+    }
+}
