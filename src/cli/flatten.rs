@@ -6,8 +6,8 @@ use super::flatten_arguments::{FlattenArguments, UvArgument, read};
 use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, write_all};
 use super::surface_picture;
 use crate::conformal::{
-    FrameTimings, Memory, PrepareTimings, Quality, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare,
-    prepare_surface,
+    FrameTimings, MapError, Memory, PrepareTimings, Quality, SurfaceConstraints, SurfaceMap, SurfaceMapError,
+    SurfaceSettings, prepare, prepare_surface,
 };
 use crate::export::{FileFormat, Flattened, Placement};
 use crate::mesh::FlipReport;
@@ -52,7 +52,7 @@ struct Summary {
     timing_ms: Timings,
 }
 
-/// A point of the surface, by its triangle in the file and the weights of its corners there.
+/// A point of the surface, by its triangle, counted once the file's faces are cut, and the weights of its corners there.
 #[derive(Debug, serde::Serialize)]
 struct Point {
     triangle: u32,
@@ -148,9 +148,21 @@ fn compute(
     warn_if_coarse(&arguments.outline, source.refinement);
     say_solver(&arguments.outline, settings.solver, &source.solver);
     say_solver(&arguments.surface, settings.solver, &prepared.solver);
-    let map = SurfaceMap::new(source, prepared, &constraints).map_err(|error| CliError::Input(error.to_string()))?;
+    let map = SurfaceMap::new(source, prepared, &constraints).map_err(|error| refused(&error, arguments))?;
     timings.frame = map.timings();
     Ok((map, constraints))
+}
+
+/// An error of the map in the words of this subcommand, whose source is the outline.
+fn refused(error: &SurfaceMapError, arguments: &FlattenArguments) -> CliError {
+    CliError::Input(match error {
+        SurfaceMapError::Planar(MapError::PointOutside { x, y, .. }) => {
+            format!("--outline-point: ({x}, {y}) is not inside the outline as it is sampled")
+        }
+        SurfaceMapError::Planar(MapError::NotConverged { error, .. }) => format!("{}: {error}", arguments.outline),
+        SurfaceMapError::NotConverged(error) => format!("{}: {error}", arguments.surface),
+        error => error.to_string(),
+    })
 }
 
 fn summarize(

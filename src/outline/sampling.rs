@@ -119,16 +119,15 @@ impl BoundarySamples {
     /// The boundary point nearest to `x`. Cost O(m).
     pub fn nearest(&self, x: DVec2) -> BoundaryPoint {
         let m = self.points.len();
-        let mut best = (f64::INFINITY, BoundaryPoint { edge: 0, fraction: 0.0 });
-        for k in 0..m {
+        let foot = |k: usize| {
             let (a, d) = (self.points[k], self.points[(k + 1) % m] - self.points[k]);
-            let t = ((x - a).dot(d) / d.length_squared()).clamp(0.0, 1.0 - f64::EPSILON);
-            let distance = (a + t * d).distance_squared(x);
-            if distance < best.0 {
-                best = (distance, BoundaryPoint { edge: k as u32, fraction: t });
-            }
-        }
-        best.1
+            let fraction = ((x - a).dot(d) / d.length_squared()).clamp(0.0, 1.0 - f64::EPSILON);
+            (a + fraction * d, BoundaryPoint { edge: k as u32, fraction })
+        };
+        // |p − x|² − |q − x|² without the squares, whose difference is rounding where x is far away
+        let is_nearer = |p: DVec2, q: DVec2| (p - q).dot(p.midpoint(q) - x) < 0.0;
+        let nearest = (0..m).map(foot).reduce(|best, next| if is_nearer(next.0, best.0) { next } else { best });
+        nearest.map_or(BoundaryPoint { edge: 0, fraction: 0.0 }, |(_, point)| point)
     }
 }
 

@@ -7,16 +7,16 @@ use crate::outline::BoundaryPoint;
 /// The boundary point nearest to a place: its edge `k → k+1` and the part of it, in `[0, 1)`. Cost O(m).
 pub fn nearest_on_boundary(mesh: &TriMesh<DVec3>, place: DVec3) -> BoundaryPoint {
     let m = mesh.boundary_count as usize;
-    let mut best = (f64::INFINITY, 0, 0.0);
-    for k in 0..m {
+    let foot = |k: usize| {
         let (a, b) = (mesh.vertices[k], mesh.vertices[(k + 1) % m]);
         let along = ((place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
-        let distance = a.lerp(b, along).distance_squared(place);
-        if distance < best.0 {
-            best = (distance, k, along);
-        }
-    }
-    boundary_point(best.1, best.2, m)
+        (a.lerp(b, along), k, along)
+    };
+    // |p − x|² − |q − x|² without the squares, whose difference is rounding where the place x is far away
+    let is_nearer = |p: DVec3, q: DVec3| (p - q).dot(p.midpoint(q) - place) < 0.0;
+    let nearest = (0..m).map(foot).reduce(|best, next| if is_nearer(next.0, best.0) { next } else { best });
+    let (_, k, along) = nearest.unwrap_or_default();
+    boundary_point(k, along, m)
 }
 
 /// At `along` of the edge `k → k+1`, in `[0, 1]`.
@@ -151,6 +151,19 @@ mod tests {
         }
         let on_loop = nearest_on_boundary(&mesh(TRIANGLE.to_vec(), 3), DVec3::new(-1.0, 0.5, 0.0));
         assert_eq!((on_loop.edge, on_loop.fraction), (2, 0.75));
+    }
+
+    #[test]
+    fn from_far_away_the_nearest_boundary_point_is_the_outermost_one() {
+        let angle = |k: u32| std::f64::consts::TAU * f64::from(k) / 36.0;
+        let ring: Vec<DVec3> = (0..36).map(|k| DVec3::new(angle(k).cos(), angle(k).sin(), 0.1)).collect();
+        let mesh = mesh(ring.clone(), 36);
+        for (edge, &vertex) in (0..).zip(&ring) {
+            for distance in [1.5, 1e8, 1e16, 1e20, 1e100] {
+                let found = nearest_on_boundary(&mesh, distance * vertex.with_z(0.0));
+                assert_eq!((found.edge, found.fraction), (edge, 0.0), "{edge} from {distance:e}");
+            }
+        }
     }
 
     #[test]

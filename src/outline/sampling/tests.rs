@@ -135,6 +135,17 @@ fn curvature_and_channels_limit_the_spacing() {
 }
 
 #[test]
+fn from_far_away_the_nearest_sample_is_the_outermost_one() {
+    let samples = uniform(&circle(48, |_| 1.0), 48, true).unwrap();
+    for &outermost in &samples.points {
+        for distance in [1.5, 1e8, 1e16, 1e100] {
+            let found = samples.position(samples.nearest(distance * outermost));
+            assert!(found.distance(outermost) < 1e-14, "{found} for {outermost} from {distance:e}");
+        }
+    }
+}
+
+#[test]
 fn targets_are_met_and_samples_lie_on_the_outline() {
     for (name, shape) in outlines() {
         for target in [100, 400, 2500] {
