@@ -5,7 +5,7 @@ use super::arguments::{Anchor, Discretisation, Point, Size, read_file};
 use crate::conformal::PreparedSurface;
 use crate::geometry::DVec3;
 use crate::mesh::BarycentricPoint;
-use crate::surface::{MAX_BYTES, Surface, SurfacePreset, at_vertex, nearest_on_boundary, read_surface};
+use crate::surface::{MAX_BYTES, Surface, SurfaceNote, SurfacePreset, at_vertex, nearest_on_boundary, read_surface};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -16,8 +16,9 @@ pub struct FlattenArguments {
     pub surface: String,
     /// The outline of the texture domain: a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`.
     pub outline: String,
-    /// x₂, inside the surface: vertex V, or triangle F with weights, or the point nearest to X,Y,Z; V and F count
-    /// from 0 [default: the vertex farthest from the boundary].
+    /// x₂, inside the surface: vertex V, or triangle F with weights, or the point nearest to X,Y,Z; V and F count from
+    /// 0 in the file's order, F what its faces are once they are cut into triangles [default: the vertex farthest from
+    /// the boundary].
     #[arg(long, value_name = "V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
     pub surface_point: Option<SurfacePoint>,
     /// y₂, on the surface's boundary: vertex V, or the boundary point nearest to X,Y,Z, or at fraction S of its length.
@@ -105,11 +106,11 @@ impl SurfacePoint {
         match self {
             Self::Vertex(vertex) => {
                 let found = whole.number_of(vertex).and_then(|number| at_vertex(&whole.mesh, number));
-                found.ok_or_else(|| CliError::Input(format!("--surface-point: the surface has no vertex {vertex}")))
+                found.ok_or_else(|| CliError::Input(format!("--surface-point: {}", no_vertex(given, vertex))))
             }
             Self::InTriangle(triangle, weights) => {
                 let kept = whole.triangle_origins.iter().position(|&origin| origin == triangle);
-                let missing = || CliError::Input(format!("--surface-point: the surface has no triangle {triangle}"));
+                let missing = || CliError::Input(format!("--surface-point: {}", no_triangle(given, triangle)));
                 let kept = kept.ok_or_else(missing)? as u32;
                 Ok(BarycentricPoint { triangle: kept, weights: whole.corners_in(given, kept).map(|i| weights[i]) })
             }
@@ -120,6 +121,28 @@ impl SurfacePoint {
                 .ok_or_else(|| CliError::Input(format!("--surface-point: nothing is near {place}"))),
         }
     }
+}
+
+/// Why there is no vertex of this number to be found.
+fn no_vertex(given: &Surface, vertex: u32) -> String {
+    match given.vertices.len() {
+        count if (vertex as usize) < count => format!("vertex {vertex} was dropped by the repair"),
+        count => format!("the surface has no vertex {vertex}: it has {count}, counted from 0"),
+    }
+}
+
+/// Why there is no triangle of this number to be found.
+fn no_triangle(given: &Surface, triangle: u32) -> String {
+    let count = given.triangles.len();
+    if (triangle as usize) < count {
+        return format!("triangle {triangle} was dropped by the repair");
+    }
+    let faces = given.notes.iter().find_map(|note| match note {
+        SurfaceNote::Triangulated { faces, .. } => Some(format!("its {faces} faces were cut into")),
+        _ => None,
+    });
+    let faces = faces.unwrap_or_else(|| String::from("it has"));
+    format!("the surface has no triangle {triangle}: {faces} {count}, counted from 0")
 }
 
 /// A point of a surface's boundary.

@@ -62,6 +62,8 @@ pub enum SurfaceNote {
     Triangulated {
         /// How many.
         polygons: usize,
+        /// How many faces the file has.
+        faces: usize,
     },
     /// Vertices at exactly the same place were made one (formats that repeat them).
     #[error("{before} corners at {after} places were made {after} vertices")]

@@ -44,7 +44,7 @@ impl Faces {
     /// The surface, its polygons cut into triangles.
     pub(super) fn finish(self) -> Surface {
         let Self { vertices, corners, ends, triangles: count, surplus } = self;
-        let (mut triangles, mut polygons, mut start) = (Vec::with_capacity(count), 0, 0);
+        let (faces, mut triangles, mut polygons, mut start) = (ends.len(), Vec::with_capacity(count), 0, 0);
         for end in ends {
             match &corners[start..end as usize] {
                 &[a, b, c] => triangles.push([a, b, c]),
@@ -55,7 +55,7 @@ impl Faces {
             }
             start = end as usize;
         }
-        let cut = (polygons > 0).then_some(SurfaceNote::Triangulated { polygons });
+        let cut = (polygons > 0).then_some(SurfaceNote::Triangulated { polygons, faces });
         let notes = cut.into_iter().chain(surplus.map(|place| SurfaceNote::Surplus { place })).collect();
         Surface { vertices, triangles, notes }
     }

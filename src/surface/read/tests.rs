@@ -169,10 +169,10 @@ fn the_first_bytes_decide_where_the_extension_does_not() {
 
 #[test]
 fn polygons_are_cut_into_triangles() {
-    let pentagon = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1 2 3 \\\n 4 5\n";
+    let pentagon = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1 2 3 \\\n 4 5\nf 1 2 3\n";
     let surface = read_surface("p.obj", pentagon.as_bytes()).unwrap();
-    assert_eq!(surface.triangles.len(), 3);
-    assert_eq!(surface.notes, [SurfaceNote::Triangulated { polygons: 1 }]);
+    assert_eq!(surface.triangles.len(), 4);
+    assert_eq!(surface.notes, [SurfaceNote::Triangulated { polygons: 1, faces: 2 }]);
 }
 
 #[test]
