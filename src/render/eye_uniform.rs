@@ -1,7 +1,8 @@
 //! What `shaders/space.wgsl` needs to know of an eye.
 
 use super::OrbitCamera;
-use glam::{DMat3, DMat4, DVec3};
+use super::space_vertices::LocalFrame;
+use glam::{DMat3, DMat4};
 
 /// `Eye` of `shaders/space.wgsl`.
 #[repr(C)]
@@ -13,19 +14,21 @@ pub struct EyeUniform {
 }
 
 impl EyeUniform {
-    /// For positions relative to `origin`, in a viewport of `size_px`. What lies on the surface is drawn nearer
+    /// For places in `frame`, in a viewport of `size_px`. What lies on the surface is drawn nearer
     /// by as much as `lift_px` pixels are long; `light` is the light's part of colours, from 0 to 1.
-    pub fn new(camera: &OrbitCamera, origin: DVec3, size_px: [u32; 2], lift_px: f64, light: f32) -> Self {
+    pub fn new(camera: &OrbitCamera, frame: LocalFrame, size_px: [u32; 2], lift_px: f64, light: f32) -> Self {
         let [width, height] = size_px.map(f64::from);
         // the large numbers cancel here, in f64
-        let clip = camera.view_projection(width / height) * DMat4::from_translation(origin);
+        let mut clip = camera.view_projection(width / height) * DMat4::from_translation(frame.origin);
+        // clip coordinates in the frame's unit: what they are divided by, the distance from the eye, is so too
+        clip.w_axis /= frame.unit;
         let turn = DMat3::from_quat(camera.rotation.inverse());
         let (near, far) = camera.depths();
         let lift = lift_px * 2.0 * (0.5 * camera.field_of_view).tan() / height;
         Self {
             clip: clip.to_cols_array_2d().map(|column| column.map(|x| x as f32)),
             turn: turn.to_cols_array_2d().map(|[x, y, z]| [x as f32, y as f32, z as f32, 0.0]),
-            depth: [(far / (far - near)) as f32, (near * far / (near - far)) as f32, lift as f32, light],
+            depth: [(far / (far - near)) as f32, (near / frame.unit * far / (near - far)) as f32, lift as f32, light],
         }
     }
 }

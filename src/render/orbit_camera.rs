@@ -82,7 +82,9 @@ impl OrbitCamera {
             let [a, b, c] = t.map(|v| positions[v as usize]);
             (b - a).cross(c - a)
         };
-        let front = triangles.iter().map(area).sum::<DVec3>().try_normalize().unwrap_or(DVec3::Z);
+        let sum = triangles.iter().map(area).sum::<DVec3>();
+        // first to a length whose square neither overflows nor vanishes
+        let front = (sum / sum.abs().max_element()).try_normalize().unwrap_or(DVec3::Z);
         let up = if front.y.abs() < UPRIGHT { DVec3::Y } else { DVec3::Z };
         let right = up.cross(front).normalize_or_zero();
         let towards_eye = front + ASIDE * right + ABOVE * front.cross(right);

@@ -12,25 +12,59 @@ pub type SpaceVertex = [f32; 4];
 /// The largest number in 12 bits.
 const LEVELS: f64 = 4095.0;
 
-/// Fills `vertices` with places relative to the middle of their bounding box, which is returned. Cost O(n).
-pub fn stage(vertices: &mut Vec<SpaceVertex>, positions: &[DVec3], triangles: &[[u32; 3]]) -> DVec3 {
-    let (low, high) =
-        positions.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
-    let middle = low.midpoint(high);
-    let origin = if middle.is_finite() { middle } else { DVec3::ZERO };
-    let normals = normals(positions, triangles);
-    vertices.clear();
-    vertices.extend(positions.iter().zip(normals).map(|(&p, normal)| {
-        let [x, y, z] = (p - origin).as_vec3().to_array();
-        [x, y, z, packed(normal)]
-    }));
-    origin
+/// What places on the GPU are relative to. In its unit they are about 1, so that f32 holds surfaces of any size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LocalFrame {
+    /// The middle of the surface's bounding box.
+    pub origin: DVec3,
+    /// A power of two, so that dividing by it rounds nothing.
+    pub unit: f64,
 }
 
-fn normals(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
+impl Default for LocalFrame {
+    fn default() -> Self {
+        Self { origin: DVec3::ZERO, unit: 1.0 }
+    }
+}
+
+impl LocalFrame {
+    /// Of a surface with these vertices. Cost O(n).
+    fn of(positions: &[DVec3]) -> Self {
+        let (low, high) =
+            positions.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+        let (middle, extent) = (low.midpoint(high), (high - low).max_element());
+        let origin = if middle.is_finite() { middle } else { DVec3::ZERO };
+        let unit = 2_f64.powi(extent.log2().floor().clamp(-1000.0, 1000.0) as i32);
+        Self { origin, unit: if extent > 0.0 && extent.is_finite() { unit } else { 1.0 } }
+    }
+
+    fn local(&self, p: DVec3) -> DVec3 {
+        (p - self.origin) / self.unit
+    }
+
+    /// A place as the GPU has it.
+    pub fn place(&self, p: DVec3) -> [f32; 3] {
+        self.local(p).as_vec3().to_array()
+    }
+}
+
+/// Fills `vertices` with places in a frame of their own, which is returned. Cost O(n).
+pub fn stage(vertices: &mut Vec<SpaceVertex>, positions: &[DVec3], triangles: &[[u32; 3]]) -> LocalFrame {
+    let frame = LocalFrame::of(positions);
+    let normals = normals(&frame, positions, triangles);
+    vertices.clear();
+    vertices.extend(positions.iter().zip(normals).map(|(&p, normal)| {
+        let [x, y, z] = frame.place(p);
+        [x, y, z, packed(normal)]
+    }));
+    frame
+}
+
+/// In the frame's unit, for areas of areas are to have no overflow.
+fn normals(frame: &LocalFrame, positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; positions.len()];
     for triangle in triangles {
-        let corners = triangle.map(|v| positions[v as usize]);
+        let corners = triangle.map(|v| frame.local(positions[v as usize]));
         let Some(normal) = (corners[1] - corners[0]).cross(corners[2] - corners[0]).try_normalize() else { continue };
         for (i, &v) in triangle.iter().enumerate() {
             let [u, w] = [corners[(i + 1) % 3] - corners[i], corners[(i + 2) % 3] - corners[i]];
@@ -88,7 +122,26 @@ mod tests {
             (0..8).map(|v| DVec3::new(f64::from(v & 1), f64::from(v >> 1 & 1), f64::from(v >> 2))).collect();
         // three squares at vertex 7, one of them cut through it
         let triangles = [[7, 6, 4], [7, 4, 5], [7, 3, 6], [3, 2, 6], [7, 5, 1], [7, 1, 3]];
-        let normal = normals(&positions, &triangles)[7].normalize();
+        let normal = normals(&LocalFrame::default(), &positions, &triangles)[7].normalize();
         assert!(normal.distance(DVec3::ONE.normalize()) < 1e-15, "{normal}");
+    }
+
+    #[test]
+    fn surfaces_of_any_size_and_place_are_staged_alike() {
+        let positions: Vec<_> =
+            [[0.0, 0.0, 0.0], [3.0, 0.5, 0.0], [2.5, 2.0, 1.0], [-0.5, 1.0, 0.25]].map(DVec3::from_array).to_vec();
+        let triangles = [[0, 1, 2], [0, 2, 3]];
+        let staged = |size: f64, moved: DVec3| {
+            let mut vertices = Vec::new();
+            let scaled: Vec<_> = positions.iter().map(|&p| size * (p + moved)).collect();
+            let frame = stage(&mut vertices, &scaled, &triangles);
+            (vertices, frame.unit / size)
+        };
+        let usual = staged(1.0, DVec3::ZERO);
+        assert_eq!(usual.1, 2.0);
+        for exponent in [-450, -126, 40, 127, 332] {
+            assert_eq!(staged(2_f64.powi(exponent), DVec3::ZERO), usual, "2^{exponent}");
+        }
+        assert_eq!(staged(2_f64.powi(200), DVec3::splat(1024.0)), usual);
     }
 }

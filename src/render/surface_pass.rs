@@ -9,9 +9,9 @@ use super::cell_pass::EdgeUniform;
 use super::eye_uniform::EyeUniform;
 use super::gpu::{self, Depth, GrowingBuffer, PipelineSpec, Uniform};
 use super::pattern_uniform::{PATTERN_FRAGMENTS, PatternUniform, pattern_index};
-use super::space_vertices::{self, SpaceVertex};
+use super::space_vertices::{self, LocalFrame, SpaceVertex};
 use super::{CellCode, CellStyle, ColourMap, OrbitCamera, Pattern, SurfaceGeometry, TextureStyle};
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 /// Edges are drawn nearer to the eye than their triangles by the length of so many pixels.
 const EDGE_LIFT_PX: f64 = 0.75;
@@ -58,7 +58,7 @@ pub struct SurfaceBuffers {
     lookup: Option<Lookup>,
     vertex_count: usize,
     triangle_count: usize,
-    pub origin: DVec3,
+    pub frame: LocalFrame,
     coordinate_origin: DVec2,
 }
 
@@ -97,7 +97,7 @@ impl SurfacePass {
             lookup: None,
             vertex_count: 0,
             triangle_count: 0,
-            origin: DVec3::ZERO,
+            frame: LocalFrame::default(),
             coordinate_origin: DVec2::ZERO,
         }
     }
@@ -116,7 +116,7 @@ impl SurfacePass {
         if triangles.is_empty() {
             return true;
         }
-        surface.origin = space_vertices::stage(staging, positions, triangles);
+        surface.frame = space_vertices::stage(staging, positions, triangles);
         let blank = vec![[0.0_f32; 2]; positions.len()];
         let complete = surface.vertices.write(device, queue, staging)
             && surface.coordinates.write(device, queue, &blank)
@@ -210,7 +210,7 @@ impl SurfaceBuffers {
 
     /// Writes the uniform blocks of a frame.
     pub fn write_frame(&self, queue: &wgpu::Queue, view: &SurfaceView) {
-        let eye = |light| EyeUniform::new(view.camera, self.origin, view.size_px, EDGE_LIFT_PX, light);
+        let eye = |light| EyeUniform::new(view.camera, self.frame, view.size_px, EDGE_LIFT_PX, light);
         let pattern = PatternUniform::new(view.style, self.coordinate_origin, view.image_aspect, view.line_px);
         self.uniform.write(queue, &SurfaceUniform { eye: eye(LIGHT), pattern });
         if let Some(style) = view.cells {

@@ -5,6 +5,7 @@
 
 use super::eye_uniform::EyeUniform;
 use super::gpu::{self, Depth, GrowingBuffer, PipelineSpec, Uniform};
+use super::space_vertices::LocalFrame;
 use super::style::linear_colour;
 use super::{OrbitCamera, StrokeStyle};
 use glam::DVec3;
@@ -103,12 +104,12 @@ const COVERED: wgpu::BlendState = wgpu::BlendState {
 impl SurfaceStrokeBuffers {
     /// Replaces the closed loop; fewer than two points remove it. False, and it is removed, when the device
     /// has no buffer of this size.
-    pub fn set(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, points: &[DVec3], origin: DVec3) -> bool {
+    pub fn set(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, points: &[DVec3], frame: LocalFrame) -> bool {
         self.segment_count = 0;
         if points.len() < 2 {
             return true;
         }
-        let closed = points.iter().chain(points.first()).map(|&p| (p - origin).as_vec3().to_array());
+        let closed = points.iter().chain(points.first()).map(|&p| frame.place(p));
         let written = self.points.write(device, queue, &closed.collect::<Vec<_>>());
         if written {
             self.segment_count = points.len() as u32;
@@ -121,12 +122,12 @@ impl SurfaceStrokeBuffers {
         &self,
         queue: &wgpu::Queue,
         camera: &OrbitCamera,
-        origin: DVec3,
+        frame: LocalFrame,
         size_px: [u32; 2],
         style: &StrokeStyle,
     ) {
         let width = style.width_px.max(1.0);
-        let eye = EyeUniform::new(camera, origin, size_px, LIFT * f64::from(width), 1.0);
+        let eye = EyeUniform::new(camera, frame, size_px, LIFT * f64::from(width), 1.0);
         let size = [size_px[0] as f32, size_px[1] as f32, 0.5 * width, 0.0];
         self.uniform.write(queue, &StrokeUniform { eye, colour: linear_colour(style.colour), size });
     }

@@ -84,7 +84,7 @@ impl ViewportRenderer {
         viewport.outdate();
         let SurfaceViewport { pass, surface, stroke, staging, .. } = viewport;
         let boundary = &geometry.positions[..geometry.boundary_count as usize];
-        pass.set(device, queue, surface, staging, geometry) && stroke.set(device, queue, boundary, surface.origin)
+        pass.set(device, queue, surface, staging, geometry) && stroke.set(device, queue, boundary, surface.frame)
     }
 
     fn provide_surface(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> &mut SurfaceViewport {
@@ -199,7 +199,7 @@ impl SurfaceViewport {
         let line_px = LINE_TO_STROKE * stroke.width_px;
         let view = SurfaceView { camera, size_px, style, image_aspect, line_px, cells: cells.as_ref() };
         self.surface.write_frame(queue, &view);
-        self.stroke.write_frame(queue, camera, self.surface.origin, size_px, &stroke);
+        self.stroke.write_frame(queue, camera, self.surface.frame, size_px, &stroke);
         self.place_handles(device, queue, camera, size_px, detail);
     }
 

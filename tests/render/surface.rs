@@ -103,6 +103,35 @@ fn the_nearer_face_hides_the_farther_in_either_order_and_flat_colours_are_as_ask
 }
 
 #[test]
+fn a_surface_of_any_size_is_drawn_as_one_of_the_usual_size() {
+    let Some(gpu) = gpu() else { return };
+    let image = columns(&[ORANGE, BLUE]);
+    let usual = one_before_the_other();
+    let handle =
+        SurfaceHandle { position: DVec3::new(0.3, 0.2, 0.5), hidden: false, colour: LOOP.colour, radius_px: 9.0 };
+    let cells = CellStyle { map: None, wire: Some(WIRE), marks: false, pixels_per_point: 1.0 };
+    let towards_eye = DVec3::new(0.3, 0.4, 1.0);
+    let shown = |size: f64| {
+        let positions: Vec<_> = usual.positions.iter().map(|&p| size * p).collect();
+        let scene = BoundingSphere { center: DVec3::ZERO, radius: 1.6 * size };
+        let handles = [SurfaceHandle { position: size * handle.position, ..handle }];
+        let surface = SceneSurface {
+            geometry: SurfaceGeometry { positions: &positions, triangles: &usual.triangles, boundary_count: 4 },
+            camera: OrbitCamera::new(scene, towards_eye, DVec3::Y, 1.0),
+            cells: Some(cells),
+            handles: &handles,
+            ..usual.scene()
+        };
+        picture(gpu, &surface, Some(&image))
+    };
+    let expected = shown(1.0);
+    for exponent in [-330, -130, 127, 133, 332] {
+        let differing = shown(2_f64.powi(exponent)).pixels().zip(expected.pixels()).filter(|(p, q)| p != q).count();
+        assert_eq!(differing, 0, "2^{exponent}");
+    }
+}
+
+#[test]
 fn back_faces_have_three_fifths_of_the_light() {
     let Some(gpu) = gpu() else { return };
     let image = columns(&[ORANGE]);
