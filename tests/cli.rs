@@ -39,7 +39,8 @@ fn fails(arguments: &[&str], status: i32, words: &[&str]) {
     assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
     assert!(!stderr.contains("panicked"), "{arguments:?}: {stderr}");
     if status == 1 {
-        assert_eq!(stderr.trim_end().lines().count(), 1, "{arguments:?}: {stderr}");
+        let lines = stderr.lines().filter(|line| !line.ends_with("so far")); // of a machine that is busy
+        assert_eq!(lines.count(), 1, "{arguments:?}: {stderr}");
     }
     for word in words {
         assert!(stderr.contains(word), "{arguments:?}: no {word:?} in: {stderr}");

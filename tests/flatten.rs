@@ -38,7 +38,8 @@ fn fails(arguments: &[&str], status: i32) -> String {
     let stderr = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
     assert!(!stderr.contains("panicked"), "{stderr}");
-    assert!(status == 2 || stderr.trim_end().lines().count() == 1, "{stderr}");
+    let lines = stderr.lines().filter(|line| !line.ends_with("so far")); // of a machine that is busy
+    assert!(status == 2 || lines.count() == 1, "{stderr}");
     stderr
 }
 

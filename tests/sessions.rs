@@ -179,7 +179,8 @@ fn points_that_the_domains_do_not_have_are_told() {
         let output = riemap(&["render", &link_of(session), "--out", &out]);
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert!(output.status.success(), "{stderr}");
-        stderr
+        let notes = stderr.lines().filter(|line| !line.ends_with("so far")); // of a machine that is busy
+        notes.collect::<Vec<_>>().join("\n")
     };
     let mut session = coarse();
     session.apply(Change::MoveInterior { side: Side::Source, point: DVec2::new(0.1, 0.05) });

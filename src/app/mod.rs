@@ -70,7 +70,7 @@ mod trouble;
 mod view;
 mod viewport;
 mod widgets;
-mod words;
+pub(crate) mod words;
 
 pub use action::{Action, Actions};
 pub use groundwork::Groundwork;

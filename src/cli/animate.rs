@@ -21,12 +21,14 @@ pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
         transparent: arguments.transparent,
         side: arguments.side.and_then(SideArgument::side),
     };
-    let still = still(&arguments.session, &shot)?;
+    let progress = Progress::new("reading");
+    let still = still(&arguments.session, &shot, &progress)?;
     let way = still.way(path(arguments.path)).ok_or_else(|| {
         let message = "--path target-interior: the target is a surface, whose point is not moved along a loop";
         CliError::Usage(String::from(message))
     })?;
-    let bytes = make(still, &way, film, settings.frames, &shot)?;
+    progress.enter("the animation");
+    let bytes = make(still, &way, film, (settings.frames, &shot), &progress)?;
     write_all(&[(arguments.out.clone(), bytes)])
 }
 
@@ -48,10 +50,16 @@ fn path(argument: PathArgument) -> Path {
     }
 }
 
-fn make(mut still: Still, way: &Loop, mut film: Film, frames: u32, shot: &Shot) -> Result<Vec<u8>, CliError> {
+fn make(
+    mut still: Still,
+    way: &Loop,
+    mut film: Film,
+    (frames, shot): (u32, &Shot),
+    progress: &Progress,
+) -> Result<Vec<u8>, CliError> {
     let input = |error: &dyn std::error::Error| CliError::Input(error.to_string());
     let mut studio = Studio::new().map_err(|error| failed(&error))?;
-    let mut progress = Progress::new("the animation");
+    progress.report(0.0);
     for k in 0..frames {
         still.go(way.at(f64::from(k) / f64::from(frames))).map_err(|error| input(&error))?;
         let picture = studio.shoot(|renderer, device, queue| still.draw(renderer, (device, queue), shot, None, None));

@@ -4,6 +4,7 @@ use super::CliError;
 use super::arguments::read_outline;
 use super::flatten_arguments::{FlattenArguments, UvArgument, read};
 use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, write_all};
+use super::progress::Progress;
 use super::surface_picture;
 use crate::conformal::{
     FrameTimings, MapError, Memory, PrepareTimings, Quality, SurfaceConstraints, SurfaceMap, SurfaceMapError,
@@ -83,8 +84,10 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| format_of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let mut timings = Timings::default();
+    let progress = Progress::new(format!("reading {}", arguments.surface));
     let surface = timed(&mut timings.read, || read(&arguments.surface))?;
-    let (map, constraints) = compute(arguments, &surface, &mut timings)?;
+    let (map, constraints) = compute(arguments, &surface, &mut timings, &progress)?;
+    progress.enter("writing");
     let flattened = Flattened::new(&surface, &map, arguments.uv == UvArgument::Unit);
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
@@ -95,6 +98,7 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
         files.push((path.clone(), bytes));
     }
     write_all(&files)?;
+    drop(progress);
     let summary = summarize(&surface, &map, &constraints, flattened.placement, timings);
     summary.notes.iter().chain(&summary.repairs).for_each(|note| eprintln!("riemap: {}: {note}", arguments.surface));
     if arguments.json {
@@ -120,9 +124,11 @@ fn compute(
     arguments: &FlattenArguments,
     surface: &Surface,
     timings: &mut Timings,
+    progress: &Progress,
 ) -> Result<(SurfaceMap, SurfaceConstraints), CliError> {
     let about = |name: &str, error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
     let outline = read_outline(&arguments.outline, arguments.repair)?;
+    progress.enter(format!("checking {}", arguments.surface));
     let disk = timed(&mut timings.check, || {
         if arguments.repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) }
     });
@@ -133,9 +139,9 @@ fn compute(
         kernel: settings.kernel,
         solver: settings.solver,
     };
-    let prepared = prepare_surface(Memory::default(), disk, on_surface, &mut |_| ());
+    let prepared = prepare_surface(Memory::default(), disk, on_surface, &mut progress.preparing(&arguments.surface));
     let prepared = Arc::new(prepared.map_err(|error| about(&arguments.surface, &error))?);
-    let source = prepare(&outline.outline.polygon, &settings, &mut |_| ());
+    let source = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(&arguments.outline));
     let source = Arc::new(source.map_err(|error| about(&arguments.outline, &error))?);
     (timings.surface, timings.outline) = (prepared.timings, source.timings);
     let constraints = SurfaceConstraints {
@@ -148,6 +154,7 @@ fn compute(
     warn_if_coarse(&arguments.outline, source.refinement);
     say_solver(&arguments.outline, settings.solver, &source.solver);
     say_solver(&arguments.surface, settings.solver, &prepared.solver);
+    progress.enter("the map");
     let map = SurfaceMap::new(source, prepared, &constraints).map_err(|error| refused(&error, arguments))?;
     timings.frame = map.timings();
     Ok((map, constraints))

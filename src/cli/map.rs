@@ -17,7 +17,9 @@ const GRID_CELLS: f64 = 12.0;
 pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
-    let (map, constraints) = compute(arguments)?;
+    let progress = Progress::new("reading");
+    let (map, constraints) = compute(arguments, &progress)?;
+    progress.enter("writing");
     let summary = Summary::of(&map);
     let scene = Scene { map: &map, constraints };
     let mut files = Vec::new();
@@ -25,6 +27,7 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
         files.push((path.clone(), scene.encode(format, summary, arguments.size.0)?));
     }
     write_all(&files)?;
+    drop(progress);
     if arguments.json {
         let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
         return print(&text);
@@ -41,13 +44,13 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     ))
 }
 
-fn compute(arguments: &MapArguments) -> Result<(ConformalMap, Constraints), CliError> {
+fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMap, Constraints), CliError> {
     let outlines = [&arguments.source, &arguments.target].map(|name| read_outline(name, arguments.repair));
     let [source, target] = outlines;
     let outlines = [source?, target?];
     let prepared = |name: &str, outline: &NamedOutline, samples| -> Result<Arc<PreparedDomain>, CliError> {
         let settings = arguments.discretisation.settings(outline, samples);
-        let domain = prepare(&outline.outline.polygon, &settings, &mut |_| ());
+        let domain = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(name));
         domain.map(Arc::new).map_err(|error| CliError::Input(format!("{name}: {error}")))
     };
     let source = prepared(&arguments.source, &outlines[0], arguments.source_samples)?;
@@ -66,9 +69,10 @@ fn compute(arguments: &MapArguments) -> Result<(ConformalMap, Constraints), CliE
         ExtensionArgument::Harmonic => Extension::Harmonic,
         ExtensionArgument::CauchyGreen => Extension::CauchyGreen,
     };
+    progress.enter("the map");
     let mut map = ConformalMap::new(source, target, &constraints, MapSettings { direction, extension })
         .map_err(|error| CliError::Input(error.to_string()))?;
-    let mut progress = Progress::new("the Cauchy–Green extension");
+    progress.enter("the Cauchy–Green extension");
     map.refine_exactly_with(&mut |done| progress.report(done));
     for ((outline, name), side) in outlines.iter().zip([&arguments.source, &arguments.target]).zip(Side::BOTH) {
         outline.say_notes(name);

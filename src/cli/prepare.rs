@@ -3,6 +3,7 @@
 use super::CliError;
 use super::arguments::{PrepareArguments, read_outline};
 use super::output::{print, say_solver, triangles, warn_if_coarse};
+use super::progress::Progress;
 use super::tables::Counts;
 use crate::conformal::{PrepareTimings, prepare};
 
@@ -12,14 +13,16 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
     let settings = arguments.discretisation.settings(&named, None);
     let mut runs = Vec::new();
     let mut counts = Counts::default();
+    let progress = Progress::new("preparing");
     for _ in 0..arguments.repeat {
-        let domain = prepare(&named.outline.polygon, &settings, &mut |_| ())
+        let domain = prepare(&named.outline.polygon, &settings, &mut progress.preparing(&arguments.domain))
             .map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
         counts = Counts::of(&domain.mesh);
         warn_if_coarse(&arguments.domain, domain.refinement);
         say_solver(&arguments.domain, settings.solver, &domain.solver);
         runs.push(domain.timings);
     }
+    drop(progress);
     let timings = medians(&runs);
     named.say_notes(&arguments.domain);
     if arguments.json {

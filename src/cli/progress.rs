@@ -1,55 +1,134 @@
-//! How far a long stage is, on stderr.
+//! What a command is busy with, on stderr.
 //!
-//! As everything on stderr, whole lines that begin with "riemap:". A stage that is soon done
-//! says nothing; one that is not says at what percentage it is, at most every two seconds.
+//! As everything on stderr, whole lines that begin with "riemap:". A command that is soon done says nothing; one that
+//! is not says every two seconds how far it is with what it does, or for how long it has run.
 
+use crate::app::words;
+use crate::conformal::Stage;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// From the beginning to the first line, and from line to line.
 const PAUSE: Duration = Duration::from_secs(2);
 
-/// The progress of one stage.
+/// What is being done, said by a thread of its own until this is dropped.
 #[derive(Debug)]
 pub struct Progress {
-    stage: &'static str,
-    said_at: Instant,
+    shared: Arc<Shared>,
+    speaker: Option<JoinHandle<()>>,
+}
+
+#[derive(Debug)]
+struct Shared {
+    work: Mutex<Work>,
+    over: Condvar,
+}
+
+#[derive(Debug)]
+struct Work {
+    words: String,
+    /// When the command began.
+    since: Instant,
+    /// How much of it is done, where that is known.
+    done: Option<f64>,
+    is_over: bool,
 }
 
 impl Progress {
-    /// Of a stage that begins now.
-    pub fn new(stage: &'static str) -> Self {
-        Self { stage, said_at: Instant::now() }
+    /// Of a command that begins with what `words` name.
+    pub fn new(words: impl Into<String>) -> Self {
+        let work = Work { words: words.into(), since: Instant::now(), done: None, is_over: false };
+        let shared = Arc::new(Shared { work: Mutex::new(work), over: Condvar::new() });
+        let spoken = Arc::clone(&shared);
+        // without a thread to be had, the command is silent
+        let speaker = std::thread::Builder::new().spawn(move || spoken.speak()).ok();
+        Self { shared, speaker }
     }
 
-    /// Takes in the fraction that is done, and says it if it is time.
-    pub fn report(&mut self, done: f64) {
-        if let Some(line) = self.line(done, Instant::now()) {
-            eprintln!("{line}");
-        }
+    /// Something else begins.
+    pub fn enter(&self, words: impl Into<String>) {
+        let mut work = self.shared.work();
+        (work.words, work.done) = (words.into(), None);
     }
 
-    fn line(&mut self, done: f64, now: Instant) -> Option<String> {
-        if now.duration_since(self.said_at) < PAUSE || done >= 1.0 {
-            return None;
+    /// Takes in the fraction that is done.
+    pub fn report(&self, done: f64) {
+        self.shared.work().done = Some(done);
+    }
+
+    /// Takes in the stages of the preparation of what has this name.
+    pub fn preparing(&self, name: &str) -> impl FnMut(Stage) {
+        move |stage| self.enter(format!("{name}: {}", words::stage(Some(stage)).1.trim_end_matches('…')))
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.shared.work().is_over = true;
+        self.shared.over.notify_all();
+        if let Some(speaker) = self.speaker.take() {
+            let _ = speaker.join(); // a speaker that has panicked has nothing more to say
         }
-        self.said_at = now;
-        Some(format!("riemap: {}: {:.0} % done", self.stage, (100.0 * done).floor()))
+    }
+}
+
+impl Shared {
+    fn work(&self) -> MutexGuard<'_, Work> {
+        self.work.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn speak(&self) {
+        let mut work = self.work();
+        loop {
+            let waited = self.over.wait_timeout_while(work, PAUSE, |work| !work.is_over);
+            work = waited.unwrap_or_else(PoisonError::into_inner).0;
+            if work.is_over {
+                return;
+            }
+            if let Some(line) = work.line(Instant::now()) {
+                eprintln!("{line}");
+            }
+        }
+    }
+}
+
+impl Work {
+    fn line(&self, now: Instant) -> Option<String> {
+        let words = &self.words;
+        match self.done {
+            Some(done) if done >= 1.0 => None,
+            Some(done) => Some(format!("riemap: {words}: {:.0} % done", (100.0 * done).floor())),
+            None => Some(format!("riemap: {words}, {} s so far", now.duration_since(self.since).as_secs())),
+        }
     }
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
 
     #[test]
-    fn short_stages_are_silent_and_long_ones_speak_every_two_seconds() {
-        let mut progress = Progress::new("a stage");
-        let start = progress.said_at;
-        let mut line = |seconds: f64, done| progress.line(done, start + Duration::from_secs_f64(seconds));
-        assert_eq!(line(1.9, 0.3), None);
-        assert_eq!(line(2.0, 0.459).as_deref(), Some("riemap: a stage: 45 % done"));
-        assert_eq!(line(3.9, 0.6), None);
-        assert_eq!(line(4.1, 0.7).as_deref(), Some("riemap: a stage: 70 % done"));
-        assert_eq!(line(9.0, 1.0), None, "it is done");
+    fn a_line_says_how_far_the_work_is_or_for_how_long_the_command_has_run() {
+        let progress = Progress::new("the picture");
+        let since = progress.shared.work().since;
+        let line = |seconds| progress.shared.work().line(since + Duration::from_secs_f64(seconds));
+        assert_eq!(line(2.01).as_deref(), Some("riemap: the picture, 2 s so far"));
+        progress.report(0.459);
+        assert_eq!(line(9.0).as_deref(), Some("riemap: the picture: 45 % done"));
+        progress.report(1.0);
+        assert_eq!(line(9.0), None, "it is done");
+        progress.preparing("a.obj")(Stage::Factor);
+        assert_eq!(line(12.3).as_deref(), Some("riemap: a.obj: factoring, 12 s so far"));
+    }
+
+    #[test]
+    fn the_speaker_ends_at_once_with_the_work() {
+        let start = Instant::now();
+        let progress = Progress::new("a stage");
+        let shared = Arc::downgrade(&progress.shared);
+        drop(progress);
+        assert!(shared.upgrade().is_none() && start.elapsed() < PAUSE);
     }
 }

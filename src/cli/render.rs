@@ -7,14 +7,16 @@ use super::arguments::{
 use super::moved::say_moved;
 use super::output::{check_paths, print, write_all};
 use super::picture::{encode, failed};
+use super::progress::Progress;
 use crate::app::exporting::FileWish;
-use crate::app::still::{Shot, Still};
+use crate::app::still::{Doing, Shot, Still};
 use crate::conformal::Side;
 use crate::export::FileFormat;
 use crate::render::Studio;
 use crate::session::link::{Decoded, MissingOutline, decode, encode as link_of, is_link};
 use crate::session::{OutlineSpec, Session, SurfaceShape, TextureKind, file};
 use crate::surface::MAX_BYTES;
+use crate::worker::Subject;
 use std::path::Path;
 
 /// Draws a session.
@@ -25,7 +27,9 @@ pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
         return Err(CliError::Usage(String::from("--transparent: only a .png has a ground")));
     }
     let shot = shot(arguments);
-    let still = still(&arguments.session, &shot)?;
+    let progress = Progress::new("reading");
+    let still = still(&arguments.session, &shot, &progress)?;
+    progress.enter(arguments.out.display().to_string());
     let bytes = match format {
         Format::Picture => picture(&still, &shot)?,
         Format::File(format) => {
@@ -64,10 +68,14 @@ fn shot(arguments: &RenderArguments) -> Shot {
 }
 
 /// The session that is named, brought to rest.
-pub fn still(arguments: &SessionArguments, shot: &Shot) -> Result<Still, CliError> {
+pub fn still(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> Result<Still, CliError> {
     let mut session = with_files(open(&arguments.link)?, arguments)?;
     let surface = surface_file(&mut session, arguments)?;
-    let still = Still::new(session.clone(), surface, shot.pixels_per_point());
+    let still = Still::telling(session.clone(), surface, shot.pixels_per_point(), &mut |doing| match doing {
+        Doing::Preparing(Subject::Domain(side), stage) => progress.preparing(&format!("the {side}"))(stage),
+        Doing::Preparing(Subject::Surface, stage) => progress.preparing("the surface")(stage),
+        Doing::Mapping => progress.enter("the map"),
+    });
     let still = still.map_err(|error| CliError::Input(error.to_string()))?;
     say_moved(&session, &still);
     if still.session().texture == TextureKind::Image {

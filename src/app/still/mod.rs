@@ -14,13 +14,13 @@ use super::looping;
 use super::model::{Changes, Model};
 use super::surface;
 use super::textured;
-use crate::conformal::{PreparedSurface, Side};
+use crate::conformal::{PreparedSurface, Side, Stage};
 use crate::family::{Loop, Path, Place};
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::BarycentricPoint;
 use crate::render::{CellCode, CellStyle, MeshGeometry, OrbitCamera, TextureStyle};
 use crate::session::{Command, Session, SurfaceShape};
-use crate::worker;
+use crate::worker::{self, Response, Subject};
 
 /// A session whose map is complete.
 #[derive(Debug)]
@@ -28,6 +28,15 @@ pub struct Still {
     model: Model,
     cells: Cells,
     pixels_per_point: f32,
+}
+
+/// What a still is waiting for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Doing {
+    /// A stage of a preparation, which begins.
+    Preparing(Subject, Stage),
+    /// The map, and what is measured of it.
+    Mapping,
 }
 
 /// Why there is nothing to show.
@@ -65,9 +74,19 @@ impl Still {
     ///
     /// Errors: what the app would say beside an outline or a surface, in words for the person.
     pub fn new(session: Session, surface_file: Option<Vec<u8>>, pixels_per_point: f32) -> Result<Self, StillError> {
+        Self::telling(session, surface_file, pixels_per_point, &mut |_| ())
+    }
+
+    /// As [`Self::new`], telling what it begins to do.
+    pub fn telling(
+        session: Session,
+        surface_file: Option<Vec<u8>>,
+        pixels_per_point: f32,
+        tell: &mut dyn FnMut(Doing),
+    ) -> Result<Self, StillError> {
         let mut model = begin(session, surface_file)?;
         model.update_ms = f64::INFINITY; // nobody waits for a frame
-        settle(&mut model)?;
+        settle(&mut model, tell)?;
         let mut still = Self { model, cells: Cells::default(), pixels_per_point };
         still.rest();
         Ok(still)
@@ -114,7 +133,7 @@ impl Still {
     /// Goes to another place in the family of maps, and waits for the map there.
     pub fn go(&mut self, place: Place) -> Result<(), StillError> {
         self.head_for(place);
-        settle(&mut self.model)?;
+        settle(&mut self.model, &mut |_| ())?;
         self.rest();
         Ok(())
     }
@@ -187,14 +206,20 @@ fn begin(session: Session, surface_file: Option<Vec<u8>>) -> Result<Model, Still
 }
 
 /// Prepares and maps until there is nothing left to do.
-fn settle(model: &mut Model) -> Result<(), StillError> {
+fn settle(model: &mut Model, tell: &mut dyn FnMut(Doing)) -> Result<(), StillError> {
     loop {
         for (subject, request) in model.take_requests(f64::INFINITY) {
-            worker::run(&request, &mut |generation, response| model.accept(subject, generation, response));
+            worker::run(&request, &mut |generation, response| {
+                if let Response::Progress(stage) = response {
+                    tell(Doing::Preparing(subject, stage));
+                }
+                model.accept(subject, generation, response);
+            });
         }
         if let Some(error) = trouble(model) {
             return Err(StillError(error));
         }
+        tell(Doing::Mapping);
         let changes = model.refresh(false);
         if let Some(error) = trouble(model) {
             return Err(StillError(error));
