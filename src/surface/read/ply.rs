@@ -43,7 +43,7 @@ struct Words<'a> {
 impl<'a> Words<'a> {
     fn skip_blanks(&mut self) {
         let start = self.rest.iter().position(|b| !b.is_ascii_whitespace()).unwrap_or(self.rest.len());
-        self.line += self.rest[..start].iter().filter(|&&b| b == self.line_end).count();
+        self.line += self.rest[..start].split(|&b| b == self.line_end).count() - 1;
         self.rest = &self.rest[start..];
     }
 
