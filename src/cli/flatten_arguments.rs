@@ -3,6 +3,7 @@
 use super::CliError;
 use super::arguments::{Anchor, Discretisation, Point, Size, read_file};
 use crate::conformal::PreparedSurface;
+use crate::counted::counted;
 use crate::geometry::DVec3;
 use crate::mesh::BarycentricPoint;
 use crate::surface::{MAX_BYTES, Surface, SurfaceNote, SurfacePreset, at_vertex, nearest_on_boundary, read_surface};
@@ -138,7 +139,9 @@ fn no_triangle(given: &Surface, triangle: u32) -> String {
         return format!("triangle {triangle} was dropped by the repair");
     }
     let faces = given.notes.iter().find_map(|note| match note {
-        SurfaceNote::Triangulated { faces, .. } => Some(format!("its {faces} faces were cut into")),
+        SurfaceNote::Triangulated { faces, .. } => {
+            Some(counted!(*faces, "its 1 face was cut into", "its {faces} faces were cut into"))
+        }
         _ => None,
     });
     let faces = faces.unwrap_or_else(|| String::from("it has"));

@@ -1,5 +1,6 @@
 //! What is said of a session's points that its domains do not have: the picture is made with others, as in the app.
 
+use super::output::triangles;
 use crate::app::still::Still;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
@@ -21,8 +22,8 @@ pub fn say_moved(wanted: &Session, still: &Still) {
     }
     let wanted = wanted.surface.as_ref().and_then(|surface| surface.point);
     let used = still.surface_point().filter(|(used, _)| wanted.is_some_and(|wanted| wanted != *used));
-    if let (Some(wanted), Some((_, triangles))) = (wanted, used) {
-        eprintln!("riemap: {}", on_surface(wanted, triangles));
+    if let (Some(wanted), Some((_, count))) = (wanted, used) {
+        eprintln!("riemap: {}", on_surface(wanted, count));
     }
 }
 
@@ -36,10 +37,11 @@ fn planar(side: Side, wanted: DVec2, used: Option<DVec2>) -> Option<String> {
     Some(format!("the {side} point ({x}, {y}) is outside of the {side} outline, or next to it: {place} stands in"))
 }
 
-fn on_surface(wanted: BarycentricPoint, triangles: usize) -> String {
+fn on_surface(wanted: BarycentricPoint, count: usize) -> String {
     let BarycentricPoint { triangle, weights: [a, b, c] } = wanted;
+    let triangles = triangles(count);
     format!(
-        "({a}, {b}, {c}) in triangle {triangle} is no inner point of the surface, which has {triangles} triangles: the \
+        "({a}, {b}, {c}) in triangle {triangle} is no inner point of the surface, which has {triangles}: the \
          vertex farthest from its boundary stands in"
     )
 }

@@ -80,10 +80,13 @@ pub enum SurfaceMapError {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SurfaceMapNote {
     /// The images of boundary edges are points.
-    #[error(
-        "{edges} boundary edges have no harmonic measure, and the ends of each fall together: no way through inner \
-         vertices leads from the surface point to them, or too long a one"
-    )]
+    #[error("{}", counted!(
+        *edges,
+        "1 boundary edge has no harmonic measure, and its ends fall together: no inner way leads there from the \
+         surface point, or too long a one",
+        "{edges} boundary edges have no harmonic measure, and the ends of each fall together: no inner way leads there \
+         from the surface point, or too long a one"
+    ))]
     NoMeasure {
         /// How many.
         edges: usize,

@@ -282,6 +282,7 @@ fn what_cannot_be_computed_or_exported() {
 /// What is said of one thing and of several.
 #[test]
 fn counts_of_one() {
+    use crate::conformal::SurfaceMapNote;
     use crate::surface::{RepairNote, TopologyError};
     let sentences = |count: usize| {
         let corners = [4, 4, 7];
@@ -299,6 +300,7 @@ fn counts_of_one() {
             RepairNote::Oriented { count }.to_string(),
             RepairNote::KeptLargest { components: 3, dropped: count }.to_string(),
             RepairNote::DroppedVertices { count }.to_string(),
+            SurfaceMapNote::NoMeasure { edges: count }.to_string(),
         ]
     };
     for sentence in sentences(1) {
