@@ -69,6 +69,13 @@ impl RiemapApp {
     }
 
     pub(super) fn explore(&mut self, action: ExploreAction) {
+        let action = match action {
+            // it is about to take the tour's place; the picture from before would take its
+            ExploreAction::LeaveTour { .. } if self.model.surface_side().preparation.awaits_file() => {
+                ExploreAction::LeaveTour { keeps: true }
+            }
+            other => other,
+        };
         let is_walking = self.model.teaching().walks.is_running();
         let Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {

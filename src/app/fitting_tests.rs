@@ -18,6 +18,8 @@ const TABLET: [f32; 2] = [820.0, 1180.0];
 const PHONE: [f32; 2] = [390.0, 844.0];
 /// The lowest screen: a phone on its side.
 const LYING_PHONE: [f32; 2] = [844.0, 390.0];
+/// A frame in another page.
+const FRAME: [f32; 2] = [480.0, 320.0];
 /// The height of the bar along the top.
 const BAR: f32 = 46.0;
 
@@ -165,12 +167,13 @@ fn a_tablet_has_one_plot_at_a_time_and_a_desk_all() {
 }
 
 /// The edit bar of the target, whose triangles are coloured, lies between outline and legend.
-fn assert_bar_between(screen: &mut Screen, narrow: bool, where_: &str) {
+fn assert_bar_between(screen: &mut Screen, where_: &str) {
     act(screen, Action::Session(crate::session::Command::SetColouring(Colouring::Angle)));
     act(screen, Action::Edit(EditAction::Toggle(Side::Target)));
     let app = screen.state();
     let view = &app.views[Side::Target as usize];
-    let legend = view.rect.bottom() - legend::height(view.rect, narrow);
+    let arrangement = arrangement::Arrangement { narrow: whole(screen).width() < PHONE_WIDTH, stacked: false };
+    let legend = view.rect.bottom() - legend::height(view.rect, arrangement.is_tight(view.rect));
     let (low, _) = app.model.extent(Side::Target).unwrap();
     let outline = view.to_screen(low).y;
     let names = ["Smooth", "Mirror", "Delete", "Done"].map(tr);
@@ -189,15 +192,14 @@ fn assert_bar_between(screen: &mut Screen, narrow: bool, where_: &str) {
 fn the_edit_bar_lies_below_the_outline_and_above_the_legend() {
     for language in [Language::English, Language::German] {
         for size in [DESK, TABLET, PHONE, LYING_PHONE] {
-            let mut screen = screen(size, language);
-            assert_bar_between(&mut screen, size == PHONE, &format!("{language:?}, {size:?}"));
+            assert_bar_between(&mut screen(size, language), &format!("{language:?}, {size:?}"));
         }
     }
 }
 
 #[test]
 fn the_pictures_lie_side_by_side_in_what_lies_and_one_above_the_other_in_what_stands() {
-    for (size, stacked) in [([480.0, 320.0], false), (LYING_PHONE, false), (PHONE, true), (TABLET, true)] {
+    for (size, stacked) in [(FRAME, false), (LYING_PHONE, false), (PHONE, true), (TABLET, true)] {
         let mut screen = screen(size, Language::English);
         screen.state_mut().sheet_open = true;
         screen.run_steps(40); // it slides
@@ -206,29 +208,88 @@ fn the_pictures_lie_side_by_side_in_what_lies_and_one_above_the_other_in_what_st
     }
 }
 
+/// A picture, as it is dropped.
+fn offer() -> Offer {
+    let pixels = image::RgbaImage::from_pixel(20, 20, image::Rgba([9, 9, 9, 255]));
+    Offer::new(Side::Source, &files::Picture { name: "a.png".into(), pixels })
+}
+
+/// The lower edge of the pictures.
+fn foot(screen: &Screen) -> f32 {
+    screen.state().views.iter().map(|view| view.rect.bottom()).fold(0.0, f32::max)
+}
+
 #[test]
 fn a_message_about_both_sides_covers_nothing_and_can_be_closed() {
-    for size in [DESK, PHONE, LYING_PHONE, [480.0, 320.0]] {
+    for size in [DESK, PHONE, LYING_PHONE, FRAME] {
         let mut screen = screen(size, Language::English);
         act(&mut screen, Action::Edit(EditAction::Toggle(Side::Source)));
-        screen.state_mut().message = Some("The link could not be opened: ".repeat(40));
-        let picture = image::RgbaImage::from_pixel(20, 20, image::Rgba([9, 9, 9, 255]));
-        screen.state_mut().offer =
-            Some(Offer::new(Side::Source, &files::Picture { name: "a.png".into(), pixels: picture }));
+        let before = foot(&screen);
+        screen.state_mut().message = Some("Not saved: there is no room. ".repeat(3));
+        screen.state_mut().offer = Some(offer());
         screen.run_steps(4);
-        let foot = screen.state().views.iter().map(|view| view.rect.bottom()).fold(0.0, f32::max);
-        for label in ["Trace it as outline", "No", "Close this message"] {
-            let Some(button) = screen.query_by_label(label) else { continue };
-            assert!(button.rect().top() >= foot, "{size:?}: {label} at {:?} lies over a picture", button.rect());
+        let below = Rect::everything_below(foot(&screen)).intersect(whole(&screen));
+        // low screens show the rest when it is scrolled
+        let seen: &[&str] = if size[1] > 500.0 { &["Trace it as outline", "No"] } else { &[] };
+        for label in seen.iter().chain(&["Close this message"]) {
+            let button = screen.get_by_label(label).rect();
+            assert!(below.contains_rect(button), "{size:?}: {label} at {button:?} is not in {below:?}");
         }
-        assert!(foot > 0.2 * size[1], "{size:?}: the pictures end at {foot}");
-        screen.state_mut().message = Some("Not saved.".into());
+        screen.state_mut().message = Some("The link could not be opened: ".repeat(200));
         screen.run_steps(4);
-        let cross = screen.get_by_label("Close this message").rect();
-        assert!(whole(&screen).contains_rect(cross), "{size:?}: {cross:?}");
+        let share = (before - foot(&screen)) / before;
+        assert!((0.25..0.5).contains(&share), "{size:?}: a long message takes {share} of the height");
+        (screen.state_mut().message, screen.state_mut().offer) = (Some("Not saved.".into()), None);
+        screen.run_steps(4);
         screen.get_by_label("Close this message").click();
         screen.run_steps(3);
-        assert!(screen.state().message.is_none());
+        assert!(screen.state().message.is_none() && foot(&screen) == before);
+    }
+}
+
+#[test]
+fn a_message_neither_turns_the_pictures_nor_comes_while_something_is_held() {
+    // nearly square without the panel
+    let mut screen = screen([1080.0, 900.0], Language::English);
+    let stacked = |screen: &Screen| {
+        let [source, target] = screen.state().views.each_ref().map(|view| view.rect);
+        source.bottom() <= target.top()
+    };
+    assert!(stacked(&screen));
+    let (before, place) = (foot(&screen), screen.state().stats().handles.x1.unwrap());
+    screen.drag_at(place.into());
+    screen.step();
+    screen.state_mut().message = Some("Not saved.".into());
+    screen.run_steps(3);
+    assert_eq!(foot(&screen), before, "a dot is held");
+    screen.drop_at(place.into());
+    screen.run_steps(3);
+    assert!(foot(&screen) < before && stacked(&screen));
+}
+
+#[test]
+fn a_long_message_of_a_side_ends_above_the_edit_bar() {
+    for size in [DESK, TABLET, PHONE, LYING_PHONE] {
+        let mut screen = screen(size, Language::English);
+        act(&mut screen, Action::Session(crate::session::Command::SetColouring(Colouring::Angle)));
+        act(&mut screen, Action::Edit(EditAction::Toggle(Side::Target)));
+        let text = "This outline is none, for a reason that takes some words. ".repeat(40);
+        screen.state_mut().model.side_mut(Side::Target).error = Some(trouble::Trouble::new(text));
+        screen.run_steps(4);
+        let bar = screen.get_by_label("Smooth").rect();
+        let at = bar.center() - egui::vec2(0.0, bar.height());
+        screen.hover_at(at);
+        screen.event(egui::Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: egui::vec2(0.0, -9000.0),
+            source: egui::MouseWheelSource::Unknown,
+            phase: egui::TouchPhase::Move,
+            modifiers: egui::Modifiers::NONE,
+        });
+        screen.run_steps(30); // egui scrolls smoothly
+        let cross = screen.get_by_label("Close this message").rect();
+        let seen = cross.bottom() < bar.top() || cross.center().y < bar.top();
+        assert!(seen, "{size:?}: the cross at {cross:?} is under the bar at {bar:?}");
     }
 }
 
@@ -238,12 +299,12 @@ fn messages_of_a_side_lie_over_its_dots() {
     let text = "This outline is none, for a reason that takes some words. ".repeat(6);
     screen.state_mut().model.side_mut(Side::Source).error = Some(trouble::Trouble::new(text));
     screen.run_steps(4);
+    let source = egui::Pos2::from(screen.state().stats().handles.x1.unwrap());
+    assert!(screen.get_by_label_contains("is none").rect().contains(source), "the dot is under the message");
     let place = |is: &dyn Fn(&egui::Shape) -> bool| {
-        screen.output().shapes.iter().position(|clipped| is(&clipped.shape)).unwrap()
+        screen.output().shapes.iter().rposition(|clipped| is(&clipped.shape)).unwrap()
     };
     let words = place(&|shape| matches!(shape, egui::Shape::Text(text) if text.galley.text().contains("is none")));
-    let dot = place(&|shape| matches!(shape, egui::Shape::Circle(dot) if dot.fill == theme::INTERIOR_COLOUR));
-    let source = screen.state().stats().handles.x1.unwrap();
-    assert!(screen.get_by_label_contains("is none").rect().contains(source.into()), "the dot is under the message");
+    let dot = place(&|shape| matches!(shape, egui::Shape::Circle(dot) if dot.center.distance(source) < 1.0));
     assert!(dot < words, "the dot is painted before the words");
 }

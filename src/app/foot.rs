@@ -9,23 +9,27 @@ use egui::{Frame, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, pos2, vec2};
 
 /// The width of a line that is easy to read.
 const WIDEST: f32 = 720.0;
-/// How much of the screen's height a message takes at most; a longer one scrolls.
-const MOST_SHARE: f32 = 0.3;
+/// How much of the height that is left for the pictures all of it takes at most; more scrolls.
+const MOST_SHARE: f32 = 0.4;
 /// The size of a notice, and how far its upper edge lies above the pictures' lower one.
 const NOTICE: [f32; 2] = [140.0, 34.0];
 const NOTICE_ABOVE: f32 = 64.0;
 
-/// Shows the message and the offer, if there are any.
+/// Shows the message and the offer, if there are any; not before the pointer lets go of what it holds, for the pictures
+/// shrink.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     offer::expire(ui, &mut app.offer);
-    if app.message.is_none() && app.offer.is_none() {
+    let is_needed = app.message.is_some() || app.offer.is_some();
+    app.has_foot = is_needed && (app.has_foot || !ui.input(|input| input.pointer.any_down()));
+    if !app.has_foot {
         return;
     }
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new().fill(palette.panel).inner_margin(Margin::symmetric(10, 8));
-    let most = MOST_SHARE * ui.ctx().content_rect().height();
+    let most = MOST_SHARE * ui.available_height();
     Panel::bottom("message").resizable(false).frame(frame).show(ui, |ui| {
-        ScrollArea::vertical().max_height(most).show(ui, |ui| {
+        // without a least height it would stay as low as the panel was in the frame before
+        ScrollArea::vertical().max_height(most).min_scrolled_height(most).show(ui, |ui| {
             ui.take_available_width();
             ui.set_max_width(ui.available_width().min(WIDEST));
             let message = app.message.as_ref();

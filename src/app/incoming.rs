@@ -273,6 +273,18 @@ mod tests {
     }
 
     #[test]
+    fn a_surface_that_is_on_its_way_is_not_lost_when_the_tour_is_ended() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let app = harness.state_mut();
+        app.carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
+        app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
+        app.carry_out(&context, vec![Action::Explore(ExploreAction::LeaveTour { keeps: false })]);
+        assert!(!app.explore.is_touring() && app.model.surface_side().preparation.is_busy());
+        step_until(&mut harness, |app| app.surface_file().is_some());
+    }
+
+    #[test]
     fn what_was_wrong_with_a_target_outline_is_past_when_a_surface_takes_its_place() {
         let mut harness = ready_app([1200.0, 800.0]);
         let app = harness.state_mut();

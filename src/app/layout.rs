@@ -3,6 +3,7 @@
 //! the viewports one above the other.
 
 use super::action::{Action, Actions};
+use super::arrangement::Arrangement;
 use super::language::tr;
 use super::theme::Palette;
 use super::widgets::chevron;
@@ -59,8 +60,9 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     app.carry_out(&context, actions);
     app.take_events(&context);
     let (said, mut actions) = (app.message.clone(), Actions::new());
+    let arrangement = Arrangement::new(ui, narrow);
     foot::show(app, ui, &mut actions);
-    egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(app, ui, narrow, actions));
+    egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(app, ui, arrangement, actions));
     if app.message != said {
         context.request_repaint();
     }

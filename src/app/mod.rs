@@ -2,8 +2,8 @@
 //!
 //! A frame: show the panels and collect what the person wants as [`Action`]s,
 //! carry those out in one place (`carry_out`), take in what happened outside of it
-//! (workers, files), the same for the pictures, bring the map up to date, upload what
-//! changed, paint. Panels that have more to say then do so in a frame that follows.
+//! (workers, files), show the message below the pictures, the same for the pictures, bring
+//! the map up to date, upload what changed, paint. Panels that have more to say then do so in a frame that follows.
 //! At rest nothing is computed and nothing drawn.
 
 mod action;
@@ -152,8 +152,10 @@ pub struct RiemapApp {
     offer: Option<Offer>,
     /// The texture of that name.
     image: Option<Arc<RgbaImage>>,
-    /// What is wrong with an image or a file that was to be saved.
+    /// What is wrong and belongs to neither side: an image, a file that was to be saved, a link, what is locked.
     message: Option<String>,
+    /// Whether there is something to read below the pictures.
+    has_foot: bool,
     /// What has gone well and cannot be seen, and when it need not be said any more.
     notice: Option<(&'static str, f64)>,
     preferences: Preferences,
@@ -215,6 +217,7 @@ impl RiemapApp {
             offer: None,
             image: None,
             message: presentation::with_troubles(message, &options),
+            has_foot: false,
             options,
             notice: None,
             preferences,

@@ -1,7 +1,7 @@
 //! The two pictures of a frame: gestures in them become wishes, the map is brought up to date, both are painted.
 
 use super::action::Actions;
-use super::arrangement::{LEGEND_SIDE, divide, is_stacked, is_tight, legend_height, margins, message_room};
+use super::arrangement::{Arrangement, LEGEND_SIDE};
 use super::header::Surroundings;
 use super::theme::Palette;
 use super::{RiemapApp, editing, foot, header, legend, surface, teaching, viewport};
@@ -10,12 +10,12 @@ use crate::render::{Pace, TextureStyle};
 use egui::{Stroke, Ui};
 
 /// Both pictures, and the windows over them; carries out what they ask for besides `actions`.
-pub fn show(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions) {
+pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, mut actions: Actions) {
     let context = ui.ctx().clone();
-    interact(app, ui, narrow, &mut actions);
+    interact(app, ui, arrangement, &mut actions);
     app.carry_out(&context, std::mem::take(&mut actions));
     app.advance(&context);
-    paint(app, ui, narrow, &mut actions);
+    paint(app, ui, arrangement, &mut actions);
     foot::notice(app, ui);
     app.reports.show(&context);
     editing::show_paste(&context, &mut app.editor, &mut actions);
@@ -25,13 +25,12 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, mut actions: Actions
 }
 
 /// Places the pictures and turns gestures over them into wishes.
-fn interact(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
-    let stacked = is_stacked(ui, narrow);
-    let rects = divide(ui.max_rect(), stacked);
+fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {
+    let rects = arrangement.divide(ui.max_rect());
     let mut pointed = None;
     for side in Side::BOTH {
         let rect = rects[side as usize];
-        let margins = margins(app, ui, side, rect, narrow, stacked);
+        let margins = arrangement.margins(app, ui, side, rect);
         let view = &mut app.views[side as usize];
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
         let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
@@ -54,7 +53,7 @@ fn interact(app: &mut RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Action
     }
 }
 
-fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
+fn paint(app: &RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {
     let dark = ui.visuals().dark_mode;
     if let Some(gpu) = &app.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
@@ -62,13 +61,13 @@ fn paint(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
     for side in Side::BOTH {
         paint_map(app, ui, side, style.as_ref());
-        let title = paint_words(app, ui, side, narrow, actions);
+        let title = paint_words(app, ui, side, arrangement, actions);
         paint_handles(app, ui, side);
-        show_tools(app, ui, side, narrow, title, actions);
+        show_tools(app, ui, side, arrangement, title, actions);
     }
-    let [a, b] = app.views.each_ref().map(|view| view.rect);
-    let stacked = a.bottom() <= b.top();
-    let edge = if stacked { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
+    let a = app.views[0].rect;
+    let edge =
+        if arrangement.stacked { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
     ui.painter().line_segment(edge, Stroke::new(1.0, Palette::of(ui.visuals()).border));
 }
 
@@ -92,11 +91,11 @@ fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>)
 }
 
 /// Title, buttons and legends; returns how far down the title reaches.
-fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, narrow: bool, actions: &mut Actions) -> f32 {
+fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangement, actions: &mut Actions) -> f32 {
     let view = &app.views[side as usize];
-    let tight = is_tight(view.rect, narrow);
+    let tight = arrangement.is_tight(view.rect);
     let around = Surroundings {
-        has_room: !narrow && header::has_room(ui, app.views[0].rect.width()),
+        has_room: !arrangement.narrow && header::has_room(ui, app.views[0].rect.width()),
         edited: app.editor.reshaped_side(),
         folded: !app.panels_open,
         embedded: app.options.embed,
@@ -135,13 +134,10 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
 }
 
 /// What lies over all of a picture: messages from below its `title` on, the edit bar, frames and progress.
-fn show_tools(app: &RiemapApp, ui: &mut Ui, side: Side, narrow: bool, title: f32, actions: &mut Actions) {
+fn show_tools(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangement, title: f32, actions: &mut Actions) {
     let view = &app.views[side as usize];
-    header::messages(ui, side, &app.model, message_room(app, ui, side, title), actions);
-    let words = if is_tight(view.rect, narrow) { 0.0 } else { header::LEGEND_HEIGHT };
-    let below = legend_height(app, side, view.rect, narrow).max(words);
-    let room = view.rect.with_max_y(view.rect.bottom() - below);
-    editing::show_bar(ui, side, view, room, &app.editor, actions);
+    header::messages(ui, side, &app.model, arrangement.message_room(app, ui, side, title), actions);
+    editing::show_bar(ui, side, view, arrangement.edit_room(app, side, view.rect), &app.editor, actions);
     viewport::paint_focus(ui, side, view.rect, &app.handles);
     viewport::paint_progress(ui, side, &app.model, view.rect);
     viewport::paint_drop_target(ui, side, view.rect);

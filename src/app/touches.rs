@@ -11,6 +11,11 @@ pub struct Touches {
     first: Option<TouchId>,
 }
 
+/// Whether this is how a cancelled touch lets go: everything that it has done since its press does not count.
+pub fn lets_go(event: &Event) -> bool {
+    matches!(event, Event::PointerMoved(place) if place.x > 0.5 * AWAY.x)
+}
+
 impl Touches {
     /// Lets go of what a cancelled touch has held, without a click: of a cancelled touch egui is not told that the
     /// pointer is up.

@@ -134,12 +134,22 @@ impl View {
     fn fitted(&self, bounds: (DVec2, DVec2), margins: Margins) -> Camera {
         let [sides, top, bottom] =
             [margins.sides, margins.top, margins.bottom].map(|margin| margin * self.pixels_per_point);
-        let [width, height] = self.size();
-        let free = [(width - 2.0 * sides).max(1.0), (height - top - bottom).max(1.0)];
-        let mut camera = Camera::fit(bounds, free, 0.0);
-        camera.center.y += 0.5 * f64::from(top - bottom) * camera.units_per_pixel;
-        camera
+        fit(bounds, self.size(), Margins { sides, top, bottom })
     }
+}
+
+/// Shows all of `bounds` between the margins of a viewport of this size.
+fn fit(bounds: (DVec2, DVec2), [width, height]: [f32; 2], Margins { sides, top, bottom }: Margins) -> Camera {
+    let free = [(width - 2.0 * sides).max(1.0), (height - top - bottom).max(1.0)];
+    let mut camera = Camera::fit(bounds, free, 0.0);
+    camera.center.y += 0.5 * f64::from(top - bottom) * camera.units_per_pixel;
+    camera
+}
+
+/// How much of `rect` is free below what is fitted into it.
+pub fn free_below(rect: Rect, bounds: (DVec2, DVec2), margins: Margins) -> f32 {
+    let size = rect.size().into();
+    rect.height() - fit(bounds, size, margins).to_screen(bounds.0, size)[1]
 }
 
 #[cfg(test)]

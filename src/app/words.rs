@@ -94,7 +94,7 @@ pub fn outline(outline: &OutlineSpec) -> Cow<'_, str> {
     name.strip_suffix(EDITED).map_or(said(name).into(), |name| tr_with("{0} (edited)", &[&said(name)]).into())
 }
 
-/// A name of a session in the language of the screen, if it is one that riemap gives; names of files stay.
+/// A name of a session in the language of the screen, if it is one that riemap gives, or a file's that is the same.
 fn said(name: &str) -> &str {
     let mut own = [DRAWN, PASTED, TRACED].into_iter().chain(Preset::ALL.map(given));
     if let Some(own) = own.find(|own| *own == name) { tr(own) } else { name }

@@ -145,7 +145,8 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     if pressed(Key::Escape) {
         push(EditAction::Leave);
     }
-    if editor.drawing(side).is_some() {
+    // a stroke ends where the pen is lifted
+    if editor.drawing(side).is_some_and(|drawing| drawing.pen() != Pen::Freehand) {
         for (key, action) in [(Key::Enter, EditAction::Close), (Key::Backspace, EditAction::TakeBack)] {
             if pressed(key) {
                 push(action);

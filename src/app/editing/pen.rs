@@ -5,9 +5,10 @@
 use super::{Drawing, EditAction, Pen};
 use crate::app::action::{Action, Actions};
 use crate::app::handles::GRAB_RADIUS;
+use crate::app::touches;
 use crate::app::view::View;
 use crate::app::viewport;
-use egui::{CursorIcon, Event, PointerButton, Pos2, Response, TouchPhase, Ui};
+use egui::{CursorIcon, Event, PointerButton, Pos2, Response, Ui};
 
 /// A second click this near the first one, in points, is a double-click and means the end.
 const SAME_PLACE: f32 = 6.0;
@@ -43,13 +44,11 @@ fn stroke(ui: &Ui, response: &Response, view: &View, drawing: &Drawing) -> Vec<E
     let way = ui.input(|input| Way::of(&input.events, is_under_way));
     // a press on something that lies over the picture is none on the picture
     let begins = way.begins && (response.is_pointer_button_down_on() || (way.ends && response.hovered()));
-    if !begins && !is_under_way {
-        return Vec::new();
+    let mut steps: Vec<_> = way.is_cancelled.then_some(EditAction::Clear).into_iter().collect();
+    if !begins && (!is_under_way || way.is_cancelled) {
+        return steps;
     }
-    if way.is_cancelled {
-        return vec![EditAction::Clear];
-    }
-    let mut steps: Vec<_> = way.places.iter().map(|&place| EditAction::Point(view.to_world(place))).collect();
+    steps.extend(way.places.iter().map(|&place| EditAction::Point(view.to_world(place))));
     if way.ends || !ui.input(|input| input.pointer.primary_down()) {
         steps.push(EditAction::Close);
     }
@@ -65,26 +64,61 @@ struct Way {
     begins: bool,
     /// It was let go of.
     ends: bool,
-    /// The system has taken the touch away.
+    /// The system has taken away the touch that was down; what follows is another one's.
     is_cancelled: bool,
 }
 
 impl Way {
     /// From a frame's events; `is_down`: the pointer was pressed in an earlier one.
-    fn of(events: &[Event], is_down: bool) -> Self {
+    fn of(events: &[Event], mut is_down: bool) -> Self {
         let mut way = Self::default();
         for event in events {
             match *event {
-                Event::PointerMoved(place) if (is_down || way.begins) && !way.ends => way.places.push(place),
-                Event::PointerButton { button: PointerButton::Primary, pressed, pos, .. } if !way.ends => {
-                    way.begins |= pressed;
-                    way.ends = !pressed && (is_down || way.begins);
-                    way.places.push(pos);
+                _ if touches::lets_go(event) && is_down => {
+                    way = Self { is_cancelled: true, ..Self::default() };
+                    is_down = false;
                 }
-                Event::Touch { phase: TouchPhase::Cancel, .. } => way.is_cancelled = true,
+                Event::PointerMoved(place) if is_down => way.places.push(place),
+                Event::PointerButton { button: PointerButton::Primary, pressed, pos, .. } if !way.ends => {
+                    if pressed || is_down {
+                        way.places.push(pos);
+                    }
+                    way.begins |= pressed;
+                    way.ends = is_down && !pressed;
+                    is_down = pressed;
+                }
                 _ => {}
             }
         }
         way
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::{Modifiers, TouchDeviceId, TouchId, TouchPhase, pos2};
+
+    #[test]
+    fn what_a_cancelled_touch_has_drawn_is_forgotten_and_the_next_finger_draws() {
+        let [old, new] = [pos2(10.0, 20.0), pos2(60.0, 20.0)];
+        let touch =
+            |id, phase, pos| Event::Touch { device_id: TouchDeviceId(0), id: TouchId(id), phase, pos, force: None };
+        let press = Event::PointerButton {
+            pos: new,
+            button: PointerButton::Primary,
+            pressed: true,
+            modifiers: Modifiers::NONE,
+        };
+        let mut touches = touches::Touches::default();
+        touches.take_in(&mut vec![touch(1, TouchPhase::Start, old)]);
+        let mut events = vec![touch(1, TouchPhase::Cancel, old), touch(2, TouchPhase::Start, new), press];
+        touches.take_in(&mut events);
+        let way = Way::of(&events, true);
+        assert_eq!(way, Way { places: vec![new], begins: true, ends: false, is_cancelled: true });
+        // another finger that is taken away has drawn nothing
+        let mut palm = vec![Event::PointerMoved(new), touch(3, TouchPhase::Cancel, old)];
+        touches.take_in(&mut palm);
+        assert_eq!(Way::of(&palm, true), Way { places: vec![new], ..Way::default() });
     }
 }

@@ -227,12 +227,18 @@ fn a_stroke_whose_touch_is_cancelled_is_forgotten() {
     };
     let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
     let press = egui::Event::PointerButton { pos: middle, button, pressed: true, modifiers };
-    harness.input_mut().events.extend([touch(egui::TouchPhase::Start, middle), press]);
+    // as `raw_input_hook` does
+    let mut touches = crate::app::touches::Touches::default();
+    let mut take_in = |mut events: Vec<egui::Event>| {
+        touches.take_in(&mut events);
+        events
+    };
+    harness.input_mut().events.extend(take_in(vec![touch(egui::TouchPhase::Start, middle), press]));
     harness.step();
     harness.input_mut().events.push(egui::Event::PointerMoved(middle + vec2(40.0, 0.0)));
     harness.step();
     assert!(harness.state().stats().editing.unwrap().handles.len() > 1);
-    harness.input_mut().events.push(touch(egui::TouchPhase::Cancel, middle));
+    harness.input_mut().events.extend(take_in(vec![touch(egui::TouchPhase::Cancel, middle)]));
     harness.run_steps(2);
     let editing = harness.state().stats().editing.unwrap();
     assert!(editing.draws && editing.handles.is_empty() && editing.message.is_none(), "{editing:?}");
@@ -265,4 +271,25 @@ fn a_file_that_comes_while_a_handle_is_held_takes_its_outlines_place() {
     );
     assert_eq!(stats.editing.unwrap().handles.len(), 4, "its handles are those of the new one");
     assert_eq!(stats.undo, 1);
+}
+
+#[test]
+fn a_stroke_that_was_no_outline_is_not_taken_back_point_by_point() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    harness.hover_at(harness.state().views[0].rect.center());
+    harness.key_press(egui::Key::D);
+    harness.run_steps(2);
+    let app = harness.state_mut();
+    let middle = app.views[0].rect.center();
+    for k in 0..48 {
+        let angle = std::f32::consts::TAU * (k as f32 + 0.3) / 48.0;
+        let point = app.views[0].to_world(middle + vec2(120.0 * angle.sin(), 80.0 * (2.0 * angle).sin()));
+        app.editor.act(EditAction::Point(point), &mut app.model, &mut app.views);
+    }
+    app.editor.act(EditAction::Close, &mut app.model, &mut app.views);
+    assert!(app.editor.crossing().is_some());
+    harness.key_press(egui::Key::Backspace);
+    harness.run_steps(3);
+    let editing = harness.state().stats().editing.unwrap();
+    assert!(editing.draws && editing.handles.len() == 48 && editing.message.is_some(), "{editing:?}");
 }

@@ -93,10 +93,10 @@ impl Exporter {
     /// What the window says is wrong, while it is open.
     pub fn errors(&self) -> impl Iterator<Item = String> {
         let refused = match self.wish.kind {
-            Kind::Film(format) => self.wish.film(format).check().err().map(|error| error.to_string()),
+            Kind::Film(format) if self.is_open => self.wish.film(format).check().err().map(|error| error.to_string()),
             _ => None,
         };
-        self.error.clone().into_iter().chain(refused).filter(|_| self.is_open)
+        self.error.clone().filter(|_| self.is_open).into_iter().chain(refused)
     }
 
     /// Whether something is being made.

@@ -69,14 +69,16 @@ impl Model {
                 self.incoming_surface = None;
                 self.surface.gives_way = false;
                 self.dismiss(Subject::Domain(Side::Target));
-                if !self.surface.preparation.want_spec(&spec, now) {
-                    let is_new = self.session.surface.as_ref().is_none_or(|shown| shown.spec.shape != spec.shape);
-                    self.show_surface(spec, is_new);
-                }
+                self.want_surface(spec, now);
             }
             Command::RefineSurface(spec) => {
-                if self.surface.preparation.wanted().is_some_and(|wanted| wanted.is_like(&spec)) {
-                    self.dispatch_surface(Command::SetSurface(spec), now);
+                let stays = self.session.surface.is_some() && !self.surface.gives_way;
+                let wanted = self.surface.preparation.wanted().filter(|_| stays);
+                if wanted.is_some_and(|wanted| wanted.is_like(&spec)) {
+                    if let Some(incoming) = &mut self.incoming_surface {
+                        incoming.spec = spec.clone();
+                    }
+                    self.want_surface(spec, now);
                 }
             }
             Command::CloseSurface => self.close_surface(),
@@ -84,6 +86,13 @@ impl Model {
                 self.session.apply(moved);
                 self.points_changed = true;
             }
+        }
+    }
+
+    fn want_surface(&mut self, spec: SurfaceSpec, now: f64) {
+        if !self.surface.preparation.want_spec(&spec, now) {
+            let is_new = self.session.surface.as_ref().is_none_or(|shown| shown.spec.shape != spec.shape);
+            self.show_surface(spec, is_new);
         }
     }
 

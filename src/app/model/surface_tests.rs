@@ -1,6 +1,7 @@
 //! The model while a surface stands in the target's place.
 
 use super::*;
+use crate::app::trouble::Trouble;
 use crate::conformal::{PrepareSettings, Side};
 use crate::mesh::{BarycentricPoint, Sizing};
 use crate::outline::{Preset, Sampling};
@@ -270,4 +271,19 @@ fn a_surface_is_refined_and_no_other_one_comes_that_way() {
         session.apply(Command::RefineSurface(asked));
         assert_eq!(session.surface.unwrap().spec, there);
     }
+}
+
+#[test]
+fn to_refine_a_surface_leaves_what_comes_after_it() {
+    let mut model = with_hemisphere();
+    model.side_mut(Side::Target).error = Some(Trouble::new("bow.csv: it crosses itself".into()));
+    model.dispatch(Command::RefineSurface(spec(SurfacePreset::Hemisphere, 30)), 0.0);
+    assert!(model.side(Side::Target).error.is_some(), "another file's message");
+    model.dispatch(Command::SetOutline { side: Side::Target, outline: OutlineSpec::Preset(Preset::Star) }, 0.0);
+    model.dispatch(Command::RefineSurface(spec(SurfacePreset::Hemisphere, 36)), 0.0);
+    settle(&mut model);
+    assert!(model.surface().is_none(), "the outline has taken its place");
+    model.dispatch(Command::RefineSurface(spec(SurfacePreset::Hemisphere, 40)), 0.0);
+    settle(&mut model);
+    assert!(model.surface().is_none(), "nor does it come back");
 }

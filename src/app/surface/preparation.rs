@@ -79,6 +79,12 @@ impl SurfacePreparation {
         &self.errand
     }
 
+    /// Whether a surface from a file is on its way.
+    pub fn awaits_file(&self) -> bool {
+        let is_file = |wish: &Wish| matches!(wish.spec.shape, SurfaceShape::File { .. });
+        self.errand.is_busy() && self.wanted.as_ref().is_some_and(is_file)
+    }
+
     /// Wants a surface, at once; what is under way is not wanted any more.
     fn want(&mut self, wish: Wish, due: f64) {
         self.error = None;
