@@ -2,18 +2,25 @@
 //! session, the points in motion, the editor, files and windows. Nothing is computed here.
 
 use super::explore::{Consequences, ExploreAction};
+use super::keeping;
 use super::teaching::walks::WalkAction;
 use super::{Action, Actions, EditAction, Keeper, Locks, Preferences, RiemapApp, presentation};
 use crate::conformal::Side;
 use crate::platform::{self, FilePurpose};
 use crate::session::Session;
+use crate::worker::Subject;
 
 impl RiemapApp {
     /// The one place where wishes become changes.
     pub(super) fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
         let now = context.input(|input| input.time);
         let locks = Locks::of(context);
-        for action in actions.into_iter().filter(|action| locks.refused(action).is_none()) {
+        for action in actions {
+            if let Some(control) = locks.refused(&action) {
+                // what is grey asks for nothing: this came by a key or from the clipboard
+                self.refuse(control);
+                continue;
+            }
             match action {
                 Action::Session(command) => {
                     if command.moves_points() {
@@ -39,6 +46,10 @@ impl RiemapApp {
                 Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
                 Action::Fit(side) => self.views[side as usize].fit(),
                 Action::Edit(action) => {
+                    if let EditAction::Draw(side, _) = action {
+                        // a message about the last outline would lie where the new one is drawn
+                        self.model.dismiss(Subject::Domain(side));
+                    }
                     if matches!(action, EditAction::Close | EditAction::TakePasted) {
                         self.end_tour();
                     }
@@ -53,7 +64,7 @@ impl RiemapApp {
                 Action::Remedy(subject) => self.model.remedy(subject),
                 Action::Dismiss(subject) => self.model.dismiss(subject),
                 Action::OpenReport(report) => self.reports.open(report),
-                Action::DismissMessage => self.message = None,
+                Action::DismissMessage => self.dismiss_message(),
                 Action::OpenExport => self.exporter.open(),
                 Action::SaveExport => self.save_export(context),
                 Action::CancelExport => self.exporter.cancel(),
@@ -89,6 +100,12 @@ impl RiemapApp {
     /// Another picture takes the tour's place: it stays, and what the tour has set in motion does not.
     pub(super) fn end_tour(&mut self) {
         self.explore(ExploreAction::LeaveTour { keeps: true });
+    }
+
+    /// Closes the message; one that it had hidden, about a file that a link waits for, comes back.
+    fn dismiss_message(&mut self) {
+        let awaited = keeping::missing_text(self.keeper.missing());
+        self.message = awaited.filter(|awaited| self.message.as_ref() != Some(awaited));
     }
 
     fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {

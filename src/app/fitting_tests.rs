@@ -241,6 +241,7 @@ fn a_message_about_both_sides_covers_nothing_and_can_be_closed() {
         assert!((0.25..0.5).contains(&share), "{size:?}: a long message takes {share} of the height");
         (screen.state_mut().message, screen.state_mut().offer) = (Some("Not saved.".into()), None);
         screen.run_steps(4);
+        assert!(before - foot(&screen) < 75.0, "{size:?}: a short one takes {}", before - foot(&screen));
         screen.get_by_label("Close this message").click();
         screen.run_steps(3);
         assert!(screen.state().message.is_none() && foot(&screen) == before);
@@ -307,4 +308,37 @@ fn messages_of_a_side_lie_over_its_dots() {
     let words = place(&|shape| matches!(shape, egui::Shape::Text(text) if text.galley.text().contains("is none")));
     let dot = place(&|shape| matches!(shape, egui::Shape::Circle(dot) if dot.center.distance(source) < 1.0));
     assert!(dot < words, "the dot is painted before the words");
+}
+
+#[test]
+fn on_a_phone_on_its_side_tour_and_message_leave_the_pictures_room() {
+    for size in [[667.0, 375.0], LYING_PHONE] {
+        let mut screen = screen(size, Language::German);
+        act(&mut screen, Action::Explore(ExploreAction::Tour(0)));
+        screen.state_mut().message = Some("The link could not be opened: it is none. ".repeat(3));
+        screen.run_steps(4);
+        for view in &screen.state().views {
+            assert!(view.rect.height() > 95.0, "{size:?}: {:?}", view.rect);
+        }
+        for label in ["Weiter", "Diese Meldung schließen"] {
+            let button = screen.get_by_label(label).rect();
+            assert!(whole(&screen).contains_rect(button), "{size:?}: {label} at {button:?}");
+        }
+    }
+}
+
+#[test]
+fn a_narrow_picture_has_one_of_fit_and_swap_and_keeps_its_title() {
+    let mut screen = screen(LYING_PHONE, Language::German);
+    let there = |screen: &Screen| {
+        ["Tauschen", "Einpassen"].map(|label| {
+            let view = screen.state().views[1].rect;
+            buttons(screen, |rect| view.contains(rect.center())).iter().any(|(found, _)| found == label)
+        })
+    };
+    assert_eq!(there(&screen), [true, false]);
+    let middle = screen.state().views[1].rect.center();
+    screen.state_mut().views[1].zoom(2.0, middle);
+    screen.run_steps(3);
+    assert_eq!(there(&screen), [false, true]);
 }

@@ -5,12 +5,15 @@ use super::action::{Action, Actions};
 use super::theme::Palette;
 use super::widgets::{message_box, notice_box};
 use super::{RiemapApp, offer};
-use egui::{Frame, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, pos2, vec2};
+use egui::{Frame, Margin, Panel, Rect, Ui, UiBuilder, pos2, vec2};
 
 /// The width of a line that is easy to read.
 const WIDEST: f32 = 720.0;
-/// How much of the height that is left for the pictures all of it takes at most; more scrolls.
+/// How much of the height that is left for the pictures a message takes at most.
 const MOST_SHARE: f32 = 0.4;
+/// The height that it leaves them if it can, and more for one that is edited.
+const LEAST_PICTURES: f32 = 150.0;
+const LEAST_EDITED: f32 = 230.0;
 /// The size of a notice, and how far its upper edge lies above the pictures' lower one.
 const NOTICE: [f32; 2] = [140.0, 34.0];
 const NOTICE_ABOVE: f32 = 64.0;
@@ -25,21 +28,20 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         return;
     }
     let palette = Palette::of(ui.visuals());
-    let frame = Frame::new().fill(palette.panel).inner_margin(Margin::symmetric(10, 8));
-    let most = MOST_SHARE * ui.available_height();
+    let frame = Frame::new().fill(palette.panel).inner_margin(Margin::symmetric(10, 6));
+    let (free, least) =
+        (ui.available_height(), if app.editor.side().is_some() { LEAST_EDITED } else { LEAST_PICTURES });
+    let most = (MOST_SHARE * free).min(free - least);
     Panel::bottom("message").resizable(false).frame(frame).show(ui, |ui| {
-        // without a least height it would stay as low as the panel was in the frame before
-        ScrollArea::vertical().max_height(most).min_scrolled_height(most).show(ui, |ui| {
-            ui.take_available_width();
-            ui.set_max_width(ui.available_width().min(WIDEST));
-            let message = app.message.as_ref();
-            if message.and_then(|message| message_box(ui, message, None)).is_some() {
-                actions.push(Action::DismissMessage);
-            }
-            if app.offer.is_some() {
-                offer::show(ui, actions);
-            }
-        });
+        ui.take_available_width();
+        ui.set_max_width(ui.available_width().min(WIDEST));
+        let message = app.message.as_ref();
+        if message.and_then(|message| message_box(ui, message, None, most)).is_some() {
+            actions.push(Action::DismissMessage);
+        }
+        if app.offer.is_some() {
+            offer::show(ui, actions);
+        }
     });
 }
 

@@ -3,7 +3,7 @@
 use super::action::{Action, Actions};
 use super::editing::EditAction;
 use super::language::{tr, tr_message};
-use super::locks::{Control, guarded, menu_entry};
+use super::locks::{Control, Locks, REFUSAL, guarded, menu_entry};
 use super::model::Model;
 use super::room::{button_width, menu_label, text_width};
 use super::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
@@ -53,8 +53,11 @@ pub fn has_room(ui: &Ui, width: f32) -> bool {
 /// The height of the title and the line below it, in points; the buttons stand beside them.
 const TITLE_HEIGHT: f32 = 36.0;
 
-/// What the title has beside the buttons, at least.
+/// What the title has beside the buttons, at least, where all of them are shown; and where some are.
 const TITLE_WIDTH: f32 = 190.0;
+const LEAST_TITLE: f32 = 90.0;
+/// Between the title and the buttons.
+const BESIDE_TITLE: f32 = 6.0;
 
 /// From a viewport's edges to its title, buttons and messages.
 const INSET: [f32; 2] = [14.0, 10.0];
@@ -75,6 +78,7 @@ pub fn show(
         ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {
             if !around.embedded {
                 widgets::opaque(ui, |ui| buttons(ui, side, model, is_fitted, around, actions));
+                ui.add_space(BESIDE_TITLE);
             }
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
@@ -123,14 +127,43 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
     if panels.is_some_and(|button| button.clicked()) {
         actions.push(Action::TogglePanels);
     }
-    let width = theme::control_height(ui, 0.0); // a short word needs as much of a finger as a long one
-    guarded(ui, Control::View, |ui| {
-        let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")).min_size(vec2(width, 0.0)));
-        if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
-            actions.push(Action::Fit(side));
-        }
-    });
+    let all_fit = narrow_row(ui, side) + LEAST_TITLE <= ui.available_width();
+    // in a narrow picture one of them at a time
+    let (fits, swaps) = (all_fit || !is_fitted, all_fit || is_fitted);
+    if fits {
+        guarded(ui, Control::View, |ui| {
+            let width = theme::control_height(ui, 0.0); // a short word needs as much of a finger as a long one
+            let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")).min_size(vec2(width, 0.0)));
+            if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
+                actions.push(Action::Fit(side));
+            }
+        });
+    }
     guarded(ui, Control::Outline, |ui| outline_buttons(ui, side, model, around, actions));
+    if swaps && side == Side::Target {
+        swap_button(ui, model, actions);
+    }
+}
+
+/// How wide the buttons are that a narrow picture has.
+fn narrow_row(ui: &Ui, side: Side) -> f32 {
+    let labels: &[&'static str] = if side == Side::Target { &["Fit", "Edit", "Swap"] } else { &["Fit", "Edit"] };
+    let least = theme::control_height(ui, 0.0) + ui.spacing().item_spacing.x;
+    labels.iter().map(|label| button_width(ui, tr(label)).max(least)).sum()
+}
+
+fn swap_button(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    let (planar, swap) = (model.surface().is_none(), Action::Session(Command::Swap));
+    let is_locked = Locks::of(ui.ctx()).refused(&swap).is_some();
+    let refusal = match (is_locked, planar) {
+        (true, _) => REFUSAL,
+        (false, true) => "While nothing is prepared",
+        (false, false) => SWAP_REFUSED,
+    };
+    let button = ui.add_enabled(!is_locked && planar && model.is_ready(), egui::Button::new(tr("Swap")));
+    if button.on_hover_text(tr("Exchange source and target")).on_disabled_hover_text(tr(refusal)).clicked() {
+        actions.push(swap);
+    }
 }
 
 fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings, actions: &mut Actions) {
@@ -148,15 +181,10 @@ fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings,
         }
         shapes::menu_button(ui, tr("Shapes"), side, model, actions);
     }
-    if side == Side::Target {
-        let planar = model.surface().is_none();
-        let swap = ui.add_enabled(planar && model.is_ready(), egui::Button::new(tr("Swap")));
-        let swap = swap.on_hover_text(tr("Exchange source and target"));
-        if swap.on_disabled_hover_text(tr(if planar { "While nothing is prepared" } else { SWAP_REFUSED })).clicked() {
-            actions.push(Action::Session(Command::Swap));
-        }
-    }
 }
+
+/// Above a message.
+const BETWEEN_MESSAGES: f32 = 4.0;
 
 /// Shows what is wrong on a side; more than its `room` has place for scrolls.
 pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mut Actions) {
@@ -174,10 +202,11 @@ pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mu
     }
     let area = room.shrink2(vec2(INSET[0], 0.0));
     ui.scope_builder(UiBuilder::new().max_rect(area).id_salt(("messages", side)), |ui| {
+        let most = area.height() / all.len() as f32 - BETWEEN_MESSAGES;
         ScrollArea::vertical().max_height(area.height()).show(ui, |ui| {
             for (subject, text, remedy) in all {
-                ui.add_space(4.0);
-                match message_box(ui, text, remedy.map(Remedy::label)) {
+                ui.add_space(BETWEEN_MESSAGES);
+                match message_box(ui, text, remedy.map(Remedy::label), most) {
                     Some(MessageAnswer::Dismiss) => actions.push(Action::Dismiss(subject)),
                     Some(MessageAnswer::Remedy) => actions.push(Action::Remedy(subject)),
                     None => {}

@@ -11,6 +11,7 @@ use super::trouble::Trouble;
 use crate::conformal::Side;
 use crate::platform::{self, Event, FilePurpose};
 use crate::session::{Command, SurfaceShape, SurfaceSpec, TextureKind};
+use crate::worker::Subject;
 use std::sync::Arc;
 
 /// When what the panels say follows the pictures, in seconds: sooner than anyone reads.
@@ -135,7 +136,12 @@ impl RiemapApp {
                 self.open_session(*session);
             }
             Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(&name, bytes),
-            Err(FileError::Outline(side, trouble)) => self.model.side_mut(side).error = Some(trouble),
+            Err(FileError::Outline(side, trouble)) => {
+                if side == Side::Target {
+                    self.model.dismiss(Subject::Surface);
+                }
+                self.model.side_mut(side).error = Some(trouble);
+            }
             Err(FileError::Common(message)) => self.message = Some(message),
         }
     }
@@ -144,9 +150,14 @@ impl RiemapApp {
     fn may(&mut self, control: Control) -> bool {
         let locked = self.options.locks.holds(control);
         if locked {
-            self.message = Some(format!("The page's address keeps \"{}\" as it is.", control.name()));
+            self.refuse(control);
         }
         !locked
+    }
+
+    /// Says that a control is locked.
+    pub(super) fn refuse(&mut self, control: Control) {
+        self.message = Some(format!("The page's address keeps \"{}\" as it is.", control.name()));
     }
 
     pub(super) fn use_image(&mut self, picture: Picture) {
@@ -292,6 +303,35 @@ mod tests {
         assert_eq!(app.errors().len(), 1);
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
         assert!(app.errors().is_empty(), "{:?}", app.errors());
+        // and the other way round
+        app.take_file(FilePurpose::Outline(Side::Target), "broken.obj", Ok(b"v 0 0 0\nf 1 2 3\n".to_vec()));
+        step_until(&mut harness, |app| !app.model.surface_side().preparation.errand().is_busy());
+        let app = harness.state_mut();
+        app.take_file(FilePurpose::Outline(Side::Target), "bow.csv", Ok(b"0,0\n1,1\n1,0\n0,1\n".to_vec()));
+        let errors = app.errors();
+        assert!(errors.len() == 1 && errors[0].starts_with("bow.csv"), "{errors:?}");
+    }
+
+    #[test]
+    fn a_message_that_hides_which_file_is_missing_gives_way_to_that() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let app = harness.state_mut();
+        // too many of no order for a link
+        let jagged = |k: u32| 1.0 + 0.2 * f64::from(k * 7919 % 1000) / 1000.0;
+        let points = (0..6000).map(|k| jagged(k) * crate::geometry::DVec2::from_angle(f64::from(k) * 1e-3)).collect();
+        let mut session = app.session().clone();
+        let outline = crate::session::OutlineSpec::Points { name: "big".into(), points };
+        session.apply(Command::SetOutline { side: Side::Source, outline });
+        app.try_link(&crate::session::link::encode(&session).unwrap().fragment).unwrap();
+        let asked = app.message.clone();
+        assert!(asked.as_ref().is_some_and(|asked| asked.contains("\"big\"")));
+        app.open_link("#s=1.nonsense");
+        assert_ne!(app.message, asked);
+        app.carry_out(&context, vec![Action::DismissMessage]);
+        assert_eq!(app.message, asked);
+        app.carry_out(&context, vec![Action::DismissMessage]);
+        assert_eq!(app.message, None);
     }
 
     #[test]

@@ -116,3 +116,44 @@ fn a_locked_panel_stays_folded() {
     app.fold_panels(&context);
     assert!(!app.panels_open);
 }
+
+#[test]
+fn what_comes_by_a_key_or_from_the_clipboard_is_refused_with_a_reason_and_what_is_clicked_is_grey() {
+    let mut harness = ready_app([1200.0, 800.0]);
+    let context = harness.ctx.clone();
+    Locks::default().with(Control::Boundary).install(&context);
+    let pixels = image::RgbaImage::from_pixel(20, 20, image::Rgba([9, 9, 9, 255]));
+    let app = harness.state_mut();
+    app.offer = Some(Offer::new(Side::Source, &files::Picture { name: "a.png".into(), pixels }));
+    app.carry_out(&context, vec![Action::PasteText(String::from("M 0 0 L 4 0 L 1 3 Z"))]);
+    assert!(app.message.take().is_some_and(|message| message.contains("\"boundary\"")));
+    harness.key_press(egui::Key::D);
+    harness.run_steps(3);
+    assert!(harness.state().editor.side().is_none() && harness.state().message.is_some());
+    for label in ["Swap", "Trace it as outline"] {
+        assert!(harness.get_by_label(label).accesskit_node().is_disabled(), "{label}");
+    }
+}
+
+#[test]
+fn the_hint_is_under_a_dot_that_can_be_dragged() {
+    let shapes_of = |locks: Locks| {
+        let mut harness = ready_app([1200.0, 800.0]);
+        locks.install(&harness.ctx);
+        harness.run_steps(3);
+        let hint = harness.output().shapes.iter().find_map(|clipped| match &clipped.shape {
+            egui::Shape::Text(text) if text.galley.text() == "drag a dot" => Some(text.visual_bounding_rect().center()),
+            _ => None,
+        });
+        let handles = harness.state().stats().handles;
+        (hint, [handles.x1, handles.y1].map(|place| egui::Pos2::from(place.unwrap())))
+    };
+    let interior = Locks::default().with(Control::Interior);
+    for (locks, dot) in [(Locks::default(), Some(0)), (interior, Some(1)), (interior.with(Control::Boundary), None)] {
+        let (hint, dots) = shapes_of(locks);
+        assert_eq!(hint.is_some(), dot.is_some());
+        if let (Some(hint), Some(dot)) = (hint, dot) {
+            assert!(hint.distance(dots[dot]) < 40.0, "{hint} is not by {:?}", dots[dot]);
+        }
+    }
+}

@@ -3,6 +3,7 @@
 use super::action::{Action, Actions};
 use super::files::{self, Picture};
 use super::language::tr;
+use super::locks::menu_entry;
 use super::theme::{ROW_HEIGHT, control_height};
 use super::tracing;
 use crate::conformal::Side;
@@ -57,8 +58,9 @@ pub fn show(ui: &mut Ui, actions: &mut Actions) {
     let height = control_height(ui, ROW_HEIGHT);
     ui.horizontal_wrapped(|ui| {
         ui.label(tr("The picture is the texture."));
-        let trace = ui.add(Button::new(tr("Trace it as outline")).min_size(vec2(0.0, height)));
-        if trace.on_hover_text(tr("The outline of the largest shape in a PNG or JPEG")).clicked() {
+        let trace = Button::new(tr("Trace it as outline")).min_size(vec2(0.0, height));
+        let explained = "The outline of the largest shape in a PNG or JPEG";
+        if menu_entry(ui, true, trace, explained, &Action::TraceImage) {
             actions.push(Action::TraceImage);
         }
         if ui.add(Button::new(tr("No")).min_size(vec2(40.0, height))).clicked() {

@@ -189,9 +189,13 @@ pub fn paint_boundary_mark(ui: &Ui, side: Side, model: &Model, view: &View, frac
     dots::paint_mark(ui, &ui.painter_at(view.rect), side, place);
 }
 
-/// "drag a dot", until someone has.
+/// "drag a dot", until someone has: the inner one, where it is not locked.
 pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
-    let Some(place) = model.interior(Side::Source).map(|point| view.to_screen(point)) else { return };
+    let locks = Locks::of(ui.ctx());
+    let dots =
+        [(HandleKind::Interior, model.interior(Side::Source)), (HandleKind::Boundary, model.anchor(Side::Source))];
+    let free = dots.into_iter().find(|(kind, _)| !locks.holds_handle(*kind)).and_then(|(_, point)| point);
+    let Some(place) = free.map(|point| view.to_screen(point)) else { return };
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
     let galley = painter.layout_no_wrap(

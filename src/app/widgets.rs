@@ -5,8 +5,8 @@ use super::language::{tr, tr_message};
 use super::room::{button_width, text_width};
 use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
 use egui::{
-    Align2, Button, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, Sense, Stroke,
-    StrokeKind, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Align2, Button, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, ScrollArea, Sense,
+    Stroke, StrokeKind, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 use std::ops::RangeInclusive;
 
@@ -162,32 +162,47 @@ const CROSS_WIDTH: f32 = 30.0;
 /// A message narrower than this has its buttons below the words.
 const LEAST_WORDS: f32 = 150.0;
 
-/// An error in a box, with a cross to close it and, where there is one, its remedy.
-pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>) -> Option<MessageAnswer> {
+/// The least height of a message's words, two lines.
+const LEAST_MESSAGE: f32 = 36.0;
+/// Above and below them, and below them if the buttons are there.
+const MESSAGE_MARGIN: i8 = 8;
+const ABOVE_BUTTONS: f32 = 6.0;
+
+/// An error in a box, with a cross to close it and, where there is one, its remedy. It is about as high as `most`
+/// allows: more words scroll, so that the buttons are always there.
+pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>, most: f32) -> Option<MessageAnswer> {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new()
         .fill(palette.error_ground)
         .stroke(Stroke::new(1.0, palette.error_edge))
         .corner_radius(CornerRadius::same(ROUNDING + 2))
-        .inner_margin(Margin::symmetric(12, 8));
+        .inner_margin(Margin::symmetric(12, MESSAGE_MARGIN));
+    let most = most - 2.0 * f32::from(MESSAGE_MARGIN);
     let content = |ui: &mut Ui| {
         let remedy_width = remedy.map_or(0.0, |label| button_width(ui, tr(label)));
         let buttons = control_height(ui, CROSS_WIDTH) + ui.spacing().item_spacing.x + remedy_width;
-        let words = RichText::new(tr_message(text)).color(palette.text);
         if ui.available_width() - buttons < LEAST_WORDS {
-            ui.add(egui::Label::new(words).wrap());
+            message_words(ui, text, most - ABOVE_BUTTONS - ui.spacing().interact_size.y);
             return ui.horizontal(|ui| message_buttons(ui, remedy)).inner;
         }
         let in_a_row = |ui: &mut Ui| {
             ui.scope(|ui| {
                 ui.set_max_width(ui.available_width() - buttons);
-                ui.add(egui::Label::new(words).wrap());
+                message_words(ui, text, most);
             });
             message_buttons(ui, remedy)
         };
         ui.horizontal(in_a_row).inner
     };
     opaque(ui, |ui| frame.show(ui, content).inner)
+}
+
+fn message_words(ui: &mut Ui, text: &str, most: f32) {
+    let most = most.max(LEAST_MESSAGE);
+    let words = RichText::new(tr_message(text)).color(Palette::of(ui.visuals()).text);
+    let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
+    // what scrolls has the layout around it: in a row it would be in the middle of all that may be seen
+    ui.vertical(|ui| area.show(ui, |ui| ui.add(egui::Label::new(words).wrap())));
 }
 
 fn message_buttons(ui: &mut Ui, remedy: Option<&'static str>) -> Option<MessageAnswer> {

@@ -78,7 +78,7 @@ fn show_message(
     let area = Area::new(id).order(Order::Middle).pivot(pivot).fixed_pos(pos2(rect.center().x, y));
     area.show(ui.ctx(), |ui| {
         ui.set_max_width(widest(rect));
-        if message_box(ui, text, None).is_some() {
+        if message_box(ui, text, None, 0.5 * rect.height()).is_some() {
             actions.push(Action::Edit(EditAction::Dismiss));
         }
     });

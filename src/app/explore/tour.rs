@@ -10,7 +10,7 @@ use crate::conformal::Direction;
 use crate::outline::Preset;
 use crate::session::{Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
-use egui::{Frame, Label, Margin, Panel, RichText, Ui};
+use egui::{Frame, Label, Margin, Panel, RichText, ScrollArea, Ui};
 use std::sync::LazyLock;
 
 /// One stop.
@@ -95,20 +95,30 @@ pub fn show(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) 
     let all = steps();
     let Some(stop) = all.get(step) else { return };
     let palette = Palette::of(ui.visuals());
-    let frame = Frame::new().fill(palette.raised).inner_margin(Margin::symmetric(16, 12));
+    let is_low = ui.ctx().content_rect().height() < LOW_SCREEN;
+    let margin = if is_low { Margin::symmetric(16, 6) } else { Margin::symmetric(16, 12) };
+    let frame = Frame::new().fill(palette.raised).inner_margin(margin);
+    let title = RichText::new(tr(stop.title)).font(bold(16.0)).color(palette.text);
+    let words = Label::new(RichText::new(tr(stop.text)).color(palette.text)).wrap();
     Panel::bottom("tour").resizable(false).frame(frame).show(ui, |ui| {
-        words(ui, stop, &palette);
-        ui.add_space(6.0);
-        buttons(ui, step, all.len(), takes_focus, actions);
+        if is_low {
+            buttons(ui, step, all.len(), takes_focus, actions, Some(title));
+            let area = ScrollArea::vertical().max_height(LOW_WORDS).min_scrolled_height(LOW_WORDS);
+            area.show(ui, |ui| ui.add(words));
+        } else {
+            ui.label(title);
+            ui.add(words);
+            ui.add_space(6.0);
+            buttons(ui, step, all.len(), takes_focus, actions, None);
+        }
     });
 }
 
-fn words(ui: &mut Ui, stop: &Step, palette: &Palette) {
-    ui.label(RichText::new(tr(stop.title)).font(bold(16.0)).color(palette.text));
-    ui.add(Label::new(RichText::new(tr(stop.text)).color(palette.text)).wrap());
-}
+/// On a screen lower than this the title stands beside the buttons and the words take two lines; more scroll.
+const LOW_SCREEN: f32 = 450.0;
+const LOW_WORDS: f32 = 36.0;
 
-fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &mut Actions) {
+fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &mut Actions, beside: Option<RichText>) {
     let weak = Palette::of(ui.visuals()).weak;
     let mut act = |action| actions.push(Action::Explore(action));
     ui.horizontal(|ui| {
@@ -130,5 +140,8 @@ fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &
             act(ExploreAction::LeaveTour { keeps: false });
         }
         ui.label(RichText::new(tr_with("{0} of {1}", &[&(step + 1), &count])).color(weak));
+        if let Some(title) = beside {
+            ui.add(Label::new(title).truncate());
+        }
     });
 }

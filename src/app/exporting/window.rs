@@ -4,7 +4,7 @@ use super::job::{Job, Progress};
 use super::wish::{Kind, Wish};
 use super::{FileWish, ReadyFile};
 use crate::app::action::{Action, Actions};
-use crate::app::language::{tr, tr_message, tr_with};
+use crate::app::language::{tr, tr_with};
 use crate::app::room::scroll_beyond;
 use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
 use crate::app::widgets::{close_button, message_box};
@@ -19,6 +19,8 @@ const WIDTH: f32 = 400.0;
 const SCROLL_BAR: f32 = 10.0;
 /// What of the screen's height is above the choices, and below them.
 const BESIDES: f32 = 210.0;
+/// The height of an error in it at most.
+const MOST_MESSAGE: f32 = 120.0;
 /// The window's upper edge, below the bar.
 const FROM_TOP: f32 = 64.0;
 
@@ -174,7 +176,7 @@ impl Exporter {
         ui.add_space(6.0);
         self.bottom(ui, around, height, actions);
         if let Some(error) = &self.error
-            && message_box(ui, &tr_message(error), None).is_some()
+            && message_box(ui, error, None, MOST_MESSAGE).is_some()
         {
             self.error = None;
         }
