@@ -54,7 +54,8 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     if !narrow && app.model.session().plots {
         dock(app, ui);
     }
-    app.explore.show_tour(ui, &mut actions);
+    let comes_first = app.message.is_some() || app.editor.side().is_some();
+    app.explore.show_tour(ui, comes_first, &mut actions);
     let context = ui.ctx().clone();
     // the panels' wishes are about what they have shown
     app.carry_out(&context, actions);

@@ -99,9 +99,6 @@ fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Acti
     let shown = area.show(ui.ctx(), |ui| {
         ui.set_max_width(widest(room));
         frame.show(ui, |ui| {
-            if let Some(drawing) = editor.drawing(side) {
-                ui.label(RichText::new(pen_words(drawing.pen())).color(palette.text));
-            }
             ui.horizontal_wrapped(|ui| {
                 ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
                 if room.width() < WIDE_ROOM {
@@ -109,6 +106,7 @@ fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Acti
                 }
                 let height = control_height(ui, ROW_HEIGHT);
                 if let Some(drawing) = editor.drawing(side) {
+                    ui.label(RichText::new(pen_words(drawing.pen())).color(palette.text));
                     drawing_buttons(ui, height, drawing, actions);
                 } else if let Some(reshaping) = editor.reshaping(side) {
                     buttons(ui, height, reshaping.selected, actions);

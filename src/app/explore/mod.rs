@@ -107,9 +107,10 @@ impl Explore {
         Some([stop.title, stop.text].map(tr))
     }
 
-    /// Shows the tour's words below the pictures.
-    pub fn show_tour(&mut self, ui: &mut Ui, actions: &mut Actions) {
-        if let Some(step) = self.step() {
+    /// Shows the tour's words below the pictures; on a low screen not while something else is there that `comes_first`.
+    pub fn show_tour(&mut self, ui: &mut Ui, comes_first: bool, actions: &mut Actions) {
+        let step = self.step().filter(|_| !(comes_first && tour::is_low(ui)));
+        if let Some(step) = step {
             // a window over it comes first
             let takes_focus = self.window.is_none() && std::mem::take(&mut self.focus_due);
             tour::show(ui, step, takes_focus, actions);

@@ -95,7 +95,7 @@ pub fn show(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) 
     let all = steps();
     let Some(stop) = all.get(step) else { return };
     let palette = Palette::of(ui.visuals());
-    let is_low = ui.ctx().content_rect().height() < LOW_SCREEN;
+    let is_low = is_low(ui);
     let margin = if is_low { Margin::symmetric(16, 6) } else { Margin::symmetric(16, 12) };
     let frame = Frame::new().fill(palette.raised).inner_margin(margin);
     let title = RichText::new(tr(stop.title)).font(bold(16.0)).color(palette.text);
@@ -114,9 +114,14 @@ pub fn show(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) 
     });
 }
 
-/// On a screen lower than this the title stands beside the buttons and the words take two lines; more scroll.
+/// On a screen lower than this the title stands beside the buttons and the words take three lines; more scroll.
 const LOW_SCREEN: f32 = 450.0;
-const LOW_WORDS: f32 = 36.0;
+const LOW_WORDS: f32 = 50.0;
+
+/// Whether the screen is one.
+pub fn is_low(ui: &Ui) -> bool {
+    ui.ctx().content_rect().height() < LOW_SCREEN
+}
 
 fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &mut Actions, beside: Option<RichText>) {
     let weak = Palette::of(ui.visuals()).weak;
