@@ -6,7 +6,7 @@ use super::room::{button_width, text_width};
 use super::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
 use egui::{
     Align2, Button, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, ScrollArea, Sense,
-    Stroke, StrokeKind, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Stroke, StrokeKind, TextStyle, TextWrapMode, Ui, UiBuilder, WidgetInfo, WidgetText, pos2, vec2,
 };
 use std::ops::RangeInclusive;
 
@@ -200,9 +200,15 @@ pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>, most: 
 fn message_words(ui: &mut Ui, text: &str, most: f32) {
     let most = most.max(LEAST_MESSAGE);
     let words = RichText::new(tr_message(text)).color(Palette::of(ui.visuals()).text);
-    let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
+    let width = ui.available_width();
+    let words = WidgetText::from(words).into_galley(ui, Some(TextWrapMode::Wrap), width, TextStyle::Body);
+    if words.size().y <= most {
+        ui.label(words);
+        return;
+    }
     // what scrolls has the layout around it: in a row it would be in the middle of all that may be seen
-    ui.vertical(|ui| area.show(ui, |ui| ui.add(egui::Label::new(words).wrap())));
+    let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
+    ui.vertical(|ui| area.show(ui, |ui| ui.label(words)));
 }
 
 fn message_buttons(ui: &mut Ui, remedy: Option<&'static str>) -> Option<MessageAnswer> {
