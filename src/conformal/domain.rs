@@ -109,15 +109,6 @@ pub enum PrepareError {
     /// The table of harmonic coordinates could not be made.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// A surface of which all vertices lie on its boundary.
-    #[error(
-        "all {vertices} vertices of the surface lie on its boundary: without inner vertices only three of them have \
-         harmonic measure, and the others fall together: subdivide its triangles"
-    )]
-    NoInnerVertex {
-        /// How many vertices it has.
-        vertices: usize,
-    },
 }
 
 /// A domain, sampled, meshed, assembled and factored.

@@ -6,10 +6,6 @@
 use super::matching::inverse_quadratic;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
-/// An edge with no larger part of the measure has ends that fall together in f64: near 1 the measure is resolved to
-/// 1e-16, edges without inner neighbours have 0 to 1e-16; the ends of one with 1e-13 are three digits apart.
-const VANISHING: f64 = 1e-14;
-
 /// The harmonic measure along a boundary, counter-clockwise from its anchor.
 ///
 /// Knot 0 is the anchor, knot j = 1 … m the vertex `edge + j` (mod m), knot m+1
@@ -78,14 +74,6 @@ impl HarmonicMeasure {
             j if j == self.vertex_count() && self.anchor.fraction == 0.0 => 0.0,
             j => self.cumulative[j],
         }
-    }
-
-    /// How many edges have no measure, up to rounding: the ends of each have the same image.
-    pub fn vanishing_edges(&self) -> usize {
-        let m = self.vertex_count();
-        let part = |j: usize| self.cumulative[j + 1] - self.cumulative[j];
-        let split = part(0) + part(m); // the anchor's edge
-        (1..m).map(part).chain([split]).filter(|&part| part <= VANISHING).count()
     }
 
     /// The boundary vertices, counter-clockwise from the anchor: a vertex at the anchor comes first.

@@ -62,10 +62,6 @@ pub struct PreparedSurface {
     tree: OnceLock<SurfaceTree>,
 }
 
-/// The most triangles that a surface without inner vertices may have. The corners of the point's triangle share the
-/// whole measure: a fourth vertex stays between its neighbours, a fifth may fall together with the fourth.
-const WITHOUT_INNER_VERTICES: usize = 2;
-
 /// Flips, assembles, orders and factors, reporting each stage before it starts. The memory is as in [`super::prepare_within`].
 pub fn prepare_surface(
     memory: Memory,
@@ -73,9 +69,6 @@ pub fn prepare_surface(
     settings: SurfaceSettings,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<PreparedSurface, PrepareError> {
-    if surface.mesh.interior_count() == 0 && surface.mesh.triangles.len() > WITHOUT_INNER_VERTICES {
-        return Err(PrepareError::NoInnerVertex { vertices: surface.mesh.vertices.len() });
-    }
     let mut timings = PrepareTimings::default();
     progress(Stage::Mesh);
     let (intrinsic, flips, centre) = timed(&mut timings.mesh, || {

@@ -5,6 +5,7 @@
 //! in the parameter domain, its texture coordinate. As in [`super::ConformalMap`], an update recomputes only
 //! what a change touches, and can be interrupted.
 
+use super::distortion::resolution;
 use super::half::{Change, Half, on_boundary};
 use super::measured::{Measured, Renewal};
 use super::stage::{Stage, Staged};
@@ -76,18 +77,29 @@ pub enum SurfaceMapError {
     NotConverged(#[from] NotConverged),
 }
 
-/// What is to be known of a parameterization.
+/// What is to be known of a parameterization: boundary edges whose images are points, as far as f64 tells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SurfaceMapNote {
-    /// The images of boundary edges are points.
+    /// They have no harmonic measure.
     #[error("{}", counted!(
         *edges,
-        "1 boundary edge has no harmonic measure, and its ends fall together: no inner way leads there from the \
-         surface point, or too long a one",
-        "{edges} boundary edges have no harmonic measure, and the ends of each fall together: no inner way leads there \
-         from the surface point, or too long a one"
+        "the ends of 1 boundary edge fall together: no inner way leads there from the surface point, or too long a one",
+        "the ends of {edges} boundary edges fall together: no inner way leads there from the surface point, or too long \
+         a one"
     ))]
     NoMeasure {
+        /// How many.
+        edges: usize,
+    },
+    /// They have no harmonic measure, or the kernel has negative values, and the order of the boundary is lost.
+    #[error("{}", counted!(
+        *edges,
+        "the ends of 1 boundary edge fall together: no inner way leads there from the surface point, or too long a one, \
+         or the kernel is negative there, as it may be without intrinsic Delaunay flips",
+        "the ends of {edges} boundary edges fall together: no inner way leads there from the surface point, or too long \
+         a one, or the kernel is negative there, as it may be without intrinsic Delaunay flips"
+    ))]
+    NegativeKernel {
         /// How many.
         edges: usize,
     },
@@ -259,8 +271,18 @@ impl SurfaceMap {
 
     /// What is to be known of the map under the current constraints. Cost O(m).
     pub fn note(&self) -> Option<SurfaceMapNote> {
-        let edges = self.measure().vanishing_edges();
-        (edges > 0).then_some(SurfaceMapNote::NoMeasure { edges })
+        let edges = self.collapsed_edges();
+        let is_negative = self.kernel().iter().any(|&psi| psi < 0.0);
+        let note =
+            if is_negative { SurfaceMapNote::NegativeKernel { edges } } else { SurfaceMapNote::NoMeasure { edges } };
+        (edges > 0).then_some(note)
+    }
+
+    /// How many boundary edges have ends whose images cannot be told apart.
+    fn collapsed_edges(&self) -> usize {
+        let boundary = &self.images[..self.correspondence.points.len().min(self.images.len())];
+        let (next, smallest) = (boundary.iter().cycle().skip(1), resolution(boundary));
+        boundary.iter().zip(next).filter(|(p, q)| p.distance(**q) <= smallest).count()
     }
 
     /// The harmonic measure of the parameter domain, from its anchor.

@@ -301,6 +301,7 @@ fn counts_of_one() {
             RepairNote::KeptLargest { components: 3, dropped: count }.to_string(),
             RepairNote::DroppedVertices { count }.to_string(),
             SurfaceMapNote::NoMeasure { edges: count }.to_string(),
+            SurfaceMapNote::NegativeKernel { edges: count }.to_string(),
         ]
     };
     for sentence in sentences(1) {
