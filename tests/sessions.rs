@@ -3,6 +3,8 @@
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+mod stderr;
+
 use image::RgbImage;
 use riemap::conformal::{Extension, Side};
 use riemap::geometry::DVec2;
@@ -169,6 +171,10 @@ fn a_surface_from_a_file_is_asked_for() {
     let broken = written(&folder, "broken.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
     fails(&["render", &link, "--out", &out, "--surface", &broken], 1, &["broken.off: line 6: a face names vertex 7"]);
     fails(&["render", &link_of(&coarse()), "--out", &out, "--surface", &path], 1, &["no surface"]);
+    // one that names no format has that of the session's name
+    let upload = folder.join("upload.tmp");
+    std::fs::copy(&path, &upload).unwrap();
+    assert!(drawn(&rendered(&folder, &link, &["--surface", &upload.display().to_string()]), 1) > 2000);
 }
 
 #[test]
@@ -179,8 +185,7 @@ fn points_that_the_domains_do_not_have_are_told() {
         let output = riemap(&["render", &link_of(session), "--out", &out]);
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert!(output.status.success(), "{stderr}");
-        let notes = stderr.lines().filter(|line| !line.ends_with("so far")); // of a machine that is busy
-        notes.collect::<Vec<_>>().join("\n")
+        stderr::notes(&stderr).join("\n")
     };
     let mut session = coarse();
     session.apply(Change::MoveInterior { side: Side::Source, point: DVec2::new(0.1, 0.05) });

@@ -15,7 +15,7 @@ use crate::export::FileFormat;
 use crate::render::Studio;
 use crate::session::link::{Decoded, MissingOutline, decode, encode as link_of, is_link};
 use crate::session::{OutlineSpec, Session, SurfaceShape, TextureKind, file};
-use crate::surface::MAX_BYTES;
+use crate::surface::{MAX_BYTES, names_format};
 use crate::worker::Subject;
 use std::path::Path;
 
@@ -130,10 +130,13 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
     Ok(session)
 }
 
-/// The bytes of the surface's file; the session gets its name, which says the format and stands in errors.
+/// The bytes of the surface's file. Its name says the format and stands in errors; where it names no format, the one
+/// that the session knows does.
 fn surface_file(session: &mut Session, arguments: &SessionArguments) -> Result<Option<Vec<u8>>, CliError> {
     let Some(name) = &arguments.surface else { return Ok(None) };
-    if let Some(SurfaceShape::File { name: known }) = session.surface.as_mut().map(|state| &mut state.spec.shape) {
+    if let Some(SurfaceShape::File { name: known }) = session.surface.as_mut().map(|state| &mut state.spec.shape)
+        && names_format(name)
+    {
         known.clone_from(name);
     }
     read_file(name, MAX_BYTES).map(Some)

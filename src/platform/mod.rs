@@ -191,7 +191,7 @@ pub const IMAGE_ENDINGS: [&str; 3] = ["png", "jpg", "jpeg"];
 /// The endings of outlines.
 const OUTLINE_ENDINGS: [&str; 7] = ["json", "geojson", "svg", "csv", "txt", "tsv", "xy"];
 /// The endings of surfaces.
-pub const SURFACE_ENDINGS: [&str; 6] = ["obj", "ply", "stl", "off", "gltf", "glb"];
+pub const SURFACE_ENDINGS: [&str; 6] = crate::surface::ENDINGS;
 
 /// The endings that the dialogs offer.
 fn endings(purpose: FilePurpose) -> (&'static str, Vec<&'static str>) {

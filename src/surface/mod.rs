@@ -35,7 +35,7 @@ pub use disk::SurfaceMesh;
 pub use farthest::{at_vertex, farthest_from_boundary};
 pub use nearest::{nearest_on_boundary, nearest_on_boundary_to_ray};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
-pub use read::{MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, Place, SurfaceError, read_surface};
+pub use read::{ENDINGS, MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, Place, SurfaceError, names_format, read_surface};
 pub use repair::{ADDED, RepairNote, Repaired, repair};
 pub use topology_error::{LoopReport, TopologyError};
 pub use tree::SurfaceTree;

@@ -22,6 +22,7 @@ mod weld;
 use super::Surface;
 pub use error::{Place, SurfaceError};
 pub use faces::MAX_CORNERS;
+use text::lines;
 
 /// The largest file that is read.
 pub const MAX_BYTES: usize = 512 << 20;
@@ -42,7 +43,7 @@ pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceErr
     // editors put the mark of UTF-8 before text
     let text = bytes.strip_prefix(b"\xEF\xBB\xBF").filter(|_| !stl::is_binary(bytes));
     let bytes = text.unwrap_or(bytes);
-    let extension = file_name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase();
+    let extension = extension_of(file_name);
     let surface = match extension.as_str() {
         "obj" => obj::read(bytes),
         "ply" => ply::read(bytes),
@@ -55,16 +56,30 @@ pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceErr
     if surface.triangles.is_empty() { Err(SurfaceError::NoTriangles) } else { Ok(surface) }
 }
 
+/// The extensions that decide the format.
+pub const ENDINGS: [&str; 6] = ["obj", "ply", "stl", "off", "gltf", "glb"];
+
+/// Whether this name has one of [`ENDINGS`].
+pub fn names_format(file_name: &str) -> bool {
+    ENDINGS.contains(&extension_of(file_name).as_str())
+}
+
+/// In small letters; empty if there is none.
+fn extension_of(file_name: &str) -> String {
+    file_name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase()
+}
+
 fn by_first_bytes(extension: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let first = bytes.trim_ascii_start();
     let begins = |word: &str| first.starts_with(word.as_bytes());
+    let word = || lines(bytes).next().and_then(|line| line.words().next()).unwrap_or_default();
     match first {
         _ if begins("ply") => ply::read(bytes),
         _ if begins("glTF") => glb::read(bytes),
-        _ if begins("OFF") || begins("off") => off::read(bytes),
         _ if begins("{") => gltf::read(bytes, None),
         _ if stl::begins_as_text(first) || stl::is_binary(bytes) => stl::read(bytes),
-        _ if begins("v ") || begins("#") || begins("o ") || begins("mtllib") => obj::read(bytes),
+        _ if off::is_keyword(word()) => off::read(bytes),
+        _ if obj::is_keyword(word()) => obj::read(bytes),
         _ => Err(SurfaceError::UnknownFormat { extension: extension.to_owned() }),
     }
 }

@@ -6,6 +6,11 @@ use super::{Place, SurfaceError};
 use crate::surface::Surface;
 use std::borrow::Cow;
 
+/// Whether a file of which this is the first word, comments apart, is an OBJ.
+pub(super) fn is_keyword(word: &[u8]) -> bool {
+    matches!(word, b"v" | b"vt" | b"vn" | b"f" | b"o" | b"g" | b"s" | b"l" | b"mtllib" | b"usemtl")
+}
+
 /// Reads all objects and groups as one surface.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let bytes = joined(bytes);

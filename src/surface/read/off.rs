@@ -42,13 +42,7 @@ fn header<'a>(lines: &mut Peekable<impl Iterator<Item = Line<'a>>>) -> Result<(u
     let mut line = next(lines, 0, "the keyword OFF")?;
     let mut words = line.words().peekable();
     if let Some(word) = words.next_if(|word| is_keyword(word)) {
-        if is_of_other_dimension(word) {
-            let what = format!("a surface in 4 or n dimensions ({})", shown(word));
-            return Err(SurfaceError::unsupported(line.place(), what));
-        }
-        if words.peek().is_some_and(|word| word.eq_ignore_ascii_case(b"BINARY")) {
-            return Err(SurfaceError::unsupported(line.place(), "binary OFF"));
-        }
+        check_kind(line.place(), word, words.peek().copied())?;
     }
     let mut counts = [0, 0];
     for (count, what) in counts.iter_mut().zip(["the number of vertices", "the number of faces"]) {
@@ -65,8 +59,20 @@ fn header<'a>(lines: &mut Peekable<impl Iterator<Item = Line<'a>>>) -> Result<(u
     Ok((counts[0], counts[1]))
 }
 
+/// What the keyword and the word after it say of a kind that is not read.
+fn check_kind(place: Place, keyword: &[u8], after: Option<&[u8]>) -> Result<(), SurfaceError> {
+    if is_of_other_dimension(keyword) {
+        let what = format!("a surface in 4 or n dimensions ({})", shown(keyword));
+        return Err(SurfaceError::unsupported(place, what));
+    }
+    match after {
+        Some(word) if word.eq_ignore_ascii_case(b"BINARY") => Err(SurfaceError::unsupported(place, "binary OFF")),
+        _ => Ok(()),
+    }
+}
+
 /// `OFF` in letters of either size, with or without letters before it.
-fn is_keyword(word: &[u8]) -> bool {
+pub(super) fn is_keyword(word: &[u8]) -> bool {
     word.len() >= 3 && word[word.len() - 3..].eq_ignore_ascii_case(b"OFF")
 }
 

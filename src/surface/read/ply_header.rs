@@ -1,7 +1,7 @@
 //! The header of a PLY file: its elements and their properties.
 
 use super::scalar::Scalar;
-use super::text::{Line, lines, shown};
+use super::text::{Line, line_end, lines, shown};
 use super::{Place, SurfaceError};
 
 /// How the numbers are written.
@@ -87,24 +87,23 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, SurfaceError> {
 }
 
 fn body(bytes: &[u8]) -> Result<Body, SurfaceError> {
-    let line_end = header_line_end(bytes);
+    const LAST: &[u8] = b"end_header";
+    let searched = &bytes[..bytes.len().min(LONGEST)];
+    let missing = || SurfaceError::missing(Place::Line(1), "the line end_header");
+    // a binary body may have line ends of either kind
+    let end = searched.windows(LAST.len()).position(|word| word == LAST).ok_or_else(missing)? + LAST.len();
+    let line_end = line_end(&bytes[..(end + 2).min(bytes.len())]);
     let mut offset = 0;
     for (k, line) in bytes.split_inclusive(|&b| b == line_end).enumerate() {
         offset += line.len();
-        if line.trim_ascii() == b"end_header" {
+        if line.trim_ascii() == LAST {
             return Ok(Body { offset, line: k + 2, line_end });
         }
         if offset > LONGEST {
             break;
         }
     }
-    Err(SurfaceError::missing(Place::Line(1), "the line end_header"))
-}
-
-/// As the first line ends: a binary body may have bytes of either kind.
-fn header_line_end(bytes: &[u8]) -> u8 {
-    let first = bytes.iter().position(|b| b"\r\n".contains(b)).unwrap_or(bytes.len());
-    if bytes.get(first) == Some(&b'\r') && bytes.get(first + 1) != Some(&b'\n') { b'\r' } else { b'\n' }
+    Err(missing())
 }
 
 fn encoding_of(line: Line<'_>, word: Option<&[u8]>) -> Result<Encoding, SurfaceError> {

@@ -73,10 +73,11 @@ impl Cursor<'_> {
         Ok(value)
     }
 
-    /// Where the rest begins, if there is more of it than blanks.
+    /// Where the rest begins, if there is more of it than blanks and padding: zeros, or the Ctrl-Z of old systems.
     pub(super) fn surplus(&self) -> Option<Place> {
         let rest = self.bytes.get(self.offset..).unwrap_or_default();
-        (!rest.trim_ascii().is_empty()).then(|| self.place())
+        let is_padding = |b: &u8| b.is_ascii_whitespace() || matches!(b, 0 | 0x1A);
+        (!rest.iter().all(is_padding)).then(|| self.place())
     }
 
     /// Passes over `count` bytes.

@@ -159,8 +159,16 @@ fn every_format_gives_the_same_square() {
 #[test]
 fn the_first_bytes_decide_where_the_extension_does_not() {
     for (name, bytes) in files() {
-        if !name.ends_with("off") {
-            assert!(read_surface("surface", &bytes).is_ok(), "{name}");
+        assert_eq!(read_surface("surface", &bytes), read_surface(name, &bytes), "{name}");
+    }
+    for before in ["g a\n", "s 1\n", "vt 0 0\n", "vn 0 0 1\n", "usemtl a\n", "mtllib a\n", "l 1 2\n", "# a\n\no a\n"] {
+        let obj = [before, OBJ].concat();
+        assert_eq!(read_surface("surface", obj.as_bytes()).unwrap().vertices.len(), 4, "{before}");
+    }
+    for before in ["# made by hand\n", ""] {
+        for keyword in ["OFF", "NOFF", "STOFF", "coff"] {
+            let off = [before, &OFF.replace("COFF", keyword)].concat();
+            assert!(read_surface("surface", off.as_bytes()).is_ok(), "{before}{keyword}");
         }
     }
     let unknown = read_surface("a.step", b"ISO-10303").unwrap_err();
@@ -300,6 +308,14 @@ fn lines_end_in_line_feeds_carriage_returns_or_both() {
             assert_eq!(read_surface(name, other.as_bytes()).unwrap(), plain, "{name}, {end:?}");
         }
     }
+    // one line end of the other kind, at the end of the file or in its first line, changes nothing
+    for (name, text) in texts() {
+        let plain = read_surface(name, text.as_bytes()).unwrap();
+        let astray = [text.replace('\n', "\r") + "\n", text.replacen('\n', " \r\n", 1), text.clone() + "\r"];
+        for other in astray {
+            assert_eq!(read_surface(name, other.as_bytes()).unwrap(), plain, "{other:?}");
+        }
+    }
     // a carriage return in a comment ends no line of a file that has line feeds
     let comment = OBJ.replacen('\n', "\rv 7 7 7\n", 1);
     assert_eq!(read_surface("a.obj", comment.as_bytes()).unwrap().vertices.len(), 4);
@@ -360,6 +376,11 @@ fn what_follows_after_all_that_was_counted_is_told() {
         let plain = read_surface(name, &bytes).unwrap();
         let is_told = |surface: &Surface| surface.notes.contains(&SurfaceNote::Surplus { place: place.clone() });
         assert_eq!(read_surface(name, &[&bytes, b"\n \r\n".as_slice()].concat()).unwrap(), plain, "{name}");
+        if matches!(place, Place::Byte(_)) {
+            for padding in [b"\0\0\0".as_slice(), b"\x1a", b"\r\n\x1a\0"] {
+                assert_eq!(read_surface(name, &[&bytes, padding].concat()).unwrap(), plain, "{name}: {padding:?}");
+            }
+        }
         let longer = read_surface(name, &[&bytes, b"3 0 2 3 0.5".as_slice()].concat()).unwrap();
         assert!(is_told(&longer) && !is_told(&plain), "{name}: {:?}", longer.notes);
         assert_eq!((longer.vertices, longer.triangles), (plain.vertices, plain.triangles), "{name}");

@@ -11,10 +11,17 @@ pub(super) struct Line<'a> {
     bytes: &'a [u8],
 }
 
-/// What ends the lines of a whole text: a line feed, after a carriage return or not; where there is none, carriage
-/// returns alone.
+/// By how much of a text its line ends are known.
+const BEGINNING: usize = 1 << 16;
+
+/// What ends the lines of a text: a carriage return where more of them stand alone than there are line feeds, as one
+/// of either may be astray; else a line feed, after a carriage return or not.
 pub(super) fn line_end(text: &[u8]) -> u8 {
-    if text.contains(&b'\n') { b'\n' } else { b'\r' }
+    let beginning = &text[..text.len().min(BEGINNING)];
+    let alone = |k: &usize| beginning[*k] == b'\r' && text.get(k + 1) != Some(&b'\n');
+    let returns = (0..beginning.len()).filter(alone).count();
+    let feeds = beginning.iter().filter(|&&b| b == b'\n').count();
+    if returns > feeds { b'\r' } else { b'\n' }
 }
 
 /// The lines of `bytes` that hold more than blanks and a comment (from `#` on).
