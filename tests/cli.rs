@@ -3,6 +3,8 @@
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+mod stderr;
+
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -39,8 +41,7 @@ fn fails(arguments: &[&str], status: i32, words: &[&str]) {
     assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
     assert!(!stderr.contains("panicked"), "{arguments:?}: {stderr}");
     if status == 1 {
-        let lines = stderr.lines().filter(|line| !line.ends_with("so far")); // of a machine that is busy
-        assert_eq!(lines.count(), 1, "{arguments:?}: {stderr}");
+        assert_eq!(stderr::notes(&stderr).len(), 1, "{arguments:?}: {stderr}");
     }
     for word in words {
         assert!(stderr.contains(word), "{arguments:?}: no {word:?} in: {stderr}");

@@ -3,6 +3,8 @@
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+mod stderr;
+
 use riemap::surface::read_surface;
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -38,8 +40,7 @@ fn fails(arguments: &[&str], status: i32) -> String {
     let stderr = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
     assert!(!stderr.contains("panicked"), "{stderr}");
-    let lines = stderr.lines().filter(|line| !line.ends_with("so far")); // of a machine that is busy
-    assert!(status == 2 || lines.count() == 1, "{stderr}");
+    assert!(status == 2 || stderr::notes(&stderr).len() == 1, "{stderr}");
     stderr
 }
 

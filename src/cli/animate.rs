@@ -28,7 +28,7 @@ pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
         CliError::Usage(String::from(message))
     })?;
     progress.enter("the animation");
-    let bytes = make(still, &way, film, (settings.frames, &shot), &progress)?;
+    let bytes = Making { film, frames: settings.frames, shot: &shot, progress: &progress }.make(still, &way)?;
     write_all(&[(arguments.out.clone(), bytes)])
 }
 
@@ -50,21 +50,28 @@ fn path(argument: PathArgument) -> Path {
     }
 }
 
-fn make(
-    mut still: Still,
-    way: &Loop,
-    mut film: Film,
-    (frames, shot): (u32, &Shot),
-    progress: &Progress,
-) -> Result<Vec<u8>, CliError> {
-    let input = |error: &dyn std::error::Error| CliError::Input(error.to_string());
-    let mut studio = Studio::new().map_err(|error| failed(&error))?;
-    progress.report(0.0);
-    for k in 0..frames {
-        still.go(way.at(f64::from(k) / f64::from(frames))).map_err(|error| input(&error))?;
-        let picture = studio.shoot(|renderer, device, queue| still.draw(renderer, (device, queue), shot, None, None));
-        film.push(&picture.map_err(|error| failed(&error))?).map_err(|error| input(&error))?;
-        progress.report(f64::from(k + 1) / f64::from(frames));
+/// An animation under way.
+struct Making<'a> {
+    film: Film,
+    frames: u32,
+    shot: &'a Shot,
+    progress: &'a Progress,
+}
+
+impl Making<'_> {
+    fn make(mut self, mut still: Still, way: &Loop) -> Result<Vec<u8>, CliError> {
+        let input = |error: &dyn std::error::Error| CliError::Input(error.to_string());
+        let mut studio = Studio::new().map_err(|error| failed(&error))?;
+        self.progress.report(0.0);
+        for k in 0..self.frames {
+            still.go(way.at(f64::from(k) / f64::from(self.frames))).map_err(|error| input(&error))?;
+            let picture = studio
+                .shoot(|renderer, device, queue| still.draw(renderer, (device, queue), self.shot, None, None))
+                .map_err(|error| failed(&error))?;
+            self.film.push(&picture).map_err(|error| input(&error))?;
+            self.progress.report(f64::from(k + 1) / f64::from(self.frames));
+        }
+        self.progress.enter("writing");
+        self.film.finish().map_err(|error| input(&error))
     }
-    film.finish().map_err(|error| input(&error))
 }

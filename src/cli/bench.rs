@@ -3,6 +3,7 @@
 use super::CliError;
 use super::arguments::BenchArguments;
 use super::output::print;
+use super::progress::Progress;
 use crate::counted::counted;
 use crate::figures::{
     BenchRow, BenchSetting, Frame, Measurement, PAPER_MACHINE, PaperFrame, PaperPreparation, Preparation, TABLE_1,
@@ -79,7 +80,10 @@ pub fn run(arguments: &BenchArguments) -> Result<(), CliError> {
     let runs = if arguments.quick { 1 } else { RUNS };
     let machine = Machine::this();
     let mut report = Report { machine, paper_machine: PAPER_MACHINE, runs, table_1: vec![], table_2: vec![] };
-    for row in BenchRow::all() {
+    let rows: Vec<_> = BenchRow::all().into_iter().collect();
+    let progress = Progress::new("measuring");
+    for (k, &row) in rows.iter().enumerate() {
+        progress.enter(format!("measuring, row {} of {}", k + 1, rows.len()));
         // the tables of Ψ take seconds each and riemap does not need them: once is enough
         let runs = if matches!(row, BenchRow::PsiTable { .. }) { 1 } else { runs };
         if arguments.quick && matches!(row, BenchRow::PsiTable { .. }) {
@@ -89,6 +93,7 @@ pub fn run(arguments: &BenchArguments) -> Result<(), CliError> {
             report.add(row, measurement);
         }
     }
+    drop(progress);
     if arguments.json {
         let text = serde_json::to_string_pretty(&report).map_err(|error| CliError::Input(error.to_string()))?;
         return print(&text);

@@ -72,7 +72,9 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
     progress.enter("the map");
     let mut map = ConformalMap::new(source, target, &constraints, MapSettings { direction, extension })
         .map_err(|error| CliError::Input(error.to_string()))?;
-    progress.enter("the Cauchy–Green extension");
+    if extension == Extension::CauchyGreen {
+        progress.enter("the Cauchy–Green extension");
+    }
     map.refine_exactly_with(&mut |done| progress.report(done));
     for ((outline, name), side) in outlines.iter().zip([&arguments.source, &arguments.target]).zip(Side::BOTH) {
         outline.say_notes(name);

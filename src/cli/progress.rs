@@ -5,6 +5,7 @@
 
 use crate::app::words;
 use crate::conformal::Stage;
+use std::io::Write;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
@@ -38,11 +39,15 @@ struct Work {
 impl Progress {
     /// Of a command that begins with what `words` name.
     pub fn new(words: impl Into<String>) -> Self {
+        Self::to(std::io::stderr(), PAUSE, words)
+    }
+
+    fn to(out: impl Write + Send + 'static, pause: Duration, words: impl Into<String>) -> Self {
         let work = Work { words: words.into(), since: Instant::now(), done: None, is_over: false };
         let shared = Arc::new(Shared { work: Mutex::new(work), over: Condvar::new() });
         let spoken = Arc::clone(&shared);
         // without a thread to be had, the command is silent
-        let speaker = std::thread::Builder::new().spawn(move || spoken.speak()).ok();
+        let speaker = std::thread::Builder::new().spawn(move || spoken.speak(out, pause)).ok();
         Self { shared, speaker }
     }
 
@@ -78,16 +83,27 @@ impl Shared {
         self.work.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn speak(&self) {
-        let mut work = self.work();
-        loop {
-            let waited = self.over.wait_timeout_while(work, PAUSE, |work| !work.is_over);
-            work = waited.unwrap_or_else(PoisonError::into_inner).0;
-            if work.is_over {
+    /// Until the work is over or nobody reads any more.
+    fn speak(&self, mut out: impl Write, pause: Duration) {
+        while let Some(line) = self.next_line(pause) {
+            if writeln!(out, "{line}").is_err() {
                 return;
             }
+        }
+    }
+
+    /// What is to be said after one pause or several; `None` when the work is over. Nothing is held on return, so
+    /// that nobody waits for a slow reader.
+    fn next_line(&self, pause: Duration) -> Option<String> {
+        let mut work = self.work();
+        loop {
+            let waited = self.over.wait_timeout_while(work, pause, |work| !work.is_over);
+            work = waited.unwrap_or_else(PoisonError::into_inner).0;
+            if work.is_over {
+                return None;
+            }
             if let Some(line) = work.line(Instant::now()) {
-                eprintln!("{line}");
+                return Some(line);
             }
         }
     }
@@ -121,6 +137,53 @@ mod tests {
         assert_eq!(line(9.0), None, "it is done");
         progress.preparing("a.obj")(Stage::Factor);
         assert_eq!(line(12.3).as_deref(), Some("riemap: a.obj: factoring, 12 s so far"));
+    }
+
+    /// What was written, or errors where there is nobody to read it.
+    #[derive(Clone)]
+    struct Reader(Option<Arc<Mutex<Vec<u8>>>>);
+
+    impl Write for Reader {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            let gone = || std::io::Error::from(std::io::ErrorKind::BrokenPipe);
+            self.0.as_ref().ok_or_else(gone)?.lock().unwrap().write(bytes)
+        }
+
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+
+    /// Waits until `holds`, for ten seconds at most.
+    fn wait_until(holds: impl Fn() -> bool) -> bool {
+        let start = Instant::now();
+        while !holds() && start.elapsed() < Duration::from_secs(10) {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        holds()
+    }
+
+    #[test]
+    fn the_speaker_says_line_after_line_what_the_work_is_at() {
+        let written = Arc::new(Mutex::new(Vec::new()));
+        let progress = Progress::to(Reader(Some(Arc::clone(&written))), Duration::from_millis(1), "reading");
+        let said =
+            |line: &str| String::from_utf8_lossy(&written.lock().unwrap()).lines().filter(|l| *l == line).count();
+        assert!(wait_until(|| said("riemap: reading, 0 s so far") > 2));
+        progress.enter("the animation");
+        progress.report(0.5);
+        assert!(wait_until(|| said("riemap: the animation: 50 % done") > 2));
+        drop(progress);
+        let lines = written.lock().unwrap().clone();
+        std::thread::sleep(Duration::from_millis(5));
+        assert_eq!(*written.lock().unwrap(), lines, "nothing after the end");
+    }
+
+    #[test]
+    fn the_speaker_ends_quietly_where_nobody_reads() {
+        let mut progress = Progress::to(Reader(None), Duration::from_millis(1), "reading");
+        assert!(wait_until(|| progress.speaker.as_ref().is_some_and(JoinHandle::is_finished)));
+        assert!(progress.speaker.take().unwrap().join().is_ok(), "no panic");
     }
 
     #[test]

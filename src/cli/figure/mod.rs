@@ -16,6 +16,7 @@ mod svg;
 use super::CliError;
 use super::arguments::FigureArguments;
 use super::output::{check_paths, print, write_all};
+use super::progress::Progress;
 use crate::figures::{Detail, Figure, FigureError, Table};
 use std::path::{Path, PathBuf};
 
@@ -48,6 +49,7 @@ pub fn run(arguments: &FigureArguments) -> Result<(), CliError> {
     let figure = arguments.number.0;
     let outputs = outputs(figure, &arguments.out)?;
     let detail = if arguments.quick { Detail::Quick } else { Detail::Paper };
+    let progress = Progress::new(format!("figure {}", figure.number()));
     let drawing = match (&arguments.surface, figure.stand_in()) {
         (None, _) => draw(figure, detail)?,
         (Some(name), Some(_)) => surfaces::draw(figure, detail, Some(name))?,
@@ -70,6 +72,7 @@ pub fn run(arguments: &FigureArguments) -> Result<(), CliError> {
         std::fs::create_dir_all(folder).map_err(failed)?;
     }
     write_all(&files)?;
+    drop(progress);
     print(&report(figure, &drawing, &outputs))
 }
 
