@@ -5,6 +5,7 @@
 
 mod edge_tree;
 mod error;
+mod nearness;
 mod pole;
 mod polygon;
 mod predicates;
@@ -15,6 +16,7 @@ mod validate;
 pub use edge_tree::{EdgeTree, NearestPoint};
 pub use error::PolygonError;
 pub use glam::{DVec2, DVec3};
+pub(crate) use nearness::{ChainPoint, is_nearer, nearest_of_chain, nearest_of_polygon, pulled_back};
 pub use polygon::{Bounds, SimplePolygon};
 pub use predicates::{Side, on_segment, orientation, side};
 pub use validate::{MAX_COORDINATE, MAX_POINTS, MIN_EXTENT};

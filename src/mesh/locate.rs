@@ -11,7 +11,7 @@
 //! Cost: a few steps from a near hint; O(m) when blocked; O(n) at the very worst.
 
 use super::tri_mesh::{NO_TRIANGLE, TriMesh};
-use crate::geometry::{DVec2, MAX_COORDINATE, on_segment, orientation};
+use crate::geometry::{DVec2, MAX_COORDINATE, nearest_of_polygon, on_segment, orientation};
 
 /// A point inside a triangle: weights are non-negative and sum to 1.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -116,18 +116,9 @@ pub(super) fn triangle_at_edge(mesh: &TriMesh, k: u32) -> Option<u32> {
 
 /// The edge nearest to `x`, the nearest point of it, and its distance.
 pub(super) fn nearest_on_boundary(mesh: &TriMesh, x: DVec2) -> (u32, DVec2, f64) {
-    let m = mesh.boundary_count as usize;
-    let mut best = (0, mesh.vertices[0], f64::INFINITY);
-    for k in 0..m {
-        let (a, b) = (mesh.vertices[k], mesh.vertices[(k + 1) % m]);
-        let t = ((x - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
-        let p = if t == 1.0 { b } else { a + t * (b - a) };
-        let distance = p.distance_squared(x);
-        if distance < best.2 {
-            best = (k as u32, p, distance);
-        }
-    }
-    (best.0, best.1, best.2.sqrt())
+    let nearest = nearest_of_polygon(&mesh.vertices[..mesh.boundary_count as usize], x);
+    let (edge, point) = nearest.map_or((0, mesh.vertices[0]), |point| (point.edge as u32, point.place.truncate()));
+    (edge, point, point.distance(x))
 }
 
 /// An `x` outside the mesh by rounding only, moved onto the boundary.

@@ -7,7 +7,7 @@ mod spacing;
 mod uniform;
 mod width;
 
-use crate::geometry::{DVec2, SimplePolygon};
+use crate::geometry::{ChainPoint, DVec2, SimplePolygon, nearest_of_polygon};
 use arc::Arc;
 
 /// How the boundary is sampled.
@@ -116,22 +116,23 @@ impl BoundarySamples {
         p.fraction_in(&self.fractions)
     }
 
-    /// The boundary point nearest to `x`. Cost O(m).
+    /// The boundary point nearest to `x`; the first sample if `x` is not finite. Cost O(m).
     pub fn nearest(&self, x: DVec2) -> BoundaryPoint {
-        let m = self.points.len();
-        let foot = |k: usize| {
-            let (a, d) = (self.points[k], self.points[(k + 1) % m] - self.points[k]);
-            let fraction = ((x - a).dot(d) / d.length_squared()).clamp(0.0, 1.0 - f64::EPSILON);
-            (a + fraction * d, BoundaryPoint { edge: k as u32, fraction })
-        };
-        // |p − x|² − |q − x|² without the squares, whose difference is rounding where x is far away
-        let is_nearer = |p: DVec2, q: DVec2| (p - q).dot(p.midpoint(q) - x) < 0.0;
-        let nearest = (0..m).map(foot).reduce(|best, next| if is_nearer(next.0, best.0) { next } else { best });
-        nearest.map_or(BoundaryPoint { edge: 0, fraction: 0.0 }, |(_, point)| point)
+        BoundaryPoint::of_chain(nearest_of_polygon(&self.points, x), self.points.len())
     }
 }
 
 impl BoundaryPoint {
+    /// A point of a closed chain of `m` points; the first of them if there is none.
+    pub(crate) fn of_chain(point: Option<ChainPoint>, m: usize) -> Self {
+        let (edge, fraction) = match point {
+            Some(ChainPoint { edge, along: 1.0, .. }) => ((edge + 1) % m, 0.0),
+            Some(ChainPoint { edge, along, .. }) => (edge, along),
+            None => (0, 0.0),
+        };
+        Self { edge: edge as u32, fraction }
+    }
+
     /// The point at fraction `s` of the length (taken modulo 1) of a closed chain whose vertices lie at `fractions`.
     pub(crate) fn at_fraction(fractions: &[f64], s: f64) -> Self {
         let s = s.rem_euclid(1.0);

@@ -1,22 +1,13 @@
 //! The point of a triangle nearest to a place in space, and of a boundary loop nearest to a place or a ray.
 
-use crate::geometry::{DVec2, DVec3};
+use crate::geometry::{DVec2, DVec3, is_nearer, nearest_of_chain};
 use crate::mesh::TriMesh;
 use crate::outline::BoundaryPoint;
 
 /// The boundary point nearest to a place: its edge `k → k+1` and the part of it, in `[0, 1)`. Cost O(m).
 pub fn nearest_on_boundary(mesh: &TriMesh<DVec3>, place: DVec3) -> BoundaryPoint {
-    let m = mesh.boundary_count as usize;
-    let foot = |k: usize| {
-        let (a, b) = (mesh.vertices[k], mesh.vertices[(k + 1) % m]);
-        let along = ((place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
-        (a.lerp(b, along), k, along)
-    };
-    // |p − x|² − |q − x|² without the squares, whose difference is rounding where the place x is far away
-    let is_nearer = |p: DVec3, q: DVec3| (p - q).dot(p.midpoint(q) - place) < 0.0;
-    let nearest = (0..m).map(foot).reduce(|best, next| if is_nearer(next.0, best.0) { next } else { best });
-    let (_, k, along) = nearest.unwrap_or_default();
-    boundary_point(k, along, m)
+    let boundary = &mesh.vertices[..mesh.boundary_count as usize];
+    BoundaryPoint::of_chain(nearest_of_chain(boundary.iter().copied(), place), boundary.len())
 }
 
 /// At `along` of the edge `k → k+1`, in `[0, 1]`.
@@ -105,7 +96,8 @@ impl ImagePlane {
 /// nearest of the feet on the edges.
 pub(super) fn nearest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
     let normal = (b - a).cross(c - a);
-    let area = |u: DVec3, v: DVec3| (u - p).cross(v - p).dot(normal) / normal.length_squared();
+    // not (u − p)×(v − p), of which more cancels where p is far away
+    let area = |u: DVec3, v: DVec3| (v - u).cross(p - u).dot(normal) / normal.length_squared();
     let inside = [area(b, c), area(c, a), area(a, b)];
     if inside.iter().all(|&w| w >= 0.0) {
         let sum: f64 = inside.iter().sum();
@@ -113,12 +105,12 @@ pub(super) fn nearest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
     }
     let foot = |u: DVec3, v: DVec3| {
         let t = ((p - u).dot(v - u) / (v - u).length_squared()).clamp(0.0, 1.0);
-        (u.lerp(v, t).distance_squared(p), t)
+        (u.lerp(v, t), t)
     };
     let ((ab, s), (bc, t), (ca, r)) = (foot(a, b), foot(b, c), foot(c, a));
-    if ab <= bc && ab <= ca {
+    if !is_nearer(bc, ab, p) && !is_nearer(ca, ab, p) {
         [1.0 - s, s, 0.0]
-    } else if bc <= ca {
+    } else if !is_nearer(ca, bc, p) {
         [0.0, 1.0 - t, t]
     } else {
         [r, 0.0, 1.0 - r]

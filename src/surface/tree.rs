@@ -8,7 +8,7 @@
 //! the silhouette by 1e-16 may hit or miss.
 
 use super::nearest::nearest_in_triangle;
-use crate::geometry::{DVec2, DVec3, orientation};
+use crate::geometry::{DVec2, DVec3, orientation, pulled_back};
 use crate::mesh::{BarycentricPoint, TriMesh};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::node::Bvh2Node;
@@ -63,10 +63,20 @@ impl SurfaceTree {
     }
 
     /// The point of the surface nearest to a place, and its distance; `None` if the place is not finite.
+    ///
+    /// Of a place farther than a million extents of the surface, the point nearest to the place there in its
+    /// direction; a distance beyond 1e154 is ∞.
     pub fn nearest(&self, place: DVec3) -> Option<(BarycentricPoint, f64)> {
         if !place.is_finite() {
             return None;
         }
+        let half = DVec3::splat(0.5 / self.scale);
+        let (point, _) = self.nearest_to(pulled_back(place, self.middle - half, self.middle + half))?;
+        let found = weighted(self.triangles[point.triangle as usize], point.weights);
+        Some((point, found.distance(place)))
+    }
+
+    fn nearest_to(&self, place: DVec3) -> Option<(BarycentricPoint, f64)> {
         let scaled = self.to_boxes(place);
         let distance = |node: &Bvh2Node| {
             let (low, high) = corners(node);

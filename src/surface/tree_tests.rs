@@ -4,7 +4,7 @@
 
 use super::nearest::nearest_in_triangle;
 use super::{Surface, SurfaceMesh, SurfacePreset, SurfaceTree};
-use crate::geometry::DVec3;
+use crate::geometry::{DVec2, DVec3};
 use crate::mesh::{BarycentricPoint, TriMesh};
 use proptest::prelude::*;
 use std::sync::LazyLock;
@@ -152,6 +152,22 @@ proptest! {
             // grazing hits magnify rounding
             prop_assert!((distance - expected).abs() < 1e-9, "{} against {}", distance, expected);
             prop_assert!(place(mesh, point).distance(origin + distance * direction) < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn from_far_away_the_nearest_point_is_the_outermost_one() {
+    let (mesh, tree) = hemisphere();
+    for k in 0..40 {
+        let up = DVec2::from_angle(0.15 * f64::from(k));
+        let direction = DVec3::new(0.6 * up.x, 0.6 * up.y, 0.8);
+        let outermost = mesh.vertices.iter().map(|p| p.dot(direction)).fold(f64::NEG_INFINITY, f64::max);
+        for distance in [1e3, 1e8, 1e16, 1e100, 1e300] {
+            let (point, _) = tree.nearest(distance * direction).unwrap();
+            let reached = place(mesh, point).dot(direction);
+            // from the side, a point beside it by its distance squared
+            assert!(reached >= outermost - 1.0 / distance.min(1e6), "{k}, {distance:e}: {reached} of {outermost}");
         }
     }
 }
