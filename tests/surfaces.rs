@@ -126,6 +126,26 @@ fn rigid_motions_and_scalings_change_nothing() {
     }
 }
 
+#[test]
+fn surfaces_of_any_size_within_the_bounds_map_alike() {
+    let source = domain(Preset::Heart, 200);
+    let shape = SurfacePreset::HeightField.surface(80).unwrap();
+    let scaled = |scale: f64| surface_of(shape.vertices.iter().map(|&p| scale * p).collect(), shape.triangles.clone());
+    let images = |scale: f64| {
+        let surface = prepared(&scaled(scale), SurfaceSettings::default());
+        SurfaceMap::new(source.clone(), surface.clone(), &constraints(&surface, &source)).unwrap().images().to_vec()
+    };
+    let plain = images(1.0);
+    for scale in [1e-69, 1e-30, 1e30, 1e74] {
+        let error = largest_distance(&plain, &images(scale));
+        println!("{scale:e}: {error:.1e}");
+        assert!(error <= 1e-10, "{scale:e}: {error:e}");
+    }
+    let error = |scale: f64| SurfaceMesh::new(&scaled(scale)).unwrap_err();
+    assert!(matches!(error(1e76), TopologyError::NotFinite { .. }));
+    assert!(matches!(error(1e-72), TopologyError::TooSmall { extent } if extent > 1e-73 && extent < 1e-70));
+}
+
 /// A rotation about an axis that is no coordinate axis (Rodrigues).
 fn glam_rotation() -> impl Fn(DVec3) -> DVec3 {
     let (axis, (sine, cosine)) = (DVec3::new(1.0, 2.0, -2.0) / 3.0, 1.1_f64.sin_cos());

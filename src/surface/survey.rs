@@ -9,8 +9,11 @@ use super::orient::turned;
 use super::{LoopReport, Surface, TopologyError};
 use crate::geometry::DVec3;
 
-/// Beyond this the fourth powers in areas overflow; it is no size of anything.
-const MAX_COORDINATE: f64 = 1e100;
+/// Areas are made of fourth powers, which overflow beyond 1e77; it is no size of anything.
+pub(super) const MAX_COORDINATE: f64 = 1e75;
+
+/// The least extent: fourth powers underflow below 1e-81, and triangles are 1e-7 of a surface, or smaller.
+pub(super) const MIN_EXTENT: f64 = 1e-70;
 
 /// A triangle whose height is less than this part of its longest edge has no angles that its
 /// coordinates determine: those of f32 files err by 1e-7, their thinnest triangles have 1e-6;
@@ -39,9 +42,15 @@ pub(super) fn check_values(surface: &Surface) -> Result<(), TopologyError> {
         return Err(TopologyError::IndexOutOfRange { triangle: k as u32 / 3, vertex: corners[k], vertices });
     }
     let sound = |p: &DVec3| p.abs().max_element() <= MAX_COORDINATE && p.is_finite();
-    match surface.vertices.iter().position(|p| !sound(p)) {
-        Some(vertex) => Err(TopologyError::NotFinite { vertex: vertex as u32 }),
-        None => Ok(()),
+    if let Some(vertex) = surface.vertices.iter().position(|p| !sound(p)) {
+        return Err(TopologyError::NotFinite { vertex: vertex as u32 });
+    }
+    // vertices in no triangle are none of the surface; without any extent its triangles are named as flat
+    let first = surface.vertices[corners[0] as usize];
+    let offsets = corners.iter().map(|&v| (surface.vertices[v as usize] - first).abs().max_element());
+    match offsets.fold(0.0, f64::max) {
+        extent if extent > 0.0 && extent < MIN_EXTENT => Err(TopologyError::TooSmall { extent }),
+        _ => Ok(()),
     }
 }
 

@@ -72,8 +72,11 @@ fn bad_values_are_named() {
     let mut surface = grid(2);
     surface.vertices[5].y = f64::NAN;
     assert_eq!(error(&surface), TopologyError::NotFinite { vertex: 5 });
-    surface.vertices[5].y = 1e160;
+    surface.vertices[5].y = 1.1e75;
     assert_eq!(error(&surface), TopologyError::NotFinite { vertex: 5 });
+    let mut surface = grid(2);
+    surface.vertices.iter_mut().for_each(|p| *p *= 1e-72);
+    assert!(matches!(error(&surface), TopologyError::TooSmall { .. }));
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What keeps a surface from being a disk, with all that is needed to find it.
 
+use super::survey::{MAX_COORDINATE, MIN_EXTENT};
 use crate::counted::counted;
 use std::fmt;
 
@@ -34,11 +35,17 @@ pub enum TopologyError {
         /// How many there are.
         vertices: usize,
     },
-    /// A coordinate is NaN or infinite, or so large that squares overflow.
-    #[error("vertex {vertex} is at no finite place that can be dealt with (up to ±1e100)")]
+    /// A coordinate is NaN or infinite, or so large that areas overflow.
+    #[error("vertex {vertex} is at no finite place that can be dealt with (up to ±{MAX_COORDINATE:e})")]
     NotFinite {
         /// Which vertex.
         vertex: u32,
+    },
+    /// The surface is so small that areas underflow.
+    #[error("the surface is {extent:e} across: {MIN_EXTENT:e} at least can be dealt with")]
+    TooSmall {
+        /// How far the vertices are from the first one, along an axis.
+        extent: f64,
     },
     /// Triangles that name a vertex twice.
     #[error("{}", counted!(

@@ -180,6 +180,8 @@ fn surfaces_that_are_no_disks() {
     let surfaces = [
         (square, "f 1 2 2\n"),
         ("v 0 0 0\nv 1 0 0\nv 2 0 0\n", "f 1 2 3\n"),
+        ("v 0 0 0\nv 1e99 0 0\nv 0 2 0\n", "f 1 2 3\n"),
+        ("v 0 0 0\nv 1e-99 0 0\nv 0 1e-99 0\n", "f 1 2 3\n"),
         (square, "f 1 2 3\nf 1 3 4\nf 2 1 3\n"),
         ("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n", "f 1 2 3\nf 1 2 4\nf 2 1 5\n"),
         (square, "f 1 2 3\nf 1 4 3\n"),
