@@ -1,7 +1,7 @@
 //! Repairs that are safe, in a fixed order, each told in a [`RepairNote`].
 //!
-//! Triangles that name a vertex twice are dropped, and those with the corners of an earlier one; the rest is oriented consistently, as
-//! most of its triangles are; the component with the most triangles is kept; vertices
+//! Triangles that name a vertex twice are dropped, and those with the corners of an earlier one; the rest is oriented
+//! consistently, as most of its triangles are; the component with the most triangles is kept; vertices
 //! in no triangle are dropped; all holes but the longest boundary loop are filled. What would
 //! need a guess (edges of three triangles, vertices that join parts, flat triangles) stays an error.
 
@@ -12,7 +12,6 @@ use super::orient::turned;
 use super::survey::{check_edges, check_values, components, connectivity, repeats};
 use super::{LoopReport, Surface, TopologyError};
 use crate::counted::counted;
-use std::collections::HashSet;
 
 /// The origin of a vertex or triangle that a repair has added.
 pub const ADDED: u32 = u32::MAX;
@@ -132,8 +131,9 @@ pub fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
     if count > 0 {
         repaired.notes.push(RepairNote::DroppedTriangles { count });
     }
-    drop_duplicates(&mut repaired);
-    orient(&mut repaired)?;
+    let edges = drop_duplicates(&mut repaired);
+    orient(&mut repaired, &edges)?;
+    drop(edges);
     keep_largest(&mut repaired);
     drop_unreferenced(&mut repaired);
     let found = connectivity(&repaired.surface)?;
@@ -141,29 +141,32 @@ pub fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
     Ok(repaired)
 }
 
-/// Of triangles with the same corners, those after the first.
-fn drop_duplicates(repaired: &mut Repaired) {
-    let surface = &repaired.surface;
-    let found = duplicates(&surface.triangles, &EdgeTable::new(&surface.triangles, surface.vertices.len()));
-    let dropped: HashSet<u32> = found.iter().map(|&[triangle, _]| triangle).collect();
-    let count = repaired.retain(|t, _| !dropped.contains(&(t as u32)));
-    if count > 0 {
-        repaired.notes.push(RepairNote::DroppedDuplicates { count });
+/// Drops of triangles with the same corners those after the first; the edges of the others.
+fn drop_duplicates(repaired: &mut Repaired) -> EdgeTable {
+    let edges_of = |surface: &Surface| EdgeTable::new(&surface.triangles, surface.vertices.len());
+    let edges = edges_of(&repaired.surface);
+    let found = duplicates(&repaired.surface.triangles, &edges);
+    if found.is_empty() {
+        return edges;
     }
+    // they are sorted by their triangles
+    let is_found = |t: usize| found.binary_search_by_key(&(t as u32), |&[triangle, _]| triangle).is_ok();
+    let count = repaired.retain(|t, _| !is_found(t));
+    repaired.notes.push(RepairNote::DroppedDuplicates { count });
+    edges_of(&repaired.surface)
 }
 
-fn twins_of(surface: &Surface) -> Result<Vec<u32>, TopologyError> {
+fn twins_of(surface: &Surface, edges: &EdgeTable) -> Result<Vec<u32>, TopologyError> {
     if surface.triangles.is_empty() {
         return Err(TopologyError::Empty);
     }
-    let edges = EdgeTable::new(&surface.triangles, surface.vertices.len());
-    check_edges(&surface.triangles, &edges)?;
+    check_edges(&surface.triangles, edges)?;
     Ok(edges.twins())
 }
 
 /// Turns triangles round until neighbours agree; of each component, those that are fewer.
-fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
-    let twins = twins_of(&repaired.surface)?;
+fn orient(repaired: &mut Repaired, edges: &EdgeTable) -> Result<(), TopologyError> {
+    let twins = twins_of(&repaired.surface, edges)?;
     let triangles = &mut repaired.surface.triangles;
     let turned = turned(triangles, &twins)?;
     for (corners, _) in triangles.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
@@ -178,7 +181,9 @@ fn orient(repaired: &mut Repaired) -> Result<(), TopologyError> {
 
 /// Of equally large components, the one that comes first.
 fn keep_largest(repaired: &mut Repaired) {
-    let Ok(twins) = twins_of(&repaired.surface) else { return };
+    // turning triangles round has renumbered their half-edges
+    let surface = &repaired.surface;
+    let twins = EdgeTable::new(&surface.triangles, surface.vertices.len()).twins();
     let (component, sizes) = components(&twins);
     let largest = (0..sizes.len()).max_by_key(|&k| (sizes[k], std::cmp::Reverse(k))).unwrap_or(0);
     let dropped = repaired.retain(|t, _| component[t] as usize == largest);
