@@ -1,16 +1,17 @@
 //! `riemap flatten`: prepares a surface and an outline, parameterizes the surface over it, writes it.
 
 use super::CliError;
-use super::arguments::read_outline;
+use super::arguments::{NamedOutline, read_outline};
 use super::flatten_arguments::{FlattenArguments, UvArgument, read};
 use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, write_all};
 use super::progress::Progress;
 use super::surface_picture;
 use crate::conformal::{
-    FrameTimings, MapError, Memory, PrepareTimings, Quality, SurfaceConstraints, SurfaceMap, SurfaceMapError,
-    SurfaceSettings, prepare, prepare_surface,
+    FrameTimings, MapError, Memory, PrepareSettings, PrepareTimings, PreparedDomain, PreparedSurface, Quality,
+    SurfaceConstraints, SurfaceMap, SurfaceMapError, SurfaceSettings, prepare, prepare_surface,
 };
 use crate::export::{FileFormat, Flattened, Placement};
+use crate::laplace::SolverKind;
 use crate::mesh::FlipReport;
 use crate::surface::{Surface, SurfaceMesh};
 use std::path::Path;
@@ -83,10 +84,10 @@ fn format_of(path: &Path) -> Result<Format, CliError> {
 pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| format_of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
-    let mut timings = Timings::default();
     let progress = Progress::new(format!("reading {}", arguments.surface));
-    let surface = timed(&mut timings.read, || read(&arguments.surface))?;
-    let (map, constraints) = compute(arguments, &surface, &mut timings, &progress)?;
+    let (surface, read) = timed(|| read(&arguments.surface));
+    let surface = surface?;
+    let (map, constraints, timings) = compute(arguments, &surface, &progress)?;
     progress.enter("writing");
     let flattened = Flattened::new(&surface, &map, arguments.uv == UvArgument::Unit);
     let mut files = Vec::new();
@@ -99,7 +100,7 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     }
     write_all(&files)?;
     drop(progress);
-    let summary = summarize(&surface, &map, &constraints, flattened.placement, timings);
+    let summary = summarize(&surface, &map, &constraints, flattened.placement, Timings { read, ..timings });
     summary.notes.iter().chain(&summary.repairs).for_each(|note| eprintln!("riemap: {}: {note}", arguments.surface));
     if arguments.json {
         let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
@@ -120,44 +121,75 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     ))
 }
 
+/// The map with its constraints, and what it took but for the reading.
 fn compute(
     arguments: &FlattenArguments,
     surface: &Surface,
-    timings: &mut Timings,
     progress: &Progress,
-) -> Result<(SurfaceMap, SurfaceConstraints), CliError> {
-    let about = |name: &str, error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
+) -> Result<(SurfaceMap, SurfaceConstraints, Timings), CliError> {
     let outline = read_outline(&arguments.outline, arguments.repair)?;
     progress.enter(format!("checking {}", arguments.surface));
-    let disk = timed(&mut timings.check, || {
-        if arguments.repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) }
-    });
+    let (disk, check) =
+        timed(|| if arguments.repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) });
     let disk = disk.map_err(|error| about(&arguments.surface, &error))?;
-    let settings = arguments.discretisation.settings(&outline, None);
-    let on_surface = SurfaceSettings {
-        intrinsic_delaunay: !arguments.no_intrinsic_delaunay,
-        kernel: settings.kernel,
-        solver: settings.solver,
-    };
-    let prepared = prepare_surface(Memory::default(), disk, on_surface, &mut progress.preparing(&arguments.surface));
-    let prepared = Arc::new(prepared.map_err(|error| about(&arguments.surface, &error))?);
-    let source = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(&arguments.outline));
-    let source = Arc::new(source.map_err(|error| about(&arguments.outline, &error))?);
-    (timings.surface, timings.outline) = (prepared.timings, source.timings);
-    let constraints = SurfaceConstraints {
-        source_point: arguments.outline_point.map_or(source.pole, |p| p.0),
-        source_anchor: arguments.outline_anchor.fraction(&source.samples),
-        surface_point: arguments.surface_point.map_or(Ok(prepared.centre), |point| point.locate(surface, &prepared))?,
-        surface_anchor: arguments.surface_anchor.fraction(&prepared)?,
-    };
+    let sides = Sides::prepare(arguments, &outline, disk, progress)?;
+    let constraints = sides.constraints(arguments, surface)?;
     outline.say_notes(&arguments.outline);
-    warn_if_coarse(&arguments.outline, source.refinement);
-    say_solver(&arguments.outline, settings.solver, &source.solver);
-    say_solver(&arguments.surface, settings.solver, &prepared.solver);
+    sides.say_notes(arguments);
     progress.enter("the map");
-    let map = SurfaceMap::new(source, prepared, &constraints).map_err(|error| refused(&error, arguments))?;
-    timings.frame = map.timings();
-    Ok((map, constraints))
+    let Sides { source, surface, .. } = sides;
+    let timings = Timings { check, surface: surface.timings, outline: source.timings, ..Timings::default() };
+    let map = SurfaceMap::new(source, surface, &constraints).map_err(|error| refused(&error, arguments))?;
+    let frame = map.timings();
+    Ok((map, constraints, Timings { frame, ..timings }))
+}
+
+/// What is mapped, prepared.
+struct Sides {
+    source: Arc<PreparedDomain>,
+    surface: Arc<PreparedSurface>,
+    /// The solver that was asked for.
+    solver: SolverKind,
+}
+
+impl Sides {
+    fn prepare(
+        arguments: &FlattenArguments,
+        outline: &NamedOutline,
+        disk: SurfaceMesh,
+        progress: &Progress,
+    ) -> Result<Self, CliError> {
+        let settings = arguments.discretisation.settings(outline, None);
+        let PrepareSettings { kernel, solver, .. } = settings;
+        let on_surface = SurfaceSettings { intrinsic_delaunay: !arguments.no_intrinsic_delaunay, kernel, solver };
+        let surface = prepare_surface(Memory::default(), disk, on_surface, &mut progress.preparing(&arguments.surface));
+        let surface = surface.map_err(|error| about(&arguments.surface, &error))?;
+        let source = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(&arguments.outline));
+        let source = source.map_err(|error| about(&arguments.outline, &error))?;
+        Ok(Self { source: Arc::new(source), surface: Arc::new(surface), solver })
+    }
+
+    fn constraints(&self, arguments: &FlattenArguments, given: &Surface) -> Result<SurfaceConstraints, CliError> {
+        let Self { source, surface, .. } = self;
+        let point = arguments.surface_point.map_or(Ok(surface.centre), |point| point.locate(given, surface))?;
+        Ok(SurfaceConstraints {
+            source_point: arguments.outline_point.map_or(source.pole, |p| p.0),
+            source_anchor: arguments.outline_anchor.fraction(&source.samples),
+            surface_point: point,
+            surface_anchor: arguments.surface_anchor.fraction(surface)?,
+        })
+    }
+
+    fn say_notes(&self, arguments: &FlattenArguments) {
+        warn_if_coarse(&arguments.outline, self.source.refinement);
+        say_solver(&arguments.outline, self.solver, &self.source.solver);
+        say_solver(&arguments.surface, self.solver, &self.surface.solver);
+    }
+}
+
+/// An error of the file that has this name.
+fn about(name: &str, error: &impl std::fmt::Display) -> CliError {
+    CliError::Input(format!("{name}: {error}"))
 }
 
 /// An error of the map in the words of this subcommand, whose source is the outline.
@@ -203,9 +235,9 @@ fn summarize(
     }
 }
 
-fn timed<T>(milliseconds: &mut f64, work: impl FnOnce() -> T) -> T {
+/// What `work` gives, and how many milliseconds it took.
+fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let start = Instant::now();
     let result = work();
-    *milliseconds = start.elapsed().as_secs_f64() * 1e3;
-    result
+    (result, start.elapsed().as_secs_f64() * 1e3)
 }

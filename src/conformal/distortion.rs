@@ -20,7 +20,7 @@ const ROUNDED: f64 = 4.0 * f64::EPSILON;
 /// Triangles between two looks at the clock: 0.3 ms.
 const BLOCK: usize = 8192;
 
-/// The largest Q that is reported; in a triangle of 1e-4, more is rounding.
+/// The largest Q that is reported: of an image as long as 1e-4 of the whole, whose height is resolved to 1e-13.
 const Q_LIMIT: f64 = 1e9;
 
 /// The largest |log₂(σ₁σ₂)| that is reported: a triangle without area has −∞.

@@ -243,7 +243,7 @@ impl GrowingBuffer {
 }
 
 /// Fills `staging` with `points` relative to the middle of their bounding box,
-/// and returns that middle. The only place where coordinates become f32.
+/// and returns that middle. The only place where coordinates of the plane become f32 (of space: `LocalFrame`).
 pub fn stage_points(staging: &mut Vec<[f32; 2]>, points: &[DVec2]) -> DVec2 {
     let low = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
     let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
