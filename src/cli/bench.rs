@@ -80,7 +80,7 @@ pub fn run(arguments: &BenchArguments) -> Result<(), CliError> {
     let runs = if arguments.quick { 1 } else { RUNS };
     let machine = Machine::this();
     let mut report = Report { machine, paper_machine: PAPER_MACHINE, runs, table_1: vec![], table_2: vec![] };
-    let rows: Vec<_> = BenchRow::all().into_iter().collect();
+    let rows = BenchRow::all();
     let progress = Progress::new("measuring");
     for (k, &row) in rows.iter().enumerate() {
         progress.enter(format!("measuring, row {} of {}", k + 1, rows.len()));

@@ -18,9 +18,9 @@ const BEGINNING: usize = 1 << 16;
 /// of either may be astray; else a line feed, after a carriage return or not.
 pub(super) fn line_end(text: &[u8]) -> u8 {
     let beginning = &text[..text.len().min(BEGINNING)];
-    let alone = |k: &usize| beginning[*k] == b'\r' && text.get(k + 1) != Some(&b'\n');
-    let returns = (0..beginning.len()).filter(alone).count();
-    let feeds = beginning.iter().filter(|&&b| b == b'\n').count();
+    let count = |wanted: &dyn Fn(usize) -> bool| (0..beginning.len()).filter(|&k| wanted(k)).count();
+    let returns = count(&|k| beginning[k] == b'\r' && text.get(k + 1) != Some(&b'\n'));
+    let feeds = count(&|k| beginning[k] == b'\n');
     if returns > feeds { b'\r' } else { b'\n' }
 }
 
