@@ -49,6 +49,9 @@ impl RiemapApp {
                     if let EditAction::Draw(side, _) = action {
                         // a message about the last outline would lie where the new one is drawn
                         self.model.dismiss(Subject::Domain(side));
+                        if side == Side::Target {
+                            self.model.dismiss(Subject::Surface);
+                        }
                     }
                     if matches!(action, EditAction::Close | EditAction::TakePasted) {
                         self.end_tour();
@@ -87,6 +90,9 @@ impl RiemapApp {
             }
             other => other,
         };
+        if matches!(action, ExploreAction::Tour(_)) {
+            self.editor.act(EditAction::Leave, &mut self.model, &mut self.views);
+        }
         let is_walking = self.model.teaching().walks.is_running();
         let Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {
@@ -102,10 +108,13 @@ impl RiemapApp {
         self.explore(ExploreAction::LeaveTour { keeps: true });
     }
 
-    /// Closes the message; one that it had hidden, about a file that a link waits for, comes back.
+    /// Closes the message. Which file a link waits for may have been hidden by another one: it is said until it has
+    /// been closed itself.
     fn dismiss_message(&mut self) {
         let awaited = keeping::missing_text(self.keeper.missing());
-        self.message = awaited.filter(|awaited| self.message.as_ref() != Some(awaited));
+        let closed = self.message.take().unwrap_or_default();
+        self.knows_missing |= awaited.as_ref().is_some_and(|awaited| closed.contains(awaited));
+        self.message = awaited.filter(|_| !self.knows_missing);
     }
 
     fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {

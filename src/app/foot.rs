@@ -5,11 +5,12 @@ use super::action::{Action, Actions};
 use super::theme::Palette;
 use super::widgets::{message_box, notice_box};
 use super::{RiemapApp, offer};
-use egui::{Frame, Margin, Panel, Rect, Ui, UiBuilder, pos2, vec2};
+use egui::{Context, Frame, Margin, Panel, Rect, Ui, UiBuilder, pos2, vec2};
 
 /// The width of a line that is easy to read.
 const WIDEST: f32 = 720.0;
-/// How much of the height that is left for the pictures a message takes at most.
+/// How much of the height that is left for the pictures all of it takes at most: in a frame of 320 points the pictures
+/// keep 175, on a phone five lines are read at once.
 const MOST_SHARE: f32 = 0.4;
 /// The height that it leaves them if it can, and more for one that is edited.
 const LEAST_PICTURES: f32 = 150.0;
@@ -18,28 +19,65 @@ const LEAST_EDITED: f32 = 230.0;
 const NOTICE: [f32; 2] = [140.0, 34.0];
 const NOTICE_ABOVE: f32 = 64.0;
 
-/// Shows the message and the offer, if there are any; not before the pointer lets go of what it holds, for the pictures
-/// shrink.
-pub fn show(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
+/// The height of the offer, and of the frame around all of it.
+const OFFER: f32 = 46.0;
+const FRAME: f32 = 12.0;
+
+/// What is shown in this frame. It does not come or grow while the pointer holds something, for the pictures shrink.
+#[derive(Debug, Default)]
+pub struct Foot {
+    message: Option<String>,
+    has_offer: bool,
+}
+
+impl Foot {
+    /// Whether a message is shown.
+    pub fn has_message(&self) -> bool {
+        self.message.is_some()
+    }
+
+    fn take_in(&mut self, message: Option<&String>, has_offer: bool, held: bool) {
+        if !held || message.is_none() {
+            self.message = message.cloned();
+        }
+        self.has_offer = has_offer && (self.has_offer || !held);
+    }
+}
+
+/// Decides what this frame shows of message and offer.
+pub fn begin(app: &mut RiemapApp, ui: &Ui) {
     offer::expire(ui, &mut app.offer);
-    let is_needed = app.message.is_some() || app.offer.is_some();
-    app.has_foot = is_needed && (app.has_foot || !ui.input(|input| input.pointer.any_down()));
-    if !app.has_foot {
+    let held = ui.input(|input| input.pointer.any_down());
+    app.foot.take_in(app.message.as_ref(), app.offer.is_some(), held);
+}
+
+/// Asks for another frame if there is more to show by now; where something is held, its release does.
+pub fn end(app: &RiemapApp, context: &Context) {
+    let has_changed = app.foot.message != app.message || app.foot.has_offer != app.offer.is_some();
+    if has_changed && !context.input(|input| input.pointer.any_down()) {
+        context.request_repaint();
+    }
+}
+
+/// Shows what was decided.
+pub fn show(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
+    let Foot { message, has_offer } = &app.foot;
+    if message.is_none() && !has_offer {
         return;
     }
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new().fill(palette.panel).inner_margin(Margin::symmetric(10, 6));
     let (free, least) =
         (ui.available_height(), if app.editor.side().is_some() { LEAST_EDITED } else { LEAST_PICTURES });
-    let most = (MOST_SHARE * free).min(free - least);
+    let besides = FRAME + if *has_offer { OFFER } else { 0.0 };
+    let most = (MOST_SHARE * free).min(free - least) - besides;
     Panel::bottom("message").resizable(false).frame(frame).show(ui, |ui| {
         ui.take_available_width();
         ui.set_max_width(ui.available_width().min(WIDEST));
-        let message = app.message.as_ref();
-        if message.and_then(|message| message_box(ui, message, None, most)).is_some() {
+        if message.as_ref().and_then(|message| message_box(ui, message, None, most)).is_some() {
             actions.push(Action::DismissMessage);
         }
-        if app.offer.is_some() {
+        if *has_offer {
             offer::show(ui, actions);
         }
     });

@@ -128,21 +128,26 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
         actions.push(Action::TogglePanels);
     }
     let all_fit = narrow_row(ui, side) + LEAST_TITLE <= ui.available_width();
-    // in a narrow picture one of them at a time
-    let (fits, swaps) = (all_fit || !is_fitted, all_fit || is_fitted);
-    if fits {
-        guarded(ui, Control::View, |ui| {
-            let width = theme::control_height(ui, 0.0); // a short word needs as much of a finger as a long one
-            let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")).min_size(vec2(width, 0.0)));
-            if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
-                actions.push(Action::Fit(side));
-            }
-        });
+    if all_fit {
+        fit_button(ui, side, is_fitted, actions);
     }
     guarded(ui, Control::Outline, |ui| outline_buttons(ui, side, model, around, actions));
-    if swaps && side == Side::Target {
+    if !all_fit && !is_fitted {
+        // in the place of the next, so that no other button comes under the finger
+        fit_button(ui, side, is_fitted, actions);
+    } else if side == Side::Target {
         swap_button(ui, model, actions);
     }
+}
+
+fn fit_button(ui: &mut Ui, side: Side, is_fitted: bool, actions: &mut Actions) {
+    guarded(ui, Control::View, |ui| {
+        let width = theme::control_height(ui, 0.0); // a short word needs as much of a finger as a long one
+        let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr("Fit")).min_size(vec2(width, 0.0)));
+        if fit.on_hover_text(tr("Show all of it (double-click)")).clicked() {
+            actions.push(Action::Fit(side));
+        }
+    });
 }
 
 /// How wide the buttons are that a narrow picture has.
@@ -202,7 +207,8 @@ pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mu
     }
     let area = room.shrink2(vec2(INSET[0], 0.0));
     ui.scope_builder(UiBuilder::new().max_rect(area).id_salt(("messages", side)), |ui| {
-        let most = area.height() / all.len() as f32 - BETWEEN_MESSAGES;
+        let between = BETWEEN_MESSAGES + ui.spacing().item_spacing.y;
+        let most = area.height() / all.len() as f32 - between;
         ScrollArea::vertical().max_height(area.height()).show(ui, |ui| {
             for (subject, text, remedy) in all {
                 ui.add_space(BETWEEN_MESSAGES);

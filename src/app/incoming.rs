@@ -332,6 +332,9 @@ mod tests {
         assert_eq!(app.message, asked);
         app.carry_out(&context, vec![Action::DismissMessage]);
         assert_eq!(app.message, None);
+        app.open_link("#s=1.nonsense");
+        app.carry_out(&context, vec![Action::DismissMessage]);
+        assert_eq!(app.message, None, "it has been closed");
     }
 
     #[test]

@@ -54,19 +54,18 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
     if !narrow && app.model.session().plots {
         dock(app, ui);
     }
-    let comes_first = app.message.is_some() || app.editor.side().is_some();
-    app.explore.show_tour(ui, comes_first, &mut actions);
+    foot::begin(app, ui);
+    let yields = app.foot.has_message() || app.editor.side().is_some();
+    app.explore.show_tour(ui, yields, &mut actions);
     let context = ui.ctx().clone();
     // the panels' wishes are about what they have shown
     app.carry_out(&context, actions);
     app.take_events(&context);
-    let (said, mut actions) = (app.message.clone(), Actions::new());
+    let mut actions = Actions::new();
     let arrangement = Arrangement::new(ui, narrow);
     foot::show(app, ui, &mut actions);
     egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(app, ui, arrangement, actions));
-    if app.message != said {
-        context.request_repaint();
-    }
+    foot::end(app, &context);
 }
 
 /// P opens the plots or closes them, unless a control has the keyboard.

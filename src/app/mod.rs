@@ -86,6 +86,7 @@ use cells::Cells;
 use editing::{EditAction, Editor};
 use explore::Explore;
 use exporting::Exporter;
+use foot::Foot;
 use gpu::Gpu;
 use handles::HandleState;
 use image::RgbaImage;
@@ -154,8 +155,10 @@ pub struct RiemapApp {
     image: Option<Arc<RgbaImage>>,
     /// What is wrong and belongs to neither side: an image, a file that was to be saved, a link, what is locked.
     message: Option<String>,
-    /// Whether there is something to read below the pictures.
-    has_foot: bool,
+    /// What is there to read below the pictures.
+    foot: Foot,
+    /// Whether the person knows which outlines the link does not carry.
+    knows_missing: bool,
     /// What has gone well and cannot be seen, and when it need not be said any more.
     notice: Option<(&'static str, f64)>,
     preferences: Preferences,
@@ -217,7 +220,8 @@ impl RiemapApp {
             offer: None,
             image: None,
             message: presentation::with_troubles(message, &options),
-            has_foot: false,
+            foot: Foot::default(),
+            knows_missing: false,
             options,
             notice: None,
             preferences,

@@ -2,8 +2,8 @@
 
 use egui::{Event, Modifiers, PointerButton, TouchId, TouchPhase, vec2};
 
-/// Farther than a press may move and be a click.
-const AWAY: egui::Vec2 = vec2(1e4, 0.0);
+/// Farther than a press may move and be a click, and than any screen is wide: walls of them have 1e5 points.
+const AWAY: egui::Vec2 = vec2(1e7, 0.0);
 
 /// Which touch holds the pointer.
 #[derive(Debug, Default)]

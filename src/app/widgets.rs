@@ -164,25 +164,25 @@ const LEAST_WORDS: f32 = 150.0;
 
 /// The least height of a message's words, two lines.
 const LEAST_MESSAGE: f32 = 36.0;
-/// Above and below them, and below them if the buttons are there.
+/// Around a message.
 const MESSAGE_MARGIN: i8 = 8;
-const ABOVE_BUTTONS: f32 = 6.0;
+const MESSAGE_EDGE: f32 = 1.0;
 
-/// An error in a box, with a cross to close it and, where there is one, its remedy. It is about as high as `most`
-/// allows: more words scroll, so that the buttons are always there.
+/// An error in a box, with a cross to close it and, where there is one, its remedy. It is no higher than
+/// `most`, but two lines: more words scroll, so that the buttons are always there.
 pub fn message_box(ui: &mut Ui, text: &str, remedy: Option<&'static str>, most: f32) -> Option<MessageAnswer> {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new()
         .fill(palette.error_ground)
-        .stroke(Stroke::new(1.0, palette.error_edge))
+        .stroke(Stroke::new(MESSAGE_EDGE, palette.error_edge))
         .corner_radius(CornerRadius::same(ROUNDING + 2))
         .inner_margin(Margin::symmetric(12, MESSAGE_MARGIN));
-    let most = most - 2.0 * f32::from(MESSAGE_MARGIN);
+    let most = most - 2.0 * (f32::from(MESSAGE_MARGIN) + MESSAGE_EDGE);
     let content = |ui: &mut Ui| {
         let remedy_width = remedy.map_or(0.0, |label| button_width(ui, tr(label)));
         let buttons = control_height(ui, CROSS_WIDTH) + ui.spacing().item_spacing.x + remedy_width;
         if ui.available_width() - buttons < LEAST_WORDS {
-            message_words(ui, text, most - ABOVE_BUTTONS - ui.spacing().interact_size.y);
+            message_words(ui, text, most - ui.spacing().item_spacing.y - ui.spacing().interact_size.y);
             return ui.horizontal(|ui| message_buttons(ui, remedy)).inner;
         }
         let in_a_row = |ui: &mut Ui| {

@@ -107,9 +107,9 @@ impl Explore {
         Some([stop.title, stop.text].map(tr))
     }
 
-    /// Shows the tour's words below the pictures; on a low screen not while something else is there that `comes_first`.
-    pub fn show_tour(&mut self, ui: &mut Ui, comes_first: bool, actions: &mut Actions) {
-        let step = self.step().filter(|_| !(comes_first && tour::is_low(ui)));
+    /// Shows the tour's words below the pictures; on a low screen it `yields` to what else is there.
+    pub fn show_tour(&mut self, ui: &mut Ui, yields: bool, actions: &mut Actions) {
+        let step = self.step().filter(|_| !(yields && tour::is_low(ui)));
         if let Some(step) = step {
             // a window over it comes first
             let takes_focus = self.window.is_none() && std::mem::take(&mut self.focus_due);

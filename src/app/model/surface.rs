@@ -75,7 +75,10 @@ impl Model {
                 let stays = self.session.surface.is_some() && !self.surface.gives_way;
                 let wanted = self.surface.preparation.wanted().filter(|_| stays);
                 if wanted.is_some_and(|wanted| wanted.is_like(&spec)) {
-                    if let Some(incoming) = &mut self.incoming_surface {
+                    let incoming = self.incoming_surface.as_mut();
+                    if let Some(incoming) = incoming.filter(|incoming| incoming.spec.is_like(&spec)) {
+                        // a point is one of a triangle, and those may be others
+                        incoming.point = incoming.point.filter(|_| incoming.spec.shape == spec.shape);
                         incoming.spec = spec.clone();
                     }
                     self.want_surface(spec, now);
@@ -92,7 +95,16 @@ impl Model {
     fn want_surface(&mut self, spec: SurfaceSpec, now: f64) {
         if !self.surface.preparation.want_spec(&spec, now) {
             let is_new = self.session.surface.as_ref().is_none_or(|shown| shown.spec.shape != spec.shape);
-            self.show_surface(spec, is_new);
+            self.take_surface(spec, is_new);
+        }
+    }
+
+    /// Shows a surface that is there, with the points that a session has for it.
+    fn take_surface(&mut self, spec: SurfaceSpec, is_new: bool) {
+        let incoming = self.incoming_surface.take_if(|incoming| incoming.spec.shape.is_like(&spec.shape));
+        self.show_surface(spec, is_new);
+        if let Some(incoming) = incoming {
+            self.session.surface = Some(incoming);
         }
     }
 
@@ -126,10 +138,7 @@ impl Model {
     /// Takes in an answer of the surface's worker.
     pub fn accept_surface(&mut self, generation: u64, response: Response) {
         if let Some(Arrival { spec, is_new }) = self.surface.preparation.accept(generation, response) {
-            self.show_surface(spec, is_new);
-            if let Some(incoming) = self.incoming_surface.take() {
-                self.session.surface = Some(incoming);
-            }
+            self.take_surface(spec, is_new);
         }
     }
 

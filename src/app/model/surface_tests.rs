@@ -287,3 +287,39 @@ fn to_refine_a_surface_leaves_what_comes_after_it() {
     settle(&mut model);
     assert!(model.surface().is_none(), "nor does it come back");
 }
+
+#[test]
+fn to_refine_a_surface_gives_it_no_points_of_another_session() {
+    let mut model = with_hemisphere();
+    let here = model.session().surface.clone().unwrap();
+    let mut session = model.session().clone();
+    let shape = SurfaceShape::File { name: "missing.obj".into() };
+    session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    session.apply(Command::MoveSurfaceAnchor(0.7));
+    model.dispatch(Command::Open(Box::new(session.clone())), 0.0);
+    settle(&mut model);
+    let mut refined = here.spec.clone();
+    refined.settings.intrinsic_delaunay = !refined.settings.intrinsic_delaunay;
+    model.dispatch(Command::RefineSurface(refined.clone()), 0.0);
+    settle(&mut model);
+    let state = model.session().surface.clone().unwrap();
+    assert_eq!((&state.spec, state.anchor), (&refined, here.anchor));
+    let file = b"v 0.5 0.5 0\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 2 3 1\nf 3 4 1\nf 4 5 1\nf 5 2 1\n".to_vec();
+    model.want_surface_file("missing.obj", file);
+    settle(&mut model);
+    assert_eq!(model.session().surface, session.surface, "the file that was missing has its own");
+}
+
+#[test]
+fn a_session_whose_surface_is_refined_on_its_way_keeps_what_still_fits() {
+    let mut model = with_hemisphere();
+    let mut session = model.session().clone();
+    session.apply(Command::SetSurface(spec(SurfacePreset::Hemisphere, 48)));
+    session.apply(Command::MoveSurfacePoint(BarycentricPoint { triangle: 3, weights: [0.2, 0.3, 0.5] }));
+    session.apply(Command::MoveSurfaceAnchor(0.7));
+    model.dispatch(Command::Open(Box::new(session)), 0.0);
+    model.dispatch(Command::RefineSurface(spec(SurfacePreset::Hemisphere, 30)), 0.0);
+    settle(&mut model);
+    let state = model.session().surface.clone().unwrap();
+    assert_eq!((state.spec, state.point, state.anchor), (spec(SurfacePreset::Hemisphere, 30), None, 0.7));
+}
