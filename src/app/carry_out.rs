@@ -2,7 +2,6 @@
 //! session, the points in motion, the editor, files and windows. Nothing is computed here.
 
 use super::explore::{Consequences, ExploreAction};
-use super::keeping;
 use super::teaching::walks::WalkAction;
 use super::{Action, Actions, EditAction, Keeper, Locks, Preferences, RiemapApp, presentation};
 use crate::conformal::Side;
@@ -111,10 +110,8 @@ impl RiemapApp {
     /// Closes the message. Which file a link waits for may have been hidden by another one: it is said until it has
     /// been closed itself.
     fn dismiss_message(&mut self) {
-        let awaited = keeping::missing_text(self.keeper.missing());
-        let closed = self.message.take().unwrap_or_default();
-        self.knows_missing |= awaited.as_ref().is_some_and(|awaited| closed.contains(awaited));
-        self.message = awaited.filter(|_| !self.knows_missing);
+        let closed = self.message.take();
+        self.message = closed.and_then(|closed| self.keeper.unread_after(&closed));
     }
 
     fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {

@@ -157,8 +157,6 @@ pub struct RiemapApp {
     message: Option<String>,
     /// What is there to read below the pictures.
     foot: Foot,
-    /// Whether the person knows which outlines the link does not carry.
-    knows_missing: bool,
     /// What has gone well and cannot be seen, and when it need not be said any more.
     notice: Option<(&'static str, f64)>,
     preferences: Preferences,
@@ -221,7 +219,6 @@ impl RiemapApp {
             image: None,
             message: presentation::with_troubles(message, &options),
             foot: Foot::default(),
-            knows_missing: false,
             options,
             notice: None,
             preferences,

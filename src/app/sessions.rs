@@ -70,7 +70,6 @@ impl RiemapApp {
     pub fn try_link(&mut self, address: &str) -> Result<(), String> {
         let decoded = link::decode(address).map_err(|error| error.to_string())?;
         self.message = keeping::missing_text(&decoded.missing);
-        self.knows_missing = false;
         self.open_session(decoded.session);
         self.keeper.open_link(decoded.missing, platform::link());
         Ok(())

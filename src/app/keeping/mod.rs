@@ -54,6 +54,8 @@ pub struct Keeper {
     coming: Coming,
     /// The outlines that the opened link only names.
     missing: Vec<MissingOutline>,
+    /// Whether the person has read which they are.
+    are_known: bool,
     /// Whether address and copy wait for them.
     waits: bool,
     /// The address and the kept copy, if they follow.
@@ -68,6 +70,7 @@ impl Keeper {
             is_new: true,
             coming: Coming::Opened,
             missing: Vec::new(),
+            are_known: false,
             waits: false,
             public: is_public.then(Public::default),
         }
@@ -81,6 +84,13 @@ impl Keeper {
     /// The outlines that the opened link only names, for which a disk stands in.
     pub fn missing(&self) -> &[MissingOutline] {
         &self.missing
+    }
+
+    /// The message about them that is still to be read after another one, which has been.
+    pub fn unread_after(&mut self, message: &str) -> Option<String> {
+        let text = missing_text(&self.missing)?;
+        self.are_known |= message.contains(&text);
+        (!self.are_known).then_some(text)
     }
 
     /// The session before. `at_rest`: the present one, or nothing while something is being prepared:
@@ -138,6 +148,7 @@ impl Keeper {
     pub fn open_link(&mut self, missing: Vec<MissingOutline>, address: Option<String>) {
         self.coming = Coming::Opened;
         self.waits = !missing.is_empty();
+        self.are_known = false;
         self.missing = missing;
         if let Some(public) = self.public.as_mut().filter(|_| self.waits) {
             public.stay_at(address);
