@@ -1,16 +1,19 @@
-//! Parameterized surfaces against closed forms and invariances, and the meshes of shared/data.
+//! Parameterized surfaces against closed forms and invariances, and the meshes of shared/data; in `falling_together`
+//! those whose boundary does not stay apart.
 //!
 //! The real and the broken meshes (shared/data/meshes) lie outside the repository; the
 //! tests that need them skip with a message where they are absent.
 
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
+mod falling_together;
+
 use riemap::conformal::{
     ConformalMap, Constraints, Direction, FlatBuffers, KernelMode, KernelScratch, Memory, PrepareSettings,
-    PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceMapNote, SurfaceSettings, prepare,
-    prepare_surface, surface_kernel,
+    PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceSettings, prepare, prepare_surface,
+    surface_kernel,
 };
-use riemap::geometry::{Bounds, DVec2, DVec3, SimplePolygon};
+use riemap::geometry::{DVec2, DVec3};
 use riemap::laplace::SolverKind;
 use riemap::mesh::{BarycentricPoint, Sizing, locate, mesh_domain};
 use riemap::outline::{BoundaryPoint, Preset, Sampling};
@@ -367,126 +370,6 @@ fn a_single_triangle_is_a_disk_too() {
     let surface = prepared(&surface, SurfaceSettings::default());
     let map = SurfaceMap::new(source.clone(), surface.clone(), &constraints(&surface, &source)).unwrap();
     assert!(map.images().iter().all(|p| (p.length() - 1.0).abs() < 1e-2), "{:?}", map.images());
-}
-
-/// How many boundary edges the note tells of, and how many triangles the quality counts as collapsed: both checked
-/// against the images, whose bound is 1e-13 of their extent here.
-fn told(map: &SurfaceMap) -> [usize; 2] {
-    let (images, mesh) = (map.images(), &map.surface().surface.mesh);
-    let Bounds { min: low, max: high } = Bounds::of(images.iter().copied());
-    let extent = (high - low).max_element();
-    let boundary = &images[..mesh.boundary_count as usize];
-    let gaps: Vec<f64> = boundary.iter().zip(boundary.iter().cycle().skip(1)).map(|(p, q)| p.distance(*q)).collect();
-    let height = |t: &[u32; 3]| {
-        let [a, b, c] = t.map(|v| images[v as usize]);
-        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        if longest > 0.0 { (b - a).perp_dot(c - a).abs() / longest } else { 0.0 }
-    };
-    let heights: Vec<f64> = mesh.triangles.iter().map(height).collect();
-    let edges = match map.note() {
-        Some(SurfaceMapNote::NoMeasure { edges } | SurfaceMapNote::NegativeKernel { edges }) => edges,
-        None => 0,
-    };
-    let told = [edges, map.quality().collapsed as usize];
-    for (told, found) in told.iter().zip([gaps, heights]) {
-        let within = |bound: f64| found.iter().filter(|&&distance| distance <= bound * extent).count();
-        let (least, most) = (within(0.9e-13), within(1.1e-13));
-        assert!((least..=most).contains(told), "{told} of {least} to {most}");
-    }
-    told
-}
-
-fn with_solver(mesh: &SurfaceMesh, solver: SolverKind) -> Arc<PreparedSurface> {
-    let settings = SurfaceSettings { solver, ..SurfaceSettings::default() };
-    Arc::new(prepare_surface(Memory::default(), mesh.clone(), settings, &mut |_| ()).unwrap())
-}
-
-#[test]
-fn what_no_inner_vertex_joins_to_the_point_falls_together_and_is_told() {
-    let source = disk();
-    let whole = folded(10, 4, |_| 0.0);
-    assert_eq!(told(&default_map(prepared(&whole, SurfaceSettings::default()))), [0, 0]);
-    // two patches of 4 × 4 squares with a bridge of two squares between them
-    let is_kept = |q: usize| !matches!((q % 10, q / 10), (4 | 5, 0 | 2 | 3));
-    let kept = whole.triangles.iter().enumerate().filter(|(t, _)| is_kept(t / 2)).map(|(_, corners)| *corners);
-    let patches = SurfaceMesh::repaired(&surface_of(whole.vertices.clone(), kept.collect())).unwrap();
-    for solver in [SolverKind::Direct, SolverKind::Pcg] {
-        let surface = with_solver(&patches, solver);
-        for surface_anchor in [0.0, 0.1, 0.3, 0.5, 0.7, 0.9] {
-            let constraints = SurfaceConstraints { surface_anchor, ..constraints(&surface, &source) };
-            let map = SurfaceMap::new(source.clone(), surface.clone(), &constraints).unwrap();
-            // of the other patch all edges but the bridge's end, and two of the bridge; its 32 triangles and two of the
-            // bridge are in one point, and one more of the bridge has two corners there
-            assert_eq!(told(&map), [15 + 2, 32 + 2 + 1], "{solver:?}, {surface_anchor}");
-            assert!(matches!(map.note(), Some(SurfaceMapNote::NoMeasure { .. })));
-            assert!(map.quality().q_max < 1e3, "{:?}", map.quality());
-        }
-    }
-}
-
-/// A rectangle of the folded strip's size.
-fn rectangle(width: f64, height: f64, count: u32) -> Arc<PreparedDomain> {
-    let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]].map(DVec2::from_array);
-    let sampling = Sampling::Uniform { count, keep_corners: true };
-    let settings = PrepareSettings { sampling, sizing: Sizing::Uniform, ..PrepareSettings::default() };
-    Arc::new(prepare(&SimplePolygon::try_from(corners.to_vec()).unwrap(), &settings, &mut |_| ()).unwrap())
-}
-
-#[test]
-fn what_only_a_long_way_joins_to_the_point_falls_together_and_is_told() {
-    // 100 × 4 squares, the point 5 columns from the left: as e^(−π x/0.04), the measure is 1e-13 at column 43
-    let strip = SurfaceMesh::new(&folded(100, 4, |_| 0.0)).unwrap();
-    let (disk, same) = (disk(), rectangle(1.0, 0.04, 208));
-    let place = DVec3::new(0.05, 0.02, 0.0);
-    for solver in [SolverKind::Direct, SolverKind::Pcg] {
-        let surface = with_solver(&strip, solver);
-        let surface_point = surface.tree().nearest(place).unwrap().0;
-        for surface_anchor in [0.0, 0.25, 0.48, 0.5, 0.75] {
-            let in_disk = SurfaceConstraints { surface_point, surface_anchor, ..constraints(&surface, &disk) };
-            let [edges, _] = told(&SurfaceMap::new(disk.clone(), surface.clone(), &in_disk).unwrap());
-            assert!(edges.abs_diff(2 * (100 - 43) + 4) < 10, "{solver:?}, {surface_anchor}: {edges}");
-            // over the same rectangle, what is as small on both sides is told apart after the anchor
-            let anchor = surface.boundary_position(surface.at_fraction(surface_anchor)).truncate();
-            let source_anchor = same.samples.fraction_at(same.samples.nearest(anchor));
-            let in_same = SurfaceConstraints { source_point: place.truncate(), source_anchor, ..in_disk };
-            let [apart, _] = told(&SurfaceMap::new(same.clone(), surface.clone(), &in_same).unwrap());
-            println!("{solver:?}, {surface_anchor}: {edges} over the disk, {apart} over the same");
-            assert!(apart < if (0.48..=0.5).contains(&surface_anchor) { 60 } else { edges }, "{apart} of {edges}");
-        }
-    }
-}
-
-#[test]
-fn where_the_kernel_is_negative_the_note_says_so() {
-    let needles = folded(12, 40, |i| f64::from(i % 2) - 0.5);
-    let sheared = |p: &DVec3| DVec3::new(p.x + 1.7 * p.y, p.y, p.z);
-    let needles = surface_of(needles.vertices.iter().map(sheared).collect(), needles.triangles);
-    let given = prepared(&needles, SurfaceSettings { intrinsic_delaunay: false, ..SurfaceSettings::default() });
-    let mesh = &given.surface.mesh;
-    let source = disk();
-    let mut map = default_map(given.clone());
-    for v in (mesh.boundary_count..mesh.vertices.len() as u32).step_by(7) {
-        let at = SurfaceConstraints { surface_point: at_vertex(mesh, v).unwrap(), ..constraints(&given, &source) };
-        map.update(&at).unwrap();
-        let [edges, _] = told(&map);
-        assert_eq!(map.note(), Some(SurfaceMapNote::NegativeKernel { edges }), "{v}");
-    }
-}
-
-#[test]
-fn without_inner_vertices_a_surface_is_mapped_and_what_falls_together_is_told() {
-    let map = |surface: &Surface| default_map(prepared(surface, SurfaceSettings::default()));
-    // a triangle with three ears, its point in the middle: six corners at six places
-    let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.9], [0.5, -0.4], [1.1, 0.7], [-0.1, 0.7]];
-    let vertices = corners.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
-    let ears = surface_of(vertices, vec![[0, 1, 2], [1, 0, 3], [2, 1, 4], [0, 2, 5]]);
-    assert_eq!(told(&map(&ears)), [0, 0]);
-    // of the 2·columns + 2 edges of a strip, those stay apart that begin or end at a corner of the point's triangle
-    for (columns, edges) in [(1, 0), (2, 1), (3, 3), (40, 77)] {
-        let strip = map(&folded(columns, 1, |_| 0.1));
-        assert_eq!(told(&strip)[0], edges, "{columns}");
-        assert!(strip.images().iter().all(|p| p.is_finite()) && strip.quality().q_mean.is_finite());
-    }
 }
 
 fn read(name: &str) -> Option<Surface> {
