@@ -273,6 +273,15 @@ mod tests {
         Preparation::new(spec)
     }
 
+    fn prepared() -> Preparation {
+        let mut side = coarse();
+        let request = side.take_request(0.0).unwrap();
+        for (generation, response) in answers(&request) {
+            side.accept(generation, response);
+        }
+        side
+    }
+
     #[test]
     fn a_wish_becomes_a_domain() {
         let mut side = coarse();
@@ -309,11 +318,7 @@ mod tests {
 
     #[test]
     fn after_a_bad_outline_the_good_domain_and_its_outline_stay() {
-        let mut side = coarse();
-        let request = side.take_request(0.0).unwrap();
-        for (generation, response) in answers(&request) {
-            side.accept(generation, response);
-        }
+        let mut side = prepared();
         let good = Arc::clone(side.domain().unwrap());
         side.want_outline(OutlineSpec::Points { name: "no area".into(), points: Vec::new() }, Vec::new());
         match side.take_request(2.0) {
@@ -354,11 +359,7 @@ mod tests {
 
     #[test]
     fn what_fails_on_the_way_of_a_hand_does_not_take_back_where_it_ended() {
-        let mut side = coarse();
-        let request = side.take_request(0.0).unwrap();
-        for (generation, response) in answers(&request) {
-            side.accept(generation, response);
-        }
+        let mut side = prepared();
         let reshaped = |in_hand| Reshaped { interior: None, anchor: 0.0, in_hand };
         side.want_reshaped(OutlineSpec::Preset(Preset::Star), reshaped(true));
         let under_way = side.take_request(0.0).unwrap();

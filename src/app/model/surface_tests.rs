@@ -230,18 +230,26 @@ fn a_point_that_the_first_map_refuses_gives_way_to_the_default() {
     assert_eq!(model.session().surface.as_ref().unwrap().point, None);
 }
 
-#[test]
-fn a_session_that_waits_for_its_file_takes_it_with_its_points() {
-    let mut model = planar();
-    let file = b"v 0.5 0.5 0\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 2 3 1\nf 3 4 1\nf 4 5 1\nf 5 2 1\n".to_vec();
+/// A square with a vertex in its middle, as an OBJ file.
+const SQUARE: &[u8] = b"v 0.5 0.5 0\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 2 3 1\nf 3 4 1\nf 4 5 1\nf 5 2 1\n";
+
+/// Opens a session whose surface is in a file that is not here, "square.obj".
+fn waiting_for_square(model: &mut Model) -> Session {
     let mut session = model.session().clone();
     let shape = SurfaceShape::File { name: "square.obj".into() };
     session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
     session.apply(Command::MoveSurfaceAnchor(0.6));
     model.dispatch(Command::Open(Box::new(session.clone())), 0.0);
-    settle(&mut model);
+    settle(model);
+    session
+}
+
+#[test]
+fn a_session_that_waits_for_its_file_takes_it_with_its_points() {
+    let mut model = planar();
+    let session = waiting_for_square(&mut model);
     assert!(model.surface().is_none() && model.surface_side().preparation.error.is_some());
-    model.want_surface_file("square.obj", file);
+    model.want_surface_file("square.obj", SQUARE.to_vec());
     settle(&mut model);
     assert_eq!(model.session().surface, session.surface);
 }
@@ -292,20 +300,14 @@ fn to_refine_a_surface_leaves_what_comes_after_it() {
 fn to_refine_a_surface_gives_it_no_points_of_another_session() {
     let mut model = with_hemisphere();
     let here = model.session().surface.clone().unwrap();
-    let mut session = model.session().clone();
-    let shape = SurfaceShape::File { name: "missing.obj".into() };
-    session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
-    session.apply(Command::MoveSurfaceAnchor(0.7));
-    model.dispatch(Command::Open(Box::new(session.clone())), 0.0);
-    settle(&mut model);
+    let session = waiting_for_square(&mut model);
     let mut refined = here.spec.clone();
     refined.settings.intrinsic_delaunay = !refined.settings.intrinsic_delaunay;
     model.dispatch(Command::RefineSurface(refined.clone()), 0.0);
     settle(&mut model);
     let state = model.session().surface.clone().unwrap();
     assert_eq!((&state.spec, state.anchor), (&refined, here.anchor));
-    let file = b"v 0.5 0.5 0\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 2 3 1\nf 3 4 1\nf 4 5 1\nf 5 2 1\n".to_vec();
-    model.want_surface_file("missing.obj", file);
+    model.want_surface_file("square.obj", SQUARE.to_vec());
     settle(&mut model);
     assert_eq!(model.session().surface, session.surface, "the file that was missing has its own");
 }
