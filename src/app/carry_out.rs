@@ -6,7 +6,7 @@ use super::teaching::walks::WalkAction;
 use super::{Action, Actions, EditAction, Keeper, Locks, Preferences, RiemapApp, presentation};
 use crate::conformal::Side;
 use crate::platform::{self, FilePurpose};
-use crate::session::Session;
+use crate::session::{Command, Session};
 use crate::worker::Subject;
 
 impl RiemapApp {
@@ -21,16 +21,7 @@ impl RiemapApp {
                 continue;
             }
             match action {
-                Action::Session(command) => {
-                    if command.moves_points() {
-                        self.player.pause();
-                    }
-                    if command.replaces_shapes() {
-                        self.end_tour();
-                    }
-                    self.keeper.touch();
-                    self.model.dispatch(command, now);
-                }
+                Action::Session(command) => self.command(command, now),
                 Action::Undo => self.step(Keeper::undo),
                 Action::Redo => self.step(Keeper::redo),
                 Action::New => self.open_session(Session::default()),
@@ -44,23 +35,9 @@ impl RiemapApp {
                 Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
                 Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
                 Action::Fit(side) => self.views[side as usize].fit(),
-                Action::Edit(action) => {
-                    if let EditAction::Draw(side, _) = action {
-                        // a message about the last outline would lie where the new one is drawn
-                        self.model.dismiss(Subject::Domain(side));
-                        if side == Side::Target {
-                            self.model.dismiss(Subject::Surface);
-                        }
-                    }
-                    if matches!(action, EditAction::Close | EditAction::TakePasted) {
-                        self.end_tour();
-                    }
-                    self.keeper.touch();
-                    self.editor.act(action, &mut self.model, &mut self.views);
-                }
+                Action::Edit(action) => self.edit(action),
                 Action::PasteText(text) => {
-                    self.end_tour();
-                    self.keeper.touch();
+                    self.begin_change();
                     self.editor.take_text(text, &mut self.model, &mut self.views);
                 }
                 Action::Remedy(subject) => self.model.remedy(subject),
@@ -79,6 +56,32 @@ impl RiemapApp {
                 Action::TogglePresentation => presentation::toggle(context),
             }
         }
+    }
+
+    fn command(&mut self, command: Command, now: f64) {
+        if command.moves_points() {
+            self.player.pause();
+        }
+        if command.replaces_shapes() {
+            self.end_tour();
+        }
+        self.keeper.touch();
+        self.model.dispatch(command, now);
+    }
+
+    fn edit(&mut self, action: EditAction) {
+        if let EditAction::Draw(side, _) = action {
+            // a message about the last outline would lie where the new one is drawn
+            self.model.dismiss(Subject::Domain(side));
+            if side == Side::Target {
+                self.model.dismiss(Subject::Surface);
+            }
+        }
+        if matches!(action, EditAction::Close | EditAction::TakePasted) {
+            self.end_tour();
+        }
+        self.keeper.touch();
+        self.editor.act(action, &mut self.model, &mut self.views);
     }
 
     pub(super) fn explore(&mut self, action: ExploreAction) {

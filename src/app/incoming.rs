@@ -94,7 +94,7 @@ impl RiemapApp {
     }
 
     /// What the person has brought changes the session.
-    fn begin_change(&mut self) {
+    pub(super) fn begin_change(&mut self) {
         self.end_tour();
         self.keeper.touch();
     }

@@ -102,14 +102,17 @@ pub fn show(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) 
     let words = Label::new(RichText::new(tr(stop.text)).color(palette.text)).wrap();
     Panel::bottom("tour").resizable(false).frame(frame).show(ui, |ui| {
         if is_low {
-            buttons(ui, step, all.len(), takes_focus, actions, Some(title));
+            ui.horizontal(|ui| {
+                buttons(ui, step, all.len(), takes_focus, actions);
+                ui.add(Label::new(title).truncate());
+            });
             let area = ScrollArea::vertical().max_height(LOW_WORDS).min_scrolled_height(LOW_WORDS);
             area.show(ui, |ui| ui.add(words));
         } else {
             ui.label(title);
             ui.add(words);
             ui.add_space(6.0);
-            buttons(ui, step, all.len(), takes_focus, actions, None);
+            ui.horizontal(|ui| buttons(ui, step, all.len(), takes_focus, actions));
         }
     });
 }
@@ -123,30 +126,26 @@ pub fn is_low(ui: &Ui) -> bool {
     ui.ctx().content_rect().height() < LOW_SCREEN
 }
 
-fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &mut Actions, beside: Option<RichText>) {
+/// The buttons of a step, and which of `count` it is, into a row.
+fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &mut Actions) {
     let weak = Palette::of(ui.visuals()).weak;
     let mut act = |action| actions.push(Action::Explore(action));
-    ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = FINGER_HEIGHT;
-        if ui.add_enabled(step > 0, egui::Button::new(tr("Back"))).clicked() {
-            act(ExploreAction::Tour(step - 1));
-        }
-        let is_last = step + 1 == count;
-        let label = tr(if is_last { "Keep this picture" } else { "Next" });
-        let on = ui.button(label);
-        let on = if is_last { on.on_hover_text(tr("Ends the tour here")) } else { on };
-        if takes_focus {
-            give_keyboard(&on, label);
-        }
-        if on.clicked() {
-            act(if is_last { ExploreAction::LeaveTour { keeps: true } } else { ExploreAction::Tour(step + 1) });
-        }
-        if ui.button(tr("End")).on_hover_text(tr("Ends the tour and shows your own picture again")).clicked() {
-            act(ExploreAction::LeaveTour { keeps: false });
-        }
-        ui.label(RichText::new(tr_with("{0} of {1}", &[&(step + 1), &count])).color(weak));
-        if let Some(title) = beside {
-            ui.add(Label::new(title).truncate());
-        }
-    });
+    ui.spacing_mut().interact_size.y = FINGER_HEIGHT;
+    if ui.add_enabled(step > 0, egui::Button::new(tr("Back"))).clicked() {
+        act(ExploreAction::Tour(step - 1));
+    }
+    let is_last = step + 1 == count;
+    let label = tr(if is_last { "Keep this picture" } else { "Next" });
+    let on = ui.button(label);
+    let on = if is_last { on.on_hover_text(tr("Ends the tour here")) } else { on };
+    if takes_focus {
+        give_keyboard(&on, label);
+    }
+    if on.clicked() {
+        act(if is_last { ExploreAction::LeaveTour { keeps: true } } else { ExploreAction::Tour(step + 1) });
+    }
+    if ui.button(tr("End")).on_hover_text(tr("Ends the tour and shows your own picture again")).clicked() {
+        act(ExploreAction::LeaveTour { keeps: false });
+    }
+    ui.label(RichText::new(tr_with("{0} of {1}", &[&(step + 1), &count])).color(weak));
 }
