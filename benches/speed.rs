@@ -8,7 +8,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use riemap::conformal::{
-    BoundaryValues, CauchyGreen, ConformalMap, Constraints, Contour, MapSettings, PrepareSettings, PreparedDomain,
+    BoundaryValues, CauchyGreen, ConformalMap, Constraints, Contour, MapSettings, PrepareSettings, PreparedSide,
     prepare,
 };
 use riemap::geometry::DVec2;
@@ -51,11 +51,11 @@ fn frame(criterion: &mut Criterion) {
         let settings = [("default", Some(PrepareSettings::default())), ("paper", paper(preset))];
         for (name, settings) in settings.into_iter().filter_map(|(name, s)| Some((name, s?))) {
             let target = prepared(preset, settings);
-            let at = |x: f64| Constraints {
-                source_point: disk.pole,
-                target_point: target.pole + DVec2::new(x, 0.0),
-                source_anchor: 0.0,
-                target_anchor: 0.0,
+            let at = |x: f64| {
+                Constraints::new(
+                    (disk.default_point(), 0.0),
+                    (target.domain().unwrap().pole() + DVec2::new(x, 0.0), 0.0),
+                )
             };
             let mut map = ConformalMap::new(disk.clone(), target.clone(), &at(0.0), MapSettings::default()).unwrap();
             let mut step = 0.0;
@@ -74,24 +74,25 @@ fn frame(criterion: &mut Criterion) {
 fn cauchy_green(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("cauchy-green");
     group.sample_size(10);
-    let domain = prepared(Preset::Heart, PrepareSettings::default());
-    let (m, count) = (domain.samples.len(), domain.mesh.vertices.len());
+    let side = prepared(Preset::Heart, PrepareSettings::default());
+    let domain = side.domain().unwrap();
+    let (m, count) = (side.boundary_count(), side.vertex_count());
     group.throughput(Throughput::Elements((m * count) as u64));
-    let values = BoundaryValues::new(domain.samples.points.iter().map(|v| v.perp()));
+    let values = BoundaryValues::new(domain.samples().points().iter().map(|v| v.perp()));
     let mut images = vec![DVec2::ZERO; count];
     for (name, budget) in [("stored", usize::MAX), ("on-the-fly", 0)] {
         let mut coordinates = CauchyGreen::new(domain.clone(), budget);
         coordinates.advance(0, &values, &mut images, &mut |_| ControlFlow::Continue(()));
         group.bench_function(name, |bencher| bencher.iter(|| coordinates.apply(0..count, &values, &mut images)));
     }
-    let (contour, mut gamma) = (Contour::new(&domain.samples.points), Vec::new());
+    let (contour, mut gamma) = (Contour::new(domain.samples().points()), Vec::new());
     group.bench_function("coordinates", |bencher| {
-        bencher.iter(|| domain.mesh.vertices.iter().for_each(|&z| contour.coordinates(black_box(z), &mut gamma)));
+        bencher.iter(|| domain.mesh().vertices.iter().for_each(|&z| contour.coordinates(black_box(z), &mut gamma)));
     });
     group.finish();
 }
 
-fn prepared(preset: Preset, settings: PrepareSettings) -> Arc<PreparedDomain> {
+fn prepared(preset: Preset, settings: PrepareSettings) -> Arc<PreparedSide> {
     Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
 }
 

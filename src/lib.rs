@@ -1,30 +1,43 @@
-//! Real-time conformal maps between two outlines.
+//! Real-time conformal maps between outlines or surfaces.
 //!
 //! A conformal map `f: Ω₁ → Ω₂` is fixed by one pair of interior points and one
 //! pair of boundary points. riemap finds it by matching the harmonic measure of
 //! the two boundaries, as in "Real-Time Conformal Maps and Parameterizations".
 //!
 //! Dependencies between the modules run one way:
-//! `geometry → outline, mesh → surface, laplace → conformal → session, worker, export → figures → render → app`.
+//! `geometry → outline, mesh → surface, laplace → conformal → session, export → figures → language → worker → render → app`.
 //! `drawing`, outlines by hand, stands beside `outline`; `zipper`, a map through the disk for comparison, beside
 //! `conformal`, and uses no mesh; `closed_form`, the presets' maps that are known exactly, beside `session`; `family`,
 //! ways through all maps of one domain onto another, beside `export`.
-//! Without the default feature `app` only the numerical core is built.
+//!
+//! | feature | what it adds to the numerical core |
+//! |---|---|
+//! | `io` (default) | outlines and surfaces from files, sessions as links and files, exports, the worker's requests |
+//! | `app` (default, implies `io`) | the window, the canvas, the command line |
+
+/// The README's Rust examples, compiled and run as tests of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;
 
 pub mod closed_form;
 pub mod conformal;
 mod counted;
 pub mod drawing;
 pub mod exact;
+#[cfg(feature = "io")]
 pub mod export;
 pub mod family;
 pub mod figures;
 pub mod geometry;
+#[cfg(feature = "io")]
+pub mod language;
 pub mod laplace;
 pub mod mesh;
 pub mod outline;
 pub mod session;
 pub mod surface;
+#[cfg(feature = "io")]
 pub mod worker;
 pub mod zipper;
 
@@ -33,6 +46,16 @@ pub mod app;
 #[cfg(all(feature = "app", not(target_arch = "wasm32")))]
 pub mod cli;
 #[cfg(feature = "app")]
+pub mod model;
+#[cfg(feature = "app")]
 pub mod platform;
 #[cfg(feature = "app")]
 pub mod render;
+
+#[cfg(test)]
+#[allow(dead_code, clippy::panic, clippy::unwrap_used, reason = "tests, which use a part of it")]
+#[path = "../tests/support/data.rs"]
+mod test_data;
+#[cfg(test)]
+#[path = "../tests/support/random.rs"]
+mod test_random;

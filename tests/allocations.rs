@@ -2,31 +2,57 @@
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod support;
+
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, Extension, MapSettings, PrepareSettings, PreparedDomain, prepare,
+    ConformalMap, Constraints, Direction, Extension, MapSettings, PrepareSettings, SurfaceSettings, prepare_surface,
 };
 use riemap::geometry::DVec2;
+use riemap::mesh::BarycentricPoint;
 use riemap::outline::Preset;
+use riemap::surface::{SurfaceMesh, SurfacePreset};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
 use std::sync::Arc;
+use support::domains::domain;
 
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
-fn domain(preset: Preset) -> Arc<PreparedDomain> {
-    Arc::new(prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap())
-}
-
 /// One test only: the allocator is shared by all threads of the program.
 #[test]
 fn a_drag_allocates_nothing_after_its_first_frames() {
-    let (source, target) = (domain(Preset::Cinquefoil), domain(Preset::Heart));
-    let at = |t: f64| Constraints {
-        source_point: source.pole + 0.1 * t * DVec2::new((9.0 * t).cos(), (9.0 * t).sin()),
-        target_point: target.pole - 0.1 * t * DVec2::new((7.0 * t).cos(), (5.0 * t).sin()),
-        source_anchor: 0.3 * t,
-        target_anchor: 0.9 * t,
+    between_outlines();
+    between_surfaces();
+}
+
+fn between_surfaces() {
+    let [source, target] = [SurfacePreset::Hemisphere, SurfacePreset::HeightField].map(|preset| {
+        let mesh = SurfaceMesh::new(&preset.surface(100).unwrap()).unwrap();
+        Arc::new(prepare_surface(mesh, SurfaceSettings::default(), &mut |_| ()).unwrap())
+    });
+    let at = |t: f64| {
+        let point = BarycentricPoint { triangle: 900, weights: [0.5 * t, 0.5 - 0.5 * t, 0.5] };
+        Constraints::new((point, 0.3 * t), (target.default_point(), 0.9 * t))
+    };
+    let settings = MapSettings::default();
+    let mut map = ConformalMap::new(Arc::clone(&source), Arc::clone(&target), &at(0.01), settings).unwrap();
+    map.update(&at(0.02), settings).unwrap();
+    let region = Region::new(ALLOCATOR);
+    for step in 3..100 {
+        map.update(&at(f64::from(step) / 100.0), settings).unwrap();
+    }
+    let change = region.change();
+    assert_eq!((change.allocations, change.reallocations), (0, 0), "{change:?}");
+}
+
+fn between_outlines() {
+    let [source, target] = [Preset::Cinquefoil, Preset::Heart].map(|preset| domain(preset, PrepareSettings::default()));
+    let at = |t: f64| {
+        Constraints::new(
+            (source.domain().unwrap().pole() + 0.1 * t * DVec2::new((9.0 * t).cos(), (9.0 * t).sin()), 0.3 * t),
+            (target.domain().unwrap().pole() - 0.1 * t * DVec2::new((7.0 * t).cos(), (5.0 * t).sin()), 0.9 * t),
+        )
     };
     for direction in [Direction::Forward, Direction::Backward] {
         let settings = MapSettings { direction, extension: Extension::Harmonic };

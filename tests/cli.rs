@@ -3,50 +3,10 @@
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
-mod stderr;
+mod support;
 
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn riemap(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_riemap")).args(arguments).output().unwrap()
-}
-
-/// An empty folder for one test.
-fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).unwrap();
-    path
-}
-
-fn file(folder: &Path, name: &str, text: &str) -> String {
-    let path = folder.join(name);
-    std::fs::write(&path, text).unwrap();
-    path.display().to_string()
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> =
-        std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
-}
-
-/// Runs, expects `status`, and a single line on stderr that contains every word.
-fn fails(arguments: &[&str], status: i32, words: &[&str]) {
-    let output = riemap(arguments);
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
-    assert!(!stderr.contains("panicked"), "{arguments:?}: {stderr}");
-    if status == 1 {
-        assert_eq!(stderr::notes(&stderr).len(), 1, "{arguments:?}: {stderr}");
-    }
-    for word in words {
-        assert!(stderr.contains(word), "{arguments:?}: no {word:?} in: {stderr}");
-    }
-}
+use support::program::{fails, file, folder, names, riemap, succeeds};
 
 #[test]
 fn map_writes_every_format() {
@@ -57,8 +17,7 @@ fn map_writes_every_format() {
     for file in &files {
         arguments.extend(["--out", file]);
     }
-    let output = riemap(&arguments);
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let output = succeeds(&arguments);
     let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
     let document: Value = serde_json::from_str(&std::fs::read_to_string(&files[0]).unwrap()).unwrap();
     for key in ["quality", "timing_ms", "counts"] {
@@ -106,8 +65,7 @@ fn forward_maps_the_source_and_the_interior_point_lands_on_its_image() {
         "--out",
         &out,
     ];
-    let output = riemap(&arguments);
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    succeeds(&arguments);
     let document: Value = serde_json::from_str(&std::fs::read_to_string(&out).unwrap()).unwrap();
     let point = |v: &Value| [v[0].as_f64().unwrap(), v[1].as_f64().unwrap()];
     let nearest = |p: [f64; 2]| {
@@ -132,8 +90,7 @@ fn cauchy_green_extension_maps_the_boundary_too() {
         let out = folder.join(format!("{extension}.json")).display().to_string();
         let arguments =
             ["map", "preset:star", "preset:disk", "--samples", "300", "--extension", extension, "--out", out.as_str()];
-        let output = riemap(&arguments);
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        succeeds(&arguments);
         serde_json::from_str::<Value>(&std::fs::read_to_string(&out).unwrap()).unwrap()
     });
     let keys = |document: &Value| document.as_object().unwrap().keys().cloned().collect::<Vec<_>>();

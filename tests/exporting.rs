@@ -3,24 +3,15 @@
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+mod support;
+
+use riemap::conformal::Side;
 use riemap::outline;
 use riemap::render::FilmFormat;
 use riemap::session::{Command as Change, Session, SurfaceShape, SurfaceSpec, TextureKind, file, link};
 use riemap::surface::{SurfacePreset, read_surface};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn riemap(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_riemap")).args(arguments).output().unwrap()
-}
-
-/// An empty folder for one test.
-fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("exporting {name}"));
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).unwrap();
-    path
-}
+use std::path::Path;
+use support::program::{fails, folder, succeeds};
 
 fn link(session: &Session) -> String {
     link::encode(session).unwrap().fragment
@@ -29,25 +20,15 @@ fn link(session: &Session) -> String {
 fn surface_session() -> Session {
     let mut session = Session::default();
     let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
-    session.apply(Change::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
     session
 }
 
 /// Runs a command that writes `name`, and reads what it wrote.
 fn written(folder: &Path, name: &str, arguments: &[&str]) -> Vec<u8> {
     let out = folder.join(name).display().to_string();
-    let output = riemap(&[arguments, &["--out", &out]].concat());
-    assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+    succeeds(&[arguments, &["--out", &out]].concat());
     std::fs::read(out).unwrap()
-}
-
-fn fails(arguments: &[&str], status: i32, words: &[&str]) {
-    let output = riemap(arguments);
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
-    for word in words {
-        assert!(stderr.contains(word), "{arguments:?}: no {word:?} in: {stderr}");
-    }
 }
 
 #[test]

@@ -3,45 +3,23 @@
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
-mod stderr;
+mod support;
 
 use riemap::surface::read_surface;
 use serde_json::Value;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use support::program::{self, file, folder, riemap, succeeds};
 
-fn flatten(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_riemap")).arg("flatten").args(arguments).output().unwrap()
-}
-
-fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).unwrap();
-    path
-}
-
-fn file(folder: &Path, name: &str, text: &str) -> String {
-    let path = folder.join(name);
-    std::fs::write(&path, text).unwrap();
-    path.display().to_string()
+fn flatten<'a>(arguments: &[&'a str]) -> Vec<&'a str> {
+    [&["flatten"], arguments].concat()
 }
 
 fn json(arguments: &[&str]) -> Value {
-    let output = flatten(arguments);
-    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
+    serde_json::from_slice(&succeeds(&flatten(arguments)).stdout).unwrap()
 }
 
-/// The message, after checks that it is one line and the status is as expected.
 fn fails(arguments: &[&str], status: i32) -> String {
-    let output = flatten(arguments);
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
-    assert!(!stderr.contains("panicked"), "{stderr}");
-    assert!(status == 2 || stderr::notes(&stderr).len() == 1, "{stderr}");
-    stderr
+    program::fails(&flatten(arguments), status, &[])
 }
 
 /// A 4×4 grid with a bump, its vertices in scrambled order, with a loose vertex in front.
@@ -103,7 +81,7 @@ fn a_picture_has_the_size_that_is_asked_for_and_shows_surface_and_layout() {
     let folder = folder("flatten-picture");
     let out = folder.join("uv.png").display().to_string();
     let arguments = ["preset:hemisphere:40", "preset:disk", "--samples", "80", "--size", "320x160", "--out", &out];
-    let output = flatten(&arguments);
+    let output = riemap(&flatten(&arguments));
     let stderr = String::from_utf8_lossy(&output.stderr);
     if stderr.contains("no graphics adapter") && std::env::var_os("CI").is_none() {
         return println!("skipped: {stderr}");
@@ -165,8 +143,7 @@ fn errors_name_their_cause() {
     let strip = file(&folder, "strip.obj", &format!("{square}v 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n"));
     let notes = json(&[&strip, "preset:disk", "--json"])["notes"].to_string();
     assert!(notes.contains("the ends of 1 boundary edge fall together: no inner way leads there"), "{notes}");
-    let output = flatten(&[&turned, "preset:disk", "--repair"]);
-    assert!(output.status.success());
+    let output = succeeds(&flatten(&[&turned, "preset:disk", "--repair"]));
     assert!(String::from_utf8_lossy(&output.stderr).contains("1 triangle was turned round"));
     assert!(fails(&["preset:cube", "preset:disk"], 1).contains("hemisphere"));
     assert!(fails(&["preset:saddle:5", "preset:disk"], 1).contains("12 to 4000"));

@@ -2,16 +2,19 @@
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod support;
+
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, Extension, ExtensionScratch, KernelMode, MapError, MapSettings, Memory,
-    PrepareSettings, PreparedDomain, Side, SurfaceConstraints, SurfaceMap, SurfaceSettings, advance_extension,
-    begin_disk_coordinates, disk_coordinates, prepare, prepare_surface,
+    ConformalMap, Constraints, Direction, Extension, ExtensionScratch, KernelMode, MapError, MapSettings,
+    PrepareSettings, PreparedSide, Side, SurfaceSettings, advance_extension, begin_disk_coordinates, disk_coordinates,
+    prepare_surface,
 };
 use riemap::geometry::DVec2;
 use riemap::laplace::{Deadline, SolverKind};
 use riemap::outline::{Preset, Sampling};
 use riemap::surface::{SurfaceMesh, SurfacePreset};
 use std::sync::Arc;
+use support::domains;
 
 const MODES: [(SolverKind, KernelMode); 3] = [
     (SolverKind::Direct, KernelMode::Adjoint),
@@ -19,19 +22,17 @@ const MODES: [(SolverKind, KernelMode); 3] = [
     (SolverKind::Direct, KernelMode::Table),
 ];
 
-fn domain(preset: Preset, (solver, kernel): (SolverKind, KernelMode)) -> Arc<PreparedDomain> {
+fn domain(preset: Preset, (solver, kernel): (SolverKind, KernelMode)) -> Arc<PreparedSide> {
     let sampling = Sampling::Adaptive { target: Some(300) };
     let settings = PrepareSettings { sampling, solver, kernel, ..PrepareSettings::default() };
-    Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
+    domains::domain(preset, settings)
 }
 
-fn constraints(source: &PreparedDomain, target: &PreparedDomain, t: f64) -> Constraints {
-    Constraints {
-        source_point: source.pole + t * DVec2::new(0.02, 0.03),
-        target_point: target.pole - t * DVec2::new(0.03, 0.01),
-        source_anchor: 0.3 * t,
-        target_anchor: 0.9 * t,
-    }
+fn constraints(source: &PreparedSide, target: &PreparedSide, t: f64) -> Constraints {
+    Constraints::new(
+        (source.domain().unwrap().pole() + t * DVec2::new(0.02, 0.03), 0.3 * t),
+        (target.domain().unwrap().pole() - t * DVec2::new(0.03, 0.01), 0.9 * t),
+    )
 }
 
 /// All that a map says.
@@ -89,7 +90,7 @@ fn other_constraints_start_over_and_bad_ones_change_nothing() {
             let fresh = ConformalMap::new(Arc::clone(&source), Arc::clone(&target), &at(2.0), settings).unwrap();
             assert_eq!(seen(&map), seen(&fresh), "left after {left} steps");
             map.advance(&at(1.0), settings, Deadline::in_ms(0.0)).unwrap();
-            let outside = Constraints { source_point: DVec2::splat(1e3), ..at(1.0) };
+            let outside = at(1.0).with_point(Side::Source, DVec2::splat(1e3));
             let error = map.advance(&outside, settings, Deadline::NEVER);
             assert!(matches!(error, Err(MapError::PointOutside { side: Side::Source, .. })), "{error:?}");
             assert_eq!(seen(&map), seen(&fresh));
@@ -107,7 +108,7 @@ fn disk_coordinates_in_pieces_are_those_at_once() {
         let map = ConformalMap::new(source, target, &at, MapSettings::default()).unwrap();
         let (mut scratch, mut whole, mut pieces) = (ExtensionScratch::default(), Vec::new(), vec![DVec2::ONE]);
         for side in Side::BOTH {
-            let (domain, measure, before) = (map.domain(side), map.measure(side), pieces.clone());
+            let (domain, measure, before) = (map.side(side), map.measure(side), pieces.clone());
             disk_coordinates(domain, measure, &mut whole, &mut scratch).unwrap();
             begin_disk_coordinates(domain, measure, &mut scratch);
             let mut steps = 1;
@@ -126,23 +127,27 @@ fn a_surface_in_pieces_is_the_surface_at_once() {
         let source = domain(Preset::Disk, (SolverKind::Direct, KernelMode::Adjoint));
         let surface = SurfaceMesh::new(&SurfacePreset::ALL[0].surface(120).unwrap()).unwrap();
         let settings = SurfaceSettings { solver, ..SurfaceSettings::default() };
-        let surface = Arc::new(prepare_surface(Memory::default(), surface, settings, &mut |_| ()).unwrap());
-        let at = |anchor: f64| SurfaceConstraints {
-            source_point: source.pole + DVec2::splat(0.1 * anchor),
-            source_anchor: 0.0,
-            surface_point: surface.centre,
-            surface_anchor: anchor,
+        let surface = Arc::new(prepare_surface(surface, settings, &mut |_| ()).unwrap());
+        let at = |anchor: f64| {
+            Constraints::new(
+                (source.domain().unwrap().pole() + DVec2::splat(0.1 * anchor), 0.0),
+                (surface.default_point(), anchor),
+            )
         };
-        let mut map = SurfaceMap::new(Arc::clone(&source), Arc::clone(&surface), &at(0.0)).unwrap();
+        let mut map =
+            ConformalMap::new(Arc::clone(&source), Arc::clone(&surface), &at(0.0), MapSettings::default()).unwrap();
         let (before, mut steps) = (map.images().to_vec(), 1);
-        map.advance(&at(0.5), Deadline::in_ms(0.0)).unwrap();
-        while !map.advance(&at(0.2), Deadline::in_ms(0.0)).unwrap() {
+        map.advance(&at(0.5), MapSettings::default(), Deadline::in_ms(0.0)).unwrap();
+        while !map.advance(&at(0.2), MapSettings::default(), Deadline::in_ms(0.0)).unwrap() {
             assert_eq!(map.images(), before);
             steps += 1;
         }
-        let whole = SurfaceMap::new(Arc::clone(&source), Arc::clone(&surface), &at(0.2)).unwrap();
+        let whole =
+            ConformalMap::new(Arc::clone(&source), Arc::clone(&surface), &at(0.2), MapSettings::default()).unwrap();
         assert!(steps > 2 && map.images() == whole.images(), "{solver:?}: {steps} steps");
-        assert_eq!((map.kernel(), map.measure()), (whole.kernel(), whole.measure()));
+        for side in Side::BOTH {
+            assert_eq!((map.kernel(side), map.measure(side)), (whole.kernel(side), whole.measure(side)));
+        }
         assert_eq!(map.correspondence(), whole.correspondence());
     }
 }

@@ -3,22 +3,24 @@
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+mod support;
+
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use riemap::conformal::{Direction, Extension, KernelMode, PrepareSettings, Side, SurfaceSettings};
 use riemap::geometry::{Bounds, DVec2};
 use riemap::laplace::SolverKind;
 use riemap::mesh::{BarycentricPoint, Sizing};
 use riemap::outline::{Preset, Sampling};
-use riemap::session::link::{Decoded, MAX_LENGTH, decode, encode};
+use riemap::session::link::{Decoded, MAX_LENGTH, MissingOutline, decode, encode};
 use riemap::session::{
-    CELLS, Colouring, Comparison, DomainSpec, GROWTH, OutlineSpec, SAMPLES, SURFACE_BOUNDARY, Session, SurfaceShape,
-    SurfaceSpec, SurfaceState, TextureKind, file,
+    CELLS, Colouring, Command, Comparison, DomainSpec, GROWTH, OutlineSpec, SAMPLES, SURFACE_BOUNDARY, Session,
+    SidePoints, SideState, SurfaceShape, SurfaceSpec, TextureKind, file,
 };
 use riemap::surface::SurfacePreset;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
 use std::sync::{Mutex, MutexGuard};
+use support::random::runner;
 
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -27,11 +29,6 @@ static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 fn alone() -> MutexGuard<'static, ()> {
     static LOCK: Mutex<()> = Mutex::new(());
     LOCK.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
-}
-
-fn runner(cases: u32) -> TestRunner {
-    let config = Config { cases, failure_persistence: None, ..Config::default() };
-    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
 }
 
 fn one_of<T: Clone + std::fmt::Debug + 'static>(all: &[T]) -> impl Strategy<Value = T> + use<T> {
@@ -51,8 +48,8 @@ fn drawn() -> impl Strategy<Value = OutlineSpec> {
             10_f64.powf(*exponent) * DVec2::from_angle(step * (k as f64 + turn))
         };
         let scale = 10_f64.powi(exponent);
-        let points = corners.iter().enumerate().map(corner).map(|p| scale * (p + DVec2::new(x, y))).collect();
-        OutlineSpec::Points { name, points }
+        let points = corners.iter().enumerate().map(corner).map(|p| scale * (p + DVec2::new(x, y)));
+        OutlineSpec::Points { name, polygon: points.collect::<Vec<_>>().try_into().unwrap() }
     })
 }
 
@@ -77,7 +74,8 @@ fn solver() -> impl Strategy<Value = SolverKind> {
     one_of(&[SolverKind::Direct, SolverKind::Pcg])
 }
 
-fn surface() -> impl Strategy<Value = SurfaceState> {
+/// A surface and its points.
+fn surface() -> impl Strategy<Value = (SurfaceSpec, SidePoints)> {
     let shape = prop_oneof![
         (one_of(&SurfacePreset::ALL), SURFACE_BOUNDARY)
             .prop_map(|(preset, boundary)| SurfaceShape::Preset { preset, boundary }),
@@ -90,50 +88,48 @@ fn surface() -> impl Strategy<Value = SurfaceState> {
         BarycentricPoint { triangle, weights }
     });
     (shape, any::<bool>(), settings, prop::option::of(point), 0.0..1.0).prop_map(
-        |(shape, repair, settings, point, anchor)| SurfaceState {
-            spec: SurfaceSpec { shape, repair, settings },
-            point,
-            anchor,
+        |(shape, repair, settings, interior, anchor)| {
+            (SurfaceSpec { shape, repair, settings }, SidePoints::Surface { interior, anchor })
         },
     )
 }
 
+/// The commands that make a side: an outline with its points, and a surface or none.
+fn side(side: Side) -> impl Strategy<Value = Vec<Command>> {
+    let point = prop::option::of((-1e9..1e9, -1.0..1.0).prop_map(DVec2::from));
+    (domain(), point, 0.0..1.0, prop::option::of(surface())).prop_map(move |(domain, interior, anchor, surface)| {
+        let DomainSpec { outline, settings } = domain;
+        let mut commands = vec![
+            Command::SetOutline { side, outline },
+            Command::SetSettings { side, settings },
+            Command::PlacePoints { side, points: SidePoints::Outline { interior, anchor } },
+        ];
+        if let Some((surface, points)) = surface {
+            commands.extend([Command::SetSurface { side, surface }, Command::PlacePoints { side, points }]);
+        }
+        commands
+    })
+}
+
 fn session() -> impl Strategy<Value = Session> {
-    let point = || prop::option::of((-1e9..1e9, -1.0..1.0).prop_map(DVec2::from));
     let textures =
         [TextureKind::Checker, TextureKind::Grid, TextureKind::Polar, TextureKind::Conformal, TextureKind::Image];
     let comparisons = [Comparison::Off, Comparison::Fresh, Comparison::Precomputed, Comparison::Both];
-    let first = (domain(), domain(), point(), point(), 0.0..1.0, 0.0..1.0);
-    let second = (
-        one_of(&[Direction::Forward, Direction::Backward]),
-        one_of(&[Extension::Harmonic, Extension::CauchyGreen]),
-        one_of(&textures),
-        CELLS,
-        one_of(&Side::BOTH),
-        one_of(&[Colouring::Texture, Colouring::Angle, Colouring::Area]),
+    let drawn = (
+        one_of(&[Direction::Forward, Direction::Backward]).prop_map(Command::SetDirection),
+        one_of(&[Extension::Harmonic, Extension::CauchyGreen]).prop_map(Command::SetExtension),
+        one_of(&textures).prop_map(Command::SetTexture),
+        CELLS.prop_map(Command::SetTextureScale),
+        one_of(&Side::BOTH).prop_map(Command::SetTextureSide),
+        one_of(&[Colouring::Texture, Colouring::Angle, Colouring::Area]).prop_map(Command::SetColouring),
+        any::<bool>().prop_map(Command::SetWireframe),
+        any::<bool>().prop_map(Command::SetPlots),
+        one_of(&comparisons).prop_map(Command::SetComparison),
     );
-    let third = (any::<bool>(), any::<bool>(), one_of(&comparisons), prop::option::of(surface()));
-    (first, second, third).prop_map(|(first, second, third)| {
-        let (source, target, x1, x2, y1, y2) = first;
-        let (direction, extension, texture, texture_scale, texture_side, colouring) = second;
-        let (wireframe, plots, comparison, surface) = third;
-        Session {
-            version: 1,
-            source,
-            target,
-            interior: [x1, x2],
-            anchor: [y1, y2],
-            direction,
-            extension,
-            texture,
-            texture_scale,
-            texture_side,
-            colouring,
-            wireframe,
-            plots,
-            comparison,
-            surface,
-        }
+    (side(Side::Source), side(Side::Target), drawn).prop_map(|(source, target, drawn)| {
+        let (direction, extension, texture, scale, home, colouring, wireframe, plots, comparison) = drawn;
+        let drawn = [direction, extension, texture, scale, home, colouring, wireframe, plots, comparison];
+        Session::with(source.into_iter().chain(target).chain(drawn))
     })
 }
 
@@ -149,7 +145,7 @@ fn is_quantised(points: &[DVec2], found: &[DVec2]) -> bool {
 #[test]
 fn a_session_comes_back_and_the_second_time_exactly() {
     let _alone = alone();
-    let (carried, missed) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
+    let (carried, missed, second) = (std::cell::Cell::new(0), std::cell::Cell::new(0), std::cell::Cell::new(0));
     runner(300)
         .run(&session(), |session| {
             let encoded = encode(&session).unwrap();
@@ -159,22 +155,30 @@ fn a_session_comes_back_and_the_second_time_exactly() {
             prop_assert_eq!(missing.iter().map(|outline| outline.side).collect::<Vec<_>>(), left_out.clone());
             let mut expected = session.clone();
             for outline in &missing {
-                let k = outline.side as usize;
-                prop_assert_eq!((outline.interior, outline.anchor), (session.interior[k], session.anchor[k]));
-                (expected.interior[k], expected.anchor[k]) = (None, 0.0);
+                let &MissingOutline { side, interior, anchor, .. } = outline;
+                prop_assert_eq!(SidePoints::Outline { interior, anchor }, session.side(side).outline_points());
+                let points = SidePoints::Outline { interior: None, anchor: 0.0 };
+                expected.apply(Command::PlacePoints { side, points });
             }
-            for (side, wanted) in Side::BOTH.into_iter().zip([&mut expected.source, &mut expected.target]) {
-                let got = &found.domain(side).outline;
-                if let OutlineSpec::Points { points, .. } = &wanted.outline {
-                    if let OutlineSpec::Points { points: on_grid, .. } = got {
-                        prop_assert!(is_quantised(points, on_grid));
+            for side in Side::BOTH {
+                let (given, got) = (&session.domain(side).outline, &found.domain(side).outline);
+                if let OutlineSpec::Points { polygon, .. } = given {
+                    if let OutlineSpec::Points { polygon: on_grid, .. } = got {
+                        prop_assert!(is_quantised(polygon.vertices(), on_grid.vertices()));
                         carried.set(carried.get() + 1);
                     } else {
                         prop_assert!(left_out.contains(&side));
                         missed.set(missed.get() + 1);
                     }
-                    wanted.outline = got.clone();
+                    let SideState { interior, anchor, .. } = *expected.side(side);
+                    expected.apply(Command::ReshapeOutline { side, outline: got.clone(), interior, anchor });
                 }
+            }
+            if session.surface(Side::Source).is_some() {
+                prop_assert!(encoded.fragment.starts_with("s=2."));
+                second.set(second.get() + 1);
+            } else {
+                prop_assert!(encoded.fragment.starts_with("s=1."));
             }
             prop_assert_eq!(&found, &expected);
             let again = encode(&found).unwrap();
@@ -185,6 +189,7 @@ fn a_session_comes_back_and_the_second_time_exactly() {
         .unwrap();
     println!("{} drawn outlines came back, {} travel as files", carried.get(), missed.get());
     assert!(carried.get() > 100 && missed.get() > 10);
+    assert!((50..250).contains(&second.get()), "{} of 300 links are of version 2", second.get());
 }
 
 #[test]
@@ -225,15 +230,15 @@ fn base64url(bytes: &[u8]) -> String {
     text
 }
 
-/// A payload of any bytes, as `deflate` would give it.
-fn link_of(bytes: &[u8]) -> String {
-    format!("s=1.{}", base64url(&miniz_oxide::deflate::compress_to_vec_zlib(bytes, 9)))
+/// A payload of any bytes, as `deflate` would give it, in a link of a version.
+fn link_of(version: u8, bytes: &[u8]) -> String {
+    format!("s={version}.{}", base64url(&miniz_oxide::deflate::compress_to_vec_zlib(bytes, 9)))
 }
 
 #[test]
 fn arbitrary_text_opens_or_says_why() {
     let _alone = alone();
-    let text = prop_oneof!["\\PC{0,200}", "s=1\\.[A-Za-z0-9_-]{0,400}", "[#&s=1.AB]{0,40}"];
+    let text = prop_oneof!["\\PC{0,200}", "s=[12]\\.[A-Za-z0-9_-]{0,400}", "[#&s=1.AB]{0,40}"];
     runner(2000).run(&text, |text| opens_or_says_why(&text).map(|_| ())).unwrap();
 }
 
@@ -241,7 +246,10 @@ fn arbitrary_text_opens_or_says_why() {
 fn arbitrary_bytes_open_or_say_why() {
     let _alone = alone();
     let bytes = prop::collection::vec(any::<u8>(), 0..400);
-    runner(2000).run(&bytes, |bytes| opens_or_says_why(&link_of(&bytes)).map(|_| ())).unwrap();
+    let version = 1_u8..=2;
+    runner(2000)
+        .run(&(version, bytes), |(version, bytes)| opens_or_says_why(&link_of(version, &bytes)).map(|_| ()))
+        .unwrap();
 }
 
 /// Bytes that differ from a session's own in a few places get past the first checks.
@@ -258,7 +266,8 @@ fn changed_bytes_open_or_say_why() {
                 let at = at.index(bytes.len());
                 bytes[at] = value;
             }
-            opened.set(opened.get() + u32::from(opens_or_says_why(&link_of(&bytes))?));
+            let version = if fragment.starts_with("s=1.") { 1 } else { 2 };
+            opened.set(opened.get() + u32::from(opens_or_says_why(&link_of(version, &bytes))?));
             Ok(())
         })
         .unwrap();
@@ -286,13 +295,19 @@ fn unpacked(fragment: &str) -> Vec<u8> {
 #[test]
 fn promises_and_bombs_take_little() {
     let _alone = alone();
-    for zeros in [64 << 10, (64 << 10) + 1, 1 << 20, 6 << 20] {
-        assert!(!opens_or_says_why(&link_of(&vec![0; zeros])).unwrap(), "{zeros} zeros");
+    for version in [1, 2] {
+        for zeros in [64 << 10, (64 << 10) + 1, 1 << 20, 6 << 20] {
+            assert!(!opens_or_says_why(&link_of(version, &vec![0; zeros])).unwrap(), "{zeros} zeros");
+        }
+        let name = b"\x01\x00"; // points, with an empty name
+        let mut promise = [&name[..], &[0; 32], &[0]].concat();
+        promise.extend([0xff, 0xff, 0xff, 0xff, 0x0f]); // 2³² − 1 steps
+        assert!(!opens_or_says_why(&link_of(version, &promise)).unwrap());
+        promise.resize(64 << 10, 1);
+        assert!(!opens_or_says_why(&link_of(version, &promise)).unwrap());
     }
-    let name = b"\x01\x00"; // points, with an empty name
-    let mut promise = [&name[..], &[0; 32], &[0]].concat();
-    promise.extend([0xff, 0xff, 0xff, 0xff, 0x0f]); // 2³² − 1 steps
-    assert!(!opens_or_says_why(&link_of(&promise)).unwrap());
-    promise.resize(64 << 10, 1);
-    assert!(!opens_or_says_why(&link_of(&promise)).unwrap());
+    // a section that promises 2³² − 1 bytes after all that version 1 holds
+    let mut promise = unpacked(&encode(&Session::default()).unwrap().fragment);
+    promise.extend([1, 1, 0, 0xff, 0xff, 0xff, 0xff, 0x0f]);
+    assert!(!opens_or_says_why(&link_of(2, &promise)).unwrap());
 }

@@ -2,14 +2,18 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
+mod support;
+
 use riemap::conformal::{
     ConformalMap, Constraints, FlatBuffers, HarmonicTable, KernelMode, KernelScratch, MapSettings, Memory,
-    PrepareError, PrepareSettings, PreparedDomain, Stage, TableError, poisson_kernel, prepare, prepare_within,
+    PrepareError, PrepareSettings, PreparedSide, Stage, TableError, Unprepared, poisson_kernel, prepare,
+    prepare_within,
 };
+use riemap::geometry::SimplePolygon;
 use riemap::laplace::{Solver, SolverKind};
 use riemap::mesh::{Sizing, locate};
 use riemap::outline::{Preset, Sampling};
-use std::sync::Arc;
+use support::domains::domain;
 
 const COARSE: PrepareSettings = PrepareSettings {
     sampling: Sampling::Uniform { count: 150, keep_corners: true },
@@ -20,15 +24,16 @@ const COARSE: PrepareSettings = PrepareSettings {
 const TABLE: PrepareSettings = PrepareSettings { kernel: KernelMode::Table, ..COARSE };
 const PCG: PrepareSettings = PrepareSettings { solver: SolverKind::Pcg, ..COARSE };
 
-fn domain(preset: Preset, settings: PrepareSettings) -> PreparedDomain {
-    prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap()
+fn outline<'a>(polygon: &'a SimplePolygon, settings: &'a PrepareSettings) -> Unprepared<'a> {
+    Unprepared::Outline { polygon, settings }
 }
 
 /// The kernel at every `step`-th interior vertex, moved a little towards the pole.
-fn kernels(domain: &PreparedDomain, step: usize) -> Vec<Vec<f64>> {
-    let inside = domain.mesh.vertices[domain.samples.len()..].iter().step_by(step);
+fn kernels(domain: &PreparedSide, step: usize) -> Vec<Vec<f64>> {
+    let inside = domain.domain().unwrap().mesh().vertices[domain.boundary_count()..].iter().step_by(step);
     let mut scratch = KernelScratch::default();
-    let near = inside.filter_map(|v| locate(&domain.mesh, v.lerp(domain.pole, 0.01), 0));
+    let near = inside
+        .filter_map(|v| locate(domain.domain().unwrap().mesh(), v.lerp(domain.domain().unwrap().pole(), 0.01), 0));
     near.map(|x| {
         let mut psi = Vec::new();
         poisson_kernel(domain, x, &mut scratch, &mut psi).unwrap();
@@ -51,7 +56,7 @@ fn difference(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
 fn kernels_from_the_table_equal_the_adjoint_ones() {
     for preset in [Preset::Disk, Preset::LShape, Preset::Cinquefoil, Preset::Star] {
         let (adjoint, table) = (domain(preset, COARSE), domain(preset, TABLE));
-        assert!(adjoint.table.is_none() && table.table.is_some());
+        assert!(adjoint.table().is_none() && table.table().is_some());
         let error = difference(&kernels(&adjoint, 17), &kernels(&table, 17));
         println!("{}: {error:.1e}", preset.name());
         assert!(error <= 1e-12, "{}: {error:e}", preset.name());
@@ -72,10 +77,10 @@ fn table_is_made_with_progress_in_per_cent() {
 fn table_above_the_budget_is_refused_with_what_fits() {
     let polygon = Preset::Heart.outline().polygon;
     let whole = domain(Preset::Heart, TABLE);
-    let (n, m) = (whole.mesh.interior_count(), whole.samples.len());
+    let (n, m) = (whole.interior_count(), whole.boundary_count());
     let bytes = HarmonicTable::bytes(n, m);
     let memory = Memory { table_bytes: bytes / 8, ..Memory::default() };
-    let error = prepare_within(memory, &polygon, &TABLE, &mut |_| ()).unwrap_err();
+    let error = prepare_within(memory, outline(&polygon, &TABLE), &mut |_| ()).unwrap_err();
     println!("{error}");
     let PrepareError::Table(TableError::TooLarge { bytes: stated, fitting_samples, .. }) = error else {
         panic!("{error}")
@@ -83,7 +88,7 @@ fn table_above_the_budget_is_refused_with_what_fits() {
     assert_eq!(stated, bytes);
     // n·m = O(m³): an eighth of the memory holds the table of half the samples
     let sampling = Sampling::Uniform { count: fitting_samples as u32, keep_corners: true };
-    let fitting = prepare_within(memory, &polygon, &PrepareSettings { sampling, ..TABLE }, &mut |_| ());
+    let fitting = prepare_within(memory, outline(&polygon, &PrepareSettings { sampling, ..TABLE }), &mut |_| ());
     assert!(fitting.is_ok() && fitting_samples.abs_diff(m / 2) <= 1, "{fitting_samples} of {m}: {:?}", fitting.err());
 }
 
@@ -93,9 +98,9 @@ fn the_advice_for_a_graded_mesh_fits() {
     let sampling = |count| Sampling::Uniform { count, keep_corners: true };
     let graded = |count| PrepareSettings { sampling: sampling(count), sizing: Sizing::Graded(0.1), ..TABLE };
     let memory = Memory { table_bytes: 2_000_000, ..Memory::default() };
-    let error = prepare_within(memory, &polygon, &graded(600), &mut |_| ()).unwrap_err();
+    let error = prepare_within(memory, outline(&polygon, &graded(600)), &mut |_| ()).unwrap_err();
     let PrepareError::Table(TableError::TooLarge { fitting_samples, .. }) = error else { panic!("{error}") };
-    let fitting = prepare_within(memory, &polygon, &graded(fitting_samples as u32), &mut |_| ());
+    let fitting = prepare_within(memory, outline(&polygon, &graded(fitting_samples as u32)), &mut |_| ());
     assert!(fitting.is_ok(), "{fitting_samples}: {:?}", fitting.err());
 }
 
@@ -109,15 +114,10 @@ fn iterative_solver_gives_the_same_kernels_and_maps() {
 fn agree_with_the_iterative_solver(preset: Preset) {
     let both = [COARSE, PCG].map(|settings| {
         let (source, target) = (domain(preset, settings), domain(Preset::Heart, settings));
-        assert_eq!(source.solver.kind(), settings.solver);
-        let constraints = Constraints {
-            source_point: source.pole,
-            target_point: target.pole,
-            source_anchor: 0.1,
-            target_anchor: 0.7,
-        };
+        assert_eq!(source.solver().kind(), settings.solver);
+        let constraints = Constraints::new((source.default_point(), 0.1), (target.default_point(), 0.7));
         let kernels = kernels(&source, 97);
-        let map = ConformalMap::new(Arc::new(source), Arc::new(target), &constraints, MapSettings::default()).unwrap();
+        let map = ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap();
         (kernels, map.images().to_vec())
     });
     // a residual of 1e-12 times the condition of L̂, about n = 2000
@@ -132,26 +132,26 @@ fn agree_with_the_iterative_solver(preset: Preset) {
 fn factor_above_the_budget_gives_way_to_the_iterative_solver() {
     let polygon = Preset::Blob.outline().polygon;
     let memory = Memory { factor_bytes: 10_000, ..Memory::default() };
-    let domain = prepare_within(memory, &polygon, &COARSE, &mut |_| ()).unwrap();
-    assert_eq!(domain.solver.kind(), SolverKind::Pcg);
+    let domain = prepare_within(memory, outline(&polygon, &COARSE), &mut |_| ()).unwrap();
+    assert_eq!(domain.solver().kind(), SolverKind::Pcg);
 }
 
 #[test]
 fn every_mode_survives_the_trip_through_flat_arrays() {
     for settings in [COARSE, TABLE, PCG] {
         let domain = domain(Preset::Square, settings);
-        let back = PreparedDomain::from_buffers(domain.to_buffers()).unwrap();
-        assert_eq!(back.solver, domain.solver);
-        assert_eq!(back.table, domain.table);
-        assert_eq!(back.timings, domain.timings);
+        let back = PreparedSide::from_buffers(domain.to_buffers()).unwrap();
+        assert_eq!(back.solver(), domain.solver());
+        assert_eq!(back.table(), domain.table());
+        assert_eq!(back.timings(), domain.timings());
         let broken = |damage: fn(&mut FlatBuffers)| {
             let mut buffers = domain.to_buffers();
             damage(&mut buffers);
-            PreparedDomain::from_buffers(buffers).is_none()
+            PreparedSide::from_buffers(buffers).is_none()
         };
         assert!(broken(|b| b.floats.truncate(5)), "arrays missing");
         assert!(broken(|b| b.floats.push(Vec::new())), "an array too many");
         assert!(broken(|b| b.floats.last_mut().unwrap().truncate(3)), "values of the solver missing");
     }
-    assert!(matches!(domain(Preset::Square, PCG).solver, Solver::Pcg { .. }));
+    assert!(matches!(domain(Preset::Square, PCG).solver(), Solver::Pcg { .. }));
 }

@@ -4,20 +4,15 @@
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+mod support;
+
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use riemap::conformal::{
-    ConformalMap, Constraints, Contour, Direction, PrepareSettings, PreparedDomain, Side, prepare,
-};
+use riemap::conformal::{ConformalMap, Constraints, Contour, Direction, PrepareSettings, PreparedSide, Side, prepare};
 use riemap::geometry::{DVec2, SimplePolygon};
 use riemap::mesh::Sizing;
 use riemap::outline::{BoundarySamples, Sampling};
 use std::sync::Arc;
-
-fn runner(cases: u32) -> TestRunner {
-    let config = Config { cases, failure_persistence: None, ..Config::default() };
-    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
-}
+use support::random::runner;
 
 /// Star-shaped about 0, radii up to 1:300 between neighbours.
 fn star() -> impl Strategy<Value = SimplePolygon> {
@@ -39,7 +34,7 @@ fn settings() -> impl Strategy<Value = PrepareSettings> {
 }
 
 /// A domain, or `None` where uniform samples are too few for the spikes: that is a typed error.
-fn prepared(polygon: &SimplePolygon, settings: PrepareSettings) -> Option<Arc<PreparedDomain>> {
+fn prepared(polygon: &SimplePolygon, settings: PrepareSettings) -> Option<Arc<PreparedSide>> {
     match prepare(polygon, &settings, &mut |_| ()) {
         Ok(domain) => Some(Arc::new(domain)),
         Err(error) => {
@@ -52,9 +47,9 @@ fn prepared(polygon: &SimplePolygon, settings: PrepareSettings) -> Option<Arc<Pr
 /// How far along the other boundary, from `anchor`, each vertex goes, in the order of the mapped one.
 fn progress(map: &ConformalMap, constraints: &Constraints) -> Vec<f64> {
     let (side, other) = (map.direction().mapped_side(), map.direction().mapped_side().other());
-    let samples = |side: Side| -> &BoundarySamples { &map.domain(side).samples };
-    let start = samples(side).at_fraction(constraints.anchor(side)).edge as usize;
-    let anchor = samples(other).at_fraction(constraints.anchor(other));
+    let samples = |side: Side| -> &BoundarySamples { map.domain(side).unwrap().samples() };
+    let start = samples(side).at_fraction(constraints.anchors[side]).edge as usize;
+    let anchor = samples(other).at_fraction(constraints.anchors[other]);
     let (m, count) = (samples(side).len(), samples(other).len() as f64);
     let along = |k: usize| {
         let vertex = (start + 1 + k) % m;
@@ -74,7 +69,7 @@ fn boundary_correspondence_keeps_the_order() {
     let result = runner(48).run(&inputs, |(a, b, sa, sb, source_anchor, target_anchor, forward)| {
         let (Some(source), Some(target)) = (prepared(&a, sa), prepared(&b, sb)) else { return Ok(()) };
         let constraints =
-            Constraints { source_point: source.pole, target_point: target.pole, source_anchor, target_anchor };
+            Constraints::new((source.default_point(), source_anchor), (target.default_point(), target_anchor));
         let direction = if forward { Direction::Forward } else { Direction::Backward };
         let map = ConformalMap::new(source, target, &constraints, direction.into()).unwrap();
         prop_assert!(map.images().iter().all(|w| w.is_finite()));
@@ -105,16 +100,19 @@ fn cauchy_green_coordinates_reproduce_the_point() {
     runner(24)
         .run(&(star(), settings()), |(polygon, settings)| {
             let Some(domain) = prepared(&polygon, settings) else { return Ok(()) };
-            let boundary = &domain.samples.points;
+            let boundary = domain.domain().unwrap().samples().points();
             let (contour, mut gamma) = (Contour::new(boundary), Vec::new());
             // towards the middle of the domain's triangle at each boundary edge, by 1e-9 of its way
-            let near = domain.mesh.triangles.iter().filter(|t| t.iter().any(|&v| v < domain.mesh.boundary_count));
+            let near = domain
+                .triangles()
+                .iter()
+                .filter(|t| t.iter().any(|&v| v < domain.domain().unwrap().mesh().boundary_count));
             let near = near.flat_map(|t| {
-                let corners = t.map(|v| domain.mesh.vertices[v as usize]);
+                let corners = t.map(|v| domain.domain().unwrap().mesh().vertices[v as usize]);
                 let middle = corners.iter().sum::<DVec2>() / 3.0;
                 corners.map(|corner| corner.lerp(middle, 1e-9))
             });
-            for z in near.take(400).chain(domain.mesh.vertices.iter().copied().step_by(7)) {
+            for z in near.take(400).chain(domain.domain().unwrap().mesh().vertices.iter().copied().step_by(7)) {
                 contour.coordinates(z, &mut gamma);
                 let sum: DVec2 = gamma.iter().sum();
                 let times = |g: DVec2, v: DVec2| DVec2::new(g.x * v.x - g.y * v.y, g.x * v.y + g.y * v.x);
@@ -135,11 +133,14 @@ fn mesh_boundary_is_exactly_the_samples() {
     runner(48)
         .run(&(star(), settings()), |(polygon, settings)| {
             let Some(domain) = prepared(&polygon, settings) else { return Ok(()) };
-            let m = domain.samples.len();
-            prop_assert_eq!(domain.mesh.boundary_count as usize, m);
-            prop_assert_eq!(&domain.mesh.vertices[..m], domain.samples.points.as_slice());
-            prop_assert_eq!(domain.mesh.triangles.len(), m + 2 * domain.mesh.interior_count() - 2);
-            prop_assert!(domain.mesh.check_invariants().is_ok());
+            let m = domain.boundary_count();
+            prop_assert_eq!(domain.boundary_count(), m);
+            prop_assert_eq!(
+                &domain.domain().unwrap().mesh().vertices[..m],
+                domain.domain().unwrap().samples().points()
+            );
+            prop_assert_eq!(domain.triangles().len(), m + 2 * domain.interior_count() - 2);
+            prop_assert!(domain.domain().unwrap().mesh().check_invariants().is_ok());
             Ok(())
         })
         .unwrap();
@@ -150,7 +151,7 @@ fn domain_survives_the_trip_through_flat_arrays() {
     runner(12)
         .run(&(star(), settings()), |(polygon, settings)| {
             let Some(domain) = prepared(&polygon, settings) else { return Ok(()) };
-            let copy = PreparedDomain::from_buffers(domain.to_buffers()).unwrap();
+            let copy = PreparedSide::from_buffers(domain.to_buffers()).unwrap();
             prop_assert_eq!(copy.to_buffers(), domain.to_buffers());
             Ok(())
         })
@@ -164,8 +165,12 @@ fn handle_slides_along_the_boundary_and_stays_inside() {
         .run(&inputs, |(polygon, pointers)| {
             let Some(domain) = prepared(&polygon, PrepareSettings::default()) else { return Ok(()) };
             for (x, y) in pointers {
-                let inside = domain.nearest_inside(DVec2::new(x, y), 1e-3);
-                prop_assert!(riemap::mesh::locate(&domain.mesh, inside, 0).is_some(), "{} is outside", inside);
+                let inside = domain.domain().unwrap().nearest_inside(DVec2::new(x, y), 1e-3);
+                prop_assert!(
+                    riemap::mesh::locate(domain.domain().unwrap().mesh(), inside, 0).is_some(),
+                    "{} is outside",
+                    inside
+                );
             }
             Ok(())
         })

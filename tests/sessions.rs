@@ -3,7 +3,7 @@
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
-mod stderr;
+mod support;
 
 use image::RgbImage;
 use riemap::conformal::{Extension, Side};
@@ -14,47 +14,18 @@ use riemap::session::{
     Colouring, Command as Change, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind, file, link,
 };
 use riemap::surface::SurfacePreset;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn riemap(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_riemap")).args(arguments).output().unwrap()
-}
-
-/// An empty folder for one test.
-fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("sessions-{name}"));
-    let _ = std::fs::remove_dir_all(&path);
-    std::fs::create_dir_all(&path).unwrap();
-    path
-}
-
-fn written(folder: &Path, name: &str, content: &str) -> String {
-    let path = folder.join(name);
-    std::fs::write(&path, content).unwrap();
-    path.display().to_string()
-}
+use std::path::Path;
+use support::program::{self, fails, file as written, folder, succeeds};
 
 /// The picture that a link or file becomes.
 fn rendered(folder: &Path, link: &str, more: &[&str]) -> RgbImage {
     let out = folder.join("picture.png").display().to_string();
     let arguments = [&["render", link, "--size", "320x160", "--out", &out], more].concat();
-    let output = riemap(&arguments);
-    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    succeeds(&arguments);
     let picture = image::open(&out).unwrap().to_rgb8();
     std::fs::remove_file(&out).unwrap();
     assert_eq!(picture.dimensions(), (320, 160));
     picture
-}
-
-fn fails(arguments: &[&str], status: i32, words: &[&str]) {
-    let output = riemap(arguments);
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
-    assert!(!stderr.contains("panicked"), "{arguments:?}: {stderr}");
-    for word in words {
-        assert!(stderr.contains(word), "{arguments:?}: no {word:?} in: {stderr}");
-    }
 }
 
 /// The default session, coarser: these tests are about pictures, not about accuracy.
@@ -108,7 +79,7 @@ fn what_a_person_sets_is_seen() {
     let folder = folder("seen");
     let before = rendered(&folder, &link_of(&coarse()), &[]);
     for (name, change) in [
-        ("point", Change::MoveInterior { side: Side::Source, point: DVec2::new(0.0, -0.3) }),
+        ("point", Change::MoveInterior { side: Side::Source, point: DVec2::new(0.0, -0.3).into() }),
         ("anchor", Change::MoveAnchor { side: Side::Target, fraction: 0.4 }),
         ("grid", Change::SetTexture(TextureKind::Grid)),
         ("conformal", Change::SetTexture(TextureKind::Conformal)),
@@ -136,7 +107,7 @@ fn a_surface_stands_on_the_right() {
     let folder = folder("surface");
     let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
     let mut session = coarse();
-    session.apply(Change::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
     let picture = rendered(&folder, &link_of(&session), &[]);
     let plane = rendered(&folder, &link_of(&coarse()), &[]);
     let half = |picture: &RgbImage, half: u32| image::imageops::crop_imm(picture, 160 * half, 0, 160, 160).to_image();
@@ -162,7 +133,7 @@ fn a_surface_from_a_file_is_asked_for() {
     let path = written(&folder, "pyramid.obj", pyramid);
     let mut session = coarse();
     let shape = SurfaceShape::File { name: "pyramid.obj".into() };
-    session.apply(Change::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
     let link = link_of(&session);
     let out = folder.join("x.png").display().to_string();
     fails(&["render", &link, "--out", &out], 1, &["pyramid.obj", "file"]);
@@ -182,24 +153,22 @@ fn points_that_the_domains_do_not_have_are_told() {
     let folder = folder("moved");
     let out = folder.join("x.csv").display().to_string();
     let notes = |session: &Session| {
-        let output = riemap(&["render", &link_of(session), "--out", &out]);
-        let stderr = String::from_utf8(output.stderr).unwrap();
-        assert!(output.status.success(), "{stderr}");
-        stderr::notes(&stderr).join("\n")
+        let output = succeeds(&["render", &link_of(session), "--out", &out]);
+        program::notes(&String::from_utf8(output.stderr).unwrap()).join("\n")
     };
     let mut session = coarse();
-    session.apply(Change::MoveInterior { side: Side::Source, point: DVec2::new(0.1, 0.05) });
+    session.apply(Change::MoveInterior { side: Side::Source, point: DVec2::new(0.1, 0.05).into() });
     assert_eq!(notes(&session), "");
-    session.apply(Change::MoveInterior { side: Side::Target, point: DVec2::new(70.0, -3.0) });
+    session.apply(Change::MoveInterior { side: Side::Target, point: DVec2::new(70.0, -3.0).into() });
     let note = notes(&session);
     assert!(note.starts_with("riemap: the target point (70, -3) is outside of the target outline"), "{note}");
     assert_eq!(note.lines().count(), 1, "{note}");
     let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
-    session.apply(Change::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
+    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
     assert_eq!(notes(&session), "", "the target's outline is not mapped");
     let mut with_point = |triangle| {
-        let point = Some(BarycentricPoint { triangle, weights: [0.25, 0.25, 0.5] });
-        session.surface.as_mut().unwrap().point = point;
+        let point = BarycentricPoint { triangle, weights: [0.25, 0.25, 0.5] };
+        session.apply(Change::MoveInterior { side: Side::Target, point: point.into() });
         notes(&session)
     };
     assert_eq!(with_point(200), "");
@@ -223,13 +192,12 @@ fn an_outline_that_a_link_leaves_out_comes_from_a_file() {
     let mut session = coarse();
     session.apply(Change::SetOutline {
         side: Side::Source,
-        outline: OutlineSpec::Points { name: "rough".into(), points },
+        outline: OutlineSpec::Points { name: "rough".into(), polygon: points.try_into().unwrap() },
     });
-    session.apply(Change::MoveInterior { side: Side::Source, point: DVec2::new(0.3, 0.1) });
+    session.apply(Change::MoveInterior { side: Side::Source, point: DVec2::new(0.3, 0.1).into() });
     session.apply(Change::MoveAnchor { side: Side::Source, fraction: 0.3 });
     let saved = written(&folder, "rough.riemap", &file::write(&session).unwrap());
-    let output = riemap(&["link", &saved]);
-    assert!(output.status.success());
+    let output = succeeds(&["link", &saved]);
     let notes = String::from_utf8(output.stderr).unwrap();
     assert!(notes.contains("\"rough\"") && notes.contains("file"), "{notes}");
     let link = String::from_utf8(output.stdout).unwrap();
@@ -245,8 +213,8 @@ fn a_file_s_link_is_printed() {
     let mut session = coarse();
     session.apply(Change::SetOutline { side: Side::Target, outline: OutlineSpec::Preset(Preset::Star) });
     let saved = written(&folder, "star.riemap", &file::write(&session).unwrap());
-    let output = riemap(&["link", &saved]);
-    assert!(output.status.success() && output.stderr.is_empty());
+    let output = succeeds(&["link", &saved]);
+    assert!(output.stderr.is_empty());
     let printed = String::from_utf8(output.stdout).unwrap();
     assert_eq!(link::decode(&printed).unwrap().session, session, "{printed}");
 }
@@ -258,7 +226,7 @@ fn what_cannot_be_opened_says_why() {
     let fragment = link_of(&coarse());
     let at_out = |link: &str, words: &[&str]| fails(&["render", link, "--out", &out], 1, words);
     at_out(&fragment[..fragment.len() - 3], &["damaged"]);
-    at_out("https://example.org/#s=2.AAAA", &["format 2"]);
+    at_out("https://example.org/#s=3.AAAA", &["format 3"]);
     at_out("nowhere.riemap", &["nowhere.riemap"]);
     at_out(&written(&folder, "other.riemap", "{\"a\": 1}"), &["other.riemap", "no session"]);
     fails(&["render", &fragment, "--out", "x.jpg"], 2, &["png"]);

@@ -1,20 +1,21 @@
 //! The map against exact solutions: the disk, Möbius maps, the V-shape → blob tables.
-//!
-//! The tables (60 digits, shared/data/truth) lie outside the repository; the
-//! tests that need them skip with a message where they are absent.
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+mod support;
+
 use riemap::conformal::{
     BoundaryValues, ConformalMap, Constraints, Contour, Direction, Extension, KernelScratch, MapSettings,
-    PrepareSettings, PreparedDomain, Side, harmonic_coordinates, prepare,
+    PrepareSettings, PreparedSide, Side, harmonic_coordinates, prepare,
 };
+use riemap::exact::{self, complex, point};
 use riemap::geometry::{DVec2, SimplePolygon};
 use riemap::laplace::DirichletLaplacian;
 use riemap::mesh::{Sizing, locate};
 use riemap::outline::{Preset, Sampling};
-use std::path::PathBuf;
 use std::sync::Arc;
+use support::data::exact_values;
+use support::domains::domain;
 
 fn uniform(count: u32) -> PrepareSettings {
     PrepareSettings {
@@ -24,27 +25,11 @@ fn uniform(count: u32) -> PrepareSettings {
     }
 }
 
-fn domain(preset: Preset, settings: PrepareSettings) -> Arc<PreparedDomain> {
-    Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
-}
-
-/// The rows of a table, or `None` (with a message) where it is absent.
-fn table(name: &str) -> Option<Vec<Vec<f64>>> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data/truth").join(name);
-    let Ok(text) = std::fs::read_to_string(&path) else {
-        println!("skipped: {} is absent", path.display());
-        return None;
-    };
-    let rows = text.lines().filter(|line| !line.starts_with('#'));
-    Some(rows.map(|line| line.split_whitespace().map(|word| word.parse().unwrap()).collect()).collect())
-}
-
 const BLOB_CENTRE: DVec2 = DVec2::new(2.677_813_229_026_218, 2.466_851_711_366_240_7);
 const V_POINT: DVec2 = DVec2::new(0.96, 0.8432);
 
 fn v_to_blob(source: PrepareSettings, target: PrepareSettings) -> ConformalMap {
-    let constraints =
-        Constraints { source_point: V_POINT, target_point: BLOB_CENTRE, source_anchor: 0.0, target_anchor: 0.0 };
+    let constraints = Constraints::new((V_POINT, 0.0), (BLOB_CENTRE, 0.0));
     let (source, target) = (domain(Preset::VShape, source), domain(Preset::Blob, target));
     ConformalMap::new(source, target, &constraints, Direction::Forward.into()).unwrap()
 }
@@ -58,8 +43,8 @@ const FOUR_MAPPINGS: [MapSettings; 4] = [
 ];
 
 fn complete_map(
-    source: &Arc<PreparedDomain>,
-    target: &Arc<PreparedDomain>,
+    source: &Arc<PreparedSide>,
+    target: &Arc<PreparedSide>,
     constraints: &Constraints,
     settings: MapSettings,
 ) -> ConformalMap {
@@ -76,10 +61,10 @@ fn image_errors(map: &ConformalMap, rows: &[Vec<f64>]) -> (f64, f64) {
 }
 
 fn v_shape_to_blob_matches_the_table(m: u32, largest: f64) {
-    let Some(rows) = table(&format!("vshape_to_blob_m{m}.txt")) else { return };
+    let rows = exact_values(&format!("vshape_to_blob_m{m}.txt"));
     let map = v_to_blob(uniform(m), uniform(1000));
-    let samples = &map.domain(Side::Source).samples;
-    let boundary = samples.points.iter().zip(&rows).map(|(p, row)| p.distance(DVec2::new(row[0], row[1])));
+    let samples = map.domain(Side::Source).unwrap().samples();
+    let boundary = samples.points().iter().zip(&rows).map(|(p, row)| p.distance(DVec2::new(row[0], row[1])));
     let offset = boundary.fold(0.0, f64::max);
     assert!(offset < 1e-5, "m = {m}: the samples are {offset:e} off the table's");
     let (max, mean) = image_errors(&map, &rows);
@@ -112,16 +97,16 @@ fn v_shape_to_blob_m2000() {
 /// The default settings, against the finest table interpolated along the boundary.
 #[test]
 fn v_shape_to_blob_holds_under_the_default_settings() {
-    let Some(rows) = table("vshape_to_blob_m2000.txt") else { return };
+    let rows = exact_values("vshape_to_blob_m2000.txt");
     let map = v_to_blob(PrepareSettings::default(), PrepareSettings::default());
-    let samples = &map.domain(Side::Source).samples;
+    let samples = map.domain(Side::Source).unwrap().samples();
     let m = rows.len();
     let exact = |s: f64| {
         let (k, t) = ((s * m as f64).floor(), (s * m as f64).fract());
         let at = |k: usize| DVec2::new(rows[k % m][3], rows[k % m][4]);
         at(k as usize).lerp(at(k as usize + 1), t)
     };
-    let errors: Vec<f64> = samples.fractions.iter().zip(map.images()).map(|(&s, w)| w.distance(exact(s))).collect();
+    let errors: Vec<f64> = samples.fractions().iter().zip(map.images()).map(|(&s, w)| w.distance(exact(s))).collect();
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
     println!("V → blob, default (m = {}): mean {mean:.2e}", samples.len());
     assert!(mean <= 4e-3, "mean image error {mean:e}");
@@ -132,42 +117,39 @@ fn disk_kernel_and_measure_match_the_closed_form() {
     let disk = domain(Preset::Disk, uniform(400));
     let x = DVec2::new(0.6, 0.2);
     let anchor = anchor_at(&disk, DVec2::X);
-    let constraints =
-        Constraints { source_point: x, target_point: DVec2::ZERO, source_anchor: anchor, target_anchor: anchor };
+    let constraints = Constraints::new((x, anchor), (DVec2::ZERO, anchor));
     let map = ConformalMap::new(disk.clone(), disk.clone(), &constraints, Direction::Forward.into()).unwrap();
-    let z = riemap::exact::Complex::new(x.x, x.y);
-    for (k, p) in disk.samples.points.iter().enumerate() {
+    let z = complex(x);
+    for (k, p) in disk.domain().unwrap().samples().points().iter().enumerate() {
         let t = p.to_angle();
         let t = if t.abs() < 1e-9 { 0.0 } else { t.rem_euclid(std::f64::consts::TAU) };
-        let (kernel, exact) = (map.kernel(Side::Source)[k], riemap::exact::disk::poisson_kernel(z, t));
+        let (kernel, exact) = (map.kernel(Side::Source)[k], exact::disk::poisson_kernel(z, t));
         assert!((kernel - exact).abs() < 0.02 * exact.max(0.1), "ψ({t}) = {kernel}, exact {exact}");
-        let (measure, exact) = (map.measure(Side::Source).at_vertex(k), riemap::exact::disk::harmonic_measure(z, t));
+        let (measure, exact) = (map.measure(Side::Source).at_vertex(k), exact::disk::harmonic_measure(z, t));
         assert!((measure - exact).abs() < 5e-4, "ω({t}) = {measure}, exact {exact}");
     }
 }
 
 /// The fraction of the boundary point nearest to `p`.
-fn anchor_at(domain: &PreparedDomain, p: DVec2) -> f64 {
-    domain.samples.fraction_at(domain.samples.nearest(p))
+fn anchor_at(domain: &PreparedSide, p: DVec2) -> f64 {
+    domain.fraction_at(domain.domain().unwrap().samples().nearest(p))
 }
 
 fn figure_7_error(m: u32, settings: MapSettings) -> f64 {
     let disk = domain(Preset::Disk, uniform(m));
-    let constraints = Constraints {
-        source_point: DVec2::new(0.6, 0.2),
-        target_point: DVec2::new(0.0, -0.5),
-        source_anchor: anchor_at(&disk, DVec2::X),
-        target_anchor: anchor_at(&disk, DVec2::X),
-    };
+    let constraints = Constraints::new(
+        (DVec2::new(0.6, 0.2), anchor_at(&disk, DVec2::X)),
+        (DVec2::new(0.0, -0.5), anchor_at(&disk, DVec2::X)),
+    );
     let map = complete_map(&disk, &disk, &constraints, settings);
-    let vertices = &map.mapped_mesh().vertices;
+    let vertices = &map.mapped().domain().unwrap().mesh().vertices;
     let error = |(v, w): (&DVec2, &DVec2)| {
         let (from, to) = match settings.direction {
             Direction::Forward => (v, w),
             Direction::Backward => (w, v),
         };
-        let exact = riemap::exact::disk::figure_7(riemap::exact::Complex::new(from.x, from.y));
-        DVec2::new(exact.re, exact.im).distance(*to)
+        let exact = exact::disk::figure_7(complex(*from));
+        point(exact).distance(*to)
     };
     vertices.iter().zip(map.images()).map(error).sum::<f64>() / vertices.len() as f64
 }
@@ -186,22 +168,22 @@ fn moebius_map_of_figure_7_converges() {
 #[test]
 fn adjoint_kernel_equals_the_dense_table() {
     let square = domain(Preset::LShape, uniform(60));
-    let laplacian = DirichletLaplacian::assemble(&square.mesh).unwrap();
-    let (m, n) = (square.samples.len(), square.mesh.interior_count());
+    let laplacian = DirichletLaplacian::assemble(square.domain().unwrap().mesh()).unwrap();
+    let (m, n) = (square.boundary_count(), square.interior_count());
     // Φ column by column: L̂ Φ̂ = −L̄
     let mut table = vec![vec![0.0; n]; m];
     for (column, coordinates) in laplacian.coupling.outer_iterator().zip(&mut table) {
         let mut x = vec![[0.0]; n];
         for (i, &entry) in column.iter() {
-            x[square.solver.position(i as u32)] = [-entry];
+            x[square.solver().position(i as u32)] = [-entry];
         }
-        square.solver.solve(square.solver.everything(), square.solver.everything(), &mut x).unwrap();
+        square.solver().solve(square.solver().everything(), square.solver().everything(), &mut x).unwrap();
         for (i, value) in coordinates.iter_mut().enumerate() {
-            *value = x[square.solver.position(i as u32)][0];
+            *value = x[square.solver().position(i as u32)][0];
         }
     }
     let (mut scratch, mut phi) = (KernelScratch::default(), Vec::new());
-    for t in 0..square.mesh.triangles.len() as u32 {
+    for t in 0..square.triangles().len() as u32 {
         let weights = [0.2, 0.3, 0.5];
         let x = riemap::mesh::BarycentricPoint { triangle: t, weights };
         harmonic_coordinates(&square, x, &mut scratch, &mut phi).unwrap();
@@ -210,7 +192,7 @@ fn adjoint_kernel_equals_the_dense_table() {
                 Some(i) => table[k][i],
                 None => f64::from(u8::from(v as usize == k)),
             };
-            let corners = square.mesh.triangles[t as usize];
+            let corners = square.triangles()[t as usize];
             let expected: f64 = corners.iter().zip(weights).map(|(&v, w)| w * corner(v)).sum();
             assert!((value - expected).abs() <= 1e-12, "triangle {t}, k = {k}: {value} and {expected}");
         }
@@ -221,13 +203,18 @@ fn adjoint_kernel_equals_the_dense_table() {
 fn harmonic_coordinates_sum_to_one_and_reproduce_the_point() {
     for preset in Preset::ALL {
         let prepared = domain(preset, PrepareSettings::default());
-        let x = locate(&prepared.mesh, prepared.pole, 0).unwrap();
+        let x = locate(prepared.domain().unwrap().mesh(), prepared.domain().unwrap().pole(), 0).unwrap();
         let (mut scratch, mut phi) = (KernelScratch::default(), Vec::new());
         harmonic_coordinates(&prepared, x, &mut scratch, &mut phi).unwrap();
         let sum: f64 = phi.iter().sum();
-        let mean: DVec2 = phi.iter().zip(&prepared.samples.points).map(|(&w, &v)| w * v).sum();
+        let mean: DVec2 = phi.iter().zip(prepared.domain().unwrap().samples().points()).map(|(&w, &v)| w * v).sum();
         assert!((sum - 1.0).abs() < 1e-11, "{}: Σφ = {sum}", preset.name());
-        assert!(mean.distance(prepared.pole) < 1e-10, "{}: Σφ v = {mean}, x = {}", preset.name(), prepared.pole);
+        assert!(
+            mean.distance(prepared.domain().unwrap().pole()) < 1e-10,
+            "{}: Σφ v = {mean}, x = {}",
+            preset.name(),
+            prepared.domain().unwrap().pole()
+        );
         assert!(phi.iter().all(|&w| w >= 0.0), "{}: a harmonic coordinate is negative", preset.name());
     }
 }
@@ -236,10 +223,14 @@ fn harmonic_coordinates_sum_to_one_and_reproduce_the_point() {
 fn identity_map_is_identity() {
     let heart = domain(Preset::Heart, PrepareSettings::default());
     for direction in [Direction::Forward, Direction::Backward] {
-        let constraints =
-            Constraints { source_point: heart.pole, target_point: heart.pole, source_anchor: 0.3, target_anchor: 0.3 };
+        let constraints = Constraints::new((heart.default_point(), 0.3), (heart.default_point(), 0.3));
         let map = ConformalMap::new(heart.clone(), heart.clone(), &constraints, direction.into()).unwrap();
-        let error = map.images().iter().zip(&heart.mesh.vertices).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
+        let error = map
+            .images()
+            .iter()
+            .zip(&heart.domain().unwrap().mesh().vertices)
+            .map(|(w, v)| w.distance(*v))
+            .fold(0.0, f64::max);
         assert!(error < 1e-7, "{direction:?}: {error:e}");
     }
 }
@@ -249,13 +240,12 @@ fn identity_map_is_identity() {
 fn map_does_not_depend_on_which_matched_pair_anchors_it() {
     let (source, target) =
         (domain(Preset::Star, PrepareSettings::default()), domain(Preset::Blob, PrepareSettings::default()));
-    let mut constraints =
-        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
+    let mut constraints = Constraints::new((source.default_point(), 0.0), (target.default_point(), 0.0));
     let mut map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
     let before = map.images().to_vec();
-    let k = source.samples.len() / 3;
-    constraints.source_anchor = source.samples.fractions[k];
-    constraints.target_anchor = target.samples.fraction_at(map.correspondence().points[k]);
+    let k = source.boundary_count() / 3;
+    constraints.anchors.source = source.fractions()[k];
+    constraints.anchors.target = target.fraction_at(map.correspondence().points[k]);
     map.update(&constraints, Direction::Forward.into()).unwrap();
     let change = map.images().iter().zip(&before).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
     // the anchor's image inside a target edge is a root of the quadratic: equal up to rounding over ψ
@@ -266,19 +256,18 @@ fn map_does_not_depend_on_which_matched_pair_anchors_it() {
 fn there_and_back_is_the_identity_up_to_the_mesh() {
     let (source, target) =
         (domain(Preset::Gingerbread, PrepareSettings::default()), domain(Preset::Heart, PrepareSettings::default()));
-    let constraints =
-        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
+    let constraints = Constraints::new((source.default_point(), 0.0), (target.default_point(), 0.0));
     let there = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
     let back = ConformalMap::new(source.clone(), target, &constraints, Direction::Backward.into()).unwrap();
     let mut errors: Vec<f64> = Vec::new();
-    for v in &source.mesh.vertices[source.samples.len()..] {
+    for v in &source.domain().unwrap().mesh().vertices[source.boundary_count()..] {
         if let Some(z) = there.image_of(*v).and_then(|w| back.image_of(w)) {
             errors.push(z.distance(*v));
         }
     }
     errors.sort_by(f64::total_cmp);
     let median = errors[errors.len() / 2];
-    assert!(errors.len() * 10 > source.mesh.interior_count() * 9, "only {} images lie inside", errors.len());
+    assert!(errors.len() * 10 > source.interior_count() * 9, "only {} images lie inside", errors.len());
     assert!(median < 5e-3, "median error {median:e}");
 }
 
@@ -290,23 +279,19 @@ fn measures_of_the_far_arm_stay_positive_and_in_order() {
     let smallest = kernel.iter().copied().filter(|&v| v > 0.0).fold(f64::INFINITY, f64::min);
     println!("smallest ψ = {smallest:e}");
     assert!(kernel.iter().all(|&v| v >= 0.0));
-    let mut tip = Constraints {
-        source_point: DVec2::new(0.992, 0.985),
-        target_point: BLOB_CENTRE,
-        source_anchor: 0.5,
-        target_anchor: 0.25,
-    };
-    let v = map.domain(Side::Source).clone();
-    tip.source_point = v.nearest_inside(tip.source_point, 1e-3);
-    let map = ConformalMap::new(v, map.domain(Side::Target).clone(), &tip, Direction::Forward.into()).unwrap();
+    let mut tip = Constraints::new((DVec2::new(0.992, 0.985), 0.5), (BLOB_CENTRE, 0.25));
+    let v = map.side(Side::Source).clone();
+    let inside = v.domain().unwrap().nearest_inside(tip.points.source.in_plane().unwrap(), 1e-3);
+    tip = tip.with_point(Side::Source, inside);
+    let map = ConformalMap::new(v, map.side(Side::Target).clone(), &tip, Direction::Forward.into()).unwrap();
     let smallest = map.kernel(Side::Source).iter().copied().fold(f64::INFINITY, f64::min);
     println!("smallest ψ from the tip = {smallest:e}");
     assert!(smallest < 1e-30, "the tip should crowd: {smallest:e}");
     assert!(map.images().iter().all(|w| w.is_finite()));
     let points = &map.correspondence().points;
-    let start = map.domain(Side::Source).samples.at_fraction(0.5).edge as usize + 1;
-    let (target_start, count) = (map.domain(Side::Target).samples.at_fraction(0.25), points.len());
-    let mt = map.domain(Side::Target).samples.len() as f64;
+    let start = map.side(Side::Source).at_fraction(0.5).edge as usize + 1;
+    let (target_start, count) = (map.side(Side::Target).at_fraction(0.25), points.len());
+    let mt = map.side(Side::Target).boundary_count() as f64;
     let along = |k: usize| {
         let (vertex, p) = ((start + k) % count, points[(start + k) % count]);
         if p == target_start && map.measure(Side::Source).at_vertex(vertex) > 0.5 {
@@ -325,12 +310,7 @@ fn coarse_samplings_work() {
     let polygon = SimplePolygon::try_from(vec![DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y]).unwrap();
     for count in [3, 4, 5, 8] {
         let coarse = Arc::new(prepare(&polygon, &uniform(count), &mut |_| ()).unwrap());
-        let constraints = Constraints {
-            source_point: coarse.pole,
-            target_point: coarse.pole,
-            source_anchor: 0.1,
-            target_anchor: 0.6,
-        };
+        let constraints = Constraints::new((coarse.default_point(), 0.1), (coarse.default_point(), 0.6));
         let map = ConformalMap::new(coarse.clone(), coarse, &constraints, Direction::Backward.into()).unwrap();
         assert!(map.images().iter().all(|w| w.is_finite()), "m = {count}");
     }
@@ -350,21 +330,20 @@ fn figure_8_differences(m: u32) -> [[f64; 2]; 4] {
     let settings =
         PrepareSettings { sampling, sizing: Sizing::Graded(15.0 / f64::from(m)), ..PrepareSettings::default() };
     let (source, target) = (domain(Preset::Gingerbread, settings), domain(Preset::Blob, settings));
-    let constraints =
-        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.0, target_anchor: 0.0 };
+    let constraints = Constraints::new((source.default_point(), 0.0), (target.default_point(), 0.0));
     let [forward, forward_cauchy, backward, backward_cauchy] =
         FOUR_MAPPINGS.map(|settings| complete_map(&source, &target, &constraints, settings));
     let between = |a: &ConformalMap, b: &ConformalMap, samples: &[DVec2]| {
         spread(a.images().iter().zip(b.images()).map(|(v, w)| v.distance(*w)), samples)
     };
     let there_and_back = |there: &ConformalMap, back: &ConformalMap| {
-        let vertices = &source.mesh.vertices[source.samples.len()..];
+        let vertices = &source.domain().unwrap().mesh().vertices[source.boundary_count()..];
         let returned = |v: &DVec2| Some(there.image_of(*v).and_then(|w| back.image_of(w))?.distance(*v));
-        spread(vertices.iter().filter_map(returned), &source.samples.points)
+        spread(vertices.iter().filter_map(returned), source.domain().unwrap().samples().points())
     };
     [
-        between(&forward, &forward_cauchy, &target.samples.points),
-        between(&backward, &backward_cauchy, &source.samples.points),
+        between(&forward, &forward_cauchy, target.domain().unwrap().samples().points()),
+        between(&backward, &backward_cauchy, source.domain().unwrap().samples().points()),
         there_and_back(&forward, &backward),
         there_and_back(&forward_cauchy, &backward_cauchy),
     ]
@@ -391,12 +370,7 @@ fn four_mappings_of_figure_8_agree_at_fine_resolution() {
 fn refinement_replaces_harmonic_images_by_cauchy_green_ones() {
     let heart = domain(Preset::Heart, PrepareSettings::default());
     let disk = domain(Preset::Disk, PrepareSettings::default());
-    let mut constraints = Constraints {
-        source_point: heart.pole,
-        target_point: DVec2::new(0.2, 0.1),
-        source_anchor: 0.0,
-        target_anchor: 0.3,
-    };
+    let mut constraints = Constraints::new((heart.default_point(), 0.0), (DVec2::new(0.2, 0.1), 0.3));
     let [harmonic, complete] =
         [FOUR_MAPPINGS[0], FOUR_MAPPINGS[1]].map(|s| complete_map(&heart, &disk, &constraints, s));
     let mut map = ConformalMap::new(heart.clone(), disk.clone(), &constraints, FOUR_MAPPINGS[1]).unwrap();
@@ -416,7 +390,7 @@ fn refinement_replaces_harmonic_images_by_cauchy_green_ones() {
     // the same again changes nothing; another point begins again; harmonic is complete at once
     map.update(&constraints, FOUR_MAPPINGS[1]).unwrap();
     assert_eq!(map.extension_progress(), 1.0);
-    constraints.target_point = DVec2::new(0.1, 0.1);
+    constraints = constraints.with_point(Side::Target, DVec2::new(0.1, 0.1));
     map.update(&constraints, FOUR_MAPPINGS[1]).unwrap();
     assert_eq!(map.extension_progress(), 0.0);
     map.update(&constraints, FOUR_MAPPINGS[0]).unwrap();
@@ -430,18 +404,20 @@ fn refinement_replaces_harmonic_images_by_cauchy_green_ones() {
 /// Mean errors inside with f̃, with f̂, and of f̂ with the exact images of the boundary.
 fn v_from_its_middle(m: u32) -> [f64; 3] {
     let (v, blob) = (domain(Preset::VShape, uniform(m)), domain(Preset::Blob, uniform(1000)));
-    let constraints =
-        Constraints { source_point: DVec2::NEG_Y, target_point: BLOB_CENTRE, source_anchor: 0.0, target_anchor: 0.0 };
-    let exact = |z: &DVec2| DVec2::from(riemap::exact::blob::from_disk(riemap::exact::vshape::to_disk((*z).into())));
-    let inside = &v.mesh.vertices[v.samples.len()..];
+    let constraints = Constraints::new((DVec2::NEG_Y, 0.0), (BLOB_CENTRE, 0.0));
+    let exact = |z: &DVec2| point(exact::blob::from_disk(exact::vshape::to_disk(complex(*z))));
+    let inside = &v.domain().unwrap().mesh().vertices[v.boundary_count()..];
     let mean = |images: &mut dyn Iterator<Item = DVec2>| {
         inside.iter().zip(images).map(|(z, w)| exact(z).distance(w)).sum::<f64>() / inside.len() as f64
     };
     let [harmonic, cauchy] = [FOUR_MAPPINGS[0], FOUR_MAPPINGS[1]].map(|settings| {
         let map = complete_map(&v, &blob, &constraints, settings);
-        mean(&mut map.images()[v.samples.len()..].iter().copied())
+        mean(&mut map.images()[v.boundary_count()..].iter().copied())
     });
-    let (contour, values) = (Contour::new(&v.samples.points), BoundaryValues::new(v.samples.points.iter().map(exact)));
+    let (contour, values) = (
+        Contour::new(v.domain().unwrap().samples().points()),
+        BoundaryValues::new(v.domain().unwrap().samples().points().iter().map(exact)),
+    );
     [harmonic, cauchy, mean(&mut inside.iter().map(|&z| contour.evaluate(z, &values)))]
 }
 

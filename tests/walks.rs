@@ -2,15 +2,17 @@
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+mod support;
+
 use riemap::conformal::{
-    HarmonicMeasure, HitCounts, KernelScratch, MAX_JUMPS, PrepareSettings, PreparedDomain, Walker, poisson_kernel,
-    prepare,
+    HarmonicMeasure, HitCounts, KernelScratch, MAX_JUMPS, PrepareSettings, PreparedSide, Walker, poisson_kernel,
 };
-use riemap::exact::disk;
+use riemap::exact::{complex, disk};
 use riemap::geometry::DVec2;
 use riemap::mesh::locate;
 use riemap::outline::{BoundaryPoint, Preset};
 use std::f64::consts::TAU;
+use support::domains::domain;
 
 const WALKS: u32 = 40_000;
 const BINS: usize = 32;
@@ -19,15 +21,11 @@ const START: BoundaryPoint = BoundaryPoint { edge: 0, fraction: 0.0 };
 /// χ² with 31 degrees of freedom exceeds this once in 1000 seeds.
 const CHI_SQUARE: f64 = 61.1;
 
-fn domain(preset: Preset) -> PreparedDomain {
-    prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap()
-}
-
-fn measure(domain: &PreparedDomain, x: DVec2, anchor: BoundaryPoint) -> HarmonicMeasure {
+fn measure(domain: &PreparedSide, x: DVec2, anchor: BoundaryPoint) -> HarmonicMeasure {
     let mut psi = Vec::new();
-    let located = locate(&domain.mesh, x, 0).unwrap();
+    let located = locate(domain.domain().unwrap().mesh(), x, 0).unwrap();
     poisson_kernel(domain, located, &mut KernelScratch::default(), &mut psi).unwrap();
-    HarmonicMeasure::new(&domain.samples, &psi, anchor)
+    HarmonicMeasure::new(domain.domain().unwrap().samples(), &psi, anchor)
 }
 
 /// Every bin within 4.5 √(N p (1 − p)) of N p (1 in 5,000 for all bins), and an
@@ -43,9 +41,10 @@ fn assert_counts_follow(counts: &HitCounts, expected: &[f64], measure_error: f64
 
 #[test]
 fn walks_from_the_centre_of_the_disk_hit_evenly() {
-    let disk = domain(Preset::Disk);
-    let mut counts = HitCounts::by_arc_length(&disk.samples, &measure(&disk, DVec2::ZERO, START), BINS);
-    let mut walker = Walker::new(&disk.samples.points, DVec2::ZERO, 20_261).unwrap();
+    let disk = domain(Preset::Disk, PrepareSettings::default());
+    let mut counts =
+        HitCounts::by_arc_length(disk.domain().unwrap().samples(), &measure(&disk, DVec2::ZERO, START), BINS);
+    let mut walker = Walker::new(disk.domain().unwrap().samples().points(), DVec2::ZERO, 20_261).unwrap();
     for _ in 0..WALKS {
         counts.record(walker.walk());
     }
@@ -59,14 +58,14 @@ fn walks_from_the_centre_of_the_disk_hit_evenly() {
 
 #[test]
 fn walks_from_a_point_of_the_disk_follow_the_closed_form() {
-    let (disk, x) = (domain(Preset::Disk), DVec2::new(0.6, 0.2));
-    let anchor = disk.samples.nearest(DVec2::X);
-    let mut counts = HitCounts::by_arc_length(&disk.samples, &measure(&disk, x, anchor), BINS);
-    let mut walker = Walker::new(&disk.samples.points, x, 5).unwrap();
+    let (disk, x) = (domain(Preset::Disk, PrepareSettings::default()), DVec2::new(0.6, 0.2));
+    let anchor = disk.domain().unwrap().samples().nearest(DVec2::X);
+    let mut counts = HitCounts::by_arc_length(disk.domain().unwrap().samples(), &measure(&disk, x, anchor), BINS);
+    let mut walker = Walker::new(disk.domain().unwrap().samples().points(), x, 5).unwrap();
     for _ in 0..WALKS {
         counts.record(walker.walk());
     }
-    let exact = |bin: usize| disk::harmonic_measure(x.into(), TAU * bin as f64 / BINS as f64);
+    let exact = |bin: usize| disk::harmonic_measure(complex(x), TAU * bin as f64 / BINS as f64);
     let expected: Vec<f64> = (0..BINS).map(|bin| exact(bin + 1) - exact(bin)).collect();
     assert_counts_follow(&counts, &expected, 0.0);
     // a part of the boundary that x hardly sees, and one next to x
@@ -78,13 +77,14 @@ fn walks_from_a_point_of_the_disk_follow_the_closed_form() {
 #[test]
 fn walks_in_presets_follow_the_kernel() {
     for preset in [Preset::Gingerbread, Preset::LShape, Preset::Cinquefoil, Preset::Star] {
-        let domain = domain(preset);
-        let x = domain.nearest_inside(domain.pole + DVec2::new(0.07, -0.05), 0.01);
-        let anchor = domain.samples.at_fraction(0.37);
+        let domain = domain(preset, PrepareSettings::default());
+        let x =
+            domain.domain().unwrap().nearest_inside(domain.domain().unwrap().pole() + DVec2::new(0.07, -0.05), 0.01);
+        let anchor = domain.at_fraction(0.37);
         let measure = measure(&domain, x, anchor);
-        let mut by_length = HitCounts::by_arc_length(&domain.samples, &measure, BINS);
+        let mut by_length = HitCounts::by_arc_length(domain.domain().unwrap().samples(), &measure, BINS);
         let mut by_measure = HitCounts::by_measure(&measure, BINS);
-        let mut walker = Walker::new(&domain.samples.points, x, 11).unwrap();
+        let mut walker = Walker::new(domain.domain().unwrap().samples().points(), x, 11).unwrap();
         let start = std::time::Instant::now();
         let hits: Vec<BoundaryPoint> = (0..WALKS).map(|_| walker.walk()).collect();
         let us = start.elapsed().as_secs_f64() * 1e6 / f64::from(WALKS);
@@ -92,7 +92,7 @@ fn walks_in_presets_follow_the_kernel() {
             by_length.record(hit);
             by_measure.record(hit);
         }
-        let (name, m) = (preset.name(), domain.samples.len());
+        let (name, m) = (preset.name(), domain.boundary_count());
         println!(
             "{name}, m = {m}: {us:.2} µs a walk; χ² = {:.1} by length, {:.1} by measure",
             by_length.chi_square(),
@@ -109,8 +109,9 @@ fn walks_in_presets_follow_the_kernel() {
 #[test]
 fn walks_end_everywhere() {
     for preset in Preset::ALL {
-        let domain = domain(preset);
-        let mut walker = Walker::new(&domain.samples.points, domain.pole, 1).unwrap();
+        let domain = domain(preset, PrepareSettings::default());
+        let mut walker =
+            Walker::new(domain.domain().unwrap().samples().points(), domain.domain().unwrap().pole(), 1).unwrap();
         let (mut jumps, mut longest, walks) = (0_u64, 0, 5000);
         let start = std::time::Instant::now();
         for _ in 0..walks {

@@ -2,13 +2,14 @@
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+mod support;
+
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, HarmonicMeasure, KernelScratch, PrepareSettings, PreparedDomain, Side,
-    poisson_kernel, prepare,
+    ConformalMap, Constraints, Direction, HarmonicMeasure, KernelScratch, PrepareSettings, PreparedSide, Side,
+    poisson_kernel,
 };
-use riemap::exact::{Complex, blob, disk, vshape};
+use riemap::exact::{Complex, blob, complex, disk, vshape};
 use riemap::geometry::{DVec2, SimplePolygon};
 use riemap::mesh::{Sizing, locate};
 use riemap::outline::{BoundaryPoint, Preset, Sampling, sample};
@@ -16,6 +17,8 @@ use riemap::zipper::{DiskComparison, DiskMap, DiskMeasure, ZipperError};
 use std::cell::Cell;
 use std::f64::consts::TAU;
 use std::sync::Arc;
+use support::domains::domain;
+use support::random::runner;
 
 const START: BoundaryPoint = BoundaryPoint { edge: 0, fraction: 0.0 };
 const BLOB_CENTRE: DVec2 = DVec2::new(2.677_813_229_026_218, 2.466_851_711_366_240_7);
@@ -103,13 +106,13 @@ fn disk_is_mapped_by_the_moebius_map() {
         let points: Vec<DVec2> = (0..count).map(|k| DVec2::from_angle(TAU * f64::from(k) / f64::from(count))).collect();
         let map = DiskMap::new(&points, x).unwrap();
         for (k, angle) in map.angles().iter().enumerate() {
-            let exact = disk::harmonic_measure(x.into(), TAU * k as f64 / f64::from(count));
+            let exact = disk::harmonic_measure(complex(x), TAU * k as f64 / f64::from(count));
             assert!((angle / TAU - exact).abs() < 1e-12, "m = {count}, k = {k}: {} and {exact}", angle / TAU);
         }
         for k in 0..50 {
             let z = 0.019 * f64::from(k) * DVec2::from_angle(0.7 * f64::from(k));
-            let (image, exact) = (map.map(z).unwrap(), disk::moebius(x.into(), Complex::ONE, z.into()));
-            assert!((image - exact).abs() < 1e-12, "m = {count}, z = {z}: {image:?} and {exact:?}");
+            let (image, exact) = (map.map(z).unwrap(), disk::moebius(complex(x), Complex::ONE, complex(z)));
+            assert!((image - exact).norm() < 1e-12, "m = {count}, z = {z}: {image:?} and {exact:?}");
         }
     }
 }
@@ -130,18 +133,24 @@ fn measure_does_not_depend_on_the_first_sample() {
     }
 }
 
-fn prepared(preset: Preset) -> PreparedDomain {
+fn prepared(preset: Preset) -> Arc<PreparedSide> {
     let settings = PrepareSettings {
         sampling: Sampling::Uniform { count: 800, keep_corners: true },
         sizing: Sizing::Graded(0.1),
         ..PrepareSettings::default()
     };
-    prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap()
+    domain(preset, settings)
 }
 
-fn kernel(domain: &PreparedDomain, x: DVec2) -> Vec<f64> {
+fn kernel(domain: &PreparedSide, x: DVec2) -> Vec<f64> {
     let mut psi = Vec::new();
-    poisson_kernel(domain, locate(&domain.mesh, x, 0).unwrap(), &mut KernelScratch::default(), &mut psi).unwrap();
+    poisson_kernel(
+        domain,
+        locate(domain.domain().unwrap().mesh(), x, 0).unwrap(),
+        &mut KernelScratch::default(),
+        &mut psi,
+    )
+    .unwrap();
     psi
 }
 
@@ -152,10 +161,16 @@ fn kernel(domain: &PreparedDomain, x: DVec2) -> Vec<f64> {
 fn measures_agree_with_the_kernels_where_nothing_crowds() {
     for preset in [Preset::Disk, Preset::Square, Preset::Heart, Preset::Blob, Preset::Cinquefoil, Preset::LShape] {
         let domain = prepared(preset);
-        let y = domain.samples.at_fraction(0.31);
-        let kernel = HarmonicMeasure::new(&domain.samples, &kernel(&domain, domain.pole), y);
-        let measure = DiskMeasure::fresh(&domain.samples.points, domain.pole, y).unwrap();
-        let exact: Vec<f64> = (0..domain.samples.len()).map(|k| kernel.at_vertex(k)).collect();
+        let y = domain.at_fraction(0.31);
+        let kernel = HarmonicMeasure::new(
+            domain.domain().unwrap().samples(),
+            &kernel(&domain, domain.domain().unwrap().pole()),
+            y,
+        );
+        let measure =
+            DiskMeasure::fresh(domain.domain().unwrap().samples().points(), domain.domain().unwrap().pole(), y)
+                .unwrap();
+        let exact: Vec<f64> = (0..domain.boundary_count()).map(|k| kernel.at_vertex(k)).collect();
         let (max, mean) = errors(&measure, &exact);
         println!("{}, m = {}: max {max:.2e}, mean {mean:.2e}", preset.name(), exact.len());
         assert!(max < 1.2e-2, "{}: {max:e}", preset.name());
@@ -168,12 +183,12 @@ fn measures_agree_with_the_kernels_where_nothing_crowds() {
 #[test]
 fn precomputed_map_agrees_with_a_fresh_one_on_the_heart() {
     let domain = prepared(Preset::Heart);
-    let y = domain.samples.at_fraction(0.6);
-    let map = DiskMap::new(&domain.samples.points, domain.pole).unwrap();
-    let x = domain.nearest_inside(domain.pole + DVec2::new(0.2, 0.1), 0.05);
-    let fresh = DiskMeasure::fresh(&domain.samples.points, x, y).unwrap();
+    let y = domain.at_fraction(0.6);
+    let map = DiskMap::new(domain.domain().unwrap().samples().points(), domain.domain().unwrap().pole()).unwrap();
+    let x = domain.domain().unwrap().nearest_inside(domain.domain().unwrap().pole() + DVec2::new(0.2, 0.1), 0.05);
+    let fresh = DiskMeasure::fresh(domain.domain().unwrap().samples().points(), x, y).unwrap();
     let moved = DiskMeasure::precomputed(&map, x, y).unwrap();
-    assert!(moved.image().abs() > 0.1 && moved.image().abs() < 0.95, "{:?}", moved.image());
+    assert!(moved.image().norm() > 0.1 && moved.image().norm() < 0.95, "{:?}", moved.image());
     for (k, (a, b)) in fresh.from_anchor().iter().zip(moved.from_anchor()).enumerate() {
         assert!((a - b).abs() < 1e-10, "k = {k}: {a} and {b}");
     }
@@ -193,7 +208,7 @@ fn precomputed_map_collapses_on_the_v_shape() {
         moved.collapsed(),
         moved.disordered()
     );
-    assert!((moved.image().abs() - 1.0).abs() < 1e-15, "{:?}", moved.image());
+    assert!((moved.image().norm() - 1.0).abs() < 1e-15, "{:?}", moved.image());
     assert!(moved.collapsed() > 500, "{}", moved.collapsed());
     assert!(moved.disordered() > 0, "{}", moved.disordered());
     assert!(max > 0.2 && mean > 0.05, "it works after all: max {max}, mean {mean}");
@@ -204,16 +219,18 @@ fn precomputed_map_collapses_on_the_v_shape() {
         sizing: Sizing::Graded(0.1),
         ..PrepareSettings::default()
     };
-    let v = prepare(&Preset::VShape.outline().polygon, &settings, &mut |_| ()).unwrap();
+    let v = domain(Preset::VShape, settings);
     let psi = kernel(&v, V_POINT);
     let least = psi.iter().copied().fold(f64::INFINITY, f64::min);
     println!("kernel: least ψ {least:e}");
     assert!(psi.iter().all(|&value| value > 0.0), "ln ω is not strictly increasing: least ψ {least:e}");
     assert!(least < 1e-16, "no crowding: least ψ {least:e}");
-    let direct = HarmonicMeasure::new(&v.samples, &psi, START);
+    let direct = HarmonicMeasure::new(v.domain().unwrap().samples(), &psi, START);
     let error = v
-        .samples
-        .points
+        .domain()
+        .unwrap()
+        .samples()
+        .points()
         .iter()
         .enumerate()
         .map(|(k, &p)| (direct.at_vertex(k) - vshape::harmonic_measure(V_POINT, p)).abs());
@@ -224,30 +241,32 @@ fn precomputed_map_collapses_on_the_v_shape() {
 /// Matched boundaries: the fresh variant gives the map that riemap gives.
 #[test]
 fn correspondence_through_the_disk_is_riemaps() {
-    let (source, target) = (Arc::new(prepared(Preset::Heart)), Arc::new(prepared(Preset::Cinquefoil)));
-    let (x1, x2) = (source.pole, target.pole);
-    let constraints = Constraints { source_point: x1, target_point: x2, source_anchor: 0.123, target_anchor: 0.456 };
+    let (source, target) = (prepared(Preset::Heart), prepared(Preset::Cinquefoil));
+    let (x1, x2) = (source.domain().unwrap().pole(), target.domain().unwrap().pole());
+    let constraints = Constraints::new((x1, 0.123), (x2, 0.456));
     let map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
-    let (y1, y2) = (source.samples.at_fraction(0.123), target.samples.at_fraction(0.456));
+    let (y1, y2) = (source.at_fraction(0.123), target.at_fraction(0.456));
     let measures = [(&source, x1, y1), (&target, x2, y2)];
-    let [from, to] = measures.map(|(domain, x, y)| DiskMeasure::fresh(&domain.samples.points, x, y).unwrap());
+    let [from, to] =
+        measures.map(|(domain, x, y)| DiskMeasure::fresh(domain.domain().unwrap().samples().points(), x, y).unwrap());
     let comparison = DiskComparison::new(from, to);
-    let images = comparison.points.iter().map(|&p| target.samples.position(p));
+    let images = comparison.points().iter().map(|&p| target.domain().unwrap().samples().position(p));
     let errors: Vec<f64> = images.zip(map.images()).map(|(a, b)| a.distance(*b)).collect();
     let (max, mean) = (errors.iter().copied().fold(0.0, f64::max), errors.iter().sum::<f64>() / errors.len() as f64);
     println!("heart → cinquefoil: max {max:.2e}, mean {mean:.2e}");
     assert!(mean < 5e-3 && max < 5e-2, "max {max:e}, mean {mean:e}");
-    assert_eq!(map.domain(Side::Source).samples.len(), comparison.points.len());
+    assert_eq!(map.side(Side::Source).boundary_count(), comparison.points().len());
 }
 
 #[test]
 fn equal_domains_match_by_the_identity() {
     let star = prepared(Preset::Star);
-    for y in [START, star.samples.at_fraction(0.5), star.samples.at_fraction(0.777)] {
-        let measure = DiskMeasure::fresh(&star.samples.points, star.pole, y).unwrap();
+    for y in [START, star.at_fraction(0.5), star.at_fraction(0.777)] {
+        let measure =
+            DiskMeasure::fresh(star.domain().unwrap().samples().points(), star.domain().unwrap().pole(), y).unwrap();
         let comparison = DiskComparison::new(measure.clone(), measure);
-        for (k, (&p, &v)) in comparison.points.iter().zip(&star.samples.points).enumerate() {
-            let error = star.samples.position(p).distance(v);
+        for (k, (&p, &v)) in comparison.points().iter().zip(star.domain().unwrap().samples().points()).enumerate() {
+            let error = star.domain().unwrap().samples().position(p).distance(v);
             assert!(error < 1e-9, "k = {k}: {p:?} is {error:e} off");
         }
     }
@@ -286,10 +305,8 @@ fn star() -> impl Strategy<Value = Vec<DVec2>> {
 /// Spikes, corners and collinear points, coarse: an error of the stated kind, or finite ordered angles and images.
 #[test]
 fn random_stars_give_finite_ordered_angles_or_a_typed_error() {
-    let config = Config { cases: 300, failure_persistence: None, ..Config::default() };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
     let (mapped, refused) = (Cell::new(0), Cell::new(0));
-    runner
+    runner(300)
         .run(&star(), |points| {
             match DiskMap::new(&points, DVec2::new(1e-4, 2e-4)) {
                 Ok(map) => {
@@ -317,15 +334,13 @@ fn random_stars_give_finite_ordered_angles_or_a_typed_error() {
 /// Sampled as finely as the spikes ask, every one of them is mapped.
 #[test]
 fn random_stars_are_mapped_when_sampled_finely() {
-    let config = Config { cases: 40, failure_persistence: None, ..Config::default() };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
-    runner
+    runner(40)
         .run(&star(), |points| {
             let polygon = SimplePolygon::try_from(points).unwrap();
             let x = polygon.pole_of_inaccessibility(1e-3);
             let samples = sample(&polygon, Sampling::Adaptive { target: Some(2000) }).unwrap();
-            let map = DiskMap::new(&samples.points, x);
-            prop_assert!(map.as_ref().is_ok_and(|m| m.map(x).is_some_and(|z| z.abs() < 1e-9)), "{:?}", map.err());
+            let map = DiskMap::new(samples.points(), x);
+            prop_assert!(map.as_ref().is_ok_and(|m| m.map(x).is_some_and(|z| z.norm() < 1e-9)), "{:?}", map.err());
             Ok(())
         })
         .unwrap();

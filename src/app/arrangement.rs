@@ -1,7 +1,9 @@
 //! How the two pictures share their place, and what of each is left free for words, messages, legend and edit bar.
 
-use super::view::{DESK_MARGINS, Margins, PHONE_MARGINS, free_below};
-use super::{RiemapApp, editing, header, legend};
+use super::{RiemapApp, editing};
+use crate::app::panels::header;
+use crate::app::viewport::legend;
+use crate::app::viewport::view::{DESK_MARGINS, Margins, PHONE_MARGINS, free_below};
 use crate::conformal::Side;
 use egui::{Rect, Ui, pos2};
 

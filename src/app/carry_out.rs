@@ -1,16 +1,22 @@
-//! The one place where wishes become changes: what the panels, the keyboard and the page ask for is done to the
+//! The one place where actions become changes. What the panels, the keyboard and the page ask for is done to the
 //! session, the points in motion, the editor, files and windows. Nothing is computed here.
 
-use super::explore::{Consequences, ExploreAction};
-use super::teaching::walks::WalkAction;
-use super::{Action, Actions, EditAction, Keeper, Locks, Preferences, RiemapApp, presentation};
+use super::RiemapApp;
+use crate::app::input::action::{Action, Actions, EditAction, ExploreAction};
+use crate::app::input::locks::{Control, Locks};
+use crate::app::input::preferences::Preferences;
+use crate::app::input::presentation;
+use crate::app::windows::explore::Consequences;
 use crate::conformal::Side;
-use crate::platform::{self, FilePurpose};
-use crate::session::{Command, Session};
-use crate::worker::Subject;
+use crate::language::tr;
+use crate::model::files::{FilePurpose, kind_of_file};
+use crate::model::overlays::walks::WalkAction;
+use crate::model::persistence::Keeper;
+use crate::platform;
+use crate::session::{Command, Session, Touched};
 
 impl RiemapApp {
-    /// The one place where wishes become changes.
+    /// The one place where actions become changes.
     pub(super) fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
         let now = context.input(|input| input.time);
         let locks = Locks::of(context);
@@ -25,23 +31,23 @@ impl RiemapApp {
                 Action::Undo => self.step(Keeper::undo),
                 Action::Redo => self.step(Keeper::redo),
                 Action::New => self.open_session(Session::default()),
-                Action::OpenSession => platform::pick_file(FilePurpose::Session, self.mailbox.clone()),
+                Action::OpenSession => self.pick_file(FilePurpose::Session),
                 Action::SaveSession => self.save_session(),
                 Action::CopyLink => self.copy_link(context),
-                Action::OpenOutline(side) => platform::pick_file(FilePurpose::Outline(side), self.mailbox.clone()),
-                Action::OpenTrace(side) => platform::pick_file(FilePurpose::Trace(side), self.mailbox.clone()),
+                Action::OpenOutline(side) => self.pick_file(FilePurpose::Outline(side)),
+                Action::OpenTrace(side) => self.pick_file(FilePurpose::Trace(side)),
                 Action::TraceImage => self.trace_image(),
                 Action::DismissOffer => self.offer = None,
-                Action::OpenImage => platform::pick_file(FilePurpose::Image, self.mailbox.clone()),
-                Action::Fit(Side::Target) if self.model.surface().is_some() => self.orbit.fit(),
+                Action::OpenImage => self.pick_file(FilePurpose::Image),
+                Action::Fit(side) if self.model.surface(side).is_some() => self.orbit.fit(),
                 Action::Fit(side) => self.views[side as usize].fit(),
                 Action::Edit(action) => self.edit(action),
                 Action::PasteText(text) => {
                     self.begin_change();
                     self.editor.take_text(text, &mut self.model, &mut self.views);
                 }
-                Action::Remedy(subject) => self.model.remedy(subject),
-                Action::Dismiss(subject) => self.model.dismiss(subject),
+                Action::QuickFix(side) => self.model.quick_fix(side),
+                Action::Dismiss(side) => self.model.dismiss(side),
                 Action::OpenReport(report) => self.reports.open(report),
                 Action::DismissMessage => self.dismiss_message(),
                 Action::OpenExport => self.exporter.open(),
@@ -58,11 +64,16 @@ impl RiemapApp {
         }
     }
 
+    fn pick_file(&self, purpose: FilePurpose) {
+        platform::pick_file(purpose, tr(kind_of_file(purpose)), self.mailbox.clone());
+    }
+
     fn command(&mut self, command: Command, now: f64) {
-        if command.moves_points() {
+        let touched = command.touches();
+        if touched.is_only(Touched::POINTS) {
             self.player.pause();
         }
-        if command.replaces_shapes() {
+        if touched.touches(Touched::NEW_SHAPE) {
             self.end_tour();
         }
         self.keeper.touch();
@@ -72,10 +83,7 @@ impl RiemapApp {
     fn edit(&mut self, action: EditAction) {
         if let EditAction::Draw(side, _) = action {
             // a message about the last outline would lie where the new one is drawn
-            self.model.dismiss(Subject::Domain(side));
-            if side == Side::Target {
-                self.model.dismiss(Subject::Surface);
-            }
+            self.model.dismiss(side);
         }
         if matches!(action, EditAction::Close | EditAction::TakePasted) {
             self.end_tour();
@@ -87,7 +95,7 @@ impl RiemapApp {
     pub(super) fn explore(&mut self, action: ExploreAction) {
         let action = match action {
             // it is about to take the tour's place; the picture from before would take its
-            ExploreAction::LeaveTour { .. } if self.model.surface_side().preparation.awaits_file() => {
+            ExploreAction::LeaveTour { .. } if self.model.surface_side(Side::Target).preparation.awaits_file() => {
                 ExploreAction::LeaveTour { keeps: true }
             }
             other => other,
@@ -121,5 +129,11 @@ impl RiemapApp {
         self.preferences = preferences;
         preferences.apply(context);
         preferences.remember();
+    }
+
+    /// Folds the panels away or brings them back; a page around the app has none.
+    pub(super) fn fold_panels(&mut self, context: &egui::Context) {
+        let locked = Locks::of(context).holds(Control::Panels);
+        self.panels_open = if locked { self.panels_open } else { !self.panels_open && !self.options.embed };
     }
 }

@@ -1,8 +1,13 @@
 //! What the app knows of itself: the numbers on the screen, errors and notes, where the dots are.
 
-use super::stats::{HandlePositions, ScreenFacts};
-use super::{Gpu, Processor, RiemapApp, Stats, editing, stats, teaching};
+use super::{RiemapApp, editing};
+use crate::app::overlays;
+use crate::app::status::stats;
+use crate::app::status::stats::{HandlePositions, ScreenFacts, Stats};
+use crate::app::viewport::gpu::Gpu;
 use crate::conformal::{Extension, Side};
+use crate::language::Message;
+use crate::model::Processor;
 
 impl RiemapApp {
     /// The numbers on the screen.
@@ -11,8 +16,8 @@ impl RiemapApp {
             point.map(|point| self.views[side as usize].to_screen(point)).map(|place| self.css_pixels(place))
         };
         let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| self.css_pixels(place));
-        let [x2, y2] = match self.model.surface() {
-            Some(_) => [self.model.surface_point(), self.model.surface_anchor()].map(in_space),
+        let [x2, y2] = match self.model.surface(Side::Target) {
+            Some(_) => [self.model.surface_point(Side::Target), self.model.surface_anchor(Side::Target)].map(in_space),
             None => [self.model.interior(Side::Target), self.model.anchor(Side::Target)]
                 .map(|point| place(Side::Target, point)),
         };
@@ -26,8 +31,8 @@ impl RiemapApp {
         let screen = ScreenFacts {
             backend,
             handles,
-            errors: self.errors(),
-            notes: self.notes(),
+            errors: self.errors().iter().map(Message::english).collect(),
+            notes: self.notes().iter().map(Message::english).collect(),
             undo: self.keeper.history().undo_count(),
             dark: self.theme == egui::Theme::Dark,
             spoken: self.spoken,
@@ -49,25 +54,26 @@ impl RiemapApp {
     }
 
     /// All that is said to be wrong: beside the inputs, over the pictures, in the panel and in the windows.
-    pub(super) fn errors(&self) -> Vec<String> {
-        let sides = Side::BOTH.into_iter().filter_map(|side| Some(self.model.side(side).error.as_ref()?.text.clone()));
-        let surface = self.model.surface_side().preparation.error.iter().map(|trouble| trouble.text.clone());
-        let map = self.model.map_error().map(|(_, text)| text.to_owned());
-        let inputs = sides.chain(surface).chain(map).chain(self.message.clone());
-        let panel = teaching::panel::errors(&self.model).map(String::from);
-        let windows = self.editor.errors().chain(self.reports.errors()).map(String::from).chain(self.exporter.errors());
+    pub(super) fn errors(&self) -> Vec<Message> {
+        let sides = Side::BOTH
+            .into_iter()
+            .flat_map(|side| self.model.user_errors(side))
+            .map(|user_error| user_error.text.clone());
+        let map = self.model.map_error().map(|(_, text)| text.clone());
+        let inputs = sides.chain(map).chain(self.message.clone());
+        let panel = overlays::panel::errors(&self.model).cloned();
+        let windows = self.editor.errors().chain(self.reports.errors()).cloned().chain(self.exporter.errors());
         inputs.chain(panel).chain(windows).collect()
     }
 
-    pub(super) fn notes(&self) -> Vec<String> {
-        let outlines = Side::BOTH.into_iter().flat_map(|side| &self.model.side(side).notes).map(ToString::to_string);
-        outlines.chain(self.model.surface_notes()).collect()
+    pub(super) fn notes(&self) -> Vec<Message> {
+        Side::BOTH.into_iter().flat_map(|side| self.model.notes(side)).collect()
     }
 
     /// Where the Cauchy–Green extension in the picture comes from, if it is asked for.
     pub(super) fn cauchy_green(&self) -> Option<Processor> {
         let on_gpu = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
-        let asked = self.model.session().extension == Extension::CauchyGreen;
+        let asked = self.model.session().extension() == Extension::CauchyGreen;
         asked.then_some(if on_gpu { Processor::Gpu } else { Processor::Cpu })
     }
 }

@@ -1,23 +1,48 @@
-//! What a frame does once the wishes are carried out: sends what is due to the workers, brings the map up to date,
-//! uploads what changed, and tells those who hear the screen. At rest it does nothing and asks for no other frame.
+//! The stages of a frame: input is read, the update sends what is due to the workers, brings the map up to date and
+//! uploads what changed, the pictures are painted. At rest it does nothing and asks for no other frame.
 
-use super::gpu::Gpu;
+use super::arrangement::Arrangement;
 use super::incoming::WORDS_FOLLOW_AFTER;
-use super::model::{Changes, Refines};
-use super::{RiemapApp, spoken};
+use super::input::action::Actions;
+use super::{RiemapApp, layout, pictures};
+use crate::app::accessibility;
+use crate::app::viewport::gpu::Gpu;
 use crate::conformal::Side;
+use crate::language::key;
+use crate::model::{Changes, Refines};
 use crate::platform;
 
 /// How long the map must rest before an expensive quality is computed, in seconds.
 const REST_SECONDS: f64 = 0.15;
 
 impl RiemapApp {
+    /// Lays out the panels and takes in gestures and keys: what the person asks for, and how the screen is divided.
+    pub(super) fn take_input(&mut self, ui: &mut egui::Ui, cpu_usage: Option<f32>) -> (Arrangement, Actions) {
+        self.take_dropped(ui.ctx());
+        self.zoom = ui.ctx().zoom_factor();
+        self.theme = ui.ctx().theme();
+        let timings = self.model.shown().map(|map| map.timings).unwrap_or_default();
+        let compute = timings.kernel + timings.matching + timings.extend;
+        self.meter.tick(ui.input(|input| input.unstable_dt), cpu_usage, compute);
+        let (arrangement, asked) = layout::show(self, ui);
+        // what a hand moved comes before what a key or a panel asks: an undo takes it back, and not the other way round
+        let mut actions = Actions::new();
+        pictures::interact(self, ui, arrangement, &mut actions);
+        actions.extend(asked);
+        (arrangement, actions)
+    }
+
+    /// Paints the pictures in what the panels leave of the screen.
+    pub(super) fn paint(&mut self, ui: &mut egui::Ui, arrangement: Arrangement) {
+        egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(self, ui, arrangement));
+    }
+
     /// Sends what is due to the workers, updates the map, uploads.
     pub(super) fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
         self.editor.follow(&mut self.model, &mut self.views);
         if let Some(study) = self.reports.take_study() {
-            self.laboratory.begin(study);
+            self.study_runner.begin(study);
         }
         let is_held = self.handles.grip.is_some();
         if is_held {
@@ -32,8 +57,8 @@ impl RiemapApp {
             self.show_changes(context, changes);
         }
         // after the map: what is in a hand is prepared anew as soon as the picture shows it, in the same frame
-        for (subject, request) in self.model.take_requests(now) {
-            self.preparer.request(subject, request);
+        for (side, request) in self.model.take_requests(now) {
+            self.preparer.request(side, request);
         }
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
@@ -44,8 +69,8 @@ impl RiemapApp {
             if refined.images {
                 self.show_changes(context, refined);
             }
-            if self.model.surface_map().is_some() {
-                self.model.surface_side().sort_at_rest();
+            if let Some(side) = self.model.side_of_surface().filter(|_| self.model.map().is_some()) {
+                self.model.surface_side(side).sort_at_rest();
             }
             if self.model.is_ready() {
                 self.preparer.warm();
@@ -80,8 +105,8 @@ impl RiemapApp {
         for side in Side::BOTH {
             if self.model.take_refit(side) {
                 self.views[side as usize].fit();
-                if side == Side::Target && self.model.surface().is_some() {
-                    self.look_at_surface();
+                if self.model.surface(side).is_some() {
+                    self.look_at_surface(side);
                 } else {
                     context.request_repaint_after_secs(platform::ONE_FRAME);
                 }
@@ -113,13 +138,13 @@ impl RiemapApp {
         if self.described.as_ref() == Some(&news) {
             return;
         }
-        platform::describe(&spoken::state(self));
+        platform::describe(&accessibility::state(self));
         self.described = Some(news);
     }
 
     /// Another surface is seen from where it shows the most.
-    fn look_at_surface(&mut self) {
-        let seen = self.model.surface();
+    fn look_at_surface(&mut self, side: Side) {
+        let seen = self.model.surface(side);
         if let Some(camera) = seen.and_then(|(surface, state)| surface.first_view(state, self.orbit.aspect())) {
             self.orbit.look(camera);
         }
@@ -132,8 +157,7 @@ impl RiemapApp {
         if let Some(gpu) = &mut self.gpu
             && !gpu.upload(&self.model, changes)
         {
-            self.message =
-                Some(String::from("This surface is too large for the graphics device: it is mapped but not shown."));
+            self.message = Some(key::surface_too_large_to_show().into());
         }
         let extended = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
         self.model.set_refines(if extended { Refines::AtRest } else { Refines::InRefresh });

@@ -1,17 +1,18 @@
 //! What comes in from outside of a frame: the workers' answers, files, links.
 
 use super::RiemapApp;
-use super::files::{self, Content, FileError, Picture};
-use super::gpu::Gpu;
-use super::locks::Control;
-use super::offer::Offer;
-use super::presentation;
-use super::tracing;
-use super::trouble::Trouble;
+use crate::app::input::locks::Control;
+use crate::app::input::presentation;
+use crate::app::panels::offer::Offer;
+use crate::app::viewport::gpu::Gpu;
 use crate::conformal::Side;
-use crate::platform::{self, Event, FilePurpose};
+use crate::language::{Message, key};
+use crate::model::editing::tracing;
+use crate::model::files;
+use crate::model::files::{Content, FileError, FilePurpose, Picture};
+use crate::model::side::user_error::UserError;
+use crate::platform::{self, Event};
 use crate::session::{Command, SurfaceShape, SurfaceSpec, TextureKind};
-use crate::worker::Subject;
 use std::sync::Arc;
 
 /// When what the panels say follows the pictures, in seconds: sooner than anyone reads.
@@ -26,14 +27,14 @@ impl RiemapApp {
                 context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
             }
             match event {
-                Event::Worker { subject, generation, response } => {
+                Event::Worker { side, generation, response } => {
                     let before = self.surface_file();
-                    self.model.accept(subject, generation, response);
+                    self.model.accept(side, generation, response);
                     if self.surface_file().is_some_and(|file| before != Some(file)) {
                         self.end_tour();
                     }
                 }
-                Event::WorkerDied { subject, reason } => self.model.worker_died(subject, &reason),
+                Event::WorkerDied { side, reason } => self.model.worker_died(side, &reason),
                 Event::Found { study, finding } => self.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
                 Event::Link(address) => {
@@ -45,7 +46,7 @@ impl RiemapApp {
                 }
                 Event::GraphicsLost(reason) => self.message = Some(presentation::graphics_lost(&reason)),
                 Event::Image { purpose, name, pixels } => self.take_image(purpose, name, pixels),
-                Event::NotSaved { name, reason } => self.message = Some(format!("{name} was not saved: {reason}")),
+                Event::NotSaved { name, reason } => self.message = Some(key::not_saved(name, reason)),
             }
         }
     }
@@ -60,8 +61,8 @@ impl RiemapApp {
             // a frame would show little that is new, and take the processor from the worker
             self.mailbox.wake_for_stages();
         }
-        for (subject, request) in requests {
-            self.preparer.request(subject, request);
+        for (side, request) in requests {
+            self.preparer.request(side, request);
         }
     }
 
@@ -89,7 +90,7 @@ impl RiemapApp {
 
     /// The surface on the screen, if it came from a file.
     fn surface_file(&self) -> Option<SurfaceSpec> {
-        let (_, state) = self.model.surface()?;
+        let (_, state) = self.model.surface(Side::Target)?;
         matches!(state.spec.shape, SurfaceShape::File { .. }).then(|| state.spec.clone())
     }
 
@@ -100,14 +101,14 @@ impl RiemapApp {
     }
 
     /// An image was decoded, or could not be.
-    fn take_image(&mut self, purpose: FilePurpose, name: String, pixels: Result<image::RgbaImage, String>) {
+    fn take_image(&mut self, purpose: FilePurpose, name: String, pixels: Result<image::RgbaImage, Message>) {
         if pixels.is_ok() {
             self.begin_change();
         }
         match (purpose, pixels) {
             (FilePurpose::Trace(side), Ok(pixels)) => self.take(files::traced(side, &Picture { name, pixels })),
             (FilePurpose::Trace(side), Err(reason)) => {
-                self.model.side_mut(side).error = Some(Trouble::new(format!("{name}: {reason}")));
+                self.model.side_mut(side).error = Some(UserError::new(key::about(name, reason)));
             }
             (_, Ok(pixels)) => {
                 let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
@@ -115,7 +116,7 @@ impl RiemapApp {
                 self.offer = Some(Offer::new(side, &picture));
                 self.use_image(picture);
             }
-            (_, Err(reason)) => self.message = Some(format!("{name}: {reason}")),
+            (_, Err(reason)) => self.message = Some(key::about(name, reason)),
         }
     }
 
@@ -135,12 +136,10 @@ impl RiemapApp {
                 self.message = None;
                 self.open_session(*session);
             }
-            Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(&name, bytes),
-            Err(FileError::Outline(side, trouble)) => {
-                if side == Side::Target {
-                    self.model.dismiss(Subject::Surface);
-                }
-                self.model.side_mut(side).error = Some(trouble);
+            Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(Side::Target, &name, bytes),
+            Err(FileError::Outline(side, user_error)) => {
+                self.model.dismiss(side);
+                self.model.side_mut(side).error = Some(user_error);
             }
             Err(FileError::Common(message)) => self.message = Some(message),
         }
@@ -157,7 +156,7 @@ impl RiemapApp {
 
     /// Says that a control is locked.
     pub(super) fn refuse(&mut self, control: Control) {
-        self.message = Some(format!("The page's address keeps \"{}\" as it is.", control.name()));
+        self.message = Some(key::address_keeps(control.name()));
     }
 
     pub(super) fn use_image(&mut self, picture: Picture) {
@@ -169,7 +168,7 @@ impl RiemapApp {
                 self.image = Some(Arc::new(picture.pixels));
                 self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
             }
-            Err(error) => self.message = Some(format!("{}: {error}", picture.name)),
+            Err(error) => self.message = Some(key::about(picture.name, Message::from(&error))),
         }
     }
 
@@ -199,9 +198,9 @@ fn locked_by(content: &Result<Content, FileError>, purpose: FilePurpose) -> &'st
 #[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::app::explore::ExploreAction;
+    use crate::app::Session;
+    use crate::app::input::action::{Action, ExploreAction};
     use crate::app::tests::ready_app;
-    use crate::app::{Action, Session};
     use crate::worker::{self, SurfaceSource, Task};
     use egui_kittest::Harness;
     use egui_kittest::kittest::Queryable;
@@ -231,12 +230,12 @@ mod tests {
         let mut harness = ready_app([1200.0, 800.0]);
         let app = harness.state_mut();
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
-        let preparation = &app.model.surface_side().preparation;
-        assert!(preparation.errand().seconds_under_way().is_some(), "its progress is shown from now on");
+        let preparation = &app.model.surface_side(Side::Target).preparation;
+        assert!(preparation.pending_request().seconds_under_way().is_some(), "its progress is shown from now on");
         assert_eq!(app.model.next_due(), None, "nothing is left for a frame to ask for");
-        step_until(&mut harness, |app| app.model.surface_map().is_some());
+        step_until(&mut harness, |app| !app.model.is_planar() && app.model.map().is_some());
         let is_sorted = |app: &RiemapApp| {
-            app.model.surface_side().surface().is_some_and(|surface| surface.tree_if_made().is_some())
+            app.model.surface_side(Side::Target).surface().is_some_and(|surface| surface.tree_if_made().is_some())
         };
         assert!(!is_sorted(harness.state()), "the first frame of a surface does not wait for that");
         step_until(&mut harness, is_sorted);
@@ -276,7 +275,7 @@ mod tests {
         harness.state_mut().carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
         let mut take = |name: &str, bytes: Vec<u8>| {
             harness.state_mut().take_file(FilePurpose::Outline(Side::Target), name, Ok(bytes));
-            step_until(&mut harness, |app| !app.model.surface_side().preparation.is_busy());
+            step_until(&mut harness, |app| !app.model.surface_side(Side::Target).preparation.is_busy());
             (harness.state().explore.is_touring(), harness.state().errors().len())
         };
         assert_eq!(take("broken.obj", b"v 0 0 0\nf 1 2 3\n".to_vec()), (true, 1));
@@ -291,7 +290,7 @@ mod tests {
         app.carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
         app.carry_out(&context, vec![Action::Explore(ExploreAction::LeaveTour { keeps: false })]);
-        assert!(!app.explore.is_touring() && app.model.surface_side().preparation.is_busy());
+        assert!(!app.explore.is_touring() && app.model.surface_side(Side::Target).preparation.is_busy());
         step_until(&mut harness, |app| app.surface_file().is_some());
     }
 
@@ -305,11 +304,11 @@ mod tests {
         assert!(app.errors().is_empty(), "{:?}", app.errors());
         // and the other way round
         app.take_file(FilePurpose::Outline(Side::Target), "broken.obj", Ok(b"v 0 0 0\nf 1 2 3\n".to_vec()));
-        step_until(&mut harness, |app| !app.model.surface_side().preparation.errand().is_busy());
+        step_until(&mut harness, |app| !app.model.surface_side(Side::Target).preparation.pending_request().is_busy());
         let app = harness.state_mut();
         app.take_file(FilePurpose::Outline(Side::Target), "bow.csv", Ok(b"0,0\n1,1\n1,0\n0,1\n".to_vec()));
         let errors = app.errors();
-        assert!(errors.len() == 1 && errors[0].starts_with("bow.csv"), "{errors:?}");
+        assert!(errors.len() == 1 && errors[0].english().starts_with("bow.csv"), "{errors:?}");
     }
 
     #[test]
@@ -319,13 +318,14 @@ mod tests {
         let app = harness.state_mut();
         // too many of no order for a link
         let jagged = |k: u32| 1.0 + 0.2 * f64::from(k * 7919 % 1000) / 1000.0;
-        let points = (0..6000).map(|k| jagged(k) * crate::geometry::DVec2::from_angle(f64::from(k) * 1e-3)).collect();
+        let points: Vec<_> =
+            (0..6000).map(|k| jagged(k) * crate::geometry::DVec2::from_angle(f64::from(k) * 1e-3)).collect();
         let mut session = app.session().clone();
-        let outline = crate::session::OutlineSpec::Points { name: "big".into(), points };
+        let outline = crate::session::OutlineSpec::Points { name: "big".into(), polygon: points.try_into().unwrap() };
         session.apply(Command::SetOutline { side: Side::Source, outline });
         app.try_link(&crate::session::link::encode(&session).unwrap().fragment).unwrap();
         let asked = app.message.clone();
-        assert!(asked.as_ref().is_some_and(|asked| asked.contains("\"big\"")));
+        assert!(asked.as_ref().is_some_and(|asked| asked.english().contains("\"big\"")));
         app.open_link("#s=1.nonsense");
         assert_ne!(app.message, asked);
         app.carry_out(&context, vec![Action::DismissMessage]);
@@ -362,6 +362,6 @@ mod tests {
         };
         assert!(asks_for_a_frame(Event::NotSaved { name: "a.png".into(), reason: "no room".into() }));
         let response = worker::Response::Progress(crate::conformal::Stage::Read);
-        assert!(!asks_for_a_frame(Event::Worker { subject: worker::Subject::Surface, generation: 0, response }));
+        assert!(!asks_for_a_frame(Event::Worker { side: Side::Target, generation: 0, response }));
     }
 }

@@ -2,15 +2,17 @@
 //! side with the plots below; on a phone a sheet of controls or plots, and upright
 //! the viewports one above the other.
 
-use super::action::{Action, Actions};
 use super::arrangement::Arrangement;
-use super::language::tr;
 use super::theme::Palette;
-use super::widgets::chevron;
-use super::{
-    PHONE_WIDTH, RiemapApp, editing, file_menu, foot, pictures, play_panel, plots, presentation, side_panel, status,
-    theme, top_bar, words,
-};
+use super::{PHONE_WIDTH, RiemapApp, editing, plots, status, theme};
+use crate::app::input::action::{Action, Actions};
+use crate::app::input::presentation;
+use crate::app::language::words;
+use crate::app::menus::{file_menu, top_bar};
+use crate::app::message_bar;
+use crate::app::panels::{play_panel, side_panel};
+use crate::app::theme::widgets::chevron;
+use crate::language::{key, tr};
 use crate::session::Command;
 use egui::{Event, Frame, Id, Key, Margin, Panel, RichText, ScrollArea, Stroke, Ui, vec2};
 
@@ -25,8 +27,9 @@ const LINK_STRIP: f32 = 28.0;
 /// How much of the screen the open sheet takes besides.
 const SHEET_SHARE: f32 = 0.42;
 
-/// One frame: panels, then what they ask for, then what has come from outside, then the pictures.
-pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
+/// Bars, panels and the message below the pictures, around what is left for the pictures; with what they and the keys
+/// ask for. Changes nothing but what the screen alone knows.
+pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
     let narrow = ui.available_width() < PHONE_WIDTH;
     theme::suit_pointer(ui.ctx(), narrow || app.has_fingers || ui.input(egui::InputState::has_touch_screen));
     let mut actions = Actions::new();
@@ -51,21 +54,15 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) {
         let frame = Frame::new().fill(Palette::of(ui.visuals()).panel);
         Panel::bottom("link").exact_size(strip).resizable(false).frame(frame).show(ui, |_| {});
     }
-    if !narrow && app.model.session().plots {
+    if !narrow && app.model.session().plots() {
         dock(app, ui);
     }
-    foot::begin(app, ui);
-    let yields = app.foot.has_message() || app.editor.side().is_some();
+    message_bar::begin(app, ui);
+    let yields = app.message_bar.has_message() || app.editor.side().is_some();
     app.explore.show_tour(ui, yields, &mut actions);
-    let context = ui.ctx().clone();
-    // the panels' wishes are about what they have shown
-    app.carry_out(&context, actions);
-    app.take_events(&context);
-    let mut actions = Actions::new();
     let arrangement = Arrangement::new(ui, narrow);
-    foot::show(app, ui, &mut actions);
-    egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(app, ui, arrangement, actions));
-    foot::end(app, &context);
+    message_bar::show(app, ui, &mut actions);
+    (arrangement, actions)
 }
 
 /// P opens the plots or closes them, unless a control has the keyboard.
@@ -76,7 +73,7 @@ fn keys(app: &RiemapApp, ui: &Ui, actions: &mut Actions) {
     };
     let free = ui.memory(|memory| memory.focused().is_none());
     if free && ui.input(|input| input.events.iter().any(is_p)) {
-        actions.push(Action::Session(Command::SetPlots(!app.model.session().plots)));
+        actions.push(Action::Session(Command::SetPlots(!app.model.session().plots())));
     }
 }
 
@@ -123,7 +120,7 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let open = ui.ctx().animate_bool(Id::unique("sheet open"), app.sheet_open);
     let height = SHEET_HANDLE + open * SHEET_SHARE * ui.ctx().content_rect().height();
     Panel::bottom("sheet").exact_size(height).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
-        let plots = app.model.session().plots;
+        let plots = app.model.session().plots();
         if let Some(asked) = sheet_tabs(ui, app.sheet_open, plots) {
             app.sheet_open = !(app.sheet_open && asked == plots);
             actions.push(Action::Session(Command::SetPlots(asked)));
@@ -148,7 +145,7 @@ fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         let size = vec2(0.5 * ui.available_width(), SHEET_HANDLE);
-        for (label, is_plots) in [("Controls", false), ("Plots", true)] {
+        for (label, is_plots) in [(key::controls(), false), (key::plots(), true)] {
             let shown = open && plots == is_plots;
             let ink = if open && !shown { palette.weak } else { palette.text };
             let response = ui.add_sized(size, egui::Button::new(RichText::new(tr(label)).color(ink)).frame(false));

@@ -1,108 +1,72 @@
 //! The app: panels, viewports, handles.
 //!
-//! A frame: show the panels and collect what the person wants as [`Action`]s,
-//! carry those out in one place (`carry_out`), take in what happened outside of it
-//! (workers, files), show the message below the pictures, the same for the pictures, bring
-//! the map up to date, upload what changed, paint. Panels that have more to say then do so in a frame that follows.
-//! At rest nothing is computed and nothing drawn.
+//! A frame is the six lines of `RiemapApp::ui`: **input** lays out the panels and collects what the person asks for as
+//! [`Action`]s, **commands** carries them out in one place (`carry_out`), **events** takes in what happened outside of a
+//! frame (workers, files; `incoming`), **update** brings the map up to date and uploads what changed (`frame`), **paint**
+//! paints the pictures (`pictures`), **announce** tells the page and those who hear the screen. Panels that have more to
+//! say after an update do so in a frame that follows. At rest nothing is computed and nothing drawn.
 
-mod action;
-pub mod address_options;
+mod accessibility;
 mod announced;
 mod arrangement;
 mod carry_out;
-mod cells;
-mod colouring;
-mod dots;
-mod draft;
 mod editing;
-mod errand;
-mod explore;
-pub mod exporting;
+mod export_work;
 mod facts;
-mod figures_menu;
-mod file_menu;
-mod files;
-mod foot;
 mod frame;
-mod gpu;
-mod gpu_extension;
-mod groundwork;
-mod handles;
-mod header;
-mod help_menu;
+mod host;
 mod incoming;
-mod keeping;
-mod keyboard;
+pub mod input;
 pub mod language;
 mod layout;
-mod legend;
-mod locks;
-mod looping;
-mod method;
-mod model;
-mod nudge;
-mod offer;
+mod menus;
+mod message_bar;
+mod overlays;
+mod panels;
 mod pictures;
-mod play_panel;
-mod playing;
 mod plots;
-mod preferences;
-mod prepare_state;
-mod presentation;
-mod reports;
-mod room;
 mod sessions;
-mod shapes;
-mod side_panel;
-mod spoken;
-mod stats;
+mod startup;
 mod status;
-pub mod still;
-mod surface;
-mod teaching;
-mod textured;
 mod theme;
-mod top_bar;
-mod touches;
-mod tracing;
-mod trouble;
-mod view;
 mod viewport;
-mod widgets;
-pub(crate) mod words;
+mod windows;
 
-pub use action::{Action, Actions};
-pub use groundwork::Groundwork;
-pub use model::Model;
-pub use stats::{Processor, Stats};
+pub use host::start;
+pub use input::action::{Action, Actions};
+pub use startup::Startup;
+pub use status::stats::Stats;
 
-use crate::platform::{self, Event, Laboratory, Mailbox, Preparer};
+use crate::language::{Label, Message};
+use crate::model::motion::Player;
+use crate::model::persistence::Keeper;
+use crate::model::{Model, pattern};
+use crate::platform::{self, Event, Mailbox, Preparer, StudyRunner};
 use crate::render::TextureStyle;
 use crate::session::Session;
-use address_options::AddressOptions;
 use announced::Announced;
-use cells::Cells;
-use editing::{EditAction, Editor};
-use explore::Explore;
-use exporting::Exporter;
-use foot::Foot;
-use gpu::Gpu;
-use handles::HandleState;
+use editing::Editor;
 use image::RgbaImage;
-use keeping::Keeper;
-use keyboard::Keyboard;
-use locks::{Control, Locks};
-use offer::Offer;
-use playing::Player;
+use input::action::Report;
+use input::address_options::AddressOptions;
+use input::handles::HandleState;
+use input::keyboard::Keyboard;
+use input::locks::Control;
+use input::preferences::Preferences;
+use input::presentation;
+use input::touches::Touches;
+use message_bar::MessageBar;
+use panels::offer::Offer;
 use plots::Plots;
-use preferences::Preferences;
-use reports::{Report, Reports};
 use status::FrameMeter;
 use std::sync::{Arc, mpsc};
-use surface::OrbitView;
-use touches::Touches;
-use view::View;
+use viewport::cells::CellUploads;
+use viewport::gpu::Gpu;
+use viewport::surface::OrbitView;
+use viewport::view::View;
+use windows::explore::Explore;
+use windows::exporting::Exporter;
+use windows::reports::Reports;
 
 /// Below this width (in points) the controls become a sheet.
 pub const PHONE_WIDTH: f32 = 700.0;
@@ -111,7 +75,7 @@ pub const PHONE_WIDTH: f32 = 700.0;
 const NOTICE_SECONDS: f64 = 3.0;
 
 /// What those who hear the screen are told about: the map, whether it is there, messages, the tour; how; a notice.
-type News = ((u64, bool, Vec<String>, Option<usize>), Preferences, Option<u64>);
+type News = ((u64, bool, Vec<Message>, Option<usize>), Preferences, Option<u64>);
 
 /// The app.
 pub struct RiemapApp {
@@ -125,7 +89,7 @@ pub struct RiemapApp {
     views: [View; 2],
     /// How the surface is seen that may stand in the target's place.
     orbit: OrbitView,
-    cells: Cells,
+    cells: CellUploads,
     plots: Plots,
     handles: HandleState,
     editor: Editor,
@@ -145,7 +109,7 @@ pub struct RiemapApp {
     keeper: Keeper,
     announced: Announced,
     reports: Reports,
-    laboratory: Laboratory,
+    study_runner: StudyRunner,
     player: Player,
     exporter: Exporter,
     image_name: Option<String>,
@@ -154,11 +118,11 @@ pub struct RiemapApp {
     /// The texture of that name.
     image: Option<Arc<RgbaImage>>,
     /// What is wrong and belongs to neither side: an image, a file that was to be saved, a link, what is locked.
-    message: Option<String>,
+    message: Option<Message>,
     /// What is there to read below the pictures.
-    foot: Foot,
+    message_bar: MessageBar,
     /// What has gone well and cannot be seen, and when it need not be said any more.
-    notice: Option<(&'static str, f64)>,
+    notice: Option<(Label, f64)>,
     preferences: Preferences,
     last_change: f64,
     /// How much larger than usual everything is.
@@ -166,14 +130,14 @@ pub struct RiemapApp {
 }
 
 impl RiemapApp {
-    /// Goes on from `groundwork` on a screen.
+    /// Goes on from `startup` on a screen.
     pub fn new(
         creation: &eframe::CreationContext<'_>,
-        groundwork: Groundwork,
+        startup: Startup,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Groundwork { model, resumes, missing, message, preferences, preparer, mailbox, events } = groundwork;
-        let options = platform::address_options();
+        let Startup { model, resumes, missing, message, preferences, preparer, mailbox, events } = startup;
+        let options = host::address_options();
         let preferences = presentation::install(&creation.egui_ctx, preferences, &options);
         mailbox.attach(&creation.egui_ctx);
         if let Some(state) = &creation.wgpu_render_state {
@@ -181,7 +145,7 @@ impl RiemapApp {
         }
         let mut keeper = Keeper::new(model.session().clone(), resumes);
         keeper.open_link(missing, platform::link());
-        let (mut reports, laboratory) = (Reports::default(), Laboratory::new(mailbox.clone()));
+        let (mut reports, study_runner) = (Reports::default(), StudyRunner::new(mailbox.clone()));
         if options.bench {
             reports.open(Report::Bench);
         }
@@ -194,7 +158,7 @@ impl RiemapApp {
             gpu: creation.wgpu_render_state.clone().map(Gpu::new),
             views: [View::default(), View::default()],
             orbit: OrbitView::default(),
-            cells: Cells::default(),
+            cells: CellUploads::default(),
             plots: Plots::default(),
             handles: HandleState::default(),
             editor: Editor::default(),
@@ -211,14 +175,14 @@ impl RiemapApp {
             keeper,
             announced: Announced::default(),
             reports,
-            laboratory,
+            study_runner,
             player: Player::default(),
             exporter: Exporter::default(),
             image_name: None,
             offer: None,
             image: None,
-            message: presentation::with_troubles(message, &options),
-            foot: Foot::default(),
+            message: presentation::with_user_errors(message, &options),
+            message_bar: MessageBar::default(),
             options,
             notice: None,
             preferences,
@@ -245,28 +209,19 @@ impl RiemapApp {
     }
 
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {
-        textured::style(&self.model, self.image_name.is_some(), dark)
+        pattern::style(&self.model, self.image_name.is_some(), dark)
     }
 }
 
 impl eframe::App for RiemapApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
-        self.take_dropped(ui.ctx());
-        self.zoom = ui.ctx().zoom_factor();
-        let compute = self.model.shown().map_or(0.0, |map| {
-            let timings = map.timings;
-            timings.kernel + timings.matching + timings.extend
-        });
-        let since_last = ui.input(|input| input.unstable_dt);
-        self.meter.tick(since_last, frame.info().cpu_usage, compute);
-        self.theme = ui.ctx().theme();
-        layout::show(self, ui);
-        self.announce();
-        let spoken = ui.output(|output| output.events.last().map(|event| spoken::control(event.widget_info())));
-        if let Some(spoken) = spoken {
-            platform::say(&spoken);
-            self.spoken += 1;
-        }
+        let context = ui.ctx().clone();
+        let (arrangement, actions) = self.take_input(ui, frame.info().cpu_usage);
+        self.carry_out(&context, actions);
+        self.take_events(&context);
+        self.advance(&context);
+        self.paint(ui, arrangement);
+        self.announce(ui);
     }
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
@@ -289,16 +244,6 @@ impl eframe::App for RiemapApp {
     }
 }
 
-#[cfg(test)]
-mod colour_vision_tests;
-#[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
-mod fitting_tests;
-#[cfg(test)]
-mod language_tests;
-#[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
-mod locks_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;

@@ -1,49 +1,33 @@
-//! The two pictures of a frame: gestures in them become wishes, the map is brought up to date, both are painted.
+//! The two pictures of a frame: gestures over them, and, once the map is up to date, how they are painted.
 
-use super::action::Actions;
 use super::arrangement::{Arrangement, LEGEND_SIDE};
-use super::header::Surroundings;
 use super::theme::Palette;
-use super::{RiemapApp, editing, foot, header, legend, surface, teaching, viewport};
+use super::{RiemapApp, editing};
+use crate::app::input::action::Actions;
+use crate::app::panels::header;
+use crate::app::panels::header::Surroundings;
+use crate::app::viewport::{legend, planar, surface};
+use crate::app::{message_bar, overlays};
 use crate::conformal::Side;
-use crate::render::{Pace, TextureStyle};
-use egui::{Stroke, Ui};
+use crate::model::Model;
+use crate::render::{BoundingSphere, Pace, TextureStyle};
+use egui::{Stroke, Ui, UiBuilder};
 
-/// Both pictures, and the windows over them; carries out what they ask for besides `actions`.
-pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, mut actions: Actions) {
-    let context = ui.ctx().clone();
-    interact(app, ui, arrangement, &mut actions);
-    app.carry_out(&context, std::mem::take(&mut actions));
-    app.advance(&context);
-    paint(app, ui, arrangement, &mut actions);
-    foot::notice(app, ui);
-    app.reports.show(&context);
-    editing::show_paste(&context, &mut app.editor, &mut actions);
-    app.explore.show(&context, &mut actions);
-    app.show_exporter(&context, &mut actions);
-    app.carry_out(&context, actions);
-}
-
-/// Places the pictures and turns gestures over them into wishes.
-fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {
-    let rects = arrangement.divide(ui.max_rect());
+/// Places the pictures in what the panels leave of the screen, and turns gestures over them into actions.
+pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {
+    let place = UiBuilder::new().id_salt("gestures").max_rect(ui.available_rect_before_wrap());
+    let ui = &mut ui.new_child(place);
+    place_views(app, ui, arrangement);
     let mut pointed = None;
     for side in Side::BOTH {
-        let rect = rects[side as usize];
-        let margins = arrangement.margins(app, ui, side, rect);
         let view = &mut app.views[side as usize];
-        view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
-        let scene = app.model.surface().and_then(|(surface, _)| surface.scene()).filter(|_| side == Side::Target);
-        if let Some(scene) = scene {
-            app.orbit.place(view.rect, ui.pixels_per_point(), scene);
-        }
         let boundary = if app.editor.side() == Some(side) {
             editing::interact(ui, side, &app.model, view, &mut app.editor, &mut app.handles, actions);
             None
-        } else if scene.is_some() {
+        } else if scene_of(&app.model, side).is_some() {
             surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, actions)
         } else {
-            viewport::interact(ui, side, &app.model, view, &mut app.handles, actions)
+            planar::interact(ui, side, &app.model, view, &mut app.handles, actions)
         };
         pointed = pointed.or(boundary.map(|fraction| (side, fraction)));
     }
@@ -51,6 +35,40 @@ fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions:
         // The plots were laid out before.
         ui.request_repaint();
     }
+}
+
+/// Paints both pictures with what lies over them, and the windows; what their buttons ask for is done before the next
+/// frame.
+pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement) {
+    let (context, mut actions) = (ui.ctx().clone(), Actions::new());
+    // commands and events may have changed what there is to see
+    place_views(app, ui, arrangement);
+    paint(app, ui, arrangement, &mut actions);
+    message_bar::notice(app, ui);
+    app.reports.show(&context);
+    editing::show_paste(&context, &mut app.editor, &mut actions);
+    app.explore.show(&context, &mut actions);
+    app.show_exporter(&context, &mut actions);
+    app.carry_out(&context, actions);
+}
+
+/// Gives both views their places.
+fn place_views(app: &mut RiemapApp, ui: &Ui, arrangement: Arrangement) {
+    let rects = arrangement.divide(ui.max_rect());
+    for side in Side::BOTH {
+        let rect = rects[side as usize];
+        let margins = arrangement.margins(app, ui, side, rect);
+        let view = &mut app.views[side as usize];
+        view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
+        if let Some(scene) = scene_of(&app.model, side) {
+            app.orbit.place(view.rect, ui.pixels_per_point(), scene);
+        }
+    }
+}
+
+/// What of a side's surface is to be seen, where one is shown.
+fn scene_of(model: &Model, side: Side) -> Option<BoundingSphere> {
+    model.surface(side)?.0.scene()
 }
 
 fn paint(app: &RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {
@@ -73,7 +91,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut A
 
 /// Whether a surface stands in this side's place.
 fn is_solid(app: &RiemapApp, side: Side) -> bool {
-    side == Side::Target && app.model.surface().is_some()
+    app.model.surface(side).is_some()
 }
 
 fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>) {
@@ -82,10 +100,10 @@ fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>)
     let pace = app.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
     if is_solid(app, side) {
         // until its first map is there, the GPU may have another one
-        let style = style.filter(|_| app.model.surface_map().is_some());
+        let style = style.filter(|_| app.model.map().is_some());
         surface::viewport::paint_surface(ui, &app.orbit, style, app.cells.style(), pace);
     } else {
-        viewport::paint_mesh(ui, side, view, style, pace);
+        planar::paint_mesh(ui, side, view, style, pace);
     }
     editing::paint_sheet(ui, side, view, &app.editor);
 }
@@ -107,7 +125,7 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
         let beside = scale.map_or(0.0, |_| legend::width(view.rect, tight));
         header::legend(ui, side, &app.model, view, beside);
     }
-    teaching::paint::show(ui, side, &app.model, view);
+    overlays::paint::show(ui, side, &app.model, view);
     if let Some(scale) = scale {
         legend::paint(ui, view.rect, scale, tight);
     }
@@ -124,12 +142,12 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
         marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.orbit, at));
         surface::viewport::paint_dots(ui, &app.model, &app.orbit, &app.handles);
     } else {
-        marked.inspect(|&at| viewport::paint_boundary_mark(ui, side, &app.model, view, at));
-        viewport::paint_dots(ui, side, &app.model, view, &app.handles);
+        marked.inspect(|&at| planar::paint_boundary_mark(ui, side, &app.model, view, at));
+        planar::paint_dots(ui, side, &app.model, view, &app.handles);
     }
     editing::paint(ui, side, view, &app.editor);
     if side == Side::Source && !app.handles.ever_dragged && app.model.shown().is_some() && app.editor.side().is_none() {
-        viewport::paint_hint(ui, &app.model, view);
+        planar::paint_hint(ui, &app.model, view);
     }
 }
 
@@ -138,7 +156,7 @@ fn show_tools(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangement
     let view = &app.views[side as usize];
     header::messages(ui, side, &app.model, arrangement.message_room(app, ui, side, title), actions);
     editing::show_bar(ui, side, view, arrangement.edit_room(app, side, view.rect), &app.editor, actions);
-    viewport::paint_focus(ui, side, view.rect, &app.handles);
-    viewport::paint_progress(ui, side, &app.model, view.rect);
-    viewport::paint_drop_target(ui, side, view.rect);
+    planar::paint_focus(ui, side, view.rect, &app.handles);
+    planar::paint_progress(ui, side, &app.model, view.rect);
+    planar::paint_drop_target(ui, side, view.rect);
 }

@@ -1,7 +1,9 @@
 //! What the app does with whole sessions: steps, files, links, and keeping them.
 
-use super::keeping::{self, Keeper};
 use super::{NOTICE_SECONDS, RiemapApp};
+use crate::language::{Message, key};
+use crate::model::persistence;
+use crate::model::persistence::Keeper;
 use crate::platform::{self, Kept, PageEvent};
 use crate::session::{Command, Session, file, link};
 
@@ -30,7 +32,7 @@ impl RiemapApp {
                 let name = format!("map.{}", file::EXTENSION);
                 platform::save_file(&name, text.into_bytes(), self.mailbox.clone());
             }
-            Err(error) => self.message = Some(format!("The session was not saved: {error}")),
+            Err(error) => self.message = Some(key::session_not_saved(Message::from(&error))),
         }
     }
 
@@ -38,23 +40,23 @@ impl RiemapApp {
         match link::encode(self.model.session()) {
             Ok(encoded) => {
                 context.copy_text(platform::address_with(&encoded.fragment));
-                self.message = keeping::link_report(self.model.session(), &encoded, self.keeper.missing());
+                self.message = persistence::link_report(self.model.session(), &encoded, self.keeper.missing());
                 let until = context.input(|input| input.time) + NOTICE_SECONDS;
-                self.notice = self.message.is_none().then_some(("Link copied", until));
+                self.notice = self.message.is_none().then_some((key::link_copied(), until));
             }
-            Err(error) => self.message = Some(format!("There is no link to this session: {error}")),
+            Err(error) => self.message = Some(key::no_link_to_session(Message::from(&error))),
         }
     }
 
     /// The link of this session, if it carries all of its outlines and no disk stands in for one.
     pub fn link(&self) -> Option<String> {
-        keeping::whole_link(self.model.session(), self.keeper.missing())
+        persistence::whole_link(self.model.session(), self.keeper.missing())
     }
 
     /// Shows what another link carries.
     pub(super) fn open_link(&mut self, address: &str) {
         if let Err(reason) = self.try_link(address) {
-            self.message = Some(format!("The link could not be opened: {reason}"));
+            self.message = Some(key::link_not_opened(reason));
             self.correct_address();
         }
     }
@@ -67,9 +69,9 @@ impl RiemapApp {
     }
 
     /// The same; the error is why the link cannot be opened.
-    pub fn try_link(&mut self, address: &str) -> Result<(), String> {
-        let decoded = link::decode(address).map_err(|error| error.to_string())?;
-        self.message = keeping::missing_text(&decoded.missing);
+    pub fn try_link(&mut self, address: &str) -> Result<(), Message> {
+        let decoded = link::decode(address).map_err(|error| Message::from(&error))?;
+        self.message = persistence::missing_text(&decoded.missing);
         self.open_session(decoded.session);
         self.keeper.open_link(decoded.missing, platform::link());
         Ok(())
@@ -96,7 +98,7 @@ impl RiemapApp {
             platform::tell_page(PageEvent::Session, "");
         }
         if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(Kept::Session, &text))
-            && let Some(message) = self.keeper.not_kept(&reason)
+            && let Some(message) = self.keeper.not_kept(reason)
         {
             self.message = Some(message);
             context.request_repaint();

@@ -6,7 +6,10 @@ use std::process::ExitCode;
 #[cfg(not(target_arch = "wasm32"))]
 fn main() -> ExitCode {
     match <riemap::cli::Arguments as clap::Parser>::parse().command {
-        Some(command) => riemap::cli::run(&command),
+        Some(command) => {
+            riemap::cli::silence_display(&command);
+            riemap::cli::run(&command)
+        }
         None => start(),
     }
 }
@@ -17,7 +20,7 @@ fn main() -> ExitCode {
 }
 
 fn start() -> ExitCode {
-    match riemap::platform::start() {
+    match riemap::app::start() {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("{message}");

@@ -6,8 +6,8 @@ use super::output::{check_paths, write_all};
 use super::picture::failed;
 use super::progress::Progress;
 use super::render::still;
-use crate::app::still::{Shot, Still};
 use crate::family::{Loop, Path};
+use crate::model::scene::{Shot, Still};
 use crate::render::{Film, FilmFormat, FilmSettings, Studio};
 
 /// Makes the animation.

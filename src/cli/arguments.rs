@@ -1,17 +1,18 @@
 //! What can be said on the command line, and its translation into the core's types.
 
 use super::CliError;
-use crate::conformal::{KernelMode, PrepareSettings, Side};
+use super::side::{SideAnchor, SidePoint};
+use crate::conformal::{KernelMode, MeshedDomain, PrepareSettings, Side};
 use crate::figures::Figure;
 use crate::geometry::DVec2;
 use crate::laplace::SolverKind;
 use crate::mesh::Sizing;
-use crate::outline::{self, BoundarySamples, Outline, Preset, Sampling};
+use crate::outline::{self, Outline, Preset, Sampling};
 use std::io::Read as _;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-/// Real-time conformal maps between two outlines.
+/// Real-time conformal maps between outlines or surfaces.
 ///
 /// Without a subcommand, opens the app in a window.
 #[derive(Debug, clap::Parser)]
@@ -25,7 +26,7 @@ pub struct Arguments {
 /// The headless commands.
 #[derive(Debug, clap::Subcommand)]
 pub enum Subcommand {
-    /// Computes a conformal map between two outlines and writes it.
+    /// Computes a conformal map between two outlines or surfaces and writes it.
     Map(MapArguments),
     /// Parameterizes a surface over an outline and writes it with texture coordinates.
     Flatten(Box<super::flatten_arguments::FlattenArguments>),
@@ -46,38 +47,45 @@ pub enum Subcommand {
 /// `riemap map SOURCE TARGET`.
 #[derive(Debug, clap::Args)]
 pub struct MapArguments {
-    /// The source outline: a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`.
+    /// The source: an outline, as a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`, or a surface, as a file (obj,
+    /// ply, stl, off, gltf, glb) or `preset:NAME[:M]` with M boundary vertices.
     pub source: String,
-    /// The target outline, likewise.
+    /// The target, likewise.
     pub target: String,
-    /// x₁, inside the source [default: its pole of inaccessibility].
-    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
-    pub source_point: Option<Point>,
-    /// x₂, inside the target, the image of x₁ [default: its pole of inaccessibility].
-    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
-    pub target_point: Option<Point>,
-    /// y₁: the boundary point nearest to X,Y, or at fraction S of the arc length from the first point.
-    #[arg(long, value_name = "X,Y|@S", default_value = "@0", allow_hyphen_values = true)]
-    pub source_anchor: Anchor,
+    /// x₁, inside the source: X,Y in an outline [default: its pole of inaccessibility]; in a surface vertex V, or triangle F
+    /// with weights, or the point nearest to X,Y,Z [default: the vertex farthest from the boundary].
+    #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
+    pub source_point: Option<SidePoint>,
+    /// x₂, inside the target, the image of x₁, likewise.
+    #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
+    pub target_point: Option<SidePoint>,
+    /// y₁: the boundary point nearest to X,Y, or of a surface to X,Y,Z, or its boundary vertex V; or at fraction S of the
+    /// boundary's length from the first point.
+    #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub source_anchor: SideAnchor,
     /// y₂, the image of y₁, likewise on the target.
-    #[arg(long, value_name = "X,Y|@S", default_value = "@0", allow_hyphen_values = true)]
-    pub target_anchor: Anchor,
+    #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub target_anchor: SideAnchor,
     /// Boundary samples of the source.
     #[arg(long, value_name = "N", conflicts_with = "samples")]
     pub source_samples: Option<u32>,
     /// Boundary samples of the target.
     #[arg(long, value_name = "N", conflicts_with = "samples")]
     pub target_samples: Option<u32>,
-    /// Cut off small loops and spikes of a file's outline instead of refusing it.
+    /// Cut off small loops and spikes of a file's outline instead of refusing it, and make the repairs of a surface that
+    /// are safe.
     #[arg(long)]
     pub repair: bool,
-    /// How the domains are discretised.
+    /// Use a surface's own cotangent weights, negative ones too, instead of flipping edges to be Delaunay.
+    #[arg(long)]
+    pub no_intrinsic_delaunay: bool,
+    /// How outlines are discretised; kernel and solver are the surfaces' too.
     #[command(flatten)]
     pub discretisation: Discretisation,
-    /// Which mesh is mapped: the source's, or the target's back into the source.
+    /// Which mesh is mapped: the source's, or the target's back into the source. With one surface, the surface's.
     #[arg(long, default_value = "backward")]
     pub direction: DirectionArgument,
-    /// How the boundary map is extended into that mesh.
+    /// How the boundary map is extended into that mesh; with a surface, harmonically.
     #[arg(long, default_value = "harmonic")]
     pub extension: ExtensionArgument,
     /// Write the map; repeatable; the format follows the extension: json, csv, obj, svg, png.
@@ -363,9 +371,9 @@ impl FromStr for Anchor {
 
 impl Anchor {
     /// The fraction of the outline's arc length that is meant.
-    pub fn fraction(self, samples: &BoundarySamples) -> f64 {
+    pub fn fraction(self, domain: &MeshedDomain) -> f64 {
         match self {
-            Self::Nearest(x) => samples.fraction_at(samples.nearest(x)),
+            Self::Nearest(x) => domain.samples().fraction_at(domain.samples().nearest(x)),
             Self::Fraction(s) => s.rem_euclid(1.0),
         }
     }
@@ -472,11 +480,16 @@ impl Discretisation {
         PrepareSettings {
             sampling,
             sizing: self.sizing.map_or_else(Sizing::default, |sizing| sizing.0),
-            kernel: match self.kernel {
-                KernelArgument::Adjoint => KernelMode::Adjoint,
-                KernelArgument::Table => KernelMode::Table,
-            },
+            kernel: self.kernel_mode(),
             solver: self.solver_kind(),
+        }
+    }
+
+    /// How kernels are computed.
+    pub fn kernel_mode(&self) -> KernelMode {
+        match self.kernel {
+            KernelArgument::Adjoint => KernelMode::Adjoint,
+            KernelArgument::Table => KernelMode::Table,
         }
     }
 

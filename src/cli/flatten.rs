@@ -1,18 +1,18 @@
 //! `riemap flatten`: prepares a surface and an outline, parameterizes the surface over it, writes it.
 
-use super::CliError;
 use super::arguments::{NamedOutline, read_outline};
 use super::flatten_arguments::{FlattenArguments, UvArgument, read};
 use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, write_all};
 use super::progress::Progress;
-use super::surface_picture;
+use super::tables::Counts;
+use super::{CliError, surface_picture};
 use crate::conformal::{
-    FrameTimings, MapError, Memory, PrepareSettings, PrepareTimings, PreparedDomain, PreparedSurface, Quality,
-    SurfaceConstraints, SurfaceMap, SurfaceMapError, SurfaceSettings, prepare, prepare_surface,
+    ConformalMap, Constraints, FrameTimings, MapError, MapSettings, MeshedDomain, MeshedSurface, PrepareSettings,
+    PrepareTimings, PreparedSide, Quality, Side, SurfaceSettings, prepare, prepare_surface,
 };
 use crate::export::{FileFormat, Flattened, Placement};
 use crate::laplace::SolverKind;
-use crate::mesh::FlipReport;
+use crate::mesh::{BarycentricPoint, FlipReport};
 use crate::surface::{Surface, SurfaceMesh};
 use std::path::Path;
 use std::sync::Arc;
@@ -29,15 +29,6 @@ struct Timings {
     outline: PrepareTimings,
     #[serde(flatten)]
     frame: FrameTimings,
-}
-
-#[derive(Debug, serde::Serialize)]
-struct Counts {
-    /// Boundary vertices.
-    m: u32,
-    /// Interior vertices.
-    n: usize,
-    triangles: usize,
 }
 
 /// What `--json` prints.
@@ -87,20 +78,23 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let progress = Progress::new(format!("reading {}", arguments.surface));
     let (surface, read) = timed(|| read(&arguments.surface));
     let surface = surface?;
-    let (map, constraints, timings) = compute(arguments, &surface, &progress)?;
+    let (whole, timings) = compute(arguments, &surface, &progress)?;
     progress.enter("writing");
-    let flattened = Flattened::new(&surface, &map, arguments.uv == UvArgument::Unit);
+    let map = &whole.map;
+    let flattened = Flattened::new(&surface, map, arguments.uv == UvArgument::Unit).ok_or_else(no_surface)?;
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
         let bytes = match format {
             Format::Surface(format) => flattened.encode(format),
-            Format::Picture => surface_picture::png(&arguments.surface, &map, &constraints, arguments.size.0)?,
+            Format::Picture => {
+                surface_picture::png(&arguments.surface, map, &whole.constraints, false, arguments.size.0)?
+            }
         };
         files.push((path.clone(), bytes));
     }
     write_all(&files)?;
     drop(progress);
-    let summary = summarize(&surface, &map, &constraints, flattened.placement, Timings { read, ..timings });
+    let summary = summarize(&surface, &whole, flattened.placement, Timings { read, ..timings });
     summary.notes.iter().chain(&summary.repairs).for_each(|note| eprintln!("riemap: {}: {note}", arguments.surface));
     if arguments.json {
         let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
@@ -121,33 +115,51 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     ))
 }
 
-/// The map with its constraints, and what it took but for the reading.
+/// A surface over an outline.
+struct Parameterized {
+    map: ConformalMap,
+    constraints: Constraints,
+    sides: Sides,
+    x2: BarycentricPoint,
+    /// As a fraction of the loop's length.
+    y2: f64,
+}
+
+/// The map, and what it took but for the reading.
 fn compute(
     arguments: &FlattenArguments,
     surface: &Surface,
     progress: &Progress,
-) -> Result<(SurfaceMap, SurfaceConstraints, Timings), CliError> {
+) -> Result<(Parameterized, Timings), CliError> {
     let outline = read_outline(&arguments.outline, arguments.repair)?;
     progress.enter(format!("checking {}", arguments.surface));
     let (disk, check) =
         timed(|| if arguments.repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) });
     let disk = disk.map_err(|error| about(&arguments.surface, &error))?;
     let sides = Sides::prepare(arguments, &outline, disk, progress)?;
-    let constraints = sides.constraints(arguments, surface)?;
+    let x1 = arguments.outline_point.map_or(sides.domain.pole(), |p| p.0);
+    let default = sides.meshed.centre();
+    let x2 =
+        arguments.surface_point.map_or(Ok(default), |point| point.locate("--surface-point", surface, &sides.meshed))?;
+    let y2 = arguments.surface_anchor.fraction("--surface-anchor", &sides.meshed)?;
+    let constraints = Constraints::new((x1, arguments.outline_anchor.fraction(&sides.domain)), (x2, y2));
     outline.say_notes(&arguments.outline);
     sides.say_notes(arguments);
     progress.enter("the map");
-    let Sides { source, surface, .. } = sides;
-    let timings = Timings { check, surface: surface.timings, outline: source.timings, ..Timings::default() };
-    let map = SurfaceMap::new(source, surface, &constraints).map_err(|error| refused(&error, arguments))?;
+    let (source, surface) = (Arc::clone(&sides.source), Arc::clone(&sides.surface));
+    let timings = Timings { check, surface: surface.timings(), outline: source.timings(), ..Timings::default() };
+    let map = ConformalMap::new(source, surface, &constraints, MapSettings::default());
+    let map = map.map_err(|error| refused(&error, arguments))?;
     let frame = map.timings();
-    Ok((map, constraints, Timings { frame, ..timings }))
+    Ok((Parameterized { map, constraints, sides, x2, y2 }, Timings { frame, ..timings }))
 }
 
 /// What is mapped, prepared.
 struct Sides {
-    source: Arc<PreparedDomain>,
-    surface: Arc<PreparedSurface>,
+    source: Arc<PreparedSide>,
+    surface: Arc<PreparedSide>,
+    domain: Arc<MeshedDomain>,
+    meshed: Arc<MeshedSurface>,
     /// The solver that was asked for.
     solver: SolverKind,
 }
@@ -162,29 +174,28 @@ impl Sides {
         let settings = arguments.discretisation.settings(outline, None);
         let PrepareSettings { kernel, solver, .. } = settings;
         let on_surface = SurfaceSettings { intrinsic_delaunay: !arguments.no_intrinsic_delaunay, kernel, solver };
-        let surface = prepare_surface(Memory::default(), disk, on_surface, &mut progress.preparing(&arguments.surface));
+        let surface = prepare_surface(disk, on_surface, &mut progress.preparing(&arguments.surface));
         let surface = surface.map_err(|error| about(&arguments.surface, &error))?;
         let source = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(&arguments.outline));
         let source = source.map_err(|error| about(&arguments.outline, &error))?;
-        Ok(Self { source: Arc::new(source), surface: Arc::new(surface), solver })
-    }
-
-    fn constraints(&self, arguments: &FlattenArguments, given: &Surface) -> Result<SurfaceConstraints, CliError> {
-        let Self { source, surface, .. } = self;
-        let point = arguments.surface_point.map_or(Ok(surface.centre), |point| point.locate(given, surface))?;
-        Ok(SurfaceConstraints {
-            source_point: arguments.outline_point.map_or(source.pole, |p| p.0),
-            source_anchor: arguments.outline_anchor.fraction(&source.samples),
-            surface_point: point,
-            surface_anchor: arguments.surface_anchor.fraction(surface)?,
-        })
+        let domain = Arc::clone(source.domain().ok_or_else(no_outline)?);
+        let meshed = Arc::clone(surface.surface().ok_or_else(no_surface)?);
+        Ok(Self { source: Arc::new(source), surface: Arc::new(surface), domain, meshed, solver })
     }
 
     fn say_notes(&self, arguments: &FlattenArguments) {
-        warn_if_coarse(&arguments.outline, self.source.refinement);
-        say_solver(&arguments.outline, self.solver, &self.source.solver);
-        say_solver(&arguments.surface, self.solver, &self.surface.solver);
+        warn_if_coarse(&arguments.outline, &self.source);
+        say_solver(&arguments.outline, self.solver, self.source.solver());
+        say_solver(&arguments.surface, self.solver, self.surface.solver());
     }
+}
+
+fn no_outline() -> CliError {
+    CliError::Input(String::from("a surface is flattened over an outline"))
+}
+
+fn no_surface() -> CliError {
+    CliError::Input(String::from("an outline is flat already"))
 }
 
 /// An error of the file that has this name.
@@ -193,43 +204,42 @@ fn about(name: &str, error: &impl std::fmt::Display) -> CliError {
 }
 
 /// An error of the map in the words of this subcommand, whose source is the outline.
-fn refused(error: &SurfaceMapError, arguments: &FlattenArguments) -> CliError {
+fn refused(error: &MapError, arguments: &FlattenArguments) -> CliError {
     CliError::Input(match error {
-        SurfaceMapError::Planar(MapError::PointOutside { x, y, .. }) => {
+        MapError::PointOutside { x, y, .. } => {
             format!("--outline-point: ({x}, {y}) is not inside the outline as it is sampled")
         }
-        SurfaceMapError::Planar(MapError::NotConverged { error, .. }) => format!("{}: {error}", arguments.outline),
-        SurfaceMapError::NotConverged(error) => format!("{}: {error}", arguments.surface),
+        MapError::NotConverged { side: Side::Source, error } => format!("{}: {error}", arguments.outline),
+        MapError::NotConverged { side: Side::Target, error } => format!("{}: {error}", arguments.surface),
         error => error.to_string(),
     })
 }
 
-fn summarize(
-    surface: &Surface,
-    map: &SurfaceMap,
-    constraints: &SurfaceConstraints,
-    uv: Placement,
-    timing_ms: Timings,
-) -> Summary {
-    let prepared = map.surface();
-    let mesh = &prepared.surface.mesh;
-    let point = constraints.surface_point;
+fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms: Timings) -> Summary {
+    let Parameterized { map, sides, x2, y2, .. } = whole;
+    let (prepared, meshed) = (map.mapped(), &sides.meshed);
+    let disk = meshed.surface();
     let mut weights = [0.0; 3];
-    for (i, weight) in prepared.surface.corners_in(surface, point.triangle).into_iter().zip(point.weights) {
+    for (i, weight) in disk.corners_in(surface, x2.triangle).into_iter().zip(x2.weights) {
         weights[i] = weight;
     }
     Summary {
         quality: map.quality(),
-        counts: Counts { m: mesh.boundary_count, n: mesh.interior_count(), triangles: mesh.triangles.len() },
-        flips: prepared.flips,
-        repairs: prepared.surface.repairs.iter().map(ToString::to_string).collect(),
-        notes: surface.notes.iter().map(ToString::to_string).chain(map.note().map(|note| note.to_string())).collect(),
+        counts: Counts::of(prepared),
+        flips: meshed.flips(),
+        repairs: disk.repairs.iter().map(ToString::to_string).collect(),
+        notes: surface
+            .notes
+            .iter()
+            .map(ToString::to_string)
+            .chain(map.note(map.mapped_side()).map(|note| note.to_string()))
+            .collect(),
         surface_point: Point {
-            triangle: prepared.surface.triangle_origins[point.triangle as usize],
+            triangle: disk.triangle_origins[x2.triangle as usize],
             weights,
-            position: prepared.position(point).to_array(),
+            position: meshed.position(*x2).to_array(),
         },
-        surface_anchor: constraints.surface_anchor,
+        surface_anchor: *y2,
         uv,
         timing_ms,
     }

@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::arguments::{Anchor, Discretisation, Point, Size, read_file};
-use crate::conformal::PreparedSurface;
+use crate::conformal::MeshedSurface;
 use crate::counted::counted;
 use crate::geometry::DVec3;
 use crate::mesh::BarycentricPoint;
@@ -102,16 +102,16 @@ impl FromStr for SurfacePoint {
 
 impl SurfacePoint {
     /// The point of the prepared surface that is meant; `given` is what it was made from.
-    pub fn locate(self, given: &Surface, surface: &PreparedSurface) -> Result<BarycentricPoint, CliError> {
-        let whole = &surface.surface;
+    pub fn locate(self, option: &str, given: &Surface, surface: &MeshedSurface) -> Result<BarycentricPoint, CliError> {
+        let whole = surface.surface();
         match self {
             Self::Vertex(vertex) => {
                 let found = whole.number_of(vertex).and_then(|number| at_vertex(&whole.mesh, number));
-                found.ok_or_else(|| CliError::Input(format!("--surface-point: {}", no_vertex(given, vertex))))
+                found.ok_or_else(|| CliError::Input(format!("{option}: {}", no_vertex(given, vertex))))
             }
             Self::InTriangle(triangle, weights) => {
                 let kept = whole.triangle_origins.iter().position(|&origin| origin == triangle);
-                let missing = || CliError::Input(format!("--surface-point: {}", no_triangle(given, triangle)));
+                let missing = || CliError::Input(format!("{option}: {}", no_triangle(given, triangle)));
                 let kept = kept.ok_or_else(missing)? as u32;
                 Ok(BarycentricPoint { triangle: kept, weights: whole.corners_in(given, kept).map(|i| weights[i]) })
             }
@@ -119,7 +119,7 @@ impl SurfacePoint {
                 .tree()
                 .nearest(place)
                 .map(|(point, _)| point)
-                .ok_or_else(|| CliError::Input(format!("--surface-point: nothing is near {place}"))),
+                .ok_or_else(|| CliError::Input(format!("{option}: nothing is near {place}"))),
         }
     }
 }
@@ -177,14 +177,14 @@ impl FromStr for SurfaceAnchor {
 
 impl SurfaceAnchor {
     /// The fraction of the boundary's length that is meant.
-    pub fn fraction(self, surface: &PreparedSurface) -> Result<f64, CliError> {
+    pub fn fraction(self, option: &str, surface: &MeshedSurface) -> Result<f64, CliError> {
         match self {
             Self::Fraction(s) => Ok(s.rem_euclid(1.0)),
-            Self::Nearest(place) => Ok(surface.fraction_at(nearest_on_boundary(&surface.surface.mesh, place))),
+            Self::Nearest(place) => Ok(surface.fraction_at(nearest_on_boundary(surface.mesh(), place))),
             Self::Vertex(vertex) => {
-                let number =
-                    surface.surface.number_of(vertex).and_then(|number| surface.fractions.get(number as usize));
-                let inner = || CliError::Input(format!("--surface-anchor: vertex {vertex} is not on the boundary"));
+                let number = surface.surface().number_of(vertex);
+                let number = number.and_then(|number| surface.fractions().get(number as usize));
+                let inner = || CliError::Input(format!("{option}: vertex {vertex} is not on the boundary"));
                 number.copied().ok_or_else(inner)
             }
         }

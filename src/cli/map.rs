@@ -1,13 +1,14 @@
-//! `riemap map`: prepares both domains, computes the map, writes it.
+//! `riemap map`: prepares both sides, computes the map, writes it.
 
 use super::CliError;
-use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments, NamedOutline, read_outline};
-use super::output::{Format, check_paths, print, say_solver, triangles, warn_if_coarse, write_all};
-use super::picture;
+use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments};
+use super::output::{Format, check_paths, print, triangles, write_all};
 use super::progress::Progress;
+use super::side::{self, Asked, NamedSide, Reading, is_surface};
 use super::tables::{self, Summary};
-use crate::conformal::{ConformalMap, Constraints, Direction, Extension, MapSettings, PreparedDomain, Side, prepare};
-use crate::export::{Part, Ruling, boundary_csv, mapped_obj, panels, svg};
+use super::{picture, surface_picture};
+use crate::conformal::{ConformalMap, Constraints, Direction, Extension, MapError, MapSettings, PerSide, Side};
+use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
 use std::sync::Arc;
 
 /// Cells of the drawn patterns across the source's larger side.
@@ -21,7 +22,8 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let (map, constraints) = compute(arguments, &progress)?;
     progress.enter("writing");
     let summary = Summary::of(&map);
-    let scene = Scene { map: &map, constraints };
+    let names = PerSide::new(arguments.source.as_str(), arguments.target.as_str());
+    let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
         files.push((path.clone(), scene.encode(format, summary, arguments.size.0)?));
@@ -45,22 +47,52 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
 }
 
 fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMap, Constraints), CliError> {
-    let outlines = [&arguments.source, &arguments.target].map(|name| read_outline(name, arguments.repair));
-    let [source, target] = outlines;
-    let outlines = [source?, target?];
-    let prepared = |name: &str, outline: &NamedOutline, samples| -> Result<Arc<PreparedDomain>, CliError> {
-        let settings = arguments.discretisation.settings(outline, samples);
-        let domain = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(name));
-        domain.map(Arc::new).map_err(|error| CliError::Input(format!("{name}: {error}")))
+    let settings = settings(arguments)?;
+    let reading = Reading {
+        repair: arguments.repair,
+        intrinsic_delaunay: !arguments.no_intrinsic_delaunay,
+        discretisation: &arguments.discretisation,
     };
-    let source = prepared(&arguments.source, &outlines[0], arguments.source_samples)?;
-    let target = prepared(&arguments.target, &outlines[1], arguments.target_samples)?;
-    let constraints = Constraints {
-        source_point: arguments.source_point.map_or(source.pole, |p| p.0),
-        target_point: arguments.target_point.map_or(target.pole, |p| p.0),
-        source_anchor: arguments.source_anchor.fraction(&source.samples),
-        target_anchor: arguments.target_anchor.fraction(&target.samples),
-    };
+    let asked = [
+        Asked {
+            name: &arguments.source,
+            samples: arguments.source_samples,
+            point: ("--source-point", arguments.source_point),
+            anchor: ("--source-anchor", arguments.source_anchor),
+        },
+        Asked {
+            name: &arguments.target,
+            samples: arguments.target_samples,
+            point: ("--target-point", arguments.target_point),
+            anchor: ("--target-anchor", arguments.target_anchor),
+        },
+    ];
+    // what is wrong with either side is said before the first one is prepared
+    asked.iter().try_for_each(Asked::check)?;
+    let [first, second] = [side::read(asked[0].name, arguments.repair)?, side::read(asked[1].name, arguments.repair)?];
+    let source = NamedSide::prepare(&asked[0], first, reading, progress)?;
+    let target = NamedSide::prepare(&asked[1], second, reading, progress)?;
+    let constraints = Constraints::new(source.constraint(&asked[0])?, target.constraint(&asked[1])?);
+    progress.enter("the map");
+    let sides = (Arc::clone(&source.prepared), Arc::clone(&target.prepared));
+    let mut map =
+        ConformalMap::new(sides.0, sides.1, &constraints, settings).map_err(|error| refused(&error, arguments))?;
+    if settings.extension == Extension::CauchyGreen {
+        progress.enter("the Cauchy–Green extension");
+    }
+    map.refine_exactly_with(&mut |done| progress.report(done));
+    for side in [&source, &target] {
+        side.say_notes(&arguments.discretisation);
+    }
+    for (side, asked) in Side::BOTH.into_iter().zip(asked) {
+        if let Some(note) = map.note(side) {
+            eprintln!("riemap: {}: {note}", asked.name);
+        }
+    }
+    Ok((map, constraints))
+}
+
+fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
     let direction = match arguments.direction {
         DirectionArgument::Forward => Direction::Forward,
         DirectionArgument::Backward => Direction::Backward,
@@ -69,25 +101,26 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
         ExtensionArgument::Harmonic => Extension::Harmonic,
         ExtensionArgument::CauchyGreen => Extension::CauchyGreen,
     };
-    progress.enter("the map");
-    let mut map = ConformalMap::new(source, target, &constraints, MapSettings { direction, extension })
-        .map_err(|error| CliError::Input(error.to_string()))?;
-    if extension == Extension::CauchyGreen {
-        progress.enter("the Cauchy–Green extension");
+    let surface = [&arguments.source, &arguments.target].into_iter().find(|name| is_surface(name));
+    match surface {
+        Some(name) if extension == Extension::CauchyGreen => Err(CliError::Usage(format!(
+            "--extension cauchy-green is for two outlines; {name} is a surface, whose map is extended harmonically"
+        ))),
+        _ => Ok(MapSettings { direction, extension }),
     }
-    map.refine_exactly_with(&mut |done| progress.report(done));
-    for ((outline, name), side) in outlines.iter().zip([&arguments.source, &arguments.target]).zip(Side::BOTH) {
-        outline.say_notes(name);
-        warn_if_coarse(name, map.domain(side).refinement);
-        say_solver(name, arguments.discretisation.solver_kind(), &map.domain(side).solver);
-    }
-    Ok((map, constraints))
+}
+
+/// An error of the map; one about a surface with its name, for there may be two.
+fn refused(error: &MapError, arguments: &MapArguments) -> CliError {
+    let name = if error.side() == Side::Source { &arguments.source } else { &arguments.target };
+    CliError::Input(if is_surface(name) { format!("{name}: {error}") } else { error.to_string() })
 }
 
 /// A map with its constraints, ready to be drawn.
 struct Scene<'a> {
     map: &'a ConformalMap,
     constraints: Constraints,
+    names: PerSide<&'a str>,
 }
 
 impl Scene<'_> {
@@ -97,16 +130,29 @@ impl Scene<'_> {
             Format::Csv => Ok(boundary_csv(self.map).into_bytes()),
             Format::Obj => Ok(mapped_obj(self.map).into_bytes()),
             Format::Svg => Ok(self.drawing().into_bytes()),
-            Format::Png => picture::png(&panels(self.map, &self.constraints), GRID_CELLS, size),
+            Format::Png => self.picture(size),
         }
     }
 
-    /// Both outlines with a square grid of the source.
+    /// What lies in the plane, with a square grid of the source, of the one outline or of the disk.
     fn drawing(&self) -> String {
-        let panels = panels(self.map, &self.constraints);
-        let (low, high) = panels[0].bounds();
-        let grid = Ruling::Squares { origin: 0.5 * (low + high), spacing: (high - low).max_element() / GRID_CELLS };
-        let parts = Side::BOTH.map(|side| Part { side, panel: panels[side as usize], wire: None });
-        svg(&parts, Some(grid))
+        let parts = parts(self.map, &self.constraints);
+        let grid = parts.first().map(|part| {
+            let (low, high) = part.panel.bounds();
+            Ruling::Squares { origin: 0.5 * (low + high), spacing: (high - low).max_element() / GRID_CELLS }
+        });
+        svg(&parts, grid)
+    }
+
+    fn picture(&self, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
+        let Self { map, constraints, names } = self;
+        match panels(map, constraints) {
+            Some(panels) => picture::png(&panels, GRID_CELLS, size),
+            None if map.is_through_disk() => surface_picture::png_of_two(*names, map, constraints, size),
+            None => {
+                let side = map.mapped_side();
+                surface_picture::png(names[side], map, constraints, side == Side::Target, size)
+            }
+        }
     }
 }

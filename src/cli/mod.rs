@@ -6,6 +6,8 @@
 mod animate;
 mod arguments;
 mod bench;
+#[cfg(all(unix, not(target_vendor = "apple")))]
+mod display;
 mod figure;
 mod flatten;
 mod flatten_arguments;
@@ -16,6 +18,7 @@ mod picture;
 mod prepare;
 mod progress;
 mod render;
+mod side;
 mod surface_picture;
 mod tables;
 
@@ -39,6 +42,17 @@ pub enum CliError {
         /// The cause.
         source: std::io::Error,
     },
+}
+
+/// For a program's first line, before a subcommand that may draw: where graphics libraries would report a missing
+/// display on stderr, the program is started anew in the same process, with the same arguments.
+pub fn silence_display(command: &Subcommand) {
+    #[cfg(all(unix, not(target_vendor = "apple")))]
+    if !matches!(command, Subcommand::Link(_) | Subcommand::Prepare(_) | Subcommand::Bench(_)) {
+        display::name_one();
+    }
+    #[cfg(not(all(unix, not(target_vendor = "apple"))))]
+    let _ = command;
 }
 
 /// Carries out a subcommand and reports.

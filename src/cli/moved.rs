@@ -1,10 +1,10 @@
 //! What is said of a session's points that its domains do not have: the picture is made with others, as in the app.
 
 use super::output::triangles;
-use crate::app::still::Still;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::mesh::BarycentricPoint;
+use crate::model::scene::Still;
 use crate::session::Session;
 
 /// A point that moves by less than this part of its coordinates was where it stands: one at the distance that the app
@@ -14,13 +14,13 @@ const ROUNDING: f64 = 1e-9;
 /// Says on stderr which points of `wanted` the still has others for.
 pub fn say_moved(wanted: &Session, still: &Still) {
     let used = still.session();
-    for side in Side::BOTH.into_iter().filter(|&side| side == Side::Source || used.surface.is_none()) {
-        let [wanted, used] = [wanted, used].map(|session| session.interior[side as usize]);
+    for side in Side::BOTH.into_iter().filter(|&side| used.surface(side).is_none()) {
+        let [wanted, used] = [wanted, used].map(|session| session.side(side).interior);
         if let Some(note) = wanted.and_then(|wanted| planar(side, wanted, used)) {
             eprintln!("riemap: {note}");
         }
     }
-    let wanted = wanted.surface.as_ref().and_then(|surface| surface.point);
+    let wanted = wanted.surface(Side::Target).and_then(|surface| surface.point);
     let used = still.surface_point().filter(|(used, _)| wanted.is_some_and(|wanted| wanted != *used));
     if let (Some(wanted), Some((_, count))) = (wanted, used) {
         eprintln!("riemap: {}", on_surface(wanted, count));

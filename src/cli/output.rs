@@ -1,9 +1,9 @@
 //! Writing files whole or not at all.
 
 use super::CliError;
+use crate::conformal::PreparedSide;
 use crate::counted::counted;
 use crate::laplace::{Solver, SolverKind};
-use crate::mesh::RefineReport;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -70,8 +70,8 @@ pub fn print(text: &str) -> Result<(), CliError> {
 }
 
 /// Says on stderr that a mesh is coarser than it should be.
-pub fn warn_if_coarse(name: &str, report: RefineReport) {
-    if !report.complete {
+pub fn warn_if_coarse(name: &str, side: &PreparedSide) {
+    if side.domain().is_some_and(|domain| !domain.refinement().complete) {
         eprintln!("riemap: {name}: the mesh was not refined to the end; some angles are below 20°");
     }
 }

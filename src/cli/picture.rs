@@ -1,8 +1,8 @@
 //! The map as a picture: source and target side by side, drawn by wgpu on any adapter.
 
 use super::CliError;
-use crate::app::still::compose::{Look, PlanarPart, background, compose};
 use crate::export::Panel;
+use crate::model::scene::compose::{Look, PlanarPart, background, compose};
 use crate::render::{Pattern, RenderError, Studio, TextureStyle};
 use image::RgbaImage;
 use std::io::Cursor;

@@ -15,12 +15,12 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
     let mut counts = Counts::default();
     let progress = Progress::new("preparing");
     for _ in 0..arguments.repeat {
-        let domain = prepare(&named.outline.polygon, &settings, &mut progress.preparing(&arguments.domain))
+        let side = prepare(&named.outline.polygon, &settings, &mut progress.preparing(&arguments.domain))
             .map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
-        counts = Counts::of(&domain.mesh);
-        warn_if_coarse(&arguments.domain, domain.refinement);
-        say_solver(&arguments.domain, settings.solver, &domain.solver);
-        runs.push(domain.timings);
+        counts = Counts::of(&side);
+        warn_if_coarse(&arguments.domain, &side);
+        say_solver(&arguments.domain, settings.solver, side.solver());
+        runs.push(side.timings());
     }
     drop(progress);
     let timings = medians(&runs);

@@ -3,7 +3,6 @@
 //! As everything on stderr, whole lines that begin with "riemap:". A command that is soon done says nothing; one that
 //! is not says every two seconds how far it is with what it does, or for how long it has run.
 
-use crate::app::words;
 use crate::conformal::Stage;
 use std::io::Write;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -64,8 +63,22 @@ impl Progress {
 
     /// Takes in the stages of the preparation of what has this name.
     pub fn preparing(&self, name: &str) -> impl FnMut(Stage) {
-        move |stage| self.enter(format!("{name}: {}", words::stage(Some(stage)).1.trim_end_matches('…')))
+        move |stage| self.enter(format!("{name}: {}", stage_words(stage)))
     }
+}
+
+/// What is done in a stage.
+fn stage_words(stage: Stage) -> String {
+    let words = match stage {
+        Stage::Read => "reading the surface",
+        Stage::Sample => "sampling the boundary",
+        Stage::Mesh => "triangulating",
+        Stage::Assemble => "assembling the Laplacian",
+        Stage::Order => "ordering",
+        Stage::Factor => "factoring",
+        Stage::Table { percent } => return format!("harmonic coordinates: {percent} %"),
+    };
+    words.to_owned()
 }
 
 impl Drop for Progress {

@@ -8,15 +8,14 @@ use super::moved::say_moved;
 use super::output::{check_paths, print, write_all};
 use super::picture::{encode, failed};
 use super::progress::Progress;
-use crate::app::exporting::FileWish;
-use crate::app::still::{Doing, Shot, Still};
 use crate::conformal::Side;
 use crate::export::FileFormat;
+use crate::model::export::FileRequest;
+use crate::model::scene::{Doing, Shot, Still};
 use crate::render::Studio;
 use crate::session::link::{Decoded, MissingOutline, decode, encode as link_of, is_link};
-use crate::session::{OutlineSpec, Session, SurfaceShape, TextureKind, file};
+use crate::session::{Command, Session, SurfaceShape, SurfaceSpec, TextureKind, file};
 use crate::surface::{MAX_BYTES, names_format};
-use crate::worker::Subject;
 use std::path::Path;
 
 /// Draws a session.
@@ -33,8 +32,8 @@ pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
     let bytes = match format {
         Format::Picture => picture(&still, &shot)?,
         Format::File(format) => {
-            let wish = FileWish { format, side: shot.side, unit: true };
-            still.file(wish).map_err(|error| CliError::Input(error.to_string()))?.bytes
+            let request = FileRequest { format, side: shot.side, unit: true };
+            still.file(request).map_err(|error| CliError::Input(error.to_string()))?.bytes
         }
     };
     write_all(&[(arguments.out.clone(), bytes)])
@@ -72,13 +71,13 @@ pub fn still(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> 
     let mut session = with_files(open(&arguments.link)?, arguments)?;
     let surface = surface_file(&mut session, arguments)?;
     let still = Still::telling(session.clone(), surface, shot.pixels_per_point(), &mut |doing| match doing {
-        Doing::Preparing(Subject::Domain(side), stage) => progress.preparing(&format!("the {side}"))(stage),
-        Doing::Preparing(Subject::Surface, stage) => progress.preparing("the surface")(stage),
+        Doing::PreparingOutline(side, stage) => progress.preparing(&format!("the {side}"))(stage),
+        Doing::PreparingSurface(_, stage) => progress.preparing("the surface")(stage),
         Doing::Mapping => progress.enter("the map"),
     });
     let still = still.map_err(|error| CliError::Input(error.to_string()))?;
     say_moved(&session, &still);
-    if still.session().texture == TextureKind::Image {
+    if still.session().texture() == TextureKind::Image {
         eprintln!("riemap: images do not travel with sessions: a checkerboard stands in");
     }
     Ok(still)
@@ -121,10 +120,8 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
         };
         let MissingOutline { interior, anchor, .. } = missing.remove(place);
         let outline = read_outline(name, false)?.outline;
-        let points = outline.polygon.vertices().to_vec();
-        let domain = if side == Side::Source { &mut session.source } else { &mut session.target };
-        domain.outline = OutlineSpec::Points { name: outline.name, points };
-        (session.interior[side as usize], session.anchor[side as usize]) = (interior, anchor);
+        // the surface that may stand before it stays
+        session.apply(Command::ReshapeOutline { side, outline: outline.into(), interior, anchor });
     }
     refuse_missing(&missing)?;
     Ok(session)
@@ -134,10 +131,13 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
 /// that the session knows does.
 fn surface_file(session: &mut Session, arguments: &SessionArguments) -> Result<Option<Vec<u8>>, CliError> {
     let Some(name) = &arguments.surface else { return Ok(None) };
-    if let Some(SurfaceShape::File { name: known }) = session.surface.as_mut().map(|state| &mut state.spec.shape)
-        && names_format(name)
-    {
-        known.clone_from(name);
+    let side = Side::Target;
+    let state = session.surface(side).filter(|state| matches!(state.spec.shape, SurfaceShape::File { .. }));
+    if let Some(state) = state.filter(|_| names_format(name)) {
+        let (points, shape) = (state.points(), SurfaceShape::File { name: name.clone() });
+        let surface = SurfaceSpec { shape, ..state.spec.clone() };
+        session.apply(Command::SetSurface { side, surface });
+        session.apply(Command::PlacePoints { side, points });
     }
     read_file(name, MAX_BYTES).map(Some)
 }

@@ -4,12 +4,15 @@
 use super::CliError;
 use super::flatten_arguments::preset;
 use super::picture::{encode, failed};
-use crate::app::still::compose::{Look, PlanarPart, SurfacePart, background, compose};
-use crate::conformal::{PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap};
+use crate::conformal::{ConformalMap, Constraints, MeshedDomain, MeshedSurface, PerSide, Side};
 use crate::export::Panel;
 use crate::geometry::{DVec2, DVec3};
+use crate::mesh::BarycentricPoint;
+use crate::model::scene::compose::{Look, PlanarPart, SurfacePart, background, compose};
+use crate::outline::BoundaryPoint;
 use crate::render::{BoundingSphere, CellStyle, OrbitCamera, Pattern, SceneCells, StrokeStyle, Studio, TextureStyle};
 use crate::surface::SurfacePreset;
+use image::RgbaImage;
 
 /// Squares of the checkerboard across the outline's larger side.
 const CELLS: f64 = 16.0;
@@ -17,54 +20,105 @@ const CELLS: f64 = 16.0;
 /// Free space around surface and outline, as a part of a half's smaller side.
 const MARGIN: f64 = 0.06;
 
-/// A PNG of `size` pixels. A preset, by its name, is seen from its own side.
+/// A PNG of `size` pixels of the map of a surface into the plane; the surface is `right` of that, or left. A preset, by
+/// its name, is seen from its own side.
 pub fn png(
     name: &str,
-    map: &SurfaceMap,
-    constraints: &SurfaceConstraints,
+    map: &ConformalMap,
+    constraints: &Constraints,
+    right: bool,
     size: [u32; 2],
 ) -> Result<Vec<u8>, CliError> {
-    let (surface, source) = (map.surface(), map.source());
-    let plane = Panel {
-        positions: &source.mesh.vertices,
-        coordinates: &source.mesh.vertices,
-        triangles: &source.mesh.triangles,
-        boundary: &source.samples.points,
-        handles: planar_places(source, constraints),
+    let (side, anchors) = (map.mapped_side(), PerSide::from_fn(|side| map.measure(side).anchor()));
+    let (points, plane) = (constraints.points, side.other());
+    let (Some(surface), Some(x2), Some(domain), Some(x1)) =
+        (map.mapped().surface(), points[side].on_surface(), map.domain(plane), points[plane].in_plane())
+    else {
+        return Err(no_plane());
     };
-    let pole = constraints.source_point;
-    let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds: plane.bounds(), pole, dark: true };
+    let panel = Panel {
+        positions: &domain.mesh().vertices,
+        coordinates: &domain.mesh().vertices,
+        triangles: &domain.mesh().triangles,
+        boundary: &domain.samples().points,
+        handles: planar_places(domain, x1, anchors[plane]),
+    };
+    let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds: panel.bounds(), pole: x1, dark: true };
     // strokes and handles grow with the picture
     let scale = size[1].min(size[0]) as f32 / 900.0;
     let wire =
         CellStyle { map: None, wire: Some(StrokeStyle::wire(false, scale)), marks: false, pixels_per_point: scale };
-    let triangles = &surface.surface.mesh.triangles;
+    let triangles = &surface.mesh().triangles;
     let layout = SceneCells { positions: map.images(), triangles, codes: &[], style: wire };
-    let look = Look {
-        style,
-        background: background(true),
-        image: None,
-        stroke: Some(StrokeStyle::themed(true, scale.max(0.6))),
-        radius_px: 9.0 * scale.max(0.4),
-    };
     let solid = SurfacePart {
         surface,
         coordinates: map.images(),
         camera: camera(preset(name), surface, 0.5 * f64::from(size[0]) / f64::from(size[1])),
-        handles: places(surface, constraints),
+        handles: places(surface, x2, anchors[side]),
         cells: None,
-        right: false,
+        right,
     };
-    let planar = [PlanarPart { panel: plane, cells: Some(layout) }];
-    let picture = compose(&planar, Some(&solid), &look, size, |surface, scene| {
+    encode(&drawn(&[PlanarPart { panel, cells: Some(layout) }], &solid, &look(style, scale), size)?)
+}
+
+/// A PNG of `size` pixels of the map between two surfaces, side by side: the texture lies in the disk, so that points
+/// that are mapped to each other have one colour.
+pub fn png_of_two(
+    names: PerSide<&str>,
+    map: &ConformalMap,
+    constraints: &Constraints,
+    size: [u32; 2],
+) -> Result<Vec<u8>, CliError> {
+    // of an odd width, the right half has the middle column
+    let left = size[0] / 2;
+    let scale = size[1].min(left) as f32 / 900.0;
+    let bounds = TextureStyle::DISK;
+    let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds, pole: DVec2::ZERO, dark: true };
+    let mut whole = RgbaImage::new(size[0], size[1]);
+    for (side, (from, to)) in Side::BOTH.into_iter().zip([(0, left), (left, size[0])]) {
+        let half = [to - from, size[1]];
+        let (Some(surface), Some(point), Some(coordinates)) =
+            (map.side(side).surface(), constraints.points[side].on_surface(), map.disk(side))
+        else {
+            return Err(no_plane());
+        };
+        let solid = SurfacePart {
+            surface,
+            coordinates,
+            camera: camera(preset(names[side]), surface, f64::from(half[0]) / f64::from(half[1])),
+            handles: places(surface, point, map.measure(side).anchor()),
+            cells: None,
+            right: false,
+        };
+        image::imageops::replace(&mut whole, &drawn(&[], &solid, &look(style, scale), half)?, i64::from(from), 0);
+    }
+    encode(&whole)
+}
+
+fn no_plane() -> CliError {
+    CliError::Input(String::from("the map has no picture of this kind"))
+}
+
+fn look<'a>(style: TextureStyle, scale: f32) -> Look<'a> {
+    let stroke = Some(StrokeStyle::themed(true, scale.max(0.6)));
+    Look { style, background: background(true), image: None, stroke, radius_px: 9.0 * scale.max(0.4) }
+}
+
+fn drawn(
+    planar: &[PlanarPart<'_>],
+    solid: &SurfacePart<'_>,
+    look: &Look<'_>,
+    size: [u32; 2],
+) -> Result<RgbaImage, CliError> {
+    let picture = compose(planar, Some(solid), look, size, |surface, scene| {
         Studio::new()?.shoot(|renderer, device, queue| renderer.draw(device, queue, surface, scene, size))
     });
-    encode(&picture.map_err(|error| failed(&error))?)
+    picture.map_err(|error| failed(&error))
 }
 
 /// Sees all of a surface, a preset from its own side.
-pub fn camera(preset: Option<SurfacePreset>, surface: &PreparedSurface, aspect: f64) -> OrbitCamera {
-    let mesh = &surface.surface.mesh;
+pub fn camera(preset: Option<SurfacePreset>, surface: &MeshedSurface, aspect: f64) -> OrbitCamera {
+    let mesh = surface.mesh();
     let mut camera = match preset.map(SurfacePreset::view) {
         Some([towards_eye, up]) => OrbitCamera::new(BoundingSphere::of(&mesh.vertices), towards_eye, up, aspect),
         None => OrbitCamera::before(&mesh.vertices, &mesh.triangles, aspect),
@@ -74,13 +128,11 @@ pub fn camera(preset: Option<SurfacePreset>, surface: &PreparedSurface, aspect: 
 }
 
 /// Where the two points are on the surface.
-pub fn places(surface: &PreparedSurface, constraints: &SurfaceConstraints) -> [DVec3; 2] {
-    let anchor = surface.at_fraction(constraints.surface_anchor);
-    [surface.position(constraints.surface_point), surface.boundary_position(anchor)]
+pub fn places(surface: &MeshedSurface, point: BarycentricPoint, anchor: BoundaryPoint) -> [DVec3; 2] {
+    [surface.position(point), surface.boundary_position(anchor)]
 }
 
 /// Where the two points are in the plane.
-pub fn planar_places(source: &PreparedDomain, constraints: &SurfaceConstraints) -> [DVec2; 2] {
-    let anchor = source.samples.position(source.samples.at_fraction(constraints.source_anchor));
-    [constraints.source_point, anchor]
+pub fn planar_places(domain: &MeshedDomain, point: DVec2, anchor: BoundaryPoint) -> [DVec2; 2] {
+    [point, domain.samples().position(anchor)]
 }

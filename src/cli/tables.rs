@@ -1,8 +1,6 @@
 //! The numbers of a map as JSON, and its summary.
 
-use crate::conformal::{ConformalMap, FrameTimings, PrepareTimings, Quality, Side};
-use crate::geometry::DVec2;
-use crate::mesh::TriMesh;
+use crate::conformal::{ConformalMap, FrameTimings, Places, PrepareTimings, PreparedSide, Quality, Side};
 
 /// The size of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
@@ -16,13 +14,13 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Of this mesh.
-    pub fn of(mesh: &TriMesh) -> Self {
-        Self { m: mesh.boundary_count, n: mesh.interior_count(), triangles: mesh.triangles.len() }
+    /// Of this side's mesh.
+    pub fn of(side: &PreparedSide) -> Self {
+        Self { m: side.boundary_count() as u32, n: side.interior_count(), triangles: side.triangles().len() }
     }
 }
 
-/// Milliseconds by stage; the preparation of both domains is added.
+/// Milliseconds by stage; the preparation of both sides is added.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct MapTimings {
     #[serde(flatten)]
@@ -45,7 +43,7 @@ pub struct Summary {
 impl Summary {
     /// Of this map.
     pub fn of(map: &ConformalMap) -> Self {
-        let [a, b] = Side::BOTH.map(|side| map.domain(side).timings);
+        let [a, b] = Side::BOTH.map(|side| map.side(side).timings());
         let prepare = PrepareTimings {
             sample: a.sample + b.sample,
             mesh: a.mesh + b.mesh,
@@ -57,54 +55,71 @@ impl Summary {
         Self {
             quality: map.quality(),
             timing_ms: MapTimings { prepare, frame: map.timings() },
-            counts: Counts::of(map.mapped_mesh()),
+            counts: Counts::of(map.mapped()),
         }
     }
 }
 
 #[derive(serde::Serialize)]
 struct Boundary<'a> {
-    boundary: &'a [DVec2],
+    boundary: Places<'a>,
 }
 
 #[derive(serde::Serialize)]
 struct MapDocument<'a> {
     source: Boundary<'a>,
     target: Boundary<'a>,
-    boundary_map: Vec<[f64; 4]>,
+    boundary_map: Vec<Vec<f64>>,
     harmonic_measure: Vec<f64>,
-    vertices: &'a [DVec2],
+    vertices: Places<'a>,
     triangles: &'a [[u32; 3]],
-    images: &'a [DVec2],
+    images: Places<'a>,
+    /// For each vertex of a mapped surface its number in the file, or 2³² − 1 where a repair has added it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vertex_origins: Option<&'a [u32]>,
     #[serde(flatten)]
     summary: Summary,
 }
 
-/// The boundary samples of the mapped side with their images: x, y, u, v.
-fn boundary_map(map: &ConformalMap) -> Vec<[f64; 4]> {
-    let mesh = map.mapped_mesh();
-    let boundary = &mesh.vertices[..mesh.boundary_count as usize];
-    boundary.iter().zip(map.images()).map(|(p, q)| [p.x, p.y, q.x, q.y]).collect()
+/// The first `count` places.
+fn first(places: Places<'_>, count: usize) -> Places<'_> {
+    match places {
+        Places::Plane(places) => Places::Plane(&places[..count]),
+        Places::Space(places) => Places::Space(&places[..count]),
+    }
+}
+
+/// The boundary samples of the mapped side with their images: x, y, u, v; of surfaces with a third coordinate.
+fn boundary_map(map: &ConformalMap) -> Vec<Vec<f64>> {
+    let coordinates = |places: Places<'_>, k: usize| match places {
+        Places::Plane(places) => places[k].to_array().to_vec(),
+        Places::Space(places) => places[k].to_array().to_vec(),
+    };
+    let (own, images) = (map.mapped().vertices(), map.image_places());
+    (0..map.mapped().boundary_count()).map(|k| [coordinates(own, k), coordinates(images, k)].concat()).collect()
 }
 
 /// The harmonic measure at every boundary sample of the mapped side, from its anchor.
 fn harmonic_measure(map: &ConformalMap) -> Vec<f64> {
-    let measure = map.measure(map.direction().mapped_side());
+    let measure = map.measure(map.mapped_side());
     (0..measure.vertex_count()).map(|k| measure.at_vertex(k)).collect()
 }
 
 /// The whole map as JSON.
 pub fn json(map: &ConformalMap, summary: Summary) -> Result<Vec<u8>, serde_json::Error> {
-    let mesh = map.mapped_mesh();
-    let boundary = |side| Boundary { boundary: map.domain(side).samples.points.as_slice() };
+    let boundary = |side: Side| {
+        let side = map.side(side);
+        Boundary { boundary: first(side.vertices(), side.boundary_count()) }
+    };
     serde_json::to_vec(&MapDocument {
         source: boundary(Side::Source),
         target: boundary(Side::Target),
         boundary_map: boundary_map(map),
         harmonic_measure: harmonic_measure(map),
-        vertices: &mesh.vertices,
-        triangles: &mesh.triangles,
-        images: map.images(),
+        vertices: map.mapped().vertices(),
+        triangles: map.mapped().triangles(),
+        images: map.image_places(),
+        vertex_origins: map.mapped().surface().map(|meshed| meshed.surface().vertex_origins.as_slice()),
         summary,
     })
 }

@@ -6,7 +6,7 @@
 
 use super::ArcLength;
 use super::crossing::crossing;
-use crate::exact::{Complex, blob, disk, square, vshape};
+use crate::exact::{Complex, blob, complex, disk, square, vshape};
 use crate::geometry::DVec2;
 use crate::outline::Preset;
 use std::f64::consts::TAU;
@@ -69,18 +69,18 @@ impl ExactMeasure {
 }
 
 fn form(preset: Preset, x: DVec2) -> Option<Form> {
-    let x_complex = Complex::from(x);
+    let z = complex(x);
     let (image, argument): (Complex, fn(f64) -> f64) = match preset {
-        Preset::Disk => (x_complex, |s| TAU * s),
+        Preset::Disk => (z, |s| TAU * s),
         Preset::Square if x.abs().max_element() < HALF_SIDE => {
             // its first point is the middle of the top: a quarter turn from that of the closed form
-            (square::to_disk((1.0 / HALF_SIDE) * (-Complex::I * x_complex)), square::boundary_angle)
+            (square::to_disk((1.0 / HALF_SIDE) * (-Complex::I * z)), square::boundary_angle)
         }
-        Preset::Blob => (blob::to_disk(x_complex)?, |s| TAU * blob_arc().parameter(s * blob_arc().total())),
+        Preset::Blob => (blob::to_disk(z)?, |s| TAU * blob_arc().parameter(s * blob_arc().total())),
         Preset::VShape => return vshape::contains(x).then_some(Form::Strip { x }),
         _ => return None,
     };
-    (image.abs() < 1.0).then_some(Form::ThroughDisk { image, argument })
+    (image.norm() < 1.0).then_some(Form::ThroughDisk { image, argument })
 }
 
 impl Form {

@@ -46,15 +46,16 @@ impl ExactMap {
             OutlineSpec::Preset(preset) => Some(*preset),
             OutlineSpec::Points { .. } => None,
         };
-        Some([preset(&session.source.outline)?, preset(&session.target.outline)?])
+        let [source, target] = Side::BOTH.map(|side| preset(&session.domain(side).outline));
+        Some([source?, target?])
     }
 
     /// The map from one preset to another; `None` where it is not known in closed form, an
     /// interior point is not inside its curve, or an anchor is not finite. Cost: about 1000 measures a side.
     pub fn between(presets: [Preset; 2], constraints: &Constraints) -> Option<Self> {
         let anchored = |side: Side| {
-            let measure = ExactMeasure::new(presets[side as usize], constraints.point(side))?;
-            Anchored::new(measure, constraints.anchor(side))
+            let measure = ExactMeasure::new(presets[side as usize], constraints.points[side].in_plane()?)?;
+            Anchored::new(measure, constraints.anchors[side])
         };
         Some(Self { sides: [anchored(Side::Source)?, anchored(Side::Target)?] })
     }

@@ -1,10 +1,11 @@
 //! The closed forms against each other, a Fourier series, Möbius maps, and riemap's own map.
 
 use super::*;
-use crate::conformal::{ConformalMap, Direction, PrepareSettings, PreparedDomain, prepare};
+use crate::conformal::{ConformalMap, Direction, PrepareSettings, PreparedSide, Side, prepare};
 use crate::exact::{Complex, disk};
 use crate::mesh::Sizing;
 use crate::outline::Sampling;
+use crate::session::Command;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
@@ -22,12 +23,7 @@ fn points(preset: Preset) -> [DVec2; 2] {
 }
 
 fn constraints(points: [DVec2; 2], anchors: [f64; 2]) -> Constraints {
-    Constraints {
-        source_point: points[0],
-        target_point: points[1],
-        source_anchor: anchors[0],
-        target_anchor: anchors[1],
-    }
+    Constraints::new((points[0], anchors[0]), (points[1], anchors[1]))
 }
 
 #[test]
@@ -118,15 +114,16 @@ fn what_is_not_known_is_not_given() {
     assert!(ExactMap::between([Preset::Disk; 2], &anchored(f64::NAN)).is_none());
     let mut session = Session::default();
     assert!(ExactMap::of_session(&session, [DVec2::ZERO; 2]).is_none(), "a gingerbread man has no closed form");
-    session.source.outline = OutlineSpec::Preset(Preset::Square);
-    session.target.outline = OutlineSpec::Preset(Preset::Disk);
+    for (side, preset) in [(Side::Source, Preset::Square), (Side::Target, Preset::Disk)] {
+        session.apply(Command::SetOutline { side, outline: OutlineSpec::Preset(preset) });
+    }
     assert!(ExactMap::of_session(&session, [DVec2::ZERO; 2]).is_some());
-    let points = Preset::Disk.outline().polygon.vertices().to_vec();
-    session.target.outline = OutlineSpec::Points { name: String::from("disk"), points };
+    let outline = OutlineSpec::Points { name: String::from("disk"), polygon: Preset::Disk.outline().polygon };
+    session.apply(Command::SetOutline { side: Side::Target, outline });
     assert!(ExactMap::of_session(&session, [DVec2::ZERO; 2]).is_none(), "loaded points are what they are");
 }
 
-fn prepared(preset: Preset) -> Arc<PreparedDomain> {
+fn prepared(preset: Preset) -> Arc<PreparedSide> {
     let sampling = Sampling::Adaptive { target: Some(1000) };
     let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.1), ..PrepareSettings::default() };
     Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
@@ -145,8 +142,8 @@ fn the_harmonic_map_is_the_exact_one_up_to_its_discretisation() {
             let map = ConformalMap::new(Arc::clone(first), Arc::clone(second), &constraints, direction).unwrap();
             let (mut largest, mut in_measure) = (0.0_f64, 0.0_f64);
             for (k, &image) in map.correspondence().points.iter().enumerate() {
-                let x = (first.samples.fractions[k] - 0.2).rem_euclid(1.0);
-                let found = (second.samples.fraction_at(image) - 0.9).rem_euclid(1.0);
+                let x = (first.fractions()[k] - 0.2).rem_euclid(1.0);
+                let found = (second.fraction_at(image) - 0.9).rem_euclid(1.0);
                 let distance = (exact.reparameterisation(Side::Source, x) - found).abs();
                 largest = largest.max(distance.min(1.0 - distance));
                 let distance = (exact.measure(Side::Source, x) - exact.measure(Side::Target, found)).abs();

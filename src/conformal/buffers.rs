@@ -1,40 +1,99 @@
-//! A prepared domain as flat arrays, and back.
+//! A prepared side as flat arrays, and back.
 
-use super::PreparedDomain;
+use super::domain::MeshedDomain;
 use super::flat::{FlatBuffers, FlatReader, sound_boundary};
-use crate::geometry::DVec2;
-use crate::mesh::RefineReport;
+use super::prepared_side::{PreparedSide, SideGeometry};
+use super::surface::MeshedSurface;
+use crate::geometry::{DVec2, DVec3};
+use crate::mesh::{BarycentricPoint, FlipReport, RefineReport};
 use crate::outline::BoundarySamples;
+use crate::surface::SurfaceMesh;
+use std::sync::Arc;
 
-impl PreparedDomain {
+/// The first array of indices says which geometry follows.
+const PLANE: u32 = 0;
+const SPACE: u32 = 1;
+
+impl PreparedSide {
     /// As flat arrays.
     pub fn to_buffers(&self) -> FlatBuffers {
         let mut buffers = FlatBuffers::default();
-        buffers.floats.push(self.pole.to_array().to_vec());
-        buffers.indices.push(vec![u32::from(self.refinement.complete), self.refinement.added as u32]);
-        buffers.put_timings(&self.timings);
-        buffers.put_mesh(&self.mesh);
-        buffers.floats.extend([self.samples.edge_lengths.clone(), self.samples.fractions.clone()]);
-        buffers.put_system(&self.coupling, &self.solver, self.table.as_ref());
+        match self.geometry() {
+            SideGeometry::Plane(domain) => buffers.put_domain(domain),
+            SideGeometry::Space(surface) => buffers.put_surface(surface),
+        }
+        buffers.put_timings(&self.timings());
+        buffers.put_system(&self.system);
         buffers
     }
 
     /// From flat arrays; `None` if they are not what [`Self::to_buffers`] makes.
-    pub fn from_buffers(buffers: FlatBuffers) -> Option<Self> {
+    pub fn from_buffers(mut buffers: FlatBuffers) -> Option<Self> {
+        let text = std::mem::take(&mut buffers.text);
         let mut reader = FlatReader::new(buffers);
-        let pole = DVec2::from_array(reader.floats()?.try_into().ok()?);
-        let [complete, added]: [u32; 2] = reader.indices()?.try_into().ok()?;
-        let refinement = RefineReport { complete: complete != 0, added: added as usize };
+        let geometry = match *reader.indices()?.as_slice() {
+            [PLANE] => SideGeometry::Plane(Arc::new(reader.domain()?)),
+            [SPACE] => SideGeometry::Space(Arc::new(reader.surface(&text)?)),
+            _ => return None,
+        };
         let timings = reader.timings()?;
-        let mesh = reader.mesh::<2, DVec2>()?;
+        let system = reader.system(geometry.interior_count(), geometry.boundary_count())?;
+        reader.is_at_end().then(|| Self::new(geometry, system, timings))
+    }
+}
+
+impl FlatBuffers {
+    fn put_domain(&mut self, domain: &MeshedDomain) {
+        let (samples, refinement) = (domain.samples(), domain.refinement());
+        self.indices.push(vec![PLANE]);
+        self.floats.push(domain.pole().to_array().to_vec());
+        self.indices.push(vec![u32::from(refinement.complete), refinement.added as u32]);
+        self.put_mesh(domain.mesh());
+        self.floats.extend([samples.edge_lengths.clone(), samples.fractions.clone()]);
+    }
+
+    fn put_surface(&mut self, meshed: &MeshedSurface) {
+        let (surface, centre) = (meshed.surface(), meshed.centre());
+        let FlipReport { flips, negative_before, negative_after } = meshed.flips();
+        let counts = [flips, negative_before, negative_after, surface.origin_count()].map(|count| count as u32);
+        self.indices.push(vec![SPACE]);
+        self.floats.push(centre.weights.to_vec());
+        self.indices.push([&counts[..], &[centre.triangle]].concat());
+        self.put_mesh(&surface.mesh);
+        self.indices.extend([surface.vertex_origins.clone(), surface.triangle_origins.clone()]);
+        // Plain data: it always has a form as text.
+        self.text = serde_json::to_string(&surface.repairs).unwrap_or_default();
+    }
+}
+
+impl FlatReader {
+    fn domain(&mut self) -> Option<MeshedDomain> {
+        let pole = DVec2::from_array(self.floats()?.try_into().ok()?);
+        let [complete, added]: [u32; 2] = self.indices()?.try_into().ok()?;
+        let refinement = RefineReport { complete: complete != 0, added: added as usize };
+        let mesh = self.mesh::<2, DVec2>()?;
         let m = mesh.boundary_count as usize;
-        let (edge_lengths, fractions) = (reader.floats()?, reader.floats()?);
+        let (edge_lengths, fractions) = (self.floats()?, self.floats()?);
         if !sound_boundary(&edge_lengths, &fractions, m) {
             return None;
         }
         let samples = BoundarySamples { points: mesh.vertices[..m].to_vec(), edge_lengths, fractions };
-        let system = reader.system(mesh.interior_count(), m)?;
-        let whole = reader.is_at_end();
-        whole.then(|| Self::new(samples, mesh, refinement, system.coupling, system.solver, system.table, pole, timings))
+        Some(MeshedDomain::from_parts(samples, mesh, refinement, pole))
+    }
+
+    /// `repairs` are the surface's, as JSON.
+    fn surface(&mut self, repairs: &str) -> Option<MeshedSurface> {
+        let repairs = serde_json::from_str(repairs).ok()?;
+        let weights: [f64; 3] = self.floats()?.try_into().ok()?;
+        let [flips, negative_before, negative_after, before, triangle]: [u32; 5] = self.indices()?.try_into().ok()?;
+        let mesh = self.mesh::<3, DVec3>()?;
+        let (vertex_origins, triangle_origins) = (self.indices()?, self.indices()?);
+        if triangle as usize >= mesh.triangles.len() {
+            return None;
+        }
+        let surface = SurfaceMesh::from_parts(mesh, vertex_origins, triangle_origins, repairs, before as usize)?;
+        let [flips, negative_before, negative_after] = [flips, negative_before, negative_after].map(|k| k as usize);
+        let flips = FlipReport { flips, negative_before, negative_after };
+        Some(MeshedSurface::from_parts(surface, flips, BarycentricPoint { triangle, weights }))
     }
 }

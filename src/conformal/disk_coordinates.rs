@@ -1,4 +1,4 @@
-//! Conformal polar coordinates: the map g of a domain to the unit disk, on the domain's own mesh.
+//! Conformal polar coordinates: the map g of a side to the unit disk, on the side's own mesh.
 //!
 //! g takes x to 0 and the anchor y to 1, and a boundary point of harmonic measure ω̃
 //! to e^{2πi ω̃} (sections 1.2 and 3.1). The inside is the harmonic extension of that
@@ -6,38 +6,29 @@
 //! Its circles |g| = const are level sets of Green's function −ln |g| about x, its rays
 //! those of the harmonic measure. Where a domain crowds, |g| rounds to 1: see `zipper`.
 
-use super::{ExtensionScratch, HarmonicMeasure, PreparedDomain, PreparedSurface, advance_extension};
+use super::{ExtensionScratch, HarmonicMeasure, PreparedSide, advance_extension};
 use crate::geometry::DVec2;
 use crate::laplace::{Deadline, NotConverged};
 use std::f64::consts::TAU;
 
-/// g at all vertices of the domain's mesh (length m+n), into `values`; `measure` is that of x from
+/// g at all vertices of the side's mesh (length m+n), into `values`; `measure` is that of x from
 /// y. One solve, as for a map; `scratch` is reused. In the unit disk but for rounding, and for
 /// meshes whose Laplacian has positive off-diagonal entries.
 ///
 /// Errors: [`NotConverged`], of an iterative solver only; the values are then unchanged.
 pub fn disk_coordinates(
-    domain: &PreparedDomain,
+    side: &PreparedSide,
     measure: &HarmonicMeasure,
     values: &mut Vec<DVec2>,
     scratch: &mut ExtensionScratch,
 ) -> Result<(), NotConverged> {
-    begin_disk_coordinates(domain, measure, scratch);
-    advance_extension(domain, scratch, values, Deadline::NEVER).map(|_| ())
+    begin_disk_coordinates(side, measure, scratch);
+    advance_extension(side, scratch, values, Deadline::NEVER).map(|_| ())
 }
 
 /// Begins with [`disk_coordinates`], for [`advance_extension`] to go on with.
-pub fn begin_disk_coordinates(domain: &PreparedDomain, measure: &HarmonicMeasure, scratch: &mut ExtensionScratch) {
-    domain.system().begin_extension(on_circle(measure, domain.samples.len()), scratch);
-}
-
-/// The same for a surface, for [`super::advance_surface_extension`] to go on with.
-pub fn begin_surface_disk_coordinates(
-    surface: &PreparedSurface,
-    measure: &HarmonicMeasure,
-    scratch: &mut ExtensionScratch,
-) {
-    surface.system().begin_extension(on_circle(measure, surface.edge_lengths.len()), scratch);
+pub fn begin_disk_coordinates(side: &PreparedSide, measure: &HarmonicMeasure, scratch: &mut ExtensionScratch) {
+    side.begin_extension(on_circle(measure, side.boundary_count()), scratch);
 }
 
 fn on_circle(measure: &HarmonicMeasure, m: usize) -> impl Iterator<Item = DVec2> {
@@ -50,11 +41,12 @@ mod tests {
     use super::*;
     use crate::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, Side, prepare};
     use crate::exact::disk::moebius;
+    use crate::exact::{complex, point};
     use crate::mesh::{Sizing, locate};
     use crate::outline::{Preset, Sampling};
     use std::sync::Arc;
 
-    fn prepared(preset: Preset, count: u32) -> Arc<PreparedDomain> {
+    fn prepared(preset: Preset, count: u32) -> Arc<PreparedSide> {
         let sampling = Sampling::Uniform { count, keep_corners: true };
         let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.1), ..PrepareSettings::default() };
         Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| {}).unwrap())
@@ -62,7 +54,7 @@ mod tests {
 
     fn coordinates(map: &ConformalMap, side: Side) -> Vec<DVec2> {
         let mut values = Vec::new();
-        disk_coordinates(map.domain(side), map.measure(side), &mut values, &mut ExtensionScratch::default()).unwrap();
+        disk_coordinates(map.side(side), map.measure(side), &mut values, &mut ExtensionScratch::default()).unwrap();
         values
     }
 
@@ -71,23 +63,18 @@ mod tests {
     #[test]
     fn on_the_disk_they_are_the_moebius_map() {
         let disk = prepared(Preset::Disk, 400);
-        let points = &disk.samples.points;
+        let points = &disk.domain().unwrap().samples().points;
         let center = points.iter().sum::<DVec2>() / points.len() as f64;
         let radius = points[0].distance(center);
         let x = DVec2::new(0.5, -0.3);
-        let constraints = Constraints {
-            source_point: center + radius * x,
-            target_point: center,
-            source_anchor: 0.3,
-            target_anchor: 0.0,
-        };
+        let constraints = Constraints::new((center + radius * x, 0.3), (center, 0.0));
         let map = ConformalMap::new(Arc::clone(&disk), Arc::clone(&disk), &constraints, Direction::Forward.into());
-        let anchor = disk.samples.position(disk.samples.at_fraction(0.3));
+        let anchor = disk.domain().unwrap().samples().position(disk.at_fraction(0.3));
         let unit = |z: DVec2| (z - center) / radius;
         let values = coordinates(&map.unwrap(), Side::Source);
-        let worst = values.iter().zip(&disk.mesh.vertices).map(|(&g, &z)| {
-            let exact = moebius(x.into(), unit(anchor).into(), unit(z).into());
-            g.distance(DVec2::new(exact.re, exact.im))
+        let worst = values.iter().zip(&disk.domain().unwrap().mesh().vertices).map(|(&g, &z)| {
+            let exact = moebius(complex(x), complex(unit(anchor)), complex(unit(z)));
+            g.distance(point(exact))
         });
         let worst = worst.fold(0.0, f64::max);
         println!("disk, m = 400: the largest error of g is {worst:.2e}");
@@ -97,17 +84,12 @@ mod tests {
     /// The mean of |g₂(f(z)) − g₁(z)| over the inner vertices.
     fn disagreement(samples: u32) -> f64 {
         let [source, target] = [Preset::Heart, Preset::Cinquefoil].map(|preset| prepared(preset, samples));
-        let constraints = Constraints {
-            source_point: source.pole,
-            target_point: target.pole,
-            source_anchor: 0.1,
-            target_anchor: 0.7,
-        };
+        let constraints = Constraints::new((source.default_point(), 0.1), (target.default_point(), 0.7));
         let map = ConformalMap::new(source, target, &constraints, Direction::Forward.into()).unwrap();
         let [here, there] = Side::BOTH.map(|side| coordinates(&map, side));
-        let mesh = &map.domain(Side::Target).mesh;
+        let mesh = map.domain(Side::Target).unwrap().mesh();
         let (mut sum, mut count) = (0.0, 0.0);
-        for (&g, &image) in here.iter().zip(map.images()).skip(map.domain(Side::Source).samples.len()) {
+        for (&g, &image) in here.iter().zip(map.images()).skip(map.side(Side::Source).boundary_count()) {
             let Some(found) = locate(mesh, image, 0) else { continue };
             let corners = mesh.triangles[found.triangle as usize];
             let partner: DVec2 = corners.iter().zip(found.weights).map(|(&v, w)| w * there[v as usize]).sum();
@@ -130,12 +112,11 @@ mod tests {
     #[test]
     fn the_interior_point_is_the_centre() {
         let heart = prepared(Preset::Heart, 300);
-        let constraints =
-            Constraints { source_point: heart.pole, target_point: heart.pole, source_anchor: 0.0, target_anchor: 0.0 };
+        let constraints = Constraints::new((heart.default_point(), 0.0), (heart.default_point(), 0.0));
         let map = ConformalMap::new(Arc::clone(&heart), Arc::clone(&heart), &constraints, Direction::Forward.into());
         let values = coordinates(&map.unwrap(), Side::Source);
-        let found = locate(&heart.mesh, heart.pole, 0).unwrap();
-        let corners = heart.mesh.triangles[found.triangle as usize];
+        let found = locate(heart.domain().unwrap().mesh(), heart.domain().unwrap().pole(), 0).unwrap();
+        let corners = heart.triangles()[found.triangle as usize];
         let at: DVec2 = corners.iter().zip(found.weights).map(|(&v, w)| w * values[v as usize]).sum();
         // Both are solves with the same Laplacian: ω̃'s total is exact, its first moment up to the quadrature.
         assert!(at.length() < 1e-3, "g(x) = {at}");

@@ -5,7 +5,8 @@
 //! Triangles whose image is a point or a segment up to rounding have no Q: they are counted
 //! as collapsed and left out of the mean.
 
-use crate::geometry::{Bounds, DVec2, DVec3};
+use super::Unfold;
+use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Deadline;
 use crate::mesh::TriMesh;
 
@@ -36,7 +37,8 @@ pub struct Quality {
     pub q_max: f64,
     /// How many triangles changed their orientation.
     pub flipped: u32,
-    /// How many triangles have a point or a segment as their image; not in the other figures.
+    /// How many triangles have a point or a segment as their image, between two surfaces in the disk or in space; not in
+    /// the other figures.
     pub collapsed: u32,
 }
 
@@ -85,23 +87,46 @@ impl TriangleDistortion {
 
 /// The distortion of every triangle of `mesh` under the map that takes its vertices to
 /// `images`, in the order of the triangles, into `result`; reused, it allocates nothing.
-pub fn triangle_distortions(mesh: &TriMesh, images: &[DVec2], result: &mut Vec<TriangleDistortion>) {
+pub fn triangle_distortions<P: Unfold>(mesh: &TriMesh<P>, images: &[DVec2], result: &mut Vec<TriangleDistortion>) {
     result.clear();
     advance_distortions(mesh, images, result, Deadline::NEVER);
 }
 
 /// Goes on with [`triangle_distortions`] after those that are in `result` already, until all are
 /// (true) or `deadline` is over; some thousand are done at least.
-pub fn advance_distortions(
-    mesh: &TriMesh,
+pub fn advance_distortions<P: Unfold>(
+    mesh: &TriMesh<P>,
     images: &[DVec2],
     result: &mut Vec<TriangleDistortion>,
     deadline: Deadline,
 ) -> bool {
     let smallest = resolution(images);
     in_blocks(&mesh.triangles, result, deadline, |triangle| {
-        let corners = triangle.map(|v| mesh.vertices[v as usize]);
+        let corners = P::unfold(triangle.map(|v| mesh.vertices[v as usize]));
         TriangleDistortion::of(corners, triangle.map(|v| images[v as usize]), smallest)
+    })
+}
+
+/// As [`advance_distortions`], of a surface whose vertices go to `images` on another one: both triangles are unfolded.
+/// Flipped is what is flipped in the `disk`, by which the map goes, and collapsed what is collapsed here or there.
+pub(super) fn advance_surface_distortions(
+    mesh: &TriMesh<DVec3>,
+    images: &[DVec3],
+    disk: &[DVec2],
+    result: &mut Vec<TriangleDistortion>,
+    deadline: Deadline,
+) -> bool {
+    let (smallest, smallest_in_disk) = (resolution(images), resolution(disk));
+    in_blocks(&mesh.triangles, result, deadline, |triangle| {
+        let [corners, there] =
+            [mesh.vertices.as_slice(), images].map(|p| DVec3::unfold(triangle.map(|v| p[v as usize])));
+        let found = TriangleDistortion::of(corners, there, smallest);
+        let in_disk = TriangleDistortion::of(corners, triangle.map(|v| disk[v as usize]), smallest_in_disk);
+        match (found.collapsed, in_disk.collapsed) {
+            (false, false) => TriangleDistortion { flipped: in_disk.flipped, ..found },
+            (false, true) => in_disk,
+            (true, _) => found,
+        }
     })
 }
 
@@ -123,33 +148,9 @@ fn in_blocks(
     true
 }
 
-/// As [`triangle_distortions`], of a mesh in space: every triangle is unfolded into the plane, counter-clockwise.
-pub fn surface_distortions(mesh: &TriMesh<DVec3>, images: &[DVec2], result: &mut Vec<TriangleDistortion>) {
-    result.clear();
-    advance_surface_distortions(mesh, images, result, Deadline::NEVER);
-}
-
-/// As [`advance_distortions`], of a mesh in space.
-pub fn advance_surface_distortions(
-    mesh: &TriMesh<DVec3>,
-    images: &[DVec2],
-    result: &mut Vec<TriangleDistortion>,
-    deadline: Deadline,
-) -> bool {
-    let smallest = resolution(images);
-    in_blocks(&mesh.triangles, result, deadline, |triangle| {
-        let [a, b, c] = triangle.map(|v| mesh.vertices[v as usize]);
-        let (u, v) = (b - a, c - a);
-        let length = u.length();
-        let third = DVec2::new(u.dot(v), u.cross(v).length()) / length;
-        let corners = [DVec2::ZERO, DVec2::new(length, 0.0), third];
-        TriangleDistortion::of(corners, triangle.map(|v| images[v as usize]), smallest)
-    })
-}
-
 impl Quality {
     /// The distortion of the map that takes `mesh.vertices` to `images`.
-    pub fn of(mesh: &TriMesh, images: &[DVec2]) -> Self {
+    pub fn of<P: Unfold>(mesh: &TriMesh<P>, images: &[DVec2]) -> Self {
         let mut triangles = Vec::new();
         triangle_distortions(mesh, images, &mut triangles);
         Self::summary(&triangles)
@@ -182,8 +183,9 @@ fn times(a: DVec2, b: DVec2) -> DVec2 {
 }
 
 /// The distance within which images of the vertices cannot be told apart.
-pub(super) fn resolution(images: &[DVec2]) -> f64 {
-    let Bounds { min: low, max: high } = Bounds::of(images.iter().copied());
+pub(super) fn resolution<P: Unfold>(images: &[P]) -> f64 {
+    let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (low, high) = images.iter().map(|p| p.in_space()).fold(ends, |(low, high), p| (low.min(p), high.max(p)));
     let farthest = low.abs().max(high.abs()).max_element();
     (COLLAPSED * (high - low).max_element()).max(ROUNDED * farthest)
 }
@@ -291,6 +293,27 @@ mod tests {
                 TriangleDistortion::of([corners[0], corners[1], corners[2]], images, resolution(&[from, from + side]));
             assert!(found.collapsed, "{k}: {images:?}");
         }
+    }
+
+    #[test]
+    fn between_surfaces_what_is_collapsed_or_flipped_in_the_disk_counts() {
+        let plane = triangle();
+        let vertices: Vec<_> = plane.vertices.iter().map(|p| p.extend(0.0)).collect();
+        let (triangles, neighbours) = (plane.triangles.clone(), plane.neighbours.clone());
+        let mesh = TriMesh { vertices: vertices.clone(), boundary_count: 3, triangles, neighbours };
+        let found = |images: &[DVec3], disk: &[DVec2]| {
+            let mut result = Vec::new();
+            assert!(advance_surface_distortions(&mesh, images, disk, &mut result, Deadline::NEVER));
+            (result[0].collapsed, result[0].flipped)
+        };
+        let upright = plane.vertices.as_slice();
+        let mirrored = [upright[1], upright[0], upright[2]];
+        let segment = [upright[0], upright[1], 0.5 * upright[1]];
+        let point = [DVec3::ONE; 3];
+        assert_eq!(found(&vertices, upright), (false, false));
+        assert_eq!(found(&vertices, &mirrored), (false, true));
+        assert_eq!(found(&vertices, &segment), (true, false));
+        assert_eq!(found(&point, &mirrored), (true, false));
     }
 
     #[test]

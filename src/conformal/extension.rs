@@ -1,6 +1,6 @@
 //! Extending the boundary map into the mesh: the choice, and the harmonic one, equation (14): L̂ ŵ = −L̄ w̄.
 
-use super::PreparedDomain;
+use super::PreparedSide;
 use crate::geometry::DVec2;
 use crate::laplace::{Deadline, Lanes, NotConverged, SolveRun};
 
@@ -30,23 +30,23 @@ pub struct ExtensionScratch {
 ///
 /// Errors: [`NotConverged`], of an iterative solver only; `values` are then unchanged.
 pub fn harmonic_extension(
-    domain: &PreparedDomain,
+    side: &PreparedSide,
     boundary: impl Iterator<Item = DVec2>,
     values: &mut Vec<DVec2>,
     scratch: &mut ExtensionScratch,
 ) -> Result<(), NotConverged> {
-    domain.system().begin_extension(boundary, scratch);
-    advance_extension(domain, scratch, values, Deadline::NEVER).map(|_| ())
+    side.begin_extension(boundary, scratch);
+    advance_extension(side, scratch, values, Deadline::NEVER).map(|_| ())
 }
 
 /// Goes on with an extension that was begun in `scratch` until `values` are there (true), or
 /// `deadline` is over: they are then unchanged. Between two looks at the clock lie some
 /// milliseconds, at the end the writing of the `values`. Errors: as [`harmonic_extension`].
 pub fn advance_extension(
-    domain: &PreparedDomain,
+    side: &PreparedSide,
     scratch: &mut ExtensionScratch,
     values: &mut Vec<DVec2>,
     deadline: Deadline,
 ) -> Result<bool, NotConverged> {
-    domain.system().advance_extension(scratch, values, deadline)
+    side.advance_extension(scratch, values, deadline)
 }

@@ -1,14 +1,15 @@
 //! What is prepared as flat arrays, so that it crosses a worker boundary by transfer.
 //!
-//! Domains and surfaces are written part by part in one order and read in the same;
+//! A side is written part by part in one order and read in the same;
 //! a reader trusts nothing: `None` for what a writer does not make.
 
+use super::system::DirichletSystem;
 use super::{HarmonicTable, PrepareTimings};
 use crate::laplace::{Factor, FactorBuffers, Pcg, PcgBuffers, Solver};
 use crate::mesh::{NO_TRIANGLE, TriMesh};
 use sprs::CsMatI;
 
-/// A [`super::PreparedDomain`] or a [`super::PreparedSurface`] as flat arrays.
+/// A [`super::PreparedSide`] as flat arrays.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FlatBuffers {
     /// The floating-point arrays.
@@ -17,13 +18,6 @@ pub struct FlatBuffers {
     pub indices: Vec<Vec<u32>>,
     /// What is small and has many forms, as JSON.
     pub text: String,
-}
-
-/// The parts of the linear system, in the order of their arrays.
-pub(super) struct SystemParts {
-    pub coupling: CsMatI<f64, u32>,
-    pub solver: Solver,
-    pub table: Option<HarmonicTable>,
 }
 
 /// A point as its coordinates.
@@ -60,7 +54,8 @@ impl FlatBuffers {
         self.indices.push(mesh.neighbours.as_flattened().to_vec());
     }
 
-    pub(super) fn put_system(&mut self, coupling: &CsMatI<f64, u32>, solver: &Solver, table: Option<&HarmonicTable>) {
+    pub(super) fn put_system(&mut self, system: &DirichletSystem) {
+        let DirichletSystem { coupling, solver, table, .. } = system;
         let flags = [matches!(solver, Solver::Direct(_)), table.is_some()].map(u32::from);
         self.indices.extend([flags.to_vec(), coupling.proper_indptr().into_owned(), coupling.indices().to_vec()]);
         self.floats.push(coupling.data().to_vec());
@@ -76,7 +71,7 @@ impl FlatBuffers {
                 self.floats.extend([matrix, factor]);
             }
         }
-        self.floats.extend(table.map(|table| table.values().to_vec()));
+        self.floats.extend(table.as_ref().map(|table| table.values().to_vec()));
     }
 
     pub(super) fn put_timings(&mut self, timings: &PrepareTimings) {
@@ -128,7 +123,7 @@ impl FlatReader {
     }
 
     /// The system of n unknowns and m boundary vertices.
-    pub fn system(&mut self, n: usize, m: usize) -> Option<SystemParts> {
+    pub fn system(&mut self, n: usize, m: usize) -> Option<DirichletSystem> {
         let flags = self.indices()?;
         let &[direct, has_table] = flags.as_slice() else { return None };
         let coupling = CsMatI::try_new_csc((n, m), self.indices()?, self.indices()?, self.floats()?).ok()?;
@@ -141,7 +136,7 @@ impl FlatReader {
             Solver::from(Pcg::from_buffers(PcgBuffers { starts, columns, matrix, factor })?)
         };
         let table = if has_table != 0 { Some(HarmonicTable::from_values(self.floats()?, n, m)?) } else { None };
-        (solver.len() == n).then_some(SystemParts { coupling, solver, table })
+        (solver.len() == n).then(|| DirichletSystem::new(coupling, solver, table))
     }
 
     pub fn timings(&mut self) -> Option<PrepareTimings> {

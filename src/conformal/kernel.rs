@@ -6,9 +6,9 @@
 //! a boundary corner goes to its own coordinate). On a Delaunay mesh all terms
 //! are non-negative, so φ_x is accurate componentwise.
 
-use super::PreparedDomain;
 use super::stencil::{self, Stencil};
-use super::unfold::Places;
+use super::unfold::{self, Places};
+use super::{PreparedSide, SideGeometry};
 use crate::laplace::{Deadline, Lanes, NotConverged, RootPaths, SolveRun};
 use crate::mesh::BarycentricPoint;
 
@@ -18,7 +18,7 @@ pub struct KernelScratch {
     pub(super) solution: Vec<Lanes<1>>,
     pub(super) paths: RootPaths,
     pub(super) run: SolveRun,
-    /// Whether the weights are those of the triangle alone: their result is not tried to be bettered.
+    /// Whether the weights are those of the triangle alone: no fallback is attempted.
     pub(super) is_linear: bool,
     pub(super) stencil: Stencil,
     pub(super) places: Places,
@@ -32,8 +32,8 @@ impl KernelScratch {
 }
 
 /// The corners of x's triangle with their weights.
-fn linear(domain: &PreparedDomain, x: BarycentricPoint) -> [(u32, f64); 3] {
-    let corners = domain.mesh.triangles[x.triangle as usize];
+fn linear(side: &PreparedSide, x: BarycentricPoint) -> [(u32, f64); 3] {
+    let corners = side.triangles()[x.triangle as usize];
     [0, 1, 2].map(|i| (corners[i], x.weights[i]))
 }
 
@@ -41,45 +41,51 @@ fn linear(domain: &PreparedDomain, x: BarycentricPoint) -> [(u32, f64); 3] {
 ///
 /// Cost: one pruned solve, or with a table a sum of its rows. Errors: [`NotConverged`], of an iterative solver only.
 pub fn harmonic_coordinates(
-    domain: &PreparedDomain,
+    side: &PreparedSide,
     x: BarycentricPoint,
     scratch: &mut KernelScratch,
     phi: &mut Vec<f64>,
 ) -> Result<(), NotConverged> {
-    scratch.set_stencil(linear(domain, x));
-    domain.system().begin_combination(scratch);
-    domain.system().advance_combination(scratch, phi, Deadline::NEVER).map(|_| ())
+    scratch.set_stencil(linear(side, x));
+    side.begin_combination(scratch);
+    side.advance_combination(scratch, phi, Deadline::NEVER).map(|_| ())
 }
 
 /// The values `ψ_k` (length m, per unit of length, ≥ 0) of the piecewise linear Poisson
 /// kernel at `x`: ψ_k = φ_k / ((e_{k−1} + e_k)/2), equation (B.2).
 ///
 /// φ is interpolated from the ring of vertices around `x` where it is interior (file
-/// `stencil`), else linearly as in (10). Σφ = 1 and Σφ_k v_k = x hold either way, with an
-/// iterative solver up to its tolerance: what it leaves below 0 is noise, and taken as 0.
+/// `stencil`; of a surface, where it is flat too, file `unfold`), else linearly as in (10). Σφ = 1 and
+/// Σφ_k v_k = x hold either way in the plane, with an iterative solver up to its tolerance: what it leaves below 0 is
+/// noise, and taken as 0. On a surface without intrinsic Delaunay flips values may be negative.
 pub fn poisson_kernel(
-    domain: &PreparedDomain,
+    side: &PreparedSide,
     x: BarycentricPoint,
     scratch: &mut KernelScratch,
     psi: &mut Vec<f64>,
 ) -> Result<(), NotConverged> {
-    begin_kernel(domain, x, scratch);
-    advance_kernel(domain, x, scratch, psi, Deadline::NEVER).map(|_| ())
+    begin_kernel(side, x, scratch);
+    advance_kernel(side, x, scratch, psi, Deadline::NEVER).map(|_| ())
 }
 
 /// Begins with [`poisson_kernel`].
-pub(super) fn begin_kernel(domain: &PreparedDomain, x: BarycentricPoint, scratch: &mut KernelScratch) {
-    stencil::around(&domain.mesh, x, &mut scratch.stencil);
-    domain.system().begin_kernel(scratch);
+pub(super) fn begin_kernel(side: &PreparedSide, x: BarycentricPoint, scratch: &mut KernelScratch) {
+    match side.geometry() {
+        SideGeometry::Plane(domain) => stencil::around(domain.mesh(), x, &mut scratch.stencil),
+        SideGeometry::Space(surface) => {
+            unfold::around(surface.mesh(), x, &mut scratch.stencil, &mut scratch.places);
+        }
+    }
+    side.begin_kernel_of_stencil(scratch);
 }
 
 /// Goes on with it until it is in `psi` (true) or `deadline` is over (`psi` is then meaningless).
 pub(super) fn advance_kernel(
-    domain: &PreparedDomain,
+    side: &PreparedSide,
     x: BarycentricPoint,
     scratch: &mut KernelScratch,
     psi: &mut Vec<f64>,
     deadline: Deadline,
 ) -> Result<bool, NotConverged> {
-    domain.system().advance_kernel(linear(domain, x), scratch, psi, deadline)
+    side.advance_kernel_of_stencil(linear(side, x), scratch, psi, deadline)
 }

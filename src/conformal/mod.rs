@@ -1,6 +1,6 @@
-//! The conformal map: a prepared domain, Poisson kernels, harmonic measures, their matching, its extension.
+//! The conformal map: a prepared side, Poisson kernels, harmonic measures, their matching, its extension.
 //!
-//! [`prepare`] does once per outline what takes milliseconds to seconds;
+//! [`prepare`] does once per side what takes milliseconds to seconds;
 //! [`ConformalMap::update`] does what a drag needs, in a fraction of that, and
 //! [`ConformalMap::advance`] the same until a deadline:
 //!
@@ -12,10 +12,11 @@
 //! | images of the vertices | `extension` | (14) |
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
+//! | images on another surface, through the disk | `through_disk` | |
 //! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
 //!
-//! Surfaces go the same way: [`prepare_surface`] and [`SurfaceMap`] (section 4.3) differ in geometry
-//! alone; what both need of a domain is file `system`.
+//! A [`PreparedSide`] is a planar domain or a surface (section 4.3): they differ in geometry
+//! alone; what both need is file `system`. A map is between any two of them.
 //!
 //! [`Walker`] and [`HitCounts`] show what harmonic measure is: where random walks hit the boundary.
 
@@ -27,44 +28,51 @@ mod distortion;
 mod domain;
 mod extension;
 mod flat;
-mod half;
 mod histogram;
 mod hit_counts;
 mod kernel;
 mod map;
+mod map_error;
+mod map_result;
+mod map_run;
+mod map_side;
 mod matching;
 mod measure;
 mod measured;
+mod places;
+mod prepare;
+mod prepared_side;
 mod random_walk;
 mod refinement;
 mod stage;
 mod stencil;
 mod surface;
-mod surface_buffers;
-mod surface_map;
 mod system;
 mod table;
+mod through_disk;
 mod unfold;
 
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
-pub use constraints::{Constraints, Direction, MapSettings, Side};
-pub use disk_coordinates::{begin_disk_coordinates, begin_surface_disk_coordinates, disk_coordinates};
-pub use distortion::{
-    Quality, TriangleDistortion, advance_distortions, advance_surface_distortions, surface_distortions,
-    triangle_distortions,
-};
-pub use domain::{
-    KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain, Stage, prepare, prepare_within,
-};
+pub use constraints::{Constraints, Direction, InteriorPoint, MapSettings, PerSide, Side};
+pub use disk_coordinates::{begin_disk_coordinates, disk_coordinates};
+pub use distortion::{Quality, TriangleDistortion, advance_distortions, triangle_distortions};
+pub use domain::MeshedDomain;
 pub use extension::{Extension, ExtensionScratch, advance_extension, harmonic_extension};
 pub use flat::FlatBuffers;
 pub use histogram::Histogram;
 pub use hit_counts::HitCounts;
 pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};
-pub use map::{ConformalMap, FrameTimings, MapError};
+pub use map::{ConformalMap, FrameTimings};
+pub use map_error::{MapError, MapNote};
 pub use matching::{BoundaryCorrespondence, match_measures};
 pub use measure::HarmonicMeasure;
+pub use places::{Places, Unfold};
+pub use prepare::{
+    KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, Stage, SurfaceSettings, Unprepared, prepare,
+    prepare_surface, prepare_within,
+};
+pub use prepared_side::{PreparedSide, SideGeometry};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
-pub use surface::{PreparedSurface, SurfaceSettings, advance_surface_extension, prepare_surface, surface_kernel};
-pub use surface_map::{SurfaceConstraints, SurfaceMap, SurfaceMapError, SurfaceMapNote};
+pub use surface::MeshedSurface;
 pub use table::{HarmonicTable, TableError};
+pub use through_disk::SurfaceImages;

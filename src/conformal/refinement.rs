@@ -1,6 +1,6 @@
 //! The Cauchy–Green images of a map, chunk by chunk, so that a large mesh never blocks a frame.
 
-use super::PreparedDomain;
+use super::MeshedDomain;
 use super::cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, STORED_BYTES};
 use crate::geometry::DVec2;
 use std::ops::ControlFlow;
@@ -23,7 +23,7 @@ impl Refinement {
     }
 
     /// Begins again with the boundary images `values` of `domain`. Coordinates of the same domain are kept.
-    pub(super) fn restart(&mut self, domain: &Arc<PreparedDomain>, values: &[DVec2]) {
+    pub(super) fn restart(&mut self, domain: &Arc<MeshedDomain>, values: &[DVec2]) {
         if !self.coordinates.as_ref().is_some_and(|known| Arc::ptr_eq(known.domain(), domain)) {
             self.coordinates = Some(CauchyGreen::new(Arc::clone(domain), STORED_BYTES));
         }
@@ -67,7 +67,7 @@ impl Refinement {
     }
 
     /// Takes the coordinates of `old` if they are of the same domain.
-    pub(super) fn adopt(&mut self, domain: &Arc<PreparedDomain>, old: Self) {
+    pub(super) fn adopt(&mut self, domain: &Arc<MeshedDomain>, old: Self) {
         if old.coordinates.as_ref().is_some_and(|known| Arc::ptr_eq(known.domain(), domain)) {
             self.coordinates = old.coordinates;
         }

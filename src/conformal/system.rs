@@ -1,11 +1,11 @@
-//! What kernel and extension need of a domain, whatever its geometry: the linear system and the boundary's lengths.
+//! The linear system of a side, whatever its geometry: kernel and extension.
 //!
 //! A planar domain and a surface differ in how a point becomes weights of vertices; after
 //! that, both are this. Kernel and extension are begun, then advanced until they are done, a
 //! deadline at a time; results are written at the end, in one go.
 
 use super::kernel::KernelScratch;
-use super::{ExtensionScratch, HarmonicTable, PreparedDomain};
+use super::{ExtensionScratch, HarmonicTable, PreparedSide};
 use crate::geometry::DVec2;
 use crate::laplace::{Deadline, NotConverged, RootPaths, Solver, SolverKind};
 use sprs::CsMatI;
@@ -14,54 +14,45 @@ use sprs::CsMatI;
 /// of 1e-12 gives up to 1e-11 in a crowded domain; a stencil that overshoots gives 1e-3.
 const PCG_NOISE: f64 = 1e-9;
 
-/// The Dirichlet problem of a prepared domain or surface, borrowed from it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct HarmonicSystem<'a> {
-    /// The lengths of the boundary edges.
-    pub edge_lengths: &'a [f64],
+/// The Dirichlet problem of a side.
+#[derive(Debug, Clone)]
+pub(super) struct DirichletSystem {
     /// L̄ (n×m, by columns).
-    pub coupling: &'a CsMatI<f64, u32>,
+    pub coupling: CsMatI<f64, u32>,
     /// Solves with L̂.
-    pub solver: &'a Solver,
+    pub solver: Solver,
     /// The root paths of the boundary's neighbours.
-    pub boundary_paths: &'a RootPaths,
+    pub boundary_paths: RootPaths,
     /// All harmonic coordinates, where they are stored.
-    pub table: Option<&'a HarmonicTable>,
+    pub table: Option<HarmonicTable>,
 }
 
-impl PreparedDomain {
-    pub(super) fn system(&self) -> HarmonicSystem<'_> {
-        HarmonicSystem {
-            edge_lengths: &self.samples.edge_lengths,
-            coupling: &self.coupling,
-            solver: &self.solver,
-            boundary_paths: &self.boundary_paths,
-            table: self.table.as_ref(),
-        }
+impl DirichletSystem {
+    /// Bundles the parts; the root paths of the boundary follow from them.
+    pub fn new(coupling: CsMatI<f64, u32>, solver: Solver, table: Option<HarmonicTable>) -> Self {
+        let mut boundary_paths = RootPaths::default();
+        solver.root_paths(coupling.indices().iter().copied(), &mut boundary_paths);
+        Self { coupling, solver, boundary_paths, table }
     }
 }
 
-impl HarmonicSystem<'_> {
-    fn boundary_count(&self) -> u32 {
-        self.edge_lengths.len() as u32
-    }
-
+impl PreparedSide {
     /// Begins with the kernel ψ of the point whose weights are in `scratch`.
-    pub(super) fn begin_kernel(&self, scratch: &mut KernelScratch) {
+    pub(super) fn begin_kernel_of_stencil(&self, scratch: &mut KernelScratch) {
         scratch.is_linear = false;
         self.begin_combination(scratch);
     }
 
     /// Goes on with it until it is in `psi` (true) or `deadline` is over. Where the weights give a
     /// negative value, it is that of the weights `linear` of the point's triangle instead.
-    pub(super) fn advance_kernel(
+    pub(super) fn advance_kernel_of_stencil(
         &self,
         linear: [(u32, f64); 3],
         scratch: &mut KernelScratch,
         psi: &mut Vec<f64>,
         deadline: Deadline,
     ) -> Result<bool, NotConverged> {
-        let iterative = self.solver.kind() == SolverKind::Pcg;
+        let iterative = self.solver().kind() == SolverKind::Pcg;
         loop {
             if !self.advance_combination(scratch, psi, deadline)? {
                 return Ok(false);
@@ -80,8 +71,8 @@ impl HarmonicSystem<'_> {
                 *value = value.max(0.0);
             }
         }
-        let mut previous = self.edge_lengths[self.edge_lengths.len() - 1];
-        for (value, &length) in psi.iter_mut().zip(self.edge_lengths) {
+        let mut previous = self.edge_lengths()[self.boundary_count() - 1];
+        for (value, &length) in psi.iter_mut().zip(self.edge_lengths()) {
             *value /= 0.5 * (previous + length);
             previous = length;
         }
@@ -91,10 +82,10 @@ impl HarmonicSystem<'_> {
     /// Begins with Σ weight · φ_vertex over the stencil.
     pub(super) fn begin_combination(&self, scratch: &mut KernelScratch) {
         scratch.run.restart();
-        if self.table.is_some() {
+        if self.system.table.is_some() {
             return;
         }
-        let (solver, m) = (self.solver, self.boundary_count());
+        let (solver, m) = (&self.system.solver, self.boundary_count() as u32);
         scratch.solution.clear();
         scratch.solution.resize(solver.len(), [0.0]);
         let interior = scratch.stencil.iter().filter_map(|&(vertex, weight)| Some((vertex.checked_sub(m)?, weight)));
@@ -111,10 +102,10 @@ impl HarmonicSystem<'_> {
         phi: &mut Vec<f64>,
         deadline: Deadline,
     ) -> Result<bool, NotConverged> {
-        let (solver, m) = (self.solver, self.boundary_count());
-        if self.table.is_none() {
+        let (solver, m) = (&self.system.solver, self.boundary_count() as u32);
+        if self.system.table.is_none() {
             let KernelScratch { run, paths, solution, .. } = &mut *scratch;
-            if !solver.advance(run, paths, self.boundary_paths, solution, deadline)? {
+            if !solver.advance(run, paths, &self.system.boundary_paths, solution, deadline)? {
                 return Ok(false);
             }
         }
@@ -124,7 +115,7 @@ impl HarmonicSystem<'_> {
             phi[vertex as usize] = weight;
         }
         let interior = scratch.stencil.iter().filter_map(|&(vertex, weight)| Some((vertex.checked_sub(m)?, weight)));
-        if let Some(table) = self.table {
+        if let Some(table) = &self.system.table {
             for (unknown, weight) in interior {
                 for (value, coordinate) in phi.iter_mut().zip(table.row(unknown as usize)) {
                     *value += weight * coordinate;
@@ -132,7 +123,7 @@ impl HarmonicSystem<'_> {
             }
             return Ok(true);
         }
-        for (value, column) in phi.iter_mut().zip(self.coupling.outer_iterator()) {
+        for (value, column) in phi.iter_mut().zip(self.system.coupling.outer_iterator()) {
             for (unknown, &entry) in column.iter() {
                 *value -= entry * scratch.solution[solver.position(unknown as u32)][0];
             }
@@ -147,10 +138,10 @@ impl HarmonicSystem<'_> {
         kept.clear();
         kept.extend(boundary);
         solution.clear();
-        solution.resize(self.solver.len(), [0.0; 2]);
-        for (w, column) in kept.iter().zip(self.coupling.outer_iterator()) {
+        solution.resize(self.system.solver.len(), [0.0; 2]);
+        for (w, column) in kept.iter().zip(self.system.coupling.outer_iterator()) {
             for (unknown, &entry) in column.iter() {
-                let right = &mut solution[self.solver.position(unknown as u32)];
+                let right = &mut solution[self.system.solver.position(unknown as u32)];
                 right[0] -= entry * w.x;
                 right[1] -= entry * w.y;
             }
@@ -165,13 +156,19 @@ impl HarmonicSystem<'_> {
         deadline: Deadline,
     ) -> Result<bool, NotConverged> {
         let ExtensionScratch { boundary, solution, run } = scratch;
-        if !self.solver.advance(run, self.boundary_paths, self.solver.everything(), solution, deadline)? {
+        if !self.system.solver.advance(
+            run,
+            &self.system.boundary_paths,
+            self.system.solver.everything(),
+            solution,
+            deadline,
+        )? {
             return Ok(false);
         }
         values.resize(boundary.len() + solution.len(), DVec2::ZERO);
         let (outer, inner) = values.split_at_mut(boundary.len());
         outer.copy_from_slice(boundary);
-        for (&[x, y], &unknown) in solution.iter().zip(self.solver.unknowns()) {
+        for (&[x, y], &unknown) in solution.iter().zip(self.system.solver.unknowns()) {
             inner[unknown as usize] = DVec2::new(x, y);
         }
         Ok(true)

@@ -5,6 +5,7 @@ use crate::geometry::PolygonError;
 
 /// Why a drawing is no outline, or a change of one was not made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum DrawingError {
     /// The stroke is a dot.
     #[error("this stroke is too short for an outline: draw around the shape in one go")]

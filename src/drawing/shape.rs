@@ -4,12 +4,11 @@
 //! falls from 1 to 0 along arc length. Where the boundary is smooth the weight has slope 0, so
 //! that it stays smooth; between corners it is linear, so that straight edges stay straight.
 
-use super::DrawingError;
 use super::carry::nearest;
 use super::handles::{handles, is_sharp};
-use super::hermite;
 use super::simplify::simplified_ring;
 use super::smooth::smoothed;
+use super::{DrawingError, hermite};
 use crate::geometry::{Bounds, DVec2, PolygonError, SimplePolygon};
 
 /// Fewer handles than a triangle has cannot hold an outline.

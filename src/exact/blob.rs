@@ -11,12 +11,12 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
-use super::Complex;
+use super::{Complex, point};
 
 /// g⁻¹(z) for `|z| ≤ 1`, the conformal map of the unit disk onto the blob.
 pub fn from_disk(z: Complex) -> Complex {
     let real = Complex::from;
-    let square = z.square();
+    let square = z * z;
     let polynomial = (1.0 / 40.0) * (4.0 * square + 4.0 * z + Complex::ONE);
     let rational = real(50.0) / (12.0 * square + 25.0 * z + real(25.0));
     let wave = (1.0 / 6.0) * (Complex::new(3.0, -5.0) * (1.1 * z).sin() * (0.5 * z).cos());
@@ -27,10 +27,11 @@ pub fn from_disk(z: Complex) -> Complex {
 /// The derivative of g⁻¹; it has no zero in the closed disk.
 fn derivative(z: Complex) -> Complex {
     let real = Complex::from;
-    let quadratic = 12.0 * z.square() + 25.0 * z + real(25.0);
-    let rational = -(50.0 * (24.0 * z + real(25.0)) / quadratic.square());
+    let square = z * z;
+    let quadratic = 12.0 * square + 25.0 * z + real(25.0);
+    let rational = -(50.0 * (24.0 * z + real(25.0)) / (quadratic * quadratic));
     let wave = 1.1 * ((1.1 * z).cos() * (0.5 * z).cos()) - 0.5 * ((1.1 * z).sin() * (0.5 * z).sin());
-    let logarithm = 40.0 * z / (20.0 * z.square() + Complex::new(-45.0, 36.0));
+    let logarithm = 40.0 * z / (20.0 * square + Complex::new(-45.0, 36.0));
     0.1 * (2.0 * z + Complex::ONE) + rational - (1.0 / 6.0) * (Complex::new(3.0, -5.0) * wave) + logarithm
 }
 
@@ -48,29 +49,29 @@ pub fn to_disk(w: Complex) -> Option<Complex> {
     let residual = |z: Complex| from_disk(z) - w;
     let ray = |k: u32| Complex::cis(TAU * f64::from(k) / f64::from(START_RAYS));
     let starts = START_RADII.into_iter().flat_map(|radius| (0..START_RAYS).map(move |k| radius * ray(k)));
-    let size = |z: &Complex| residual(*z).abs();
+    let size = |z: &Complex| residual(*z).norm();
     let mut z = starts.chain([Complex::ZERO]).min_by(|a, b| size(a).total_cmp(&size(b)))?;
     for _ in 0..NEWTON_STEPS {
         let (now, mut step) = (residual(z), residual(z) / derivative(z));
-        if now.abs() <= RESIDUAL {
+        if now.norm() <= RESIDUAL {
             break;
         }
         // the function is known in the closed disk alone
-        while (z - step).abs() > 1.0 || residual(z - step).abs() > now.abs() {
+        while (z - step).norm() > 1.0 || residual(z - step).norm() > now.norm() {
             step = 0.5 * step;
-            if step.abs() < f64::EPSILON {
+            if step.norm() < f64::EPSILON {
                 return None;
             }
         }
-        z = z - step;
+        z -= step;
     }
-    (size(&z) <= RESIDUAL && z.abs() < 1.0).then_some(z)
+    (size(&z) <= RESIDUAL && z.norm() < 1.0).then_some(z)
 }
 
 /// The boundary point with harmonic measure `omega`, counted counter-clockwise
 /// from g⁻¹(1) and seen from g⁻¹(0).
 pub fn boundary(omega: f64) -> DVec2 {
-    from_disk(Complex::cis(TAU * omega)).into()
+    point(from_disk(Complex::cis(TAU * omega)))
 }
 
 #[cfg(test)]
@@ -82,8 +83,8 @@ mod tests {
         // 60-digit values, rounded.
         let one = from_disk(Complex::ONE) - Complex::new(1.019_500_793_516_213_7, 2.829_540_689_356_530_3);
         let zero = from_disk(Complex::ZERO) - Complex::new(2.677_813_229_026_218, 2.466_851_711_366_240_7);
-        assert!(one.abs() < 1e-15, "{one:?}");
-        assert!(zero.abs() < 1e-15, "{zero:?}");
+        assert!(one.norm() < 1e-15, "{one:?}");
+        assert!(zero.norm() < 1e-15, "{zero:?}");
     }
 
     #[test]
@@ -93,10 +94,10 @@ mod tests {
             let z = radius * Complex::cis(2.399_963 * f64::from(k));
             let found = to_disk(from_disk(z)).unwrap_or(Complex::new(f64::NAN, 0.0));
             // the residual over the least derivative
-            assert!((found - z).abs() < 2e-12, "{z:?} → {found:?}");
+            assert!((found - z).norm() < 2e-12, "{z:?} → {found:?}");
         }
         let outwards = derivative(Complex::ONE);
-        let beside = from_disk(Complex::ONE) + (1e-3 / outwards.abs()) * outwards;
+        let beside = from_disk(Complex::ONE) + (1e-3 / outwards.norm()) * outwards;
         for outside in [Complex::new(-40.0, 0.0), beside, Complex::ZERO] {
             assert_eq!(to_disk(outside), None, "{outside:?}");
         }
@@ -110,9 +111,9 @@ mod tests {
             let z = 0.025 * f64::from(k) * Complex::cis(0.7 * f64::from(k));
             let along = |d: Complex| (0.5 / step) * (from_disk(z + step * d) - from_disk(z - step * d));
             let (dx, dy) = (along(Complex::ONE), along(Complex::I));
-            assert!((dy - Complex::I * dx).abs() < 1e-8, "at {z:?}");
-            assert!((dx - derivative(z)).abs() < 1e-8, "at {z:?}: {dx:?}");
-            assert!((0.07..12.0).contains(&dx.abs()), "the derivative has no zero: {dx:?} at {z:?}");
+            assert!((dy - Complex::I * dx).norm() < 1e-8, "at {z:?}");
+            assert!((dx - derivative(z)).norm() < 1e-8, "at {z:?}: {dx:?}");
+            assert!((0.07..12.0).contains(&dx.norm()), "the derivative has no zero: {dx:?} at {z:?}");
         }
     }
 }

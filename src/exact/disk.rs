@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 /// `P_x(t) = (1 − |x|²) / (2π |p(t) − x|²)`, p(t) = e^{it}: the Poisson kernel per unit of arc length.
 pub fn poisson_kernel(x: Complex, t: f64) -> f64 {
-    let (distance, radius) = ((Complex::cis(t) - x).abs(), x.abs());
+    let (distance, radius) = ((Complex::cis(t) - x).norm(), x.norm());
     (1.0 - radius * radius) / (TAU * distance * distance)
 }
 
@@ -54,8 +54,8 @@ mod tests {
     #[test]
     fn figure_7_takes_the_constraints_to_their_images() {
         let (x, y) = (figure_7(Complex::new(0.6, 0.2)), figure_7(Complex::ONE));
-        assert!((x - Complex::new(0.0, -0.5)).abs() < 1e-15, "{x:?}");
-        assert!((y - Complex::ONE).abs() < 1e-15, "{y:?}");
+        assert!((x - Complex::new(0.0, -0.5)).norm() < 1e-15, "{x:?}");
+        assert!((y - Complex::ONE).norm() < 1e-15, "{y:?}");
     }
 
     #[test]
@@ -64,6 +64,6 @@ mod tests {
         let z = Complex::new(-0.3, 0.45);
         let left = moebius(a, Complex::ONE, z);
         let right = moebius(b, Complex::ONE, figure_7(z));
-        assert!((left - right).abs() < 1e-14, "{left:?} and {right:?}");
+        assert!((left - right).norm() < 1e-14, "{left:?} and {right:?}");
     }
 }

@@ -6,4 +6,5 @@ pub mod disk;
 pub mod square;
 pub mod vshape;
 
-pub use complex::Complex;
+pub use complex::{Complex, complex, point};
+pub(crate) use complex::{arg_sinh, sqrt};

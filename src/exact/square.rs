@@ -87,9 +87,9 @@ mod tests {
             let z = 0.024 * f64::from(k) * Complex::cis(1.9 * f64::from(k));
             let along = |d: Complex| (0.5 / step) * (to_disk(z + step * d) - to_disk(z - step * d));
             let (dx, dy) = (along(Complex::ONE), along(Complex::I));
-            assert!((dy - Complex::I * dx).abs() < 1e-8, "Cauchy–Riemann at {z:?}");
-            assert!((to_disk(Complex::I * z) - Complex::I * to_disk(z)).abs() < 1e-15, "a quarter turn at {z:?}");
-            assert!((to_disk(z.conj()) - to_disk(z).conj()).abs() < 1e-15, "a reflection at {z:?}");
+            assert!((dy - Complex::I * dx).norm() < 1e-8, "Cauchy–Riemann at {z:?}");
+            assert!((to_disk(Complex::I * z) - Complex::I * to_disk(z)).norm() < 1e-15, "a quarter turn at {z:?}");
+            assert!((to_disk(z.conj()) - to_disk(z).conj()).norm() < 1e-15, "a reflection at {z:?}");
         }
     }
 
@@ -111,7 +111,7 @@ mod tests {
             if k % 100 == 50 {
                 continue; // a corner: 0/0, but its angle is known
             }
-            let error = (to_disk(z) - Complex::cis(angle)).abs();
+            let error = (to_disk(z) - Complex::cis(angle)).norm();
             // 1/100 of a side from a corner, sl's denominator is 2e-2
             assert!(error < 1e-13, "s = {s}: {error:e}");
         }

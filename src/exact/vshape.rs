@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::Complex;
+use super::{Complex, arg_sinh, complex, point, sqrt};
 
 /// ε = 1 − r = e^{−12.5π}.
 fn epsilon() -> f64 {
@@ -25,14 +25,14 @@ fn half_length() -> f64 {
 
 /// The strip coordinate c = h₂(z) artanh r.
 fn strip(z: Complex) -> Complex {
-    let root = (8.0 * (Complex::I * z) - Complex::from(7.0)).sqrt();
+    let root = sqrt(8.0 * (Complex::I * z) - Complex::from(7.0));
     (0.25 * half_length()) * (Complex::I * (Complex::ONE - root))
 }
 
 /// z = ((1 + 4iu)² + 7)/(8i), the inverse of h₂.
 fn from_half_plane(u: Complex) -> Complex {
     let root = Complex::ONE + 4.0 * (Complex::I * u);
-    -0.125 * (Complex::I * (root.square() + Complex::from(7.0)))
+    -0.125 * (Complex::I * (root * root + Complex::from(7.0)))
 }
 
 /// g(z), the conformal map of the V onto the unit disk.
@@ -60,12 +60,12 @@ pub fn boundary(t: f64) -> DVec2 {
     let right = !(1.0..3.0).contains(&t);
     let a = if right { 1.0 - d / half_length } else { d / half_length - 1.0 };
     let b = if t <= 2.0 { b } else { -b } / half_length;
-    from_half_plane(Complex::new(a, b)).into()
+    point(from_half_plane(Complex::new(a, b)))
 }
 
 /// Whether `x` is inside: cos 2b > κ cosh 2a.
 pub fn contains(x: DVec2) -> bool {
-    let Complex { re: a, im: b } = strip(x.into());
+    let Complex { re: a, im: b } = strip(complex(x));
     let r = 1.0 - epsilon();
     let kappa = epsilon() * (1.0 + r) / (1.0 + r * r);
     b.abs() < 0.5 * PI && (2.0 * b).cos() > kappa * (2.0 * a).cosh()
@@ -78,15 +78,15 @@ pub fn contains(x: DVec2) -> bool {
 /// in the strip that is `(2 arg sinh(c − c_x) − arg sinh 2c)/2π`. Absolute error
 /// about 1e-15 as long as `y` and `x` are known to that.
 pub fn harmonic_measure(x: DVec2, y: DVec2) -> f64 {
-    let (from, to) = (strip(x.into()), strip(y.into()));
+    let (from, to) = (strip(complex(x)), strip(complex(y)));
     let tip = Complex::from(half_length());
     let turn = |end: f64, start: f64| {
         let turn = (end - start).rem_euclid(TAU);
         // A rounding error below the start is the start, not a full turn.
         if TAU - turn < 1e-13 { 0.0 } else { turn }
     };
-    let around_x = turn((to - from).arg_sinh(), (tip - from).arg_sinh());
-    let around_middle = turn((2.0 * to).arg_sinh(), (2.0 * tip).arg_sinh());
+    let around_x = turn(arg_sinh(to - from), arg_sinh(tip - from));
+    let around_middle = turn(arg_sinh(2.0 * to), arg_sinh(2.0 * tip));
     (2.0 * around_x - around_middle) / TAU
 }
 
@@ -96,8 +96,8 @@ mod tests {
 
     #[test]
     fn the_constraints_of_the_paper_hold() {
-        assert!(to_disk(-Complex::I).abs() < 1e-15);
-        assert!((to_disk(Complex::new(1.0, 1.0)) - Complex::ONE).abs() < 1e-15);
+        assert!(to_disk(-Complex::I).norm() < 1e-15);
+        assert!((to_disk(Complex::new(1.0, 1.0)) - Complex::ONE).norm() < 1e-15);
         assert_eq!(boundary(0.0), DVec2::new(1.0, 1.0));
         assert!(boundary(2.0).distance(DVec2::new(-1.0, 1.0)) < 1e-15);
     }
@@ -106,7 +106,7 @@ mod tests {
     fn the_boundary_is_the_preimage_of_the_circle() {
         for k in 0..4000 {
             let z = boundary(f64::from(k) / 1000.0);
-            let radius = to_disk(z.into()).abs();
+            let radius = to_disk(complex(z)).norm();
             // tanh amplifies an error of b by at most 1; h₂ and its inverse add a few roundings.
             assert!((radius - 1.0).abs() < 2e-14, "t = {k}/1000: |g| − 1 = {:e}", radius - 1.0);
         }
@@ -127,7 +127,7 @@ mod tests {
         let center = DVec2::new(0.0, -1.0);
         for k in 1..400 {
             let y = boundary(f64::from(k) / 100.0);
-            let angle = to_disk(y.into()).arg().rem_euclid(TAU) / TAU;
+            let angle = to_disk(complex(y)).arg().rem_euclid(TAU) / TAU;
             let omega = harmonic_measure(center, y);
             // The angle is next to 0 or 1 on the whole right arm, where either may round.
             let error = (omega - angle + 0.5).rem_euclid(1.0) - 0.5;

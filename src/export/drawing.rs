@@ -6,7 +6,7 @@
 
 use super::polylines::Line;
 use super::ruling::{FAMILIES, Ruling};
-use crate::conformal::{ConformalMap, Constraints, Direction, PreparedDomain, Side};
+use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, Side};
 use crate::geometry::{Bounds, DVec2};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -26,33 +26,69 @@ pub struct Panel<'a> {
     pub handles: [DVec2; 2],
 }
 
-/// Source and target as drawn: the target's surface carries source coordinates.
-pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> [Panel<'a>; 2] {
-    let [source, target] = Side::BOTH.map(|side| map.domain(side));
-    let handles = |side: Side, domain: &PreparedDomain| {
-        let anchor = domain.samples.at_fraction(constraints.anchor(side));
-        [constraints.point(side), domain.samples.position(anchor)]
+/// Source and target as drawn: the target carries source coordinates. `None` where one of them is a surface.
+pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<[Panel<'a>; 2]> {
+    let [source, target] = [map.domain(Side::Source)?, map.domain(Side::Target)?];
+    let handles = |side: Side, domain: &MeshedDomain| -> Option<[DVec2; 2]> {
+        let anchor = map.side(side).at_fraction(constraints.anchors[side]);
+        Some([constraints.points[side].in_plane()?, domain.samples().position(anchor)])
     };
     let (positions, coordinates) = match map.direction() {
-        Direction::Forward => (map.images(), source.mesh.vertices.as_slice()),
-        Direction::Backward => (target.mesh.vertices.as_slice(), map.images()),
+        Direction::Forward => (map.images(), source.mesh().vertices.as_slice()),
+        Direction::Backward => (target.mesh().vertices.as_slice(), map.images()),
     };
-    [
+    Some([
         Panel {
-            positions: &source.mesh.vertices,
-            coordinates: &source.mesh.vertices,
-            triangles: &source.mesh.triangles,
-            boundary: &source.samples.points,
-            handles: handles(Side::Source, source),
+            positions: &source.mesh().vertices,
+            coordinates: &source.mesh().vertices,
+            triangles: &source.mesh().triangles,
+            boundary: &source.samples().points,
+            handles: handles(Side::Source, source)?,
         },
         Panel {
             positions,
             coordinates,
-            triangles: &map.mapped_mesh().triangles,
-            boundary: &target.samples.points,
-            handles: handles(Side::Target, target),
+            triangles: map.mapped().triangles(),
+            boundary: &target.samples().points,
+            handles: handles(Side::Target, target)?,
         },
-    ]
+    ])
+}
+
+/// What of a map is drawn in the plane: both outlines; with one surface the other side, with the surface's mesh as it lies
+/// there; between two surfaces both meshes as they lie in the unit disk. Empty before the map's first update.
+pub fn parts<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Vec<Part<'a>> {
+    if map.images().is_empty() {
+        return Vec::new();
+    }
+    if let Some([source, target]) = panels(map, constraints) {
+        return vec![
+            Part { side: Side::Source, panel: source, wire: None },
+            Part { side: Side::Target, panel: target, wire: None },
+        ];
+    }
+    Side::BOTH.into_iter().filter_map(|side| part_with_surface(map, constraints, side)).collect()
+}
+
+fn part_with_surface<'a>(map: &'a ConformalMap, constraints: &Constraints, side: Side) -> Option<Part<'a>> {
+    if let Some(places) = map.disk(side) {
+        let triangles = map.side(side).triangles();
+        let boundary = &places[..map.side(side).boundary_count()];
+        let panel =
+            Panel { positions: places, coordinates: places, triangles, boundary, handles: [DVec2::ZERO, DVec2::X] };
+        return Some(Part { side, panel, wire: Some((places, triangles)) });
+    }
+    let domain = map.domain(side)?;
+    let (vertices, triangles) = (domain.mesh().vertices.as_slice(), domain.mesh().triangles.as_slice());
+    let anchor = domain.samples().position(map.side(side).at_fraction(constraints.anchors[side]));
+    let panel = Panel {
+        positions: vertices,
+        coordinates: vertices,
+        triangles,
+        boundary: &domain.samples().points,
+        handles: [constraints.points[side].in_plane()?, anchor],
+    };
+    Some(Part { side, panel, wire: Some((map.images(), map.mapped().triangles())) })
 }
 
 /// Side length of a panel in the drawing's units.

@@ -4,7 +4,7 @@
 //! those that a repair has dropped. What fills a hole is left out.
 
 use super::FileFormat;
-use crate::conformal::SurfaceMap;
+use crate::conformal::ConformalMap;
 use crate::geometry::{DVec2, DVec3};
 use crate::surface::{ADDED, Surface};
 use std::fmt::Write as _;
@@ -27,19 +27,19 @@ pub struct Flattened<'a> {
 }
 
 impl<'a> Flattened<'a> {
-    /// The surface as it was read, with its images in the unit box or where they are.
-    pub fn new(surface: &'a Surface, map: &SurfaceMap, unit: bool) -> Self {
+    /// The surface as it was read, with its images in the unit box or where they are; `None` where no surface is mapped.
+    pub fn new(surface: &'a Surface, map: &ConformalMap, unit: bool) -> Option<Self> {
         let images = map.texture_coordinates();
         let placement = if unit { unit_box(&images) } else { Placement { origin: DVec2::ZERO, scale: 1.0 } };
         let placed = |image: DVec2| (image - placement.origin) * placement.scale;
-        let disk = &map.surface().surface;
+        let disk = map.mapped().surface()?.surface();
         let kept = disk.mesh.triangles.iter().zip(&disk.triangle_origins).filter(|(_, origin)| **origin != ADDED);
-        Self {
+        Some(Self {
             vertices: &surface.vertices,
             triangles: kept.map(|(t, _)| t.map(|v| disk.vertex_origins[v as usize])).collect(),
             coordinates: images.into_iter().map(|image| image.map(placed)).collect(),
             placement,
-        }
+        })
     }
 
     /// The bytes of a file.

@@ -1,6 +1,6 @@
-//! Closed ways through the family of conformal maps between two domains.
+//! Closed ways through the family of conformal maps between two sides.
 //!
-//! The maps of one domain onto another have three degrees of freedom: two for the interior point, one for
+//! The maps of one side onto another have three degrees of freedom: two for the interior point, one for
 //! the boundary point. A [`Loop`] begins and ends at given points. An interior point goes around a
 //! circle (file `circle`); the boundary point turns once so that equal times are equal
 //! harmonic measures: in the disk that is a rotation at constant speed, while equal arc lengths would
@@ -10,9 +10,8 @@ mod circle;
 
 pub use circle::Circle;
 
-use crate::conformal::{HarmonicMeasure, PreparedDomain};
+use crate::conformal::{HarmonicMeasure, InteriorPoint, PerSide, PreparedSide};
 use crate::geometry::DVec2;
-use crate::outline::BoundarySamples;
 use std::sync::Arc;
 
 /// Which of the points move.
@@ -25,7 +24,7 @@ pub enum Path {
     /// y₁ turns around the source.
     #[default]
     Boundary,
-    /// x₁ and y₁ as above, and x₂, where the target is planar, the other way around.
+    /// x₁ and y₁ as above, and x₂ the other way around; a point of a surface stays.
     All,
 }
 
@@ -49,12 +48,10 @@ impl Path {
 /// Where a loop begins: the map that is there.
 #[derive(Debug, Clone, Copy)]
 pub struct Start<'a> {
-    /// The source, and x₁ in it.
-    pub source: (&'a Arc<PreparedDomain>, DVec2),
+    /// The sides, and x₁ and x₂ in them.
+    pub sides: PerSide<(&'a Arc<PreparedSide>, InteriorPoint)>,
     /// The harmonic measure of the source from y₁, seen from x₁.
     pub measure: &'a HarmonicMeasure,
-    /// The target, and x₂ in it; `None` where a surface stands in its place.
-    pub target: Option<(&'a Arc<PreparedDomain>, DVec2)>,
 }
 
 /// Points on a loop; `None` for those that do not move.
@@ -62,7 +59,7 @@ pub struct Start<'a> {
 pub struct Place {
     /// x₁, x₂.
     pub interior: [Option<DVec2>; 2],
-    /// y₁, as a fraction of the source outline's arc length.
+    /// y₁, as a fraction of the length of the source's boundary.
     pub anchor: Option<f64>,
 }
 
@@ -76,18 +73,21 @@ pub struct Loop {
 /// One turn of the boundary point.
 #[derive(Debug, Clone)]
 struct Turn {
-    domain: Arc<PreparedDomain>,
+    source: Arc<PreparedSide>,
     measure: HarmonicMeasure,
 }
 
 impl Loop {
-    /// The loop along `path` from `start`. `None` where nothing would move: x₂ of a surface alone.
+    /// The loop along `path` from `start`. `None` where nothing would move: a point of a surface alone.
     pub fn new(path: Path, start: &Start<'_>) -> Option<Self> {
-        let circle = |(domain, point): (&Arc<PreparedDomain>, DVec2)| Circle::through(point, &domain.samples);
-        let source = path.moves_source_point().then(|| circle(start.source));
-        let target = start.target.filter(|_| path.moves_target_point()).map(circle);
+        let circle = |(side, point): (&Arc<PreparedSide>, InteriorPoint)| {
+            Some(Circle::through(point.in_plane()?, side.domain()?.samples()))
+        };
+        let PerSide { source, target } = start.sides;
+        let source = Some(source).filter(|_| path.moves_source_point()).and_then(circle);
+        let target = Some(target).filter(|_| path.moves_target_point()).and_then(circle);
         let target = target.map(|circle| if path == Path::All { circle.reversed() } else { circle });
-        let turn = || Turn { domain: Arc::clone(start.source.0), measure: start.measure.clone() };
+        let turn = || Turn { source: Arc::clone(start.sides.source.0), measure: start.measure.clone() };
         let turn = path.moves_boundary().then(turn);
         (source.is_some() || target.is_some() || turn.is_some()).then_some(Self { circles: [source, target], turn })
     }
@@ -102,9 +102,8 @@ impl Loop {
 
 impl Turn {
     fn at(&self, t: f64) -> f64 {
-        let samples: &BoundarySamples = &self.domain.samples;
         let point = if t == 0.0 { self.measure.anchor() } else { self.measure.point_at(t) };
-        samples.fraction_at(point)
+        self.source.fraction_at(point)
     }
 }
 

@@ -1,23 +1,24 @@
 //! The loops stay inside, close, and go evenly.
 
 use super::*;
-use crate::conformal::{ConformalMap, Constraints, MapSettings, PrepareSettings, Side, prepare};
+use crate::conformal::{
+    ConformalMap, Constraints, MapSettings, PrepareSettings, Side, SurfaceSettings, prepare, prepare_surface,
+};
 use crate::outline::Preset;
+use crate::surface::{SurfaceMesh, SurfacePreset};
 use std::f64::consts::PI;
 
 fn map(presets: [Preset; 2]) -> (ConformalMap, Constraints) {
     let [source, target] = presets
         .map(|preset| Arc::new(prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap()));
-    let constraints =
-        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.3, target_anchor: 0.0 };
+    let constraints = Constraints::new((source.default_point(), 0.3), (target.default_point(), 0.0));
     (ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap(), constraints)
 }
 
 fn start<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Start<'a> {
     Start {
-        source: (map.domain(Side::Source), constraints.source_point),
+        sides: PerSide::from_fn(|side| (map.side(side), constraints.points[side])),
         measure: map.measure(Side::Source),
-        target: Some((map.domain(Side::Target), constraints.target_point)),
     }
 }
 
@@ -29,10 +30,10 @@ fn loops_begin_and_end_at_the_points_that_are_there() {
         for t in [0.0, 1.0, -3.0] {
             let place = way.at(t);
             assert_eq!(place, way.at(0.0));
-            for (found, begun) in place.interior.into_iter().zip([constraints.source_point, constraints.target_point]) {
-                assert!(found.is_none_or(|found| found.distance(begun) < 1e-12));
+            for (found, begun) in place.interior.into_iter().zip(constraints.points.into_array()) {
+                assert!(found.is_none_or(|found| found.distance(begun.in_plane().unwrap()) < 1e-12));
             }
-            assert!(place.anchor.is_none_or(|s| (s - constraints.source_anchor).abs() < 1e-9), "{place:?}");
+            assert!(place.anchor.is_none_or(|s| (s - constraints.anchors.source).abs() < 1e-9), "{place:?}");
         }
         let near = way.at(1.0 - 1e-9);
         assert_eq!(near.interior.map(|p| p.is_some()), way.at(0.0).interior.map(|p| p.is_some()));
@@ -46,16 +47,32 @@ fn loops_begin_and_end_at_the_points_that_are_there() {
 fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
     for preset in Preset::ALL {
         let domain = prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
-        let size = domain.samples.points.iter().map(|p| p.distance(domain.pole)).fold(0.0, f64::max);
-        let places = domain.mesh.vertices[domain.samples.len()..].iter().copied().step_by(197).take(6);
-        for point in places.chain([domain.pole]) {
-            let circle = Circle::through(point, &domain.samples);
+        let size = domain
+            .domain()
+            .unwrap()
+            .samples()
+            .points
+            .iter()
+            .map(|p| p.distance(domain.domain().unwrap().pole()))
+            .fold(0.0, f64::max);
+        let places =
+            domain.domain().unwrap().mesh().vertices[domain.boundary_count()..].iter().copied().step_by(197).take(6);
+        for point in places.chain([domain.domain().unwrap().pole()]) {
+            let circle = Circle::through(point, domain.domain().unwrap().samples());
             let radius = circle.arm.length();
             assert!(radius > 0.0, "{preset}: no circle through {point}");
             for k in 0..60 {
                 let p = circle.at(f64::from(k) / 60.0);
-                assert!(crate::mesh::locate(&domain.mesh, p, 0).is_some(), "{preset}: {p} is outside");
-                let clearance = domain.samples.position(domain.samples.nearest(p)).distance(p);
+                assert!(
+                    crate::mesh::locate(domain.domain().unwrap().mesh(), p, 0).is_some(),
+                    "{preset}: {p} is outside"
+                );
+                let clearance = domain
+                    .domain()
+                    .unwrap()
+                    .samples()
+                    .position(domain.domain().unwrap().samples().nearest(p))
+                    .distance(p);
                 assert!(clearance >= 0.249 * radius, "{preset}: {clearance} beside a circle of {radius}");
             }
             assert!(radius < size);
@@ -67,7 +84,7 @@ fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
 fn the_largest_circle_through_the_centre_of_a_disk_is_known() {
     let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
     // 1 − r = 1.25 r
-    let radius = Circle::through(DVec2::ZERO, &disk.samples).arm.length();
+    let radius = Circle::through(DVec2::ZERO, disk.domain().unwrap().samples()).arm.length();
     assert!((radius - 4.0 / 9.0).abs() < 0.01, "{radius}");
 }
 
@@ -75,10 +92,10 @@ fn the_largest_circle_through_the_centre_of_a_disk_is_known() {
 #[test]
 fn the_boundary_point_of_a_disk_turns_at_constant_speed() {
     let (map, constraints) = map([Preset::Disk, Preset::Square]);
-    let constraints = Constraints { source_point: DVec2::ZERO, ..constraints };
+    let constraints = constraints.with_point(Side::Source, DVec2::ZERO);
     let map = ConformalMap::new(
-        Arc::clone(map.domain(Side::Source)),
-        Arc::clone(map.domain(Side::Target)),
+        Arc::clone(map.side(Side::Source)),
+        Arc::clone(map.side(Side::Target)),
         &constraints,
         MapSettings::default(),
     )
@@ -95,12 +112,12 @@ fn the_boundary_point_of_a_disk_turns_at_constant_speed() {
 #[test]
 fn halfway_around_the_disk_the_map_is_turned_by_half_a_turn() {
     let (map, constraints) = map([Preset::Disk, Preset::Disk]);
-    let centred = Constraints { source_point: DVec2::ZERO, target_point: DVec2::ZERO, ..constraints };
-    let [source, target] = Side::BOTH.map(|side| Arc::clone(map.domain(side)));
+    let centred = constraints.with_point(Side::Source, DVec2::ZERO).with_point(Side::Target, DVec2::ZERO);
+    let [source, target] = Side::BOTH.map(|side| Arc::clone(map.side(side)));
     let mut map = ConformalMap::new(source, target, &centred, MapSettings::default()).unwrap();
     let before = map.images()[0].to_angle();
     let way = Loop::new(Path::Boundary, &start(&map, &centred)).unwrap();
-    let turned = Constraints { source_anchor: way.at(0.5).anchor.unwrap(), ..centred };
+    let turned = centred.with_anchor(Side::Source, way.at(0.5).anchor.unwrap());
     map.update(&turned, MapSettings::default()).unwrap();
     let turn = (map.images()[0].to_angle() - before).rem_euclid(2.0 * PI);
     assert!((turn - PI).abs() < 1e-2, "{turn}");
@@ -109,7 +126,10 @@ fn halfway_around_the_disk_the_map_is_turned_by_half_a_turn() {
 #[test]
 fn a_surface_has_no_planar_point_to_move() {
     let (map, constraints) = map([Preset::Disk, Preset::Square]);
-    let start = Start { target: None, ..start(&map, &constraints) };
+    let hemisphere = SurfaceMesh::new(&SurfacePreset::Hemisphere.surface(40).unwrap()).unwrap();
+    let surface = Arc::new(prepare_surface(hemisphere, SurfaceSettings::default(), &mut |_| ()).unwrap());
+    let mut start = start(&map, &constraints);
+    start.sides.target = (&surface, surface.default_point());
     assert!(Loop::new(Path::TargetPoint, &start).is_none());
     let place = Loop::new(Path::All, &start).unwrap().at(0.2);
     assert!(place.interior[0].is_some() && place.interior[1].is_none() && place.anchor.is_some());

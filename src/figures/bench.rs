@@ -5,9 +5,9 @@
 //! outlines other than the V-shape and the blob are riemap's own of these names.
 
 use super::scenes::{crowding_constraints, uniform};
-use super::{Figure, FigureError};
+use super::{Figure, FigureError, planar};
 use crate::conformal::{
-    ConformalMap, Constraints, Direction, KernelMode, PrepareError, PrepareSettings, PrepareTimings, PreparedDomain,
+    ConformalMap, Constraints, Direction, KernelMode, PrepareError, PrepareSettings, PrepareTimings, PreparedSide,
     Side, prepare,
 };
 use crate::geometry::{Bounds, DVec2};
@@ -205,7 +205,7 @@ impl BenchRow {
     }
 }
 
-fn prepared(preset: Preset, setting: BenchSetting) -> Result<PreparedDomain, FigureError> {
+fn prepared(preset: Preset, setting: BenchSetting) -> Result<PreparedSide, FigureError> {
     Ok(prepare(&preset.outline().polygon, &setting.settings(preset), &mut |_| ())?)
 }
 
@@ -216,16 +216,17 @@ fn preparation(preset: Preset, setting: BenchSetting, runs: usize) -> Result<Pre
         if run > 0 {
             domain = prepared(preset, setting)?;
         }
-        timings.push(domain.timings);
+        timings.push(domain.timings());
         let start = Instant::now();
-        DiskMap::new(&domain.samples.points, domain.pole)?;
+        let planar = planar(&domain)?;
+        DiskMap::new(&planar.samples().points, planar.pole())?;
         zipper.push(start.elapsed().as_secs_f64());
     }
     let seconds = |stage: fn(&PrepareTimings) -> f64| 1e-3 * median(timings.iter().map(stage).collect());
     Ok(Preparation {
-        m: domain.mesh.boundary_count,
-        n: domain.mesh.interior_count(),
-        triangles: domain.mesh.triangles.len(),
+        m: domain.boundary_count() as u32,
+        n: domain.interior_count(),
+        triangles: domain.triangles().len(),
         triangulation_s: seconds(|t| t.sample + t.mesh),
         factorisation_s: seconds(|t| t.assemble + t.order + t.factor),
         zipper_s: median(zipper),
@@ -239,7 +240,7 @@ fn psi_table(preset: Preset, runs: usize) -> Result<Option<f64>, FigureError> {
     for _ in 0..runs {
         match prepare(&polygon, &settings, &mut |_| ()) {
             Ok(domain) => {
-                let t = domain.timings;
+                let t = domain.timings();
                 seconds.push(1e-3 * (t.assemble + t.order + t.factor + t.table));
             }
             Err(PrepareError::Table(_)) => return Ok(None),
@@ -254,11 +255,11 @@ fn frame(row: &PaperFrame, setting: BenchSetting, frames: usize) -> Result<Frame
     let still = if row.figure == Figure::Crowding.number() {
         crowding_constraints()
     } else {
-        let [source_point, target_point] = domains.each_ref().map(|domain| domain.pole);
-        Constraints { source_point, target_point, source_anchor: 0.0, target_anchor: 0.0 }
+        let [source, target] = domains.each_ref().map(|domain| domain.default_point());
+        Constraints::new((source, 0.0), (target, 0.0))
     };
     let [source, target] = domains;
-    let (m, triangles) = ([&source, &target].map(|d| d.mesh.boundary_count), source.mesh.triangles.len());
+    let (m, triangles) = ([&source, &target].map(|side| side.boundary_count() as u32), source.triangles().len());
     let mut map = ConformalMap::new(source, target, &still, Direction::Forward.into())?;
     let [source, target] = Side::BOTH.map(|side| drag(&mut map, still, side, frames));
     Ok(Frame { m, triangles, source: source?, target: target? })
@@ -269,14 +270,13 @@ const DRAG_STEP: f64 = 1e-3;
 
 /// The medians while one interior point moves to and fro.
 fn drag(map: &mut ConformalMap, still: Constraints, side: Side, frames: usize) -> Result<FrameTimes, FigureError> {
-    let points = &map.domain(side).samples.points;
-    let Bounds { min: low, max: high } = Bounds::of(points.iter().copied());
+    let domain = planar(map.side(side))?;
+    let Bounds { min: low, max: high } = Bounds::of(domain.samples().points.iter().copied());
     let step = DVec2::new(DRAG_STEP * (high - low).max_element(), 0.0);
+    let point = still.points[side].in_plane().ok_or(FigureError::NoDomain)?;
     let (mut matching, mut extension) = (Vec::new(), Vec::new());
     for k in 0..frames {
-        let mut moved = still;
-        let point = if side == Side::Source { &mut moved.source_point } else { &mut moved.target_point };
-        *point += if k % 2 == 0 { step } else { DVec2::ZERO };
+        let moved = if k % 2 == 0 { still.with_point(side, point + step) } else { still };
         map.update(&moved, Direction::Forward.into())?;
         let timings = map.timings();
         matching.push(timings.kernel + timings.matching);

@@ -5,9 +5,9 @@
 //! at m₂ points, whose polygon and measure add an error that does not fall with m.
 
 use super::crowding::{V_PERIOD, exact_measures, on_exact_v};
-use super::scenes::{crowding_constraints, uniform};
-use super::{ArcLength, Detail, FigureError, Method, Table};
-use crate::conformal::{ConformalMap, Direction, PreparedDomain, Side, prepare};
+use super::scenes::{crowding_constraints, crowding_points, uniform};
+use super::{ArcLength, Detail, FigureError, Method, Table, planar};
+use crate::conformal::{ConformalMap, Direction, MeshedDomain, PreparedSide, Side, prepare};
 use crate::exact::{blob, vshape};
 use crate::geometry::DVec2;
 use crate::outline::{BoundaryPoint, Preset};
@@ -54,7 +54,8 @@ pub struct ConvergenceRow {
 pub struct ConvergenceStudy {
     /// The numbers of samples, rising.
     pub resolutions: Vec<u32>,
-    blob: Arc<PreparedDomain>,
+    blob: Arc<PreparedSide>,
+    blob_domain: Arc<MeshedDomain>,
     blob_measure: DiskMeasure,
     v_arc: ArcLength,
 }
@@ -66,10 +67,12 @@ impl ConvergenceStudy {
     pub fn new(detail: Detail) -> Result<Self, FigureError> {
         let polygon = Preset::Blob.outline().polygon;
         let blob = Arc::new(prepare(&polygon, &uniform(detail.samples(1000)), &mut |_| ())?);
-        let blob_measure = DiskMeasure::fresh(&blob.samples.points, crowding_constraints().target_point, START)?;
+        let blob_domain = planar(&blob)?;
+        let blob_measure = DiskMeasure::fresh(&blob_domain.samples().points, crowding_points().target, START)?;
         Ok(Self {
             resolutions: [250, 500, 1000, 2000, 4000].map(|m| detail.samples(m)).to_vec(),
             blob,
+            blob_domain,
             blob_measure,
             v_arc: ArcLength::new(vshape::boundary, V_PERIOD),
         })
@@ -77,7 +80,7 @@ impl ConvergenceStudy {
 
     /// m₂.
     pub fn target_samples(&self) -> u32 {
-        self.blob.mesh.boundary_count
+        self.blob.boundary_count() as u32
     }
 
     /// The four rows of one resolution.
@@ -90,18 +93,19 @@ impl ConvergenceStudy {
     fn by_harmonic_measure(&self, m: u32) -> Result<[ConvergenceRow; 2], FigureError> {
         let source = Arc::new(prepare(&Preset::VShape.outline().polygon, &uniform(m), &mut |_| ())?);
         let constraints = crowding_constraints();
+        let domain = planar(&source)?;
         let map = ConformalMap::new(source, self.blob.clone(), &constraints, Direction::Forward.into())?;
-        let (points, measure) = (on_exact_v(&map.domain(Side::Source).samples), map.measure(Side::Source));
+        let (points, measure) = (on_exact_v(domain.samples()), map.measure(Side::Source));
         let measures: Vec<f64> = (0..points.len()).map(|k| measure.at_vertex(k)).collect();
         Ok(self.compare(Method::HarmonicMeasure, &points, &measures, &map.correspondence().points))
     }
 
     fn by_zipper(&self, m: u32) -> Result<[ConvergenceRow; 2], FigureError> {
         let points: Vec<DVec2> = self.v_arc.uniform_parameters(m).into_iter().map(vshape::boundary).collect();
-        let measure = DiskMeasure::fresh(&points, crowding_constraints().source_point, START)?;
+        let measure = DiskMeasure::fresh(&points, crowding_points().source, START)?;
         let measures: Vec<f64> = (0..points.len()).map(|k| measure.at_vertex(k)).collect();
-        let matched = DiskComparison::new(measure, self.blob_measure.clone()).points;
-        Ok(self.compare(Method::FreshZipper, &points, &measures, &matched))
+        let matched = DiskComparison::new(measure, self.blob_measure.clone());
+        Ok(self.compare(Method::FreshZipper, &points, &measures, matched.points()))
     }
 
     /// The errors, at these points of the exact V, of images by `measures` and the exact second map, and of the `matched` ones.
@@ -112,7 +116,7 @@ impl ConvergenceStudy {
         measures: &[f64],
         matched: &[BoundaryPoint],
     ) -> [ConvergenceRow; 2] {
-        let truth = exact_measures(points, crowding_constraints().source_point);
+        let truth = exact_measures(points, crowding_points().source);
         let row = |second: SecondMap, image: &dyn Fn(usize) -> DVec2| {
             let errors = truth.iter().enumerate().map(|(k, &omega)| image(k).distance(blob::boundary(omega)));
             let (max, sum) = errors.fold((0.0, 0.0), |(max, sum): (f64, f64), e| (max.max(e), sum + e));
@@ -120,7 +124,7 @@ impl ConvergenceStudy {
         };
         [
             row(SecondMap::Exact, &|k| blob::boundary(measures[k])),
-            row(SecondMap::Sampled, &|k| self.blob.samples.position(matched[k])),
+            row(SecondMap::Sampled, &|k| self.blob_domain.samples().position(matched[k])),
         ]
     }
 

@@ -4,15 +4,14 @@
 //! mesh, so that they differ by the boundary map alone. The truth is the composition of the
 //! closed forms: the blob's point with the V's harmonic measure.
 
-use super::{ArcLength, FigureError, Scene, Table, prepare_spec};
-use crate::conformal::{
-    ConformalMap, Constraints, Direction, ExtensionScratch, PreparedDomain, Side, harmonic_extension,
-};
+use super::{ArcLength, FigureError, Scene, Table, planar, prepare_spec};
+use crate::conformal::{ConformalMap, Direction, ExtensionScratch, MeshedDomain, PerSide, Side, harmonic_extension};
 use crate::exact::{blob, vshape};
 use crate::geometry::DVec2;
 use crate::mesh::locate;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 use crate::zipper::{DiskComparison, DiskMap, DiskMeasure};
+use std::sync::Arc;
 
 /// A way to the boundary map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -81,8 +80,10 @@ impl BoundaryMap {
 pub struct CrowdingStudy {
     /// riemap's map, with both prepared domains.
     pub map: ConformalMap,
-    /// Its constraints.
-    pub constraints: Constraints,
+    /// V-shape and blob.
+    pub domains: PerSide<Arc<MeshedDomain>>,
+    /// x₁ and x₂.
+    pub points: PerSide<DVec2>,
     /// By [`Method::ALL`].
     pub maps: [BoundaryMap; 4],
 }
@@ -124,26 +125,28 @@ impl CrowdingStudy {
     /// Of a scene from the V-shape to the blob with x₂ = g⁻¹(0), y₁ = 1 + i and y₂ = g⁻¹(1),
     /// for which the truth is known.
     pub fn new(scene: &Scene) -> Result<Self, FigureError> {
-        let domains = [prepare_spec(&scene.session.source)?, prepare_spec(&scene.session.target)?];
-        let constraints = scene.session.constraints([domains[0].pole, domains[1].pole]);
-        let [source, target] = domains;
+        let [source, target] = Side::BOTH.map(|side| prepare_spec(scene.session.domain(side)));
+        let (source, target) = (source?, target?);
+        let domains = PerSide::new(planar(&source)?, planar(&target)?);
+        let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.pole()).into_array());
+        let points = PerSide::from_fn(|side| scene.session.side(side).interior.unwrap_or(domains[side].pole()));
         let map = ConformalMap::new(source, target, &constraints, Direction::Forward.into())?;
-        let maps = Boundaries::new(&map, constraints).maps()?;
-        Ok(Self { map, constraints, maps })
+        let maps = Boundaries::new(&map, &domains, points).maps()?;
+        Ok(Self { map, domains, points, maps })
     }
 
     /// The images of all vertices of the V's mesh: the harmonic extension of one boundary map.
     pub fn extended(&self, map: &BoundaryMap) -> Result<Vec<DVec2>, FigureError> {
-        let domain = self.map.domain(Side::Source);
+        let source = self.map.side(Side::Source);
         let mut images = Vec::new();
-        harmonic_extension(domain, map.images.iter().copied(), &mut images, &mut ExtensionScratch::default())?;
+        harmonic_extension(source, map.images.iter().copied(), &mut images, &mut ExtensionScratch::default())?;
         Ok(images)
     }
 
     /// Where extended `images` put x₁; it should be x₂. Infinite if x₁ is not in the mesh.
     pub fn image_of_point(&self, images: &[DVec2]) -> DVec2 {
-        let mesh = &self.map.domain(Side::Source).mesh;
-        locate(mesh, self.constraints.source_point, 0).map_or(DVec2::INFINITY, |found| {
+        let mesh = self.domains.source.mesh();
+        locate(mesh, self.points.source, 0).map_or(DVec2::INFINITY, |found| {
             let corners = mesh.triangles[found.triangle as usize];
             corners.iter().zip(found.weights).map(|(&v, w)| w * images[v as usize]).sum()
         })
@@ -151,7 +154,7 @@ impl CrowdingStudy {
 
     /// The arc lengths of the V's samples from y₁.
     pub fn arc_lengths(&self) -> Vec<f64> {
-        let samples = &self.map.domain(Side::Source).samples;
+        let samples = self.domains.source.samples();
         let total: f64 = samples.edge_lengths.iter().sum();
         samples.fractions.iter().map(|s| s * total).collect()
     }
@@ -171,7 +174,7 @@ impl CrowdingStudy {
             "error_zipper_fresh",
             "error_zipper_precomputed",
         ]);
-        let points = &self.map.domain(Side::Source).samples.points;
+        let points = &self.domains.source.samples().points;
         for (k, (p, t)) in points.iter().zip(self.arc_lengths()).enumerate() {
             let mut row = vec![k.into(), p.x.into(), p.y.into(), t.into()];
             row.extend(self.maps.iter().map(|map| map.reparameterisation[k].into()));
@@ -185,18 +188,16 @@ impl CrowdingStudy {
 /// What the four ways have in common.
 struct Boundaries<'a> {
     map: &'a ConformalMap,
-    source: &'a PreparedDomain,
-    target: &'a PreparedDomain,
-    constraints: Constraints,
+    domains: &'a PerSide<Arc<MeshedDomain>>,
+    points: PerSide<DVec2>,
     arc: ArcLength,
     truth: Vec<f64>,
 }
 
 impl<'a> Boundaries<'a> {
-    fn new(map: &'a ConformalMap, constraints: Constraints) -> Self {
-        let [source, target] = Side::BOTH.map(|side| map.domain(side).as_ref());
-        let truth = exact_measures(&on_exact_v(&source.samples), constraints.source_point);
-        Self { map, source, target, constraints, arc: ArcLength::new(blob::boundary, 1.0), truth }
+    fn new(map: &'a ConformalMap, domains: &'a PerSide<Arc<MeshedDomain>>, points: PerSide<DVec2>) -> Self {
+        let truth = exact_measures(&on_exact_v(domains.source.samples()), points.source);
+        Self { map, domains, points, arc: ArcLength::new(blob::boundary, 1.0), truth }
     }
 
     fn maps(&self) -> Result<[BoundaryMap; 4], FigureError> {
@@ -212,36 +213,35 @@ impl<'a> Boundaries<'a> {
         Ok([
             exact,
             self.matched(Method::HarmonicMeasure, points, 0),
-            self.matched(Method::FreshZipper, &fresh.points, collapsed(&fresh)),
-            self.matched(Method::PrecomputedZipper, &precomputed.points, collapsed(&precomputed)),
+            self.matched(Method::FreshZipper, fresh.points(), collapsed(&fresh)),
+            self.matched(Method::PrecomputedZipper, precomputed.points(), collapsed(&precomputed)),
         ])
     }
 
     fn anchors(&self) -> [BoundaryPoint; 2] {
-        let at = |samples: &BoundarySamples, side| samples.at_fraction(self.constraints.anchor(side));
-        [at(&self.source.samples, Side::Source), at(&self.target.samples, Side::Target)]
+        Side::BOTH.map(|side| self.map.measure(side).anchor())
     }
 
     fn fresh(&self) -> Result<DiskComparison, FigureError> {
         let [y1, y2] = self.anchors();
         Ok(DiskComparison::new(
-            DiskMeasure::fresh(&self.source.samples.points, self.constraints.source_point, y1)?,
-            DiskMeasure::fresh(&self.target.samples.points, self.constraints.target_point, y2)?,
+            DiskMeasure::fresh(&self.domains.source.samples().points, self.points.source, y1)?,
+            DiskMeasure::fresh(&self.domains.target.samples().points, self.points.target, y2)?,
         ))
     }
 
     fn precomputed(&self) -> Result<DiskComparison, FigureError> {
         let [y1, y2] = self.anchors();
-        let source = DiskMap::new(&self.source.samples.points, V_CENTRE)?;
-        let target = DiskMap::new(&self.target.samples.points, self.target.pole)?;
+        let source = DiskMap::new(&self.domains.source.samples().points, V_CENTRE)?;
+        let target = DiskMap::new(&self.domains.target.samples().points, self.domains.target.pole())?;
         Ok(DiskComparison::new(
-            DiskMeasure::precomputed(&source, self.constraints.source_point, y1)?,
-            DiskMeasure::precomputed(&target, self.constraints.target_point, y2)?,
+            DiskMeasure::precomputed(&source, self.points.source, y1)?,
+            DiskMeasure::precomputed(&target, self.points.target, y2)?,
         ))
     }
 
     fn matched(&self, method: Method, points: &[BoundaryPoint], collapsed: usize) -> BoundaryMap {
-        let samples = &self.target.samples;
+        let samples = self.domains.target.samples();
         let images: Vec<DVec2> = points.iter().map(|&p| samples.position(p)).collect();
         let errors = images.iter().zip(&self.truth).map(|(w, &omega)| w.distance(blob::boundary(omega))).collect();
         let total = self.arc.total();
@@ -251,5 +251,5 @@ impl<'a> Boundaries<'a> {
 }
 
 fn collapsed(comparison: &DiskComparison) -> usize {
-    comparison.mapped.collapsed()
+    comparison.mapped().collapsed()
 }

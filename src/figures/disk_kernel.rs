@@ -1,8 +1,8 @@
 //! Figure 6: Poisson kernel and harmonic measure of the disk against their closed forms.
 
-use super::{FigureError, Scene, Table, prepare_spec};
-use crate::conformal::{HarmonicMeasure, KernelScratch, MapError, PreparedDomain, Side, poisson_kernel};
-use crate::exact::{Complex, disk};
+use super::{FigureError, Scene, Table, planar, prepare_spec};
+use crate::conformal::{HarmonicMeasure, KernelScratch, MapError, MeshedDomain, Side, poisson_kernel};
+use crate::exact::{complex, disk};
 use crate::geometry::DVec2;
 use crate::mesh::locate;
 use std::f64::consts::TAU;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct DiskKernelStudy {
     /// The disk.
-    pub domain: Arc<PreparedDomain>,
+    pub domain: Arc<MeshedDomain>,
     /// x.
     pub point: DVec2,
     /// ψ_k, k = 0 … m−1.
@@ -24,14 +24,15 @@ pub struct DiskKernelStudy {
 impl DiskKernelStudy {
     /// Of the source of a scene.
     pub fn new(scene: &Scene) -> Result<Self, FigureError> {
-        let domain = prepare_spec(&scene.session.source)?;
-        let point = scene.session.interior[0].unwrap_or(domain.pole);
+        let side = prepare_spec(scene.session.domain(Side::Source))?;
+        let domain = planar(&side)?;
+        let point = scene.session.side(Side::Source).interior.unwrap_or(domain.pole());
         let outside = MapError::PointOutside { side: Side::Source, x: point.x, y: point.y };
-        let located = locate(&domain.mesh, point, 0).ok_or(outside)?;
+        let located = locate(domain.mesh(), point, 0).ok_or(outside)?;
         let mut kernel = Vec::new();
-        poisson_kernel(&domain, located, &mut KernelScratch::default(), &mut kernel)?;
-        let anchor = domain.samples.at_fraction(scene.session.anchor[0]);
-        let measure = HarmonicMeasure::new(&domain.samples, &kernel, anchor);
+        poisson_kernel(&side, located, &mut KernelScratch::default(), &mut kernel)?;
+        let anchor = side.at_fraction(scene.session.side(Side::Source).anchor);
+        let measure = HarmonicMeasure::new(domain.samples(), &kernel, anchor);
         Ok(Self { domain, point, kernel, measure })
     }
 
@@ -42,12 +43,12 @@ impl DiskKernelStudy {
 
     /// P_x(t).
     pub fn exact_kernel(&self, t: f64) -> f64 {
-        disk::poisson_kernel(Complex::from(self.point), t)
+        disk::poisson_kernel(complex(self.point), t)
     }
 
     /// ω_x(t).
     pub fn exact_measure(&self, t: f64) -> f64 {
-        disk::harmonic_measure(Complex::from(self.point), t)
+        disk::harmonic_measure(complex(self.point), t)
     }
 
     /// One row per boundary vertex of every study.
@@ -61,7 +62,7 @@ impl DiskKernelStudy {
                 let (measure, exact) = (study.measure.at_vertex(k), study.exact_measure(t));
                 table.rows.push(vec![
                     m.into(),
-                    study.domain.mesh.interior_count().into(),
+                    study.domain.mesh().interior_count().into(),
                     k.into(),
                     t.into(),
                     kernel.into(),

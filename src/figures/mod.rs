@@ -35,11 +35,11 @@ pub use convergence::{ConvergenceRow, ConvergenceStudy, SecondMap, fitted_order}
 pub use crowding::{BoundaryMap, CrowdingStudy, Method};
 pub use disk_kernel::DiskKernelStudy;
 pub use moebius::{GRID_CIRCLES, GRID_RAYS, MoebiusStudy, grid_point};
-pub use scenes::Scene;
+pub use scenes::{Scene, SceneLabel};
 pub use surfaces::SurfaceStudy;
 pub use table::{Cell, Table};
 
-use crate::conformal::{MapError, PrepareError, PreparedDomain, SurfaceMapError, prepare};
+use crate::conformal::{MapError, MeshedDomain, PrepareError, PreparedSide, prepare};
 use crate::laplace::NotConverged;
 use crate::session::DomainSpec;
 use crate::surface::{SurfacePreset, TopologyError};
@@ -111,12 +111,12 @@ pub enum FigureError {
     /// A surface is no disk.
     #[error(transparent)]
     Topology(#[from] TopologyError),
-    /// There is no parameterization.
-    #[error(transparent)]
-    SurfaceMap(#[from] SurfaceMapError),
     /// A surface is asked for where there is none.
     #[error("the figure shows no surface")]
     NoSurface,
+    /// A surface stands where an outline is asked for.
+    #[error("the figure shows outlines, and one of its sides is a surface")]
+    NoDomain,
     /// A session's outline is no valid one.
     #[error("the outline of a scene is not a simple polygon")]
     Outline,
@@ -241,8 +241,12 @@ impl Figure {
     }
 }
 
+/// The planar domain of a side.
+pub fn planar(side: &PreparedSide) -> Result<Arc<MeshedDomain>, FigureError> {
+    side.domain().map(Arc::clone).ok_or(FigureError::NoDomain)
+}
+
 /// Prepares one side of a session.
-pub fn prepare_spec(spec: &DomainSpec) -> Result<Arc<PreparedDomain>, FigureError> {
-    let polygon = spec.outline.polygon().map_err(|_| FigureError::Outline)?;
-    Ok(Arc::new(prepare(&polygon, &spec.settings, &mut |_| ())?))
+pub fn prepare_spec(spec: &DomainSpec) -> Result<Arc<PreparedSide>, FigureError> {
+    Ok(Arc::new(prepare(&spec.outline.polygon(), &spec.settings, &mut |_| ())?))
 }

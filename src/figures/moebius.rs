@@ -4,11 +4,12 @@
 //! map takes G₁ to G₂ (section 3.2). f̃ is piecewise linear on the mesh, equation (14); f̂ is
 //! Cauchy's integral over the polygon, equation (15), at any point.
 
-use super::{Cell, FigureError, Scene, Table, prepare_spec};
-use crate::conformal::{BoundaryValues, ConformalMap, Contour, Direction, Side};
-use crate::exact::{Complex, disk};
+use super::{Cell, FigureError, Scene, Table, planar, prepare_spec};
+use crate::conformal::{BoundaryValues, ConformalMap, Contour, Direction, MeshedDomain, PerSide, Side};
+use crate::exact::{Complex, complex, disk, point};
 use crate::geometry::DVec2;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Circles of the grid, with the centre: radii j/10.
 pub const GRID_CIRCLES: u32 = 10;
@@ -20,6 +21,7 @@ pub const GRID_RAYS: u32 = 24;
 pub struct MoebiusStudy {
     /// riemap's map, forward and harmonic.
     pub map: ConformalMap,
+    domains: PerSide<Arc<MeshedDomain>>,
     contour: Contour,
     images: BoundaryValues,
 }
@@ -31,29 +33,36 @@ fn source_grid(z: Complex) -> Complex {
 
 /// The point of G₁ on the circle of radius `j`/10 at the ray `k` of 24; both may lie between nodes.
 pub fn grid_point(j: f64, k: f64) -> DVec2 {
-    source_grid((j / f64::from(GRID_CIRCLES)) * Complex::cis(TAU * k / f64::from(GRID_RAYS))).into()
+    point(source_grid((j / f64::from(GRID_CIRCLES)) * Complex::cis(TAU * k / f64::from(GRID_RAYS))))
 }
 
 impl MoebiusStudy {
     /// Of a scene from the disk to itself with the constraints of the caption.
     pub fn new(scene: &Scene) -> Result<Self, FigureError> {
-        let domains = [prepare_spec(&scene.session.source)?, prepare_spec(&scene.session.target)?];
-        let constraints = scene.session.constraints([domains[0].pole, domains[1].pole]);
+        let [source, target] = Side::BOTH.map(|side| prepare_spec(scene.session.domain(side)));
+        let domains = [source?, target?];
         let [source, target] = domains;
-        let contour = Contour::new(&source.samples.points);
+        let domains = PerSide::new(planar(&source)?, planar(&target)?);
+        let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.pole()).into_array());
+        let contour = Contour::new(&domains.source.samples().points);
         let map = ConformalMap::new(source, target, &constraints, Direction::Forward.into())?;
-        let images = BoundaryValues::new(map.correspondence().images(&map.domain(Side::Target).samples));
-        Ok(Self { map, contour, images })
+        let images = BoundaryValues::new(map.correspondence().images(domains.target.samples()));
+        Ok(Self { map, domains, contour, images })
     }
 
     /// The boundary samples v_k.
     pub fn samples(&self) -> &[DVec2] {
-        &self.map.domain(Side::Source).samples.points
+        &self.domains.source.samples().points
+    }
+
+    /// Their images w_k.
+    pub fn boundary_images(&self) -> impl Iterator<Item = DVec2> {
+        self.map.correspondence().images(self.domains.target.samples())
     }
 
     /// f(x).
     pub fn exact(x: DVec2) -> DVec2 {
-        disk::figure_7(x.into()).into()
+        point(disk::figure_7(complex(x)))
     }
 
     /// f̃(x); `None` outside the polygon.
@@ -73,7 +82,7 @@ impl MoebiusStudy {
 
     /// r̃(t_k).
     pub fn reparameterisation(&self, k: usize) -> f64 {
-        TAU * self.map.domain(Side::Target).samples.fraction_at(self.map.correspondence().points[k])
+        TAU * self.map.side(Side::Target).fraction_at(self.map.correspondence().points[k])
     }
 
     /// r(t), t in `[0, 2π]`.
@@ -168,7 +177,7 @@ mod tests {
             let z = (j / 10.0) * Complex::cis(TAU * k / 24.0);
             let g2 = (Complex::new(0.0, -5.0) + Complex::new(6.0, 8.0) * z)
                 / (Complex::from(10.0) - Complex::new(4.0, -3.0) * z);
-            assert!(MoebiusStudy::exact(grid_point(j, k)).distance(g2.into()) < 1e-14, "{j}, {k}");
+            assert!(MoebiusStudy::exact(grid_point(j, k)).distance(point(g2)) < 1e-14, "{j}, {k}");
         }
     }
 }

@@ -1,19 +1,65 @@
 //! The domains, resolutions and constraints of the figures, as sessions.
 
 use super::{Detail, Figure, surface_scenes};
-use crate::conformal::{Constraints, Direction, Extension, PrepareSettings};
+use crate::conformal::{Constraints, Direction, Extension, PerSide, PrepareSettings, Side};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
-use crate::session::{Colouring, Comparison, DomainSpec, OutlineSpec, Session, TextureKind};
+use crate::session::{Colouring, Command, Comparison, OutlineSpec, Session, SidePoints, TextureKind};
 
 /// One map of a figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     /// What tells it from the figure's other scenes.
-    pub label: String,
+    pub label: SceneLabel,
     /// The map.
     pub session: Session,
+}
+
+/// What tells a scene from the figure's other ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SceneLabel {
+    /// m, the boundary samples of both sides.
+    Samples(u32),
+    /// m₁, those of the source.
+    SourceSamples(u32),
+    /// x₁, the distance of the source's point from the disk's centre.
+    Radius(f64),
+    /// How the map is computed.
+    Way(Direction, Extension),
+    /// The outline that is mapped to.
+    Outline(Preset),
+    /// The V-shape to the blob.
+    VShapeToBlob,
+    /// Six equidistant points go to the corners of an L.
+    SixthsToCorners,
+    /// x₁ lies in an arm of the L.
+    InArm,
+    /// An L with narrow arms.
+    NarrowArms,
+    /// An L with arms of different width.
+    UnequalArms,
+}
+
+impl std::fmt::Display for SceneLabel {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Samples(m) => write!(f, "m = {m}"),
+            Self::SourceSamples(m) => write!(f, "m₁ = {m}"),
+            Self::Radius(radius) => write!(f, "x₁ = {radius}"),
+            Self::Way(direction, extension) => {
+                let way = if *direction == Direction::Forward { "forward" } else { "backward" };
+                let how = if *extension == Extension::Harmonic { "harmonic" } else { "Cauchy–Green" };
+                write!(f, "{way}, {how}")
+            }
+            Self::Outline(preset) => f.write_str(preset.title()),
+            Self::VShapeToBlob => f.write_str("V-shape → blob"),
+            Self::SixthsToCorners => f.write_str("sixths to corners"),
+            Self::InArm => f.write_str("x₁ in an arm"),
+            Self::NarrowArms => f.write_str("narrow arms"),
+            Self::UnequalArms => f.write_str("unequal arms"),
+        }
+    }
 }
 
 /// m of the rows of Figures 6 and 7.
@@ -45,13 +91,17 @@ pub(super) fn uniform(count: u32) -> PrepareSettings {
 
 /// x₁ = 0.96 + 0.8432i and y₁ = 1 + i on the V (Figure 3); x₂ = g⁻¹(0) and y₂ = g⁻¹(1) on the
 /// blob, its outline's first point.
+pub(super) fn crowding_points() -> PerSide<DVec2> {
+    PerSide::new(
+        DVec2::new(0.96, 0.8432),
+        crate::exact::point(crate::exact::blob::from_disk(crate::exact::Complex::ZERO)),
+    )
+}
+
+/// With y₁ and y₂ at the outlines' first points.
 pub(super) fn crowding_constraints() -> Constraints {
-    Constraints {
-        source_point: DVec2::new(0.96, 0.8432),
-        target_point: crate::exact::blob::from_disk(crate::exact::Complex::ZERO).into(),
-        source_anchor: 0.0,
-        target_anchor: 0.0,
-    }
+    let PerSide { source, target } = crowding_points();
+    Constraints::new((source, 0.0), (target, 0.0))
 }
 
 impl Figure {
@@ -71,51 +121,64 @@ impl Figure {
 }
 
 fn session(presets: [Preset; 2], samples: [u32; 2], direction: Direction) -> Session {
-    let domain = |k: usize| DomainSpec { outline: OutlineSpec::Preset(presets[k]), settings: uniform(samples[k]) };
-    Session { source: domain(0), target: domain(1), direction, ..Session::default() }
+    let side = |side: Side| {
+        let outline = OutlineSpec::Preset(presets[side as usize]);
+        let settings = uniform(samples[side as usize]);
+        [Command::SetOutline { side, outline }, Command::SetSettings { side, settings }]
+    };
+    Session::with(Side::BOTH.into_iter().flat_map(side)).and([Command::SetDirection(direction)])
+}
+
+/// Moves all four points.
+fn points(points: PerSide<DVec2>, anchors: PerSide<f64>) -> [Command; 2] {
+    Side::BOTH.map(|side| {
+        let (interior, anchor) = (Some(points[side]), anchors[side]);
+        Command::PlacePoints { side, points: SidePoints::Outline { interior, anchor } }
+    })
 }
 
 fn disk(m: u32) -> Scene {
-    let mut session = session([Preset::Disk, Preset::Disk], [m, m], Direction::Forward);
-    session.interior = DISK_POINTS.map(Some);
-    session.texture = TextureKind::Polar;
-    Scene { label: format!("m = {m}"), session }
+    let [source_point, target_point] = DISK_POINTS;
+    let session = session([Preset::Disk, Preset::Disk], [m, m], Direction::Forward);
+    let session = session
+        .and(points(PerSide::new(source_point, target_point), PerSide::default()))
+        .and([Command::SetTexture(TextureKind::Polar)]);
+    Scene { label: SceneLabel::Samples(m), session }
 }
 
 fn options(samples: [u32; 2], detail: Detail) -> Vec<Scene> {
     let [m1, m2] = samples.map(|m| detail.samples(m));
-    let directions = [(Direction::Forward, "forward"), (Direction::Backward, "backward")];
-    let extensions = [(Extension::Harmonic, "harmonic"), (Extension::CauchyGreen, "Cauchy–Green")];
+    let directions = [Direction::Forward, Direction::Backward];
+    let extensions = [Extension::Harmonic, Extension::CauchyGreen];
     let scene = |direction, extension| {
         let session = session([Preset::Hand, Preset::Blob], [m1, m2], direction);
-        Session { extension, texture_scale: 16.0, ..session }
+        session.and([Command::SetExtension(extension), Command::SetTextureScale(16.0)])
     };
-    let labelled = directions.into_iter().flat_map(|d| extensions.map(|e| (d, e)));
-    labelled.map(|((d, way), (e, how))| Scene { label: format!("{way}, {how}"), session: scene(d, e) }).collect()
+    let ways = directions.into_iter().flat_map(|d| extensions.map(|e| (d, e)));
+    ways.map(|(d, e)| Scene { label: SceneLabel::Way(d, e), session: scene(d, e) }).collect()
 }
 
 fn distortion(m: u32, detail: Detail) -> Scene {
     let samples = [detail.samples(m), detail.samples(1000)];
-    let mut session = session([Preset::MapleLeaf, Preset::Cinquefoil], samples, Direction::Forward);
-    session.colouring = Colouring::Angle;
-    session.anchor = [0.0, DISTORTION_ANCHOR];
-    Scene { label: format!("m₁ = {}", samples[0]), session }
+    let session = session([Preset::MapleLeaf, Preset::Cinquefoil], samples, Direction::Forward).and([
+        Command::SetColouring(Colouring::Angle),
+        Command::MoveAnchor { side: Side::Target, fraction: DISTORTION_ANCHOR },
+    ]);
+    Scene { label: SceneLabel::SourceSamples(samples[0]), session }
 }
 
 fn reshaping(target: Preset, detail: Detail) -> Scene {
     let samples = RESHAPED_SAMPLES.map(|m| detail.samples(m));
-    let mut session = session([Preset::Gingerbread, target], samples, Direction::Backward);
-    session.texture_scale = 16.0;
-    Scene { label: target.title().to_owned(), session }
+    let session = session([Preset::Gingerbread, target], samples, Direction::Backward);
+    Scene { label: SceneLabel::Outline(target), session: session.and([Command::SetTextureScale(16.0)]) }
 }
 
 fn crowding(detail: Detail) -> Scene {
     let samples = [detail.samples(2000), detail.samples(1000)];
-    let mut session = session([Preset::VShape, Preset::Blob], samples, Direction::Forward);
-    let Constraints { source_point, target_point, source_anchor, target_anchor } = crowding_constraints();
-    session.interior = [Some(source_point), Some(target_point)];
-    session.anchor = [source_anchor, target_anchor];
-    session.comparison = Comparison::Both;
-    session.texture_scale = 64.0; // the tip around x₁, a tenth of the V, fills the blob
-    Scene { label: "V-shape → blob".to_owned(), session }
+    let session = session([Preset::VShape, Preset::Blob], samples, Direction::Forward);
+    let session = session.and(points(crowding_points(), crowding_constraints().anchors)).and([
+        Command::SetComparison(Comparison::Both),
+        Command::SetTextureScale(64.0), // the tip around x₁, a tenth of the V, fills the blob
+    ]);
+    Scene { label: SceneLabel::VShapeToBlob, session }
 }

@@ -1,12 +1,11 @@
 //! The surfaces, outlines and constraints of Figures 14, 16 and 17, as sessions.
 
 use super::scenes::uniform;
-use super::{Detail, Scene};
-use crate::geometry::DVec2;
+use super::{Detail, Scene, SceneLabel};
+use crate::conformal::Side;
+use crate::geometry::{DVec2, SimplePolygon};
 use crate::outline::{Preset, Sampling};
-use crate::session::{
-    Colouring, DomainSpec, OutlineSpec, Session, SurfaceShape, SurfaceSpec, SurfaceState, TextureKind,
-};
+use crate::session::{Colouring, Command, OutlineSpec, Session, SurfaceShape, SurfaceSpec};
 use crate::surface::SurfacePreset;
 
 /// m of the hemisphere in Figure 14.
@@ -58,41 +57,42 @@ fn l_of_six_points() -> Vec<DVec2> {
     l_shape(DVec2::ONE, DVec2::splat(L_ARM))
 }
 
-fn surface(preset: SurfacePreset, boundary: u32, anchor: f64) -> SurfaceState {
-    let spec = SurfaceSpec { shape: SurfaceShape::Preset { preset, boundary }, ..SurfaceSpec::default() };
-    SurfaceState { spec, point: None, anchor }
-}
-
-fn over(outline: OutlineSpec, detail: Detail, surface: SurfaceState) -> Session {
+/// A riemap surface on the target's side with y₂ at `anchor`, the outline on the source's.
+fn over(outline: OutlineSpec, detail: Detail, preset: SurfacePreset, boundary: u32, anchor: f64) -> Session {
     let mut settings = uniform(detail.samples(OUTLINE_SAMPLES));
     if let Sampling::Uniform { keep_corners, .. } = &mut settings.sampling {
         *keep_corners = true;
     }
-    Session {
-        source: DomainSpec { outline, settings },
-        texture: TextureKind::Checker,
-        surface: Some(surface),
-        ..Session::default()
-    }
+    let shape = SurfaceShape::Preset { preset, boundary };
+    Session::with([
+        Command::SetOutline { side: Side::Source, outline },
+        Command::SetSettings { side: Side::Source, settings },
+        Command::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } },
+        Command::MoveAnchor { side: Side::Target, fraction: anchor },
+    ])
+}
+
+fn source_point(point: DVec2) -> Command {
+    Command::MoveInterior { side: Side::Source, point: point.into() }
 }
 
 /// Figure 14.
 pub(super) fn l_shapes(detail: Detail) -> Vec<Scene> {
     // so that a sixth of the loop is at a vertex
     let boundary = detail.samples(HEMISPHERE_SAMPLES) / 6 * 6;
-    let scene = |label: &str, points: Vec<DVec2>, interior: Option<DVec2>| {
-        let outline = OutlineSpec::Points { name: String::from("L"), points };
-        let session = over(outline, detail, surface(SurfacePreset::Hemisphere, boundary, 0.0));
-        let session = Session { interior: [interior, None], texture_scale: L_SQUARES, ..session };
-        Scene { label: label.to_owned(), session }
+    let scene = |label: SceneLabel, points: Vec<DVec2>, interior: Option<DVec2>| {
+        let outline = OutlineSpec::Points { name: String::from("L"), polygon: SimplePolygon::known_simple(points) };
+        let session = over(outline, detail, SurfacePreset::Hemisphere, boundary, 0.0);
+        let session = session.and(interior.map(source_point)).and([Command::SetTextureScale(L_SQUARES)]);
+        Scene { label, session }
     };
     let narrow = l_shape(DVec2::ONE, DVec2::splat(0.45));
     let unequal = l_shape(DVec2::new(1.0, 0.8), DVec2::new(0.3, 0.45));
     vec![
-        scene("sixths to corners", l_of_six_points(), Some(DVec2::splat(L_CENTRE))),
-        scene("x₁ in an arm", l_of_six_points(), Some(DVec2::new(0.8, 0.36))),
-        scene("narrow arms", narrow, None),
-        scene("unequal arms", unequal, None),
+        scene(SceneLabel::SixthsToCorners, l_of_six_points(), Some(DVec2::splat(L_CENTRE))),
+        scene(SceneLabel::InArm, l_of_six_points(), Some(DVec2::new(0.8, 0.36))),
+        scene(SceneLabel::NarrowArms, narrow, None),
+        scene(SceneLabel::UnequalArms, unequal, None),
     ]
 }
 
@@ -100,12 +100,9 @@ pub(super) fn l_shapes(detail: Detail) -> Vec<Scene> {
 pub(super) fn heads(detail: Detail) -> Vec<Scene> {
     let boundary = detail.samples(SURFACE_SAMPLES);
     let scene = |radius: f64| {
-        let outline = OutlineSpec::Preset(Preset::Disk);
-        let session = over(outline, detail, surface(SurfacePreset::AnimalHead, boundary, 0.0));
-        let interior = [Some(DVec2::new(radius, 0.0)), None];
-        Scene {
-            label: format!("x₁ = {radius}"), session: Session { interior, colouring: Colouring::Angle, ..session }
-        }
+        let session = over(OutlineSpec::Preset(Preset::Disk), detail, SurfacePreset::AnimalHead, boundary, 0.0);
+        let session = session.and([source_point(DVec2::new(radius, 0.0)), Command::SetColouring(Colouring::Angle)]);
+        Scene { label: SceneLabel::Radius(radius), session }
     };
     RADII.map(scene).to_vec()
 }
@@ -114,10 +111,12 @@ pub(super) fn heads(detail: Detail) -> Vec<Scene> {
 pub(super) fn faces(detail: Detail) -> Vec<Scene> {
     let boundary = detail.samples(SURFACE_SAMPLES);
     let scene = |(preset, top, texture_scale): (Preset, f64, f64)| {
-        let face = surface(SurfacePreset::HeightField, boundary, FACE_TOP);
-        let session = over(OutlineSpec::Preset(preset), detail, face);
-        let session = Session { anchor: [top, 0.0], texture_scale, ..session };
-        Scene { label: preset.title().to_owned(), session }
+        let session = over(OutlineSpec::Preset(preset), detail, SurfacePreset::HeightField, boundary, FACE_TOP);
+        let top = Command::MoveAnchor { side: Side::Source, fraction: top };
+        Scene {
+            label: SceneLabel::Outline(preset),
+            session: session.and([top, Command::SetTextureScale(texture_scale)]),
+        }
     };
     FACE_OUTLINES.map(scene).to_vec()
 }

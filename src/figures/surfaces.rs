@@ -2,14 +2,14 @@
 //!
 //! The scenes of a figure share one surface, which is prepared once: riemap's own, or a given one in its place.
 
-use super::{Cell, Detail, Figure, FigureError, Scene, Table, prepare_spec};
+use super::{Cell, Detail, Figure, FigureError, Scene, Table, planar, prepare_spec};
 use crate::conformal::{
-    Memory, PrepareError, PreparedDomain, PreparedSurface, Quality, SurfaceConstraints, SurfaceMap, SurfaceSettings,
-    prepare_surface,
+    ConformalMap, Constraints, MapSettings, MeshedDomain, MeshedSurface, PrepareError, PreparedSide, Quality, Side,
+    SurfaceSettings, prepare_surface,
 };
-use crate::geometry::DVec3;
+use crate::geometry::{DVec2, DVec3};
 use crate::mesh::BarycentricPoint;
-use crate::session::{DomainSpec, Session, SurfaceShape, SurfaceState};
+use crate::session::{DomainSpec, Session, SideState, SurfaceShape, SurfaceState};
 use crate::surface::{Surface, SurfaceMesh, at_vertex};
 use std::sync::Arc;
 
@@ -21,9 +21,13 @@ pub struct SurfaceStudy {
     /// The scene's; a given surface is not in it.
     pub session: Session,
     /// The map.
-    pub map: SurfaceMap,
+    pub map: ConformalMap,
     /// Its constraints.
-    pub constraints: SurfaceConstraints,
+    pub constraints: Constraints,
+    /// The planar domain, and x₁ in it.
+    pub source: (Arc<MeshedDomain>, DVec2),
+    /// The surface, and x₂ on it.
+    pub surface: (Arc<MeshedSurface>, BarycentricPoint),
 }
 
 impl SurfaceStudy {
@@ -34,34 +38,36 @@ impl SurfaceStudy {
     /// wrong with the surface.
     pub fn all(figure: Figure, detail: Detail, given: Option<&Surface>) -> Result<Vec<Self>, FigureError> {
         let scenes = figure.scenes(detail);
-        let state = scenes.first().and_then(|scene| scene.session.surface.clone()).ok_or(FigureError::NoSurface)?;
+        let first = scenes.first().and_then(|scene| scene.session.surface(Side::Target));
+        let state = first.cloned().ok_or(FigureError::NoSurface)?;
         let surface = match given {
             Some(surface) => prepared(surface, SurfaceSettings::default())?,
             None => own(&state)?,
         };
+        let prepared = surface;
+        let surface = Arc::clone(prepared.surface().ok_or(FigureError::NoSurface)?);
         let anchor = given.map_or(state.anchor, |_| top(&surface));
         let wanted = match (figure, given) {
             (Figure::LShapes, None) => surface.tree().nearest(DVec3::Z).map(|(pole, _)| pole),
             (Figure::Face, Some(_)) => foremost(&surface),
             _ => state.point,
         };
-        let surface_point = wanted.unwrap_or(surface.centre);
-        let mut sources: Vec<(DomainSpec, Arc<PreparedDomain>)> = Vec::new();
+        let surface_point = wanted.unwrap_or(surface.centre());
+        let mut sources: Vec<(DomainSpec, Arc<PreparedSide>)> = Vec::new();
         let study = |Scene { label, session }: Scene| {
-            let known = sources.iter().find(|(spec, _)| *spec == session.source).map(|(_, source)| Arc::clone(source));
+            let SideState { domain: spec, interior, anchor: source_anchor, .. } = session.side(Side::Source);
+            let known = sources.iter().find(|(known, _)| known == spec).map(|(_, source)| Arc::clone(source));
             let source = match known {
                 Some(source) => source,
-                None => prepare_spec(&session.source)?,
+                None => prepare_spec(spec)?,
             };
-            sources.push((session.source.clone(), Arc::clone(&source)));
-            let constraints = SurfaceConstraints {
-                source_point: session.interior[0].unwrap_or(source.pole),
-                source_anchor: session.anchor[0],
-                surface_point,
-                surface_anchor: anchor,
-            };
-            let map = SurfaceMap::new(source, Arc::clone(&surface), &constraints)?;
-            Ok(Self { label, session, map, constraints })
+            sources.push((spec.clone(), Arc::clone(&source)));
+            let domain = planar(&source)?;
+            let point = interior.unwrap_or(domain.pole());
+            let constraints = Constraints::new((point, *source_anchor), (surface_point, anchor));
+            let map = ConformalMap::new(source, Arc::clone(&prepared), &constraints, MapSettings::default())?;
+            let (source, surface) = ((domain, point), (Arc::clone(&surface), surface_point));
+            Ok(Self { label: label.to_string(), session, map, constraints, source, surface })
         };
         scenes.into_iter().map(study).collect()
     }
@@ -92,14 +98,13 @@ impl SurfaceStudy {
     }
 
     fn row(&self) -> Vec<Cell> {
-        let (source, surface) = (&self.map.source().mesh, self.map.surface());
-        let mesh = &surface.surface.mesh;
+        let ((source, x1), (surface, x2)) = (&self.source, &self.surface);
+        let (source, mesh) = (source.mesh(), surface.mesh());
         let mut row: Vec<Cell> = vec![self.label.as_str().into()];
         row.extend([source.boundary_count.into(), source.triangles.len().into()]);
-        row.extend([mesh.boundary_count.into(), mesh.triangles.len().into(), surface.flips.flips.into()]);
-        let SurfaceConstraints { source_point, source_anchor, surface_point, surface_anchor } = self.constraints;
-        let place = surface.position(surface_point);
-        let constraints = [source_point.x, source_point.y, source_anchor, place.x, place.y, place.z, surface_anchor];
+        row.extend([mesh.boundary_count.into(), mesh.triangles.len().into(), surface.flips().flips.into()]);
+        let (anchors, place) = (self.constraints.anchors, surface.position(*x2));
+        let constraints = [x1.x, x1.y, anchors.source, place.x, place.y, place.z, anchors.target];
         row.extend(constraints.map(Cell::from));
         let Quality { q_mean, q_max, flipped, collapsed } = self.map.quality();
         row.extend([q_mean, q_max].map(Cell::from));
@@ -108,13 +113,13 @@ impl SurfaceStudy {
     }
 }
 
-fn prepared(surface: &Surface, settings: SurfaceSettings) -> Result<Arc<PreparedSurface>, FigureError> {
+fn prepared(surface: &Surface, settings: SurfaceSettings) -> Result<Arc<PreparedSide>, FigureError> {
     let mesh = SurfaceMesh::new(surface)?;
-    Ok(Arc::new(prepare_surface(Memory::default(), mesh, settings, &mut |_| ())?))
+    Ok(Arc::new(prepare_surface(mesh, settings, &mut |_| ())?))
 }
 
 /// A scene's own surface; scenes have presets.
-fn own(state: &SurfaceState) -> Result<Arc<PreparedSurface>, FigureError> {
+fn own(state: &SurfaceState) -> Result<Arc<PreparedSide>, FigureError> {
     match state.spec.shape {
         SurfaceShape::Preset { preset, boundary } => {
             prepared(&preset.surface(boundary).map_err(PrepareError::from)?, state.spec.settings)
@@ -124,15 +129,15 @@ fn own(state: &SurfaceState) -> Result<Arc<PreparedSurface>, FigureError> {
 }
 
 /// Where the loop is highest, y up.
-fn top(surface: &PreparedSurface) -> f64 {
-    let on_loop = surface.surface.mesh.vertices.iter().zip(&surface.fractions);
+fn top(surface: &MeshedSurface) -> f64 {
+    let on_loop = surface.mesh().vertices.iter().zip(surface.fractions());
     on_loop.max_by(|(a, _), (b, _)| a.y.total_cmp(&b.y)).map_or(0.0, |(_, fraction)| *fraction)
 }
 
 /// The vertex inside the surface with the largest z: the tip of a nose, where the farthest vertex
 /// from the boundary may lie in a nostril.
-fn foremost(surface: &PreparedSurface) -> Option<BarycentricPoint> {
-    let mesh = &surface.surface.mesh;
+fn foremost(surface: &MeshedSurface) -> Option<BarycentricPoint> {
+    let mesh = surface.mesh();
     let inside = mesh.boundary_count..mesh.vertices.len() as u32;
     let z = |v: &u32| mesh.vertices[*v as usize].z;
     at_vertex(mesh, inside.max_by(|a, b| z(a).total_cmp(&z(b)))?)
@@ -143,7 +148,6 @@ fn foremost(surface: &PreparedSurface) -> Option<BarycentricPoint> {
 mod tests {
     use super::*;
     use crate::geometry::DVec2;
-    use crate::session::OutlineSpec;
     use crate::surface::SurfacePreset;
 
     /// Boundary first flattening finds this L from the six points; here it is the other way round.
@@ -151,14 +155,16 @@ mod tests {
     fn six_equidistant_points_of_the_hemisphere_go_to_the_corners_of_the_first_l() {
         let studies = SurfaceStudy::all(Figure::LShapes, Detail::Paper, None).unwrap();
         let first = &studies[0];
-        let OutlineSpec::Points { points: corners, .. } = &first.session.source.outline else { unreachable!() };
-        let m = first.map.surface().surface.mesh.boundary_count as usize;
+        let polygon = first.session.domain(Side::Source).outline.polygon();
+        let corners = polygon.vertices();
+        let m = first.map.mapped().boundary_count();
         assert_eq!((m, corners.len()), (900, 6));
-        let samples = &first.map.source().samples.points;
+        let samples = &first.source.0.samples().points;
         for (k, &corner) in corners.iter().enumerate() {
             let sample = samples.iter().position(|&p| p == corner).unwrap();
             let sixths = k as f64 / 6.0;
-            let measures = [first.map.source_measure().at_vertex(sample), first.map.measure().at_vertex(k * m / 6)];
+            let measures = [(Side::Source, sample), (Side::Target, k * m / 6)]
+                .map(|(side, vertex)| first.map.measure(side).at_vertex(vertex));
             let errors = measures.map(|measure| (measure - sixths).abs());
             let distance = first.map.images()[k * m / 6].distance(corner);
             println!("corner {k}: measures {errors:?} from {k}/6, image {distance:.1e} from the corner");
@@ -169,7 +175,7 @@ mod tests {
         }
         // elsewhere, sixths do not go to corners
         assert!(studies[1].map.images()[m / 6].distance(corners[1]) > 0.05);
-        let top = studies[0].map.surface().surface.mesh.vertices.iter().zip(first.map.images());
+        let top = studies[0].surface.0.mesh().vertices.iter().zip(first.map.images());
         let (_, image) = top.max_by(|a, b| a.0.z.total_cmp(&b.0.z)).unwrap();
         assert!(image.distance(DVec2::splat(3.0_f64.sqrt().recip())) < 0.01, "{image}");
     }
@@ -179,12 +185,12 @@ mod tests {
         let given = SurfacePreset::Paraboloid.surface(60).unwrap();
         let studies = SurfaceStudy::all(Figure::Face, Detail::Quick, Some(&given)).unwrap();
         for study in &studies {
-            let surface = study.map.surface();
-            assert_eq!(surface.surface.mesh.boundary_count, 60);
-            let top = surface.boundary_position(surface.at_fraction(study.constraints.surface_anchor));
+            let (surface, x2) = (&study.surface.0, study.surface.1);
+            assert_eq!(surface.mesh().boundary_count, 60);
+            let top = surface.boundary_position(study.map.mapped().at_fraction(study.constraints.anchors.target));
             assert!((top.y - 1.0).abs() < 1e-12, "the top of the unit circle, not {top}");
-            let front = surface.position(study.constraints.surface_point).z;
-            let inside = &surface.surface.mesh.vertices[60..];
+            let front = surface.position(x2).z;
+            let inside = &surface.mesh().vertices[60..];
             assert!(inside.iter().all(|p| p.z <= front + 1e-12), "{front} is not the front");
         }
         assert_eq!(SurfaceStudy::all(Figure::Moebius, Detail::Quick, None).unwrap_err(), FigureError::NoSurface);

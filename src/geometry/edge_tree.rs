@@ -3,6 +3,9 @@
 //! Boxes over runs of consecutive edges, four to one at each level. A box
 //! wholly to the right of a point settles the parity of its run by the run's
 //! two ends alone, so the side is as cheap as the distance; it is exact.
+//!
+//! Trees of the registries answer half of that: `kiddo` knows points, not segments; `rstar` knows segments and finds
+//! the nearest one, but the side would need a second search. Runs of a chain need no sorting either.
 
 use glam::DVec2;
 

@@ -11,6 +11,7 @@ use super::validate::{MAX_COORDINATE, MAX_POINTS, MIN_EXTENT};
 ///
 /// Edge `k` runs from point `k` to point `k + 1` (cyclic), in the given order.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PolygonError {
     /// Fewer than three points.
     #[error("an outline needs at least 3 points; this one has {count}")]

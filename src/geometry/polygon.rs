@@ -12,10 +12,18 @@ use super::validate::{Checked, check};
 use super::{PolygonError, pole};
 
 /// A simple, counter-clockwise polygon `v_0 … v_{k-1}`; the edge `k` runs from `v_k` to `v_{k+1}`.
-#[derive(Debug, Clone, PartialEq)]
+///
+/// Two are equal if their vertices are, whichever way round the given points ran.
+#[derive(Debug, Clone)]
 pub struct SimplePolygon {
     vertices: Vec<DVec2>,
     was_clockwise: bool,
+}
+
+impl PartialEq for SimplePolygon {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertices == other.vertices
+    }
 }
 
 /// An axis-parallel box.
@@ -62,7 +70,8 @@ impl TryFrom<Vec<DVec2>> for SimplePolygon {
 
 impl SimplePolygon {
     /// A polygon whose points are known to be valid and counter-clockwise.
-    /// Checked in debug builds only: for the built-in outlines, which the tests check.
+    /// Checked in debug builds only: for the built-in outlines, which the tests check, and for the
+    /// vertices of a polygon that has crossed to a worker.
     pub(crate) fn known_simple(vertices: Vec<DVec2>) -> Self {
         debug_assert!(check(vertices.clone()).is_ok_and(|c| !c.clockwise), "not a counter-clockwise simple polygon");
         Self { vertices, was_clockwise: false }

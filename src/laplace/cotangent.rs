@@ -92,7 +92,7 @@ impl DirichletLaplacian {
 
     /// As [`Self::assemble`], of a surface. If the mesh is not Delaunay, weights may be negative:
     /// L̂ is positive definite all the same, but no M-matrix.
-    pub fn assemble_intrinsic(mesh: &IntrinsicMesh) -> Result<Self, LaplaceError> {
+    pub(crate) fn assemble_intrinsic(mesh: &IntrinsicMesh) -> Result<Self, LaplaceError> {
         Self::of(mesh, mesh.boundary_count, mesh.vertex_count, &|vertex| LaplaceError::DegenerateAt { vertex })
     }
 

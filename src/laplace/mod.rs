@@ -1,7 +1,7 @@
 //! The cotangent Laplacian of a mesh and its Cholesky factor.
 //!
 //! [`DirichletLaplacian`] holds the blocks L̂ and L̄ of the paper's appendix A;
-//! [`Factor`] is the Cholesky factor of L̂ as flat arrays, with sweeps that visit
+//! `Factor` is the Cholesky factor of L̂ as flat arrays, with sweeps that visit
 //! only what a sparse right-hand side, or a sparse question, needs. [`Solver`] is
 //! that factor or, where it does not fit, conjugate gradients; a solve of either can be
 //! interrupted at a [`Deadline`].
@@ -9,6 +9,8 @@
 mod cotangent;
 mod deadline;
 mod factor;
+#[cfg(test)]
+mod factor_tests;
 mod multifrontal;
 mod ordering;
 mod pcg;
@@ -22,14 +24,17 @@ mod unrolled;
 
 pub use cotangent::DirichletLaplacian;
 pub use deadline::Deadline;
-pub use factor::{Factor, FactorBuffers, RootPaths};
-pub use ordering::Ordering;
-pub use pcg::{NotConverged, Pcg, PcgBuffers};
-pub use solver::{SolveRun, Solver, SolverKind};
-pub use sweep::Lanes;
+pub(crate) use factor::{Factor, FactorBuffers, RootPaths};
+pub(crate) use ordering::Ordering;
+pub use pcg::NotConverged;
+pub(crate) use pcg::{Pcg, PcgBuffers};
+pub(crate) use solver::SolveRun;
+pub use solver::{Solver, SolverKind};
+pub(crate) use sweep::Lanes;
 
 /// Why the Laplacian of a mesh could not be assembled or factored.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum LaplaceError {
     /// The assembled pattern is not a valid sparse matrix: the mesh is inconsistent.
     #[error("the mesh is inconsistent: {0}")]

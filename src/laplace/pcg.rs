@@ -13,6 +13,7 @@ use std::ops::Range;
 /// A solve did not reach its tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("the iterative solver did not converge: its relative residual is {residual:.1e}")]
+#[non_exhaustive]
 pub struct NotConverged {
     /// The relative residual that it has come to.
     pub residual: f64,

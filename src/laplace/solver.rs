@@ -6,6 +6,7 @@ use super::{Deadline, DirichletLaplacian, Factor, Lanes, LaplaceError, NotConver
 /// Which solver is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum SolverKind {
     /// The complete Cholesky factor; where it does not fit into memory, as [`Self::Pcg`].
     #[default]
@@ -40,7 +41,7 @@ pub struct SolveRun {
 
 impl SolveRun {
     /// The next [`Solver::advance`] begins a new solve.
-    pub fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         self.visited = 0;
         self.pcg.restart();
     }
@@ -48,12 +49,16 @@ impl SolveRun {
 
 impl Solver {
     /// The direct one.
-    pub fn direct(laplacian: &DirichletLaplacian, ordering: Ordering, budget_bytes: u64) -> Result<Self, LaplaceError> {
+    pub(crate) fn direct(
+        laplacian: &DirichletLaplacian,
+        ordering: Ordering,
+        budget_bytes: u64,
+    ) -> Result<Self, LaplaceError> {
         Factor::new(laplacian, ordering, budget_bytes).map(Self::Direct)
     }
 
     /// The iterative one.
-    pub fn pcg(laplacian: &DirichletLaplacian) -> Result<Self, LaplaceError> {
+    pub(crate) fn pcg(laplacian: &DirichletLaplacian) -> Result<Self, LaplaceError> {
         Pcg::new(laplacian).map(Self::from)
     }
 
@@ -84,7 +89,7 @@ impl Solver {
     }
 
     /// The unknown at each position.
-    pub fn unknowns(&self) -> &[u32] {
+    pub(crate) fn unknowns(&self) -> &[u32] {
         match self {
             Self::Direct(factor) => factor.unknowns(),
             Self::Pcg { unknowns, .. } => unknowns,
@@ -100,7 +105,7 @@ impl Solver {
     }
 
     /// Collects into `paths` what [`Self::solve`] visits for the `unknowns`.
-    pub fn root_paths(&self, unknowns: impl IntoIterator<Item = u32>, paths: &mut RootPaths) {
+    pub(crate) fn root_paths(&self, unknowns: impl IntoIterator<Item = u32>, paths: &mut RootPaths) {
         if let Self::Direct(factor) = self {
             factor.root_paths(unknowns, paths);
         }
@@ -131,7 +136,7 @@ impl Solver {
     /// The first call after [`SolveRun::restart`] finds b in `x`; until the end all arguments but the
     /// deadline must stay as they are. The solution is the same to the bit however often it was
     /// interrupted. After the end, or an error, `run` is ready for another solve.
-    pub fn advance<const K: usize>(
+    pub(crate) fn advance<const K: usize>(
         &self,
         run: &mut SolveRun,
         given: &RootPaths,

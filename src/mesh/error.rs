@@ -4,6 +4,7 @@ use crate::geometry::{DVec2, orientation};
 
 /// Why a boundary could not be meshed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MeshError {
     /// The samples do not form a simple polygon (too few of them for this outline).
     #[error("the sampled boundary crosses itself near ({x}, {y}): use more samples")]

@@ -76,12 +76,14 @@ impl IntrinsicMesh {
     }
 
     /// The area of the surface.
+    #[cfg(test)]
     pub fn area(&self) -> f64 {
         0.5 * self.double_areas.iter().sum::<f64>()
     }
 
     /// Checks that twins are mutual, join the same vertices in opposite directions and have the
     /// same length, that areas are positive, and their number is that of a disk. Cost O(n).
+    #[cfg(test)]
     pub fn check_invariants(&self) -> bool {
         let ends = |t: usize, i: usize| [self.triangles[t][(i + 1) % 3], self.triangles[t][(i + 2) % 3]];
         let glued = |t: usize, i: usize| match self.across(t, i) {

@@ -16,6 +16,7 @@ const MOST_FLIPS_PER_EDGE: usize = 100;
 
 /// What the flips have done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct FlipReport {
     /// The number of edges flipped.
     pub flips: usize,

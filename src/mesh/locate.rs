@@ -133,10 +133,15 @@ fn at_boundary(mesh: &TriMesh, x: DVec2) -> Option<BarycentricPoint> {
 
 /// The weights of `x`, which is in triangle `t` up to rounding.
 fn barycentric(mesh: &TriMesh, x: DVec2, t: u32) -> BarycentricPoint {
-    let [a, b, c] = mesh.triangles[t as usize].map(|v| mesh.vertices[v as usize]);
+    let corners = mesh.triangles[t as usize].map(|v| mesh.vertices[v as usize]);
+    BarycentricPoint { triangle: t, weights: weights_in(corners, x) }
+}
+
+/// The weights of `x` in a counter-clockwise triangle that contains it up to rounding; not finite in one without area.
+pub(super) fn weights_in([a, b, c]: [DVec2; 3], x: DVec2) -> [f64; 3] {
     let areas = [orientation(b, c, x), orientation(c, a, x), orientation(a, b, x)].map(|area| area.max(0.0));
     let total = areas[0] + areas[1] + areas[2];
-    BarycentricPoint { triangle: t, weights: areas.map(|area| area / total) }
+    areas.map(|area| area / total)
 }
 
 impl BarycentricPoint {

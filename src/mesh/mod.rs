@@ -1,7 +1,8 @@
 //! Triangle meshes of a domain: made by [`mesh_domain`], searched by [`locate`];
-//! triangulations of surfaces by edge lengths: [`IntrinsicMesh`].
+//! triangulations of surfaces by edge lengths: `IntrinsicMesh`.
 
 mod assemble;
+mod disk_walk;
 mod ears;
 mod error;
 mod graded;
@@ -16,8 +17,9 @@ mod row_spans;
 mod tri_mesh;
 mod triangulate;
 
+pub(crate) use disk_walk::DiskLayout;
 pub use error::MeshError;
-pub use intrinsic::IntrinsicMesh;
+pub(crate) use intrinsic::IntrinsicMesh;
 pub use intrinsic_delaunay::FlipReport;
 pub use locate::{BarycentricPoint, locate};
 pub use nearest::nearest_inside;

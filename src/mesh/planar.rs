@@ -13,10 +13,9 @@
 
 use super::assemble::assemble;
 use super::ears::split_ears;
-use super::graded;
 use super::hex_lattice::{HexLattice, bounds};
 use super::triangulate::{Input, Output, triangulate};
-use super::{MeshError, TriMesh};
+use super::{MeshError, TriMesh, graded};
 use crate::geometry::DVec2;
 
 /// The largest number of interior vertices that [`mesh_domain`] makes: a mesh of
@@ -26,6 +25,7 @@ pub const MAX_INTERIOR: usize = 3_000_000;
 /// How the size of the triangles varies over the domain.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Sizing {
     /// Area at most h²/2, h the mean boundary edge length (the paper's); n = O(m²).
     Uniform,
@@ -41,6 +41,7 @@ impl Default for Sizing {
 
 /// What the refinement did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct RefineReport {
     /// Whether every triangle meets the limits (else the vertex budget ran out).
     pub complete: bool,

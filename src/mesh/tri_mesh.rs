@@ -30,6 +30,7 @@ impl<P> TriMesh<P> {
 
 /// An invariant of [`TriMesh`] that does not hold, and where.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum BrokenInvariant {
     /// Not `m + 2n − 2` triangles.
     #[error("{found} triangles where a disk has {expected}")]

@@ -3,6 +3,7 @@
 //! `parse` and [`Preset::outline`] give an [`Outline`]; [`sample`] turns its
 //! polygon into the [`BoundarySamples`] on which everything else is computed.
 
+#[cfg(feature = "io")]
 mod parse;
 mod pen;
 mod preset;
@@ -13,7 +14,10 @@ use std::fmt;
 
 use crate::counted::counted;
 use crate::geometry::SimplePolygon;
-pub use parse::{MAX_BYTES, OutlineError, parse, parse_repaired};
+#[cfg(feature = "io")]
+pub use parse::{
+    GeoJsonFault, JsonFault, JsonKind, MAX_BYTES, OutlineError, PointFault, SvgFault, parse, parse_repaired,
+};
 pub use preset::{Preset, UnknownPreset};
 pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};
 
@@ -30,6 +34,7 @@ pub struct Outline {
 
 /// Something that a reader of the file may want to know; no error.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum OutlineNote {
     /// The points ran clockwise and were reversed.
     Reversed,

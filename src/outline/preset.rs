@@ -10,6 +10,7 @@ use crate::geometry::SimplePolygon;
 /// A built-in outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Preset {
     /// The unit disk.
     Disk,
@@ -136,6 +137,7 @@ impl Preset {
 /// No preset has this name.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("there is no preset \"{name}\"; the presets are {}", Preset::ALL.map(Preset::name).join(", "))]
+#[non_exhaustive]
 pub struct UnknownPreset {
     /// The name that was asked for.
     pub name: String,

@@ -1,21 +1,9 @@
 //! The presets are what their formulas say.
 
-use std::path::Path;
-
 use super::*;
 use crate::exact::{Complex, blob, vshape};
 use crate::geometry::{Bounds, DVec2};
-
-/// The rows of a table of the exact solutions, or a message why there are none.
-fn truth(name: &str) -> Option<Vec<Vec<f64>>> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/truth").join(name);
-    let Ok(text) = std::fs::read_to_string(&path) else {
-        println!("skipped: {} is not there", path.display());
-        return None;
-    };
-    let row = |line: &str| line.split_whitespace().map(|f| f.parse().unwrap()).collect();
-    Some(text.lines().filter(|l| !l.starts_with('#')).map(row).collect())
-}
+use crate::test_data::exact_values;
 
 /// `count` points equally spaced in arc length from the first vertex.
 fn uniform(polygon: &SimplePolygon, count: usize) -> Vec<DVec2> {
@@ -34,7 +22,7 @@ fn uniform(polygon: &SimplePolygon, count: usize) -> Vec<DVec2> {
 
 fn assert_resampled_outline_is_truth(preset: Preset, table: &str) {
     for m in [500, 1000, 2000] {
-        let Some(rows) = truth(&format!("{table}_m{m}.txt")) else { return };
+        let rows = exact_values(&format!("{table}_m{m}.txt"));
         let samples = uniform(&preset.outline().polygon, m);
         assert_eq!(samples.len(), rows.len());
         let error = samples.iter().zip(&rows).map(|(p, r)| p.distance(DVec2::new(r[0], r[1]))).fold(0.0, f64::max);
@@ -53,7 +41,7 @@ fn the_v_and_the_blob_are_the_papers() {
 
 #[test]
 fn exact_measure_and_exact_map_of_the_v_agree_with_the_60_digit_table() {
-    let Some(rows) = truth("vshape_to_blob_m2000.txt") else { return };
+    let rows = exact_values("vshape_to_blob_m2000.txt");
     let x = DVec2::new(0.96, 0.8432);
     let (mut measure_error, mut image_error) = (0f64, 0f64);
     for row in &rows {
@@ -61,7 +49,7 @@ fn exact_measure_and_exact_map_of_the_v_agree_with_the_60_digit_table() {
         let image = blob::from_disk(Complex::cis(std::f64::consts::TAU * row[2])) - Complex::new(row[3], row[4]);
         // A full turn and none are the same place.
         measure_error = measure_error.max(((omega - row[2] + 0.5).rem_euclid(1.0) - 0.5).abs());
-        image_error = image_error.max(image.abs());
+        image_error = image_error.max(image.norm());
     }
     println!("measure {measure_error:.1e}, image {image_error:.1e}");
     assert!(measure_error < 1e-13 && image_error < 1e-13, "{measure_error:e}, {image_error:e}");

@@ -13,6 +13,7 @@ use arc::Arc;
 /// How the boundary is sampled.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Sampling {
     /// `count` points, equally spaced in arc length from the outline's first point (the paper's).
     Uniform {
@@ -36,6 +37,7 @@ impl Default for Sampling {
 
 /// Why an outline cannot be sampled as asked.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SamplingError {
     /// Fewer than three samples were asked for.
     #[error("at least 3 boundary samples are needed, not {count}")]
@@ -61,16 +63,15 @@ pub enum SamplingError {
     },
 }
 
-/// `m` boundary samples, counter-clockwise.
+/// `m ≥ 3` boundary samples, counter-clockwise, made by [`sample`].
+///
+/// Invariants ([`Self::check_invariants`]): no two neighbours are equal, the edge lengths are the
+/// distances of neighbours, and the fractions increase strictly from 0 to below 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundarySamples {
-    /// The points `v_k`, `k = 0 … m−1`.
-    pub points: Vec<DVec2>,
-    /// `e_k = |v_{k+1} − v_k|`, cyclic.
-    pub edge_lengths: Vec<f64>,
-    /// Where each sample lies on the outline: the fraction of the outline's arc
-    /// length from its first point, strictly increasing in `[0, 1)`, starting at 0.
-    pub fractions: Vec<f64>,
+    pub(crate) points: Vec<DVec2>,
+    pub(crate) edge_lengths: Vec<f64>,
+    pub(crate) fractions: Vec<f64>,
 }
 
 /// A point on the sampled boundary: `(1 − fraction) v_edge + fraction v_{edge+1}`.
@@ -95,6 +96,22 @@ impl BoundarySamples {
     /// Whether there are none (never so for samples made by [`sample`]).
     pub fn is_empty(&self) -> bool {
         self.points.is_empty()
+    }
+
+    /// The points `v_k`, `k = 0 … m−1`.
+    pub fn points(&self) -> &[DVec2] {
+        &self.points
+    }
+
+    /// `e_k = |v_{k+1} − v_k|`, cyclic.
+    pub fn edge_lengths(&self) -> &[f64] {
+        &self.edge_lengths
+    }
+
+    /// Where each sample lies on the outline: the fraction of the outline's arc length from its first point,
+    /// strictly increasing in `[0, 1)`, starting at 0.
+    pub fn fractions(&self) -> &[f64] {
+        &self.fractions
     }
 
     /// The point `p` of the sampled boundary.
@@ -225,6 +242,7 @@ impl BoundarySamples {
 
 /// An invariant of [`BoundarySamples`] that does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum BrokenSamples {
     /// Fewer than three samples, or arrays of different lengths.
     #[error("there are fewer than 3 samples, or the arrays differ in length")]

@@ -1,8 +1,8 @@
 //! What differs between the web and the desktop: start-up, workers, dialogs, dropped files.
 //!
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
-//! names: [`start`], [`Preparer`], [`Laboratory`], [`pick_file`], [`read_dropped`], [`decode_image`], [`save_file`],
-//! [`drop_position`], [`address_options`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
+//! names: [`start`], [`Preparer`], [`StudyRunner`], [`pick_file`], [`read_dropped`], [`decode_image`], [`save_file`],
+//! [`drop_position`], [`address_query`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
 //! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`], [`has_full_screen`], [`toggle_full_screen`], [`tell_page`],
 //! [`watch_graphics`]. What happens outside of a frame arrives as an [`Event`] in the app's mailbox, in order, and
 //! wakes the app; only files, on the web, are handed to the app itself, between two frames.
@@ -11,7 +11,7 @@
 mod web;
 #[cfg(target_arch = "wasm32")]
 pub use web::{
-    Laboratory, Preparer, address_options, address_with, decode_image, describe, drop_position, has_fingers,
+    Preparer, StudyRunner, address_query, address_with, decode_image, describe, drop_position, has_fingers,
     has_full_screen, languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language,
     show_link, start, tell_page, toggle_full_screen, watch_graphics,
 };
@@ -22,15 +22,21 @@ mod native;
 mod native_image;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::{
-    Laboratory, Preparer, address_options, address_with, describe, drop_position, has_fingers, has_full_screen,
+    Preparer, StudyRunner, address_query, address_with, describe, drop_position, has_fingers, has_full_screen,
     languages, link, pick_file, read_dropped, remember, remembered, save_file, say, say_language, show_link, start,
     tell_page, toggle_full_screen, watch_graphics,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use native_image::decode_image;
 
+mod host;
+
+pub use host::{Failure, Host};
+
 use crate::conformal::Side;
-use crate::worker::{Finding, Response, Study, Subject};
+use crate::language::Message;
+use crate::model::files::FilePurpose;
+use crate::worker::{Finding, Response, Study};
 use std::sync::{Arc, OnceLock, mpsc};
 
 /// What is kept from one time to the next.
@@ -42,28 +48,13 @@ pub enum Kept {
     Preferences,
 }
 
-/// What a file is meant to be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FilePurpose {
-    /// An outline for this side.
-    Outline(Side),
-    /// The texture.
-    Image,
-    /// A picture to trace an outline of for this side.
-    Trace(Side),
-    /// A session.
-    Session,
-    /// Dropped over this side: its name decides.
-    Dropped(Side),
-}
-
 /// Something that happened outside of a frame.
 #[derive(Debug)]
 pub enum Event {
     /// A worker answered.
     Worker {
-        /// About what.
-        subject: Subject,
+        /// About which side.
+        side: Side,
         /// Of the request that it answers.
         generation: u64,
         /// The answer.
@@ -71,10 +62,10 @@ pub enum Event {
     },
     /// A worker stopped without an answer; it is started again with the next request.
     WorkerDied {
-        /// What it was to prepare.
-        subject: Subject,
+        /// The side that it was to prepare.
+        side: Side,
         /// What is known about it.
-        reason: String,
+        reason: Message,
     },
     /// A row of a study is done.
     Found {
@@ -94,14 +85,14 @@ pub enum Event {
         /// The file's name.
         name: String,
         /// Straight RGBA, 8 bits each, no larger than was asked for; or why there is none.
-        pixels: Result<image::RgbaImage, String>,
+        pixels: Result<image::RgbaImage, Message>,
     },
     /// A file could not be written.
     NotSaved {
         /// Its name.
         name: String,
         /// Why.
-        reason: String,
+        reason: Message,
     },
     /// A file was read, or could not be.
     File {
@@ -182,25 +173,6 @@ impl Mailbox {
     pub fn wake_for_stages(&self) {
         if let Some(context) = self.context.get() {
             context.request_repaint_after_secs(STAGES_SHOWN_AFTER);
-        }
-    }
-}
-
-/// The endings of images.
-pub const IMAGE_ENDINGS: [&str; 3] = ["png", "jpg", "jpeg"];
-/// The endings of outlines.
-const OUTLINE_ENDINGS: [&str; 7] = ["json", "geojson", "svg", "csv", "txt", "tsv", "xy"];
-/// The endings of surfaces.
-pub const SURFACE_ENDINGS: [&str; 6] = crate::surface::ENDINGS;
-
-/// The endings that the dialogs offer.
-fn endings(purpose: FilePurpose) -> (&'static str, Vec<&'static str>) {
-    match purpose {
-        FilePurpose::Image | FilePurpose::Trace(_) => ("Images", IMAGE_ENDINGS.to_vec()),
-        FilePurpose::Session => ("Sessions", vec![crate::session::file::EXTENSION]),
-        FilePurpose::Outline(Side::Source) => ("Outlines", OUTLINE_ENDINGS.to_vec()),
-        FilePurpose::Outline(Side::Target) | FilePurpose::Dropped(_) => {
-            ("Outlines and surfaces", [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS].concat())
         }
     }
 }

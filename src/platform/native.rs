@@ -3,27 +3,27 @@
 //! A thread cannot be stopped from outside: a superseded preparation runs on
 //! and its answers are dropped as stale. A panic in it is reported, not passed on.
 
-use super::{Event, FilePurpose, Kept, Mailbox, PageEvent, endings};
-use crate::app::address_options::AddressOptions;
-use crate::app::language::tr;
-use crate::app::{Groundwork, RiemapApp};
+use super::{Event, Failure, Host, Kept, Mailbox, PageEvent};
 use crate::conformal::Side;
-use crate::worker::{self, Finding, Request, Study, Subject};
+use crate::language::{Message, key};
+use crate::model::files::{FilePurpose, endings};
+use crate::worker::{self, Finding, Request, Study};
 use etcetera::BaseStrategy as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::thread;
 
 /// Opens the window and runs the app until it is closed.
-pub fn start() -> Result<(), String> {
+pub fn start<H: Host>() -> Result<(), String> {
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default().with_inner_size([1440.0, 900.0]).with_min_inner_size([360.0, 480.0]),
         dithering: false,
         ..Default::default()
     };
-    let groundwork = Groundwork::resume();
-    let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
-    eframe::run_native("riemap", options, creator).map_err(|error| format!("The window could not be opened: {error}"))
+    let startup = H::startup();
+    let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(H::open(creation, startup)?)));
+    eframe::run_native("riemap", options, creator)
+        .map_err(|error| H::failure_words(&Failure::NoWindow(error.to_string())))
 }
 
 /// Runs preparations on threads.
@@ -42,26 +42,26 @@ impl Preparer {
     pub fn warm(&mut self) {}
 
     /// Starts to carry out `request`.
-    pub fn request(&mut self, subject: Subject, request: Request) {
+    pub fn request(&mut self, side: Side, request: Request) {
         let mailbox = self.mailbox.clone();
         let work = move || {
-            let mut emit = |generation, response| mailbox.post(Event::Worker { subject, generation, response });
+            let mut emit = |generation, response| mailbox.post(Event::Worker { side, generation, response });
             if catch_unwind(AssertUnwindSafe(|| worker::run(&request, &mut emit))).is_err() {
-                mailbox.post(Event::WorkerDied { subject, reason: String::from("an internal error") });
+                mailbox.post(Event::WorkerDied { side, reason: key::internal_error().into() });
             }
         };
-        if let Err(error) = thread::Builder::new().name(format!("prepare {subject:?}")).spawn(work) {
-            self.mailbox.post(Event::WorkerDied { subject, reason: error.to_string() });
+        if let Err(error) = thread::Builder::new().name(format!("prepare the {side}")).spawn(work) {
+            self.mailbox.post(Event::WorkerDied { side, reason: error.to_string().into() });
         }
     }
 }
 
 /// Runs studies on threads.
-pub struct Laboratory {
+pub struct StudyRunner {
     mailbox: Mailbox,
 }
 
-impl Laboratory {
+impl StudyRunner {
     /// Findings go to `mailbox`.
     pub fn new(mailbox: Mailbox) -> Self {
         Self { mailbox }
@@ -75,18 +75,18 @@ impl Laboratory {
             let mailbox = mailbox.clone();
             move || {
                 let finding = catch_unwind(move || study.run());
-                mailbox.post(found(finding.unwrap_or_else(|_| Finding::Failed(String::from("an internal error")))));
+                mailbox.post(found(finding.unwrap_or_else(|_| Finding::Failed(key::internal_error().into()))));
             }
         };
         if let Err(error) = thread::Builder::new().name(String::from("study")).spawn(work) {
-            mailbox.post(found(Finding::Failed(error.to_string())));
+            mailbox.post(found(Finding::Failed(error.to_string().into())));
         }
     }
 }
 
 /// A window has no address.
-pub fn address_options() -> AddressOptions {
-    AddressOptions::default()
+pub fn address_query() -> Vec<[String; 2]> {
+    Vec::new()
 }
 
 /// Every window can fill the screen.
@@ -114,10 +114,9 @@ pub fn watch_graphics(device: &wgpu::Device, mailbox: Mailbox) {
     });
 }
 
-/// Lets the person choose a file; its content is posted to `mailbox`.
-pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
-    let (label, extensions) = endings(purpose);
-    let dialog = rfd::AsyncFileDialog::new().add_filter(tr(label), &extensions).pick_file();
+/// Lets the person choose a file of the kind that `label` names; its content is posted to `mailbox`.
+pub fn pick_file(purpose: FilePurpose, label: &str, mailbox: Mailbox) {
+    let dialog = rfd::AsyncFileDialog::new().add_filter(label, &endings(purpose)).pick_file();
     thread::spawn(move || {
         if let Some(file) = pollster::block_on(dialog) {
             let bytes = std::fs::read(file.path()).map_err(|error| error.to_string());
@@ -133,7 +132,7 @@ pub fn save_file(name: &str, bytes: Vec<u8>, mailbox: Mailbox) {
         if let Some(file) = pollster::block_on(dialog)
             && let Err(error) = std::fs::write(file.path(), bytes)
         {
-            mailbox.post(Event::NotSaved { name: file.file_name(), reason: error.to_string() });
+            mailbox.post(Event::NotSaved { name: file.file_name(), reason: error.to_string().into() });
         }
     });
 }
@@ -165,10 +164,10 @@ pub fn address_with(fragment: &str) -> String {
 }
 
 /// Keeps a text for [`remembered`], or says why not.
-pub fn remember(what: Kept, text: &str) -> Result<(), String> {
-    let path = kept_at(what).ok_or("there is no folder for it")?;
+pub fn remember(what: Kept, text: &str) -> Result<(), Message> {
+    let path = kept_at(what).ok_or(key::no_folder())?;
     let written = path.parent().map_or(Ok(()), std::fs::create_dir_all).and_then(|()| std::fs::write(&path, text));
-    written.map_err(|error| format!("{}: {error}", path.display()))
+    written.map_err(|error| key::about(path.display().to_string(), error.to_string()))
 }
 
 /// What was kept last.

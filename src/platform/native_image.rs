@@ -1,6 +1,8 @@
 //! Images on the desktop: decoded by the crate `image`, on a thread.
 
-use super::{Event, FilePurpose, Mailbox};
+use super::{Event, Mailbox};
+use crate::language::{Message, key};
+use crate::model::files::FilePurpose;
 use image::imageops::thumbnail;
 use image::{ImageBuffer, Rgba, RgbaImage};
 use std::thread;
@@ -10,10 +12,8 @@ pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side
     thread::spawn(move || mailbox.post(Event::Image { purpose, name, pixels: decode(&bytes, max_side) }));
 }
 
-fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, String> {
-    let decoded = image::load_from_memory(bytes)
-        .map_err(|error| format!("this is no PNG or JPEG image that can be read ({error})"))?
-        .into_rgba8();
+fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, Message> {
+    let decoded = image::load_from_memory(bytes).map_err(|error| key::no_image(error.to_string()))?.into_rgba8();
     let largest = decoded.width().max(decoded.height());
     if largest <= max_side {
         return Ok(decoded);
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn what_is_no_image_is_refused() {
-        assert!(decode(b"text", 32).unwrap_err().contains("no PNG or JPEG"));
+        assert!(decode(b"text", 32).unwrap_err().english().contains("no PNG or JPEG"));
     }
 
     #[test]

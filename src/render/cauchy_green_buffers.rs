@@ -6,6 +6,7 @@
 //! extent of the contour to s times that of the images, they are off by 5e-10 s.
 
 use super::RenderError;
+use super::readback::failed;
 use crate::geometry::Bounds;
 use glam::DVec2;
 
@@ -148,9 +149,8 @@ impl CauchyGreenBuffers {
         queue.submit([encoder.finish()]);
         let (origin, mapped) = (self.origin, buffer.clone());
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            let failed = |cause: String| RenderError::Readback(cause);
-            let view = result.map_err(|error| failed(error.to_string()));
-            let view = view.and_then(|()| mapped.get_mapped_range(..).map_err(|error| failed(error.to_string())));
+            let view = result.map_err(|error| failed(&error));
+            let view = view.and_then(|()| mapped.get_mapped_range(..).map_err(|error| failed(&error)));
             take(view.map(|bytes| absolute(&bytes, origin)));
         });
     }

@@ -2,8 +2,7 @@
 //!
 //! Rows are [`ROW`] texels long: WebGL2 guarantees no more, which allows for 4 million triangles.
 
-use super::gpu;
-use super::{CellCode, ColourMap};
+use super::{CellCode, ColourMap, gpu};
 
 /// Texels per row; `ROW` of `shaders/cell_parts.wgsl`.
 const ROW: u32 = 2048;

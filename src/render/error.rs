@@ -29,6 +29,70 @@ pub enum ImageError {
     },
 }
 
+/// What is inconsistent in a mesh that is to be drawn, or too large.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MeshFault {
+    /// Positions and texture coordinates differ in number.
+    #[error("{positions} positions have {coordinates} texture coordinates")]
+    Coordinates {
+        /// The number of positions.
+        positions: usize,
+        /// The number of texture coordinates.
+        coordinates: usize,
+    },
+    /// Triangles and their codes differ in number.
+    #[error("{triangles} triangles have {codes} codes")]
+    Codes {
+        /// The number of triangles.
+        triangles: usize,
+        /// The number of codes.
+        codes: usize,
+    },
+    /// The boundary loop is longer than the list of vertices.
+    #[error("a boundary of {boundary} vertices where there are {vertices}")]
+    Boundary {
+        /// The number of its vertices.
+        boundary: u32,
+        /// The number of all vertices.
+        vertices: usize,
+    },
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} {corners:?} names a vertex beyond the {vertices} given")]
+    Vertex {
+        /// Which triangle, from 0.
+        triangle: usize,
+        /// Its corners.
+        corners: [u32; 3],
+        /// The number of vertices.
+        vertices: usize,
+    },
+    /// The device has no buffer of this size.
+    #[error("{triangles} triangles do not fit on the graphics device")]
+    TooLarge {
+        /// The number of triangles.
+        triangles: usize,
+    },
+}
+
+/// Why pixels did not come back from the device.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ReadbackFault {
+    /// What the graphics library said.
+    #[error("{0}")]
+    Library(String),
+    /// The device was lost.
+    #[error("the device has gone away")]
+    DeviceGone,
+    /// The buffer is too short.
+    #[error("fewer bytes than {width} × {height} pixels")]
+    TooShort {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+    },
+}
+
 /// Why a scene could not be rendered without a window.
 #[derive(Debug, thiserror::Error)]
 pub enum RenderError {
@@ -65,18 +129,18 @@ pub enum RenderError {
         limit: u32,
     },
     /// A viewport's mesh is inconsistent.
-    #[error("viewport {viewport}: {reason}")]
+    #[error("viewport {viewport}: {fault}")]
     Geometry {
         /// Which viewport, from 0.
         viewport: usize,
         /// What is wrong with its mesh.
-        reason: String,
+        fault: MeshFault,
     },
     /// A surface is inconsistent, or too large.
-    #[error("surface: {reason}")]
+    #[error("surface: {fault}")]
     Surface {
         /// What is wrong with it.
-        reason: String,
+        fault: MeshFault,
     },
     /// The texture image cannot be used.
     #[error("the texture image cannot be used: {0}")]
@@ -86,5 +150,5 @@ pub enum RenderError {
     Device(String),
     /// The pixels did not come back.
     #[error("the rendered pixels could not be read back: {0}")]
-    Readback(String),
+    Readback(ReadbackFault),
 }

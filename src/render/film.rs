@@ -59,7 +59,7 @@ pub const SECONDS: std::ops::RangeInclusive<f64> = 0.1..=600.0;
 const SHORTEST_GIF_FRAME: f64 = 2.0;
 
 /// The longest file: one that grows once more still fits into 32 bits of addresses.
-const MOST_BYTES: usize = 512 << 20;
+pub(super) const MOST_BYTES: usize = 512 << 20;
 
 /// Why there is no animation.
 #[derive(Debug, thiserror::Error)]

@@ -7,6 +7,12 @@
 
 use glam::DVec2;
 
+/// The device that draws and its queue.
+pub type Graphics<'a> = (&'a wgpu::Device, &'a wgpu::Queue);
+
+/// A picture on the device.
+pub type Target = wgpu::Texture;
+
 /// Format of the off-screen pictures: linear when blended, resolved and
 /// sampled, encoded where it is stored.
 pub const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;

@@ -2,7 +2,7 @@
 //!
 //! In a browser nobody may wait for the device: [`Readback::poll`] asks whether they are there.
 
-use super::RenderError;
+use super::{ReadbackFault, RenderError};
 use image::RgbaImage;
 use std::pin::pin;
 use std::sync::mpsc;
@@ -43,38 +43,40 @@ impl Readback {
     /// The picture with straight alpha, as soon as it is there. Does not wait.
     pub fn poll(&self, device: &wgpu::Device) -> Option<Result<RgbaImage, RenderError>> {
         if let Err(error) = device.poll(wgpu::PollType::Poll) {
-            return Some(Err(RenderError::Readback(error.to_string())));
+            return Some(Err(failed(&error)));
         }
         match self.mapped.try_recv() {
             Ok(Ok(())) => Some(self.picture()),
-            Ok(Err(error)) => Some(Err(RenderError::Readback(error.to_string()))),
+            Ok(Err(error)) => Some(Err(failed(&error))),
             Err(mpsc::TryRecvError::Empty) => None,
-            Err(mpsc::TryRecvError::Disconnected) => {
-                Some(Err(RenderError::Readback(String::from("the device has gone away"))))
-            }
+            Err(mpsc::TryRecvError::Disconnected) => Some(Err(RenderError::Readback(ReadbackFault::DeviceGone))),
         }
     }
 
     /// Waits for the picture; natively.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn wait(&self, device: &wgpu::Device) -> Result<RgbaImage, RenderError> {
-        let readback = |cause: String| RenderError::Readback(cause);
-        device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| readback(error.to_string()))?;
-        let mapped = self.mapped.recv().map_err(|error| readback(error.to_string()))?;
-        mapped.map_err(|error| readback(error.to_string()))?;
+        device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(&error))?;
+        let mapped = self.mapped.recv().map_err(|error| failed(&error))?;
+        mapped.map_err(|error| failed(&error))?;
         self.picture()
     }
 
     fn picture(&self) -> Result<RgbaImage, RenderError> {
         let [width, height] = self.size;
-        let padded = self.buffer.get_mapped_range(..).map_err(|error| RenderError::Readback(error.to_string()))?;
+        let padded = self.buffer.get_mapped_range(..).map_err(|error| failed(&error))?;
         let mut pixels = Vec::with_capacity(4 * width as usize * height as usize);
         for line in padded.chunks_exact(padded_row(width) as usize) {
             pixels.extend(line[..4 * width as usize].chunks_exact(4).flat_map(straight));
         }
-        let missing = || RenderError::Readback(format!("fewer bytes than {width} × {height} pixels"));
+        let missing = || RenderError::Readback(ReadbackFault::TooShort { width, height });
         RgbaImage::from_raw(width, height, pixels).ok_or_else(missing)
     }
+}
+
+/// What the graphics library says.
+pub(super) fn failed(error: &impl ToString) -> RenderError {
+    RenderError::Readback(ReadbackFault::Library(error.to_string()))
 }
 
 /// Carries out `work`, and reports what the device has against it: natively and with WebGL at once. WebGPU tells

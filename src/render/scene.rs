@@ -4,8 +4,8 @@
 
 use super::targets::attachment;
 use super::{
-    Camera, CellCode, CellStyle, Handle, MeshGeometry, Pace, PlanarFrame, RenderError, SceneSurface, StrokeStyle,
-    TextureStyle, ViewportRenderer, sample_count,
+    Camera, CellCode, CellStyle, Handle, MeshFault, MeshGeometry, Pace, PlanarFrame, RenderError, SceneSurface,
+    StrokeStyle, TextureStyle, ViewportRenderer, sample_count,
 };
 use glam::DVec2;
 use image::RgbaImage;
@@ -138,7 +138,7 @@ fn check(
         return Err(RenderError::ViewportCount { count, limit: width });
     }
     for (viewport, part) in scene.viewports.iter().enumerate() {
-        part.geometry.check().map_err(|reason| RenderError::Geometry { viewport, reason })?;
+        part.geometry.check().map_err(|fault| RenderError::Geometry { viewport, fault })?;
     }
     Ok(())
 }
@@ -183,8 +183,8 @@ fn upload(
                 && (cells.codes.is_empty() || renderer.set_cell_codes(queue, viewport, &mut cells.codes.to_vec()))
         });
     if !uploaded {
-        let reason = format!("{} triangles do not fit on the graphics device", part.geometry.triangles.len());
-        return Err(RenderError::Geometry { viewport, reason });
+        let fault = MeshFault::TooLarge { triangles: part.geometry.triangles.len() };
+        return Err(RenderError::Geometry { viewport, fault });
     }
     renderer.set_cell_style(viewport, cells.map(|cells| cells.style));
     renderer.set_boundary_style(viewport, part.boundary_style);

@@ -1,7 +1,9 @@
 //! A surface in a picture without a window, alone or beside planar viewports.
 
-use super::{CellCode, CellStyle, OrbitCamera, Pace, SpaceFrame, StrokeStyle, SurfaceGeometry, SurfaceHandle};
-use super::{RenderError, TextureStyle, ViewportRenderer};
+use super::{
+    CellCode, CellStyle, MeshFault, OrbitCamera, Pace, RenderError, SpaceFrame, StrokeStyle, SurfaceGeometry,
+    SurfaceHandle, TextureStyle, ViewportRenderer,
+};
 use glam::DVec2;
 
 /// The surface of a scene.
@@ -30,15 +32,15 @@ pub struct SceneSurface<'a> {
 impl SceneSurface<'_> {
     /// What is wrong with it, if anything is.
     pub(super) fn check(&self) -> Result<(), RenderError> {
-        let wrong = |reason| RenderError::Surface { reason };
+        let wrong = |fault| RenderError::Surface { fault };
         self.geometry.check().map_err(wrong)?;
         let (vertices, coordinates) = (self.geometry.positions.len(), self.texture_coordinates.len());
         if vertices != coordinates {
-            return Err(wrong(format!("{vertices} positions have {coordinates} texture coordinates")));
+            return Err(wrong(MeshFault::Coordinates { positions: vertices, coordinates }));
         }
         let (triangles, codes) = (self.geometry.triangles.len(), self.codes.len());
         if codes != 0 && codes != triangles {
-            return Err(wrong(format!("{triangles} triangles have {codes} codes")));
+            return Err(wrong(MeshFault::Codes { triangles, codes }));
         }
         Ok(())
     }
@@ -57,8 +59,8 @@ impl SceneSurface<'_> {
             && renderer.set_surface_coordinates(queue, self.texture_coordinates)
             && (self.codes.is_empty() || renderer.set_surface_codes(queue, &mut self.codes.to_vec()));
         if !uploaded {
-            let reason = format!("{} triangles do not fit on the graphics device", self.geometry.triangles.len());
-            return Err(RenderError::Surface { reason });
+            let fault = MeshFault::TooLarge { triangles: self.geometry.triangles.len() };
+            return Err(RenderError::Surface { fault });
         }
         let stroke = self.stroke.unwrap_or_else(|| StrokeStyle::themed(self.style.dark, 1.0));
         renderer.set_surface_handles(self.handles);

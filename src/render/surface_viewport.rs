@@ -11,7 +11,7 @@ use super::surface_pass::{SurfaceBuffers, SurfacePass, SurfaceView};
 use super::surface_stroke::{SurfaceStrokeBuffers, SurfaceStrokePass};
 use super::targets::{SurfaceTargets, attachment, clamped_size};
 use super::viewport::{LINE_TO_STROKE, begin_pass, clear_colour};
-use super::{Camera, CellCode, Detail, Handle, OrbitCamera, Pace, SpaceFrame, ViewportRenderer};
+use super::{Camera, CellCode, Detail, Handle, MeshFault, OrbitCamera, Pace, SpaceFrame, ViewportRenderer};
 use glam::{DVec2, DVec3};
 
 /// A handle behind the surface has this part of its strength.
@@ -30,13 +30,13 @@ pub struct SurfaceGeometry<'a> {
 
 impl SurfaceGeometry<'_> {
     /// Ok when the loop and every triangle have existing vertices; otherwise what is wrong. `O(triangles)`.
-    pub fn check(&self) -> Result<(), String> {
+    pub fn check(&self) -> Result<(), MeshFault> {
         let count = self.positions.len();
         if self.boundary_count as usize > count {
-            return Err(format!("a boundary of {} vertices where there are {count}", self.boundary_count));
+            return Err(MeshFault::Boundary { boundary: self.boundary_count, vertices: count });
         }
         match self.triangles.iter().position(|corners| corners.iter().any(|&v| v as usize >= count)) {
-            Some(t) => Err(format!("triangle {t} {:?} names a vertex beyond the {count} given", self.triangles[t])),
+            Some(t) => Err(MeshFault::Vertex { triangle: t, corners: self.triangles[t], vertices: count }),
             None => Ok(()),
         }
     }

@@ -18,7 +18,8 @@ use super::style::linear_colour;
 use super::surface_viewport::SurfaceViewport;
 use super::targets::{Targets, attachment, clamped_size};
 use super::{
-    CauchyGreenBuffers, CellCode, CellStyle, Detail, Handle, ImageError, Pace, Pattern, PlanarFrame, StrokeStyle,
+    CauchyGreenBuffers, CellCode, CellStyle, Detail, Handle, ImageError, MeshFault, Pace, Pattern, PlanarFrame,
+    StrokeStyle,
 };
 use glam::DVec2;
 
@@ -39,13 +40,13 @@ pub struct MeshGeometry<'a> {
 impl MeshGeometry<'_> {
     /// Ok when there are as many texture coordinates as positions and every
     /// triangle names existing vertices; otherwise what is wrong. `O(triangles)`.
-    pub fn check(&self) -> Result<(), String> {
+    pub fn check(&self) -> Result<(), MeshFault> {
         let (count, coordinates) = (self.positions.len(), self.texture_coordinates.len());
         if count != coordinates {
-            return Err(format!("{count} positions have {coordinates} texture coordinates"));
+            return Err(MeshFault::Coordinates { positions: count, coordinates });
         }
         match self.triangles.iter().position(|corners| corners.iter().any(|&v| v as usize >= count)) {
-            Some(t) => Err(format!("triangle {t} {:?} names a vertex beyond the {count} given", self.triangles[t])),
+            Some(t) => Err(MeshFault::Vertex { triangle: t, corners: self.triangles[t], vertices: count }),
             None => Ok(()),
         }
     }

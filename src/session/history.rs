@@ -137,19 +137,19 @@ mod tests {
 
     #[test]
     fn large_outlines_do_not_fill_the_memory() {
+        const LARGE: usize = MOST_POINTS / 20;
+        // a staircase from the diagonal's upper end down to its lower one, closed through the corner
+        let steps = (0..LARGE - 1).map(|k| DVec2::new(k.div_ceil(2) as f64, (k / 2) as f64));
+        let points = steps.chain([DVec2::new(0.0, LARGE as f64)]).collect::<Vec<_>>();
+        let polygon = crate::geometry::SimplePolygon::try_from(points).unwrap();
         let large = |k: usize| {
-            let mut session = Session::default();
-            let points = vec![DVec2::new(k as f64, 0.0); MOST_POINTS / 4];
-            session.apply(Command::SetOutline {
-                side: Side::Source,
-                outline: OutlineSpec::Points { name: "large".into(), points },
-            });
-            session
+            let outline = OutlineSpec::Points { name: format!("large {k}"), polygon: polygon.clone() };
+            Session::with([Command::SetOutline { side: Side::Source, outline }])
         };
         let mut history = History::new(large(0));
-        for k in 1..10 {
+        for k in 1..30 {
             history.settle(&large(k));
         }
-        assert_eq!(history.past.len(), 4);
+        assert_eq!(history.past.len(), 20);
     }
 }

@@ -23,12 +23,47 @@ pub const SURFACE_BOUNDARY: RangeInclusive<u32> = 12..=4000;
 /// How far the weights of a point may be from the sum 1: many roundings, and no more than can be seen.
 const WEIGHT_TOLERANCE: f64 = 1e-9;
 
+/// A number of a session.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Quantity {
+    /// The version.
+    #[error("the session's version")]
+    Version,
+    /// A coordinate of x₁ or x₂.
+    #[error("a coordinate of an interior point")]
+    Coordinate,
+    /// y₁ or y₂, as a fraction of arc length.
+    #[error("the place of a boundary point")]
+    Anchor,
+    /// The cells of the texture across its domain.
+    #[error("the number of cells of the texture")]
+    Cells,
+    /// m.
+    #[error("the number of boundary samples")]
+    Samples,
+    /// The growth of the triangles per distance from the boundary.
+    #[error("the growth of the triangles")]
+    Growth,
+    /// m of a built-in surface.
+    #[error("the number of boundary vertices of the surface")]
+    SurfaceBoundary,
+    /// A barycentric weight of a surface's interior point.
+    #[error("a weight of the surface's interior point")]
+    Weight,
+    /// The sum of these weights.
+    #[error("the sum of the weights of the surface's interior point")]
+    WeightSum,
+    /// The boundary point of a surface, as a fraction of the length of its loop.
+    #[error("the place of the surface's boundary point")]
+    SurfaceAnchor,
+}
+
 /// A number that a session may not have.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{what} is {value}; it must be from {low} to {high}")]
 pub struct OutOfRange {
     /// Which number.
-    pub what: &'static str,
+    pub what: Quantity,
     /// What it is.
     pub value: f64,
     /// The least that it may be.
@@ -38,22 +73,17 @@ pub struct OutOfRange {
 }
 
 impl Session {
-    /// Whether all numbers are finite and in the ranges of their controls. Outlines are not looked at.
+    /// Whether all numbers are finite and in the ranges of their controls.
     pub fn check(&self) -> Result<(), OutOfRange> {
-        within("the session's version", f64::from(self.version), &(1.0..=1.0))?;
-        for domain in [&self.source, &self.target] {
-            check_domain(domain)?;
+        // sort by sort, so that of several wrong numbers the same one is told whatever the sides hold
+        let sides = || self.sides.iter().map(|(_, side)| side);
+        sides().try_for_each(|side| check_domain(&side.domain))?;
+        for value in sides().filter_map(|side| side.interior).flat_map(|point| point.to_array()) {
+            within(Quantity::Coordinate, value, &(-MAX_COORDINATE..=MAX_COORDINATE))?;
         }
-        for point in self.interior.iter().flatten() {
-            for value in point.to_array() {
-                within("a coordinate of an interior point", value, &(-MAX_COORDINATE..=MAX_COORDINATE))?;
-            }
-        }
-        for anchor in self.anchor {
-            within("the place of a boundary point", anchor, &(0.0..=1.0))?;
-        }
-        within("the number of cells of the texture", self.texture_scale, &CELLS)?;
-        self.surface.as_ref().map_or(Ok(()), check_surface)
+        sides().try_for_each(|side| within(Quantity::Anchor, side.anchor, &(0.0..=1.0)))?;
+        within(Quantity::Cells, self.texture_scale, &CELLS)?;
+        sides().filter_map(|side| side.surface.as_ref()).try_for_each(check_surface)
     }
 }
 
@@ -63,35 +93,35 @@ fn check_domain(domain: &DomainSpec) -> Result<(), OutOfRange> {
         Sampling::Adaptive { target } => target,
     };
     if let Some(count) = samples {
-        within_integers("the number of boundary samples", count, &SAMPLES)?;
+        within_integers(Quantity::Samples, count, &SAMPLES)?;
     }
     match domain.settings.sizing {
-        Sizing::Graded(growth) => within("the growth of the triangles", growth, &GROWTH),
+        Sizing::Graded(growth) => within(Quantity::Growth, growth, &GROWTH),
         Sizing::Uniform => Ok(()),
     }
 }
 
 fn check_surface(state: &SurfaceState) -> Result<(), OutOfRange> {
     if let SurfaceShape::Preset { boundary, .. } = state.spec.shape {
-        within_integers("the number of boundary vertices of the surface", boundary, &SURFACE_BOUNDARY)?;
+        within_integers(Quantity::SurfaceBoundary, boundary, &SURFACE_BOUNDARY)?;
     }
     if let Some(BarycentricPoint { weights, .. }) = state.point {
         for weight in weights {
-            within("a weight of the surface's interior point", weight, &(0.0..=1.0))?;
+            within(Quantity::Weight, weight, &(0.0..=1.0))?;
         }
         let sum = 1.0 - WEIGHT_TOLERANCE..=1.0 + WEIGHT_TOLERANCE;
-        within("the sum of the weights of the surface's interior point", weights.iter().sum(), &sum)?;
+        within(Quantity::WeightSum, weights.iter().sum(), &sum)?;
     }
-    within("the place of the surface's boundary point", state.anchor, &(0.0..=1.0))
+    within(Quantity::SurfaceAnchor, state.anchor, &(0.0..=1.0))
 }
 
 /// Not-a-number is in no range.
-fn within(what: &'static str, value: f64, range: &RangeInclusive<f64>) -> Result<(), OutOfRange> {
+pub(super) fn within(what: Quantity, value: f64, range: &RangeInclusive<f64>) -> Result<(), OutOfRange> {
     let (low, high) = (*range.start(), *range.end());
     if range.contains(&value) { Ok(()) } else { Err(OutOfRange { what, value, low, high }) }
 }
 
-fn within_integers(what: &'static str, value: u32, range: &RangeInclusive<u32>) -> Result<(), OutOfRange> {
+fn within_integers(what: Quantity, value: u32, range: &RangeInclusive<u32>) -> Result<(), OutOfRange> {
     within(what, f64::from(value), &(f64::from(*range.start())..=f64::from(*range.end())))
 }
 
@@ -99,43 +129,46 @@ fn within_integers(what: &'static str, value: u32, range: &RangeInclusive<u32>) 
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+    use crate::conformal::{PrepareSettings, Side};
     use crate::geometry::DVec2;
     use crate::session::{Command, SurfaceSpec};
+    use crate::surface::SurfacePreset;
 
-    fn refused(change: impl FnOnce(&mut Session), word: &str) {
-        let mut session = Session::default();
-        session.apply(Command::SetSurface(SurfaceSpec::default()));
-        assert_eq!(session.check(), Ok(()));
-        change(&mut session);
-        let message = session.check().unwrap_err().to_string();
-        assert!(message.contains(word), "{message:?} says nothing of {word:?}");
+    fn refused(change: impl Fn(&mut Session, Side), word: &str) {
+        for side in Side::BOTH {
+            let mut session = Session::default();
+            for side in Side::BOTH {
+                session.apply(Command::SetSurface { side, surface: SurfaceSpec::default() });
+            }
+            assert_eq!(session.check(), Ok(()));
+            change(&mut session, side);
+            let message = session.check().unwrap_err().to_string();
+            assert!(message.contains(word), "{side}: {message:?} says nothing of {word:?}");
+        }
+    }
+
+    fn refused_settings(change: impl Fn(&mut PrepareSettings), word: &str) {
+        refused(|session, side| change(&mut session.sides[side].domain.settings), word);
+    }
+
+    fn refused_surface(change: impl Fn(&mut SurfaceState), word: &str) {
+        refused(|session, side| session.sides[side].surface.iter_mut().for_each(&change), word);
     }
 
     #[test]
-    fn every_number_has_its_range() {
-        refused(|s| s.version = 2, "version");
-        refused(|s| s.source.settings.sampling = Sampling::Adaptive { target: Some(3201) }, "3201");
-        refused(|s| s.target.settings.sampling = Sampling::Uniform { count: 29, keep_corners: true }, "29");
-        refused(|s| s.target.settings.sizing = Sizing::Graded(0.04), "growth");
-        refused(|s| s.source.settings.sizing = Sizing::Graded(f64::NAN), "NaN");
-        refused(|s| s.interior[1] = Some(DVec2::new(0.0, f64::INFINITY)), "inf");
-        refused(|s| s.anchor[0] = -0.1, "boundary point");
-        refused(|s| s.texture_scale = 1e9, "cells");
-        let surface = |s: &mut Session, change: fn(&mut SurfaceState)| s.surface.as_mut().map(change);
-        refused(|s| _ = surface(s, |state| state.anchor = f64::NAN), "surface's boundary point");
+    fn every_number_has_its_range_on_both_sides() {
+        refused_settings(|settings| settings.sampling = Sampling::Adaptive { target: Some(3201) }, "3201");
+        refused_settings(|settings| settings.sampling = Sampling::Uniform { count: 29, keep_corners: true }, "29");
+        refused_settings(|settings| settings.sizing = Sizing::Graded(0.04), "growth");
+        refused_settings(|settings| settings.sizing = Sizing::Graded(f64::NAN), "NaN");
+        refused(|s, side| s.sides[side].interior = Some(DVec2::new(0.0, f64::INFINITY)), "inf");
+        refused(|s, side| s.sides[side].anchor = -0.1, "boundary point");
+        refused(|s, _| s.texture_scale = 1e9, "cells");
+        refused_surface(|state| state.anchor = f64::NAN, "surface's boundary point");
         let point = |weights| Some(BarycentricPoint { triangle: 0, weights });
-        refused(|s| s.surface.as_mut().unwrap().point = point([0.5, 0.5, 0.5]), "sum");
-        refused(|s| s.surface.as_mut().unwrap().point = point([1.5, -0.5, 0.0]), "weight");
-        let spec = |s: &mut Session| s.surface.as_mut().unwrap().spec.clone();
-        refused(
-            |s| {
-                let shape = match spec(s).shape {
-                    SurfaceShape::Preset { preset, .. } => SurfaceShape::Preset { preset, boundary: 4001 },
-                    file @ SurfaceShape::File { .. } => file,
-                };
-                s.surface.as_mut().unwrap().spec.shape = shape;
-            },
-            "4001",
-        );
+        refused_surface(|state| state.point = point([0.5, 0.5, 0.5]), "sum");
+        refused_surface(|state| state.point = point([1.5, -0.5, 0.0]), "weight");
+        let preset = SurfacePreset::Hemisphere;
+        refused_surface(|state| state.spec.shape = SurfaceShape::Preset { preset, boundary: 4001 }, "4001");
     }
 }

@@ -1,5 +1,6 @@
 //! A surface in the session: what it is, and where its two points are.
 
+use super::SidePoints;
 use crate::conformal::SurfaceSettings;
 use crate::mesh::BarycentricPoint;
 use crate::surface::SurfacePreset;
@@ -68,10 +69,22 @@ impl SurfaceSpec {
 pub struct SurfaceState {
     /// The surface.
     pub spec: SurfaceSpec,
-    /// `x₂`; `None` until it is set: the vertex farthest from the boundary.
+    /// The interior point `x`; `None` until it is set: the vertex farthest from the boundary.
     #[serde(default)]
     pub point: Option<BarycentricPoint>,
-    /// `y₂`, as a fraction of the length of the boundary loop.
+    /// The boundary point `y`, as a fraction of the length of the boundary loop.
     #[serde(default)]
     pub anchor: f64,
+}
+
+impl SurfaceState {
+    /// The surface with its default points.
+    pub fn new(spec: SurfaceSpec) -> Self {
+        Self { spec, point: None, anchor: 0.0 }
+    }
+
+    /// Its two points.
+    pub fn points(&self) -> SidePoints {
+        SidePoints::Surface { interior: self.point, anchor: self.anchor }
+    }
 }

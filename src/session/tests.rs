@@ -1,6 +1,9 @@
 //! What the commands do to a session.
 
 use super::*;
+use crate::conformal::InteriorPoint;
+use crate::mesh::BarycentricPoint;
+use crate::surface::SurfacePreset;
 
 fn preset(preset: Preset) -> OutlineSpec {
     OutlineSpec::Preset(preset)
@@ -10,13 +13,14 @@ fn preset(preset: Preset) -> OutlineSpec {
 fn a_new_outline_resets_the_points_of_its_side_only() {
     let mut session = Session::default();
     for (side, x) in [(Side::Source, 0.1), (Side::Target, 0.2)] {
-        session.apply(Command::MoveInterior { side, point: DVec2::new(x, 0.0) });
+        session.apply(Command::MoveInterior { side, point: DVec2::new(x, 0.0).into() });
         session.apply(Command::MoveAnchor { side, fraction: x });
     }
     session.apply(Command::SetOutline { side: Side::Source, outline: preset(Preset::Star) });
-    assert_eq!(session.source.outline, preset(Preset::Star));
-    assert_eq!((session.interior[0], session.anchor[0]), (None, 0.0));
-    assert_eq!((session.interior[1], session.anchor[1]), (Some(DVec2::new(0.2, 0.0)), 0.2));
+    assert_eq!(session.domain(Side::Source).outline, preset(Preset::Star));
+    let points = |side| (session.side(side).interior, session.side(side).anchor);
+    assert_eq!(points(Side::Source), (None, 0.0));
+    assert_eq!(points(Side::Target), (Some(DVec2::new(0.2, 0.0)), 0.2));
 }
 
 #[test]
@@ -25,26 +29,28 @@ fn another_resolution_keeps_the_points() {
     session.apply(Command::MoveAnchor { side: Side::Target, fraction: 0.3 });
     let settings = PrepareSettings { sampling: Sampling::Adaptive { target: Some(99) }, ..Default::default() };
     session.apply(Command::SetSettings { side: Side::Target, settings });
-    assert_eq!(session.target.settings, settings);
-    assert_eq!(session.anchor[1], 0.3);
+    assert_eq!(session.domain(Side::Target).settings, settings);
+    assert_eq!(session.side(Side::Target).anchor, 0.3);
 }
 
 #[test]
 fn anchors_are_taken_modulo_one() {
     let mut session = Session::default();
     session.apply(Command::MoveAnchor { side: Side::Source, fraction: -0.25 });
-    assert_eq!(session.anchor[0], 0.75);
+    assert_eq!(session.side(Side::Source).anchor, 0.75);
 }
 
 #[test]
 fn swapping_twice_changes_nothing() {
     let mut session = Session::default();
-    session.apply(Command::MoveInterior { side: Side::Source, point: DVec2::new(1.0, 2.0) });
+    session.apply(Command::MoveInterior { side: Side::Source, point: DVec2::new(1.0, 2.0).into() });
     session.apply(Command::MoveAnchor { side: Side::Target, fraction: 0.5 });
+    session.apply(Command::SetSurface { side: Side::Target, surface: SurfaceSpec::default() });
     let before = session.clone();
     session.apply(Command::Swap);
-    assert_eq!(session.source.outline, before.target.outline);
-    assert_eq!(session.interior, [None, Some(DVec2::new(1.0, 2.0))]);
+    for side in Side::BOTH {
+        assert_eq!(session.side(side), before.side(side.other()), "outline, surface and points go along");
+    }
     session.apply(Command::Swap);
     assert_eq!(session, before);
 }
@@ -54,69 +60,164 @@ fn points_that_were_not_set_are_the_poles() {
     let session = Session::default();
     let poles = [DVec2::new(1.0, 0.0), DVec2::new(0.0, 1.0)];
     let constraints = session.constraints(poles);
-    assert_eq!((constraints.source_point, constraints.target_point), (poles[0], poles[1]));
+    assert_eq!(constraints.points.into_array(), poles.map(InteriorPoint::from));
 }
 
-#[test]
-fn a_session_survives_json() {
-    let mut session = Session::default();
-    session.apply(Command::SetTexture(TextureKind::Polar));
-    session.apply(Command::SetDirection(Direction::Forward));
-    session.apply(Command::SetExtension(Extension::CauchyGreen));
-    session.apply(Command::MoveInterior { side: Side::Target, point: DVec2::new(0.1, -1.0 / 3.0) });
-    session.apply(Command::SetColouring(Colouring::Area));
-    session.apply(Command::SetWireframe(true));
-    session.apply(Command::SetPlots(true));
-    session.apply(Command::SetTextureSide(Side::Target));
-    session.apply(Command::SetComparison(Comparison::Precomputed));
-    let text = serde_json::to_string(&session).unwrap();
-    assert_eq!(serde_json::from_str::<Session>(&text).unwrap(), session, "{text}");
-}
-
-#[test]
-fn a_session_from_before_they_were_there_has_the_defaults() {
-    let mut text = serde_json::to_value(Session::default()).unwrap();
-    for field in ["colouring", "wireframe", "plots", "texture_side", "comparison"] {
-        assert!(text.as_object_mut().unwrap().remove(field).is_some(), "{field}");
-    }
-    assert_eq!(serde_json::from_value::<Session>(text).unwrap(), Session::default());
-}
-
-fn with_surface() -> Session {
-    let mut session = Session::default();
-    session.apply(Command::SetSurface(SurfaceSpec::default()));
-    session.apply(Command::MoveSurfacePoint(BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] }));
-    session.apply(Command::MoveSurfaceAnchor(1.25));
-    session
+fn with_surface(side: Side) -> Session {
+    let point = BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] };
+    Session::with([
+        Command::SetSurface { side, surface: SurfaceSpec::default() },
+        Command::MoveInterior { side, point: point.into() },
+        Command::MoveAnchor { side, fraction: 1.25 },
+    ])
 }
 
 #[test]
 fn a_surface_keeps_its_points_through_other_settings_but_not_through_another_surface() {
-    let mut session = with_surface();
-    assert_eq!(session.surface.as_ref().unwrap().anchor, 0.25, "modulo one");
-    let repaired = SurfaceSpec { repair: true, ..SurfaceSpec::default() };
-    session.apply(Command::SetSurface(repaired));
-    assert_eq!(session.surface.as_ref().unwrap().point.unwrap().triangle, 3);
-    let shape = SurfaceShape::File { name: "cow.obj".into() };
-    session.apply(Command::SetSurface(SurfaceSpec { shape, ..SurfaceSpec::default() }));
-    assert_eq!(session.surface.as_ref().map(|surface| (surface.point, surface.anchor)), Some((None, 0.0)));
+    for side in Side::BOTH {
+        let mut session = with_surface(side);
+        assert_eq!(session.surface(side).unwrap().anchor, 0.25, "modulo one");
+        assert_eq!(session.side(side).anchor, 0.0, "the outline's own stays");
+        let surface = SurfaceSpec { repair: true, ..SurfaceSpec::default() };
+        session.apply(Command::SetSurface { side, surface });
+        assert_eq!(session.surface(side).unwrap().point.unwrap().triangle, 3);
+        let finer = SurfaceSpec {
+            shape: SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 33 },
+            ..SurfaceSpec::default()
+        };
+        session.apply(Command::SetSurface { side, surface: finer });
+        let points = session.surface(side).map(SurfaceState::points);
+        assert_eq!(points, Some(SidePoints::Surface { interior: None, anchor: 0.25 }), "its triangles are others");
+        let surface = SurfaceSpec { shape: SurfaceShape::File { name: "cow.obj".into() }, ..SurfaceSpec::default() };
+        session.apply(Command::SetSurface { side, surface });
+        let points = session.surface(side).map(SurfaceState::points);
+        assert_eq!(points, Some(SidePoints::Surface { interior: None, anchor: 0.0 }));
+    }
 }
 
 #[test]
-fn an_outline_for_the_target_takes_the_place_of_a_surface() {
-    let mut session = with_surface();
-    session.apply(Command::SetOutline { side: Side::Source, outline: preset(Preset::Star) });
-    assert!(session.surface.is_some());
-    session.apply(Command::SetOutline { side: Side::Target, outline: preset(Preset::Star) });
-    assert_eq!(session.surface, None);
+fn an_outline_takes_the_place_of_a_surface_on_its_own_side() {
+    for side in Side::BOTH {
+        let mut session = with_surface(side);
+        session.apply(Command::SetOutline { side: side.other(), outline: preset(Preset::Star) });
+        assert!(session.surface(side).is_some());
+        session.apply(Command::SetOutline { side, outline: preset(Preset::Star) });
+        assert_eq!(session.surface(side), None);
+    }
 }
 
 #[test]
-fn a_session_from_before_there_were_surfaces_still_reads() {
-    let mut value = serde_json::to_value(with_surface()).unwrap();
-    assert_eq!(serde_json::from_value::<Session>(value.clone()).unwrap(), with_surface());
-    value.as_object_mut().unwrap().remove("surface");
-    assert_eq!(serde_json::from_value::<Session>(value).unwrap(), Session::default());
+fn a_reshaped_outline_and_its_points_wait_behind_a_surface() {
+    for side in Side::BOTH {
+        let mut session = with_surface(side);
+        let surface = session.surface(side).cloned();
+        session.apply(Command::ReshapeOutline {
+            side,
+            outline: preset(Preset::Star),
+            interior: Some(DVec2::ZERO),
+            anchor: 0.5,
+        });
+        session.apply(Command::PlacePoints { side, points: SidePoints::Outline { interior: None, anchor: 0.75 } });
+        assert_eq!(session.surface(side), surface.as_ref());
+        session.apply(Command::CloseSurface(side));
+        assert_eq!(session.side(side).outline_points(), SidePoints::Outline { interior: None, anchor: 0.75 });
+        assert_eq!(session.domain(side).outline, preset(Preset::Star));
+    }
+}
+
+#[test]
+fn what_is_about_a_surface_that_is_not_there_touches_nothing() {
+    let point = BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] };
+    for side in Side::BOTH {
+        let (mut session, other) = (with_surface(side.other()), SurfacePreset::Saddle);
+        let before = session.clone();
+        for command in [
+            Command::MoveInterior { side, point: point.into() },
+            Command::PlacePoints { side, points: SidePoints::Surface { interior: None, anchor: 0.5 } },
+            Command::RefineSurface { side, surface: SurfaceSpec::default() },
+            Command::CloseSurface(side),
+            Command::RefineSurface {
+                side: side.other(),
+                surface: SurfaceSpec { shape: SurfaceShape::preset(other), ..SurfaceSpec::default() },
+            },
+        ] {
+            assert_ne!(command.touches(), Touched::NOTHING);
+            assert_eq!(session.apply(command.clone()), Touched::NOTHING, "{command:?}");
+            assert_eq!(session, before, "{command:?}");
+        }
+    }
+}
+
+/// Every command once, each of which changes the session that it comes to.
+fn commands() -> Vec<Command> {
+    let side = Side::Source;
+    let point = BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] };
+    let fine = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 33 };
+    vec![
+        Command::SetOutline { side, outline: preset(Preset::Star) },
+        Command::ReshapeOutline { side, outline: preset(Preset::Disk), interior: None, anchor: 0.0 },
+        Command::SetSettings { side, settings: PrepareSettings::default() },
+        Command::MoveInterior { side, point: DVec2::X.into() },
+        Command::MoveAnchor { side, fraction: 0.5 },
+        Command::PlacePoints { side, points: SidePoints::Outline { interior: None, anchor: 0.25 } },
+        Command::SetSurface { side, surface: SurfaceSpec::default() },
+        Command::MoveInterior { side, point: point.into() },
+        Command::PlacePoints { side, points: SidePoints::Surface { interior: None, anchor: 0.5 } },
+        Command::RefineSurface { side, surface: SurfaceSpec { shape: fine, ..SurfaceSpec::default() } },
+        Command::SetDirection(Direction::Forward),
+        Command::SetExtension(Extension::CauchyGreen),
+        Command::SetTexture(TextureKind::Polar),
+        Command::SetTextureScale(3.0),
+        Command::SetTextureSide(Side::Target),
+        Command::SetColouring(Colouring::Area),
+        Command::SetWireframe(true),
+        Command::SetPlots(true),
+        Command::SetComparison(Comparison::Both),
+        Command::Swap,
+        Command::CloseSurface(Side::Target),
+        Command::Open(Box::default()),
+    ]
+}
+
+/// The parts in which two sessions differ.
+fn differences(a: &Session, b: &Session) -> Touched {
+    let sides = |differ: fn(&SideState, &SideState) -> bool| Side::BOTH.iter().any(|&k| differ(a.side(k), b.side(k)));
+    let of_surfaces = |differ: fn(&SurfaceState, &SurfaceState) -> bool| {
+        let both = Side::BOTH.map(|side| (a.surface(side), b.surface(side)));
+        both.iter().any(|pair| matches!(pair, (Some(a), Some(b)) if differ(a, b)))
+    };
+    let parts = [
+        (sides(|a, b| a.interior != b.interior) || of_surfaces(|a, b| a.point != b.point), Touched::INTERIOR),
+        (sides(|a, b| a.anchor != b.anchor) || of_surfaces(|a, b| a.anchor != b.anchor), Touched::BOUNDARY),
+        (sides(|a, b| a.domain.outline != b.domain.outline), Touched::SHAPES),
+        (sides(|a, b| a.surface.is_some() != b.surface.is_some()), Touched::SHAPES),
+        (of_surfaces(|a, b| !a.spec.is_like(&b.spec)), Touched::SHAPES),
+        (of_surfaces(|a, b| a.spec.is_like(&b.spec) && a.spec != b.spec), Touched::SETTINGS),
+        (sides(|a, b| a.domain.settings != b.domain.settings), Touched::SETTINGS),
+        (a.direction != b.direction || a.extension != b.extension, Touched::SETTINGS),
+        (a.texture != b.texture, Touched::PATTERN),
+        (a.texture_side != b.texture_side || a.texture_scale != b.texture_scale, Touched::PATTERN),
+        (a.colouring != b.colouring || a.wireframe != b.wireframe, Touched::COLOURS),
+        (a.plots != b.plots, Touched::PLOTS),
+        (a.comparison != b.comparison, Touched::COMPARISON),
+    ];
+    parts.into_iter().filter(|(differs, _)| *differs).fold(Touched::NOTHING, |all, (_, part)| all | part)
+}
+
+#[test]
+fn a_command_changes_nothing_but_what_it_touches_and_says_the_same_before_and_after() {
+    let mut session = Session::default();
+    for command in commands() {
+        let before = session.clone();
+        let announced = command.touches();
+        assert_eq!(session.apply(command.clone()), announced, "{command:?}");
+        let follows_its_shape = matches!(command, Command::ReshapeOutline { .. } | Command::RefineSurface { .. });
+        let allowed = if follows_its_shape { announced | Touched::POINTS } else { announced };
+        let changed = differences(&before, &session);
+        assert!(changed.is_only(allowed), "{command:?} touches {announced:?}, but has changed {changed:?}");
+        assert_ne!(session, before, "{command:?} changes nothing");
+    }
+    assert_eq!(session, Session::default());
 }
 
 #[test]
@@ -128,9 +229,7 @@ fn comparisons_keep_their_names_and_show_what_they_say() {
         ("precomputed", Comparison::Precomputed, [false, true]),
         ("both", Comparison::Both, [true, true]),
     ] {
-        let mut text = serde_json::to_value(Session::default()).unwrap();
-        text["comparison"] = name.into();
-        assert_eq!(serde_json::from_value::<Session>(text).unwrap().comparison, comparison);
+        assert_eq!(serde_json::from_value::<Comparison>(name.into()).unwrap(), comparison);
         assert_eq!(serde_json::to_value(comparison).unwrap(), name);
         assert_eq!(ways(comparison), shown, "{name}");
     }
@@ -140,10 +239,10 @@ fn comparisons_keep_their_names_and_show_what_they_say() {
 fn a_reshaped_outline_brings_its_points_along() {
     let mut session = Session::default();
     let points = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from).to_vec();
-    let outline = OutlineSpec::Points { name: "triangle".into(), points };
+    let outline = OutlineSpec::Points { name: "triangle".into(), polygon: points.try_into().unwrap() };
     let interior = Some(DVec2::new(0.25, 0.25));
     session.apply(Command::ReshapeOutline { side: Side::Target, outline: outline.clone(), interior, anchor: 1.25 });
-    assert_eq!((session.interior, session.anchor), ([None, interior], [0.0, 0.25]));
-    assert_eq!(session.target.outline, outline);
-    assert_eq!(session.source, Session::default().source);
+    assert_eq!(session.side(Side::Target).outline_points(), SidePoints::Outline { interior, anchor: 0.25 });
+    assert_eq!(session.domain(Side::Target).outline, outline);
+    assert_eq!(session.side(Side::Source), Session::default().side(Side::Source));
 }

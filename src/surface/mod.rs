@@ -2,7 +2,8 @@
 //!
 //! | step | file |
 //! |---|---|
-//! | bytes → [`Surface`] | `read` |
+//! | bytes → [`Surface`] (feature `io`) | `read` |
+//! | what a reader did, and where in the file | `note` |
 //! | what its connectivity is, and what keeps it from being a disk | `survey`, `duplicates`, `topology_error` |
 //! | repairs that are safe, each told | `repair`, `fill` |
 //! | boundary loop first, interior after | `disk` |
@@ -19,8 +20,10 @@ mod farthest;
 mod fill;
 mod head;
 mod nearest;
+mod note;
 mod orient;
 mod preset;
+#[cfg(feature = "io")]
 mod read;
 mod repair;
 mod survey;
@@ -34,13 +37,17 @@ mod tree_tests;
 pub use disk::SurfaceMesh;
 pub use farthest::{at_vertex, farthest_from_boundary};
 pub use nearest::{nearest_on_boundary, nearest_on_boundary_to_ray};
+pub use note::{Place, SurfaceNote};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
-pub use read::{ENDINGS, MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, Place, SurfaceError, names_format, read_surface};
-pub use repair::{ADDED, RepairNote, Repaired, repair};
-pub use topology_error::{LoopReport, TopologyError};
+#[cfg(feature = "io")]
+pub use read::{
+    ENDINGS, Fault, Item, MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, SurfaceError, Unsupported, names_format, read_surface,
+};
+pub use repair::{ADDED, RepairNote};
+pub use survey::{MAX_COORDINATE, MIN_EXTENT};
+pub use topology_error::{LISTED, LoopReport, TopologyError};
 pub use tree::SurfaceTree;
 
-use crate::counted::counted;
 use crate::geometry::DVec3;
 
 /// Triangles in space, as a file gives them: nothing is known about their connectivity.
@@ -52,31 +59,4 @@ pub struct Surface {
     pub triangles: Vec<[u32; 3]>,
     /// What was done to the file's contents.
     pub notes: Vec<SurfaceNote>,
-}
-
-/// What a reader did that its user should know.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum SurfaceNote {
-    /// Polygons were cut into triangles.
-    #[error("{}", counted!(*polygons, "1 polygon was cut into triangles", "{polygons} polygons were cut into triangles"))]
-    Triangulated {
-        /// How many.
-        polygons: usize,
-        /// How many faces the file has.
-        faces: usize,
-    },
-    /// Vertices at exactly the same place were made one (formats that repeat them).
-    #[error("{before} corners at {after} places were made {after} vertices")]
-    Welded {
-        /// How many the file has.
-        before: usize,
-        /// How many are left.
-        after: usize,
-    },
-    /// The file goes on after all that it counts at its beginning.
-    #[error("{place}: more follows than the file says it has; it was passed over")]
-    Surplus {
-        /// Where it begins.
-        place: Place,
-    },
 }

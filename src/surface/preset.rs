@@ -10,6 +10,7 @@ use std::str::FromStr;
 /// A built-in surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum SurfacePreset {
     /// The upper half of the unit sphere.
     Hemisphere,
@@ -161,6 +162,7 @@ impl fmt::Display for SurfacePreset {
 /// No preset has this name.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("there is no surface preset \"{name}\"; there are {}", SurfacePreset::ALL.map(SurfacePreset::name).join(", "))]
+#[non_exhaustive]
 pub struct UnknownSurfacePreset {
     /// What was asked for.
     pub name: String,

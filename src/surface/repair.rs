@@ -19,6 +19,7 @@ pub const ADDED: u32 = u32::MAX;
 /// What a repair has done.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum RepairNote {
     /// Triangles that name a vertex twice were dropped.
     #[error("{}", counted!(

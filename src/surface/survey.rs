@@ -10,10 +10,10 @@ use super::{LoopReport, Surface, TopologyError};
 use crate::geometry::DVec3;
 
 /// Areas are made of fourth powers, which overflow beyond 1e77; it is no size of anything.
-pub(super) const MAX_COORDINATE: f64 = 1e75;
+pub const MAX_COORDINATE: f64 = 1e75;
 
 /// The least extent: fourth powers underflow below 1e-81, and triangles are 1e-7 of a surface, or smaller.
-pub(super) const MIN_EXTENT: f64 = 1e-70;
+pub const MIN_EXTENT: f64 = 1e-70;
 
 /// A triangle whose height is less than this part of its longest edge has no angles that its
 /// coordinates determine: those of f32 files err by 1e-7, their thinnest triangles have 1e-6;

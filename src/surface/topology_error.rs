@@ -6,6 +6,7 @@ use std::fmt;
 
 /// A boundary loop of a surface.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct LoopReport {
     /// The number of its vertices (and edges).
     pub vertices: usize,
@@ -17,6 +18,7 @@ pub struct LoopReport {
 
 /// What keeps a surface from being a disk. Triangles and vertices count from 0.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum TopologyError {
     /// No triangle at all.
     #[error("the surface has no triangles")]
@@ -197,15 +199,15 @@ impl fmt::Display for LoopReport {
 }
 
 /// How many items of a list a message shows.
-const SHOWN: usize = 12;
+pub const LISTED: usize = 12;
 
 struct Listed<'a, T>(&'a [T]);
 
 impl<T: fmt::Display> fmt::Display for Listed<'_, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (k, item) in self.0.iter().take(SHOWN).enumerate() {
+        for (k, item) in self.0.iter().take(LISTED).enumerate() {
             write!(f, "{}{item}", if k > 0 { ", " } else { "" })?;
         }
-        if self.0.len() > SHOWN { write!(f, ", …") } else { Ok(()) }
+        if self.0.len() > LISTED { write!(f, ", …") } else { Ok(()) }
     }
 }

@@ -38,13 +38,15 @@ const HIDDEN: f64 = 1e-5;
 impl SurfaceTree {
     /// Sorts the triangles; all positions have to be finite. Cost O(n log n).
     pub fn new(mesh: &TriMesh<DVec3>) -> Self {
-        let (low, high) = mesh
-            .vertices
-            .iter()
-            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+        Self::of(mesh.triangles.iter().map(|t| t.map(|v| mesh.vertices[v as usize])).collect())
+    }
+
+    /// As [`Self::new`], of the corners of triangles.
+    pub(crate) fn of(triangles: Vec<[DVec3; 3]>) -> Self {
+        let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (low, high) = triangles.iter().flatten().fold(ends, |(low, high), &p| (low.min(p), high.max(p)));
         let extent = (high - low).max_element();
         let (middle, scale) = (low.midpoint(high), if extent > 0.0 { extent.recip() } else { 1.0 });
-        let triangles: Vec<_> = mesh.triangles.iter().map(|t| t.map(|v| mesh.vertices[v as usize])).collect();
         let boxes: Vec<_> = triangles.iter().map(|&corners| bounds(corners.map(|p| (p - middle) * scale))).collect();
         let numbers = (0..triangles.len() as u32).collect();
         let tree = PlocBuilder::new().build(PlocSearchDistance::Low, &boxes, numbers, SortPrecision::U64, 0);

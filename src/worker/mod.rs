@@ -9,49 +9,33 @@ mod study;
 pub use rehearsal::rehearsal;
 pub use study::{Finding, Study};
 
-use crate::conformal::{
-    Memory, PrepareSettings, PreparedDomain, PreparedSurface, Side, Stage, SurfaceSettings, prepare, prepare_surface,
-};
+use crate::conformal::{PrepareSettings, PreparedSide, Stage, SurfaceSettings, prepare, prepare_surface};
 use crate::geometry::SimplePolygon;
+use crate::language::Message;
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, read_surface};
 use std::sync::Arc;
-
-/// What a preparation is of. Each has a worker of its own.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Subject {
-    /// A planar domain.
-    Domain(Side),
-    /// The surface in the target's place.
-    Surface,
-}
-
-impl Subject {
-    /// How many there are.
-    pub const COUNT: usize = 3;
-
-    /// Counts from 0.
-    pub fn index(self) -> usize {
-        match self {
-            Self::Domain(side) => side as usize,
-            Self::Surface => Side::BOTH.len(),
-        }
-    }
-}
 
 /// A request to prepare something.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
-    /// Counts up with every request about the same subject.
+    /// Counts up with every request about the same side.
     pub generation: u64,
     /// What to prepare.
     pub task: Task,
 }
 
-/// What to prepare.
+impl Request {
+    /// Whether what is to be prepared is a surface.
+    pub fn is_of_surface(&self) -> bool {
+        matches!(self.task, Task::Surface { .. })
+    }
+}
+
+/// A side to prepare.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Task {
-    /// A planar domain.
-    Domain {
+    /// The inside of an outline.
+    Outline {
         /// The outline.
         polygon: SimplePolygon,
         /// How to discretise it.
@@ -92,10 +76,8 @@ pub enum SurfaceSource {
 pub enum Response {
     /// A stage begins.
     Progress(Stage),
-    /// A planar domain is done.
-    Domain(Box<PreparedDomain>),
-    /// A surface is done; with what its reader noticed.
-    Surface(Box<PreparedSurface>, Vec<String>),
+    /// A side is done; with what the reader of a surface noticed.
+    Prepared(Box<PreparedSide>, Vec<Message>),
     /// Not to be done.
     Failed(Failure),
 }
@@ -104,15 +86,18 @@ pub enum Response {
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Failure {
     /// In words for the person.
-    pub text: String,
+    pub text: Message,
     /// Whether safe repairs would make it a surface that can be prepared.
     pub repairable: bool,
 }
 
 impl Failure {
     /// A failure without a way out.
-    pub fn new(error: &impl ToString) -> Self {
-        Self { text: error.to_string(), repairable: false }
+    pub fn new<'a, E: ?Sized>(error: &'a E) -> Self
+    where
+        Message: From<&'a E>,
+    {
+        Self { text: error.into(), repairable: false }
     }
 }
 
@@ -121,8 +106,8 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
     let generation = request.generation;
     let progress = &mut |stage| emit(generation, Response::Progress(stage));
     let result = match &request.task {
-        Task::Domain { polygon, settings } => prepare(polygon, settings, progress)
-            .map(|domain| Response::Domain(Box::new(domain)))
+        Task::Outline { polygon, settings } => prepare(polygon, settings, progress)
+            .map(|side| Response::Prepared(Box::new(side), Vec::new()))
             .map_err(|error| Failure::new(&error)),
         Task::Surface { source, repair, settings } => surface(source, *repair, *settings, progress),
     };
@@ -152,17 +137,18 @@ fn surface(
         repairable: !repair && SurfaceMesh::repaired(&surface).is_ok(),
         ..Failure::new(&error)
     })?;
-    let notes = surface.notes.iter().map(ToString::to_string).collect();
+    let notes = surface.notes.iter().map(Message::from).collect();
     drop(surface);
-    let prepared = prepare_surface(Memory::default(), disk, settings, progress);
+    let prepared = prepare_surface(disk, settings, progress);
     let prepared = prepared.map_err(|error| Failure::new(&error))?;
-    Ok(Response::Surface(Box::new(prepared), notes))
+    Ok(Response::Prepared(Box::new(prepared), notes))
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::*;
+    use crate::language::key;
 
     fn last(source: SurfaceSource, repair: bool) -> Response {
         let task = Task::Surface { source, repair, settings: SurfaceSettings::default() };
@@ -181,20 +167,20 @@ mod tests {
     #[test]
     fn a_file_becomes_a_prepared_surface_with_the_readers_notes() {
         let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-        let Response::Surface(surface, notes) = last(file(square), false) else { panic!() };
-        assert_eq!(surface.surface.mesh.triangles.len(), 2);
-        assert_eq!(notes, ["1 polygon was cut into triangles"]);
+        let Response::Prepared(side, notes) = last(file(square), false) else { panic!() };
+        assert_eq!(side.surface().unwrap().mesh().triangles.len(), 2);
+        assert_eq!(notes, [key::surface_note_triangulated(1_u32)]);
     }
 
     #[test]
     fn a_repair_is_offered_where_it_would_help_and_only_there() {
         let loose = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 2 3 4\n";
         let Response::Failed(failure) = last(file(loose), false) else { panic!() };
-        assert!(failure.repairable && failure.text.contains("vertex 0"), "{failure:?}");
-        assert!(matches!(last(file(loose), true), Response::Surface(..)));
+        assert!(failure.repairable && failure.text == key::topology_unreferenced(1_u32, 0_u32), "{failure:?}");
+        assert!(matches!(last(file(loose), true), Response::Prepared(..)));
         let closed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
         let Response::Failed(failure) = last(file(closed), false) else { panic!() };
-        assert!(!failure.repairable && failure.text.contains("closed"), "{failure:?}");
+        assert!(!failure.repairable && failure.text.key() == key::topology_closed(0_u32).key(), "{failure:?}");
         assert!(matches!(last(file("f 1 2"), false), Response::Failed(_)));
     }
 }

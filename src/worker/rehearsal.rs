@@ -34,7 +34,8 @@ mod tests {
     fn a_rehearsal_leaves_no_step_out() {
         let mut last = None;
         run(&rehearsal(), &mut |_, response| last = Some(response));
-        let Some(Response::Surface(surface, _)) = last else { panic!("{last:?}") };
-        assert!(surface.flips.flips > 0 && surface.surface.mesh.triangles.len() > 1000, "{:?}", surface.flips);
+        let Some(Response::Prepared(side, _)) = last else { panic!("{last:?}") };
+        let surface = side.surface().unwrap_or_else(|| panic!("{side:?}"));
+        assert!(surface.flips().flips > 0 && side.triangles().len() > 1000, "{:?}", surface.flips());
     }
 }

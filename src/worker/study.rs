@@ -3,6 +3,7 @@
 //! A study is asked for row by row, so that what is there can be shown and the rest dropped.
 
 use crate::figures::{BenchRow, ConvergenceRow, ConvergenceStudy, Detail, FigureError, Measurement};
+use crate::language::{Message, key};
 
 /// One row of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -31,20 +32,20 @@ pub enum Finding {
     /// The four rows of one resolution.
     Convergence(Vec<ConvergenceRow>),
     /// Why there is nothing.
-    Failed(String),
+    Failed(Message),
 }
 
 impl Study {
     /// Carries it out.
     pub fn run(self) -> Finding {
-        self.try_run().unwrap_or_else(|error| Finding::Failed(error.to_string()))
+        self.try_run().unwrap_or_else(|error| Finding::Failed(Message::from(&error)))
     }
 
     fn try_run(self) -> Result<Finding, FigureError> {
         Ok(match self {
             Self::Bench { row, runs } => match row.measure(runs)? {
                 Some(measurement) => Finding::Bench(measurement),
-                None => Finding::Failed(String::from("there is no such row")),
+                None => Finding::Failed(key::no_such_row().into()),
             },
             Self::Convergence { m } => Finding::Convergence(ConvergenceStudy::new(Detail::Paper)?.rows(m)?.to_vec()),
         })

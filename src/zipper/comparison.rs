@@ -119,15 +119,12 @@ fn moved_angles(angles: &[f64], a: Complex) -> LiftedAngles {
     LiftedAngles::new(moved.collect())
 }
 
-/// Two domains matched through the disk.
+/// Two domains matched through the disk. There is one point for each vertex of the mapped boundary.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiskComparison {
-    /// The measure of the boundary that is mapped.
-    pub mapped: DiskMeasure,
-    /// The measure of the boundary that it is mapped to.
-    pub other: DiskMeasure,
-    /// Where each vertex of the mapped boundary goes on the other one, by vertex.
-    pub points: Vec<BoundaryPoint>,
+    mapped: DiskMeasure,
+    other: DiskMeasure,
+    points: Vec<BoundaryPoint>,
 }
 
 impl DiskComparison {
@@ -149,6 +146,21 @@ impl DiskComparison {
             }
         }
         Self { mapped, other, points }
+    }
+
+    /// The measure of the boundary that is mapped.
+    pub fn mapped(&self) -> &DiskMeasure {
+        &self.mapped
+    }
+
+    /// The measure of the boundary that it is mapped to.
+    pub fn other(&self) -> &DiskMeasure {
+        &self.other
+    }
+
+    /// Where each vertex of the mapped boundary goes on the other one, by vertex.
+    pub fn points(&self) -> &[BoundaryPoint] {
+        &self.points
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::ZipperError;
 use super::geodesic::{Closing, FirstArc, Geodesic, LinePoint, NoGeodesic};
-use crate::exact::Complex;
+use crate::exact::{Complex, complex};
 use crate::geometry::DVec2;
 use std::f64::consts::TAU;
 
@@ -75,8 +75,8 @@ impl DiskMap {
         check(points)?;
         let outside = ZipperError::PointOutside { x: x.x, y: x.y };
         let start = straightest_start(points);
-        let at = |k: usize| Complex::from(points[(start + k) % points.len()]);
-        let first = FirstArc::new([at(0), at(1), at(2)], x.into()).ok_or(outside)?;
+        let at = |k: usize| complex(points[(start + k) % points.len()]);
+        let first = FirstArc::new([at(0), at(1), at(2)], complex(x)).ok_or(outside)?;
         let mut line = first.line().to_vec();
         let mut remaining: Vec<Complex> = (3..points.len()).map(|k| first.map(at(k))).collect();
         let mut geodesics = Vec::with_capacity(remaining.len());
@@ -122,7 +122,7 @@ impl DiskMap {
     ///
     /// Where the domain crowds |g(z)| may round to 1; a point outside the curve has |g(z)| > 1. Cost O(m).
     pub fn map(&self, z: DVec2) -> Option<Complex> {
-        let start = self.first.map(z.into());
+        let start = self.first.map(complex(z));
         let end = self.geodesics.iter().fold(start, |z, geodesic| geodesic.map(z));
         let image = self.rotation * self.closing.map(end);
         (image.re.is_finite() && image.im.is_finite()).then_some(image)

@@ -3,6 +3,7 @@
 /// Why the geodesic algorithm could not map a domain. Crowding is no error: see
 /// [`super::DiskMap::collapsed`].
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ZipperError {
     /// Fewer than three boundary points.
     #[error("at least 3 boundary points are needed, not {count}")]

@@ -21,7 +21,7 @@
 //! staying at 0. So harmonic measure from x is always an angle, arctan t/π, that
 //! shrinks as the curve grows: crowding costs digits only of what x hardly sees.
 
-use crate::exact::Complex;
+use crate::exact::{Complex, sqrt};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Below this, im a/|a| is rounding error. A point that is seen at such an angle has a
@@ -94,7 +94,7 @@ impl FirstArc {
     }
 
     pub fn map(&self, z: Complex) -> Complex {
-        let root = (self.factor * ((z - self.to) / (z - self.from))).sqrt();
+        let root = sqrt(self.factor * ((z - self.to) / (z - self.from)));
         self.recentre.quotient(Complex::I * root, Complex::ONE)
     }
 
@@ -126,7 +126,7 @@ pub(super) enum NoGeodesic {
 
 impl Geodesic {
     pub fn to(a: Complex) -> Result<Self, NoGeodesic> {
-        let size = a.abs();
+        let size = a.norm();
         let resolved = size > TINY && size < 1.0 / TINY && a.im > FLAT * size;
         if !resolved {
             return Err(NoGeodesic::Collapsed);
@@ -146,7 +146,7 @@ impl Geodesic {
 
     /// f(z) as a fraction. The root S is the one with re(S z̄) ≥ 0, so S + z does not cancel.
     fn fraction(&self, z: Complex) -> (Complex, Complex) {
-        let root = ((z - self.a) * (z - self.a.conj())).sqrt();
+        let root = sqrt((z - self.a) * (z - self.a.conj()));
         let root = if root.re * z.re + root.im * z.im >= 0.0 { root } else { -root };
         (self.stretch * (root * (root + z)), root + self.tilt * z + Complex::from(self.a.re))
     }
@@ -184,15 +184,14 @@ impl Closing {
         let first = (z - i) / (z + i);
         let second = (zeta * z + turn) / (zeta * z - turn);
         let third = (zeta + i) / (zeta - i);
-        first * second * third.square()
+        first * second * (third * third)
     }
 
     /// The argument of the image of a boundary point, counter-clockwise from the image of ζ.
     pub fn angle(&self, t: LinePoint) -> f64 {
         let zeta = self.zeta.re;
-        let half = Complex::new(t.x, -t.y)
-            * Complex::new(zeta * t.x, zeta * t.y - 2.0 * t.x)
-            * (self.zeta + Complex::I).square();
+        let last = self.zeta + Complex::I;
+        let half = Complex::new(t.x, -t.y) * Complex::new(zeta * t.x, zeta * t.y - 2.0 * t.x) * (last * last);
         let half = half.arg();
         // the half angle runs from 0 to π, where rounding may turn it to −π
         2.0 * if half < -FRAC_PI_2 { half + TAU } else { half }
@@ -216,23 +215,23 @@ mod tests {
         for a in [Complex::new(0.4, 0.3), Complex::new(-2.0, 0.1), Complex::new(0.0, 0.5)] {
             let map = Geodesic::to(a).unwrap();
             let published = |z: Complex| {
-                let squared = a.abs().powi(2);
+                let squared = a.norm().powi(2);
                 let (b, c) = (squared / a.re, squared / a.im);
                 let w = z / (Complex::ONE - (1.0 / b) * z);
-                let root = (w.square() + Complex::from(c * c)).sqrt();
+                let root = sqrt(w * w + Complex::from(c * c));
                 if root.im < 0.0 { -root } else { root }
             };
             let recentre = Recentre::at(published(Complex::I)).unwrap();
             for z in samples() {
                 let (actual, expected) = (map.map(z), recentre.quotient(published(z), Complex::ONE));
                 assert!(
-                    (actual - expected).abs() < 1e-11 * (1.0 + expected.abs()),
+                    (actual - expected).norm() < 1e-11 * (1.0 + expected.norm()),
                     "{a:?}, {z:?}: {actual:?}, {expected:?}"
                 );
                 assert!(actual.im > 0.0, "{z:?} leaves the half-plane: {actual:?}");
             }
-            assert!((map.map(Complex::I) - Complex::I).abs() < 1e-14, "x moves");
-            assert!(map.map(a).abs() < 1e-14, "the tip is not at 0");
+            assert!((map.map(Complex::I) - Complex::I).norm() < 1e-14, "x moves");
+            assert!(map.map(a).norm() < 1e-14, "the tip is not at 0");
         }
     }
 
@@ -244,7 +243,7 @@ mod tests {
                 let line = map.map_line(LinePoint { x: t, y: 1.0 });
                 let near = map.map(Complex::new(t, 1e-12));
                 let value = line.x / line.y;
-                assert!((near - Complex::from(value)).abs() < 1e-9 * (1.0 + value * value), "{t}: {value}, {near:?}");
+                assert!((near - Complex::from(value)).norm() < 1e-9 * (1.0 + value * value), "{t}: {value}, {near:?}");
                 let flipped = map.map_line(LinePoint { x: -t, y: -1.0 });
                 assert!((flipped.x / flipped.y - value).abs() < 1e-14 * value.abs(), "sign of the pair matters at {t}");
             }
@@ -255,16 +254,16 @@ mod tests {
     fn closing_takes_its_geodesic_to_the_circle_and_the_line_to_the_angles() {
         for zeta in [1e-9, 0.3, 1.0, 40.0] {
             let closing = Closing::new(LinePoint { x: zeta, y: 1.0 }).unwrap();
-            assert!(closing.map(Complex::I).abs() == 0.0);
-            assert!((closing.map(Complex::from(zeta)) - Complex::ONE).abs() < 1e-14);
+            assert!(closing.map(Complex::I).norm() == 0.0);
+            assert!((closing.map(Complex::from(zeta)) - Complex::ONE).norm() < 1e-14);
             for k in 1..20 {
                 let on = 0.5 * zeta * (Complex::ONE + Complex::cis(0.15 * f64::from(k)));
-                assert!((closing.map(on).abs() - 1.0).abs() < 1e-14, "ζ = {zeta}, {on:?}");
+                assert!((closing.map(on).norm() - 1.0).abs() < 1e-14, "ζ = {zeta}, {on:?}");
             }
             for t in [zeta * 1.001, zeta + 1.0, -5.0, -1.0, -0.1] {
                 let angle = closing.angle(LinePoint { x: t, y: 1.0 });
                 let image = closing.map(Complex::from(t));
-                assert!((image - Complex::cis(angle)).abs() < 1e-13, "ζ = {zeta}, t = {t}: {image:?}, {angle}");
+                assert!((image - Complex::cis(angle)).norm() < 1e-13, "ζ = {zeta}, t = {t}: {image:?}, {angle}");
             }
         }
     }

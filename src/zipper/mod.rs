@@ -13,7 +13,7 @@
 //! Two variants: *fresh*, one O(m²) run per interior point, accurate everywhere;
 //! *precomputed*, one run for a fixed point, then Möbius, which crowding ruins.
 //!
-//! The room stands beside `conformal`: it uses geometry, outline and `exact::Complex`,
+//! The room stands beside `conformal`: it uses geometry, outline and the complex numbers of `exact`,
 //! and no mesh, so that it is a second opinion on harmonic measure.
 
 mod comparison;

@@ -5,6 +5,7 @@ import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { newPage } from './chromium.mjs';
+import { watch } from './faults.mjs';
 
 const DESKTOP = { viewport: { width: 1440, height: 900 } };
 const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
@@ -26,11 +27,11 @@ function makeFramesHoldable() {
   };
 }
 
-/** The app on one page. Errors that nobody caught are kept, and `during` fails on them. */
+/** The app on one page. What goes wrong behind the scenes is kept, and `during` fails on it. */
 export class App {
   #page;
   #backend;
-  #faults = [];
+  #faults;
   #waits = 0;
 
   /** Opens an address in a page with the `options` of its context; `prepare` runs in it before its own scripts. */
@@ -46,22 +47,13 @@ export class App {
   constructor(page, backend) {
     this.#page = page;
     this.#backend = backend;
-    page.on('pageerror', (error) => this.#giveUp(`uncaught: ${error.stack ?? error}`));
-    page.on('crash', () => this.#giveUp('the page crashed'));
-    page.on('requestfailed', (request) => {
-      // a reload gives up what is still on its way, such as the icon
-      if (request.failure()?.errorText !== 'net::ERR_ABORTED') this.#faults.push(`not loaded: ${request.url()}`);
+    this.#faults = watch(page.context());
+    // after an uncaught error no state is reached any more: closing the page ends every wait
+    page.on('pageerror', () => page.close());
+    page.on('crash', () => {
+      this.#faults.push('the page crashed');
+      return page.close();
     });
-    page.on('console', (message) => {
-      const graphics = message.type() === 'warning' && /WebGL: |WebGPU|validation/i.test(message.text());
-      if (message.type() === 'error' || graphics) this.#faults.push(`console: ${message.text()} (${message.location().url})`);
-    });
-  }
-
-  /** After an uncaught error no state is reached any more: closing the page ends every wait. */
-  #giveUp(fault) {
-    this.#faults.push(fault);
-    return this.#page.close();
   }
 
   /** Lets `act` use the app, then closes it; fails if anything went wrong in front of or behind the scenes. */
@@ -216,6 +208,26 @@ export class App {
   /** Taps with one finger. */
   async tap(at) {
     await this.#betweenFrames(() => this.#page.touchscreen.tap(...at));
+  }
+
+  /** Begins to drag with one finger; then the system takes the touch away, as for a gesture of its own. */
+  async touchTakenAway(from, to) {
+    const protocol = await this.#page.context().newCDPSession(this.#page);
+    const touch = async (type, touchPoints) => {
+      await protocol.send('Input.dispatchTouchEvent', { type, touchPoints });
+      await this.#frames();
+    };
+    await touch('touchStart', [{ x: from[0], y: from[1] }]);
+    await touch('touchMove', [{ x: to[0], y: to[1] }]);
+    await touch('touchCancel', []);
+  }
+
+  /** Opens the browser's file dialog by `act`, and chooses a file with this text; without a name it is cancelled. */
+  async inFileDialog(act, name, text = '') {
+    const [chooser] = await Promise.all([this.#page.waitForEvent('filechooser'), act()]);
+    if (name) await chooser.setFiles({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(text) });
+    else await chooser.element().dispatchEvent('cancel');
+    await this.#frames();
   }
 
   async loadOutline(side, name, text) {

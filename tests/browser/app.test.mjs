@@ -92,10 +92,34 @@ withEachBackend('the app', (bench) => {
   );
 
   test(
+    'a touch that the system takes away lets go of the point',
+    bench.withApp(
+      async (app) => {
+        const { handles } = await app.stats();
+        await app.touchTakenAway(handles.x1, [handles.x1[0] + 15, handles.x1[1] + 10]);
+        await dragChangesMap(app, 'x1', (from, to) => app.touchDrag(from, to));
+      },
+      { device: 'phone' },
+    ),
+  );
+
+  test(
     'an outline in a file replaces the source',
     bench.withApp(async (app) => {
       const before = await app.stats();
       await app.loadOutline('source', 'forty.csv', POLYGON);
+      await assertReplaced(app, 'source', before);
+    }),
+  );
+
+  test(
+    'an outline chosen in the file dialog replaces the source, and a cancelled dialog changes nothing',
+    bench.withApp(async (app) => {
+      const [before, session] = [await app.stats(), await app.session()];
+      await app.walkTo(/^Open…, button/);
+      await app.inFileDialog(() => app.press('Enter'));
+      assert.deepEqual(await app.session(), session);
+      await app.inFileDialog(() => app.press('Enter'), 'forty.csv', POLYGON);
       await assertReplaced(app, 'source', before);
     }),
   );

@@ -1,11 +1,13 @@
 // What every file of tests stands on: the release web app, served once, and a browser for each of
 // wgpu's two backends, in which each test opens pages of its own.
 
+import assert from 'node:assert/strict';
 import { after, before, describe } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 import { App, DEVICES } from './app.mjs';
 import { BACKENDS, launch, newPage } from './chromium.mjs';
+import { watch } from './faults.mjs';
 import { serve } from './server.mjs';
 
 /** The folder of the built app. */
@@ -55,15 +57,17 @@ class Bench {
     };
   }
 
-  /** A test that lets `act` use an empty page. */
-  withPage(act, options) {
+  /** A test that lets `act` use an empty page, in which nothing goes wrong but what is `expected`, a pattern. */
+  withPage(act, { expected, ...options } = {}) {
     return async () => {
       const page = await newPage(this.#running().browser, options);
+      const faults = watch(page.context(), expected);
       try {
         await act(page);
       } finally {
         await page.context().close();
       }
+      assert.deepEqual(faults, [], 'nothing goes wrong behind the scenes');
     };
   }
 }

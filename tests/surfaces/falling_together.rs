@@ -2,20 +2,20 @@
 
 use super::{constraints, default_map, disk, folded, prepared, surface_of};
 use riemap::conformal::{
-    Memory, PrepareSettings, PreparedDomain, PreparedSurface, SurfaceConstraints, SurfaceMap, SurfaceMapNote,
-    SurfaceSettings, prepare, prepare_surface,
+    ConformalMap, Constraints, Direction, MapNote, MapSettings, PrepareSettings, PreparedSide, Side, SurfaceSettings,
+    prepare, prepare_surface,
 };
 use riemap::geometry::{Bounds, DVec2, DVec3, SimplePolygon};
 use riemap::laplace::SolverKind;
 use riemap::mesh::Sizing;
 use riemap::outline::Sampling;
-use riemap::surface::{Surface, SurfaceMesh, at_vertex};
+use riemap::surface::{Surface, SurfaceMesh, SurfacePreset, at_vertex};
 use std::sync::Arc;
 
 /// How many boundary edges the note tells of, and how many triangles the quality counts as collapsed: both checked
 /// against the images, whose bound is 1e-13 of their extent here.
-fn told(map: &SurfaceMap) -> [usize; 2] {
-    let (images, mesh) = (map.images(), &map.surface().surface.mesh);
+fn told(map: &ConformalMap) -> [usize; 2] {
+    let (images, mesh) = (map.images(), map.mapped().surface().unwrap().mesh());
     let Bounds { min: low, max: high } = Bounds::of(images.iter().copied());
     let extent = (high - low).max_element();
     let boundary = &images[..mesh.boundary_count as usize];
@@ -26,8 +26,8 @@ fn told(map: &SurfaceMap) -> [usize; 2] {
         if longest > 0.0 { (b - a).perp_dot(c - a).abs() / longest } else { 0.0 }
     };
     let heights: Vec<f64> = mesh.triangles.iter().map(height).collect();
-    let edges = match map.note() {
-        Some(SurfaceMapNote::NoMeasure { edges } | SurfaceMapNote::NegativeKernel { edges }) => edges,
+    let edges = match map.note(map.mapped_side()) {
+        Some(MapNote::NoMeasure { edges } | MapNote::NegativeKernel { edges }) => edges,
         None => 0,
     };
     let told = [edges, map.quality().collapsed as usize];
@@ -39,9 +39,38 @@ fn told(map: &SurfaceMap) -> [usize; 2] {
     told
 }
 
-fn with_solver(mesh: &SurfaceMesh, solver: SolverKind) -> Arc<PreparedSurface> {
+fn with_solver(mesh: &SurfaceMesh, solver: SolverKind) -> Arc<PreparedSide> {
     let settings = SurfaceSettings { solver, ..SurfaceSettings::default() };
-    Arc::new(prepare_surface(Memory::default(), mesh.clone(), settings, &mut |_| ()).unwrap())
+    Arc::new(prepare_surface(mesh.clone(), settings, &mut |_| ()).unwrap())
+}
+
+/// Two patches of 4 × 4 squares with a bridge of two squares between them.
+fn two_patches() -> SurfaceMesh {
+    let whole = folded(10, 4, |_| 0.0);
+    let is_kept = |q: usize| !matches!((q % 10, q / 10), (4 | 5, 0 | 2 | 3));
+    let kept = whole.triangles.iter().enumerate().filter(|(t, _)| is_kept(t / 2)).map(|(_, corners)| *corners);
+    SurfaceMesh::repaired(&surface_of(whole.vertices.clone(), kept.collect())).unwrap()
+}
+
+/// Whichever of two surfaces is mapped, the one with the bridge has the note; its triangles beyond that are collapsed,
+/// as they are in the disk.
+#[test]
+fn between_two_surfaces_it_is_told_of_the_side_that_has_it() {
+    let (patches, hemisphere) = (with_solver(&two_patches(), SolverKind::Direct), hemisphere());
+    let at = Constraints::new((patches.default_point(), 0.1), (hemisphere.default_point(), 0.4));
+    for way in [Direction::Forward, Direction::Backward] {
+        let map = ConformalMap::new(patches.clone(), hemisphere.clone(), &at, way.into()).unwrap();
+        let Some(MapNote::NoMeasure { edges }) = map.note(Side::Source) else { panic!("{way:?}: no note") };
+        assert!((10..20).contains(&edges), "{way:?}: {edges}");
+        assert_eq!(map.note(Side::Target), None, "{way:?}");
+        let collapsed = map.quality().collapsed;
+        let expected = if way == Direction::Forward { 32..=36 } else { 0..=0 };
+        assert!(expected.contains(&collapsed), "{way:?}: {collapsed}");
+    }
+}
+
+fn hemisphere() -> Arc<PreparedSide> {
+    prepared(&SurfacePreset::Hemisphere.surface(60).unwrap(), SurfaceSettings::default())
 }
 
 #[test]
@@ -49,26 +78,23 @@ fn what_no_inner_vertex_joins_to_the_point_falls_together_and_is_told() {
     let source = disk();
     let whole = folded(10, 4, |_| 0.0);
     assert_eq!(told(&default_map(prepared(&whole, SurfaceSettings::default()))), [0, 0]);
-    // two patches of 4 × 4 squares with a bridge of two squares between them
-    let is_kept = |q: usize| !matches!((q % 10, q / 10), (4 | 5, 0 | 2 | 3));
-    let kept = whole.triangles.iter().enumerate().filter(|(t, _)| is_kept(t / 2)).map(|(_, corners)| *corners);
-    let patches = SurfaceMesh::repaired(&surface_of(whole.vertices.clone(), kept.collect())).unwrap();
+    let patches = two_patches();
     for solver in [SolverKind::Direct, SolverKind::Pcg] {
         let surface = with_solver(&patches, solver);
         for surface_anchor in [0.0, 0.1, 0.3, 0.5, 0.7, 0.9] {
-            let constraints = SurfaceConstraints { surface_anchor, ..constraints(&surface, &source) };
-            let map = SurfaceMap::new(source.clone(), surface.clone(), &constraints).unwrap();
+            let constraints = constraints(&surface, &source).with_anchor(Side::Target, surface_anchor);
+            let map = ConformalMap::new(source.clone(), surface.clone(), &constraints, MapSettings::default()).unwrap();
             // of the other patch all edges but the bridge's end, and two of the bridge; its 32 triangles and two of the
             // bridge are in one point, and one more of the bridge has two corners there
             assert_eq!(told(&map), [15 + 2, 32 + 2 + 1], "{solver:?}, {surface_anchor}");
-            assert!(matches!(map.note(), Some(SurfaceMapNote::NoMeasure { .. })));
+            assert!(matches!(map.note(map.mapped_side()), Some(MapNote::NoMeasure { .. })));
             assert!(map.quality().q_max < 1e3, "{:?}", map.quality());
         }
     }
 }
 
 /// A rectangle of the folded strip's size.
-fn rectangle(width: f64, height: f64, count: u32) -> Arc<PreparedDomain> {
+fn rectangle(width: f64, height: f64, count: u32) -> Arc<PreparedSide> {
     let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]].map(DVec2::from_array);
     let sampling = Sampling::Uniform { count, keep_corners: true };
     let settings = PrepareSettings { sampling, sizing: Sizing::Uniform, ..PrepareSettings::default() };
@@ -83,16 +109,20 @@ fn what_only_a_long_way_joins_to_the_point_falls_together_and_is_told() {
     let place = DVec3::new(0.05, 0.02, 0.0);
     for solver in [SolverKind::Direct, SolverKind::Pcg] {
         let surface = with_solver(&strip, solver);
-        let surface_point = surface.tree().nearest(place).unwrap().0;
+        let surface_point = surface.surface().unwrap().tree().nearest(place).unwrap().0;
         for surface_anchor in [0.0, 0.25, 0.48, 0.5, 0.75] {
-            let in_disk = SurfaceConstraints { surface_point, surface_anchor, ..constraints(&surface, &disk) };
-            let [edges, _] = told(&SurfaceMap::new(disk.clone(), surface.clone(), &in_disk).unwrap());
+            let in_disk = constraints(&surface, &disk)
+                .with_point(Side::Target, surface_point)
+                .with_anchor(Side::Target, surface_anchor);
+            let [edges, _] =
+                told(&ConformalMap::new(disk.clone(), surface.clone(), &in_disk, MapSettings::default()).unwrap());
             assert!(edges.abs_diff(2 * (100 - 43) + 4) < 10, "{solver:?}, {surface_anchor}: {edges}");
             // over the same rectangle, what is as small on both sides is told apart after the anchor
-            let anchor = surface.boundary_position(surface.at_fraction(surface_anchor)).truncate();
-            let source_anchor = same.samples.fraction_at(same.samples.nearest(anchor));
-            let in_same = SurfaceConstraints { source_point: place.truncate(), source_anchor, ..in_disk };
-            let [apart, _] = told(&SurfaceMap::new(same.clone(), surface.clone(), &in_same).unwrap());
+            let anchor = surface.surface().unwrap().boundary_position(surface.at_fraction(surface_anchor)).truncate();
+            let source_anchor = same.fraction_at(same.domain().unwrap().samples().nearest(anchor));
+            let in_same = in_disk.with_point(Side::Source, place.truncate()).with_anchor(Side::Source, source_anchor);
+            let [apart, _] =
+                told(&ConformalMap::new(same.clone(), surface.clone(), &in_same, MapSettings::default()).unwrap());
             println!("{solver:?}, {surface_anchor}: {edges} over the disk, {apart} over the same");
             assert!(apart < if (0.48..=0.5).contains(&surface_anchor) { 60 } else { edges }, "{apart} of {edges}");
         }
@@ -105,14 +135,14 @@ fn where_the_kernel_is_negative_the_note_says_so() {
     let sheared = |p: &DVec3| DVec3::new(p.x + 1.7 * p.y, p.y, p.z);
     let needles = surface_of(needles.vertices.iter().map(sheared).collect(), needles.triangles);
     let given = prepared(&needles, SurfaceSettings { intrinsic_delaunay: false, ..SurfaceSettings::default() });
-    let mesh = &given.surface.mesh;
+    let mesh = given.surface().unwrap().mesh();
     let source = disk();
     let mut map = default_map(given.clone());
     for v in (mesh.boundary_count..mesh.vertices.len() as u32).step_by(7) {
-        let at = SurfaceConstraints { surface_point: at_vertex(mesh, v).unwrap(), ..constraints(&given, &source) };
-        map.update(&at).unwrap();
+        let at = constraints(&given, &source).with_point(Side::Target, at_vertex(mesh, v).unwrap());
+        map.update(&at, MapSettings::default()).unwrap();
         let [edges, _] = told(&map);
-        assert_eq!(map.note(), Some(SurfaceMapNote::NegativeKernel { edges }), "{v}");
+        assert_eq!(map.note(map.mapped_side()), Some(MapNote::NegativeKernel { edges }), "{v}");
     }
 }
 

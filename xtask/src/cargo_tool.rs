@@ -1,7 +1,7 @@
 //! Programs that cargo installs: found by their exact version, installed once.
 //!
-//! They go into the user's cargo home. If another version is there already, it
-//! is left alone and ours goes into the project's folder in the user's cache.
+//! They go into the project's folder in the user's cache and not into the cargo
+//! home: they have only the features that are used here.
 
 use crate::places::Places;
 use crate::shell::{Failure, ask, find_on_path, program_in, run, say};
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Set by a caller (or by cargo itself) for this repository's own builds; a
-/// tool is built without them, in a temporary folder.
+/// tool is built without them.
 const OUR_BUILD_SETTINGS: [&str; 5] =
     ["CARGO_TARGET_DIR", "CARGO_BUILD_TARGET", "CARGO_ENCODED_RUSTFLAGS", "RUSTFLAGS", "RUSTDOCFLAGS"];
 
@@ -21,16 +21,42 @@ const OUR_BUILD_SETTINGS: [&str; 5] =
 const QUICK_RELEASE: [(&str, &str); 2] =
     [("CARGO_PROFILE_RELEASE_LTO", "off"), ("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")];
 
+/// How much a tool is optimised: what one waits for is its compilation.
+#[derive(Clone, Copy)]
+pub enum Optimization {
+    /// Not at all, for a tool that copies files and starts other programs.
+    None,
+    /// A little, for a tool that works on megabytes.
+    Basic,
+}
+
+impl Optimization {
+    fn level(self) -> &'static str {
+        match self {
+            Self::None => "0",
+            Self::Basic => "1",
+        }
+    }
+}
+
+/// Where a program comes from.
+pub enum Source {
+    /// A package of the registry, with further arguments of `cargo install`.
+    Registry { package: &'static str, arguments: &'static [&'static str] },
+    /// This project's own package xtask, with the feature of the program's name.
+    Xtask,
+}
+
 /// A program at a pinned version.
 pub struct CargoTool {
-    /// The package that holds it.
-    pub package: &'static str,
     /// The program's name.
     pub program: &'static str,
     /// The one version that is right.
     pub version: String,
-    /// Further arguments of `cargo install`.
-    pub arguments: &'static [&'static str],
+    /// Where it comes from.
+    pub source: Source,
+    /// How it is compiled.
+    pub optimization: Optimization,
     /// What it is for, to say why one waits.
     pub purpose: &'static str,
 }
@@ -38,56 +64,63 @@ pub struct CargoTool {
 impl CargoTool {
     /// The folder that holds this version of the program, after installing it if need be.
     pub fn ensure(&self, places: &Places) -> Result<PathBuf, Failure> {
-        let private = places.private_root();
-        let candidates = [find_on_path(self.program), self.program_in(&places.install_root), self.program_in(&private)];
-        let found: Vec<PathBuf> = candidates.into_iter().flatten().collect();
-        if let Some(right) = found.iter().find(|file| version_of(file).as_deref() == Some(&self.version)) {
-            return Ok(right.parent().unwrap_or(Path::new("")).to_path_buf());
+        let programs =
+            [self.program_in(&places.tools), self.program_in(&places.cargo_home), find_on_path(self.program)];
+        let is_right = |program: &PathBuf| version_of(program).as_ref() == Some(&self.version);
+        if let Some(program) = programs.into_iter().flatten().find(is_right) {
+            return Ok(program.parent().unwrap_or(Path::new("")).to_path_buf());
         }
-        let root = match found.first() {
-            Some(other) => {
-                say(format_args!("{} is not version {}; it is left alone", other.display(), self.version));
-                private
-            }
-            None => places.install_root.clone(),
-        };
-        self.install(&root, places)?;
-        Ok(root.join("bin"))
+        self.install(places)?;
+        Ok(places.tools.join("bin"))
     }
 
     fn program_in(&self, root: &Path) -> Option<PathBuf> {
         Some(program_in(&root.join("bin"), self.program)).filter(|file| file.is_file())
     }
 
-    fn install(&self, root: &Path, places: &Places) -> Result<(), Failure> {
-        let step = format!("installing {} {}", self.package, self.version);
+    fn install(&self, places: &Places) -> Result<(), Failure> {
+        let step = format!("installing {} {}", self.program, self.version);
         fs::create_dir_all(&places.cache).map_err(|error| Failure::new(&step, error.to_string()))?;
-        if find_on_path("cargo-binstall").is_some() && run(&step, &mut self.binstall(root)).is_ok() {
+        if let Some(mut binstall) = self.binstall(places)
+            && run(&step, &mut binstall).is_ok()
+        {
             return Ok(());
         }
         say(format_args!(
-            "{} ({}) is compiled from source, once, into {}: this takes minutes, as no ready-made program was found",
-            self.package,
+            "{} ({}) is compiled from source, once, into {}: this takes minutes",
+            self.program,
             self.purpose,
-            root.display()
+            places.tools.display()
         ));
-        run(&step, self.compile(root).current_dir(&places.cache))
+        run(&step, self.compile(places).current_dir(&places.cache))
     }
 
-    fn binstall(&self, root: &Path) -> Command {
+    /// Fetches a ready-made program, where cargo-binstall is there and the program is published.
+    fn binstall(&self, places: &Places) -> Option<Command> {
+        let Source::Registry { package, .. } = self.source else { return None };
+        find_on_path("cargo-binstall")?;
         let mut command = Command::new("cargo");
-        command.args(["binstall", "--no-confirm", "--disable-strategies", "compile", "--root"]).arg(root);
-        command.arg(format!("{}@{}", self.package, self.version));
-        command
+        command.args(["binstall", "--no-confirm", "--disable-strategies", "compile", "--root"]).arg(&places.tools);
+        command.arg(format!("{package}@{}", self.version));
+        Some(command)
     }
 
-    fn compile(&self, root: &Path) -> Command {
+    fn compile(&self, places: &Places) -> Command {
         let mut command = Command::new("cargo");
-        command.args(["install", self.package, "--version", &self.version, "--root"]).arg(root).args(self.arguments);
+        command.args(["install", "--locked", "--root"]).arg(&places.tools);
+        match self.source {
+            Source::Registry { package, arguments } => {
+                command.args([package, "--version", &self.version]).args(arguments);
+            }
+            Source::Xtask => {
+                command.arg("--path").arg(places.root.join("xtask"));
+                command.args(["--features", self.program, "--bin", self.program]);
+            }
+        }
         for setting in OUR_BUILD_SETTINGS {
             command.env_remove(setting);
         }
-        command.envs(QUICK_RELEASE);
+        command.envs(QUICK_RELEASE).env("CARGO_PROFILE_RELEASE_OPT_LEVEL", self.optimization.level());
         command
     }
 }

@@ -1,9 +1,10 @@
-//! The checks that need no run of the program: formatting, clippy and the
+//! The checks that need no run of the program: the table of rooms, formatting, clippy and the
 //! documentation, natively and for the web, and the dependencies' licences.
 
-use crate::cargo_tool::{CargoTool, path_with};
+use crate::cargo_tool::{CargoTool, Optimization, Source, path_with};
 use crate::places::Places;
 use crate::report::Report;
+use crate::rooms;
 use crate::rust::{WEB_TARGET, ensure_component, ensure_web_target};
 use crate::shell::{Failure, run, say};
 use std::process::Command;
@@ -20,6 +21,7 @@ pub fn everything(places: &Places) -> Result<(), Failure> {
     ensure_component("clippy", "clippy")?;
     ensure_web_target()?;
     let mut report = Report::default();
+    report.step("rooms", || rooms::check(places));
     let mut cargo_step = |name: &str, arguments: &[&str]| {
         report.step(name, || run(name, cargo(places, arguments).env("RUSTDOCFLAGS", "-D warnings")));
     };
@@ -28,6 +30,10 @@ pub fn everything(places: &Places) -> Result<(), Failure> {
     cargo_step(
         "clippy for the web",
         &["clippy", "--lib", "--bins", "--locked", "--target", WEB_TARGET, "--", "-D", "warnings"],
+    );
+    cargo_step(
+        "clippy of wasm-bindgen",
+        &["clippy", "--package", "xtask", "--all-features", "--all-targets", "--locked", "--", "-D", "warnings"],
     );
     cargo_step("rustdoc", &["doc", "--lib", "--no-deps", "--locked"]);
     cargo_step("the core alone", &["check", "--lib", "--no-default-features", "--locked"]);
@@ -48,10 +54,10 @@ fn cargo(places: &Places, arguments: &[&str]) -> Command {
 /// Checks licences, duplicates and sources; advisories too, where their database can be had.
 fn deny(places: &Places) -> Result<(), Failure> {
     let tool = CargoTool {
-        package: "cargo-deny",
         program: "cargo-deny",
         version: CARGO_DENY_VERSION.to_owned(),
-        arguments: &["--locked"],
+        source: Source::Registry { package: "cargo-deny", arguments: &[] },
+        optimization: Optimization::Basic,
         purpose: "which checks the licences and sources of the dependencies",
     };
     let path = path_with(&[tool.ensure(places)?])?;

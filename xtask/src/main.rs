@@ -10,6 +10,7 @@ mod node;
 mod package;
 mod places;
 mod report;
+mod rooms;
 mod rust;
 mod shell;
 mod system;
@@ -26,7 +27,7 @@ usage: cargo xtask <command>
   serve [--port N] [--open]  install what the web app needs, build it and serve it
   dist                       build the web app into dist/, ready to be hosted
   test                       every test: unit, images on lavapipe, real browsers
-  lint                       rustfmt, clippy, rustdoc, the core alone, cargo-deny";
+  lint                       rooms, rustfmt, clippy, rustdoc, the core alone, cargo-deny";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

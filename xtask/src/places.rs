@@ -1,5 +1,5 @@
 //! Where things are: the repository, the user's cargo home, and the project's
-//! folder in the user's cache, the only place outside the cargo home that
+//! folder in the user's cache, the only place outside the repository that
 //! these commands write to.
 
 use crate::shell::Failure;
@@ -10,10 +10,12 @@ use std::path::{Path, PathBuf};
 pub struct Places {
     /// The root of the repository.
     pub root: PathBuf,
-    /// Where `cargo install` puts programs (they go to its `bin/`).
-    pub install_root: PathBuf,
+    /// Where the user's own `cargo install` puts programs (they go to its `bin/`).
+    pub cargo_home: PathBuf,
     /// `riemap/` in the user's cache.
     pub cache: PathBuf,
+    /// Where these commands install programs (they go to its `bin/`).
+    pub tools: PathBuf,
 }
 
 impl Places {
@@ -24,10 +26,12 @@ impl Places {
         let home = folder("HOME").or_else(|| folder("USERPROFILE")).ok_or_else(|| missing("HOME"))?;
         let cargo_home = folder("CARGO_HOME").unwrap_or_else(|| home.join(".cargo"));
         let user_cache = folder("XDG_CACHE_HOME").or_else(|| folder("LOCALAPPDATA"));
+        let cache = user_cache.unwrap_or_else(|| home.join(".cache")).join("riemap");
         Ok(Self {
             root,
-            install_root: folder("CARGO_INSTALL_ROOT").unwrap_or(cargo_home),
-            cache: user_cache.unwrap_or_else(|| home.join(".cache")).join("riemap"),
+            cargo_home: folder("CARGO_INSTALL_ROOT").unwrap_or(cargo_home),
+            tools: cache.join("tools"),
+            cache,
         })
     }
 
@@ -36,14 +40,14 @@ impl Places {
         self.root.join("tests").join("browser")
     }
 
+    /// Outlines and meshes for tests that may not be copied into the repository; many clones have none.
+    pub fn shared_data(&self) -> PathBuf {
+        self.root.join("..").join("shared").join("data")
+    }
+
     /// The built web app.
     pub fn dist(&self) -> PathBuf {
         self.root.join("dist")
-    }
-
-    /// Where a tool goes when the user has another version of it in the cargo home.
-    pub fn private_root(&self) -> PathBuf {
-        self.cache.join("tools")
     }
 }
 

@@ -8,12 +8,19 @@ use std::time::{Duration, Instant};
 #[derive(Default)]
 pub struct Report {
     steps: Vec<Step>,
+    left_out: Vec<LeftOut>,
 }
 
 struct Step {
     name: String,
     outcome: Result<(), Failure>,
     took: Duration,
+}
+
+/// What need not run everywhere, and why it did not here.
+struct LeftOut {
+    reason: String,
+    names: Vec<String>,
 }
 
 impl Report {
@@ -31,7 +38,12 @@ impl Report {
         self.step(name, || Err(Failure::new("not run", reason)));
     }
 
-    /// Prints one line for each step; a failure names all the steps that failed.
+    /// Notes what did not run for a reason that is no failure; the summary names it.
+    pub fn left_out(&mut self, reason: &str, names: Vec<String>) {
+        self.left_out.push(LeftOut { reason: reason.to_owned(), names });
+    }
+
+    /// Prints one line for each step, and what was left out; a failure names all the steps that failed.
     pub fn finish(self, command: &str) -> Result<(), Failure> {
         eprintln!("\nxtask: {command}: summary");
         for step in &self.steps {
@@ -41,9 +53,20 @@ impl Report {
                 Err(failure) => eprintln!("  FAILED  {:<40} {seconds:7.1} s  {failure}", step.name),
             }
         }
+        for line in self.left_out.iter().flat_map(LeftOut::lines) {
+            eprintln!("  {line}");
+        }
         let failed: Vec<&str> =
             self.steps.iter().filter(|step| step.outcome.is_err()).map(|step| step.name.as_str()).collect();
         if failed.is_empty() { Ok(()) } else { Err(Failure::new(command, failed.join(", "))) }
+    }
+}
+
+impl LeftOut {
+    fn lines(&self) -> impl Iterator<Item = String> {
+        let head = format!("did not run, because {}:", self.reason);
+        let names = self.names.iter().map(|name| format!("  {name}"));
+        std::iter::once(head).filter(|_| !self.names.is_empty()).chain(names)
     }
 }
 
@@ -62,9 +85,12 @@ mod tests {
     }
 
     #[test]
-    fn a_report_without_failures_passes() {
+    fn a_report_without_failures_passes_whatever_was_left_out() {
         let mut report = Report::default();
         report.step("only", || Ok(()));
+        report.left_out("the data are absent", vec!["shared_data::maps".to_owned()]);
+        let lines: Vec<String> = report.left_out.iter().flat_map(LeftOut::lines).collect();
+        assert_eq!(lines, ["did not run, because the data are absent:", "  shared_data::maps"]);
         assert!(report.finish("test").is_ok());
     }
 }

@@ -41,6 +41,18 @@ pub fn run(step: &str, command: &mut Command) -> Result<(), Failure> {
     }
 }
 
+/// Runs `command` to its end as [`run`] does: its standard output.
+pub fn output_of(step: &str, command: &mut Command) -> Result<String, Failure> {
+    let line = command_line(command);
+    say(format_args!("{step}: {line}"));
+    let output = command.stderr(Stdio::inherit()).output();
+    let output = output.map_err(|error| Failure::new(step, format!("`{line}` did not start: {error}")))?;
+    if !output.status.success() {
+        return Err(Failure::new(step, format!("`{line}` ended with {}", output.status)));
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
 /// The standard output of a short query, or `None` if it did not succeed.
 pub fn ask(program: impl AsRef<OsStr>, arguments: &[&str]) -> Option<String> {
     let output = Command::new(program).args(arguments).stdin(Stdio::null()).stderr(Stdio::null()).output().ok()?;

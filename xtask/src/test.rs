@@ -4,15 +4,22 @@
 use crate::node::ensure_test_packages;
 use crate::places::Places;
 use crate::report::Report;
-use crate::shell::{Failure, run, say};
+use crate::shell::{Failure, output_of, run, say};
 use crate::system::{ensure_chromium, ensure_lavapipe};
 use crate::web;
 use std::process::Command;
 
+/// What runs the tests that read `../shared/data`: by the name of the modules in which they stand (see
+/// `tests/support/data.rs`).
+const ON_SHARED_DATA: [&str; 4] = ["--tests", "--", "--ignored", "shared_data::"];
+
 /// Runs everything, whatever fails, and sums up.
 pub fn everything(places: &Places) -> Result<(), Failure> {
     let mut report = Report::default();
-    report.step("cargo test", || native(places));
+    report.step("cargo test", || run("cargo test", &mut cargo_test(places, &[])?));
+    // the tool is no program of the workspace's default features
+    report.step("wasm-bindgen's tests", || run("wasm-bindgen's tests", &mut wasm_bindgen_tests(places)));
+    on_shared_data(places, &mut report);
     if report.step("the web app (release)", || web::dist(places)) {
         report.step("the web app in Chromium", || browser(places));
     } else {
@@ -21,9 +28,30 @@ pub fn everything(places: &Places) -> Result<(), Failure> {
     report.finish("test")
 }
 
-fn native(places: &Places) -> Result<(), Failure> {
+/// Runs the tests that read `../shared/data`, or has the report name them where it is absent.
+fn on_shared_data(places: &Places, report: &mut Report) {
+    const STEP: &str = "cargo test, on ../shared/data";
+    if places.shared_data().is_dir() {
+        report.step(STEP, || run(STEP, &mut cargo_test(places, &ON_SHARED_DATA)?));
+        return;
+    }
+    let mut names = Vec::new();
+    report.step("listing the tests on ../shared/data", || {
+        let arguments = [&ON_SHARED_DATA[..], &["--list", "--format", "terse"]].concat();
+        names = listed(&output_of("listing tests", &mut cargo_test(places, &arguments)?)?);
+        if names.is_empty() { Err(Failure::new("listing tests", "there are none")) } else { Ok(()) }
+    });
+    report.left_out("../shared/data is absent", names);
+}
+
+/// The names in what the test programs list, of which every line reads `name: test`.
+fn listed(output: &str) -> Vec<String> {
+    output.lines().filter_map(|line| line.strip_suffix(": test")).map(str::to_owned).collect()
+}
+
+fn cargo_test(places: &Places, arguments: &[&str]) -> Result<Command, Failure> {
     let mut command = Command::new("cargo");
-    command.args(["test", "--workspace", "--locked"]).current_dir(&places.root);
+    command.args(["test", "--workspace", "--locked"]).args(arguments).current_dir(&places.root);
     if cfg!(target_os = "linux") {
         let driver = ensure_lavapipe()?;
         // The old name and the new one; each loader reads the one it knows.
@@ -31,7 +59,13 @@ fn native(places: &Places) -> Result<(), Failure> {
     } else {
         say("images are drawn by this machine's GPU: lavapipe is set up on Linux only");
     }
-    run("cargo test", &mut command)
+    Ok(command)
+}
+
+fn wasm_bindgen_tests(places: &Places) -> Command {
+    let mut command = Command::new("cargo");
+    command.args(["test", "--package", "xtask", "--all-features", "--locked"]).current_dir(&places.root);
+    command
 }
 
 fn browser(places: &Places) -> Result<(), Failure> {
@@ -43,4 +77,15 @@ fn browser(places: &Places) -> Result<(), Failure> {
     command.current_dir(places.browser_tests());
     command.env("CHROMIUM", chromium).env("RIEMAP_DIST", places.dist());
     run("the web app in Chromium", &mut command)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::listed;
+
+    #[test]
+    fn tests_are_listed_by_their_names() {
+        let output = "mesh::shared_data::reads: test\nshared_data::maps: test\nsweep: benchmark\n\n";
+        assert_eq!(listed(output), ["mesh::shared_data::reads", "shared_data::maps"]);
+    }
 }

@@ -1,14 +1,15 @@
 //! The small bar over the picture of an edited side: what can be done, and what went wrong.
 
 use super::paint::RING;
-use super::{Change, Drawing, EditAction, Editor, Pen};
-use crate::app::action::{Action, Actions};
-use crate::app::language::tr;
-use crate::app::locks::menu_entry;
+use super::{Change, Editor};
+use crate::app::input::action::{Action, Actions, EditAction};
+use crate::app::input::locks::menu_entry;
+use crate::app::theme::widgets::message_box;
 use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
-use crate::app::view::View;
-use crate::app::widgets::message_box;
+use crate::app::viewport::view::View;
 use crate::conformal::Side;
+use crate::language::{Label, Message, key, tr};
+use crate::model::editing::{Drawing, Pen};
 use egui::{
     Align2, Area, Button, CornerRadius, Frame, Id, Margin, Order, Pos2, Rect, RichText, Stroke, Ui, pos2, vec2,
 };
@@ -16,8 +17,7 @@ use egui::{
 /// Free space below the bar.
 const GAP: f32 = 8.0;
 
-const HANDLES_TOOLTIP: &str = "Drag a square to reshape the outline. Double-click on the outline for another one; \
-    a right click or a long press takes one away. Arrow keys move the selected one (finely with Shift), N goes to the next; Escape ends.";
+const HANDLES_TOOLTIP: Label = key::handles_tooltip();
 
 /// The height of a bar of one row, before it was laid out.
 const ONE_ROW: f32 = 52.0;
@@ -66,7 +66,7 @@ fn show_message(
     rect: Rect,
     bottom: f32,
     crossing: Option<Pos2>,
-    text: &str,
+    text: &Message,
     actions: &mut Actions,
 ) {
     let id = Id::unique(("edit message", side));
@@ -120,9 +120,9 @@ fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Acti
 /// What the pens want from the person.
 fn pen_words(pen: Pen) -> &'static str {
     match pen {
-        Pen::Freehand => tr("Draw around the shape in one go"),
-        Pen::Lines => tr("Click the corners one by one"),
-        Pen::Curve => tr("Click points along the curve"),
+        Pen::Freehand => tr(key::draw_around_shape_go()),
+        Pen::Lines => tr(key::click_corners()),
+        Pen::Curve => tr(key::click_points_along_curve()),
     }
 }
 
@@ -130,21 +130,15 @@ fn drawing_buttons(ui: &mut Ui, height: f32, drawing: &Drawing, actions: &mut Ac
     let count = drawing.points().len();
     if drawing.pen() != Pen::Freehand {
         let back = (count > 0).then_some(EditAction::TakeBack);
-        button(ui, height, ["Back", "Take the last point back (Backspace)"], back, actions);
+        button(ui, height, [key::back(), key::back_tooltip()], back, actions);
         let close = (count >= 3).then_some(EditAction::Close);
-        button(
-            ui,
-            height,
-            ["Close", "Join the last point to the first (Enter, or click the first point)"],
-            close,
-            actions,
-        );
+        button(ui, height, [key::close(), key::close_tooltip()], close, actions);
     }
-    button(ui, height, ["Cancel", "Draw nothing (Escape)"], Some(EditAction::Leave), actions);
+    button(ui, height, [key::cancel(), key::cancel_tooltip()], Some(EditAction::Leave), actions);
 }
 
 /// A button of the bar, by its label and its tooltip; without an action, or where that is locked, it is greyed.
-fn button(ui: &mut Ui, height: f32, words: [&'static str; 2], action: Option<EditAction>, actions: &mut Actions) {
+fn button(ui: &mut Ui, height: f32, words: [Label; 2], action: Option<EditAction>, actions: &mut Actions) {
     let [label, tooltip] = words;
     let button = Button::new(tr(label)).min_size(vec2(0.0, height));
     let Some(action) = action.map(Action::Edit) else {
@@ -158,10 +152,10 @@ fn button(ui: &mut Ui, height: f32, words: [&'static str; 2], action: Option<Edi
 
 fn buttons(ui: &mut Ui, height: f32, selected: Option<usize>, actions: &mut Actions) {
     let change = |change| Some(EditAction::Change(change));
-    let smooth = "Round the corners: coordinates spread along the outline as heat does; the area stays";
-    button(ui, height, ["Smooth", smooth], change(Change::Smooth), actions);
-    button(ui, height, ["Mirror", "Exchange left and right, the two points too"], change(Change::Mirror), actions);
+    let smooth = key::smooth_tooltip();
+    button(ui, height, [key::smooth(), smooth], change(Change::Smooth), actions);
+    button(ui, height, [key::mirror(), key::mirror_tooltip()], change(Change::Mirror), actions);
     let delete = selected.and_then(|handle| change(Change::Remove(handle)));
-    button(ui, height, ["Delete", "Take the selected handle away (Delete)"], delete, actions);
-    button(ui, height, ["Done", HANDLES_TOOLTIP], Some(EditAction::Leave), actions);
+    button(ui, height, [key::delete(), key::delete_tooltip()], delete, actions);
+    button(ui, height, [key::finish_editing(), HANDLES_TOOLTIP], Some(EditAction::Leave), actions);
 }

@@ -3,15 +3,17 @@
 //! A press on a handle takes it in hand; one beside it moves the picture, a double-click on the
 //! boundary sets another handle there, a long press or a right click on a handle takes it away.
 
-use super::{Change, EditAction, Editor, Hold, Pen, Reshaping, pen};
-use crate::app::action::{Action, Actions};
-use crate::app::handles::{GRAB_RADIUS, HandleState};
-use crate::app::model::Model;
-use crate::app::nudge::{ARROWS, arrow_keys};
-use crate::app::view::View;
-use crate::app::viewport::{self, BOUNDARY_REACH};
+use super::{Change, Editor, Hold, Reshaping, pen};
+use crate::app::input::action::{Action, Actions, EditAction};
+use crate::app::input::handles::{GRAB_RADIUS, HandleState};
+use crate::app::input::keyboard_navigation::{ARROWS, arrow_keys};
+use crate::app::viewport::planar;
+use crate::app::viewport::planar::BOUNDARY_REACH;
+use crate::app::viewport::view::View;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
+use crate::model::Model;
+use crate::model::editing::Pen;
 use egui::{CursorIcon, Key, Modifiers, Pos2, Response, Sense, Ui, Vec2};
 
 /// How far an arrow key moves a handle, in points.
@@ -36,14 +38,14 @@ pub fn interact(
     }
     let Some(reshaping) = editor.reshaping(side) else { return };
     let grabbed = reshaping.held_by(Hold::Pointer);
-    if viewport::pinch(ui, &response, view) {
+    if planar::pinch(ui, &response, view) {
         actions.extend(grabbed.map(|_| Action::Edit(EditAction::Release)));
         return;
     }
     let pointer = ui.input(|input| input.pointer.interact_pos()).filter(|_| response.hovered());
     let under = pointer.filter(|_| dots.grip.is_none()).and_then(|pointer| handle_near(reshaping, view, pointer));
     if grabbed.is_none() && under.is_none() {
-        viewport::drag_dots(ui, &response, side, model, view, dots, actions);
+        planar::drag_dots(ui, &response, side, model, view, dots, actions);
         if dots.grip.is_some() || dots.hovered.is_some() {
             editor.hovered = None;
             return;
@@ -53,7 +55,7 @@ pub fn interact(
         Some(handle) => drag(ui, &response, reshaping, view, handle, actions),
         None => press(ui, &response, reshaping, view, pointer, under, actions),
     }
-    viewport::move_camera(ui, &response, view, grabbed.is_some() || under.is_some(), false);
+    planar::move_camera(ui, &response, view, grabbed.is_some() || under.is_some(), false);
     if grabbed.is_some() {
         ui.set_cursor_icon(CursorIcon::Grabbing);
     } else if under.is_some() {

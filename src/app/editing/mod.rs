@@ -5,70 +5,27 @@
 //! in `paint` and `bar`, what the person does in `gestures`.
 
 mod bar;
-mod drawing;
 mod gestures;
-mod live;
 mod paint;
 mod paste;
 mod pen;
 mod record;
-mod reshaping;
 
 pub use bar::{room as bar_room, show as show_bar};
-pub use drawing::{Drawing, Pen};
 pub use gestures::{interact, keys};
-pub use live::Reshaped;
 pub use paint::{paint, paint_sheet};
 pub use paste::{pasted, show as show_paste};
 pub use record::{EditingStats, stats};
-pub use reshaping::{Change, Hold, Reshaping};
 
-use super::model::Model;
-use super::view::View;
-use super::words;
+use crate::app::input::action::EditAction;
+use crate::app::viewport::view::View;
 use crate::conformal::Side;
-use crate::geometry::DVec2;
+use crate::language::{Message, key};
+use crate::model::editing::{Change, Crossing, Drawing, Hold, Reshaping};
+use crate::model::{Model, names};
 use crate::outline::Outline;
 use egui::vec2;
 use paste::Paste;
-use reshaping::Crossing;
-
-/// A step of a person who edits.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum EditAction {
-    /// Reshape the outline of a side; once more: no more.
-    Toggle(Side),
-    /// Draw another one for a side.
-    Draw(Side, Pen),
-    /// The stroke goes on, or a point was clicked.
-    Point(DVec2),
-    /// Take the last point back.
-    TakeBack,
-    /// The stroke came to nothing.
-    Clear,
-    /// Close what is drawn.
-    Close,
-    /// No more.
-    Leave,
-    /// Take a handle in hand.
-    Grab(usize, Hold),
-    /// Move it.
-    Drag(DVec2),
-    /// Let it go.
-    Release,
-    /// Mean this handle, or none.
-    Select(Option<usize>),
-    /// Make a change at once.
-    Change(Change),
-    /// The message has been read.
-    Dismiss,
-    /// Open the window for pasted text, for a side.
-    OpenPaste(Side),
-    /// Take what is written in it.
-    TakePasted,
-    /// Close it.
-    ClosePaste,
-}
 
 #[derive(Debug)]
 enum Work {
@@ -85,7 +42,7 @@ pub struct Editor {
     /// The handle under the pointer.
     hovered: Option<usize>,
     /// Why the last change was not made.
-    refusal: Option<String>,
+    refusal: Option<Message>,
     /// The window for pasted text, while it is open.
     paste: Option<Paste>,
 }
@@ -129,15 +86,15 @@ impl Editor {
     }
 
     /// What is to be said about the outline in hand, or about a change that was not made.
-    pub fn message(&self) -> Option<&str> {
-        self.crossing().map(|crossing| crossing.text.as_str()).or(self.refusal.as_deref())
+    pub fn message(&self) -> Option<&Message> {
+        self.crossing().map(|crossing| &crossing.text).or(self.refusal.as_ref())
     }
 
     /// What went wrong and is still said, in the window too. Where an outline in hand crosses itself it may be mended
     /// yet: that is said when it is let go.
-    pub fn errors(&self) -> impl Iterator<Item = &str> {
-        let drawn = self.crossing().filter(|_| self.reshaped_side().is_none()).map(|crossing| crossing.text.as_str());
-        drawn.or(self.refusal.as_deref()).into_iter().chain(self.paste.as_ref().and_then(Paste::error))
+    pub fn errors(&self) -> impl Iterator<Item = &Message> {
+        let drawn = self.crossing().filter(|_| self.reshaped_side().is_none()).map(|crossing| &crossing.text);
+        drawn.or(self.refusal.as_ref()).into_iter().chain(self.paste.as_ref().and_then(Paste::error))
     }
 
     /// Lets go without a word to the model: what was in hand is about to be replaced.
@@ -150,7 +107,7 @@ impl Editor {
     /// Takes in what became of the outline by other means; a surface in its place ends the editing.
     pub fn follow(&mut self, model: &mut Model, views: &mut [View; 2]) {
         let Some(Work::Reshaping(reshaping)) = &mut self.work else { return };
-        let hidden = reshaping.side() == Side::Target && model.surface().is_some();
+        let hidden = model.surface(reshaping.side()).is_some();
         if hidden {
             self.leave(model, views);
         } else {
@@ -210,7 +167,7 @@ impl Editor {
                 let view = &views[side as usize];
                 let pixel = view.to_world(view.rect.min + vec2(1.0, 0.0)).distance(view.to_world(view.rect.min));
                 if let Some(polygon) = drawing.close(pixel) {
-                    let outline = Outline { name: String::from(words::DRAWN), polygon, notes: Vec::new() };
+                    let outline = Outline { name: String::from(names::DRAWN), polygon, notes: Vec::new() };
                     model.want_loaded(side, outline);
                     self.leave(model, views);
                 }
@@ -229,12 +186,11 @@ impl Editor {
             EditAction::Drag(to) => reshaping.drag(to, model),
             EditAction::Release => {
                 let crossed = reshaping.release(model);
-                self.refusal =
-                    crossed.then(|| String::from("The outline crossed itself there: the last good one was kept."));
+                self.refusal = crossed.then(|| key::outline_crossed_itself().into());
             }
             EditAction::Select(handle) => reshaping.selected = handle,
             EditAction::Change(change) => {
-                self.refusal = reshaping.change(change, model).err().map(|error| error.to_string());
+                self.refusal = reshaping.change(change, model).err().map(|error| Message::from(&error));
             }
             _ => {}
         }
@@ -242,10 +198,10 @@ impl Editor {
 
     fn begin(&mut self, side: Side, model: &mut Model, views: &mut [View; 2]) {
         self.leave(model, views);
-        if side == Side::Target && model.surface().is_some() {
+        if model.surface(side).is_some() {
             return;
         }
-        let Some(reshaping) = Reshaping::new(side, model) else { return };
+        let reshaping = Reshaping::new(side, model);
         self.work = Some(Work::Reshaping(Box::new(reshaping)));
         self.was_fitted = views[side as usize].is_fitted();
     }

@@ -1,10 +1,10 @@
 //! What lies over the picture of an edited side: the outline in hand, its handles, where it crosses itself.
 
-use super::reshaping::Crossing;
-use super::{Drawing, Editor, Pen, Reshaping};
+use super::{Editor, Reshaping};
 use crate::app::theme::Palette;
-use crate::app::view::View;
+use crate::app::viewport::view::View;
 use crate::conformal::Side;
+use crate::model::editing::{Crossing, Drawing, Pen};
 use egui::{CornerRadius, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2};
 
 /// Half the side of a handle's square, in points: at rest, and under the pointer or selected.

@@ -2,12 +2,12 @@
 //!
 //! Any text that a file may be is read. One that is long is read at once and never put into the field.
 
-use super::{EditAction, Editor};
-use crate::app::action::{Action, Actions};
-use crate::app::language::{tr, tr_message};
+use super::Editor;
+use crate::app::input::action::{Action, Actions, EditAction};
 use crate::app::theme::{Palette, ROUNDING};
-use crate::app::words;
 use crate::conformal::Side;
+use crate::language::{Label as Words, Message, key, say, tr};
+use crate::model::names;
 use crate::outline::{Outline, parse};
 use egui::{
     Align2, Button, Context, CornerRadius, Event, FontId, Frame, Key, Label, RichText, ScrollArea, Stroke, TextEdit,
@@ -15,8 +15,7 @@ use egui::{
 };
 
 /// What the text may be.
-const KINDS: &str =
-    "SVG path data (M 0 0 L 2 0 …), SVG, coordinates (0,0 2,0 1,3 or one point per line), JSON or GeoJSON";
+const KINDS: Words = key::paste_kinds();
 
 /// The most bytes of a text in the field, which lays out all of it whenever it changes: 1600 points with twelve digits.
 /// On a desktop that takes 0.3 ms for these, and for a megabyte 20 to 90 ms with every key.
@@ -32,7 +31,7 @@ pub struct Paste {
     /// What is written in it.
     text: String,
     /// Why that is no outline.
-    error: Option<String>,
+    error: Option<Message>,
 }
 
 impl Paste {
@@ -58,24 +57,22 @@ impl Paste {
     }
 
     /// Why the text is no outline.
-    pub fn error(&self) -> Option<&str> {
-        self.error.as_deref()
+    pub fn error(&self) -> Option<&Message> {
+        self.error.as_ref()
     }
 
     /// The outline that is written in it; where there is none, the reason is kept, but no text that is too long to show.
     pub fn take(&mut self) -> Option<(Side, Outline)> {
-        let error = match parse(words::PASTED, self.text.as_bytes()) {
+        let error = match parse(names::PASTED, self.text.as_bytes()) {
             Ok(outline) => return Some((self.side, outline)),
             Err(error) => error,
         };
         let length = self.text.len();
         self.error = Some(if length > LONGEST_SHOWN {
             self.text = String::new();
-            format!(
-                "{error}. The text is not shown: it has {length} bytes, and the field takes {LONGEST_SHOWN} at most"
-            )
+            key::pasted_text_not_shown(Message::from(&error), length, LONGEST_SHOWN)
         } else {
-            error.to_string()
+            Message::from(&error)
         });
         None
     }
@@ -98,8 +95,8 @@ pub fn show(context: &Context, editor: &mut Editor, actions: &mut Actions) {
     let width = (context.content_rect().width() - 40.0).min(460.0);
     let mut open = true;
     let title = match paste.side {
-        Side::Source => tr("Paste an outline for the source"),
-        Side::Target => tr("Paste an outline for the target"),
+        Side::Source => tr(key::paste_outline_source()),
+        Side::Target => tr(key::paste_outline_target()),
     };
     Window::new(title)
         .id(egui::Id::unique("paste"))
@@ -121,14 +118,14 @@ fn content(ui: &mut Ui, paste: &mut Paste, actions: &mut Actions) {
     let edge = Frame::new().stroke(Stroke::new(1.0, palette.border)).corner_radius(CornerRadius::same(ROUNDING));
     edge.show(ui, |ui| field(ui, paste, actions));
     if let Some(error) = &paste.error {
-        ui.add(Label::new(RichText::new(tr_message(error)).color(palette.error_edge)).wrap());
+        ui.add(Label::new(RichText::new(say(error)).color(palette.error_edge)).wrap());
     }
     ui.horizontal(|ui| {
         let filled = !paste.text.trim().is_empty();
-        if ui.add_enabled(filled, Button::new(tr("Use it")).min_size(vec2(0.0, 40.0))).clicked() {
+        if ui.add_enabled(filled, Button::new(tr(key::use_pasted())).min_size(vec2(0.0, 40.0))).clicked() {
             actions.push(Action::Edit(EditAction::TakePasted));
         }
-        if ui.add(Button::new(tr("Cancel")).min_size(vec2(0.0, 40.0))).clicked() {
+        if ui.add(Button::new(tr(key::cancel())).min_size(vec2(0.0, 40.0))).clicked() {
             actions.push(Action::Edit(EditAction::ClosePaste));
         }
     });

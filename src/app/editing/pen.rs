@@ -2,12 +2,12 @@
 //!
 //! A click on the first point closes, and so does a double-click.
 
-use super::{Drawing, EditAction, Pen};
-use crate::app::action::{Action, Actions};
-use crate::app::handles::GRAB_RADIUS;
-use crate::app::touches;
-use crate::app::view::View;
-use crate::app::viewport;
+use crate::app::input::action::{Action, Actions, EditAction};
+use crate::app::input::handles::GRAB_RADIUS;
+use crate::app::input::touches;
+use crate::app::viewport::planar;
+use crate::app::viewport::view::View;
+use crate::model::editing::{Drawing, Pen};
 use egui::{CursorIcon, Event, PointerButton, Pos2, Response, Ui};
 
 /// A second click this near the first one, in points, is a double-click and means the end.
@@ -17,13 +17,13 @@ const SAME_PLACE: f32 = 6.0;
 pub fn interact(ui: &Ui, response: &Response, view: &mut View, drawing: &Drawing, actions: &mut Actions) {
     let mut push = |action| actions.push(Action::Edit(action));
     let freehand = drawing.pen() == Pen::Freehand;
-    if viewport::pinch(ui, response, view) {
+    if planar::pinch(ui, response, view) {
         if freehand {
             push(EditAction::Clear);
         }
         return;
     }
-    viewport::move_camera(ui, response, view, freehand, false);
+    planar::move_camera(ui, response, view, freehand, false);
     if response.hovered() {
         ui.set_cursor_icon(CursorIcon::Crosshair);
     }

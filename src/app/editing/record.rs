@@ -2,9 +2,10 @@
 
 use super::Editor;
 use super::paste::Paste;
-use crate::app::view::View;
+use crate::app::viewport::view::View;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
+use crate::language::Message;
 use serde::Serialize;
 
 /// An outline that is being drawn, reshaped or pasted.
@@ -42,6 +43,6 @@ pub fn stats(editor: &Editor, views: &[View; 2]) -> Option<EditingStats> {
         draws: editor.drawing(side).is_some(),
         selected: editor.reshaping(side).and_then(|reshaping| reshaping.selected),
         crossing: editor.crossing().and_then(|crossing| crossing.at).map(place),
-        message: editor.message().or_else(|| pasting?.error()).map(String::from),
+        message: editor.message().or_else(|| pasting?.error()).map(Message::english),
     })
 }

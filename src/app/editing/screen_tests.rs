@@ -1,8 +1,10 @@
 //! The editor on the screen: the whole app under a pointer and keys.
 
 use super::*;
+use crate::app::RiemapApp;
+use crate::app::status::stats::Stats;
 use crate::app::tests::ready_app;
-use crate::app::{RiemapApp, Stats};
+use crate::model::editing::Pen;
 use crate::session::OutlineSpec;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -46,7 +48,7 @@ fn a_drag_in_the_picture_is_one_step_back() {
     let [u, v] = after.editing.as_ref().unwrap().handles[0];
     assert!((u - x - 10.0).abs() < 0.6 && (v - y + 15.0).abs() < 0.6, "from {x}, {y} to {u}, {v}");
     assert_eq!(after.undo, 1, "a drag is one step");
-    assert_ne!(harness.state().session().source.outline, before.source.outline);
+    assert_ne!(harness.state().session().domain(Side::Source).outline, before.domain(Side::Source).outline);
     harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
     harness.step();
     settle(&mut harness);
@@ -82,7 +84,7 @@ fn a_handle_that_keys_hold_is_followed_coarsely_and_is_one_step_back() {
     let [u, v] = after.editing.as_ref().unwrap().handles[handle];
     assert!((u - x - 20.0).abs() < 0.6 && (v - y).abs() < 0.6, "from {x}, {y} to {u}, {v}");
     assert_eq!(after.undo, 1, "a hold is one step");
-    assert_eq!(harness.state().session().source.settings, before.source.settings);
+    assert_eq!(harness.state().session().domain(Side::Source).settings, before.domain(Side::Source).settings);
     // down and up within a frame
     let key = |pressed| egui::Event::Key {
         key: egui::Key::ArrowUp,
@@ -188,7 +190,7 @@ fn a_quick_stroke_is_an_outline_whatever_frames_it_falls_into() {
     };
     for frames in [1, 2, 3] {
         let mut harness = ready_app([1200.0, 800.0]);
-        let before = harness.state().session().source.outline.clone();
+        let before = harness.state().session().domain(Side::Source).outline.clone();
         let middle = harness.state().views[0].rect.center();
         harness.hover_at(middle);
         harness.step();
@@ -207,7 +209,7 @@ fn a_quick_stroke_is_an_outline_whatever_frames_it_falls_into() {
         }
         let stats = settle(&mut harness);
         assert!(stats.editing.is_none(), "{frames} frames: {:?}", stats.editing);
-        assert_ne!(harness.state().session().source.outline, before, "{frames} frames");
+        assert_ne!(harness.state().session().domain(Side::Source).outline, before, "{frames} frames");
     }
 }
 
@@ -228,7 +230,7 @@ fn a_stroke_whose_touch_is_cancelled_is_forgotten() {
     let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
     let press = egui::Event::PointerButton { pos: middle, button, pressed: true, modifiers };
     // as `raw_input_hook` does
-    let mut touches = crate::app::touches::Touches::default();
+    let mut touches = crate::app::input::touches::Touches::default();
     let mut take_in = |mut events: Vec<egui::Event>| {
         touches.take_in(&mut events);
         events
@@ -256,7 +258,7 @@ fn a_file_that_comes_while_a_handle_is_held_takes_its_outlines_place() {
     harness.step();
     assert!(harness.state().model.side(SIDE).is_in_hand());
     let bytes = b"0,0\n2,0\n2,1\n0,1\n".to_vec();
-    harness.state_mut().take_file(crate::platform::FilePurpose::Outline(SIDE), "box.csv", Ok(bytes));
+    harness.state_mut().take_file(crate::model::files::FilePurpose::Outline(SIDE), "box.csv", Ok(bytes));
     for step in 2..5 {
         harness.hover_at(handle + vec2(6.0 * step as f32, 0.0));
         harness.step();
@@ -264,9 +266,9 @@ fn a_file_that_comes_while_a_handle_is_held_takes_its_outlines_place() {
     harness.drop_at(handle + vec2(24.0, 0.0));
     harness.step();
     let stats = settle(&mut harness);
-    let outline = harness.state().session().source.outline.clone();
+    let outline = harness.state().session().domain(Side::Source).outline.clone();
     assert!(
-        matches!(&outline, OutlineSpec::Points { name, points } if name == "box" && points.len() == 4),
+        matches!(&outline, OutlineSpec::Points { name, polygon } if name == "box" && polygon.vertices().len() == 4),
         "{outline:?}"
     );
     assert_eq!(stats.editing.unwrap().handles.len(), 4, "its handles are those of the new one");

@@ -2,11 +2,13 @@
 
 use super::*;
 use crate::conformal::PrepareSettings;
+use crate::geometry::DVec2;
 use crate::geometry::SimplePolygon;
 use crate::mesh::Sizing;
+use crate::model::editing::Pen;
 use crate::outline::{Preset, Sampling};
 use crate::session::{Command, OutlineSpec, Session};
-use crate::worker::{Request, Subject, Task, run};
+use crate::worker::{Request, Task, run};
 
 const SIDE: Side = Side::Source;
 
@@ -40,21 +42,21 @@ impl Bench {
 
     fn square() -> Self {
         let points = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(DVec2::from).to_vec();
-        Self::of(OutlineSpec::Points { name: "square".into(), points })
+        Self::of(OutlineSpec::Points { name: "square".into(), polygon: points.try_into().unwrap() })
     }
 
     fn act(&mut self, action: EditAction) {
         self.editor.act(action, &mut self.model, &mut self.views);
     }
 
-    fn requests(&mut self) -> Vec<(Subject, Request)> {
+    fn requests(&mut self) -> Vec<(Side, Request)> {
         self.editor.follow(&mut self.model, &mut self.views);
         self.model.take_requests(f64::INFINITY)
     }
 
-    fn answer(&mut self, requests: Vec<(Subject, Request)>) {
-        for (subject, request) in requests {
-            run(&request, &mut |generation, response| self.model.accept(subject, generation, response));
+    fn answer(&mut self, requests: Vec<(Side, Request)>) {
+        for (side, request) in requests {
+            run(&request, &mut |generation, response| self.model.accept(side, generation, response));
         }
         while self.model.refresh(false).images || self.model.is_pending() {}
     }
@@ -71,7 +73,7 @@ impl Bench {
     }
 
     fn points(&self) -> Vec<DVec2> {
-        self.model.session().source.outline.polygon().unwrap().vertices().to_vec()
+        self.model.session().domain(Side::Source).outline.polygon().vertices().to_vec()
     }
 
     fn reshaping(&self) -> &Reshaping {
@@ -79,10 +81,8 @@ impl Bench {
     }
 }
 
-fn settings_of(requests: &[(Subject, Request)]) -> PrepareSettings {
-    let [(Subject::Domain(SIDE), Request { task: Task::Domain { settings, .. }, .. })] = requests else {
-        panic!("{requests:?}")
-    };
+fn settings_of(requests: &[(Side, Request)]) -> PrepareSettings {
+    let [(SIDE, Request { task: Task::Outline { settings, .. }, .. })] = requests else { panic!("{requests:?}") };
     *settings
 }
 
@@ -103,7 +103,7 @@ fn while_a_handle_is_dragged_one_coarse_request_is_under_way_and_the_newest_is_n
     bench.answer(first);
     assert_eq!(bench.points()[2], DVec2::new(2.2, 2.1), "the map follows");
     assert!(bench.model.generation() > generation && !bench.model.is_ready(), "but it is not what is to come");
-    assert_eq!(bench.model.session().source.settings, SETTINGS, "the settings are those that were set");
+    assert_eq!(bench.model.session().domain(Side::Source).settings, SETTINGS, "the settings are those that were set");
     let second = bench.requests();
     bench.answer(second);
     assert_eq!(bench.points()[2], DVec2::new(2.5, 2.5), "those between are left out");
@@ -128,7 +128,7 @@ fn a_handle_that_is_let_go_where_it_was_leaves_nothing_in_hand() {
     bench.act(EditAction::Drag(DVec2::new(2.0, 0.0)));
     bench.act(EditAction::Release);
     bench.answer_all();
-    assert!(bench.model.is_ready() && bench.points() == before.source.outline.polygon().unwrap().vertices());
+    assert!(bench.model.is_ready() && bench.points() == before.domain(Side::Source).outline.polygon().vertices());
 }
 
 #[test]
@@ -143,7 +143,7 @@ fn while_the_outline_crosses_itself_the_last_good_one_stays_and_the_place_is_kno
     let crossing = bench.reshaping().crossing().unwrap();
     let at = crossing.at.unwrap();
     assert!(
-        at.x.abs() < 1e-12 && (0.0..2.0).contains(&at.y) && crossing.text.contains("crosses itself"),
+        at.x.abs() < 1e-12 && (0.0..2.0).contains(&at.y) && crossing.text.english().contains("crosses itself"),
         "{crossing:?}"
     );
     assert_eq!(bench.reshaping().shape().handle(2), Some(DVec2::new(-1.0, 1.0)), "what is in hand is drawn");
@@ -153,7 +153,7 @@ fn while_the_outline_crosses_itself_the_last_good_one_stays_and_the_place_is_kno
     bench.act(EditAction::Drag(DVec2::new(-1.0, 1.0)));
     bench.act(EditAction::Release);
     bench.answer_all();
-    assert!(bench.editor.message().unwrap().contains("last good one was kept"));
+    assert!(bench.editor.message().unwrap().english().contains("last good one was kept"));
     assert_eq!(bench.points()[2], DVec2::new(1.2, 1.2));
     assert!(bench.points() != good && bench.model.is_ready() && bench.reshaping().crossing().is_none());
     bench.act(EditAction::Dismiss);
@@ -164,7 +164,7 @@ fn while_the_outline_crosses_itself_the_last_good_one_stays_and_the_place_is_kno
 fn the_points_stay_where_they_are_and_come_back_when_the_outline_does() {
     let mut bench = Bench::square();
     let point = DVec2::new(1.6, 1.6);
-    bench.model.dispatch(Command::MoveInterior { side: SIDE, point }, 0.0);
+    bench.model.dispatch(Command::MoveInterior { side: SIDE, point: point.into() }, 0.0);
     bench.model.dispatch(Command::MoveAnchor { side: SIDE, fraction: 0.125 }, 0.0);
     bench.answer_all();
     let anchor = bench.model.anchor(SIDE).unwrap();
@@ -185,7 +185,7 @@ fn the_points_stay_where_they_are_and_come_back_when_the_outline_does() {
 #[test]
 fn an_outline_turned_inside_out_is_taken_the_other_way_round() {
     let points = [(0.0, 0.0), (2.0, 0.0), (1.0, 1.0)].map(DVec2::from).to_vec();
-    let mut bench = Bench::of(OutlineSpec::Points { name: "triangle".into(), points });
+    let mut bench = Bench::of(OutlineSpec::Points { name: "triangle".into(), polygon: points.try_into().unwrap() });
     bench.model.dispatch(Command::MoveAnchor { side: SIDE, fraction: 0.1 }, 0.0);
     bench.answer_all();
     let anchor = bench.model.anchor(SIDE).unwrap();
@@ -210,16 +210,16 @@ fn changes_at_once_are_prepared_as_they_are_to_stay() {
     bench.answer_all();
     assert_eq!(bench.points().len(), 5);
     let point = DVec2::new(0.4, 0.7);
-    bench.model.dispatch(Command::MoveInterior { side: SIDE, point }, 0.0);
+    bench.model.dispatch(Command::MoveInterior { side: SIDE, point: point.into() }, 0.0);
     bench.act(EditAction::Change(Change::Mirror));
     bench.answer_all();
-    assert_eq!(bench.model.session().interior[0], Some(DVec2::new(1.6, 0.7)));
+    assert_eq!(bench.model.session().side(Side::Source).interior, Some(DVec2::new(1.6, 0.7)));
     let area = |bench: &Bench| SimplePolygon::try_from(bench.points()).unwrap().area();
     assert!((area(&bench) - 5.0).abs() < 1e-12);
     bench.act(EditAction::Change(Change::Smooth));
     bench.answer_all();
     assert!((area(&bench) - 5.0).abs() < 1e-9 && bench.points().len() > 100);
-    let OutlineSpec::Points { name, .. } = &bench.model.session().source.outline else { panic!() };
+    let OutlineSpec::Points { name, .. } = &bench.model.session().domain(Side::Source).outline else { panic!() };
     assert_eq!(name, "square*");
 }
 
@@ -230,7 +230,7 @@ fn the_last_handles_stay_and_it_is_said_why() {
     bench.answer_all();
     assert_eq!(bench.points().len(), 3);
     bench.act(EditAction::Change(Change::Remove(0)));
-    assert!(bench.editor.message().unwrap().contains("at least 3 handles"));
+    assert!(bench.editor.message().unwrap().english().contains("at least 3 handles"));
     assert!(bench.requests().is_empty() && bench.points().len() == 3);
 }
 
@@ -243,7 +243,10 @@ fn another_outline_is_taken_up_and_a_surface_ends_the_editing() {
     assert_eq!(bench.reshaping().shape().vertices()[0], star);
     bench.act(EditAction::Change(Change::Smooth));
     bench.answer_all();
-    assert_eq!(crate::app::words::outline(&bench.model.session().source.outline), "Star (edited)");
+    assert_eq!(
+        crate::app::language::words::outline(&bench.model.session().domain(Side::Source).outline),
+        "Star (edited)"
+    );
     bench.act(EditAction::Toggle(Side::Target));
     assert_eq!(bench.editor.side(), Some(Side::Target));
     bench.act(EditAction::Leave);
@@ -291,7 +294,7 @@ fn pixel(bench: &mut Bench) {
     let rect = egui::Rect::from_min_size(egui::Pos2::ZERO, vec2(400.0, 400.0));
     let bounds = Some((DVec2::splat(-1.0), DVec2::splat(1.0)));
     bench.views[0].fit();
-    bench.views[0].place(rect, 1.0, crate::app::view::DESK_MARGINS, bounds);
+    bench.views[0].place(rect, 1.0, crate::app::viewport::view::DESK_MARGINS, bounds);
 }
 
 #[test]
@@ -305,7 +308,11 @@ fn clicked_points_become_the_outline_when_they_are_closed() {
         }
         bench.act(EditAction::TakeBack);
         bench.act(EditAction::Close);
-        assert!(bench.editor.message().unwrap().contains("at least 3 points; 2"), "{:?}", bench.editor.message());
+        assert!(
+            bench.editor.message().unwrap().english().contains("at least 3 points; 2"),
+            "{:?}",
+            bench.editor.message()
+        );
         for (x, y) in [(-1.0, 0.0), (0.0, -1.0)] {
             bench.act(EditAction::Point(DVec2::new(x, y)));
         }
@@ -335,7 +342,7 @@ fn a_drawing_that_crosses_itself_stays_until_it_is_mended_and_a_stroke_begins_an
     bench.act(EditAction::Draw(SIDE, Pen::Freehand));
     bench.act(EditAction::Point(DVec2::ZERO));
     bench.act(EditAction::Close);
-    assert!(bench.editor.message().unwrap().contains("too short"));
+    assert!(bench.editor.message().unwrap().english().contains("too short"));
     for k in 0..100 {
         bench.act(EditAction::Point(DVec2::from_angle(0.062 * f64::from(k))));
     }
@@ -381,7 +388,7 @@ fn a_long_text_is_read_without_being_shown() {
     assert!(bench.editor.paste.is_none() && bench.points().len() == 3000);
     bench.editor.take_text(text + "and so on", &mut bench.model, &mut bench.views);
     let paste = bench.editor.paste.as_ref().unwrap();
-    let error = paste.error().unwrap();
+    let error = paste.error().unwrap().english();
     assert!(error.contains("line 3001") && error.contains(" bytes") && error.contains("50000"), "{error}");
     assert!(paste.text().is_empty());
 }

@@ -1,12 +1,12 @@
 //! One plot, drawn with egui_plot: bounds, axes, lines, and what the pointer is at.
 
-use super::super::teaching::overlay::{Overlay, Overlays};
 use super::super::theme::Palette;
-use super::curves::{Curve, Curves, decimate};
-use super::{ExactCurves, Kind, Plots};
-use crate::app::language::{tr, tr_with};
-use crate::app::words;
+use super::{Kind, Plots};
+use crate::app::language::words;
 use crate::conformal::Side;
+use crate::language::{key, say, tr};
+use crate::model::curves::{Curve, Curves, ExactCurves, decimate};
+use crate::model::overlays::overlay::{Overlay, Overlays};
 use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Shape, Stroke, Ui, vec2};
 use egui_plot::{
     AxisHints, GridInput, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi, Points, VLine,
@@ -135,14 +135,14 @@ impl<'a> Chart<'a> {
 
     fn x_label(&self) -> String {
         match self.kind {
-            Kind::Reparameterisation => tr_with("arc length from y / length, {0}", &[&words::side_within(self.mapped)]),
-            _ => String::from(tr("arc length from y / length")),
+            Kind::Reparameterisation => say(&key::arc_length_of_side(words::side_within(self.mapped))),
+            _ => String::from(tr(key::arc_length_y_length())),
         }
     }
 
     fn y_axis(&self, palette: &Palette) -> AxisHints<'static> {
         let label = match self.kind {
-            Kind::Kernel => String::from(tr("ψ · length")),
+            Kind::Kernel => String::from(tr(key::psi_length())),
             Kind::Measure => String::from("ω"),
             Kind::Reparameterisation => words::side_within(self.mapped.other()).to_owned(),
         };
@@ -170,7 +170,7 @@ impl<'a> Chart<'a> {
             let ink = Plots::overlay_ink(*origin, self.dark);
             let points = decimate(&curve.points, columns);
             let style = if origin.is_dashed() { LineStyle::dashed_dense() } else { LineStyle::Solid };
-            plot.line(Line::new(origin.name(), points).color(ink).width(1.4).style(style).allow_hover(false));
+            plot.line(Line::new(tr(origin.name()), points).color(ink).width(1.4).style(style).allow_hover(false));
         }
     }
 
@@ -181,13 +181,13 @@ impl<'a> Chart<'a> {
     /// What the legend names, from top to bottom.
     fn entries(&self) -> Vec<Entry> {
         let overlay = |overlay: &Overlay| Entry {
-            name: overlay.origin.name(),
+            name: tr(overlay.origin.name()),
             ink: Plots::overlay_ink(overlay.origin, self.dark),
             width: 2.0,
             dashed: overlay.origin.is_dashed(),
         };
-        let exact = Entry { name: tr("exact"), ink: self.exact_ink(), width: EXACT_WIDTH, dashed: false };
-        let map = |ink| Entry { name: tr("this map"), ink, width: 2.0, dashed: false };
+        let exact = Entry { name: tr(key::exact()), ink: self.exact_ink(), width: EXACT_WIDTH, dashed: false };
+        let map = |ink| Entry { name: tr(key::this_map()), ink, width: 2.0, dashed: false };
         let mut entries: Vec<Entry> = (!self.exact.is_empty()).then_some(exact).into_iter().collect();
         entries.extend(self.overlays.iter().rev().map(overlay));
         entries.dedup_by_key(|entry| entry.name);
@@ -347,8 +347,8 @@ pub fn power_of_ten(exponent: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::teaching::overlay::Origin;
     use super::*;
+    use crate::model::overlays::overlay::Origin;
     use crate::session::DiskWay;
 
     fn curve(values: &[f64]) -> Curve {
@@ -382,7 +382,7 @@ mod tests {
 
     #[test]
     fn every_curve_has_its_own_ink_and_its_line_in_the_legend() {
-        let [fresh, precomputed] = DiskWay::ALL.map(|way| Origin::Disk(way).name());
+        let [fresh, precomputed] = DiskWay::ALL.map(|way| tr(Origin::Disk(way).name()));
         assert_eq!(names(Kind::Reparameterisation, true), ["this map", "exact", fresh, precomputed]);
         assert_eq!(names(Kind::Reparameterisation, false), ["this map", fresh, precomputed]);
         assert_eq!(names(Kind::Measure, true), ["exact", "random walks", fresh, precomputed]);

@@ -2,8 +2,8 @@
 
 use super::super::theme::Palette;
 use super::chart::power_of_ten;
-use crate::app::language::tr;
 use crate::figures::{ConvergenceRow, Method, SecondMap, fitted_order};
+use crate::language::{self, key, tr};
 use egui::{Color32, RichText, Ui};
 use egui_plot::{AxisHints, GridInput, GridMark, Legend, Line, Plot, Points};
 
@@ -18,7 +18,7 @@ const INKS: [Color32; 4] = [
 /// Shows what there is so far, with the fitted order of each curve in the legend.
 pub fn convergence_chart(ui: &mut Ui, rows: &[ConvergenceRow]) {
     let palette = Palette::of(ui.visuals());
-    let text = "Distance of the boundary images from the exact ones, V-shape → blob; the blob is about 2 across.";
+    let text = key::convergence_about();
     ui.label(RichText::new(tr(text)).small().color(palette.weak));
     let axes = |label: &str| AxisHints::new_x().label(label.to_owned());
     Plot::new("convergence")
@@ -34,8 +34,10 @@ pub fn convergence_chart(ui: &mut Ui, rows: &[ConvergenceRow]) {
         .allow_double_click_reset(false)
         .x_grid_spacer(whole)
         .y_grid_spacer(whole)
-        .custom_x_axes(vec![axes(tr("boundary samples m")).formatter(|mark, _| format!("{:.0}", mark.value.exp2()))])
-        .custom_y_axes(vec![AxisHints::new_y().label(tr("error")).formatter(|mark, _| power_of_ten(mark.value))])
+        .custom_x_axes(vec![
+            axes(tr(key::boundary_samples_m())).formatter(|mark, _| format!("{:.0}", mark.value.exp2())),
+        ])
+        .custom_y_axes(vec![AxisHints::new_y().label(tr(key::error())).formatter(|mark, _| power_of_ten(mark.value))])
         .show(ui, |plot| {
             for (series, ink) in all_series(rows).into_iter().zip(INKS) {
                 let points: Vec<[f64; 2]> =
@@ -55,8 +57,8 @@ fn all_series(rows: &[ConvergenceRow]) -> Vec<Series> {
     let of = |method: Method| rows.iter().filter(move |row| row.method == method && row.second == SecondMap::Exact);
     let both = |method: Method| {
         [
-            series(method, tr("max"), of(method).map(|row| (row.m, row.max)).collect()),
-            series(method, tr("mean"), of(method).map(|row| (row.m, row.mean)).collect()),
+            series(method, tr(key::max()), of(method).map(|row| (row.m, row.max)).collect()),
+            series(method, tr(key::mean()), of(method).map(|row| (row.m, row.mean)).collect()),
         ]
     };
     [Method::HarmonicMeasure, Method::FreshZipper].into_iter().flat_map(both).collect()
@@ -64,7 +66,7 @@ fn all_series(rows: &[ConvergenceRow]) -> Vec<Series> {
 
 fn series(method: Method, error: &str, points: Vec<(u32, f64)>) -> Series {
     let order = fitted_order(&points).map_or_else(String::new, |p| format!(" ≈ m^−{p:.1}"));
-    Series { name: format!("{}, {error}{order}", tr(method.title())), points }
+    Series { name: format!("{}, {error}{order}", tr(language::method(method))), points }
 }
 
 /// A line at every whole number.

@@ -4,25 +4,20 @@
 //! sheet. Pointing at a plot marks the boundary point and its partner in both
 //! viewports, pointing at a boundary marks both in the plots.
 
-mod boundary_map;
 mod chart;
 mod convergence;
-mod curves;
-mod exact;
-
-pub use curves::{Curve, Curves};
-pub use exact::{ExactCurves, KeptExact};
 
 pub use convergence::convergence_chart;
 
-use super::language::tr;
-use super::model::Model;
-use super::teaching::overlay::{Origin, Overlays};
 use super::theme::{self, Palette};
-use super::widgets::{Segment, dot, segmented};
-use super::words;
+use crate::app::language::words;
+use crate::app::theme::widgets::{Segment, dot, segmented};
 use crate::closed_form::ExactMap;
 use crate::conformal::Side;
+use crate::language::{Label, key, tr};
+use crate::model::Model;
+use crate::model::curves::{Curves, ExactCurves, KeptExact};
+use crate::model::overlays::overlay::{Origin, Overlays};
 use crate::session::DiskWay;
 use egui::{Align, Color32, Layout, RichText, Ui};
 
@@ -52,22 +47,12 @@ enum Kind {
 }
 
 const KINDS: [Segment<Kind>; 3] = [
-    Segment {
-        value: Kind::Kernel,
-        label: "Poisson kernel",
-        tooltip: "ψ·ℓ: how likely a random walk from x is to leave through a piece of the boundary, per piece of its \
-            length; 1 where it is as likely as anywhere",
-    },
-    Segment {
-        value: Kind::Measure,
-        label: "Harmonic measure",
-        tooltip: "ω: the chance that a random walk from x leaves through the boundary between y and here, \
-            counter-clockwise. The map takes each point to the one with the same measure",
-    },
+    Segment { value: Kind::Kernel, label: key::poisson_kernel(), tooltip: key::poisson_kernel_tooltip() },
+    Segment { value: Kind::Measure, label: key::harmonic_measure(), tooltip: key::harmonic_measure_tooltip() },
     Segment {
         value: Kind::Reparameterisation,
-        label: "Reparameterisation",
-        tooltip: "r: where the map takes a boundary point, in arc length from y; straight where lengths are kept in proportion",
+        label: key::reparameterisation(),
+        tooltip: key::reparameterisation_tooltip(),
     },
 ];
 
@@ -110,18 +95,15 @@ impl Plots {
 
     /// Renews the curves when the map has changed and somebody needs them.
     pub fn update(&mut self, model: &Model) {
-        let needed = model.session().plots || self.pointed().is_some();
+        let needed = model.session().plots() || self.pointed().is_some();
         let generation = model.generation();
         if needed && self.generation() != Some(generation) {
             let session = model.session();
-            let curves = match (model.surface_map(), &session.surface, model.map()) {
-                (Some(map), Some(surface), _) => Some(Curves::new(map, [session.anchor[0], surface.anchor])),
-                (_, _, Some(map)) => Some(Curves::new(map, session.anchor)),
-                _ => None,
-            };
+            let anchors = Side::BOTH.map(|side| session.side(side).points().anchor());
+            let curves = model.map().map(|map| Curves::new(map, anchors));
             self.curves = curves.map(|curves| (generation, curves)).or(self.curves.take());
         }
-        if model.session().plots {
+        if model.session().plots() {
             self.update_exact(model, generation);
         }
     }
@@ -134,9 +116,9 @@ impl Plots {
             return;
         };
         let session = model.session();
-        let presets = ExactMap::presets(session).filter(|_| model.surface().is_none());
+        let presets = ExactMap::presets(session).filter(|_| model.is_planar());
         let (stamp, kept) = self.exact.get_or_insert_default();
-        kept.update(presets, session.constraints([source.pole, target.pole]), curves);
+        kept.update(presets, session.constraints([source.pole(), target.pole()]), curves);
         *stamp = generation;
     }
 
@@ -215,8 +197,8 @@ impl Plots {
         self.update(model);
         let none = Overlays::default();
         let overlays = overlays_of(model).unwrap_or(&none);
-        let short = [("Kernel", 0), ("Measure", 1), ("Reparam.", 2)];
-        let kinds = short.map(|(label, k): (&'static str, usize)| Segment { label, ..KINDS[k] });
+        let short = [(key::kernel(), 0), (key::measure(), 1), (key::reparam(), 2)];
+        let kinds = short.map(|(label, k): (Label, usize)| Segment { label, ..KINDS[k] });
         if let Some(kind) = segmented(ui, &kinds, self.shown) {
             self.shown = kind;
         }
@@ -270,8 +252,8 @@ impl Plots {
     }
 
     fn scale_switch(&mut self, ui: &mut Ui) {
-        let tooltip = "A logarithmic axis: shows how deep the kernel falls where the domain is crowded";
-        let label = RichText::new(tr("log")).small();
+        let tooltip = key::log_tooltip();
+        let label = RichText::new(tr(key::log())).small();
         ui.spacing_mut().button_padding = egui::vec2(6.0, 1.0);
         let button = egui::Button::selectable(self.logarithmic, label).frame_when_inactive(true);
         if ui.add(button).on_hover_text(tr(tooltip)).clicked() {
@@ -282,7 +264,7 @@ impl Plots {
 
 /// What is compared with the map; of plane outlines only.
 fn overlays_of(model: &Model) -> Option<&Overlays> {
-    model.surface().is_none().then(|| model.teaching().overlays())
+    model.is_planar().then(|| model.teaching().overlays())
 }
 
 /// The inks that stand side by side in a plot, for each plot and theme.

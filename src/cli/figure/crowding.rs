@@ -7,8 +7,10 @@ use super::{Drawing, pictures};
 use crate::cli::{CliError, picture};
 use crate::conformal::Side;
 use crate::counted::counted;
-use crate::figures::{BoundaryMap, ConvergenceRow, ConvergenceStudy, CrowdingStudy, Detail, Figure, Method, SecondMap};
-use crate::figures::{FigureError, fitted_order};
+use crate::figures::{
+    BoundaryMap, ConvergenceRow, ConvergenceStudy, CrowdingStudy, Detail, Figure, FigureError, Method, SecondMap,
+    fitted_order,
+};
 use crate::geometry::DVec2;
 
 const PANEL: f64 = 236.0;
@@ -47,7 +49,7 @@ pub fn figure_12(detail: Detail) -> Result<Drawing, CliError> {
 
 fn finding(study: &CrowdingStudy, map: &BoundaryMap, stray: DVec2) -> String {
     let (max, mean) = map.max_and_mean_error();
-    let off = stray.distance(study.constraints.target_point);
+    let off = stray.distance(study.points.target);
     let (title, collapsed, all) = (map.method.title(), map.collapsed, map.images.len());
     let lost = counted!(collapsed, "1 of {all} samples collapses", "{collapsed} of {all} samples collapse");
     format!("{title}: error max {max:.2e}, mean {mean:.2e}; the image of x₁ is {off:.1e} from x₂; {lost} in the disk")
@@ -60,23 +62,23 @@ fn rasterise(
     images: &[Vec<DVec2>],
     strays: &[DVec2],
 ) -> Result<image::RgbaImage, CliError> {
-    let [source, target] = Side::BOTH.map(|side| study.map.domain(side));
-    let style = pictures::style(&scene.session, &source.samples.points, study.constraints.source_point);
+    let [source, target] = study.domains.as_ref().into_array();
+    let style = pictures::style(&scene.session, &source.samples().points, study.points.source);
     let panel = |positions, boundary, marks| RasterPanel {
         positions,
-        coordinates: &source.mesh.vertices,
-        triangles: &source.mesh.triangles,
+        coordinates: &source.mesh().vertices,
+        triangles: &source.mesh().triangles,
         boundary,
         marks,
         style,
     };
-    let constraints = study.constraints;
-    let marks = vec![(constraints.source_point, POINT), (source.samples.points[0], ANCHOR)];
-    let mut panels = vec![panel(&source.mesh.vertices, &source.samples.points, marks)];
+    let points = study.points;
+    let marks = vec![(points.source, POINT), (source.samples().points[0], ANCHOR)];
+    let mut panels = vec![panel(&source.mesh().vertices, &source.samples().points, marks)];
     for (positions, &stray) in images.iter().zip(strays) {
-        let marks = vec![(constraints.target_point, POINT), (target.samples.points[0], ANCHOR), (stray, STRAY)];
-        let shown = if stray.distance(constraints.target_point) < VISIBLE { 2 } else { 3 };
-        panels.push(panel(positions, &target.samples.points, marks.into_iter().take(shown).collect()));
+        let marks = vec![(points.target, POINT), (target.samples().points[0], ANCHOR), (stray, STRAY)];
+        let shown = if stray.distance(points.target) < VISIBLE { 2 } else { 3 };
+        panels.push(panel(positions, &target.samples().points, marks.into_iter().take(shown).collect()));
     }
     Raster::new()?.row(&panels, None)
 }
@@ -85,7 +87,7 @@ fn rasterise(
 const VISIBLE: f64 = 8.0 * 3.0 / PANEL_PX as f64;
 
 fn label_panels(page: &mut Page, study: &CrowdingStudy, strays: &[DVec2]) {
-    let m = study.map.domain(Side::Source).mesh.boundary_count;
+    let m = study.map.side(Side::Source).boundary_count();
     let mut label = |k: usize, name: &str, note: &str| {
         let at = DVec2::new(LEFT + PANEL * (k as f64 + 0.5), 58.0);
         page.text(at, Anchor::Middle, LABEL, colour::INK, name);
@@ -93,7 +95,7 @@ fn label_panels(page: &mut Page, study: &CrowdingStudy, strays: &[DVec2]) {
     };
     label(0, &format!("V-shape, m₁ = {m}"), "x₁ green, y₁ magenta");
     for (k, (map, stray)) in study.maps.iter().zip(strays).enumerate() {
-        let off = stray.distance(study.constraints.target_point);
+        let off = stray.distance(study.points.target);
         let note = match map.method {
             Method::Exact => "boundary by the closed forms".to_owned(),
             _ if off > VISIBLE => {

@@ -38,7 +38,7 @@ pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
     let title = format!("Figure 9: {}, Q = σ₁/σ₂", Figure::Distortion.title());
     let mut sheet = Sheet::new(&title, &rows, maps.len(), 60.0)?;
     for (k, shown) in maps.iter().enumerate() {
-        let count = shown.map.domain(Side::Source).mesh.triangles.len();
+        let count = shown.map.side(Side::Source).triangles().len();
         sheet.label(0, k, &shown.label, &triangles(count));
         sheet.label(1, k, "", &shown.note());
     }
@@ -115,9 +115,9 @@ pub struct Coloured<'a> {
 impl<'a> Coloured<'a> {
     /// The mapped mesh (the source's), or its image in the target.
     fn new(shown: &'a Shown, side: Side) -> Self {
-        let mesh = shown.map.mapped_mesh();
+        let mesh = shown.domains[shown.map.mapped_side()].mesh();
         let vertices = if side == Side::Source { mesh.vertices.as_slice() } else { shown.map.images() };
-        let boundary = &shown.map.domain(side).samples.points;
+        let boundary = &shown.domains[side].samples().points;
         Self::of(vertices, &mesh.triangles, &shown.triangles, boundary, TOP_Q)
     }
 

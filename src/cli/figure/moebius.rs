@@ -121,8 +121,7 @@ fn draw_image(page: &mut Page, study: &MoebiusStudy, left: f64, top: f64, map: &
         mapped_boundary(study, map).map(|p| window.place(p)),
         Stroke { dash: "4 3", ..Stroke::solid(colour::INK, 1.2) },
     );
-    let images = study.map.correspondence().images(&study.map.domain(crate::conformal::Side::Target).samples);
-    for w in images {
+    for w in study.boundary_images() {
         page.dot(window.place(w), 1.9, colour::INK);
     }
     page.dot(window.place(MoebiusStudy::exact(grid_point(0.0, 0.0))), 5.5, colour::ORANGE);

@@ -4,9 +4,9 @@ use super::Drawing;
 use super::raster::{ANCHOR, POINT, Raster, RasterPanel, stacked};
 use super::svg::{Anchor, LABEL, Page, SMALL, TITLE, colour};
 use crate::cli::{CliError, picture};
-use crate::conformal::{ConformalMap, Constraints, Quality, Side, TriangleDistortion, triangle_distortions};
+use crate::conformal::{ConformalMap, Constraints, MeshedDomain, PerSide, Quality, Side, TriangleDistortion};
 use crate::export::{Panel, panels};
-use crate::figures::{Cell, Detail, Figure, FigureError, Scene, Table, prepare_spec};
+use crate::figures::{Cell, Detail, Figure, FigureError, Scene, Table, planar, prepare_spec};
 use crate::geometry::{Bounds, DVec2};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::{DomainSpec, Session, TextureKind};
@@ -23,13 +23,13 @@ const ROW: f64 = PANEL + 56.0;
 /// The session's texture on the source with this outline.
 pub fn style(session: &Session, outline: &[DVec2], pole: DVec2) -> TextureStyle {
     let Bounds { min: low, max: high } = Bounds::of(outline.iter().copied());
-    let pattern = match session.texture {
+    let pattern = match session.texture() {
         TextureKind::Checker | TextureKind::Image => Pattern::Checker,
         TextureKind::Grid => Pattern::Grid,
         // no figure asks for the conformal grid, which would need disk coordinates
         TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
     };
-    TextureStyle { pattern, cells: session.texture_scale, bounds: (low, high), pole, dark: false }
+    TextureStyle { pattern, cells: session.texture_scale(), bounds: (low, high), pole, dark: false }
 }
 
 /// The map of a scene, complete, with its distortion.
@@ -38,6 +38,7 @@ pub struct Shown {
     pub session: Session,
     pub map: ConformalMap,
     pub constraints: Constraints,
+    pub domains: PerSide<Arc<MeshedDomain>>,
     pub triangles: Vec<TriangleDistortion>,
 }
 
@@ -52,23 +53,23 @@ pub fn maps(figure: Figure, detail: Detail) -> Result<Vec<Shown>, FigureError> {
         Ok(Arc::clone(&prepared[prepared.len() - 1].1))
     };
     let shown = |Scene { label, session }: Scene| {
-        let (source, target) = (domain(&session.source)?, domain(&session.target)?);
-        let constraints = session.constraints([source.pole, target.pole]);
+        let (source, target) = (domain(session.domain(Side::Source))?, domain(session.domain(Side::Target))?);
+        let domains = PerSide::new(planar(&source)?, planar(&target)?);
+        let constraints = session.constraints(domains.as_ref().map(|domain| domain.pole()).into_array());
         let mut map = ConformalMap::new(source, target, &constraints, session.map_settings())?;
         map.refine_exactly();
-        let mut triangles = Vec::new();
-        triangle_distortions(map.mapped_mesh(), map.images(), &mut triangles);
-        Ok(Shown { label, session, map, constraints, triangles })
+        let triangles = map.distortions();
+        Ok(Shown { label: label.to_string(), session, map, constraints, domains, triangles })
     };
     figure.scenes(detail).into_iter().map(shown).collect()
 }
 
 impl Shown {
     /// Source and target, textured.
-    fn textured(&self) -> [RasterPanel<'_>; 2] {
-        let panels = panels(&self.map, &self.constraints);
-        let style = style(&self.session, panels[0].boundary, self.constraints.source_point);
-        panels.map(|panel| textured(&panel, style))
+    fn textured(&self) -> Result<[RasterPanel<'_>; 2], FigureError> {
+        let panels = panels(&self.map, &self.constraints).ok_or(FigureError::NoDomain)?;
+        let style = style(&self.session, panels[0].boundary, panels[0].handles[0]);
+        Ok(panels.map(|panel| textured(&panel, style)))
     }
 
     /// Q_avg without the flattened triangles, and their share.
@@ -83,8 +84,8 @@ impl Shown {
     pub fn row(&self) -> Vec<Cell> {
         let mut row = vec![self.label.replace(',', "").as_str().into()];
         for side in Side::BOTH {
-            let mesh = &self.map.domain(side).mesh;
-            row.extend([mesh.boundary_count.into(), mesh.triangles.len().into()]);
+            let side = self.map.side(side);
+            row.extend([side.boundary_count().into(), side.triangles().len().into()]);
         }
         let Quality { q_mean, q_max, flipped, collapsed } = Quality::summary(&self.triangles);
         let (resolved, share) = resolved_mean(&self.triangles);
@@ -191,7 +192,7 @@ fn heading(figure: Figure) -> String {
 /// Draws Figure 10: the source and its images.
 pub fn reshaping(detail: Detail) -> Result<Drawing, CliError> {
     let maps = maps(Figure::Reshaping, detail)?;
-    let panels = source_and_images(&maps);
+    let panels = source_and_images(&maps)?;
     let row = Raster::new()?.row(&panels, None)?;
     let mut sheet = Sheet::new(&heading(Figure::Reshaping), &[row], panels.len(), 0.0)?;
     sheet.label(0, 0, "Gingerbread man", "x₁ green, y₁ magenta");
@@ -202,16 +203,16 @@ pub fn reshaping(detail: Detail) -> Result<Drawing, CliError> {
 }
 
 /// The first map's source, then every map's target.
-fn source_and_images(maps: &[Shown]) -> Vec<RasterPanel<'_>> {
+fn source_and_images(maps: &[Shown]) -> Result<Vec<RasterPanel<'_>>, FigureError> {
     let mut panels = Vec::new();
     for shown in maps {
-        let [source, target] = shown.textured();
+        let [source, target] = shown.textured()?;
         if panels.is_empty() {
             panels.push(source);
         }
         panels.push(target);
     }
-    panels
+    Ok(panels)
 }
 
 /// Draws Figure 8: for both resolutions the source and its four images.
@@ -219,11 +220,11 @@ pub fn options(detail: Detail) -> Result<Drawing, CliError> {
     const WAYS: usize = 4;
     let maps = maps(Figure::Options, detail)?;
     let raster = Raster::new()?;
-    let rows: Vec<_> = maps.chunks(WAYS).map(|maps| raster.row(&source_and_images(maps), None)).collect();
-    let rows = rows.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let rows: Vec<_> =
+        maps.chunks(WAYS).map(|maps| raster.row(&source_and_images(maps)?, None)).collect::<Result<_, CliError>>()?;
     let mut sheet = Sheet::new(&heading(Figure::Options), &rows, WAYS + 1, 0.0)?;
     for (row, maps) in maps.chunks(WAYS).enumerate() {
-        let [m1, m2] = Side::BOTH.map(|side| maps[0].map.domain(side).mesh.boundary_count);
+        let [m1, m2] = Side::BOTH.map(|side| maps[0].map.side(side).boundary_count());
         sheet.label(row, 0, &format!("m₁ = {m1}, m₂ = {m2}"), "x₁ green, y₁ magenta");
         for (k, shown) in maps.iter().enumerate() {
             sheet.label(row, k + 1, &shown.label, &shown.note());

@@ -1,4 +1,9 @@
 //! Plots: a frame with ticks and labels, curves, a legend; linear or logarithmic axes.
+//!
+//! Not by `plotters`: its axes, series and legend would take the place of this file, not of `svg`, since the figures
+//! put embedded pictures and domains of equal scales beside their plots; text is measured with fonts of the system
+//! (fontconfig and freetype to build against) or with one shipped along, and a file would depend on which. The
+//! window's plots are `egui_plot`'s.
 
 use super::svg::{Anchor, LABEL, Page, SMALL, Stroke, colour};
 use crate::geometry::{Bounds, DVec2};

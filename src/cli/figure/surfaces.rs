@@ -4,14 +4,15 @@ use super::Drawing;
 use super::distortion::{Coloured, legend, palette};
 use super::pictures::{Sheet, style};
 use super::raster::{Raster, RasterPanel};
-use crate::app::still::compose::{HANDLE_COLOURS, surface_handles};
 use crate::cli::CliError;
 use crate::cli::flatten_arguments::{preset, read};
 use crate::cli::output::{edges_flipped, triangles};
 use crate::cli::surface_picture::{camera, places, planar_places};
-use crate::conformal::{Quality, TriangleDistortion, surface_distortions};
+use crate::conformal::{Quality, Side, TriangleDistortion};
 use crate::figures::{Detail, Figure, FigureError, SurfaceStudy};
 use crate::geometry::DVec2;
+use crate::laplace::Deadline;
+use crate::model::scene::compose::{HANDLE_COLOURS, surface_handles};
 use crate::render::{
     CellCode, CellStyle, ColourMap, Handle, OrbitCamera, SceneSurface, StrokeStyle, SurfaceGeometry, SurfaceHandle,
 };
@@ -56,7 +57,7 @@ fn about(name: Option<&str>, error: &FigureError) -> CliError {
 }
 
 fn own_preset(studies: &[SurfaceStudy]) -> Option<SurfacePreset> {
-    match studies.first()?.session.surface.as_ref()?.spec.shape {
+    match studies.first()?.session.surface(Side::Target)?.spec.shape {
         SurfaceShape::Preset { preset, .. } => Some(preset),
         SurfaceShape::File { .. } => None,
     }
@@ -64,11 +65,11 @@ fn own_preset(studies: &[SurfaceStudy]) -> Option<SurfacePreset> {
 
 fn findings(name: Option<&str>, shown: &[Shown<'_>]) -> Vec<String> {
     let surface = shown.first().map(|shown| {
-        let prepared = shown.study.map.surface();
-        let mesh = &prepared.surface.mesh;
+        let (surface, _) = &shown.study.surface;
+        let mesh = surface.mesh();
         let name = name.map_or_else(String::new, |name| format!(" ({name})"));
         let (m, triangles) = (mesh.boundary_count, triangles(mesh.triangles.len()));
-        format!("surface{name}: m = {m}, {triangles}, {} to be Delaunay", edges_flipped(prepared.flips.flips))
+        format!("surface{name}: m = {m}, {triangles}, {} to be Delaunay", edges_flipped(surface.flips().flips))
     });
     let maps = shown.iter().map(|shown| {
         let Quality { q_max, flipped, collapsed, .. } = shown.quality();
@@ -92,18 +93,23 @@ struct Shown<'a> {
 
 impl<'a> Shown<'a> {
     fn new(study: &'a SurfaceStudy, preset: Option<SurfacePreset>) -> Self {
-        let surface = study.map.surface();
+        let (surface, point) = &study.surface;
         let mut triangles = Vec::new();
-        surface_distortions(&surface.surface.mesh, study.map.images(), &mut triangles);
+        study.map.advance_distortions(&mut triangles, Deadline::NEVER);
         let camera = camera(preset, surface, 1.0);
-        let handles = surface_handles(surface, places(surface, &study.constraints), &camera, HANDLE_PX);
+        let handles = surface_handles(
+            surface,
+            places(surface, *point, study.map.measure(Side::Target).anchor()),
+            &camera,
+            HANDLE_PX,
+        );
         let codes = triangles.iter().map(code).collect();
         Self { study, triangles, codes, camera, handles }
     }
 
     /// Whether it shows Q in the place of a texture.
     fn is_coloured(&self) -> bool {
-        self.study.session.colouring == Colouring::Angle
+        self.study.session.colouring() == Colouring::Angle
     }
 
     fn quality(&self) -> Quality {
@@ -115,7 +121,7 @@ impl<'a> Shown<'a> {
     }
 
     fn surface(&self) -> SceneSurface<'_> {
-        let mesh = &self.study.map.surface().surface.mesh;
+        let mesh = self.study.surface.0.mesh();
         let cells =
             CellStyle { map: Some(ColourMap::Cividis), wire: None, marks: true, pixels_per_point: PIXELS_PER_POINT };
         SceneSurface {
@@ -129,37 +135,38 @@ impl<'a> Shown<'a> {
             codes: if self.is_coloured() { &self.codes } else { &[] },
             cells: Some(cells).filter(|_| self.is_coloured()),
             camera: self.camera,
-            style: style(&self.study.session, self.outline(), self.study.constraints.source_point),
+            style: style(&self.study.session, self.outline(), self.study.source.1),
             stroke: Some(StrokeStyle::themed(false, PIXELS_PER_POINT)),
             handles: &self.handles,
         }
     }
 
     fn outline(&self) -> &'a [DVec2] {
-        &self.study.map.source().samples.points
+        &self.study.source.0.samples().points
     }
 
     /// The domain with its texture.
     fn textured(&self) -> RasterPanel<'_> {
-        let mesh = &self.study.map.source().mesh;
+        let mesh = self.study.source.0.mesh();
         RasterPanel {
             positions: &mesh.vertices,
             coordinates: &mesh.vertices,
             triangles: &mesh.triangles,
             boundary: self.outline(),
             marks: self.marks(),
-            style: style(&self.study.session, self.outline(), self.study.constraints.source_point),
+            style: style(&self.study.session, self.outline(), self.study.source.1),
         }
     }
 
     /// The surface's triangles as they lie in the domain.
     fn coloured(&self) -> Coloured<'a> {
         let map = &self.study.map;
-        Coloured::of(map.images(), &map.surface().surface.mesh.triangles, &self.triangles, self.outline(), TOP_Q)
+        Coloured::of(map.images(), self.study.map.mapped().triangles(), &self.triangles, self.outline(), TOP_Q)
     }
 
     fn marks(&self) -> Vec<(DVec2, [f32; 4])> {
-        let places = planar_places(self.study.map.source(), &self.study.constraints);
+        let places =
+            planar_places(&self.study.source.0, self.study.source.1, self.study.map.measure(Side::Source).anchor());
         let handle = |k: usize| Handle { position: places[k], colour: HANDLE_COLOURS[k], radius_px: HANDLE_PX };
         let handles = [0, 1].map(handle);
         handles.map(|handle| (handle.position, handle.colour)).to_vec()

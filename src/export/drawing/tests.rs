@@ -9,8 +9,7 @@ use std::sync::Arc;
 fn map() -> (ConformalMap, Constraints) {
     let [source, target] = [Preset::Star, Preset::Heart]
         .map(|preset| Arc::new(prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap()));
-    let constraints =
-        Constraints { source_point: source.pole, target_point: target.pole, source_anchor: 0.1, target_anchor: 0.6 };
+    let constraints = Constraints::new((source.default_point(), 0.1), (target.default_point(), 0.6));
     (ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap(), constraints)
 }
 
@@ -28,7 +27,7 @@ fn normalised(points: &[DVec2]) -> Vec<DVec2> {
 #[test]
 fn a_drawing_opens_as_the_outline_that_it_shows() {
     let (map, constraints) = map();
-    let panels = panels(&map, &constraints);
+    let panels = panels(&map, &constraints).unwrap();
     for side in Side::BOTH {
         let panel = panels[side as usize];
         let wire = Some((panel.positions, panel.triangles));
@@ -47,7 +46,7 @@ fn a_drawing_opens_as_the_outline_that_it_shows() {
 #[test]
 fn every_class_is_drawn_in_both_domains() {
     let (map, constraints) = map();
-    let panels = panels(&map, &constraints);
+    let panels = panels(&map, &constraints).unwrap();
     let parts = Side::BOTH.map(|side| {
         let panel = panels[side as usize];
         Part { side, panel, wire: Some((panel.positions, panel.triangles)) }
@@ -58,15 +57,15 @@ fn every_class_is_drawn_in_both_domains() {
     }
     let bare = svg(&parts.map(|part| Part { wire: None, ..part }), None);
     assert!(!bare.contains("class=\"mesh\"") && !bare.contains("class=\"lines\""));
-    let inner = inner_edges(&map.domain(Side::Source).mesh.triangles).count();
-    let (m, n) = (map.domain(Side::Source).samples.len(), map.domain(Side::Source).mesh.interior_count());
+    let inner = inner_edges(map.side(Side::Source).triangles()).count();
+    let (m, n) = (map.side(Side::Source).boundary_count(), map.side(Side::Source).interior_count());
     assert_eq!(inner, 2 * m + 3 * n - 3 - m, "Euler: all edges but the outline's");
 }
 
 #[test]
 fn lines_of_the_source_are_straight_whole_and_where_they_should_be() {
     let (map, constraints) = map();
-    let panel = panels(&map, &constraints)[0];
+    let panel = panels(&map, &constraints).unwrap()[0];
     let Ruling::Squares { origin, spacing } = squares(&panel, 10.0) else { unreachable!() };
     for family in 0..FAMILIES {
         let lines = squares(&panel, 10.0).lines(family, panel.positions, panel.coordinates, panel.triangles);
@@ -84,21 +83,21 @@ fn lines_of_the_source_are_straight_whole_and_where_they_should_be() {
 #[test]
 fn circles_close_and_rays_reach_the_boundary() {
     let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
-    let vertices = disk.mesh.vertices.as_slice();
+    let vertices = disk.domain().unwrap().mesh().vertices.as_slice();
     let conformal = Ruling::Conformal { rays: 12 };
     let polar = Ruling::Polar { pole: DVec2::ZERO, spacing: 0.25 };
     for (ruling, radii) in [
         (polar, vec![0.25, 0.5, 0.75]),
         (conformal, (1..=4).map(|k| (-TAU * f64::from(k) / 12.0).exp()).collect::<Vec<f64>>()),
     ] {
-        let circles = ruling.lines(0, vertices, vertices, &disk.mesh.triangles);
+        let circles = ruling.lines(0, vertices, vertices, disk.triangles());
         let closed: Vec<_> = circles.iter().filter(|line| line.is_closed).collect();
         for radius in radii {
             let off = |line: &&&Line| line.points.iter().map(|p| (p.length() - radius).abs()).fold(0.0, f64::max);
             let nearest = closed.iter().map(|line| off(&line)).fold(f64::INFINITY, f64::min);
             assert!(nearest < 0.02 * radius, "{ruling:?}: no circle of radius {radius} but {nearest} off");
         }
-        let rays = ruling.lines(1, vertices, vertices, &disk.mesh.triangles);
+        let rays = ruling.lines(1, vertices, vertices, disk.triangles());
         let expected = if ruling == polar { 24 } else { 12 };
         assert_eq!(rays.len(), expected, "{ruling:?}: rays in one piece each");
         for ray in &rays {

@@ -2,12 +2,13 @@
 //!
 //! Lines, columns, points and rings count from 1, as people do.
 
-use super::MAX_BYTES;
+use super::{GeoJsonFault, JsonFault, MAX_BYTES, PointFault, SvgFault};
 use crate::counted::counted;
 use crate::geometry::{DVec2, PolygonError};
 
 /// Why a file is no outline, and where in it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum OutlineError {
     /// More than [`MAX_BYTES`].
     #[error("the file has {bytes} bytes; files up to {} MiB can be read", MAX_BYTES >> 20)]
@@ -87,26 +88,26 @@ pub enum OutlineError {
     NotAPoint {
         /// Which one.
         point: usize,
-        /// What it is instead, such as "has 3 numbers".
-        found: String,
+        /// What it is instead.
+        found: PointFault,
     },
     /// JSON of another kind.
     #[error("this JSON holds no outline ({found}): expected [[x, y], …], {{\"points\": [[x, y], …]}} or GeoJSON")]
     NotAnOutline {
         /// What it holds.
-        found: String,
+        found: JsonFault,
     },
     /// `GeoJSON` without any polygon.
-    #[error("this GeoJSON holds no polygon (its type is {kind})")]
+    #[error("this GeoJSON holds no polygon (its type is {})", .kind.as_deref().unwrap_or("not given"))]
     NoPolygon {
-        /// Its `type`.
-        kind: String,
+        /// Its `type`, if it has one.
+        kind: Option<String>,
     },
     /// `GeoJSON` that is not built as its type says.
-    #[error("this GeoJSON is malformed: {message}")]
+    #[error("this GeoJSON is malformed: {fault}")]
     GeoJson {
         /// What is wrong.
-        message: String,
+        fault: GeoJsonFault,
     },
     /// The last point of a ring is not its first.
     #[error("ring {ring} is not closed: it starts at ({}, {}) and ends at ({}, {})", .first.x, .first.y, .last.x, .last.y)]
@@ -119,10 +120,10 @@ pub enum OutlineError {
         last: DVec2,
     },
     /// Not SVG, or SVG that is too deep to read.
-    #[error("this SVG cannot be read: {message}")]
+    #[error("this SVG cannot be read: {fault}")]
     Svg {
-        /// What the SVG reader found, with line and column where it knows them.
-        message: String,
+        /// What is wrong.
+        fault: SvgFault,
     },
     /// SVG without any path or shape.
     #[error("this SVG has no path")]

@@ -5,9 +5,9 @@
 
 use serde_json::Value;
 
-use super::json::{kind, position};
+use super::json::position;
 use super::ring::{Ring, largest};
-use super::{OutlineError, OutlineNote};
+use super::{GeoJsonFault, JsonKind, OutlineError, OutlineNote};
 use crate::geometry::DVec2;
 
 /// What was collected on the way through the tree.
@@ -24,7 +24,7 @@ pub(super) fn read(value: &Value) -> Result<Ring, OutlineError> {
     let mut found = Collected::default();
     collect(value, None, &mut found)?;
     let Collected { outer_rings, holes, names } = found;
-    let none = || OutlineError::NoPolygon { kind: text(value, "type").unwrap_or("not given").to_owned() };
+    let none = || OutlineError::NoPolygon { kind: text(value, "type").map(str::to_owned) };
     let index = largest(&outer_rings).ok_or_else(none)?;
     let mut ring = Ring::largest_of(outer_rings).ok_or_else(none)?;
     if holes[index] > 0 {
@@ -38,13 +38,13 @@ fn text<'a>(value: &'a Value, key: &str) -> Option<&'a str> {
     value.get(key).and_then(Value::as_str)
 }
 
-fn list<'a>(value: &'a Value, key: &str) -> Result<&'a [Value], OutlineError> {
-    let message = match value.get(key) {
+fn list<'a>(value: &'a Value, key: &'static str) -> Result<&'a [Value], OutlineError> {
+    let fault = match value.get(key) {
         Some(Value::Array(list)) => return Ok(list),
-        Some(other) => format!("\"{key}\" is {}, not a list", kind(other)),
-        None => format!("\"{key}\" is missing"),
+        Some(other) => GeoJsonFault::NoList { key, kind: JsonKind::of(other) },
+        None => GeoJsonFault::Missing(key),
     };
-    Err(OutlineError::GeoJson { message })
+    Err(OutlineError::GeoJson { fault })
 }
 
 /// Walks features and collections; the nesting is bounded by the JSON reader.
@@ -62,18 +62,18 @@ fn collect<'a>(value: &'a Value, name: Option<&'a str>, found: &mut Collected<'a
         Some("Polygon") => polygon(list(value, "coordinates")?, name, found),
         Some("MultiPolygon") => list(value, "coordinates")?.iter().try_for_each(|rings| match rings {
             Value::Array(rings) => polygon(rings, name, found),
-            other => Err(OutlineError::GeoJson { message: format!("a polygon is {}, not a list", kind(other)) }),
+            other => Err(OutlineError::GeoJson { fault: GeoJsonFault::Polygon(JsonKind::of(other)) }),
         }),
         Some("Point" | "MultiPoint" | "LineString" | "MultiLineString") => Ok(()),
-        Some(other) => Err(OutlineError::GeoJson { message: format!("\"{other}\" is no GeoJSON type") }),
-        None => Err(OutlineError::GeoJson { message: "an object has no \"type\"".to_owned() }),
+        Some(other) => Err(OutlineError::GeoJson { fault: GeoJsonFault::UnknownType(other.to_owned()) }),
+        None => Err(OutlineError::GeoJson { fault: GeoJsonFault::NoType }),
     }
 }
 
 fn polygon<'a>(rings: &'a [Value], name: Option<&'a str>, found: &mut Collected<'a>) -> Result<(), OutlineError> {
     let Some((outer, holes)) = rings.split_first() else { return Ok(()) };
     let Value::Array(positions) = outer else {
-        return Err(OutlineError::GeoJson { message: format!("a ring is {}, not a list", kind(outer)) });
+        return Err(OutlineError::GeoJson { fault: GeoJsonFault::Ring(JsonKind::of(outer)) });
     };
     let ring = found.outer_rings.len() + 1;
     let mut points = Vec::with_capacity(positions.len());
@@ -83,7 +83,7 @@ fn polygon<'a>(rings: &'a [Value], name: Option<&'a str>, found: &mut Collected<
     match (points.first().copied(), points.pop()) {
         (Some(first), Some(last)) if first == last && !points.is_empty() => {}
         (Some(first), Some(last)) => return Err(OutlineError::RingNotClosed { ring, first, last }),
-        _ => return Err(OutlineError::GeoJson { message: format!("ring {ring} has no points") }),
+        _ => return Err(OutlineError::GeoJson { fault: GeoJsonFault::EmptyRing(ring) }),
     }
     found.outer_rings.push(points);
     found.holes.push(holes.len());

@@ -3,8 +3,7 @@
 use serde_json::Value;
 
 use super::ring::Ring;
-use super::{OutlineError, geojson};
-use crate::counted::counted;
+use super::{JsonFault, JsonKind, OutlineError, PointFault, geojson};
 use crate::geometry::DVec2;
 
 pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
@@ -16,11 +15,11 @@ pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
                 let name = object.get("name").and_then(Value::as_str).map(str::to_owned);
                 Ok(Ring { name, ..Ring::implicitly_closed(read_points(points)?) })
             }
-            (Some(other), _) => Err(OutlineError::NotAnOutline { found: format!("\"points\" is {}", kind(other)) }),
+            (Some(other), _) => Err(OutlineError::NotAnOutline { found: JsonFault::Points(JsonKind::of(other)) }),
             (None, Some(Value::String(_))) => geojson::read(&value),
-            (None, _) => Err(OutlineError::NotAnOutline { found: "an object without \"points\"".to_owned() }),
+            (None, _) => Err(OutlineError::NotAnOutline { found: JsonFault::NoPoints }),
         },
-        other => Err(OutlineError::NotAnOutline { found: kind(other) }),
+        other => Err(OutlineError::NotAnOutline { found: JsonFault::Value(JsonKind::of(other)) }),
     }
 }
 
@@ -44,30 +43,14 @@ fn read_points(points: &[Value]) -> Result<Vec<DVec2>, OutlineError> {
 }
 
 /// The point `[x, y]`, with further numbers only if `more_allowed`; or what it is instead.
-pub(super) fn position(value: &Value, more_allowed: bool) -> Result<DVec2, String> {
-    let Value::Array(numbers) = value else { return Err(format!("is {}", kind(value))) };
+pub(super) fn position(value: &Value, more_allowed: bool) -> Result<DVec2, PointFault> {
+    let Value::Array(numbers) = value else { return Err(PointFault::NoList(JsonKind::of(value))) };
     match numbers.as_slice() {
         [x, y, rest @ ..] if rest.is_empty() || more_allowed => match (x.as_f64(), y.as_f64()) {
             (Some(x), Some(y)) => Ok(DVec2::new(x, y)),
-            (None, _) => Err(format!("has {} where a number should be", kind(x))),
-            (_, None) => Err(format!("has {} where a number should be", kind(y))),
+            (None, _) => Err(PointFault::NoNumber(JsonKind::of(x))),
+            (_, None) => Err(PointFault::NoNumber(JsonKind::of(y))),
         },
-        other => {
-            let count = other.len();
-            Err(counted!(count, "has 1 number", "has {count} numbers"))
-        }
+        other => Err(PointFault::Numbers { count: other.len() }),
     }
-}
-
-/// A value's kind, in words.
-pub(super) fn kind(value: &Value) -> String {
-    match value {
-        Value::Null => "null",
-        Value::Bool(_) => "a truth value",
-        Value::Number(_) => "a number",
-        Value::String(_) => "a text",
-        Value::Array(_) => "a list",
-        Value::Object(_) => "an object",
-    }
-    .to_owned()
 }

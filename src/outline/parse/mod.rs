@@ -6,6 +6,7 @@
 //! No bytes make a reader panic, and none reads anything but these bytes.
 
 mod error;
+mod fault;
 mod geojson;
 mod json;
 mod point_list;
@@ -18,6 +19,7 @@ mod table;
 use super::{Outline, OutlineNote};
 use crate::geometry::SimplePolygon;
 pub use error::OutlineError;
+pub use fault::{GeoJsonFault, JsonFault, JsonKind, PointFault, SvgFault};
 use ring::Ring;
 
 /// The largest file that is read.

@@ -7,7 +7,7 @@
 use super::ring::area;
 use crate::geometry::{DVec2, PolygonError, SimplePolygon};
 
-/// Repairs at most; an outline that needs more has another trouble.
+/// Repairs at most; an outline that needs more has another fault.
 const MAX_CUTS: usize = 200;
 
 /// Removes repeated points with the smaller loop between them, and the tips of

@@ -11,9 +11,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use usvg::roxmltree::{Document, ParsingOptions};
 use usvg::{Group, ImageHrefResolver, Node, Options, Tree};
 
-use super::OutlineError;
 use super::ring::Ring;
 use super::svg_path::Subpath;
+use super::{OutlineError, SvgFault};
 
 /// Elements inside elements at most; drawings have about 10.
 const MAX_DEPTH: usize = 64;
@@ -24,16 +24,16 @@ const MAX_USE_CHAIN: usize = 4;
 const MAX_NODES: u32 = 1_000_000;
 
 pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
-    let message = |message: String| OutlineError::Svg { message };
+    let failed = |message: String| OutlineError::Svg { fault: SvgFault::Reader(message) };
     let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     // As long as what it replaces, so that positions in messages stay right.
     let text = text.replace("url(", "off(");
-    let document = Document::parse_with_options(&text, options).map_err(|e| message(e.to_string()))?;
+    let document = Document::parse_with_options(&text, options).map_err(|e| failed(e.to_string()))?;
     check_nesting(&document)?;
     let image_href_resolver =
         ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = Options { image_href_resolver, ..Options::default() };
-    let tree = Tree::from_xmltree(&document, &options).map_err(|e| message(e.to_string()))?;
+    let tree = Tree::from_xmltree(&document, &options).map_err(|e| failed(e.to_string()))?;
     first_closed_path(&tree)
 }
 
@@ -70,14 +70,13 @@ fn children(group: &Group) -> std::slice::Iter<'_, Node> {
 
 /// Bounds the depth of the document and of the references in it.
 fn check_nesting(document: &Document) -> Result<(), OutlineError> {
-    let too_deep = |what: &str| Err(OutlineError::Svg { message: format!("{what} are nested too deeply") });
     // An element's parent comes before it in document order.
     let mut depth: BTreeMap<u32, usize> = BTreeMap::new();
     let mut references: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for node in document.descendants().filter(usvg::roxmltree::Node::is_element) {
         let parent = node.parent().and_then(|p| depth.get(&p.id().get())).copied().unwrap_or(0);
         if parent >= MAX_DEPTH {
-            return too_deep("elements");
+            return Err(OutlineError::Svg { fault: SvgFault::Elements });
         }
         depth.insert(node.id().get(), parent + 1);
         for target in
@@ -92,5 +91,5 @@ fn check_nesting(document: &Document) -> Result<(), OutlineError> {
     for _ in 0..MAX_USE_CHAIN {
         reached = reached.iter().filter_map(|id| references.get(id)).flatten().copied().collect();
     }
-    if reached.is_empty() { Ok(()) } else { too_deep("\"use\" elements") }
+    if reached.is_empty() { Ok(()) } else { Err(OutlineError::Svg { fault: SvgFault::Uses }) }
 }

@@ -1,7 +1,5 @@
 //! Outlines are read from every format, and what is none is refused with its place.
 
-use std::path::Path;
-
 use proptest::prelude::*;
 
 use super::*;
@@ -250,29 +248,6 @@ fn nesting_within_the_limits_does_not_exhaust_a_small_stack() {
 }
 
 #[test]
-fn icons_and_coast_lines_are_read() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/outlines");
-    let Ok(entries) = std::fs::read_dir(&folder) else {
-        println!("skipped: {} is not there", folder.display());
-        return;
-    };
-    let mut paths: Vec<_> = entries.map(|e| e.unwrap().path()).collect();
-    paths.sort();
-    for path in paths.iter().filter(|p| p.extension().is_some_and(|e| e == "json")) {
-        let (name, bytes) = (path.to_string_lossy(), std::fs::read(path).unwrap());
-        // The hand has small loops, 2 % of its size, which meet themselves.
-        let touches = matches!(parse(&name, &bytes), Err(OutlineError::Polygon(PolygonError::RepeatedPoint { .. })));
-        assert_eq!(touches, name.ends_with("noto_hand-with-fingers-splayed.json"), "{name}");
-        let outline = parse_repaired(&name, &bytes).unwrap();
-        let expected: &[OutlineNote] = if touches { &[OutlineNote::Repaired { dropped: 11 }] } else { &[] };
-        assert!(outline.notes.starts_with(expected), "{name}: {:?}", outline.notes);
-        println!("{}: {} points, notes {:?}", outline.name, outline.polygon.vertices().len(), outline.notes);
-        let pole = outline.polygon.pole_of_inaccessibility(1e-3);
-        assert!(outline.polygon.contains(pole));
-    }
-}
-
-#[test]
 fn loops_and_spikes_are_cut_off_when_asked() {
     let repaired = |text: &str| parse_repaired("x.csv", text.as_bytes()).unwrap();
     // A doubled point; a small loop at (4, 0); a spike at (0, 3).
@@ -366,4 +341,28 @@ fn points_on_one_line_are_read_as_those_of_an_svg_polygon() {
     let odd = parse("pasted", b"0,0 2,0 1").unwrap_err();
     assert_eq!(odd, OutlineError::OddNumbers { count: 5 });
     assert!(parse("pasted", b"0,0 2,0 1,x").is_err());
+}
+
+/// Outlines that people use.
+mod shared_data {
+    use super::*;
+    use crate::test_data::shared_outlines;
+
+    #[test]
+    #[ignore = "needs ../shared/data"]
+    fn icons_and_coast_lines_are_read() {
+        for path in shared_outlines() {
+            let (name, bytes) = (path.to_string_lossy(), std::fs::read(&path).unwrap());
+            // The hand has small loops, 2 % of its size, which meet themselves.
+            let touches =
+                matches!(parse(&name, &bytes), Err(OutlineError::Polygon(PolygonError::RepeatedPoint { .. })));
+            assert_eq!(touches, name.ends_with("noto_hand-with-fingers-splayed.json"), "{name}");
+            let outline = parse_repaired(&name, &bytes).unwrap();
+            let expected: &[OutlineNote] = if touches { &[OutlineNote::Repaired { dropped: 11 }] } else { &[] };
+            assert!(outline.notes.starts_with(expected), "{name}: {:?}", outline.notes);
+            println!("{}: {} points, notes {:?}", outline.name, outline.polygon.vertices().len(), outline.notes);
+            let pole = outline.polygon.pole_of_inaccessibility(1e-3);
+            assert!(outline.polygon.contains(pole));
+        }
+    }
 }

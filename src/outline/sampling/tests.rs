@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::mesh::{Sizing, mesh_domain};
-use crate::outline::{Preset, parse};
+use crate::outline::Preset;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -35,27 +35,10 @@ fn distance(polygon: &SimplePolygon, x: DVec2) -> f64 {
     polygon.edges().map(to_edge).fold(f64::INFINITY, f64::min)
 }
 
-/// The presets, and the outlines of the test data that are simple, if they are there.
-fn outlines() -> Vec<(String, SimplePolygon)> {
-    let presets = Preset::ALL.into_iter().map(|p| (p.name().to_owned(), p.outline().polygon));
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/outlines");
-    let Ok(entries) = std::fs::read_dir(&folder) else {
-        println!("skipped: no outlines in {}", folder.display());
-        return presets.collect();
-    };
-    let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
-    paths.sort();
-    let read = |path: &std::path::PathBuf| {
-        let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        match parse(&name, &std::fs::read(path).unwrap()) {
-            Ok(outline) => Some((name, outline.polygon)),
-            Err(error) => {
-                println!("skipped: {name}: {error}");
-                None
-            }
-        }
-    };
-    presets.chain(paths.iter().filter_map(read)).collect()
+type Named = (String, SimplePolygon);
+
+fn presets() -> impl Iterator<Item = Named> {
+    Preset::ALL.into_iter().map(|preset| (preset.name().to_owned(), preset.outline().polygon))
 }
 
 #[test]
@@ -147,7 +130,11 @@ fn from_far_away_the_nearest_sample_is_the_outermost_one() {
 
 #[test]
 fn targets_are_met_and_samples_lie_on_the_outline() {
-    for (name, shape) in outlines() {
+    assert_targets_are_met_on_the_outline(presets());
+}
+
+fn assert_targets_are_met_on_the_outline(outlines: impl Iterator<Item = Named>) {
+    for (name, shape) in outlines {
         for target in [100, 400, 2500] {
             let samples = adaptive(&shape, Some(target));
             let m = samples.len() as f64;
@@ -161,7 +148,11 @@ fn targets_are_met_and_samples_lie_on_the_outline() {
 
 #[test]
 fn samples_of_all_outlines_form_simple_polygons_that_can_be_meshed() {
-    for (name, shape) in outlines() {
+    assert_samples_can_be_meshed(presets());
+}
+
+fn assert_samples_can_be_meshed(outlines: impl Iterator<Item = Named>) {
+    for (name, shape) in outlines {
         for target in [None, Some(12), Some(60), Some(1000)] {
             let samples = adaptive(&shape, target);
             let (mesh, report) = mesh_domain(&samples.points, Sizing::default()).unwrap();
@@ -189,5 +180,42 @@ proptest! {
             let samples = adaptive(&star, target);
             prop_assert!(SimplePolygon::try_from(samples.points).is_ok());
         }
+    }
+}
+
+/// Icons and a coast line.
+mod shared_data {
+    use super::*;
+    use crate::outline::{OutlineError, parse};
+    use crate::test_data::shared_outlines;
+
+    /// Those that are simple: all but one.
+    fn outlines() -> Vec<Named> {
+        let read = |path: std::path::PathBuf| {
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            match parse(&name, &std::fs::read(path).unwrap()) {
+                Ok(outline) => Some((name, outline.polygon)),
+                Err(error) => {
+                    assert!(matches!(error, OutlineError::Polygon(_)), "{name}: {error}");
+                    None
+                }
+            }
+        };
+        let paths = shared_outlines();
+        let simple: Vec<_> = paths.iter().cloned().filter_map(read).collect();
+        assert_eq!(simple.len(), paths.len() - 1);
+        simple
+    }
+
+    #[test]
+    #[ignore = "needs ../shared/data"]
+    fn targets_are_met_and_samples_lie_on_the_outline() {
+        assert_targets_are_met_on_the_outline(outlines().into_iter());
+    }
+
+    #[test]
+    #[ignore = "needs ../shared/data"]
+    fn samples_of_all_outlines_form_simple_polygons_that_can_be_meshed() {
+        assert_samples_can_be_meshed(outlines().into_iter());
     }
 }

@@ -1,13 +1,14 @@
 //! The page's address and the browser's storage: what carries a session to other places and times.
 
 use super::surroundings::is_framed;
+use crate::language::{Message, key};
 use crate::platform::{Event, Kept, Mailbox};
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::Window;
 
 /// The key in the local storage.
-fn key(what: Kept) -> &'static str {
+fn storage_key(what: Kept) -> &'static str {
     match what {
         Kept::Session => "riemap session",
         Kept::Preferences => "riemap preferences",
@@ -38,21 +39,20 @@ pub fn address_with(fragment: &str) -> String {
 }
 
 /// Keeps a text for [`remembered`], or says why not: the page may store nothing, or not so much.
-pub fn remember(what: Kept, text: &str) -> Result<(), String> {
+pub fn remember(what: Kept, text: &str) -> Result<(), Message> {
     if !is_kept(what) {
         return Ok(());
     }
     let storage = |window: Window| window.local_storage().ok()?;
-    let storage = web_sys::window().and_then(storage).ok_or("the browser lets this page store nothing")?;
-    storage
-        .set_item(key(what), text)
-        .map_err(|_| format!("its {} characters are more than the browser lets this page store", text.len()))
+    let storage = web_sys::window().and_then(storage).ok_or(key::browser_stores_nothing())?;
+    storage.set_item(storage_key(what), text).map_err(|_| key::too_long_to_store(text.len()))
 }
 
 /// A picture in another page is not what its reader goes on with elsewhere: its session is neither kept nor that which
 /// was kept, whatever the options. The same holds for the picture of such a frame in a window of its own.
 fn is_kept(what: Kept) -> bool {
-    what != Kept::Session || !(is_framed() || super::address_options().embed)
+    let is_embedded = || super::address_query().iter().any(|[name, _]| name == "embed");
+    what != Kept::Session || !(is_framed() || is_embedded())
 }
 
 /// What was kept last.
@@ -60,7 +60,7 @@ pub fn remembered(what: Kept) -> Option<String> {
     if !is_kept(what) {
         return None;
     }
-    web_sys::window()?.local_storage().ok()??.get_item(key(what)).ok()?
+    web_sys::window()?.local_storage().ok()??.get_item(storage_key(what)).ok()?
 }
 
 /// Posts the address whenever a person changes its fragment.

@@ -1,6 +1,6 @@
 //! `window.riemap`: the numbers on the screen, for tests and for pages that embed the app.
 //!
-//! * `riemap.stats()` → [`Stats`](crate::app::Stats) as an object,
+//! * `riemap.stats()` → [`Host::Stats`] as an object,
 //! * `riemap.session()` → the session as an object,
 //! * `riemap.link()` → the fragment of an address that opens this session, or `null` where none carries all of its outlines,
 //! * `riemap.open_session(object)` → `null`, or why the object is no session that can be used; the map follows
@@ -11,40 +11,40 @@
 //!
 //! After a panic they return `undefined`.
 
-use crate::app::RiemapApp;
 use crate::conformal::Side;
-use crate::platform::FilePurpose;
-use crate::session::{Session, file};
+use crate::model::files::FilePurpose;
+use crate::platform::Host;
+use crate::session::Session;
+use crate::session::file::{self, FileError};
 use eframe::WebRunner;
 use js_sys::{Object, Reflect};
 use serde::Serialize;
-use serde::de::DeserializeOwned;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::Closure;
 
 /// Puts the object into the page.
-pub fn install(runner: &WebRunner) {
+pub fn install<H: Host>(runner: &WebRunner) {
     let object = Object::new();
     let app = runner.clone();
-    let stats = Closure::<dyn Fn() -> JsValue>::new(move || with_app(&app, |app| to_js(&app.stats())));
+    let stats = Closure::<dyn Fn() -> JsValue>::new(move || with_app::<H>(&app, |app| to_js(&app.stats())));
     let app = runner.clone();
-    let session = Closure::<dyn Fn() -> JsValue>::new(move || with_app(&app, |app| to_js(app.session())));
+    let session = Closure::<dyn Fn() -> JsValue>::new(move || with_app::<H>(&app, |app| session_to_js(app.session())));
     let app = runner.clone();
     let own_link = Closure::<dyn Fn() -> JsValue>::new(move || {
-        with_app(&app, |app| app.link().map_or(JsValue::NULL, |fragment| format!("#{fragment}").into()))
+        with_app::<H>(&app, |app| app.link().map_or(JsValue::NULL, |fragment| format!("#{fragment}").into()))
     });
     let app = runner.clone();
     let load =
         Closure::<dyn Fn(String, String, String) -> JsValue>::new(move |side: String, name: String, text: String| {
             let Some(side) = side_named(&side) else { return JsValue::FALSE };
-            with_app(&app, |app| {
+            with_app::<H>(&app, |app| {
                 app.take_file(FilePurpose::Outline(side), &name, Ok(text.into_bytes()));
                 JsValue::TRUE
             })
         });
     let app = runner.clone();
     let open = Closure::<dyn Fn(JsValue) -> JsValue>::new(move |value: JsValue| {
-        with_app(&app, |app| match session_of(&value) {
+        with_app::<H>(&app, |app| match session_of(&value) {
             Ok(session) => {
                 app.open_session(session);
                 JsValue::NULL
@@ -55,14 +55,14 @@ pub fn install(runner: &WebRunner) {
     let app = runner.clone();
     let file = Closure::<dyn Fn(String, String, Vec<u8>) -> JsValue>::new(move |side: String, name: String, bytes| {
         let Some(side) = side_named(&side) else { return JsValue::FALSE };
-        with_app(&app, |app| {
+        with_app::<H>(&app, |app| {
             app.take_file(FilePurpose::Outline(side), &name, Ok(bytes));
             JsValue::TRUE
         })
     });
     let app = runner.clone();
     let link = Closure::<dyn Fn(String) -> JsValue>::new(move |text: String| {
-        with_app(&app, |app| app.try_link(&text).map_or_else(JsValue::from, |()| JsValue::NULL))
+        with_app::<H>(&app, |app| app.open_link(&text).map_or_else(JsValue::from, |()| JsValue::NULL))
     });
     put(&object, "link", &own_link.into_js_value());
     put(&object, "open_link", &link.into_js_value());
@@ -74,8 +74,8 @@ pub fn install(runner: &WebRunner) {
     put(&js_sys::global(), "riemap", &object.into());
 }
 
-fn with_app(runner: &WebRunner, read: impl FnOnce(&mut RiemapApp) -> JsValue) -> JsValue {
-    runner.app_mut::<RiemapApp>().map_or(JsValue::UNDEFINED, |mut app| read(&mut app))
+fn with_app<H: Host>(runner: &WebRunner, read: impl FnOnce(&mut H) -> JsValue) -> JsValue {
+    runner.app_mut::<H>().map_or(JsValue::UNDEFINED, |mut app| read(&mut app))
 }
 
 fn to_js(value: &impl Serialize) -> JsValue {
@@ -83,17 +83,18 @@ fn to_js(value: &impl Serialize) -> JsValue {
     js_sys::JSON::parse(&text).unwrap_or(JsValue::UNDEFINED)
 }
 
-/// What is not JSON reads as nothing, and is refused.
-fn from_js<T: DeserializeOwned>(value: &JsValue) -> serde_json::Result<T> {
-    let text = js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string());
-    serde_json::from_str(&text.unwrap_or_default())
+fn session_to_js(session: &Session) -> JsValue {
+    let text = file::write_object(session).unwrap_or_default();
+    js_sys::JSON::parse(&text).unwrap_or(JsValue::UNDEFINED)
 }
 
-/// A session that can be opened, or why it cannot.
+/// A session that can be opened, or why it cannot. What is not JSON reads as nothing, and is refused.
 fn session_of(value: &JsValue) -> Result<Session, String> {
-    let session: Session = from_js(value).map_err(|error| error.to_string())?;
-    file::check(&session).map_err(|error| error.to_string())?;
-    Ok(session)
+    let text = js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string());
+    file::read_object(&text.unwrap_or_default()).map_err(|error| match error {
+        FileError::Malformed(reason) => reason, // there is no file
+        other => other.to_string(),
+    })
 }
 
 fn side_named(name: &str) -> Option<Side> {

@@ -1,49 +1,75 @@
 //! Files from the dialog and from drag and drop, and to the downloads.
 
 use super::page;
-use crate::app::language::tr;
 use crate::conformal::Side;
-use crate::platform::{Event, FilePurpose, Mailbox, endings};
-use js_sys::{Array, Uint8Array};
+use crate::language::{Message, key};
+use crate::model::files::{FilePurpose, endings};
+use crate::platform::{Event, Mailbox};
+use js_sys::{Array, Promise, Uint8Array};
 use std::cell::Cell;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{Blob, DragEvent, HtmlAnchorElement, Url};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{Blob, DragEvent, File, HtmlAnchorElement, HtmlInputElement, Url};
 
 thread_local! {
     static LAST_DRAG: Cell<Option<egui::Pos2>> = const { Cell::new(None) };
 }
 
-/// Lets the person choose a file, and hands it to the app.
-pub fn pick_file(purpose: FilePurpose, mailbox: Mailbox) {
-    let (label, extensions) = endings(purpose);
-    let dialog = rfd::AsyncFileDialog::new().add_filter(tr(label), &extensions).pick_file();
+/// Lets the person choose a file, and hands it to the app. The browser has no place for the label of its kind.
+///
+/// The browser opens its dialog only within seconds of a click or a key press. The input is not part of the page, so
+/// it needs no style, which the page's policy would refuse.
+pub fn pick_file(purpose: FilePurpose, _label: &str, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
-        if let Some(file) = dialog.await {
-            let bytes = Ok(file.read().await);
-            page::hand_over(purpose, file.file_name(), bytes, &mailbox);
+        match picked(purpose).await {
+            Ok(Some(file)) => page::hand_over(purpose, file.name(), content(&file).await, &mailbox),
+            Ok(None) => (),
+            Err(error) => log::error!("the file dialog: {}", error.english()),
         }
     });
+}
+
+/// The file that is chosen, or `None` where the dialog is cancelled.
+async fn picked(purpose: FilePurpose) -> Result<Option<File>, Message> {
+    let document = web_sys::window().and_then(|window| window.document()).ok_or(key::no_page())?;
+    let input = document.create_element("input")?.dyn_into::<HtmlInputElement>().map_err(JsValue::from)?;
+    input.set_type("file");
+    let accepted: Vec<String> = endings(purpose).iter().map(|extension| format!(".{extension}")).collect();
+    input.set_accept(&accepted.join(","));
+    let closed = Promise::new(&mut |resolve, _| {
+        input.set_onchange(Some(&resolve));
+        input.set_oncancel(Some(&resolve));
+        input.click();
+    });
+    JsFuture::from(closed).await?;
+    Ok(input.files().and_then(|files| files.get(0)))
+}
+
+/// The bytes of a chosen file, or why it cannot be read.
+async fn content(file: &File) -> Result<Vec<u8>, String> {
+    let bytes = JsFuture::from(file.array_buffer()).await.map_err(|error| super::worker_handle::describe(&error))?;
+    Ok(Uint8Array::new(&bytes).to_vec())
 }
 
 /// Gives a file to the browser's downloads.
 #[allow(clippy::needless_pass_by_value, reason = "on the desktop they go into a thread")]
 pub fn save_file(name: &str, bytes: Vec<u8>, mailbox: Mailbox) {
     if let Err(error) = download(name, &bytes) {
-        mailbox.post(Event::NotSaved { name: name.to_owned(), reason: super::worker_handle::describe(&error) });
+        mailbox.post(Event::NotSaved { name: name.to_owned(), reason: error });
     }
 }
 
 /// By a link to the bytes that is followed at once.
-fn download(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
-    let document = web_sys::window().and_then(|window| window.document()).ok_or("there is no page")?;
+fn download(name: &str, bytes: &[u8]) -> Result<(), Message> {
+    let document = web_sys::window().and_then(|window| window.document()).ok_or(key::no_page())?;
     let parts = Array::of1(&Uint8Array::from(bytes));
     let address = Url::create_object_url_with_blob(&Blob::new_with_u8_array_sequence(&parts)?)?;
-    let link = document.create_element("a")?.dyn_into::<HtmlAnchorElement>()?;
+    let link = document.create_element("a")?.dyn_into::<HtmlAnchorElement>().map_err(JsValue::from)?;
     link.set_href(&address);
     link.set_download(name);
     link.click();
-    Url::revoke_object_url(&address)
+    Ok(Url::revoke_object_url(&address)?)
 }
 
 /// Reads a dropped file and hands it to the app.

@@ -1,7 +1,8 @@
 //! Images in the browser: decoded by itself, which has a decoder already.
 
-use super::worker_handle::describe;
-use crate::platform::{Event, FilePurpose, Mailbox};
+use crate::language::{Message, key};
+use crate::model::files::FilePurpose;
+use crate::platform::{Event, Mailbox};
 use ::image::RgbaImage;
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
@@ -11,27 +12,25 @@ use web_sys::{Blob, ImageBitmap, OffscreenCanvas, OffscreenCanvasRenderingContex
 /// Decodes a PNG or JPEG, made smaller until no side is longer than `max_side`, and posts it to `mailbox`.
 pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
-        let pixels = decode(&bytes, max_side)
-            .await
-            .map_err(|error| format!("this is no PNG or JPEG image that can be read ({})", describe(&error)));
+        let pixels = decode(&bytes, max_side).await.map_err(key::no_image);
         mailbox.post(Event::Image { purpose, name, pixels });
     });
 }
 
 /// By drawing it on a canvas that nobody sees.
-async fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, JsValue> {
+async fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, Message> {
     let parts = Array::of1(&Uint8Array::from(bytes));
     let blob = Blob::new_with_u8_array_sequence(&parts)?;
-    let window = web_sys::window().ok_or("there is no page")?;
+    let window = web_sys::window().ok_or(key::no_page())?;
     let bitmap: ImageBitmap = JsFuture::from(window.create_image_bitmap_with_blob(&blob)?).await?.dyn_into()?;
     let largest = bitmap.width().max(bitmap.height()).max(1);
     let scale = (f64::from(max_side) / f64::from(largest)).min(1.0);
     let [width, height] = [bitmap.width(), bitmap.height()].map(|side| (f64::from(side) * scale).floor().max(1.0));
     let canvas = OffscreenCanvas::new(width as u32, height as u32)?;
     let context: OffscreenCanvasRenderingContext2d =
-        canvas.get_context("2d")?.ok_or("the browser has no canvas for it")?.dyn_into()?;
+        canvas.get_context("2d")?.ok_or(key::no_canvas_for_image())?.dyn_into().map_err(JsValue::from)?;
     context.draw_image_with_image_bitmap_and_dw_and_dh(&bitmap, 0.0, 0.0, width, height)?;
     let pixels = context.get_image_data(0.0, 0.0, width, height)?.data().0;
     bitmap.close();
-    RgbaImage::from_raw(width as u32, height as u32, pixels).ok_or_else(|| "its size does not fit".into())
+    RgbaImage::from_raw(width as u32, height as u32, pixels).ok_or_else(|| key::size_does_not_fit().into())
 }

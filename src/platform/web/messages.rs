@@ -2,10 +2,10 @@
 //!
 //! A request is `{ generation, settings }` with `points`, or with `repair` and one of `preset` and
 //! `name` and `bytes`; an answer `{ generation }` with one of `stage`, `failed`, or `floats`, `indices`
-//! and `text`, and for a surface its `notes`; `{ rehearsal }` is answered by nothing; a study is `{ study }`, what it found `{ study, finding }`;
+//! `text` and `notes`; `{ rehearsal }` is answered by nothing; a study is `{ study }`, what it found `{ study, finding }`;
 //! a panic's last word is `{ died }`. Small enums travel as JSON text in the form that serde gives them.
 
-use crate::conformal::{FlatBuffers, PreparedDomain, PreparedSurface};
+use crate::conformal::{FlatBuffers, PreparedSide};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::worker::{Finding, Request, Response, Study, SurfaceSource, Task};
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
@@ -18,7 +18,7 @@ use wasm_bindgen::{JsCast, JsValue};
 pub fn encode_request(request: &Request) -> JsValue {
     let number = ("generation", JsValue::from(request.generation.to_string()));
     match &request.task {
-        Task::Domain { polygon, settings } => {
+        Task::Outline { polygon, settings } => {
             let flat: Vec<f64> = polygon.vertices().iter().flat_map(DVec2::to_array).collect();
             object(&[number, ("points", Float64Array::from(flat.as_slice()).into()), ("settings", json(settings))])
         }
@@ -40,7 +40,8 @@ pub fn decode_request(message: &JsValue) -> Option<Request> {
     let task = if let Some(points) = get(message, "points") {
         let flat = Float64Array::from(points).to_vec();
         let points: Vec<DVec2> = flat.chunks_exact(2).map(DVec2::from_slice).collect();
-        Task::Domain { polygon: SimplePolygon::try_from(points).ok()?, settings: parsed(message, "settings")? }
+        // checked where it was read: these are the vertices of a simple polygon
+        Task::Outline { polygon: SimplePolygon::known_simple(points), settings: parsed(message, "settings")? }
     } else {
         let repair = get(message, "repair")?.as_bool()?;
         Task::Surface { source: decode_source(message)?, repair, settings: parsed(message, "settings")? }
@@ -63,14 +64,9 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
     let message = match response {
         Response::Progress(stage) => object(&[number, ("stage", json(&stage))]),
         Response::Failed(failure) => object(&[number, ("failed", json(&failure))]),
-        Response::Domain(domain) => {
-            let buffers = domain.to_buffers();
-            drop(domain);
-            object(&[&[number], &encode_buffers(buffers, &transfer)[..]].concat())
-        }
-        Response::Surface(surface, notes) => {
-            let buffers = surface.to_buffers();
-            drop(surface);
+        Response::Prepared(side, notes) => {
+            let buffers = side.to_buffers();
+            drop(side);
             object(&[&[number, ("notes", json(&notes))], &encode_buffers(buffers, &transfer)[..]].concat())
         }
     };
@@ -113,7 +109,7 @@ pub fn is_rehearsal(message: &JsValue) -> bool {
     get(message, "rehearsal").is_some()
 }
 
-/// What the laboratory's worker is sent.
+/// What the worker of studies is sent.
 pub fn encode_study(study: Study) -> JsValue {
     object(&[("study", json(&study))])
 }
@@ -150,10 +146,9 @@ pub fn decode_response(message: &JsValue) -> Option<(u64, Response)> {
         Response::Progress(stage)
     } else if let Some(failure) = parsed(message, "failed") {
         Response::Failed(failure)
-    } else if let Some(notes) = parsed(message, "notes") {
-        Response::Surface(Box::new(PreparedSurface::from_buffers(decode_buffers(message)?)?), notes)
     } else {
-        Response::Domain(Box::new(PreparedDomain::from_buffers(decode_buffers(message)?)?))
+        let side = PreparedSide::from_buffers(decode_buffers(message)?)?;
+        Response::Prepared(Box::new(side), parsed(message, "notes")?)
     };
     Some((generation, response))
 }

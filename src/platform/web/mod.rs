@@ -9,23 +9,24 @@ mod engine;
 mod files;
 mod image;
 mod keys;
-mod laboratory;
 mod messages;
 mod page;
 mod preparer;
 mod spoken;
+mod study_runner;
 mod surroundings;
 mod worker_handle;
 
 pub use address::{address_with, has_fingers, languages, link, remember, remembered, say_language, show_link};
 pub use files::{drop_position, pick_file, read_dropped, save_file};
 pub use image::decode_image;
-pub use laboratory::Laboratory;
-pub use page::{address_options, watch_graphics};
+pub use page::{address_query, watch_graphics};
 pub use preparer::Preparer;
 pub use spoken::{describe, say};
+pub use study_runner::StudyRunner;
 pub use surroundings::{has_full_screen, tell_page, toggle_full_screen};
 
+use super::Host;
 use wasm_bindgen::JsCast;
 use web_sys::DedicatedWorkerGlobalScope;
 
@@ -33,10 +34,10 @@ use web_sys::DedicatedWorkerGlobalScope;
 ///
 /// Returns at once; what goes wrong later is shown in the page.
 #[allow(clippy::unnecessary_wraps, reason = "the desktop's start can fail")]
-pub fn start() -> Result<(), String> {
+pub fn start<H: Host>() -> Result<(), String> {
     match js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
         Ok(scope) => engine::listen(&scope),
-        Err(_) => page::start(),
+        Err(_) => page::start::<H>(),
     }
     Ok(())
 }

@@ -1,80 +1,102 @@
 //! The page: canvas, loading indicator, messages when nothing can be drawn.
 
 use super::{address, bridge, files, keys};
-use crate::app::address_options::AddressOptions;
-use crate::app::language::{tr, tr_message, tr_with};
-use crate::app::{Groundwork, RiemapApp};
-use crate::platform::{Event, FilePurpose, Mailbox};
+use crate::model::files::FilePurpose;
+use crate::platform::{Event, Failure, Host, Mailbox};
 use eframe::WebRunner;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use web_sys::{Document, HtmlCanvasElement};
 
-const NO_GRAPHICS: &str = "riemap draws with WebGPU or WebGL 2, and this browser offers neither of them here. \
-    A current Firefox, Chrome, Edge or Safari with hardware acceleration turned on will do.";
+/// Gives a file to the running app; what it cannot take now comes back.
+type TakeFile = fn(&WebRunner, FilePurpose, FileBytes) -> Option<FileBytes>;
 
-const STOPPED: &str = "riemap has stopped because of an error in itself. Reload the page to go on. ({0})";
-const GRAPHICS_LOST: &str = "The browser has taken the graphics away from this page, as it does after a crash of \
-    the graphics driver, or when the computer slept. The map is kept: reload the page to go on with it.";
+/// A file's name and its content, or why there is none.
+type FileBytes = (String, Result<Vec<u8>, String>);
+
+/// The app that runs in the page.
+#[derive(Clone)]
+struct Running {
+    runner: WebRunner,
+    take_file: TakeFile,
+}
+
+/// A failure in the language of the screen.
+type FailureWords = fn(&Failure) -> String;
 
 thread_local! {
-    static RUNNER: RefCell<Option<WebRunner>> = const { RefCell::new(None) };
+    static RUNNING: RefCell<Option<Running>> = const { RefCell::new(None) };
+    /// [`Host::failure_words`] of the app that is started.
+    static FAILURE_WORDS: Cell<Option<FailureWords>> = const { Cell::new(None) };
 }
 
 /// Starts the app in the page's canvas.
-pub fn start() {
+pub fn start<H: Host>() {
+    FAILURE_WORDS.set(Some(H::failure_words));
     std::panic::set_hook(Box::new(|info| {
         console_error_panic_hook::hook(info);
-        show_failure(&tr_with(STOPPED, &[info]));
+        show_failure(&Failure::Stopped(info.to_string()));
     }));
     wasm_bindgen_futures::spawn_local(async {
-        if let Err(message) = run().await {
-            show_failure(&tr_message(&message));
+        if let Err(failure) = run::<H>().await {
+            show_failure(&failure);
         }
     });
 }
 
-async fn run() -> Result<(), String> {
-    let document = document().ok_or("There is no page to draw in.")?;
+async fn run<H: Host>() -> Result<(), Failure> {
+    let document = document().ok_or(Failure::NoPage)?;
     let canvas = document
         .get_element_by_id("canvas")
         .and_then(|element| element.dyn_into::<HtmlCanvasElement>().ok())
-        .ok_or("The page has no canvas.")?;
+        .ok_or(Failure::NoCanvas)?;
     files::follow_drags(&document);
     watch_canvas(&canvas);
     keys::keep(&canvas);
     let runner = WebRunner::new();
-    let groundwork = Groundwork::resume();
-    address::follow(groundwork.mailbox());
-    wake_when_cancelled(&canvas, groundwork.mailbox());
-    let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(RiemapApp::new(creation, groundwork)?)));
-    runner.start(canvas, web_options(), creator).await.map_err(|error| {
+    let startup = H::startup();
+    address::follow(H::mailbox(&startup));
+    wake_when_cancelled(&canvas, H::mailbox(&startup));
+    let creator: eframe::AppCreator<'static> = Box::new(|creation| Ok(Box::new(H::open(creation, startup)?)));
+    runner.start(canvas, web_options(H::avoids_webgpu()), creator).await.map_err(|error| {
         log::error!("{error:?}");
-        format!("{} ({})", tr(NO_GRAPHICS), error.as_string().unwrap_or_default())
+        Failure::NoGraphics(error.as_string().unwrap_or_default())
     })?;
-    bridge::install(&runner);
+    bridge::install::<H>(&runner);
     super::surroundings::tell_page(crate::platform::PageEvent::Ready, "");
-    RUNNER.set(Some(runner));
+    RUNNING.set(Some(Running { runner, take_file: take_file::<H> }));
     if let Some(loading) = document.get_element_by_id("loading") {
         loading.remove();
     }
     Ok(())
 }
 
+fn take_file<H: Host>(runner: &WebRunner, purpose: FilePurpose, (name, bytes): FileBytes) -> Option<FileBytes> {
+    match runner.app_mut::<H>() {
+        Some(mut app) => {
+            app.take_file(purpose, &name, bytes);
+            None
+        }
+        None => Some((name, bytes)),
+    }
+}
+
 /// Hands a file that was read to the app: between two frames, or by `mailbox` where it cannot be had.
 pub fn hand_over(purpose: FilePurpose, name: String, bytes: Result<Vec<u8>, String>, mailbox: &Mailbox) {
-    let runner = RUNNER.with_borrow(Clone::clone);
-    match runner.as_ref().and_then(WebRunner::app_mut::<RiemapApp>) {
-        Some(mut app) => app.take_file(purpose, &name, bytes),
-        None => mailbox.post(Event::File { purpose, name, bytes }),
+    let left = match RUNNING.with_borrow(Clone::clone) {
+        Some(Running { runner, take_file, .. }) => take_file(&runner, purpose, (name, bytes)),
+        None => Some((name, bytes)),
+    };
+    if let Some((name, bytes)) = left {
+        mailbox.post(Event::File { purpose, name, bytes });
     }
 }
 
 /// `?backend=webgl` leaves WebGPU out, for comparison and for tests.
-fn web_options() -> eframe::WebOptions {
+fn web_options(avoids_webgpu: bool) -> eframe::WebOptions {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
-    if address_options().webgl {
+    if avoids_webgpu {
         setup.instance_descriptor.backends = wgpu::Backends::GL;
     }
     eframe::WebOptions {
@@ -85,16 +107,15 @@ fn web_options() -> eframe::WebOptions {
     }
 }
 
-/// What the page's address asks for.
-pub fn address_options() -> AddressOptions {
+/// The names and values of the page's address, decoded, in their order.
+pub fn address_query() -> Vec<[String; 2]> {
     let pairs = || {
         let query = web_sys::window()?.location().search().ok()?;
         let entries = web_sys::UrlSearchParams::new_with_str(&query).ok()?.entries();
         let pairs = entries.into_iter().flatten().map(|pair| js_sys::Array::from(&pair));
         Some(pairs.map(|pair| [pair.get(0), pair.get(1)].map(|text| text.as_string().unwrap_or_default())).collect())
     };
-    let pairs: Vec<[String; 2]> = pairs().unwrap_or_default();
-    AddressOptions::parse(pairs.iter().map(|[name, value]| (name.as_str(), value.as_str())))
+    pairs().unwrap_or_default()
 }
 
 /// Ends the app when the device is lost: WebGPU says so itself, of WebGL the canvas does.
@@ -114,33 +135,47 @@ fn watch_canvas(canvas: &HtmlCanvasElement) {
 
 /// A touch that is taken away lets go in a frame that nobody else asks for.
 fn wake_when_cancelled(canvas: &HtmlCanvasElement, mailbox: Mailbox) {
-    let cancelled = Closure::<dyn FnMut()>::new(move || mailbox.wake());
+    let cancelled = Closure::<dyn FnMut(web_sys::Event)>::new(move |event: web_sys::Event| {
+        spare_prevention(&event);
+        mailbox.wake();
+    });
     let _ = canvas.add_event_listener_with_callback("touchcancel", cancelled.as_ref().unchecked_ref());
     cancelled.forget();
 }
 
+/// Makes `preventDefault` of an event that cannot be prevented do what `stopPropagation` does. The browser reports
+/// each attempt to prevent it on the console, and eframe, which listens after this, makes one for each `touchcancel`.
+fn spare_prevention(event: &web_sys::Event) {
+    if !event.cancelable()
+        && let Ok(stop) = js_sys::Reflect::get(event, &"stopPropagation".into())
+    {
+        // A property of an object of the browser's own: it can be set.
+        let _ = js_sys::Reflect::set(event, &"preventDefault".into(), &stop);
+    }
+}
+
 /// Stops drawing and says why. A frame may be under way: what it uses is given back after it.
 fn lose_graphics() {
-    show_failure(tr(GRAPHICS_LOST));
+    show_failure(&Failure::GraphicsLost);
     wasm_bindgen_futures::spawn_local(async {
-        if let Some(runner) = RUNNER.take() {
+        if let Some(Running { runner, .. }) = RUNNING.take() {
             runner.destroy();
         }
     });
 }
 
-/// Puts `message` in the place of the picture; the first one, which is the cause of those that follow.
-fn show_failure(message: &str) {
-    let Some(document) = document() else { return };
+/// Puts a failure's words in the place of the picture; the first one's, which is the cause of those that follow.
+fn show_failure(failure: &Failure) {
+    let (Some(document), Some(words)) = (document(), FAILURE_WORDS.get()) else { return };
     if let Some(loading) = document.get_element_by_id("loading") {
         loading.remove();
     }
-    let [failure, text] = ["failure", "failure-text"].map(|id| document.get_element_by_id(id));
-    if let (Some(failure), Some(text)) = (failure, text)
-        && failure.has_attribute("hidden")
+    let [place, text] = ["failure", "failure-text"].map(|id| document.get_element_by_id(id));
+    if let (Some(place), Some(text)) = (place, text)
+        && place.has_attribute("hidden")
     {
-        text.set_text_content(Some(message));
-        let _ = failure.remove_attribute("hidden");
+        text.set_text_content(Some(&words(failure)));
+        let _ = place.remove_attribute("hidden");
     }
 }
 

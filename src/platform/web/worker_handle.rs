@@ -1,6 +1,7 @@
 //! A web worker as the page holds it: started with the page's module, listened to, terminated with its handle.
 
 use super::messages;
+use crate::language::{Message, key};
 use crate::platform::{Event, Mailbox};
 use js_sys::{Object, Reflect};
 use std::cell::Cell;
@@ -48,7 +49,7 @@ impl WorkerHandle {
     pub fn start(
         mailbox: &Mailbox,
         read: impl Fn(&JsValue) -> Option<Heard> + 'static,
-        died: impl Fn(String) -> Event + Clone + 'static,
+        died: impl Fn(Message) -> Event + Clone + 'static,
     ) -> Result<Self, JsValue> {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
@@ -93,14 +94,15 @@ fn listen(
     mailbox: Mailbox,
     state: Rc<Cell<State>>,
     read: impl Fn(&JsValue) -> Option<Heard> + 'static,
-    died: impl Fn(String) -> Event + 'static,
+    died: impl Fn(Message) -> Event + 'static,
 ) -> Closure<dyn FnMut(MessageEvent)> {
     Closure::new(move |event: MessageEvent| {
         let message = event.data();
         let Some(Heard { event, goes_on }) = read(&message) else {
-            let unreadable = || String::from("its answer could not be read");
+            let reason =
+                messages::decode_death(&message).map_or_else(|| key::answer_unreadable().into(), Message::from);
             state.set(State::Dead);
-            mailbox.post(died(messages::decode_death(&message).unwrap_or_else(unreadable)));
+            mailbox.post(died(reason));
             return;
         };
         if !goes_on {
@@ -113,13 +115,13 @@ fn listen(
 fn watch(
     mailbox: Mailbox,
     state: Rc<Cell<State>>,
-    died: impl Fn(String) -> Event + 'static,
+    died: impl Fn(Message) -> Event + 'static,
 ) -> Closure<dyn FnMut(ErrorEvent)> {
     Closure::new(move |event: ErrorEvent| {
         event.prevent_default();
         state.set(State::Dead);
         let message = event.message();
-        mailbox.post(died(if message.is_empty() { String::from("its script could not be loaded") } else { message }));
+        mailbox.post(died(if message.is_empty() { key::script_not_loaded().into() } else { message.into() }));
     })
 }
 
@@ -128,6 +130,13 @@ fn bootstrap() -> Result<JsValue, JsValue> {
     Reflect::set(&message, &"glue".into(), &GLUE_URL.with(String::clone).into())?;
     Reflect::set(&message, &"module".into(), &wasm_bindgen::module())?;
     Ok(message.into())
+}
+
+/// What the browser says of an error.
+impl From<JsValue> for Message {
+    fn from(error: JsValue) -> Self {
+        describe(&error).into()
+    }
 }
 
 /// What JavaScript says of an error, or riemap itself by a text.

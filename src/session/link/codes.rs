@@ -1,6 +1,6 @@
 //! The numbers that stand for choices in a link. They never change; a new choice gets the next number.
 
-use super::LinkError;
+use super::{Choice, LinkError};
 use crate::conformal::{Direction, Extension, KernelMode, Side};
 use crate::laplace::SolverKind;
 use crate::session::{Colouring, Comparison, TextureKind};
@@ -15,7 +15,7 @@ pub(super) trait Coded: Sized {
 }
 
 macro_rules! codes {
-    ($what:literal, $type:ty { $($value:path = $code:literal),+ $(,)? }) => {
+    ($what:ident, $type:ty { $($value:path = $code:literal),+ $(,)? }) => {
         impl Coded for $type {
             fn code(self) -> u8 {
                 match self { $($value => $code),+ }
@@ -24,27 +24,27 @@ macro_rules! codes {
             fn of(code: u8) -> Result<Self, LinkError> {
                 match code {
                     $($code => Ok($value),)+
-                    _ => Err(LinkError::Unknown { what: $what, name: code.to_string() }),
+                    _ => Err(LinkError::Unknown { what: Choice::$what, name: code.to_string() }),
                 }
             }
         }
     };
 }
 
-codes!("direction", Direction { Direction::Forward = 0, Direction::Backward = 1 });
-codes!("extension", Extension { Extension::Harmonic = 0, Extension::CauchyGreen = 1 });
-codes!("side", Side { Side::Source = 0, Side::Target = 1 });
-codes!("kernel mode", KernelMode { KernelMode::Adjoint = 0, KernelMode::Table = 1 });
-codes!("solver", SolverKind { SolverKind::Direct = 0, SolverKind::Pcg = 1 });
-codes!("colouring", Colouring { Colouring::Texture = 0, Colouring::Angle = 1, Colouring::Area = 2 });
-codes!("texture", TextureKind {
+codes!(Direction, Direction { Direction::Forward = 0, Direction::Backward = 1 });
+codes!(Extension, Extension { Extension::Harmonic = 0, Extension::CauchyGreen = 1 });
+codes!(Side, Side { Side::Source = 0, Side::Target = 1 });
+codes!(Kernel, KernelMode { KernelMode::Adjoint = 0, KernelMode::Table = 1 });
+codes!(Solver, SolverKind { SolverKind::Direct = 0, SolverKind::Pcg = 1 });
+codes!(Colouring, Colouring { Colouring::Texture = 0, Colouring::Angle = 1, Colouring::Area = 2 });
+codes!(Texture, TextureKind {
     TextureKind::Checker = 0,
     TextureKind::Grid = 1,
     TextureKind::Polar = 2,
     TextureKind::Conformal = 3,
     TextureKind::Image = 4,
 });
-codes!("comparison", Comparison {
+codes!(Comparison, Comparison {
     Comparison::Off = 0,
     Comparison::Fresh = 1,
     Comparison::Precomputed = 2,

@@ -1,8 +1,9 @@
-//! Links: a session as the fragment of an address, `s=1.` and a payload that needs no escaping.
+//! Links: a session as the fragment of an address, `s=1.` or `s=2.` and a payload that needs no escaping.
 //!
 //! | what | file |
 //! |---|---|
 //! | what version 1 holds, for ever | `version1` |
+//! | what version 2 holds: surfaces on either side, and what comes later | `version2` |
 //! | the numbers of choices | `codes` |
 //! | outlines in 16 bits | `quantised` |
 //! | deflate and base 64 | `envelope` |
@@ -10,26 +11,32 @@
 //! Guarantees: [`decode`] gives a session that [`Session::check`] accepts, with simple polygons, or
 //! says why not; it does not panic, and allocates less than 8 MiB in all, whatever it is
 //! given. Decoding what [`encode`] gave is the session again, but for the outlines' rounding to 16
-//! bits and the ends of long names; a second time nothing changes. A link of version 1 opens for ever.
+//! bits and the ends of long names; a second time nothing changes. Links of both versions open for ever.
+//!
+//! The oldest version that holds the session is written: a link is opened by whatever riemap its reader has, which
+//! may be an older one that works without a network.
 
 mod codes;
 mod envelope;
 mod quantised;
 mod version1;
+mod version2;
 
 use super::{OutOfRange, OutlineSpec, Session};
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::geometry::{DVec2, PolygonError};
 use quantised::Quantised;
+use serde::de::DeserializeOwned;
 use version1::{STAND_IN, Version1, WiredOutline, short_name};
+use version2::Version2;
 
 /// The most characters of a fragment: what address bars, messengers and QR codes' readers still take.
 pub const MAX_LENGTH: usize = 8 << 10;
 
 /// The name of the state among the parts of a fragment.
 const KEY: &str = "s=";
-/// The format that is written.
-const VERSION: &str = "1";
+/// The newest version that is written and read.
+pub const NEWEST: &str = "2";
 
 /// A link, and what it does not hold.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,6 +110,44 @@ impl MissingOutline {
     }
 }
 
+/// What a link chooses by a name or a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Choice {
+    /// The direction.
+    #[error("direction")]
+    Direction,
+    /// The extension.
+    #[error("extension")]
+    Extension,
+    /// A side.
+    #[error("side")]
+    Side,
+    /// The kernel.
+    #[error("kernel mode")]
+    Kernel,
+    /// The solver.
+    #[error("solver")]
+    Solver,
+    /// What the meshes are painted with.
+    #[error("colouring")]
+    Colouring,
+    /// The texture.
+    #[error("texture")]
+    Texture,
+    /// What the map is compared with.
+    #[error("comparison")]
+    Comparison,
+    /// A field of a later version.
+    #[error("setting")]
+    Setting,
+    /// A built-in outline.
+    #[error("outline")]
+    Outline,
+    /// A built-in surface.
+    #[error("surface")]
+    Surface,
+}
+
 /// Why a link is not opened.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LinkError {
@@ -116,7 +161,7 @@ pub enum LinkError {
         length: usize,
     },
     /// It is of another version of the format.
-    #[error("the link is of format {found}, made by a newer riemap; this one opens format {VERSION}")]
+    #[error("the link is of format {found}, made by a newer riemap; this one opens format {NEWEST}")]
     Version {
         /// Its version, or the beginning of what stands in its place.
         found: String,
@@ -131,7 +176,7 @@ pub enum LinkError {
     #[error("the link asks for the {what} \"{name}\", which this version of riemap does not know")]
     Unknown {
         /// What kind of thing.
-        what: &'static str,
+        what: Choice,
         /// Its name or number.
         name: String,
     },
@@ -153,10 +198,10 @@ pub enum LinkError {
 /// Errors: numbers that the session's controls do not allow.
 pub fn encode(session: &Session) -> Result<Encoded, OutOfRange> {
     session.check()?;
-    let mut outlines = [&session.source, &session.target].map(|domain| prepared(&domain.outline));
+    let mut outlines = PerSide::from_fn(|side| prepared(&session.domain(side).outline));
     loop {
         if let Some(fragment) = fragment(session, &outlines) {
-            let left_out = Side::BOTH.into_iter().zip(&outlines).filter_map(|(side, outline)| {
+            let left_out = outlines.iter().filter_map(|(side, outline)| {
                 let Prepared::LeftOut { name, reason } = outline else { return None };
                 Some(LeftOut { side, name: name.clone(), reason: reason.clone() })
             });
@@ -173,19 +218,28 @@ pub fn decode(link: &str) -> Result<Decoded, LinkError> {
         return Err(LinkError::TooLong { length: state.len() });
     }
     let (version, payload) = state.split_once('.').unwrap_or((state, ""));
-    if version != VERSION {
-        let is_number = !version.is_empty() && version.bytes().all(|byte| byte.is_ascii_digit());
-        let found = version.chars().take(9).collect();
-        return Err(if is_number { LinkError::Version { found } } else { LinkError::Damaged });
-    }
-    let bytes = envelope::unpack(payload)?;
-    let (wired, rest) = postcard::take_from_bytes::<Version1>(&bytes).map_err(|_| LinkError::Damaged)?;
-    if !rest.is_empty() {
-        return Err(LinkError::Damaged);
-    }
-    let decoded = wired.session()?;
+    let read = match version {
+        "1" => |bytes: &[u8]| whole::<Version1>(bytes)?.session(),
+        NEWEST => |bytes: &[u8]| whole::<Version2>(bytes)?.session(),
+        other => return Err(unknown_version(other)),
+    };
+    let decoded = read(&envelope::unpack(payload)?)?;
     decoded.session.check()?;
     Ok(decoded)
+}
+
+/// What all of `bytes` mean in postcard's encoding.
+fn whole<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, LinkError> {
+    match postcard::take_from_bytes(bytes) {
+        Ok((value, [])) => Ok(value),
+        _ => Err(LinkError::Damaged),
+    }
+}
+
+fn unknown_version(version: &str) -> LinkError {
+    let is_number = !version.is_empty() && version.bytes().all(|byte| byte.is_ascii_digit());
+    let found = version.chars().take(9).collect();
+    if is_number { LinkError::Version { found } } else { LinkError::Damaged }
 }
 
 /// Whether a text is meant as a link: whether it has the part that [`decode`] reads.
@@ -210,9 +264,9 @@ enum Prepared {
 fn prepared(outline: &OutlineSpec) -> Prepared {
     match outline {
         OutlineSpec::Preset(preset) => Prepared::Preset(preset.name().to_owned()),
-        OutlineSpec::Points { name, points } => {
+        OutlineSpec::Points { name, polygon } => {
             let name = short_name(name);
-            match Quantised::of(points) {
+            match Quantised::of(polygon.vertices()) {
                 Ok(points) => Prepared::Points { name, points },
                 Err(reason) => Prepared::LeftOut { name, reason },
             }
@@ -235,16 +289,24 @@ impl Prepared {
 }
 
 /// The fragment, if it is not too long; without points it never is.
-fn fragment(session: &Session, outlines: &[Prepared; 2]) -> Option<String> {
-    let wired = Version1::new(session, outlines.each_ref().map(Prepared::wired));
-    let payload = envelope::pack(&postcard::to_allocvec(&wired).ok()?)?;
-    let fragment = format!("{KEY}{VERSION}.{payload}");
+fn fragment(session: &Session, outlines: &PerSide<Prepared>) -> Option<String> {
+    let wired = outlines.as_ref().map(Prepared::wired);
+    let (version, bytes) = if version2::is_needed(session) {
+        (NEWEST, postcard::to_allocvec(&Version2::new(session, wired)?))
+    } else {
+        ("1", postcard::to_allocvec(&Version1::new(session, wired)))
+    };
+    framed(version, &bytes.ok()?)
+}
+
+fn framed(version: &str, bytes: &[u8]) -> Option<String> {
+    let fragment = format!("{KEY}{version}.{}", envelope::pack(bytes)?);
     (fragment.len() <= MAX_LENGTH).then_some(fragment)
 }
 
-fn leave_out_longest(outlines: &mut [Prepared; 2]) {
-    let [a, b] = outlines.each_ref().map(Prepared::point_count);
-    let longest = &mut outlines[usize::from(b > a)];
+fn leave_out_longest(outlines: &mut PerSide<Prepared>) {
+    let PerSide { source, target } = outlines;
+    let longest = if target.point_count() > source.point_count() { target } else { source };
     if let Prepared::Points { name, points } = longest {
         let reason = NotCarried::TooLong { points: points.len() };
         *longest = Prepared::LeftOut { name: std::mem::take(name), reason };

@@ -19,7 +19,7 @@ const LAST: f64 = u16::MAX as f64;
 const LEAST_BYTES: usize = 2;
 /// How many characters shorter the steps may get when they are deflated with the rest of a session: more
 /// than that rest takes itself without outlines. Were it more, an outline that just fits would travel as a file.
-const SLACK: usize = 256;
+const SLACK: usize = 512;
 
 /// A quantised outline, as it is written.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]

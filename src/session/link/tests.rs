@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::conformal::{Direction, Extension, KernelMode, PrepareSettings};
+use crate::geometry::SimplePolygon;
 use crate::laplace::SolverKind;
 use crate::mesh::{BarycentricPoint, Sizing};
 use crate::outline::{Preset, Sampling};
@@ -28,7 +29,7 @@ fn everything() -> Session {
         let x = 0.125 * (1.0 + f64::from(side as u8));
         session.apply(Command::SetOutline { side, outline: OutlineSpec::Preset(preset) });
         session.apply(Command::SetSettings { side, settings: settings[side as usize] });
-        session.apply(Command::MoveInterior { side, point: DVec2::new(x, -1.0 / 3.0) });
+        session.apply(Command::MoveInterior { side, point: DVec2::new(x, -1.0 / 3.0).into() });
         session.apply(Command::MoveAnchor { side, fraction: 0.1 + x });
     }
     let shape = SurfaceShape::Preset { preset: SurfacePreset::AnimalHead, boundary: 123 };
@@ -42,9 +43,15 @@ fn everything() -> Session {
         Command::SetWireframe(true),
         Command::SetPlots(true),
         Command::SetComparison(Comparison::Precomputed),
-        Command::SetSurface(SurfaceSpec { shape, repair: true, ..SurfaceSpec::default() }),
-        Command::MoveSurfacePoint(BarycentricPoint { triangle: 77, weights: [0.25, 0.5, 0.25] }),
-        Command::MoveSurfaceAnchor(0.625),
+        Command::SetSurface {
+            side: Side::Target,
+            surface: SurfaceSpec { shape, repair: true, ..SurfaceSpec::default() },
+        },
+        Command::MoveInterior {
+            side: Side::Target,
+            point: BarycentricPoint { triangle: 77, weights: [0.25, 0.5, 0.25] }.into(),
+        },
+        Command::MoveAnchor { side: Side::Target, fraction: 0.625 },
     ] {
         session.apply(command);
     }
@@ -54,17 +61,40 @@ fn everything() -> Session {
 /// A house, with corners on the 16-bit grid of its box: it comes back as it is.
 fn house() -> Session {
     let corners = [(0.0, 0.0), (65535.0, 0.0), (65535.0, 40000.0), (32768.0, 65535.0), (0.0, 40000.0)];
-    let points = corners.map(DVec2::from).to_vec();
-    let mut session = Session::default();
-    session.apply(Command::SetOutline {
-        side: Side::Target,
-        outline: OutlineSpec::Points { name: "Häuschen".into(), points },
-    });
-    session.apply(Command::SetSurface(SurfaceSpec {
-        shape: SurfaceShape::File { name: "cow.obj".into() },
-        ..SurfaceSpec::default()
-    }));
-    session
+    let outline = OutlineSpec::Points { name: "Häuschen".into(), polygon: polygon(corners.map(DVec2::from).to_vec()) };
+    Session::with([
+        Command::SetOutline { side: Side::Target, outline },
+        Command::SetSurface { side: Side::Target, surface: cow() },
+    ])
+}
+
+fn polygon(points: Vec<DVec2>) -> SimplePolygon {
+    SimplePolygon::try_from(points).unwrap()
+}
+
+fn cow() -> SurfaceSpec {
+    SurfaceSpec { shape: SurfaceShape::File { name: "cow.obj".into() }, ..SurfaceSpec::default() }
+}
+
+/// Surfaces on both sides.
+fn solids() -> Session {
+    everything().and([
+        Command::SetSurface { side: Side::Source, surface: cow() },
+        Command::MoveInterior {
+            side: Side::Source,
+            point: BarycentricPoint { triangle: 5, weights: [0.5, 0.125, 0.375] }.into(),
+        },
+        Command::MoveAnchor { side: Side::Source, fraction: 0.375 },
+    ])
+}
+
+/// A surface on the source's side alone.
+fn on_source() -> Session {
+    solids().and([Command::CloseSurface(Side::Target)])
+}
+
+fn set_outline(session: &mut Session, side: Side, outline: OutlineSpec) {
+    session.sides[side].domain.outline = outline;
 }
 
 /// Links of version 1 as they were sent. These strings must never change.
@@ -77,8 +107,8 @@ const GOLDEN_MISSING: &str =
 
 fn with_missing() -> Decoded {
     let mut session = Session::default();
-    session.source.outline = OutlineSpec::Preset(Preset::Disk);
-    session.interior[1] = Some(DVec2::new(0.0, -0.5));
+    set_outline(&mut session, Side::Source, OutlineSpec::Preset(Preset::Disk));
+    session.apply(Command::MoveInterior { side: Side::Target, point: DVec2::new(0.0, -0.5).into() });
     let interior = Some(DVec2::new(0.1, 0.2));
     Decoded {
         session,
@@ -99,31 +129,78 @@ fn golden_links_of_version_1_open_for_ever() {
     }
 }
 
+/// Links of version 2 as they are sent. These strings must never change.
+const GOLDEN_SOLIDS: &str = "s=2.eNpVjk0OAUEUhKuIdMJFbJojPBewdICHngzpMZNIWDicOQCJDbG0sHAM042W-fKS91dJFczObnOtHF-GINEvtPLOeqcZQEQuksZaZpHrMf1-h_MpIlnkJmD3IxlO2GFTGOhmVai3udPlofECp3-DwEPa-1NCpDHNotyPyvk6pGCvra2__Z76G6HXLDc";
+const GOLDEN_ON_SOURCE: &str = "s=2.eNo9jFEKQEAURd8lTVmJHyzh2YQFDI0kohTLYwGUH_Lp0zJkppnzc1_v3g6JKR5rOSi8AgRQ2MmhVXGrZEUE0hzszpVzzbm4zj72TcOV5mKCbyZRBg_w6NenEGU_J33R_EYEZvGwtZu8XX4GriLP";
+
+#[test]
+fn golden_links_of_version_2_open_for_ever() {
+    for (link, session) in [(GOLDEN_SOLIDS, solids()), (GOLDEN_ON_SOURCE, on_source())] {
+        assert_eq!(decode(link), Ok(Decoded { session, missing: Vec::new() }), "{link}");
+    }
+}
+
+/// What older programs can open they are given.
+#[test]
+fn the_oldest_version_that_holds_a_session_is_written() {
+    for (session, version) in [
+        (Session::default(), "s=1."),
+        (everything(), "s=1."),
+        (house(), "s=1."),
+        (solids(), "s=2."),
+        (on_source(), "s=2."),
+    ] {
+        let fragment = encode(&session).unwrap().fragment;
+        assert!(fragment.starts_with(version), "{fragment}");
+    }
+}
+
+/// The link of [`solids`] with one more section.
+fn with_section(section: version2::Section) -> Result<Decoded, LinkError> {
+    let session = solids();
+    let wired = PerSide::from_fn(|side| prepared(&session.domain(side).outline).wired());
+    let wired = Version2::new(&session, wired).unwrap().and(section);
+    decode(&framed(NEWEST, &postcard::to_allocvec(&wired).unwrap()).unwrap())
+}
+
+#[test]
+fn a_section_from_a_newer_program_is_skipped_where_it_says_so_and_else_named() {
+    let section = |number, may_be_skipped| version2::Section { number, may_be_skipped, content: vec![1, 2, 3] };
+    assert_eq!(with_section(section(999, true)), Ok(Decoded { session: solids(), missing: Vec::new() }));
+    assert_eq!(
+        with_section(section(999, false)),
+        Err(LinkError::Unknown { what: Choice::Setting, name: "999".into() })
+    );
+    // and a second one of a number that is known is no link that was ever made
+    assert_eq!(with_section(section(1, true)), Err(LinkError::Damaged));
+}
+
 /// 20,000 points on a circle that is rough by a hundredth.
 fn rough(count: u32) -> OutlineSpec {
     let point = |k: u32| {
         let noise = f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
         DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / f64::from(count)) * (1.0 + 0.01 * noise)
     };
-    OutlineSpec::Points { name: "rough".into(), points: (0..count).map(point).collect() }
+    OutlineSpec::Points { name: "rough".into(), polygon: polygon((0..count).map(point).collect()) }
 }
 
 #[test]
 fn the_usual_links_are_short() {
     let mut dragged = Session::default();
     for side in Side::BOTH {
-        dragged.apply(Command::MoveInterior { side, point: DVec2::new(0.123_456_789, -1.0 / 3.0) });
+        dragged.apply(Command::MoveInterior { side, point: DVec2::new(0.123_456_789, -1.0 / 3.0).into() });
         dragged.apply(Command::MoveAnchor { side, fraction: 0.7_f64.sqrt() });
     }
     let mut drawn = Session::default();
-    let leaf =
-        OutlineSpec::Points { name: "leaf".into(), points: Preset::MapleLeaf.outline().polygon.vertices().to_vec() };
+    let leaf = OutlineSpec::Points { name: "leaf".into(), polygon: Preset::MapleLeaf.outline().polygon };
     drawn.apply(Command::SetOutline { side: Side::Source, outline: leaf });
     for (name, session, most) in [
         ("default", Session::default(), 110),
         ("both dots dragged on both sides", dragged, 180),
         ("everything", everything(), 250),
         ("house and a surface", house(), 180),
+        ("everything and a surface on either side", solids(), 330),
+        ("a surface on the source's side", on_source(), 300),
         ("a leaf of many points", drawn, MAX_LENGTH),
     ] {
         let Encoded { fragment, left_out } = encode(&session).unwrap();
@@ -136,46 +213,48 @@ fn the_usual_links_are_short() {
 
 #[test]
 fn everything_comes_back() {
-    for session in [Session::default(), everything(), house()] {
+    for session in [Session::default(), everything(), house(), solids(), on_source()] {
         assert_eq!(round_trip(&session), Decoded { session, missing: Vec::new() });
     }
 }
 
 #[test]
 fn what_does_not_fit_is_left_out_and_everything_else_stays() {
-    let mut session = everything();
-    session.surface = None;
-    session.source.outline = rough(20_000);
-    session.target.outline = rough(300);
-    let Encoded { fragment, left_out } = encode(&session).unwrap();
-    let [left_out] = left_out.as_slice() else { unreachable!("{left_out:?}") };
-    assert_eq!((left_out.side, left_out.name.as_str()), (Side::Source, "rough"));
-    assert!(matches!(left_out.reason, NotCarried::TooLong { points: 10_000.. }), "{left_out}");
-    let Decoded { session: found, missing } = decode(&fragment).unwrap();
-    let expected = MissingOutline {
-        side: Side::Source,
-        name: "rough".into(),
-        interior: session.interior[0],
-        anchor: session.anchor[0],
-    };
-    assert_eq!(missing, [expected]);
-    assert_eq!(found.source.outline, OutlineSpec::Preset(Preset::Disk));
-    assert_eq!((found.interior[0], found.anchor[0]), (None, 0.0), "the disk's own");
-    assert_eq!(found.source.settings, session.source.settings);
-    assert_eq!((found.interior[1], found.anchor[1]), (session.interior[1], session.anchor[1]));
-    assert!(matches!(found.target.outline, OutlineSpec::Points { ref points, .. } if points.len() == 300));
+    for (mut session, version) in
+        [(everything().and([Command::CloseSurface(Side::Target)]), "s=1."), (solids(), "s=2.")]
+    {
+        set_outline(&mut session, Side::Source, rough(20_000));
+        set_outline(&mut session, Side::Target, rough(300));
+        let Encoded { fragment, left_out } = encode(&session).unwrap();
+        assert!(fragment.starts_with(version), "{fragment:.20}");
+        let [left_out] = left_out.as_slice() else { unreachable!("{left_out:?}") };
+        assert_eq!((left_out.side, left_out.name.as_str()), (Side::Source, "rough"));
+        assert!(matches!(left_out.reason, NotCarried::TooLong { points: 10_000.. }), "{left_out}");
+        let Decoded { session: found, missing } = decode(&fragment).unwrap();
+        let (source, target) = (session.side(Side::Source), session.side(Side::Target));
+        let (interior, anchor) = (source.interior, source.anchor);
+        assert_eq!(missing, [MissingOutline { side: Side::Source, name: "rough".into(), interior, anchor }]);
+        let disk = found.side(Side::Source);
+        assert_eq!(disk.domain.outline, OutlineSpec::Preset(Preset::Disk));
+        assert_eq!((disk.interior, disk.anchor), (None, 0.0), "the disk's own");
+        assert_eq!(disk.domain.settings, source.domain.settings);
+        assert_eq!(disk.surface, source.surface);
+        assert_eq!(found.side(Side::Target).outline_points(), target.outline_points());
+        assert_eq!(found.domain(Side::Target).outline.loaded_points(), 300);
 
-    session.target.outline = rough(15_000);
-    let Encoded { fragment, left_out } = encode(&session).unwrap();
-    assert_eq!(left_out.len(), 2);
-    assert_eq!(decode(&fragment).unwrap().missing.len(), 2);
+        set_outline(&mut session, Side::Target, rough(15_000));
+        let Encoded { fragment, left_out } = encode(&session).unwrap();
+        assert_eq!(left_out.len(), 2);
+        assert_eq!(decode(&fragment).unwrap().missing.len(), 2);
+    }
 }
 
 #[test]
 fn an_outline_that_16_bits_cannot_tell_travels_as_a_file() {
     let spike = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
     let mut session = Session::default();
-    session.target.outline = OutlineSpec::Points { name: "spike".into(), points: spike.map(DVec2::from).to_vec() };
+    let polygon = polygon(spike.map(DVec2::from).to_vec());
+    set_outline(&mut session, Side::Target, OutlineSpec::Points { name: "spike".into(), polygon });
     let Encoded { fragment, left_out } = encode(&session).unwrap();
     assert!(matches!(left_out[0].reason, NotCarried::NotSimple(_)), "{left_out:?}");
     assert_eq!(decode(&fragment).unwrap().missing[0].name, "spike");
@@ -185,10 +264,15 @@ fn an_outline_that_16_bits_cannot_tell_travels_as_a_file() {
 fn long_names_lose_their_ends_and_controls() {
     let mut session = house();
     let name = format!("\u{1b}[31m{}", "ü".repeat(100));
-    session.surface.as_mut().unwrap().spec.shape = SurfaceShape::File { name };
+    for side in Side::BOTH {
+        let surface = SurfaceSpec { shape: SurfaceShape::File { name: name.clone() }, ..SurfaceSpec::default() };
+        session.apply(Command::SetSurface { side, surface });
+    }
     let found = round_trip(&session).session;
-    let expected = format!("[31m{}", "ü".repeat(44));
-    assert_eq!(found.surface.as_ref().unwrap().spec.shape, SurfaceShape::File { name: expected });
+    let name = format!("[31m{}", "ü".repeat(44));
+    for side in Side::BOTH {
+        assert_eq!(found.surface(side).unwrap().spec.shape, SurfaceShape::File { name: name.clone() });
+    }
     assert_eq!(round_trip(&found).session, found);
 }
 
@@ -211,11 +295,11 @@ fn a_link_is_found_in_an_address_among_other_parts() {
 /// The link of a session whose wire form was tampered with.
 fn tampered(
     change: impl FnOnce(&mut Session),
-    outlines: impl FnOnce(&mut [Prepared; 2]),
+    outlines: impl FnOnce(&mut PerSide<Prepared>),
 ) -> Result<Decoded, LinkError> {
-    let mut session = everything();
+    let mut session = solids();
     change(&mut session);
-    let mut prepared = [&session.source, &session.target].map(|domain| prepared(&domain.outline));
+    let mut prepared = PerSide::from_fn(|side| prepared(&session.domain(side).outline));
     outlines(&mut prepared);
     decode(&fragment(&session, &prepared).unwrap())
 }
@@ -229,54 +313,64 @@ fn numbers_out_of_their_ranges_are_refused() {
         assert!(matches!(found, Err(LinkError::OutOfRange(_))), "{found:?}");
     };
     refused(|s| s.texture_scale = f64::NAN);
-    refused(|s| s.interior[0] = Some(DVec2::new(f64::INFINITY, 0.0)));
-    refused(|s| s.anchor[1] = -1e300);
-    refused(|s| s.source.settings.sizing = Sizing::Graded(0.0));
-    let found = tampered(|s| s.source.settings.sampling = samples(u32::MAX), |_| ());
-    assert!(found.unwrap_err().to_string().contains("4294967295"));
-    assert!(encode(&Session { texture_scale: f64::NAN, ..Session::default() }).is_err());
+    refused(|s| s.sides[Side::Source].interior = Some(DVec2::new(f64::INFINITY, 0.0)));
+    refused(|s| s.sides[Side::Target].anchor = -1e300);
+    refused(|s| s.sides[Side::Source].domain.settings.sizing = Sizing::Graded(0.0));
+    refused(|s| s.sides[Side::Source].surface.as_mut().unwrap().anchor = 1.5);
+    refused(|s| s.sides[Side::Target].surface.as_mut().unwrap().anchor = -0.5);
+    let many = |s: &mut Session| s.sides[Side::Source].domain.settings.sampling = samples(u32::MAX);
+    assert!(tampered(many, |_| ()).unwrap_err().to_string().contains("4294967295"));
+    assert!(encode(&Session::with([Command::SetTextureScale(f64::NAN)])).is_err());
 }
 
 #[test]
 fn what_is_not_known_here_is_named() {
-    let found = tampered(|_| (), |outlines| outlines[0] = Prepared::Preset("giraffe".into()));
-    assert_eq!(found, Err(LinkError::Unknown { what: "outline", name: "giraffe".into() }));
-    assert_eq!(decode("s=2.AAAA"), Err(LinkError::Version { found: "2".into() }));
+    let found = tampered(|_| (), |outlines| outlines.source = Prepared::Preset("giraffe".into()));
+    assert_eq!(found, Err(LinkError::Unknown { what: Choice::Outline, name: "giraffe".into() }));
+    assert_eq!(decode("s=3.AAAA"), Err(LinkError::Version { found: "3".into() }));
     assert_eq!(decode("s=123456789012345678.AAAA"), Err(LinkError::Version { found: "123456789".into() }));
-    for link in ["s=", "s=1", "s=1.", "s=.", "s=x.AwA", "s=1.eJwDAAAAAAE", "s=1.A", "s=01.AwA"] {
+    for link in
+        ["s=", "s=1", "s=1.", "s=.", "s=x.AwA", "s=1.eJwDAAAAAAE", "s=2.eJwDAAAAAAE", "s=1.A", "s=2.A", "s=01.AwA"]
+    {
         assert!(decode(link).is_err(), "{link}");
     }
 }
 
 #[test]
 fn crossing_outlines_and_bad_names_are_refused() {
-    let crossed = |outlines: &mut [Prepared; 2]| {
+    let crossed = |outlines: &mut PerSide<Prepared>| {
         // (0, 0), (1, 1), (1, 0), (0, 1), in steps modulo 2¹⁶
         let steps = [[0, 0], [-1, -1], [0, 1], [1, -1]];
         let bow_tie = serde_json::json!({ "low": [0.0, 0.0], "high": [1.0, 1.0], "smooth": false, "steps": steps });
         let points = serde_json::from_value(bow_tie).unwrap();
-        outlines[1] = Prepared::Points { name: "x".into(), points };
+        outlines.target = Prepared::Points { name: "x".into(), points };
     };
     let found = tampered(|_| (), crossed);
     assert!(matches!(found, Err(LinkError::Outline { side: Side::Target, .. })), "{found:?}");
     let name = "x".repeat(49);
     let reason = NotCarried::TooLong { points: 0 };
-    let found = tampered(|_| (), |outlines| outlines[0] = Prepared::LeftOut { name, reason });
+    let found = tampered(|_| (), |outlines| outlines.source = Prepared::LeftOut { name, reason });
     assert_eq!(found, Err(LinkError::Damaged));
 }
 
 #[test]
 fn a_damaged_link_says_that_it_is() {
-    let fragment = encode(&house()).unwrap().fragment;
-    for at in "s=1.".len()..fragment.len() {
-        assert!(decode(&fragment[..at]).is_err(), "cut at {at}");
-        for other in ["A", "_", "7", "=", "ü", ""]
-            .into_iter()
-            .filter(|other| !fragment[at..].starts_with(other) || other.is_empty())
-        {
-            let damaged = format!("{}{other}{}", &fragment[..at], &fragment[at + 1..]);
-            let found = decode(&damaged);
-            assert!(matches!(found, Err(LinkError::Damaged | LinkError::TooMuch)), "{other:?} at {at}: {found:?}");
+    for fragment in [house(), on_source()].map(|session| encode(&session).unwrap().fragment) {
+        for at in "s=1.".len()..fragment.len() {
+            assert!(decode(&fragment[..at]).is_err(), "cut at {at}");
+            for other in ["A", "_", "7", "=", "ü", ""]
+                .into_iter()
+                .filter(|other| !fragment[at..].starts_with(other) || other.is_empty())
+            {
+                let damaged = format!("{}{other}{}", &fragment[..at], &fragment[at + 1..]);
+                let found = decode(&damaged);
+                assert!(matches!(found, Err(LinkError::Damaged | LinkError::TooMuch)), "{other:?} at {at}: {found:?}");
+            }
         }
     }
+    // a link of one version is none of the other
+    let fragment = encode(&on_source()).unwrap().fragment;
+    assert_eq!(decode(&fragment.replace("s=2.", "s=1.")), Err(LinkError::Damaged));
+    let fragment = encode(&house()).unwrap().fragment;
+    assert_eq!(decode(&fragment.replace("s=1.", "s=2.")), Err(LinkError::Damaged));
 }

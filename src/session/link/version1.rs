@@ -1,8 +1,8 @@
 //! What a link of version 1 holds, in postcard's encoding: field after field, without names.
 //!
 //! Frozen: a field that moves, comes or goes would make every link of version 1 mean something
-//! else. What a [`Session`] gets later travels in [`Version1::later`], with a number of its own;
-//! until then these links mean its default. Built-in outlines and surfaces go by their names,
+//! else. What a [`Session`] got later travels in the sections of `version2`;
+//! these links mean its default. Built-in outlines and surfaces go by their names,
 //! other choices by the numbers of `codes`, so that new ones can be added.
 //!
 //! Interior points, anchors and weights are f64: they are a few of all bytes, the session that
@@ -10,12 +10,12 @@
 
 use super::codes::Coded;
 use super::quantised::Quantised;
-use super::{Decoded, LinkError, MissingOutline};
-use crate::conformal::{PrepareSettings, Side, SurfaceSettings};
+use super::{Choice, Decoded, LinkError, MissingOutline};
+use crate::conformal::{PerSide, PrepareSettings, Side, SurfaceSettings};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{BarycentricPoint, Sizing};
 use crate::outline::{Preset, Sampling};
-use crate::session::{DomainSpec, OutlineSpec, Session, SurfaceShape, SurfaceSpec, SurfaceState};
+use crate::session::{DomainSpec, OutlineSpec, Session, SideState, SurfaceShape, SurfaceSpec, SurfaceState};
 use serde::{Deserialize, Serialize};
 
 /// The outline that stands in for one that the link does not hold.
@@ -43,7 +43,7 @@ pub(super) struct Version1 {
     later: Vec<Later>,
 }
 
-/// A setting that version 1 did not have when it was frozen; there is none so far.
+/// A setting that version 1 did not have when it was frozen; there is none.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Later {
     code: u16,
@@ -83,7 +83,7 @@ enum WiredSizing {
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct Surface {
+pub(super) struct Surface {
     shape: Shape,
     repair: bool,
     intrinsic_delaunay: bool,
@@ -100,15 +100,11 @@ enum Shape {
 }
 
 impl Version1 {
-    /// Everything of `session` but for its outlines, which are given.
-    pub fn new(session: &Session, outlines: [WiredOutline; 2]) -> Self {
+    /// Everything of `session` but for its outlines, which are given, and a surface on the source's side.
+    pub fn new(session: &Session, outlines: PerSide<WiredOutline>) -> Self {
         // By name, so that a field that a session gets is not forgotten here.
         let Session {
-            version: _,
-            source,
-            target,
-            interior,
-            anchor,
+            sides: PerSide { source, target },
             direction,
             extension,
             texture,
@@ -118,13 +114,15 @@ impl Version1 {
             wireframe,
             plots,
             comparison,
-            surface,
         } = session;
-        let [first, second] = outlines;
+        let sides = [source, target];
         Self {
-            domains: [Domain::new(first, source.settings), Domain::new(second, target.settings)],
-            interior: interior.map(|point| point.map(|p| p.to_array())),
-            anchor: *anchor,
+            domains: [
+                Domain::new(outlines.source, source.domain.settings),
+                Domain::new(outlines.target, target.domain.settings),
+            ],
+            interior: sides.map(|side| side.interior.map(|p| p.to_array())),
+            anchor: sides.map(|side| side.anchor),
             direction: direction.code(),
             extension: extension.code(),
             texture: texture.code(),
@@ -134,7 +132,7 @@ impl Version1 {
             wireframe: *wireframe,
             plots: *plots,
             comparison: comparison.code(),
-            surface: surface.as_ref().map(Surface::new),
+            surface: target.surface.as_ref().map(Surface::new),
             later: Vec::new(),
         }
     }
@@ -142,31 +140,26 @@ impl Version1 {
     /// The session. Its numbers are not checked yet, its outlines are.
     pub fn session(self) -> Result<Decoded, LinkError> {
         if let Some(later) = self.later.first() {
-            return Err(LinkError::Unknown { what: "setting", name: later.code.to_string() });
+            return Err(LinkError::Unknown { what: Choice::Setting, name: later.code.to_string() });
         }
-        let (mut interior, mut anchor) = (self.interior.map(|point| point.map(DVec2::from_array)), self.anchor);
         let mut missing = Vec::new();
-        let mut domain = |side: Side, wired: Domain| -> Result<DomainSpec, LinkError> {
+        let mut side = |side: Side, wired: Domain, surface: Option<Surface>| -> Result<SideState, LinkError> {
             let settings = wired.settings()?;
-            let outline = match wired.outline {
-                WiredOutline::Preset(name) => preset(&name)?,
-                WiredOutline::Points { name, points } => with_points(side, name, &points)?,
+            let (interior, anchor) = (self.interior[side as usize].map(DVec2::from_array), self.anchor[side as usize]);
+            let (outline, interior, anchor) = match wired.outline {
+                WiredOutline::Preset(name) => (preset(&name)?, interior, anchor),
+                WiredOutline::Points { name, points } => (with_points(side, name, &points)?, interior, anchor),
                 WiredOutline::File { name } => {
-                    let (interior, anchor) =
-                        (interior[side as usize].take(), std::mem::take(&mut anchor[side as usize]));
                     missing.push(MissingOutline { side, name: checked_name(name)?, interior, anchor });
-                    OutlineSpec::Preset(STAND_IN)
+                    (OutlineSpec::Preset(STAND_IN), None, 0.0)
                 }
             };
-            Ok(DomainSpec { outline, settings })
+            let surface = surface.map(Surface::state).transpose()?;
+            Ok(SideState { domain: DomainSpec { outline, settings }, interior, anchor, surface })
         };
         let [source, target] = self.domains;
         let session = Session {
-            version: 1,
-            source: domain(Side::Source, source)?,
-            target: domain(Side::Target, target)?,
-            interior,
-            anchor,
+            sides: PerSide::new(side(Side::Source, source, None)?, side(Side::Target, target, self.surface)?),
             direction: Coded::of(self.direction)?,
             extension: Coded::of(self.extension)?,
             texture: Coded::of(self.texture)?,
@@ -176,7 +169,6 @@ impl Version1 {
             wireframe: self.wireframe,
             plots: self.plots,
             comparison: Coded::of(self.comparison)?,
-            surface: self.surface.map(Surface::state).transpose()?,
         };
         Ok(Decoded { session, missing })
     }
@@ -210,18 +202,17 @@ impl Domain {
 }
 
 fn preset(name: &str) -> Result<OutlineSpec, LinkError> {
-    let unknown = |_| LinkError::Unknown { what: "outline", name: short_name(name) };
+    let unknown = |_| LinkError::Unknown { what: Choice::Outline, name: short_name(name) };
     name.parse().map(OutlineSpec::Preset).map_err(unknown)
 }
 
 fn with_points(side: Side, name: String, points: &Quantised) -> Result<OutlineSpec, LinkError> {
-    let points = points.points();
-    SimplePolygon::try_from(points.clone()).map_err(|reason| LinkError::Outline { side, reason })?;
-    Ok(OutlineSpec::Points { name: checked_name(name)?, points })
+    let polygon = SimplePolygon::try_from(points.points()).map_err(|reason| LinkError::Outline { side, reason })?;
+    Ok(OutlineSpec::Points { name: checked_name(name)?, polygon })
 }
 
 impl Surface {
-    fn new(state: &SurfaceState) -> Self {
+    pub fn new(state: &SurfaceState) -> Self {
         let SurfaceState { spec: SurfaceSpec { shape, repair, settings }, point, anchor } = state;
         let SurfaceSettings { intrinsic_delaunay, kernel, solver } = *settings;
         let shape = match shape {
@@ -241,10 +232,10 @@ impl Surface {
         }
     }
 
-    fn state(self) -> Result<SurfaceState, LinkError> {
+    pub fn state(self) -> Result<SurfaceState, LinkError> {
         let shape = match self.shape {
             Shape::Preset { name, boundary } => {
-                let unknown = |_| LinkError::Unknown { what: "surface", name: short_name(&name) };
+                let unknown = |_| LinkError::Unknown { what: Choice::Surface, name: short_name(&name) };
                 SurfaceShape::Preset { preset: name.parse().map_err(unknown)?, boundary }
             }
             Shape::File { name } => SurfaceShape::File { name: checked_name(name)? },

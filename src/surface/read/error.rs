@@ -1,32 +1,13 @@
 //! Why a file is no surface, and where in it.
 
 use super::faces::MAX_CORNERS;
-use super::{MAX_BYTES, MAX_TRIANGLES};
+use super::{Fault, Item, MAX_BYTES, MAX_TRIANGLES, Unsupported};
 use crate::counted::counted;
-
-/// Where in a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Place {
-    /// A line of text, from 1.
-    Line(usize),
-    /// A byte, from 0.
-    Byte(usize),
-    /// A part of a glTF document, such as `accessors[3]`.
-    Part(String),
-}
-
-impl std::fmt::Display for Place {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Line(line) => write!(f, "line {line}"),
-            Self::Byte(offset) => write!(f, "byte {offset}"),
-            Self::Part(part) => write!(f, "{part}"),
-        }
-    }
-}
+use crate::surface::Place;
 
 /// Why a file is no surface, and where in it.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SurfaceError {
     /// More than [`MAX_BYTES`].
     #[error("the file has {bytes} bytes; surfaces up to {} MiB can be read", MAX_BYTES >> 20)]
@@ -68,7 +49,7 @@ pub enum SurfaceError {
         /// Where.
         place: Place,
         /// What.
-        what: String,
+        what: Item,
     },
     /// A face names a vertex that does not exist.
     #[error("{}", counted!(
@@ -97,12 +78,12 @@ pub enum SurfaceError {
         count: usize,
     },
     /// Not built as the format says.
-    #[error("{place}: {message}")]
+    #[error("{place}: {fault}")]
     Malformed {
         /// Where.
         place: Place,
         /// What is wrong.
-        message: String,
+        fault: Fault,
     },
     /// A part of the format that is not read.
     #[error("{place}: {what} cannot be read")]
@@ -110,7 +91,7 @@ pub enum SurfaceError {
         /// Where.
         place: Place,
         /// What it is.
-        what: String,
+        what: Unsupported,
     },
     /// No face at all.
     #[error("the file has no faces")]
@@ -118,15 +99,15 @@ pub enum SurfaceError {
 }
 
 impl SurfaceError {
-    pub(super) fn missing(place: Place, what: impl Into<String>) -> Self {
-        Self::Missing { place, what: what.into() }
+    pub(super) fn missing(place: Place, what: Item) -> Self {
+        Self::Missing { place, what }
     }
 
-    pub(super) fn malformed(place: Place, message: impl Into<String>) -> Self {
-        Self::Malformed { place, message: message.into() }
+    pub(super) fn malformed(place: Place, fault: Fault) -> Self {
+        Self::Malformed { place, fault }
     }
 
-    pub(super) fn unsupported(place: Place, what: impl Into<String>) -> Self {
-        Self::Unsupported { place, what: what.into() }
+    pub(super) fn unsupported(place: Place, what: Unsupported) -> Self {
+        Self::Unsupported { place, what }
     }
 }

@@ -1,8 +1,7 @@
 //! GLB: a glTF document and its first buffer in one binary file.
 
 use super::scalar::{Cursor, Scalar};
-use super::{Place, SurfaceError, gltf};
-use crate::counted::counted;
+use super::{Fault, Item, Place, SurfaceError, Unsupported, gltf};
 use crate::surface::Surface;
 
 const JSON: u32 = 0x4E4F_534A;
@@ -11,20 +10,20 @@ const BINARY: u32 = 0x004E_4942;
 /// Reads the two chunks; others are passed over.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     if !bytes.starts_with(b"glTF") {
-        return Err(SurfaceError::malformed(Place::Byte(0), "a GLB file begins with glTF"));
+        return Err(SurfaceError::malformed(Place::Byte(0), Fault::NotGlb));
     }
     let mut cursor = Cursor { bytes, offset: 4, big_endian: false };
-    let version = cursor.number(Scalar::U32, "the version")?;
+    let version = cursor.number(Scalar::U32, Item::Version)?;
     if version != 2.0 {
-        return Err(SurfaceError::unsupported(Place::Byte(4), format!("version {version} of glTF")));
+        return Err(SurfaceError::unsupported(Place::Byte(4), Unsupported::Version(version as u32)));
     }
-    cursor.skip(4, "the length of the file")?;
+    cursor.skip(4, Item::FileLength)?;
     let (mut document, mut buffer) = (None, None);
     while cursor.offset < bytes.len() {
-        let length = cursor.number(Scalar::U32, "the length of a chunk")? as usize;
-        let kind = cursor.number(Scalar::U32, "the type of a chunk")? as u32;
+        let length = cursor.number(Scalar::U32, Item::ChunkLength)? as usize;
+        let kind = cursor.number(Scalar::U32, Item::ChunkType)? as u32;
         let start = cursor.offset;
-        cursor.skip(length, &counted!(length, "a chunk of 1 byte", "a chunk of {length} bytes"))?;
+        cursor.skip(length, Item::Chunk { length })?;
         let chunk = &bytes[start..cursor.offset];
         match kind {
             JSON if document.is_none() => document = Some(chunk),
@@ -32,5 +31,5 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
             _ => {}
         }
     }
-    gltf::read(document.ok_or_else(|| SurfaceError::missing(Place::Byte(12), "the JSON chunk"))?, buffer)
+    gltf::read(document.ok_or_else(|| SurfaceError::missing(Place::Byte(12), Item::JsonChunk))?, buffer)
 }

@@ -7,8 +7,7 @@ use super::faces::Faces;
 use super::gltf_buffers::Buffers;
 use super::text::finite;
 use super::weld::weld;
-use super::{MAX_TRIANGLES, Place, SurfaceError};
-use crate::counted::counted;
+use super::{Fault, Item, MAX_TRIANGLES, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 use glam::{DMat4, DQuat};
@@ -99,18 +98,18 @@ const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_comp
 pub(super) fn read(bytes: &[u8], binary: Option<&[u8]>) -> Result<Surface, SurfaceError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let line = bytes[..error.valid_up_to()].split(|&byte| byte == b'\n').count();
-        SurfaceError::malformed(Place::Line(line), format!("no glTF: {error}"))
+        SurfaceError::malformed(Place::Line(line), Fault::NotGltf(error.to_string()))
     })?;
     let document: Document = serde_json::from_str(text.strip_prefix('\u{feff}').unwrap_or(text))
-        .map_err(|error| SurfaceError::malformed(Place::Line(error.line()), format!("no glTF: {error}")))?;
+        .map_err(|error| SurfaceError::malformed(Place::Line(error.line()), Fault::NotGltf(error.to_string())))?;
     if let Some(name) = document.extensions_required.iter().find(|name| COMPRESSIONS.contains(&name.as_str())) {
-        return Err(SurfaceError::unsupported(part("extensionsRequired"), name.as_str()));
+        return Err(SurfaceError::unsupported(part("extensionsRequired"), Unsupported::Extension(name.clone())));
     }
     let buffers = Buffers::new(&document, binary)?;
     let mut faces = Faces::default();
     for (node, transform) in document.placed_nodes()? {
         if let Some(mesh) = document.nodes[node].mesh {
-            let missing = || SurfaceError::missing(Place::Part(format!("nodes[{node}]")), format!("meshes[{mesh}]"));
+            let missing = || SurfaceError::missing(Place::Part(format!("nodes[{node}]")), Item::Mesh(mesh));
             let found = document.meshes.get(mesh).ok_or_else(missing)?;
             for (k, primitive) in found.primitives.iter().enumerate() {
                 let place = Place::Part(format!("meshes[{mesh}].primitives[{k}]"));
@@ -133,7 +132,7 @@ impl Document {
         let scene = self.scenes.get(self.scene.unwrap_or(0));
         let roots = match scene {
             Some(scene) => scene.nodes.clone(),
-            None if self.scene.is_some() => return Err(SurfaceError::missing(part("scene"), "the default scene")),
+            None if self.scene.is_some() => return Err(SurfaceError::missing(part("scene"), Item::DefaultScene)),
             None => {
                 let child = |k: &usize| self.nodes.iter().any(|node| node.children.contains(k));
                 (0..self.nodes.len()).filter(|k| !child(k)).collect()
@@ -144,9 +143,9 @@ impl Document {
         let mut placed = Vec::new();
         while let Some((k, parent)) = pending.pop() {
             let place = || Place::Part(format!("nodes[{k}]"));
-            let node = self.nodes.get(k).ok_or_else(|| SurfaceError::missing(place(), "the node"))?;
+            let node = self.nodes.get(k).ok_or_else(|| SurfaceError::missing(place(), Item::Node))?;
             if std::mem::replace(&mut seen[k], true) {
-                return Err(SurfaceError::malformed(place(), "the node stands twice in the tree"));
+                return Err(SurfaceError::malformed(place(), Fault::NodeTwice));
             }
             let transform = parent * node.transform();
             pending.extend(node.children.iter().rev().map(|&child| (child, transform)));
@@ -181,7 +180,7 @@ fn read_primitive(
         return Ok(()); // points and lines
     }
     let accessor = primitive.attributes.position;
-    let accessor = accessor.ok_or_else(|| SurfaceError::missing(place.clone(), "the attribute POSITION"))?;
+    let accessor = accessor.ok_or_else(|| SurfaceError::missing(place.clone(), Item::Position))?;
     let first = faces.vertices.len();
     for point in buffers.points(accessor)? {
         let vertex = faces.vertices.len();
@@ -209,11 +208,7 @@ fn read_primitive(
         4 if count % 3 == 0 => (0..count / 3).try_for_each(|t| push(3 * t, 3 * t + 1, 3 * t + 2)),
         5 => (2..count).try_for_each(|k| if k % 2 == 0 { push(k - 2, k - 1, k) } else { push(k - 1, k - 2, k) }),
         6 => (2..count).try_for_each(|k| push(0, k - 1, k)),
-        4 => {
-            let message =
-                counted!(count, "1 corner is no triangle", "{count} corners are no whole number of triangles");
-            Err(SurfaceError::malformed(place.clone(), message))
-        }
-        _ => Err(SurfaceError::malformed(place.clone(), format!("unknown mode {mode}"))),
+        4 => Err(SurfaceError::malformed(place.clone(), Fault::CornerCount { count })),
+        _ => Err(SurfaceError::malformed(place.clone(), Fault::Mode(mode))),
     }
 }

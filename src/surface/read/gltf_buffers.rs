@@ -2,7 +2,7 @@
 
 use super::gltf::Document;
 use super::scalar::Scalar;
-use super::{Place, SurfaceError};
+use super::{Fault, Item, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use base64::alphabet::STANDARD;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
@@ -21,8 +21,8 @@ impl<'a> Buffers<'a> {
             let place = || Place::Part(format!("buffers[{k}]"));
             match uri {
                 Some(uri) => embedded(uri, place()).map(Cow::Owned),
-                None if k == 0 => binary.map(Cow::Borrowed).ok_or_else(|| SurfaceError::missing(place(), "the data")),
-                None => Err(SurfaceError::missing(place(), "the data")),
+                None if k == 0 => binary.map(Cow::Borrowed).ok_or_else(|| SurfaceError::missing(place(), Item::Data)),
+                None => Err(SurfaceError::missing(place(), Item::Data)),
             }
         };
         let bytes = document.buffers.iter().map(|buffer| buffer.uri.as_deref()).enumerate().map(load);
@@ -48,29 +48,29 @@ impl<'a> Buffers<'a> {
     fn read<const K: usize>(
         &self,
         index: usize,
-        kind: &str,
+        kind: &'static str,
         types: &[(u32, Scalar)],
         mut take: impl FnMut([f64; K]),
     ) -> Result<(), SurfaceError> {
         let place = || Place::Part(format!("accessors[{index}]"));
-        let missing = |what: &str| SurfaceError::missing(place(), what);
-        let accessor = self.document.accessors.get(index).ok_or_else(|| missing("the accessor"))?;
+        let missing = |what: Item| SurfaceError::missing(place(), what);
+        let accessor = self.document.accessors.get(index).ok_or_else(|| missing(Item::Accessor))?;
         if accessor.sparse.is_some() {
-            return Err(SurfaceError::unsupported(place(), "a sparse accessor"));
+            return Err(SurfaceError::unsupported(place(), Unsupported::SparseAccessor));
         }
         let scalar = types.iter().find(|(code, _)| *code == accessor.component_type).map(|(_, scalar)| *scalar);
         let (Some(scalar), true) = (scalar, accessor.kind == kind) else {
-            let found = format!("{} of component type {}", accessor.kind, accessor.component_type);
-            return Err(SurfaceError::malformed(place(), format!("{found} where {kind} was needed")));
+            let (found, component) = (accessor.kind.clone(), accessor.component_type);
+            return Err(SurfaceError::malformed(place(), Fault::AccessorType { found, component, needed: kind }));
         };
-        let view = accessor.buffer_view.ok_or_else(|| missing("the bufferView"))?;
-        let view = self.document.buffer_views.get(view).ok_or_else(|| missing("the bufferView"))?;
-        let buffer = self.bytes.get(view.buffer).ok_or_else(|| missing("the buffer"))?;
+        let view = accessor.buffer_view.ok_or_else(|| missing(Item::BufferView))?;
+        let view = self.document.buffer_views.get(view).ok_or_else(|| missing(Item::BufferView))?;
+        let buffer = self.bytes.get(view.buffer).ok_or_else(|| missing(Item::Buffer))?;
         let end = view.byte_offset.checked_add(view.byte_length);
         let bytes = end.and_then(|end| buffer.get(view.byte_offset..end));
-        let bytes = bytes.ok_or_else(|| missing("a part of the data that its bufferView describes"))?;
+        let bytes = bytes.ok_or_else(|| missing(Item::ViewedData))?;
         if accessor.count > bytes.len() {
-            return Err(missing(&format!("element {} of {}", bytes.len(), accessor.count)));
+            return Err(missing(Item::Element { index: bytes.len(), count: accessor.count }));
         }
         let stride = view.byte_stride.unwrap_or(K * scalar.size());
         for element in 0..accessor.count {
@@ -79,7 +79,7 @@ impl<'a> Buffers<'a> {
             for (k, value) in values.iter_mut().enumerate() {
                 let rest = start.and_then(|start| bytes.get(start.checked_add(k * scalar.size())?..));
                 let found = rest.and_then(|rest| scalar.decode(rest, false));
-                *value = found.ok_or_else(|| missing(&format!("element {element} of {}", accessor.count)))?;
+                *value = found.ok_or_else(|| missing(Item::Element { index: element, count: accessor.count }))?;
             }
             take(values);
         }
@@ -91,17 +91,17 @@ impl<'a> Buffers<'a> {
 fn embedded(uri: &str, place: Place) -> Result<Vec<u8>, SurfaceError> {
     let Some((kind, text)) = uri.strip_prefix("data:").and_then(|rest| rest.split_once(',')) else {
         let name: String = uri.chars().take(60).collect();
-        return Err(SurfaceError::unsupported(place, format!("the separate file \"{name}\" (use .glb, or embed it)")));
+        return Err(SurfaceError::unsupported(place, Unsupported::SeparateFile(name)));
     };
     if !kind.ends_with(";base64") {
-        return Err(SurfaceError::unsupported(place, "data that is not in base 64"));
+        return Err(SurfaceError::unsupported(place, Unsupported::Encoding));
     }
     BASE64.decode(text).map_err(|error| {
         let position = match error {
             DecodeError::InvalidByte(position, _) => position,
             _ => text.len(),
         };
-        SurfaceError::malformed(place, format!("no base 64: character {position} of the data does not belong"))
+        SurfaceError::malformed(place, Fault::Base64 { position })
     })
 }
 

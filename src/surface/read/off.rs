@@ -2,7 +2,7 @@
 
 use super::faces::{Faces, vertex_of};
 use super::text::{Line, lines, shown};
-use super::{Place, SurfaceError};
+use super::{Item, Place, SurfaceError, Unsupported};
 use crate::surface::Surface;
 use std::iter::Peekable;
 
@@ -13,23 +13,23 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let mut faces = Faces::default();
     let mut last = 0;
     for _ in 0..vertices {
-        let line = next(&mut lines, last, "a vertex")?;
+        let line = next(&mut lines, last, Item::Vertex)?;
         last = line.number;
         let point = line.point(&mut line.words(), faces.vertices.len())?;
         faces.vertices.push(point);
     }
     let mut corners = Vec::new();
     for _ in 0..count {
-        let line = next(&mut lines, last, "a face")?;
+        let line = next(&mut lines, last, Item::Face)?;
         last = line.number;
         let mut words = line.words();
-        let wanted = line.count(&mut words, "the number of corners")?;
+        let wanted = line.count(&mut words, Item::CornerCount)?;
         corners.clear();
         for word in words.take(wanted) {
             corners.push(vertex_of(line.integer_in(word)?, vertices, || line.place())?);
         }
         if corners.len() < wanted {
-            return Err(SurfaceError::missing(line.place(), format!("corner {} of {wanted}", corners.len() + 1)));
+            return Err(SurfaceError::missing(line.place(), Item::Corner { index: corners.len() + 1, count: wanted }));
         }
         faces.push(&corners, || line.place())?;
     }
@@ -39,13 +39,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
 
 /// The numbers of vertices and faces, after the keyword or without one, on one line or several.
 fn header<'a>(lines: &mut Peekable<impl Iterator<Item = Line<'a>>>) -> Result<(usize, usize), SurfaceError> {
-    let mut line = next(lines, 0, "the keyword OFF")?;
+    let mut line = next(lines, 0, Item::OffKeyword)?;
     let mut words = line.words().peekable();
     if let Some(word) = words.next_if(|word| is_keyword(word)) {
         check_kind(line.place(), word, words.peek().copied())?;
     }
     let mut counts = [0, 0];
-    for (count, what) in counts.iter_mut().zip(["the number of vertices", "the number of faces"]) {
+    for (count, what) in counts.iter_mut().zip([Item::VertexCount, Item::FaceCount]) {
         if words.peek().is_none() {
             line = next(lines, line.number, what)?;
             words = line.words().peekable();
@@ -62,11 +62,12 @@ fn header<'a>(lines: &mut Peekable<impl Iterator<Item = Line<'a>>>) -> Result<(u
 /// What the keyword and the word after it say of a kind that is not read.
 fn check_kind(place: Place, keyword: &[u8], after: Option<&[u8]>) -> Result<(), SurfaceError> {
     if is_of_other_dimension(keyword) {
-        let what = format!("a surface in 4 or n dimensions ({})", shown(keyword));
-        return Err(SurfaceError::unsupported(place, what));
+        return Err(SurfaceError::unsupported(place, Unsupported::Dimensions(shown(keyword))));
     }
     match after {
-        Some(word) if word.eq_ignore_ascii_case(b"BINARY") => Err(SurfaceError::unsupported(place, "binary OFF")),
+        Some(word) if word.eq_ignore_ascii_case(b"BINARY") => {
+            Err(SurfaceError::unsupported(place, Unsupported::BinaryOff))
+        }
         _ => Ok(()),
     }
 }
@@ -81,6 +82,6 @@ fn is_of_other_dimension(keyword: &[u8]) -> bool {
     keyword.contains(&b'4') || keyword.contains(&b'n') && keyword.ends_with(b"OFF")
 }
 
-fn next<'a>(lines: &mut impl Iterator<Item = Line<'a>>, last: usize, what: &str) -> Result<Line<'a>, SurfaceError> {
+fn next<'a>(lines: &mut impl Iterator<Item = Line<'a>>, last: usize, what: Item) -> Result<Line<'a>, SurfaceError> {
     lines.next().ok_or_else(|| SurfaceError::missing(Place::Line(last + 1), what))
 }

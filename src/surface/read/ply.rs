@@ -7,7 +7,7 @@ use super::faces::{Faces, MAX_CORNERS, vertex_of};
 use super::ply_header::{Body, Element, Encoding, Header, Property, Shape, header};
 use super::scalar::{Cursor, Scalar};
 use super::text::finite;
-use super::{Place, SurfaceError};
+use super::{Fault, Item, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 
@@ -23,7 +23,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
         match element.name.as_str() {
             "vertex" => read_vertices(element, &mut numbers, &mut faces)?,
             "face" => read_faces(element, vertices, &mut numbers, &mut faces)?,
-            "tristrips" => return Err(SurfaceError::unsupported(numbers.place(), "the element tristrips")),
+            "tristrips" => return Err(SurfaceError::unsupported(numbers.place(), Unsupported::Strips)),
             _ if element.properties.is_empty() => {}
             _ => (0..element.count).try_for_each(|_| skip(&element.properties, &mut numbers))?,
         }
@@ -93,7 +93,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    fn next(&mut self, scalar: Scalar, what: &str) -> Result<f64, SurfaceError> {
+    fn next(&mut self, scalar: Scalar, what: Item) -> Result<f64, SurfaceError> {
         match self {
             Self::Binary(cursor) => cursor.number(scalar, what),
             Self::Text(words) => {
@@ -111,23 +111,19 @@ impl<'a> Numbers<'a> {
     /// The length of a list.
     fn length(&mut self, scalar: Scalar) -> Result<usize, SurfaceError> {
         let place = self.place();
-        let length = self.next(scalar, "the length of a list")?;
+        let length = self.next(scalar, Item::ListLength)?;
         let whole = length >= 0.0 && length.fract() == 0.0 && length <= f64::from(u32::MAX);
-        if whole {
-            Ok(length as usize)
-        } else {
-            Err(SurfaceError::malformed(place, format!("a list of length {length}")))
-        }
+        if whole { Ok(length as usize) } else { Err(SurfaceError::malformed(place, Fault::ListLength(length))) }
     }
 
     fn skip(&mut self, shape: Shape) -> Result<(), SurfaceError> {
         match shape {
-            Shape::One(scalar) => self.next(scalar, "a property").map(|_| ()),
+            Shape::One(scalar) => self.next(scalar, Item::Property).map(|_| ()),
             Shape::List { length, item } => {
                 let count = self.length(length)?;
                 match self {
-                    Self::Binary(cursor) => cursor.skip(count * item.size(), "a list"),
-                    Self::Text(_) => (0..count).try_for_each(|_| self.next(item, "a list").map(|_| ())),
+                    Self::Binary(cursor) => cursor.skip(count * item.size(), Item::List),
+                    Self::Text(_) => (0..count).try_for_each(|_| self.next(item, Item::List).map(|_| ())),
                 }
             }
         }
@@ -141,7 +137,7 @@ fn skip(properties: &[Property], numbers: &mut Numbers<'_>) -> Result<(), Surfac
 fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces) -> Result<(), SurfaceError> {
     for name in ["x", "y", "z"] {
         if !element.properties.iter().any(|p| p.name == name && matches!(p.shape, Shape::One(_))) {
-            return Err(SurfaceError::missing(Place::Line(1), format!("the property {name} of the element vertex")));
+            return Err(SurfaceError::missing(Place::Line(1), Item::VertexProperty(name)));
         }
     }
     for vertex in 0..element.count {
@@ -158,7 +154,7 @@ fn read_vertices(element: &Element, numbers: &mut Numbers<'_>, faces: &mut Faces
                 }
             };
             let Shape::One(scalar) = property.shape else { continue };
-            *coordinate = numbers.next(scalar, "a coordinate of a vertex")?;
+            *coordinate = numbers.next(scalar, Item::VertexCoordinate)?;
             if let Place::Line(_) = place {
                 place = numbers.place();
             }
@@ -176,7 +172,7 @@ fn read_faces(
 ) -> Result<(), SurfaceError> {
     let is_list = |p: &Property| p.name == "vertex_indices" || p.name == "vertex_index";
     if element.count > 0 && !element.properties.iter().any(is_list) {
-        return Err(SurfaceError::missing(Place::Line(1), "the property vertex_indices of the element face"));
+        return Err(SurfaceError::missing(Place::Line(1), Item::FaceProperty));
     }
     let mut corners = Vec::new();
     for _ in 0..element.count {
@@ -192,7 +188,7 @@ fn read_faces(
             corners.clear();
             for _ in 0..count {
                 let place = numbers.place();
-                let index = numbers.next(item, "a corner of a face")?;
+                let index = numbers.next(item, Item::FaceCorner)?;
                 let whole = if index.fract() == 0.0 { index as i64 } else { -1 };
                 let here = match numbers {
                     Numbers::Text(words) => Place::Line(words.line),

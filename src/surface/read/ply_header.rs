@@ -2,7 +2,7 @@
 
 use super::scalar::Scalar;
 use super::text::{Line, line_end, lines, shown};
-use super::{Place, SurfaceError};
+use super::{Fault, Item, Place, SurfaceError};
 
 /// How the numbers are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +61,7 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, SurfaceError> {
     let body = body(bytes)?;
     let mut lines = lines(&bytes[..body.offset]);
     if lines.next().is_none_or(|line| !line.words().eq([b"ply"])) {
-        return Err(SurfaceError::malformed(Place::Line(1), "a PLY file begins with the word ply"));
+        return Err(SurfaceError::malformed(Place::Line(1), Fault::NotPly));
     }
     let (mut encoding, mut elements) = (None, Vec::<Element>::new());
     for line in lines {
@@ -70,26 +70,26 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, SurfaceError> {
             Some(b"format") => encoding = Some(encoding_of(line, words.next())?),
             Some(b"element") => {
                 let name = shown(words.next().unwrap_or_default());
-                let count = line.count(&mut words, "the number of elements")?;
+                let count = line.count(&mut words, Item::ElementCount)?;
                 elements.push(Element { name, count, properties: Vec::new() });
             }
             Some(b"property") => {
                 let property = property(line, &mut words)?;
-                let missing = || SurfaceError::missing(line.place(), "the element of a property");
+                let missing = || SurfaceError::missing(line.place(), Item::PropertyElement);
                 elements.last_mut().ok_or_else(missing)?.properties.push(property);
             }
             Some(b"comment" | b"obj_info" | b"end_header") | None => {}
-            Some(word) => return Err(SurfaceError::malformed(line.place(), format!("unknown word {}", shown(word)))),
+            Some(word) => return Err(SurfaceError::malformed(line.place(), Fault::UnknownWord(shown(word)))),
         }
     }
-    let encoding = encoding.ok_or_else(|| SurfaceError::missing(Place::Line(2), "the line format"))?;
+    let encoding = encoding.ok_or_else(|| SurfaceError::missing(Place::Line(2), Item::FormatLine))?;
     Ok(Header { encoding, elements, body })
 }
 
 fn body(bytes: &[u8]) -> Result<Body, SurfaceError> {
     const LAST: &[u8] = b"end_header";
     let searched = &bytes[..bytes.len().min(LONGEST)];
-    let missing = || SurfaceError::missing(Place::Line(1), "the line end_header");
+    let missing = || SurfaceError::missing(Place::Line(1), Item::HeaderEnd);
     // a binary body may have line ends of either kind
     let end = searched.windows(LAST.len()).position(|word| word == LAST).ok_or_else(missing)? + LAST.len();
     let line_end = line_end(&bytes[..(end + 2).min(bytes.len())]);
@@ -111,26 +111,26 @@ fn encoding_of(line: Line<'_>, word: Option<&[u8]>) -> Result<Encoding, SurfaceE
         b"ascii" => Ok(Encoding::Text),
         b"binary_little_endian" => Ok(Encoding::LittleEndian),
         b"binary_big_endian" => Ok(Encoding::BigEndian),
-        other => Err(SurfaceError::malformed(line.place(), format!("unknown format {}", shown(other)))),
+        other => Err(SurfaceError::malformed(line.place(), Fault::UnknownFormat(shown(other)))),
     }
 }
 
 fn property<'a>(line: Line<'a>, words: &mut impl Iterator<Item = &'a [u8]>) -> Result<Property, SurfaceError> {
     let scalar = |word: Option<&[u8]>| {
         let word = word.unwrap_or_default();
-        scalar_of(word).ok_or_else(|| SurfaceError::malformed(line.place(), format!("\"{}\" is no type", shown(word))))
+        scalar_of(word).ok_or_else(|| SurfaceError::malformed(line.place(), Fault::NoType(shown(word))))
     };
     let first = words.next();
     let shape = if first == Some(b"list") {
         let length = scalar(words.next())?;
         if length.is_float() {
-            return Err(SurfaceError::malformed(line.place(), "the length of a list is no whole number"));
+            return Err(SurfaceError::malformed(line.place(), Fault::ListLengthType));
         }
         Shape::List { length, item: scalar(words.next())? }
     } else {
         Shape::One(scalar(first)?)
     };
-    let name = words.next().ok_or_else(|| SurfaceError::missing(line.place(), "the name of a property"))?;
+    let name = words.next().ok_or_else(|| SurfaceError::missing(line.place(), Item::PropertyName))?;
     Ok(Property { name: shown(name), shape })
 }
 

@@ -1,6 +1,6 @@
 //! Numbers in binary files.
 
-use super::{Place, SurfaceError};
+use super::{Item, Place, SurfaceError};
 
 /// The type of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,7 +66,7 @@ impl Cursor<'_> {
     }
 
     /// The next number; `what` it is, for the error at the end of the file.
-    pub(super) fn number(&mut self, scalar: Scalar, what: &str) -> Result<f64, SurfaceError> {
+    pub(super) fn number(&mut self, scalar: Scalar, what: Item) -> Result<f64, SurfaceError> {
         let rest = self.bytes.get(self.offset..).unwrap_or_default();
         let value = scalar.decode(rest, self.big_endian).ok_or_else(|| SurfaceError::missing(self.place(), what))?;
         self.offset += scalar.size();
@@ -81,7 +81,7 @@ impl Cursor<'_> {
     }
 
     /// Passes over `count` bytes.
-    pub(super) fn skip(&mut self, count: usize, what: &str) -> Result<(), SurfaceError> {
+    pub(super) fn skip(&mut self, count: usize, what: Item) -> Result<(), SurfaceError> {
         let end = self.offset.checked_add(count).filter(|&end| end <= self.bytes.len());
         self.offset = end.ok_or_else(|| SurfaceError::missing(self.place(), what))?;
         Ok(())

@@ -4,7 +4,7 @@ use super::faces::Faces;
 use super::scalar::{Cursor, Scalar};
 use super::text::{finite, lines};
 use super::weld::weld;
-use super::{Place, SurfaceError};
+use super::{Item, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 
@@ -37,23 +37,23 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
 
 fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     let mut cursor = Cursor { bytes, offset: 80, big_endian: false };
-    let count = cursor.number(Scalar::U32, "the number of triangles")? as usize;
+    let count = cursor.number(Scalar::U32, Item::TriangleCount)? as usize;
     let mut faces = Faces::default();
     for triangle in 0..count {
-        cursor.skip(12, "the normal of a triangle")?;
+        cursor.skip(12, Item::TriangleNormal)?;
         let first = faces.vertices.len() as u32;
         for _ in 0..3 {
             let place = cursor.place();
             let mut point = [0.0; 3];
             for value in &mut point {
-                let what = || format!("a corner of triangle {triangle} of {count}");
-                *value = cursor.number(Scalar::F32, "").map_err(|_| SurfaceError::missing(place.clone(), what()))?;
+                let what = Item::TriangleCorner { triangle, count };
+                *value = cursor.number(Scalar::F32, what).map_err(|_| SurfaceError::missing(place.clone(), what))?;
             }
             let vertex = faces.vertices.len();
             faces.vertices.push(finite(DVec3::from_array(point), vertex, place)?);
         }
         faces.push(&[first, first + 1, first + 2], || cursor.place())?;
-        cursor.skip(2, "the end of a triangle")?;
+        cursor.skip(2, Item::TriangleEnd)?;
     }
     faces.surplus = cursor.surplus();
     Ok(faces)
@@ -84,7 +84,7 @@ fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     }
     match (corners.is_empty(), is_open) {
         (true, false) => Ok(faces),
-        (false, _) => Err(SurfaceError::missing(Place::Line(last), "endloop")),
-        (true, true) => Err(SurfaceError::missing(Place::Line(last), "endsolid")),
+        (false, _) => Err(SurfaceError::missing(Place::Line(last), Item::Keyword("endloop"))),
+        (true, true) => Err(SurfaceError::missing(Place::Line(last), Item::Keyword("endsolid"))),
     }
 }

@@ -187,7 +187,7 @@ fn polygons_are_cut_into_triangles() {
 fn errors_say_where() {
     let line = Place::Line;
     let cases: Vec<(&str, String, SurfaceError)> = vec![
-        ("a.obj", "v 0 0 0\nv 0 1\n".into(), SurfaceError::missing(line(2), "the coordinate z of a vertex")),
+        ("a.obj", "v 0 0 0\nv 0 1\n".into(), SurfaceError::missing(line(2), Item::Coordinate("z"))),
         ("a.obj", "v 0 zero 0\n".into(), SurfaceError::NotANumber { place: line(1), found: "zero".into() }),
         ("a.obj", "\nv 0 0 0\nv 1 nan 0\n".into(), SurfaceError::NotFinite { place: line(3), vertex: 1 }),
         ("a.obj", "v 0 0 0\nv 1 -1e999 0\n".into(), SurfaceError::NotFinite { place: line(2), vertex: 1 }),
@@ -203,7 +203,7 @@ fn errors_say_where() {
             SurfaceError::IndexOutOfRange { place: line(2), index: -2, vertices: 1 },
         ),
         // a continued line keeps the numbers of the lines after it
-        ("a.obj", "v 0 \\\n0 0\nv 1 0\n".into(), SurfaceError::missing(line(3), "the coordinate z of a vertex")),
+        ("a.obj", "v 0 \\\n0 0\nv 1 0\n".into(), SurfaceError::missing(line(3), Item::Coordinate("z"))),
         ("a.obj", "v 0 0 0\nf 1 1\n".into(), SurfaceError::Corners { place: line(2), count: 2 }),
         ("a.obj", "v 0 0 0\n".into(), SurfaceError::NoTriangles),
         (
@@ -211,8 +211,8 @@ fn errors_say_where() {
             OFF.replace("3 0 2 3", "3 0 2 4"),
             SurfaceError::IndexOutOfRange { place: line(9), index: 4, vertices: 4 },
         ),
-        ("a.off", OFF.replace("4 2 5", "4 3 5"), SurfaceError::missing(line(10), "a face")),
-        ("a.off", "OFF BINARY\n".into(), SurfaceError::unsupported(line(1), "binary OFF")),
+        ("a.off", OFF.replace("4 2 5", "4 3 5"), SurfaceError::missing(line(10), Item::Face)),
+        ("a.off", "OFF BINARY\n".into(), SurfaceError::unsupported(line(1), Unsupported::BinaryOff)),
         (
             "a.ply",
             PLY.replace("3 0 2 3", "3 0 2 9"),
@@ -222,16 +222,16 @@ fn errors_say_where() {
         (
             "a.ply",
             PLY.replace("property double y", "property double w"),
-            SurfaceError::missing(line(1), "the property y of the element vertex"),
+            SurfaceError::missing(line(1), Item::VertexProperty("y")),
         ),
-        ("a.stl", stl_text().replacen("endloop", "", 2), SurfaceError::missing(line(16), "endloop")),
+        ("a.stl", stl_text().replacen("endloop", "", 2), SurfaceError::missing(line(16), Item::Keyword("endloop"))),
     ];
     for (name, text, expected) in cases {
         assert_eq!(read_surface(name, text.as_bytes()).unwrap_err(), expected, "{text}");
     }
     let mut short = binary_stl();
     short.truncate(150);
-    let expected = SurfaceError::missing(Place::Byte(146), "a corner of triangle 1 of 2");
+    let expected = SurfaceError::missing(Place::Byte(146), Item::TriangleCorner { triangle: 1, count: 2 });
     assert_eq!(read_surface("a.stl", &short).unwrap_err(), expected);
     let separate = gltf_parts().0.replace("URI", r#", "uri": "square.bin""#);
     let message = read_surface("a.gltf", separate.as_bytes()).unwrap_err().to_string();
@@ -342,8 +342,8 @@ fn the_counts_of_an_off_stand_on_one_line_or_several() {
     let lower = OFF.replace("COFF", "off");
     assert_eq!(read_surface("surface", lower.as_bytes()).unwrap(), plain);
     for (head, error) in [
-        ("OFF\n4", SurfaceError::missing(Place::Line(3), "the number of faces")),
-        ("nOFF\n4 2 5", SurfaceError::unsupported(Place::Line(1), "a surface in 4 or n dimensions (nOFF)")),
+        ("OFF\n4", SurfaceError::missing(Place::Line(3), Item::FaceCount)),
+        ("nOFF\n4 2 5", SurfaceError::unsupported(Place::Line(1), Unsupported::Dimensions("nOFF".into()))),
     ] {
         assert_eq!(read_surface("a.off", head.as_bytes()).unwrap_err(), error);
     }

@@ -1,6 +1,6 @@
 //! Lines and words of a text file; bytes that are no UTF-8 may stand in comments.
 
-use super::{Place, SurfaceError};
+use super::{Fault, Item, Place, SurfaceError};
 use crate::geometry::DVec3;
 
 /// A line with something on it.
@@ -52,7 +52,7 @@ impl<'a> Line<'a> {
     ) -> Result<DVec3, SurfaceError> {
         let mut coordinates = [0.0; 3];
         for (value, name) in coordinates.iter_mut().zip(["x", "y", "z"]) {
-            let missing = || SurfaceError::missing(self.place(), format!("the coordinate {name} of a vertex"));
+            let missing = || SurfaceError::missing(self.place(), Item::Coordinate(name));
             *value = self.number_in(words.next().ok_or_else(missing)?)?;
         }
         finite(DVec3::from_array(coordinates), vertex, self.place())
@@ -71,9 +71,9 @@ impl<'a> Line<'a> {
     }
 
     /// The next word as a count.
-    pub(super) fn count(&self, words: &mut impl Iterator<Item = &'a [u8]>, what: &str) -> Result<usize, SurfaceError> {
+    pub(super) fn count(&self, words: &mut impl Iterator<Item = &'a [u8]>, what: Item) -> Result<usize, SurfaceError> {
         let word = words.next().ok_or_else(|| SurfaceError::missing(self.place(), what))?;
-        let negative = || SurfaceError::malformed(self.place(), format!("{what} is {}", shown(word)));
+        let negative = || SurfaceError::malformed(self.place(), Fault::Count { what, found: shown(word) });
         usize::try_from(self.integer_in(word)?).map_err(|_| negative())
     }
 }

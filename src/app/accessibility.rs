@@ -1,0 +1,115 @@
+//! What a screen reader is told: the state of the picture, and the control that has the keyboard.
+//!
+//! egui draws on a canvas, which a screen reader cannot look into: in the browser these sentences stand beside
+//! it in the page. On the desktop the system's accessibility interface reads the widgets themselves.
+
+use crate::app::RiemapApp;
+use crate::app::language::words;
+use crate::conformal::Side;
+use crate::geometry::DVec2;
+use crate::language::{key, number, say, tr};
+use crate::model::Model;
+use egui::{Role, WidgetInfo};
+
+/// The picture in a few sentences.
+pub fn state(app: &RiemapApp) -> String {
+    let model = &app.model;
+    let mut sentences = vec![shown(model)];
+    sentences.extend(Side::BOTH.into_iter().filter_map(|side| points(model, side)));
+    if let Some(quality) = model.quality() {
+        let mean = number(quality.q_mean, 3);
+        sentences.push(say(&key::spoken_quality(mean, quality.flipped)));
+    }
+    if !model.is_ready() {
+        sentences.push(tr(key::being_prepared()).into());
+    }
+    sentences.extend(app.explore.words().into_iter().flatten().map(String::from));
+    sentences.extend(app.notice.map(|(notice, _)| String::from(tr(notice))));
+    sentences.extend(app.errors().iter().map(|error| say(&key::problem(error.clone()))));
+    sentences.join(" ")
+}
+
+fn shown(model: &Model) -> String {
+    let source = words::outline(&model.session().domain(Side::Source).outline);
+    if let Some((_, surface)) = model.surface(Side::Target) {
+        let surface = words::surface(&surface.spec.shape);
+        return say(&key::spoken_surface_map(surface, &*source));
+    }
+    let target = words::outline(&model.session().domain(Side::Target).outline);
+    say(&key::spoken_map(&*source, &*target))
+}
+
+fn points(model: &Model, side: Side) -> Option<String> {
+    let [x, y] = match side {
+        Side::Source => [key::x1(), key::y1()].map(tr),
+        Side::Target => [tr(key::x2()), "y₂"],
+    };
+    let surface = model.surface(side);
+    let (place, fraction) = match surface {
+        Some((_, state)) => (model.surface_point(side)?.to_array().to_vec(), state.anchor),
+        None => (DVec2::to_array(&model.interior(side)?).to_vec(), model.session().side(side).anchor),
+    };
+    let place = place.iter().map(|coordinate| number(*coordinate, 3)).collect::<Vec<_>>().join("; ");
+    let along = number(100.0 * fraction, 1);
+    Some(say(&key::points_of_side(x, place, y, along)))
+}
+
+/// A control, as it is read out when it gets the keyboard or changes.
+pub fn control(info: &WidgetInfo) -> String {
+    let label = info.label.clone().unwrap_or_default();
+    let role = match info.role {
+        Role::Button => tr(key::button()),
+        Role::RadioButton => tr(key::choice()),
+        Role::CheckBox => tr(key::check_box()),
+        Role::Slider => tr(key::slider()),
+        Role::TextInput | Role::MultilineTextInput => tr(key::text_field()),
+        _ => "",
+    };
+    let selected = match info.selected {
+        Some(true) => tr(key::selected()),
+        Some(false) => tr(key::not_selected()),
+        None => "",
+    };
+    let refused = if info.enabled { "" } else { tr(key::not_available()) };
+    let value = info.value.map(|value| number((1e4 * value).round() / 1e4, 4)).unwrap_or_default();
+    let text = info.current_text_value.as_deref().unwrap_or_default();
+    let parts = [label.as_str(), text, role, selected, value.as_str(), refused];
+    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::input::action::{Action, EditAction, Report};
+    use crate::app::tests::ready_app;
+    use crate::worker::Finding;
+
+    #[test]
+    fn what_is_wrong_in_a_window_is_said_and_counted_among_the_errors() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let app = harness.state_mut();
+        assert_eq!(app.stats().errors, [""; 0]);
+        app.carry_out(&context, vec![Action::PasteText(String::from("0,0 1,x")), Action::OpenExport]);
+        app.exporter.tell(Some(key::no_map().into()));
+        app.reports.open(Report::Convergence);
+        assert!(app.reports.take_study().is_some());
+        app.reports.accept(None, Finding::Failed(key::no_such_row().into()));
+        let errors = app.stats().errors;
+        assert_eq!(errors.len(), 3, "{errors:?}");
+        assert!(errors[0].contains('x'), "{errors:?}");
+        for error in errors {
+            assert!(state(app).contains(&format!("Problem: {error}")), "{}", state(app));
+        }
+        app.carry_out(&context, vec![Action::Edit(EditAction::ClosePaste)]);
+        assert_eq!(app.stats().errors.len(), 2);
+    }
+
+    #[test]
+    fn a_control_is_read_with_its_kind_and_its_state() {
+        assert_eq!(control(&WidgetInfo::labeled(Role::Button, true, "Open…")), "Open…, button");
+        assert_eq!(control(&WidgetInfo::selected(Role::RadioButton, true, true, "Grid")), "Grid, choice, selected");
+        assert_eq!(control(&WidgetInfo::slider(true, 0.123_456, "Growth")), "Growth, slider, 0.1235");
+        assert_eq!(control(&WidgetInfo::labeled(Role::Button, false, "Fit")), "Fit, button, not available");
+    }
+}

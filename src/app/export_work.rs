@@ -1,0 +1,84 @@
+//! What the app does with the window of exports.
+
+use crate::app::RiemapApp;
+use crate::app::input::action::Actions;
+use crate::app::viewport::gpu::Gpu;
+use crate::app::windows::exporting::window::{MapState, Surroundings};
+use crate::language::key;
+use crate::model::export::file;
+use crate::model::export::job::{Job, Scenery};
+use crate::model::scene;
+use crate::platform;
+use crate::render::OrbitCamera;
+use egui::Context;
+
+impl RiemapApp {
+    /// Shows the window, if it is open.
+    pub(in crate::app) fn show_exporter(&mut self, context: &Context, actions: &mut Actions) {
+        let around = Surroundings {
+            map: self.map_state(),
+            on_surface: !self.model.is_planar(),
+            max_side: self.gpu.as_ref().map_or(0, Gpu::max_texture_side),
+        };
+        self.exporter.show(context, around, actions);
+    }
+
+    fn map_state(&self) -> MapState {
+        match (self.model.is_ready(), scene::is_complete(&self.model)) {
+            (_, true) => MapState::Complete,
+            (true, false) => MapState::Ready,
+            (false, false) => MapState::Preparing,
+        }
+    }
+
+    /// Saves what is chosen, or begins to make it.
+    pub(in crate::app) fn save_export(&mut self, context: &Context) {
+        let Some(request) = self.exporter.file_request() else { return self.begin_job(context) };
+        if !scene::is_complete(&self.model) {
+            return; // what is shown is not yet what would be written
+        }
+        match file(&self.model, request) {
+            Some(Ok(file)) => {
+                self.exporter.tell(None);
+                platform::save_file(&file.name, file.bytes, self.mailbox.clone());
+            }
+            Some(Err(reason)) => self.exporter.tell(Some(reason)),
+            None => {}
+        }
+    }
+
+    fn begin_job(&mut self, context: &Context) {
+        let request = *self.exporter.request();
+        let dark = context.theme() == egui::Theme::Dark;
+        let camera = self.camera(request.shot(dark).aspect());
+        let scenery = Scenery { image: self.image.clone(), camera, dark };
+        let job = match &self.gpu {
+            Some(gpu) => Job::begin(&self.model, &request, scenery, gpu.device()),
+            None => Err(key::no_graphics_device().into()),
+        };
+        self.exporter.begin(job);
+        context.request_repaint();
+    }
+
+    /// The eye that sees the surface on the screen, in a viewport of this width over height.
+    fn camera(&self, aspect: f64) -> Option<OrbitCamera> {
+        let scene = self.model.surface(self.model.side_of_surface()?)?.0.scene()?;
+        let mut camera = *self.orbit.camera()?;
+        if self.orbit.is_fitted() {
+            camera.fit(scene, aspect);
+        }
+        Some(camera)
+    }
+
+    /// Goes on with what is being made, and saves it when it is there.
+    pub(in crate::app) fn work_on_export(&mut self, context: &Context) {
+        if !self.exporter.is_busy() {
+            return;
+        }
+        context.request_repaint();
+        let Some(gpu) = &self.gpu else { return };
+        if let Some(file) = self.exporter.work(gpu.device()) {
+            platform::save_file(&file.name, file.bytes, self.mailbox.clone());
+        }
+    }
+}

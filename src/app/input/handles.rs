@@ -1,0 +1,163 @@
+//! The four dots: which one is under the pointer, which one is being dragged.
+//!
+//! A dot is grabbed where it was touched and keeps that offset, so that it does
+//! not jump. Nearer dots win; ties go to the interior point.
+
+use crate::conformal::Side;
+use egui::{Pos2, Vec2};
+
+/// The radius of a dot on the screen, in points, without its ring.
+pub const DOT_RADIUS: f32 = 9.0;
+/// The radius of the area that grabs a dot: 44 points across, a finger's width.
+pub const GRAB_RADIUS: f32 = 22.0;
+/// How long a partner's pulse lasts, in seconds.
+pub const PULSE_SECONDS: f64 = 0.7;
+
+/// Which of a side's two dots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HandleKind {
+    /// x, green.
+    Interior,
+    /// y, magenta.
+    Boundary,
+}
+
+/// One of the four dots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Handle {
+    /// Its viewport.
+    pub side: Side,
+    /// Its kind.
+    pub kind: HandleKind,
+}
+
+impl Handle {
+    /// The dot that this one is mapped to.
+    #[must_use]
+    pub fn partner(self) -> Self {
+        Self { side: self.side.other(), ..self }
+    }
+
+    /// "x₁", "y₂", …
+    pub fn symbol(self) -> &'static str {
+        match (self.kind, self.side) {
+            (HandleKind::Interior, Side::Source) => "x₁",
+            (HandleKind::Interior, Side::Target) => "x₂",
+            (HandleKind::Boundary, Side::Source) => "y₁",
+            (HandleKind::Boundary, Side::Target) => "y₂",
+        }
+    }
+}
+
+/// The dot of a viewport that a touch at `pointer` means; `positions` are interior, boundary.
+pub fn hit(side: Side, positions: [Option<Pos2>; 2], pointer: Pos2) -> Option<Handle> {
+    let candidates = [(HandleKind::Interior, positions[0]), (HandleKind::Boundary, positions[1])];
+    candidates
+        .into_iter()
+        .filter_map(|(kind, position)| Some((kind, position?.distance(pointer))))
+        .filter(|(_, distance)| *distance <= GRAB_RADIUS)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(kind, _)| Handle { side, kind })
+}
+
+/// A dot in someone's hand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grip {
+    /// Which one.
+    pub handle: Handle,
+    /// From the pointer to the dot's centre, when it was grabbed.
+    pub offset: Vec2,
+}
+
+/// What happens to the dots over time.
+#[derive(Debug, Clone, Default)]
+pub struct HandleState {
+    /// The one in hand.
+    pub grip: Option<Grip>,
+    /// The one that has the keyboard.
+    pub focused: Option<Handle>,
+    /// The viewport that has the keyboard.
+    pub focused_view: Option<Side>,
+    /// The one under the pointer.
+    pub hovered: Option<Handle>,
+    /// The one that pulses, and since when (seconds).
+    pulse: Option<(Handle, f64)>,
+    /// Whether any dot was ever dragged: the hint is not needed any more.
+    pub ever_dragged: bool,
+}
+
+impl HandleState {
+    /// Takes `handle` in hand.
+    pub fn grab(&mut self, handle: Handle, position: Pos2, pointer: Pos2, now: f64) {
+        self.grip = Some(Grip { handle, offset: position - pointer });
+        self.pulse = Some((handle.partner(), now));
+        self.ever_dragged = true;
+    }
+
+    /// Lets it go.
+    pub fn release(&mut self) {
+        self.grip = None;
+    }
+
+    /// Whether `handle` is drawn large.
+    pub fn is_raised(&self, handle: Handle) -> bool {
+        self.hovered == Some(handle) || self.is_held(handle) || self.focused == Some(handle)
+    }
+
+    /// Whether `handle` is in hand.
+    pub fn is_held(&self, handle: Handle) -> bool {
+        self.grip.is_some_and(|grip| grip.handle == handle)
+    }
+
+    /// How far the pulse of `handle` has gone, from 0 to 1.
+    pub fn pulse_of(&self, handle: Handle, now: f64) -> Option<f32> {
+        let (pulsing, since) = self.pulse?;
+        let progress = (now - since) / PULSE_SECONDS;
+        (pulsing == handle && progress < 1.0).then_some(progress.max(0.0) as f32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+    use super::*;
+    use egui::pos2;
+
+    const BOTH: [Option<Pos2>; 2] = [Some(pos2(100.0, 100.0)), Some(pos2(130.0, 100.0))];
+
+    #[test]
+    fn the_nearer_dot_is_meant_where_the_areas_overlap() {
+        assert_eq!(hit(Side::Source, BOTH, pos2(112.0, 100.0)).unwrap().kind, HandleKind::Interior);
+        assert_eq!(hit(Side::Source, BOTH, pos2(118.0, 100.0)).unwrap().kind, HandleKind::Boundary);
+    }
+
+    #[test]
+    fn a_finger_beside_the_dot_still_grabs_it_but_no_farther_than_44_points_across() {
+        assert!(hit(Side::Target, BOTH, pos2(100.0 - 21.0, 100.0)).is_some());
+        assert!(hit(Side::Target, BOTH, pos2(100.0 - 23.0, 100.0)).is_none());
+    }
+
+    #[test]
+    fn a_missing_dot_cannot_be_grabbed() {
+        assert_eq!(hit(Side::Source, [None, None], pos2(100.0, 100.0)), None);
+    }
+
+    #[test]
+    fn coinciding_dots_give_the_interior_one() {
+        let same = [Some(pos2(5.0, 5.0)); 2];
+        assert_eq!(hit(Side::Source, same, pos2(6.0, 5.0)).unwrap().kind, HandleKind::Interior);
+    }
+
+    #[test]
+    fn a_grabbed_dot_keeps_its_offset_and_its_partner_pulses_once() {
+        let handle = Handle { side: Side::Source, kind: HandleKind::Interior };
+        let mut state = HandleState::default();
+        state.grab(handle, pos2(10.0, 10.0), pos2(13.0, 9.0), 2.0);
+        assert_eq!(state.grip.unwrap().offset, egui::vec2(-3.0, 1.0));
+        assert!(state.pulse_of(handle.partner(), 2.1).is_some());
+        assert!(state.pulse_of(handle, 2.1).is_none());
+        assert!(state.pulse_of(handle.partner(), 2.0 + PULSE_SECONDS).is_none());
+        state.release();
+        assert!(state.grip.is_none() && state.ever_dragged);
+    }
+}

@@ -1,0 +1,223 @@
+//! The keyboard's hold on the pictures: dots and viewports are stations of the Tab key, arrow keys move what has it.
+//!
+//! A green dot moves on the screen, a magenta one along its boundary (right and up: counter-clockwise);
+//! Shift makes the steps fine. A viewport moves its eye, `+` and `-` zoom, `0` fits.
+
+use crate::app::input::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState};
+use crate::app::input::locks::{Control, Locks};
+use crate::conformal::Side;
+use crate::language::{Label, key, tr};
+use egui::{EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
+
+/// A step of a dot on the screen, in points: a dot's radius. Fine: one.
+const STEPS: [f32; 2] = [10.0, 1.0];
+/// A step of a dot along its boundary, as fractions of the length.
+const FRACTIONS: [f64; 2] = [0.01, 0.001];
+/// A step of the eye, in points.
+const EYE_STEP: f32 = 40.0;
+/// What a press of `+` zooms by.
+const ZOOM_STEP: f32 = 1.25;
+
+/// What the arrow keys ask of a dot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Nudge {
+    /// To move on the screen, in points.
+    Interior(Vec2),
+    /// To move along the boundary, by a fraction of its length, counter-clockwise.
+    Boundary(f64),
+}
+
+/// Makes a side's dots stations of the Tab key; returns what the arrow keys ask of the one that has the keyboard.
+/// `places` are those of interior and boundary.
+pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut HandleState) -> Option<Nudge> {
+    let mut nudge = None;
+    for kind in [HandleKind::Interior, HandleKind::Boundary] {
+        let handle = Handle { side, kind };
+        let Some(place) = places[kind as usize] else { continue };
+        let station = Rect::from_center_size(place, Vec2::splat(2.0 * GRAB_RADIUS));
+        let response = ui.interact(station, id_of(handle), Sense::focusable_noninteractive());
+        response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, name(handle)));
+        if response.has_focus() {
+            handles.focused = Some(handle);
+            handles.ever_dragged = true;
+            let arrows = held_arrows(ui, &response);
+            nudge = (arrows != [Vec2::ZERO; 2]).then(|| steps(kind, arrows)).or(nudge);
+        } else if handles.focused == Some(handle) {
+            handles.focused = None;
+        }
+    }
+    nudge
+}
+
+fn steps(kind: HandleKind, [coarse, fine]: [Vec2; 2]) -> Nudge {
+    let along = |arrow: Vec2| f64::from(arrow.x - arrow.y);
+    match kind {
+        HandleKind::Interior => Nudge::Interior(STEPS[0] * coarse + STEPS[1] * fine),
+        HandleKind::Boundary => Nudge::Boundary(FRACTIONS[0] * along(coarse) + FRACTIONS[1] * along(fine)),
+    }
+}
+
+/// What the keys ask of a picture's eye, in points and as a factor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EyeMove {
+    /// Move, or turn.
+    Step(Vec2),
+    /// Come nearer by this factor.
+    Zoom(f32),
+    /// Show everything.
+    Fit,
+}
+
+/// What the keys ask of the eye of the viewport that has the keyboard.
+pub fn of_viewport(ui: &Ui, response: &Response, side: Side, handles: &mut HandleState) -> Option<EyeMove> {
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr(viewport_name(side))));
+    if !response.has_focus() || Locks::of(ui.ctx()).holds(Control::View) {
+        handles.focused_view = handles.focused_view.filter(|focused| *focused != side);
+        return None;
+    }
+    handles.focused_view = Some(side);
+    let [plain, shifted] = held_arrows(ui, response);
+    if plain + shifted != Vec2::ZERO {
+        return Some(EyeMove::Step(EYE_STEP * (plain + shifted)));
+    }
+    let moves = [
+        (Key::Plus, EyeMove::Zoom(ZOOM_STEP)),
+        (Key::Equals, EyeMove::Zoom(ZOOM_STEP)),
+        (Key::Minus, EyeMove::Zoom(1.0 / ZOOM_STEP)),
+        (Key::Num0, EyeMove::Fit),
+    ];
+    ui.input(|input| moves.into_iter().find(|(key, _)| input.key_pressed(*key) && !input.modifiers.command))
+        .map(|(_, wanted)| wanted)
+}
+
+/// The arrow keys of the control that has the keyboard: [`arrow_keys`], kept from leading to another one.
+fn held_arrows(ui: &Ui, response: &Response) -> [Vec2; 2] {
+    let ours = EventFilter { horizontal_arrows: true, vertical_arrows: true, tab: false, escape: false };
+    if response.gained_focus() {
+        // the filter holds from the second frame on: before it an arrow would lead away
+        ui.request_repaint();
+    }
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, ours));
+    arrow_keys(ui)
+}
+
+/// The arrow keys and their ways, y down.
+pub const ARROWS: [(Key, Vec2); 4] = [
+    (Key::ArrowRight, vec2(1.0, 0.0)),
+    (Key::ArrowLeft, vec2(-1.0, 0.0)),
+    (Key::ArrowUp, vec2(0.0, -1.0)),
+    (Key::ArrowDown, vec2(0.0, 1.0)),
+];
+
+/// The arrow keys that were pressed in this frame, y down: without and with Shift.
+pub fn arrow_keys(ui: &Ui) -> [Vec2; 2] {
+    ui.input_mut(|input| {
+        let mut sum = |modifiers| {
+            let pressed = |(key, way)| input.count_and_consume_key(modifiers, key) as f32 * way;
+            ARROWS.map(pressed).into_iter().fold(Vec2::ZERO, |sum, by| sum + by)
+        };
+        // with Shift first: without it an arrow would match too
+        let fine = sum(Modifiers::SHIFT);
+        [sum(Modifiers::NONE), fine]
+    })
+}
+
+/// The same for a dot in the plane and on a surface.
+fn id_of(handle: Handle) -> Id {
+    Id::unique(("dot", handle.symbol()))
+}
+
+fn name(handle: Handle) -> &'static str {
+    tr(match (handle.kind, handle.side) {
+        (HandleKind::Interior, Side::Source) => key::x1_interior_point_source(),
+        (HandleKind::Interior, Side::Target) => key::x2_interior_point_target(),
+        (HandleKind::Boundary, Side::Source) => key::y1_boundary_point_source(),
+        (HandleKind::Boundary, Side::Target) => key::y2_boundary_point_target(),
+    })
+}
+
+fn viewport_name(side: Side) -> Label {
+    match side {
+        Side::Source => key::picture_source(),
+        Side::Target => key::picture_target(),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use crate::app::RiemapApp;
+    use crate::app::tests::ready_app;
+    use crate::conformal::Side;
+    use egui::{Key, Modifiers};
+    use egui_kittest::Harness;
+    use egui_kittest::kittest::Queryable;
+
+    #[test]
+    fn a_dot_that_was_just_reached_keeps_the_keyboard() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        harness.get_by_label("x₁, interior point of the source").focus();
+        harness.run(); // as many frames as are asked for
+        for step in 1..=3 {
+            let [x, _] = harness.state().stats().handles.x1.unwrap();
+            harness.key_press(Key::ArrowRight);
+            harness.run_steps(2);
+            let [u, _] = harness.state().stats().handles.x1.unwrap();
+            assert!((u - x - 10.0).abs() < 0.1, "step {step}: from {x} to {u}");
+        }
+    }
+
+    fn focused<'a>(label: &str) -> Harness<'a, RiemapApp> {
+        let mut harness = ready_app([1200.0, 800.0]);
+        harness.get_by_label(label).focus();
+        harness.run_steps(3);
+        harness
+    }
+
+    #[test]
+    fn arrow_keys_move_a_dot_and_shift_makes_the_step_fine() {
+        let mut harness = focused("x₁, interior point of the source");
+        let [x, y] = harness.state().stats().handles.x1.unwrap();
+        harness.key_press(Key::ArrowRight);
+        harness.run_steps(3);
+        let [u, v] = harness.state().stats().handles.x1.unwrap();
+        assert!((u - x - 10.0).abs() < 0.1 && (v - y).abs() < 0.1, "from {x}, {y} to {u}, {v}");
+        harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowUp);
+        harness.run_steps(3);
+        let [s, t] = harness.state().stats().handles.x1.unwrap();
+        assert!((s - u).abs() < 0.1 && (v - t - 1.0).abs() < 0.1, "from {u}, {v} to {s}, {t}");
+    }
+
+    #[test]
+    fn a_boundary_dot_moves_along_its_boundary_counter_clockwise_and_back() {
+        let mut harness = focused("y₂, boundary point of the target");
+        let at = |harness: &Harness<'_, RiemapApp>| harness.state().session().side(Side::Target).anchor;
+        let start = at(&harness);
+        harness.key_press(Key::ArrowUp);
+        harness.run_steps(3);
+        assert!((at(&harness) - start - 0.01).abs() < 1e-12);
+        harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+        harness.run_steps(3);
+        assert!((at(&harness) - start - 0.009).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_viewport_that_has_the_keyboard_moves_zooms_and_fits() {
+        let mut harness = focused("Picture of the source");
+        let start = harness.state().stats().handles.y1.unwrap();
+        harness.key_press(Key::ArrowLeft);
+        harness.run_steps(3);
+        let moved = harness.state().stats().handles.y1.unwrap();
+        assert!((moved[0] - start[0] - 40.0).abs() < 0.1, "the eye goes left: {start:?}, {moved:?}");
+        let before = harness.state().stats().handles;
+        harness.key_press(Key::Plus);
+        harness.run_steps(3);
+        let after = harness.state().stats().handles;
+        let apart = |(x, y): (Option<[f32; 2]>, Option<[f32; 2]>)| (y.unwrap()[1] - x.unwrap()[1]).abs();
+        let ratio = apart((after.x1, after.y1)) / apart((before.x1, before.y1));
+        assert!((ratio - 1.25).abs() < 0.01, "zoomed by {ratio}");
+        harness.key_press(Key::Num0);
+        harness.run_steps(3);
+        assert_eq!(harness.state().stats().handles.y1.unwrap(), start);
+    }
+}

@@ -1,0 +1,111 @@
+//! How the app is shown: in a frame, on the whole screen, large for a room, in the theme that the address asks for.
+
+use crate::app::input::action::{Action, Actions};
+use crate::app::input::address_options::AddressOptions;
+
+use crate::app::input::preferences::Preferences;
+use crate::language::{Label, Message, key, tr};
+use crate::platform;
+use egui::{Context, Event, Key, Response, Role, Stroke, Ui, WidgetInfo, vec2};
+
+/// How much larger everything is in a presentation, dots and strokes too.
+const PRESENTATION_ZOOM: f32 = 1.5;
+
+/// What the button says.
+pub const FULL_SCREEN_TOOLTIP: Label = key::full_screen_tooltip();
+/// What the menu says.
+pub const PRESENTATION_TOOLTIP: Label = key::presentation_tooltip();
+
+/// Begins as the address asks for, and beyond that as the person has chosen for this device.
+pub fn install(context: &Context, chosen: Preferences, options: &AddressOptions) -> Preferences {
+    options.locks.install(context);
+    if options.present {
+        context.set_zoom_factor(PRESENTATION_ZOOM);
+    }
+    let preferences = chosen.with(options);
+    preferences.apply(context);
+    preferences
+}
+
+/// The first message, and what is wrong with the address.
+pub fn with_user_errors(message: Option<Message>, options: &AddressOptions) -> Option<Message> {
+    let all = message.into_iter().chain(options.user_errors.iter().cloned());
+    Message::joined(all, key::both_sentences)
+}
+
+/// Whether everything is larger.
+pub fn is_large(context: &Context) -> bool {
+    context.zoom_factor() >= PRESENTATION_ZOOM
+}
+
+/// Goes to the presentation's size and back.
+pub fn toggle(context: &Context) {
+    context.set_zoom_factor(if is_large(context) { 1.0 } else { PRESENTATION_ZOOM });
+}
+
+/// F is for the whole screen, unless a control has the keyboard.
+pub fn keys(ui: &Ui, actions: &mut Actions) {
+    let is_f = |event: &Event| {
+        let Event::Key { key, pressed, repeat, modifiers, .. } = event else { return false };
+        *key == Key::F && *pressed && !*repeat && !modifiers.any()
+    };
+    let free = ui.memory(|memory| memory.focused().is_none());
+    if free && platform::has_full_screen() && ui.input(|input| input.events.iter().any(is_f)) {
+        actions.push(Action::ToggleFullScreen);
+    }
+}
+
+/// Four corners; nothing where the system has no full screen.
+pub fn full_screen_button(ui: &mut Ui, size: egui::Vec2, ink: egui::Color32) -> Option<Response> {
+    if !platform::has_full_screen() {
+        return None;
+    }
+    let response = ui.add(egui::Button::new("").min_size(size)).on_hover_text(tr(FULL_SCREEN_TOOLTIP));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr(key::full_screen())));
+    let (half, arm, stroke) = (5.5, 3.5, Stroke::new(1.5, ink));
+    for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+        let corner = response.rect.center() + half * vec2(x, y);
+        ui.painter().line(vec![corner - vec2(arm * x, 0.0), corner, corner - vec2(0.0, arm * y)], stroke);
+    }
+    Some(response)
+}
+
+/// What to do when nothing can be drawn any more.
+pub fn graphics_lost(reason: &str) -> Message {
+    key::graphics_device_lost(reason)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::input::locks::{Control, Locks};
+
+    #[test]
+    fn the_address_decides_size_theme_and_locks() {
+        let context = Context::default();
+        let options = AddressOptions::parse([("present", ""), ("theme", "light"), ("lock", "view")]);
+        let preferences = install(&context, Preferences::fixed(), &options);
+        assert_eq!(preferences.language, Preferences::fixed().language);
+        context.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
+        assert!(is_large(&context) && context.theme() == egui::Theme::Light);
+        assert!(Locks::of(&context).holds(Control::View) && !Locks::of(&context).holds(Control::Pattern));
+    }
+
+    #[test]
+    fn a_presentation_can_be_left_again() {
+        let context = Context::default();
+        for expected in [true, false] {
+            toggle(&context);
+            context.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
+            assert_eq!(is_large(&context), expected);
+        }
+    }
+
+    #[test]
+    fn troubles_of_the_address_follow_the_first_message() {
+        let options = AddressOptions::parse([("theme", "blue")]);
+        let text = with_user_errors(Some("First.".into()), &options).map(|text| text.english()).unwrap_or_default();
+        assert!(text.starts_with("First. The address says \"theme=blue\""), "{text}");
+        assert_eq!(with_user_errors(None, &AddressOptions::default()), None);
+    }
+}

@@ -1,0 +1,187 @@
+//! The words on the screen that are not beside their control: stages, shapes,
+//! patterns, and the field's own terms, each explained once.
+
+use crate::conformal::{MeshedSurface, PrepareTimings, PreparedSide, Side, Stage};
+use crate::language::{self, Label, key, say, tr};
+use crate::laplace::SolverKind;
+use crate::mesh::FlipReport;
+use crate::model::{Processor, names};
+use crate::outline::Preset;
+use crate::session::{OutlineSpec, SurfaceShape};
+use crate::surface::SurfacePreset;
+use std::borrow::Cow;
+
+/// How far a preparation is when `stage` begins (from 0 to 1), and what is being done.
+pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
+    if let Some(Stage::Table { percent }) = stage {
+        return (0.85 + 0.15 * f32::from(percent) / 100.0, say(&key::harmonic_coordinates(u32::from(percent))).into());
+    }
+    let (share, words) = match stage {
+        None => (0.03, key::waiting_worker()),
+        Some(Stage::Read) => (0.05, key::reading_surface()),
+        Some(Stage::Sample) => (0.1, key::sampling_boundary()),
+        Some(Stage::Mesh) => (0.25, key::triangulating()),
+        Some(Stage::Assemble) => (0.6, key::assembling_laplacian()),
+        Some(Stage::Order) => (0.7, key::ordering()),
+        Some(Stage::Factor | Stage::Table { .. }) => (0.85, key::factoring()),
+    };
+    (share, tr(words).into())
+}
+
+/// Where the Cauchy–Green extension comes from, and how far it is.
+pub fn cauchy_green(processor: Processor, progress: f64) -> String {
+    match processor {
+        Processor::Gpu => String::from(tr(key::cauchy_green_gpu())),
+        Processor::Cpu if progress == 1.0 => String::from(tr(key::cauchy_green_cpu())),
+        Processor::Cpu => say(&key::cauchy_green_cpu_at((100.0 * progress).floor())),
+    }
+}
+
+/// "Source", "Target".
+pub fn side(side: Side) -> &'static str {
+    tr(language::side_heading(side))
+}
+
+/// "source", "target" inside of a sentence.
+pub fn side_within(side: Side) -> &'static str {
+    tr(side.into())
+}
+
+/// A preset's name in a menu.
+pub fn preset(preset: Preset) -> &'static str {
+    tr(language::preset(preset))
+}
+
+/// The name of an outline in a title, which says so if it was reshaped.
+pub fn outline(outline: &OutlineSpec) -> Cow<'_, str> {
+    let name = names::outline(outline);
+    name.strip_suffix(names::EDITED).map_or(said(name).into(), |name| say(&key::edited_name(said(name))).into())
+}
+
+/// A name of a session in the language of the screen, if it is one that riemap gives, or a file's that is the same.
+fn said(name: &str) -> &str {
+    let given = [(names::DRAWN, key::drawn()), (names::PASTED, key::pasted()), (names::TRACED, key::traced())];
+    let presets = Preset::ALL.map(|preset| (names::preset(preset), language::preset(preset)));
+    let own = given.into_iter().chain(presets).find(|(own, _)| *own == name);
+    own.map_or(name, |(_, label)| tr(label))
+}
+
+/// A built-in surface's name in a menu.
+pub fn surface_preset(preset: SurfacePreset) -> &'static str {
+    tr(language::surface_preset(preset))
+}
+
+/// The name of a surface in a title.
+pub fn surface(shape: &SurfaceShape) -> &str {
+    match shape {
+        SurfaceShape::Preset { preset, .. } => surface_preset(*preset),
+        SurfaceShape::File { name } => name,
+    }
+}
+
+/// How large a side's mesh is, and how long that took.
+pub fn sizes(side: &PreparedSide) -> String {
+    let (m, n, ms) = (side.boundary_count(), side.interior_count(), side.timings().total());
+    say(&key::sizes(grouped(m), grouped(n), milliseconds(ms)))
+}
+
+/// What the intrinsic Delaunay flips have done to a surface, and how long the stages took.
+pub fn surface_details(surface: &MeshedSurface, times: PrepareTimings) -> String {
+    let FlipReport { flips, negative_before, negative_after } = surface.flips();
+    let triangles = surface.mesh().triangles.len();
+    let sizes = say(&key::surface_sizes_about(triangles, grouped(triangles)));
+    let flips = say(&key::edges_flipped(flips, grouped(flips), grouped(negative_before), grouped(negative_after)));
+    format!("{sizes}\n\n{flips}\n\n{}", timings(&times))
+}
+
+/// What should be known about a prepared domain that is not quite what was asked for.
+pub fn cautions(side: &PreparedSide, wanted: SolverKind) -> impl Iterator<Item = Label> {
+    let iterative = (side.solver().kind() != wanted).then_some(key::solved_iteratively());
+    let is_coarse = side.domain().is_some_and(|domain| !domain.refinement().complete);
+    iterative.into_iter().chain(is_coarse.then_some(key::mesh_is_coarser()))
+}
+
+/// The preparation's stages with their times, a line each.
+pub fn timings(timings: &PrepareTimings) -> String {
+    let rows = [
+        (key::stage_sample(), timings.sample),
+        (key::stage_mesh(), timings.mesh),
+        (key::stage_assemble(), timings.assemble),
+        (key::stage_order(), timings.order),
+        (key::factor(), timings.factor),
+        (key::stage_table(), timings.table),
+    ];
+    rows.iter().map(|(name, ms)| format!("{}: {ms:.1} ms", tr(*name))).collect::<Vec<_>>().join("\n")
+}
+
+/// Said while the full map is not there.
+pub const PENDING: Label = key::pending();
+/// The same at length.
+pub const PENDING_TOOLTIP: Label = key::pending_tooltip();
+
+/// m and n.
+pub const SIZE_TOOLTIP: Label = key::size_tooltip();
+/// Q̄.
+pub const QUALITY_TOOLTIP: Label = key::quality_tooltip();
+/// Flipped triangles.
+pub const FLIPPED_TOOLTIP: Label = key::flipped_tooltip();
+/// The frame's time.
+pub const FRAME_TOOLTIP: Label = key::frame_tooltip();
+
+/// A number with thin spaces between groups of three digits.
+pub fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) {
+            text.push('\u{2009}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// Milliseconds with as many digits as are worth reading.
+pub fn milliseconds(ms: f64) -> String {
+    if ms < 9.95 { format!("{ms:.1}\u{2009}ms") } else { format!("{ms:.0}\u{2009}ms") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(name: &str) -> OutlineSpec {
+        OutlineSpec::Points { name: name.into(), polygon: Preset::Square.outline().polygon }
+    }
+
+    #[test]
+    fn a_reshaped_outline_says_so_once_in_the_language_of_the_screen() {
+        let once = named(&names::edited(&OutlineSpec::Preset(Preset::VShape)));
+        let twice = named(&names::edited(&once));
+        assert_eq!(once, twice);
+        assert_eq!(outline(&twice), "V-shape (edited)");
+        assert_eq!(outline(&named("V")), "V");
+        crate::language::set(crate::language::Language::German);
+        assert_eq!(outline(&named("V*")), "V (bearbeitet)");
+        assert_eq!(outline(&twice), "V-Form (bearbeitet)", "it was named in English");
+        assert_eq!(outline(&named(&names::edited(&OutlineSpec::Preset(Preset::VShape)))), "V-Form (bearbeitet)");
+        assert_eq!(
+            [names::DRAWN, "my drawing"].map(|name| outline(&named(name)).into_owned()),
+            ["Zeichnung", "my drawing"]
+        );
+    }
+
+    #[test]
+    fn large_numbers_are_grouped_by_three() {
+        assert_eq!(grouped(7), "7");
+        assert_eq!(grouped(700), "700");
+        assert_eq!(grouped(3912), "3\u{2009}912");
+        assert_eq!(grouped(1_234_567), "1\u{2009}234\u{2009}567");
+    }
+
+    #[test]
+    fn short_times_keep_a_digit_after_the_point() {
+        assert_eq!(milliseconds(0.64), "0.6\u{2009}ms");
+        assert_eq!(milliseconds(12.4), "12\u{2009}ms");
+    }
+}

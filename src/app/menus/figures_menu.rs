@@ -1,0 +1,105 @@
+//! The menu of the paper's figures and tables, and the same as a window where there is no room for the menu's button.
+
+use crate::app::input::action::{Action, Actions, Report};
+use crate::app::theme::Palette;
+use crate::app::theme::text_metrics::{BELOW_BAR, menu_label, scroll_beyond};
+use crate::app::theme::widgets::chevron;
+use crate::conformal::Side;
+use crate::figures::{Detail, Figure, Scene};
+use crate::language::{self, key, say, tr};
+use crate::session::{Command, Session, SurfaceShape};
+use egui::containers::menu::MenuButton;
+use egui::{RichText, Role, Ui, WidgetInfo};
+use std::sync::LazyLock;
+
+/// The four ways of Figure 8 fit into one row of the menu, the low resolution above the high one.
+const SCENES_IN_A_ROW: usize = 4;
+
+/// How wide the list is where there is room.
+pub const WIDTH: f32 = 620.0;
+/// What of the screen's width is left and right of the menu.
+const MARGINS: f32 = 40.0;
+/// The button of the tables below it.
+const TABLES: f32 = 60.0;
+
+/// The figures with their scenes, made once: each scene is a whole session.
+static FIGURES: LazyLock<Vec<(Figure, Vec<Scene>)>> =
+    LazyLock::new(|| Figure::ALL.map(|figure| (figure, figure.scenes(Detail::Paper))).into());
+
+/// A button that opens the menu.
+pub fn menu_button(ui: &mut Ui, actions: &mut Actions) {
+    let (response, _) = MenuButton::from_button(egui::Button::new(menu_label(tr(key::figures())))).ui(ui, |ui| {
+        ui.set_width(WIDTH.min(ui.ctx().content_rect().width() - MARGINS));
+        list(ui, BELOW_BAR, actions);
+    });
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr(key::figures())));
+    chevron(ui, response.rect, false);
+}
+
+/// The figures and, below them, the tables; `besides` is what else of the screen's height is taken.
+pub fn list(ui: &mut Ui, besides: f32, actions: &mut Actions) {
+    scroll_beyond(ui, besides + TABLES, |ui| {
+        for (figure, scenes) in FIGURES.iter() {
+            entry(ui, *figure, scenes, actions);
+        }
+    });
+    ui.separator();
+    let bench = egui::Button::new(tr(key::tables_tooltip())).wrap();
+    if ui.add(bench).on_hover_text(tr(key::takes_a_minute())).clicked() {
+        actions.push(Action::OpenReport(Report::Bench));
+        ui.close();
+    }
+}
+
+fn entry(ui: &mut Ui, figure: Figure, scenes: &[Scene], actions: &mut Actions) {
+    let title = say(&key::figure_title(figure.number(), tr(language::title(figure))));
+    let tooltip =
+        language::choices(figure).iter().map(|choice| format!("• {}", tr(*choice))).collect::<Vec<_>>().join("\n");
+    if figure == Figure::Convergence {
+        if ui.add(egui::Button::new(title).wrap()).on_hover_text(tooltip).clicked() {
+            actions.push(Action::OpenReport(Report::Convergence));
+            ui.close();
+        }
+        return;
+    }
+    ui.label(RichText::new(title).color(Palette::of(ui.visuals()).weak)).on_hover_text(tooltip);
+    for row in scenes.chunks(SCENES_IN_A_ROW) {
+        ui.horizontal_wrapped(|ui| {
+            for scene in row {
+                scene_button(ui, figure, scene, actions);
+            }
+        });
+    }
+    ui.add_space(4.0);
+}
+
+fn scene_button(ui: &mut Ui, figure: Figure, scene: &Scene, actions: &mut Actions) {
+    let palette = Palette::of(ui.visuals());
+    let button =
+        egui::Button::new(RichText::new(say(&scene.label.into())).small().color(palette.text)).fill(palette.control);
+    if ui.add(button).on_hover_text(resolution(&scene.session)).clicked() {
+        actions.push(Action::Session(Command::Open(Box::new(with_plots(figure, scene.session.clone())))));
+        ui.close();
+    }
+}
+
+/// These figures are plots.
+fn with_plots(figure: Figure, session: Session) -> Session {
+    let plots = matches!(figure, Figure::DiskKernel | Figure::Moebius | Figure::Crowding);
+    session.and([Command::SetPlots(plots)])
+}
+
+fn resolution(session: &Session) -> String {
+    let count = |sampling| match sampling {
+        crate::outline::Sampling::Uniform { count, .. } => count.to_string(),
+        crate::outline::Sampling::Adaptive { target } => {
+            target.map_or_else(|| tr(key::as_needed()).into(), |m| m.to_string())
+        }
+    };
+    let [a, b] = Side::BOTH.map(|side| count(session.domain(side).settings.sampling));
+    match session.surface(Side::Target).map(|surface| &surface.spec.shape) {
+        Some(SurfaceShape::Preset { boundary, .. }) => say(&key::figure_samples_of_surface(a, *boundary)),
+        Some(SurfaceShape::File { name }) => say(&key::figure_samples_of_surface_file(a, name)),
+        None => say(&key::figure_samples(a, b)),
+    }
+}

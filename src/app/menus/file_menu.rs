@@ -1,0 +1,99 @@
+//! The menu of the session: new, open, save, link, undo, redo.
+
+use crate::app::input::action::{Action, Actions};
+use crate::app::input::locks::menu_entry;
+use crate::app::input::presentation;
+use crate::app::theme::FINGER_HEIGHT;
+use crate::app::theme::text_metrics::{BELOW_BAR, menu_label, scroll_beyond};
+use crate::app::theme::widgets::chevron;
+use crate::language::{Label, key, tr};
+use crate::model::persistence::Keeper;
+use crate::platform;
+use egui::containers::menu::MenuButton;
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
+
+const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
+const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+const REDO_TOO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Y);
+const SAVE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::S);
+
+const FULL_SCREEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F);
+const EXPORT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::E);
+
+const LINK_TOOLTIP: Label = key::link_tooltip();
+
+const EXPORT_TOOLTIP: Label = key::export_tooltip();
+
+/// A button that opens the menu.
+pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
+    let (response, _) = MenuButton::from_button(egui::Button::new(menu_label(tr(key::file())))).ui(ui, |ui| {
+        ui.set_width(190.0);
+        scroll_beyond(ui, BELOW_BAR, |ui| content(ui, keeper, actions));
+    });
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr(key::file())));
+    chevron(ui, response.rect, false);
+}
+
+fn content(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
+    for (entry, enabled, action) in entries(keeper, ui.ctx()) {
+        let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
+        let button =
+            egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, FINGER_HEIGHT));
+        if menu_entry(ui, enabled, button, entry.tooltip, &action) {
+            actions.push(action);
+            ui.close();
+        }
+    }
+}
+
+struct Entry {
+    label: Label,
+    tooltip: Label,
+    shortcut: Option<KeyboardShortcut>,
+}
+
+fn entries(keeper: &Keeper, context: &Context) -> Vec<(Entry, bool, Action)> {
+    let entry = |label, tooltip, shortcut| Entry { label, tooltip, shortcut };
+    let history = keeper.history();
+    let mut entries = vec![
+        (entry(key::undo(), key::undo_tooltip(), Some(UNDO)), history.can_undo(), Action::Undo),
+        (entry(key::redo(), key::redo_tooltip(), Some(REDO)), history.can_redo(), Action::Redo),
+        (entry(key::new_session(), key::new_session_tooltip(), None), true, Action::New),
+        (entry(key::open(), key::open_session_tooltip(), None), true, Action::OpenSession),
+        (entry(key::save_session(), key::save_session_tooltip(), Some(SAVE)), true, Action::SaveSession),
+        (entry(key::copy_link(), LINK_TOOLTIP, None), true, Action::CopyLink),
+        (entry(key::open_export(), EXPORT_TOOLTIP, Some(EXPORT)), true, Action::OpenExport),
+    ];
+    if platform::has_full_screen() {
+        let full = entry(key::full_screen(), presentation::FULL_SCREEN_TOOLTIP, Some(FULL_SCREEN));
+        entries.push((full, true, Action::ToggleFullScreen));
+    }
+    let size = if presentation::is_large(context) { key::desk_size() } else { key::presentation_size() };
+    entries.push((entry(size, presentation::PRESENTATION_TOOLTIP, None), true, Action::TogglePresentation));
+    entries
+}
+
+/// Turns the menu's keys into actions, unless a text is being written.
+pub fn keys(ui: &Ui, actions: &mut Actions) {
+    if ui.ctx().text_edit_focused() {
+        return;
+    }
+    ui.input_mut(|input| {
+        // the longer shortcut first: the shorter one would match it too
+        for (shortcut, action) in [
+            (REDO, Action::Redo),
+            (UNDO, Action::Undo),
+            (REDO_TOO, Action::Redo),
+            (SAVE, Action::SaveSession),
+            (EXPORT, Action::OpenExport),
+        ] {
+            if input.consume_shortcut(&shortcut) {
+                actions.push(action);
+            }
+        }
+        // a browser's own reaction to the keys is kept out
+        let is_ours =
+            |event: &Event| matches!(event, Event::Key { key: Key::S | Key::E, modifiers, .. } if modifiers.command);
+        input.events.retain(|event| !is_ours(event));
+    });
+}

@@ -1,0 +1,6 @@
+//! The bar at the top and its menus.
+
+pub mod figures_menu;
+pub mod file_menu;
+pub mod help_menu;
+pub mod top_bar;

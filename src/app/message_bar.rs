@@ -1,0 +1,100 @@
+//! What is said about both sides: a message or an offer below the pictures, which make room for it, so that it covers
+//! nothing; and a notice over them, which goes by itself.
+
+use crate::app::RiemapApp;
+use crate::app::input::action::{Action, Actions};
+use crate::app::panels::offer;
+use crate::app::theme::Palette;
+use crate::app::theme::widgets::{message_box, notice_box};
+use crate::language::Message;
+use egui::{Context, Frame, Margin, Panel, Rect, Ui, UiBuilder, pos2, vec2};
+
+/// The width of a line that is easy to read.
+const WIDEST: f32 = 720.0;
+/// How much of the height that is left for the pictures all of it takes at most: in a frame of 320 points the pictures
+/// keep 175, on a phone five lines are read at once.
+const MOST_SHARE: f32 = 0.4;
+/// The height that it leaves them if it can, and more for one that is edited.
+const LEAST_PICTURES: f32 = 150.0;
+const LEAST_EDITED: f32 = 230.0;
+/// The size of a notice, and how far its upper edge lies above the pictures' lower one.
+const NOTICE: [f32; 2] = [140.0, 34.0];
+const NOTICE_ABOVE: f32 = 64.0;
+
+/// The height of the offer, and of the frame around all of it.
+const OFFER: f32 = 46.0;
+const FRAME: f32 = 12.0;
+
+/// What is shown in this frame. It does not come or grow while the pointer holds something, for the pictures shrink.
+#[derive(Debug, Default)]
+pub struct MessageBar {
+    message: Option<Message>,
+    has_offer: bool,
+}
+
+impl MessageBar {
+    /// Whether a message is shown.
+    pub fn has_message(&self) -> bool {
+        self.message.is_some()
+    }
+
+    fn take_in(&mut self, message: Option<&Message>, has_offer: bool, held: bool) {
+        if !held || message.is_none() {
+            self.message = message.cloned();
+        }
+        self.has_offer = has_offer && (self.has_offer || !held);
+    }
+}
+
+/// Decides what this frame shows of message and offer.
+pub fn begin(app: &mut RiemapApp, ui: &Ui) {
+    offer::expire(ui, &mut app.offer);
+    let held = ui.input(|input| input.pointer.any_down());
+    app.message_bar.take_in(app.message.as_ref(), app.offer.is_some(), held);
+}
+
+/// Asks for another frame if there is more to show by now; where something is held, its release does.
+pub fn end(app: &RiemapApp, context: &Context) {
+    let has_changed = app.message_bar.message != app.message || app.message_bar.has_offer != app.offer.is_some();
+    if has_changed && !context.input(|input| input.pointer.any_down()) {
+        context.request_repaint();
+    }
+}
+
+/// Shows what was decided.
+pub fn show(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
+    let MessageBar { message, has_offer } = &app.message_bar;
+    if message.is_none() && !has_offer {
+        return;
+    }
+    let palette = Palette::of(ui.visuals());
+    let frame = Frame::new().fill(palette.panel).inner_margin(Margin::symmetric(10, 6));
+    let (free, least) =
+        (ui.available_height(), if app.editor.side().is_some() { LEAST_EDITED } else { LEAST_PICTURES });
+    let besides = FRAME + if *has_offer { OFFER } else { 0.0 };
+    let most = (MOST_SHARE * free).min(free - least) - besides;
+    Panel::bottom("message").resizable(false).frame(frame).show(ui, |ui| {
+        ui.take_available_width();
+        ui.set_max_width(ui.available_width().min(WIDEST));
+        if message.as_ref().and_then(|message| message_box(ui, message, None, most)).is_some() {
+            actions.push(Action::DismissMessage);
+        }
+        if *has_offer {
+            offer::show(ui, actions);
+        }
+    });
+}
+
+/// Shows what has gone well over the middle of the pictures, for a while.
+pub fn notice(app: &RiemapApp, ui: &mut Ui) {
+    let Some((text, until)) = app.notice else { return };
+    let left = until - ui.input(|input| input.time);
+    if left <= 0.0 {
+        return;
+    }
+    ui.ctx().request_repaint_after_secs(left as f32);
+    let (area, size) = (ui.max_rect(), vec2(NOTICE[0], NOTICE[1]));
+    let place = pos2(area.center().x - 0.5 * size.x, area.bottom() - NOTICE_ABOVE);
+    let place = Rect::from_min_size(place, size);
+    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| notice_box(ui, text));
+}

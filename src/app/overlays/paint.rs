@@ -1,0 +1,230 @@
+//! What teaches, painted over a viewport's mesh: ticks on the outline, walks, bars along the boundary.
+
+use crate::app::plots::Plots;
+use crate::app::theme::Palette;
+use crate::app::viewport::view::View;
+use crate::conformal::Side;
+use crate::language::{key, say, tr};
+use crate::model::Model;
+use crate::model::overlays::disk_comparison::{Found, ThroughDisk};
+use crate::model::overlays::overlay::Origin;
+use crate::model::overlays::walks::{Bar, Walks};
+use crate::outline::BoundarySamples;
+use crate::session::DiskWay;
+use egui::{Color32, CornerRadius, FontId, Painter, Pos2, Rect, Stroke, Ui, Vec2, vec2};
+
+/// The length of a tick on either side of the outline, in points.
+const TICK: f32 = 11.0;
+/// The height of the bar of the largest harmonic measure, in points.
+const BAR: f32 = 30.0;
+/// The highest bar: of few hits, one piece of the boundary may have many times its share.
+const HIGHEST_BAR: f32 = 1.5 * BAR;
+
+/// What a tick grows by with every further point in its place, up to a height; from some number on it is written beside it.
+const HEAP_STEP: f32 = 1.4;
+const HIGHEST_HEAP: f32 = 70.0;
+const COUNTED_HEAP: usize = 5;
+/// Nearer than this part of the length, points are in one place: a pixel of an outline of 2000.
+const SAME_PLACE: f64 = 5e-4;
+
+/// The lesser side of a viewport in which everything has its full size, and how small it gets in smaller ones.
+const FULL_SIZE: f32 = 440.0;
+const SMALLEST: f32 = 0.45;
+
+/// From the outline's middle to where ticks and bars begin.
+const CLEARANCE: f32 = 2.0;
+/// The ticks inside.
+const INWARDS: [f32; 2] = [-CLEARANCE, -TICK];
+/// From one way's ticks to those of the next: a tick and its dots, and a gap.
+const LANE: f32 = TICK + 9.0;
+
+/// Paints it; nothing over a coarse map, whose like it does not show, nor beside a surface.
+pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
+    if model.is_draft() || !model.is_planar() {
+        return;
+    }
+    let Some(domain) = model.map().and_then(|map| map.domain(side)) else { return };
+    let size = (view.rect.size().min_elem() / FULL_SIZE).clamp(SMALLEST, 1.0);
+    let outline = Outline { samples: domain.samples(), view, size };
+    let painter = ui.painter_at(view.rect);
+    let dark = ui.visuals().dark_mode;
+    let teaching = model.teaching();
+    if side == Side::Source {
+        walks(&painter, &outline, &teaching.walks, dark, Palette::of(ui.visuals()).text);
+    }
+    let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
+    if is_mapped {
+        steps(&painter, &outline, &teaching.through_disk, dark);
+    } else {
+        comparisons(&painter, &outline, &teaching.through_disk, dark);
+    }
+}
+
+/// What the ticks and bars of a side mean.
+pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static str)> {
+    let teaching = model.teaching();
+    let mut entries = Vec::new();
+    if !model.is_planar() {
+        return entries; // both are of plane outlines
+    }
+    let ways: Vec<DiskWay> = teaching.through_disk.all_found().map(|(way, _)| way).collect();
+    if !ways.is_empty() {
+        let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
+        let direct = if is_mapped { key::sixty_equal_steps() } else { key::their_images() };
+        entries.push((Plots::map_ink(dark), tr(direct)));
+        if !is_mapped {
+            let entry = |way| (Plots::overlay_ink(Origin::Disk(way), dark), tr(Origin::Disk(way).short_name()));
+            entries.extend(ways.into_iter().map(entry));
+        }
+    }
+    if side == Side::Source && teaching.walks.count() > 0 {
+        entries.push((Plots::overlay_ink(Origin::Walks, dark), tr(Origin::Walks.short_name())));
+    }
+    entries
+}
+
+/// A side's boundary on the screen.
+struct Outline<'a> {
+    samples: &'a BoundarySamples,
+    view: &'a View,
+    /// Of what is drawn along it: 1, and less in a small viewport.
+    size: f32,
+}
+
+impl Outline<'_> {
+    /// The place at a fraction of arc length, and the direction out of the domain there.
+    fn at(&self, fraction: f64) -> (Pos2, Vec2) {
+        let point = self.samples.at_fraction(fraction);
+        let edge = point.edge as usize;
+        let [a, b] = [edge, (edge + 1) % self.samples.len()].map(|k| self.samples.points[k]);
+        let along = (b - a).normalize_or_zero();
+        // Counter-clockwise, the outside is on the right; on the screen y points down.
+        let out = Vec2::new(along.y as f32, along.x as f32);
+        (self.view.to_screen(self.samples.position(point)), out)
+    }
+
+    /// A line from `from` to `to` points outside the outline, in a viewport of full size.
+    fn spoke(&self, painter: &Painter, fraction: f64, [from, to]: [f32; 2], mut stroke: Stroke) {
+        let (place, out) = self.at(fraction);
+        stroke.width *= self.size;
+        painter.line_segment([place + from * self.size * out, place + to * self.size * out], stroke);
+    }
+}
+
+/// Ticks inwards: equal steps of ω on the mapped side.
+fn steps(painter: &Painter, outline: &Outline, disk: &ThroughDisk, dark: bool) {
+    let Some((_, found)) = disk.all_found().next() else { return };
+    for mark in &found.marks {
+        outline.spoke(painter, mark.from, INWARDS, Stroke::new(2.0, Plots::map_ink(dark)));
+    }
+}
+
+/// Ticks inwards: the images of these steps; outwards, in a lane for each way, their images through the disk.
+fn comparisons(painter: &Painter, outline: &Outline, disk: &ThroughDisk, dark: bool) {
+    let lanes = disk.all_found().count();
+    for (lane, (way, found)) in disk.all_found().enumerate() {
+        let ink = Plots::overlay_ink(Origin::Disk(way), dark);
+        let highest = if lane + 1 < lanes { LANE - 2.0 * CLEARANCE } else { HIGHEST_HEAP };
+        images(painter, outline, found, Lane { ink, base: LANE * lane as f32, highest });
+    }
+    let Some((_, found)) = disk.all_found().next() else { return };
+    for mark in &found.marks {
+        outline.spoke(painter, mark.direct, INWARDS, Stroke::new(2.0, Plots::map_ink(dark)));
+    }
+}
+
+/// Where a way's ticks are drawn.
+#[derive(Clone, Copy)]
+struct Lane {
+    ink: Color32,
+    /// From where it begins, in points outside the outline.
+    base: f32,
+    highest: f32,
+}
+
+fn images(painter: &Painter, outline: &Outline, found: &Found, Lane { ink, base, highest }: Lane) {
+    for &image in &found.images {
+        let (place, out) = outline.at(image);
+        let center = place + outline.size * (base + TICK + 3.5) * out;
+        painter.circle_filled(center, 1.3 * outline.size, ink.gamma_multiply(0.5));
+    }
+    for (fraction, count) in heaps(found) {
+        let height = (TICK + HEAP_STEP * (count - 1) as f32).min(highest);
+        outline.spoke(painter, fraction, [base + CLEARANCE, base + height], Stroke::new(2.0, ink));
+        if count >= COUNTED_HEAP {
+            let (place, out) = outline.at(fraction);
+            let text = say(&key::of(count, found.marks.len()));
+            label(painter, place + (outline.size * (base + height) + 14.0) * out, &text, ink);
+        }
+    }
+}
+
+/// A text on a ground of its own, within the viewport.
+fn label(painter: &Painter, center: Pos2, text: &str, ink: Color32) {
+    let galley = painter.layout_no_wrap(text.into(), FontId::proportional(12.0), Color32::WHITE);
+    let room = painter.clip_rect().shrink2(0.5 * galley.size() + vec2(10.0, 8.0));
+    let place = Rect::from_center_size(center.clamp(room.min, room.max), galley.size());
+    painter.rect_filled(place.expand2(vec2(5.0, 2.0)), CornerRadius::same(5), ink.lerp_to_gamma(Color32::BLACK, 0.45));
+    painter.galley(place.min, galley, Color32::WHITE);
+}
+
+/// The marks' images through the disk, those together that can't be told apart on the screen: place and count.
+fn heaps(found: &Found) -> Vec<(f64, usize)> {
+    let mut places: Vec<f64> = found.marks.iter().map(|mark| mark.through_disk).collect();
+    places.sort_by(f64::total_cmp);
+    places.chunk_by(|a, b| b - a < SAME_PLACE).map(|heap| (heap[heap.len() / 2], heap.len())).collect()
+}
+
+fn walks(painter: &Painter, outline: &Outline, walks: &Walks, dark: bool, text: Color32) {
+    let ink = Plots::overlay_ink(Origin::Walks, dark);
+    bars(painter, outline, &walks.bars(), ink, text);
+    let recent = walks.recent();
+    let count = recent.len();
+    for (k, hit) in recent.enumerate() {
+        let place = outline.view.to_screen(hit);
+        // the older the fainter
+        let strength = 0.15 + 0.75 * (k + 1) as f32 / count as f32;
+        painter.circle_filled(place, 2.2 * outline.size, ink.gamma_multiply(strength));
+    }
+    path(painter, outline, walks, ink, text);
+}
+
+/// A bar for the hits of each bin, and a cap where the harmonic measure says that it will end.
+fn bars(painter: &Painter, outline: &Outline, bars: &[Bar], ink: Color32, text: Color32) {
+    for bar in bars {
+        let height = (BAR * bar.hits as f32).min(HIGHEST_BAR);
+        if height > 0.5 {
+            outline.spoke(painter, bar.at, [CLEARANCE, CLEARANCE + height], Stroke::new(4.0, ink.gamma_multiply(0.8)));
+        }
+    }
+    for bar in bars.iter().filter(|bar| f64::from(BAR) * bar.expected > 1.0) {
+        let (place, out) = outline.at(bar.at);
+        let (middle, half) =
+            (place + outline.size * (CLEARANCE + BAR * bar.expected as f32) * out, 3.5 * outline.size * out.rot90());
+        painter.line_segment([middle - half, middle + half], Stroke::new(1.5 * outline.size, text));
+    }
+}
+
+fn path(painter: &Painter, outline: &Outline, walks: &Walks, ink: Color32, text: Color32) {
+    let (circles, hit) = walks.path();
+    let view = outline.view;
+    for circle in circles {
+        let place = view.to_screen(circle.centre);
+        let edge = view.to_screen(circle.centre + glam::DVec2::new(circle.radius, 0.0));
+        let radius = place.distance(edge);
+        // light and dark: seen on every cell of a pattern
+        painter.circle_stroke(place, radius, Stroke::new(2.5, Color32::from_black_alpha(60)));
+        painter.circle_stroke(place, radius, Stroke::new(1.0, text.gamma_multiply(0.5)));
+    }
+    let mut places: Vec<Pos2> = circles.iter().map(|circle| view.to_screen(circle.centre)).collect();
+    places.extend(hit.map(|hit| view.to_screen(hit)));
+    for pair in places.windows(2) {
+        painter.line_segment([pair[0], pair[1]], Stroke::new(4.0, Color32::from_black_alpha(120)));
+    }
+    for pair in places.windows(2) {
+        painter.line_segment([pair[0], pair[1]], Stroke::new(2.0, ink));
+    }
+    for place in &places[1.min(places.len())..] {
+        painter.circle_filled(*place, 2.5, ink);
+    }
+}

@@ -1,0 +1,276 @@
+//! What lies over a viewport's upper edge: title, sizes, buttons, messages; and its legend below.
+
+use crate::app::input::action::{Action, Actions, EditAction};
+use crate::app::input::locks::{Control, Locks, REFUSAL, guarded, menu_entry};
+use crate::app::language::words;
+use crate::app::panels::shapes;
+use crate::app::theme::text_metrics::{button_width, menu_label, text_width};
+use crate::app::theme::widgets::{MessageAnswer, message_box};
+use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette, widgets};
+use crate::app::viewport::view::View;
+use crate::app::{overlays, theme};
+use crate::conformal::Side;
+use crate::language::{Label as Words, Message, key, say, tr};
+use crate::model::Model;
+use crate::model::side::user_error::QuickFix;
+use crate::session::Command;
+use egui::{Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Shape, Ui, UiBuilder, vec2};
+
+/// What folds the panels.
+pub const PANELS_TOOLTIP: Words = key::panels_tooltip();
+/// What keeps a surface and an outline from being exchanged.
+const SWAP_REFUSED: Words = key::swap_refused();
+
+/// What the dialog takes.
+pub fn open_tooltip(side: Side) -> Words {
+    match side {
+        Side::Source => key::open_outline_tooltip(),
+        Side::Target => key::open_shape_tooltip(),
+    }
+}
+
+/// What else is on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Surroundings {
+    /// The ways to another outline fit beside the title; the bar along the top has them too.
+    pub has_room: bool,
+    /// The side whose outline is being edited.
+    pub edited: Option<Side>,
+    /// The panels are folded away: here is the way back for those without a Tab key.
+    pub folded: bool,
+    /// In another page, which wants the pictures alone.
+    pub embedded: bool,
+}
+
+/// Whether all buttons fit beside the title of a viewport of this width; the same for both sides.
+pub fn has_room(ui: &Ui, width: f32) -> bool {
+    let buttons: f32 =
+        [key::fit(), key::edit(), key::open(), key::swap()].map(|label| button_width(ui, tr(label))).iter().sum();
+    width >= TITLE_WIDTH + buttons + button_width(ui, &menu_label(tr(key::shapes())))
+}
+
+/// The height of the title and the line below it, in points; the buttons stand beside them.
+const TITLE_HEIGHT: f32 = 36.0;
+
+/// What the title has beside the buttons, at least, where all of them are shown; and where some are.
+const TITLE_WIDTH: f32 = 190.0;
+const LEAST_TITLE: f32 = 90.0;
+/// Between the title and the buttons.
+const BESIDE_TITLE: f32 = 6.0;
+
+/// From a viewport's edges to its title, buttons and messages.
+const INSET: [f32; 2] = [14.0, 10.0];
+
+/// Shows the title line and the buttons of a viewport; returns how far down they reach.
+pub fn show(
+    ui: &mut Ui,
+    side: Side,
+    model: &Model,
+    rect: Rect,
+    is_fitted: bool,
+    around: Surroundings,
+    actions: &mut Actions,
+) -> f32 {
+    let area = rect.shrink2(INSET.into());
+    let shown = ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
+        let line = vec2(ui.available_width(), theme::control_height(ui, TITLE_HEIGHT));
+        ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {
+            if !around.embedded {
+                widgets::opaque(ui, |ui| buttons(ui, side, model, is_fitted, around, actions));
+                ui.add_space(BESIDE_TITLE);
+            }
+            ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                over_the_mesh(ui, |ui| title(ui, side, model));
+            });
+        });
+    });
+    shown.response.rect.bottom()
+}
+
+fn title(ui: &mut Ui, side: Side, model: &Model) {
+    let line = |ui: &mut Ui, text: &str, explained: &str| {
+        let weak = Palette::of(ui.visuals()).weak;
+        ui.add(Label::new(RichText::new(text).small().color(weak)).truncate()).on_hover_text(explained);
+    };
+    let palette = Palette::of(ui.visuals());
+    let surface = model.surface(side);
+    let name = match surface {
+        Some((_, state)) => format!("{} · {}", tr(key::surface()), words::surface(&state.spec.shape)),
+        None => format!("{} · {}", words::side(side), words::outline(&model.session().domain(side).outline)),
+    };
+    ui.add(Label::new(RichText::new(name).font(theme::bold(14.0)).color(palette.text)).truncate());
+    let notes: Vec<Message> = if let Some((surface, _)) = surface {
+        let (Some(prepared), Some(surface)) = (surface.prepared(), surface.surface()) else { return };
+        line(ui, &words::sizes(prepared), &words::surface_details(surface, prepared.timings()));
+        model.surface_notes(side)
+    } else {
+        let Some(prepared) = model.prepared(side) else { return };
+        let explained = format!("{}\n\n{}", tr(words::SIZE_TOOLTIP), words::timings(&prepared.timings()));
+        line(ui, &words::sizes(prepared), &explained);
+        let wanted = model.session().domain(side).settings.solver;
+        let cautions = words::cautions(prepared, wanted).map(Message::from);
+        model.side(side).notes.iter().map(Message::from).chain(cautions).collect()
+    };
+    for note in &notes {
+        let note = say(note);
+        line(ui, &note, &note);
+    }
+}
+
+fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surroundings, actions: &mut Actions) {
+    ui.spacing_mut().button_padding = vec2(9.0, 4.0);
+    ui.spacing_mut().interact_size.y = theme::control_height(ui, 26.0);
+    let panels = (around.folded && side == Side::Target)
+        .then(|| guarded(ui, Control::Panels, |ui| ui.button(tr(key::panels())).on_hover_text(tr(PANELS_TOOLTIP))));
+    if panels.is_some_and(|button| button.clicked()) {
+        actions.push(Action::TogglePanels);
+    }
+    let all_fit = narrow_row(ui, side) + LEAST_TITLE <= ui.available_width();
+    if all_fit {
+        fit_button(ui, side, is_fitted, actions);
+    }
+    guarded(ui, Control::Outline, |ui| outline_buttons(ui, side, model, around, actions));
+    if !all_fit && !is_fitted {
+        // in the place of the next, so that no other button comes under the finger
+        fit_button(ui, side, is_fitted, actions);
+    } else if side == Side::Target {
+        swap_button(ui, model, actions);
+    }
+}
+
+fn fit_button(ui: &mut Ui, side: Side, is_fitted: bool, actions: &mut Actions) {
+    guarded(ui, Control::View, |ui| {
+        let width = theme::control_height(ui, 0.0); // a short word needs as much of a finger as a long one
+        let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr(key::fit())).min_size(vec2(width, 0.0)));
+        if fit.on_hover_text(tr(key::fit_tooltip())).clicked() {
+            actions.push(Action::Fit(side));
+        }
+    });
+}
+
+/// How wide the buttons are that a narrow picture has.
+fn narrow_row(ui: &Ui, side: Side) -> f32 {
+    let labels: &[Words] =
+        if side == Side::Target { &[key::fit(), key::edit(), key::swap()] } else { &[key::fit(), key::edit()] };
+    let least = theme::control_height(ui, 0.0) + ui.spacing().item_spacing.x;
+    labels.iter().map(|label| button_width(ui, tr(*label)).max(least)).sum()
+}
+
+fn swap_button(ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    let (planar, swap) = (model.is_planar(), Action::Session(Command::Swap));
+    let is_locked = Locks::of(ui.ctx()).refused(&swap).is_some();
+    let refusal = match (is_locked, planar) {
+        (true, _) => REFUSAL,
+        (false, true) => key::swap_waits(),
+        (false, false) => SWAP_REFUSED,
+    };
+    let button = ui.add_enabled(!is_locked && planar && model.is_ready(), egui::Button::new(tr(key::swap())));
+    if button.on_hover_text(tr(key::swap_tooltip())).on_disabled_hover_text(tr(refusal)).clicked() {
+        actions.push(swap);
+    }
+}
+
+fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings, actions: &mut Actions) {
+    if model.surface(side).is_none() {
+        let edited = around.edited == Some(side);
+        let edit = ui.add(egui::Button::selectable(edited, tr(key::edit())).frame_when_inactive(true));
+        if edit.on_hover_text(tr(key::edit_tooltip())).clicked() {
+            actions.push(Action::Edit(EditAction::Toggle(side)));
+        }
+    }
+    if around.has_room {
+        let open = Action::OpenOutline(side);
+        if menu_entry(ui, true, egui::Button::new(tr(key::open())), open_tooltip(side), &open) {
+            actions.push(open);
+        }
+        shapes::menu_button(ui, tr(key::shapes()), side, model, actions);
+    }
+}
+
+/// Above a message.
+const BETWEEN_MESSAGES: f32 = 4.0;
+
+/// Shows what is wrong on a side; more than its `room` has place for scrolls.
+pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mut Actions) {
+    let user_errors = model.user_errors(side).map(|user_error| (&user_error.text, user_error.quick_fix.as_ref()));
+    let of_map = model.map_error().filter(|(at, _)| *at == side).map(|(_, text)| (text, None));
+    let all: Vec<_> = user_errors.chain(of_map).collect();
+    if all.is_empty() {
+        return;
+    }
+    let area = room.shrink2(vec2(INSET[0], 0.0));
+    ui.scope_builder(UiBuilder::new().max_rect(area).id_salt(("messages", side)), |ui| {
+        let between = BETWEEN_MESSAGES + ui.spacing().item_spacing.y;
+        let most = area.height() / all.len() as f32 - between;
+        ScrollArea::vertical().max_height(area.height()).show(ui, |ui| {
+            for (text, quick_fix) in all {
+                ui.add_space(BETWEEN_MESSAGES);
+                match message_box(ui, text, quick_fix.map(QuickFix::label), most) {
+                    Some(MessageAnswer::Dismiss) => actions.push(Action::Dismiss(side)),
+                    Some(MessageAnswer::QuickFix) => actions.push(Action::QuickFix(side)),
+                    None => {}
+                }
+            }
+        });
+    });
+}
+
+/// How far the words of a legend reach up from a picture's lower edge.
+pub const LEGEND_HEIGHT: f32 = 32.0;
+
+/// What the dots mean, and the dashes; `beside`: the width at the right that something else takes.
+pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) {
+    let low = view.rect.bottom();
+    let place = view.rect.with_min_y(low - LEGEND_HEIGHT + 2.0).with_max_y(low - 8.0).shrink2(vec2(14.0, 0.0));
+    let (interior, boundary) = match side {
+        Side::Source => (key::interior_point_x1(), key::boundary_point_y1()),
+        Side::Target => (key::x2_f_x1(), key::y2_f_y1()),
+    };
+    let dots = [(INTERIOR_COLOUR, tr(interior)), (BOUNDARY_COLOUR, tr(boundary))];
+    let dashes = overlays::paint::legend(side, model, ui.visuals().dark_mode);
+    let all: f32 = dots.iter().chain(&dashes).map(|(_, text)| entry_width(ui, text)).sum();
+    let two_rows = !dashes.is_empty() && all > place.width() - beside;
+    ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
+        over_the_mesh(ui, |ui| {
+            entries(ui, &dots, widgets::dot);
+            if !two_rows {
+                entries(ui, &dashes, widgets::dash);
+            }
+        });
+    });
+    if two_rows {
+        let above = place.translate(vec2(0.0, -place.height()));
+        ui.scope_builder(UiBuilder::new().max_rect(above).layout(Layout::left_to_right(Align::Center)), |ui| {
+            over_the_mesh(ui, |ui| entries(ui, &dashes, widgets::dash));
+        });
+    }
+}
+
+/// Free space after an entry, besides the usual.
+const ENTRY_GAP: f32 = 2.0;
+
+/// What an entry takes of a row.
+fn entry_width(ui: &Ui, text: &str) -> f32 {
+    widgets::SIGN_WIDTH
+        + text_width(ui, text, widgets::caption_font(ui))
+        + ENTRY_GAP
+        + 2.0 * ui.spacing().item_spacing.x
+}
+
+fn entries(ui: &mut Ui, entries: &[(Color32, &str)], sign: impl Fn(&mut Ui, Color32)) {
+    let weak = Palette::of(ui.visuals()).weak;
+    for (colour, text) in entries {
+        sign(ui, *colour);
+        ui.label(RichText::new(*text).small().color(weak));
+        ui.add_space(ENTRY_GAP);
+    }
+}
+
+/// Words stay readable over a mesh that was zoomed under them.
+fn over_the_mesh(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+    let ground = ui.painter().add(Shape::Noop);
+    let rect = ui.scope(content).response.rect;
+    let colour = Palette::of(ui.visuals()).canvas.gamma_multiply(0.82);
+    ui.painter().set(ground, Shape::rect_filled(rect.expand2(vec2(6.0, 3.0)), CornerRadius::same(6), colour));
+}

@@ -1,0 +1,16 @@
+//! The panels: controls beside the pictures, titles and buttons over them.
+//!
+//! | what | file |
+//! |---|---|
+//! | the column of controls | `side_panel`, `method`, `surface_panel`, `play_panel` |
+//! | title, buttons and legend of a picture | `header` |
+//! | the menu of outlines and surfaces | `shapes` |
+//! | the offer to trace a picture | `offer` |
+
+pub mod header;
+pub mod method;
+pub mod offer;
+pub mod play_panel;
+pub mod shapes;
+pub mod side_panel;
+pub mod surface_panel;

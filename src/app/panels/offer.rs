@@ -1,0 +1,71 @@
+//! After a picture has become the texture: the offer to trace an outline of it.
+
+use crate::app::input::action::{Action, Actions};
+use crate::app::input::locks::menu_entry;
+use crate::app::theme::{ROW_HEIGHT, control_height};
+use crate::conformal::Side;
+use crate::language::{key, tr};
+use crate::model::editing::tracing;
+use crate::model::files;
+use crate::model::files::Picture;
+use egui::{Button, Ui, vec2};
+
+/// How long the offer stands, in seconds: a sentence and two buttons are read in five.
+const SECONDS: f64 = 12.0;
+
+/// A picture that can be traced.
+pub struct Offer {
+    side: Side,
+    picture: Picture,
+    /// Since it was first shown, when it ends (seconds).
+    until: Option<f64>,
+}
+
+impl Offer {
+    /// Keeps as much of the picture as is traced.
+    pub fn new(side: Side, picture: &Picture) -> Self {
+        let (width, height) = picture.pixels.dimensions();
+        let pixels = match width.max(height) {
+            0..=tracing::MAX_SIDE => picture.pixels.clone(),
+            largest => {
+                let scaled = |length: u32| (length * tracing::MAX_SIDE / largest).max(1);
+                image::imageops::thumbnail(&picture.pixels, scaled(width), scaled(height))
+            }
+        };
+        Self { side, picture: Picture { name: picture.name.clone(), pixels }, until: None }
+    }
+
+    /// What tracing it gives.
+    pub fn accept(&self) -> Result<files::Content, files::FileError> {
+        files::traced(self.side, &self.picture)
+    }
+}
+
+/// Takes the offer away when it has stood long enough; not while the pointer has something in hand, for the pictures
+/// grow when it goes.
+pub fn expire(ui: &Ui, offer: &mut Option<Offer>) {
+    let Some(standing) = offer else { return };
+    let (now, held) = ui.input(|input| (input.time, input.pointer.any_down()));
+    let left = *standing.until.get_or_insert(now + SECONDS) - now;
+    if left > 0.0 {
+        ui.ctx().request_repaint_after_secs(left as f32);
+    } else if !held {
+        *offer = None;
+    }
+}
+
+/// Shows the offer.
+pub fn show(ui: &mut Ui, actions: &mut Actions) {
+    let height = control_height(ui, ROW_HEIGHT);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(tr(key::picture_texture()));
+        let trace = Button::new(tr(key::trace_outline())).min_size(vec2(0.0, height));
+        let explained = key::trace_picture_tooltip();
+        if menu_entry(ui, true, trace, explained, &Action::TraceImage) {
+            actions.push(Action::TraceImage);
+        }
+        if ui.add(Button::new(tr(key::no())).min_size(vec2(40.0, height))).clicked() {
+            actions.push(Action::DismissOffer);
+        }
+    });
+}

@@ -1,0 +1,174 @@
+//! The menu of built-in outlines and surfaces, each with its picture, and the way to a file.
+
+use crate::app::input::action::{Action, Actions, EditAction};
+use crate::app::input::locks::{Control, guarded_by, menu_entry};
+use crate::app::language::words;
+use crate::app::theme::text_metrics::{menu_label, scroll_beyond};
+use crate::app::theme::widgets::chevron;
+use crate::app::theme::{Palette, ROUNDING};
+use crate::app::viewport::surface::surface_picture;
+use crate::conformal::Side;
+use crate::language::{key, tr};
+use crate::model::editing::Pen;
+use crate::model::{Model, bounds};
+use crate::outline::Preset;
+use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec};
+use crate::surface::SurfacePreset;
+use egui::containers::menu::MenuButton;
+use egui::{
+    Align2, Color32, CornerRadius, Id, Pos2, Rect, Response, RichText, Role, Sense, Shape, Stroke, TextStyle, Ui,
+    WidgetInfo, vec2,
+};
+use std::sync::Arc;
+
+const CELL: egui::Vec2 = vec2(100.0, 84.0);
+const COLUMNS: usize = 4;
+/// What of the screen's height is above the cells, and below them: two or three rows of buttons.
+const BESIDES: f32 = 260.0;
+/// Points of a picture: its 50 points across need no more.
+const PICTURE_POINTS: usize = 160;
+
+/// A button that opens the menu of a side's shapes.
+pub fn menu_button(ui: &mut Ui, label: &str, side: Side, model: &Model, actions: &mut Actions) {
+    let button = egui::Button::new(menu_label(label));
+    let (response, _) = MenuButton::from_button(button).ui(ui, |ui| menu(ui, side, model, actions));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
+    chevron(ui, response.rect, false);
+}
+
+/// What the cells stand for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    Outline(Preset),
+    Surface(SurfacePreset),
+}
+
+impl Shown {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Outline(preset) => words::preset(preset),
+            Self::Surface(preset) => words::surface_preset(preset),
+        }
+    }
+
+    fn command(self, side: Side) -> Command {
+        match self {
+            Self::Outline(preset) => Command::SetOutline { side, outline: OutlineSpec::Preset(preset) },
+            Self::Surface(preset) => Command::SetSurface {
+                side: Side::Target,
+                surface: SurfaceSpec { shape: SurfaceShape::preset(preset), ..SurfaceSpec::default() },
+            },
+        }
+    }
+
+    /// What is on the screen, or on its way there.
+    fn current(side: Side, model: &Model) -> Option<Self> {
+        let surface = model.surface_side(side).preparation.wanted().filter(|_| is_solid(model, side));
+        match (surface, &model.side(side).wanted().outline) {
+            (Some(spec), _) => match &spec.shape {
+                SurfaceShape::Preset { preset, .. } => Some(Self::Surface(*preset)),
+                SurfaceShape::File { .. } => None,
+            },
+            (None, OutlineSpec::Preset(preset)) => Some(Self::Outline(*preset)),
+            (None, OutlineSpec::Points { .. }) => None,
+        }
+    }
+}
+
+fn is_solid(model: &Model, side: Side) -> bool {
+    model.surface(side).is_some() || model.surface_side(side).preparation.is_busy()
+}
+
+fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
+    let columns = if ui.ctx().content_rect().width() < crate::app::PHONE_WIDTH { 3 } else { COLUMNS };
+    let current = Shown::current(side, model);
+    ui.set_width(columns as f32 * (CELL.x + 4.0));
+    ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+    let all = |ui: &mut Ui| {
+        cells(ui, &Preset::ALL.map(Shown::Outline), columns, side, current, actions);
+        if side == Side::Target {
+            ui.separator();
+            let palette = Palette::of(ui.visuals());
+            ui.label(RichText::new(tr(key::surfaces_mapped_source())).small().color(palette.weak));
+            cells(ui, &SurfacePreset::ALL.map(Shown::Surface), columns, side, current, actions);
+        }
+    };
+    scroll_beyond(ui, BESIDES, |ui| guarded_by(ui, Control::OF_SHAPES, all));
+    ui.separator();
+    ui.horizontal_wrapped(|ui| by_hand(ui, side, actions));
+}
+
+/// The ways to an outline of one's own: pens, text, pictures, files.
+fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
+    let draw = |pen| Action::Edit(EditAction::Draw(side, pen));
+    let ways = [
+        (tr(key::draw_freehand()), key::draw_freehand_tooltip(), draw(Pen::Freehand)),
+        (tr(key::draw_lines()), key::draw_lines_tooltip(), draw(Pen::Lines)),
+        (tr(key::draw_curve()), key::draw_curve_tooltip(), draw(Pen::Curve)),
+        (tr(key::paste()), key::paste_tooltip(), Action::Edit(EditAction::OpenPaste(side))),
+        (tr(key::trace_picture()), key::trace_picture_tooltip(), Action::OpenTrace(side)),
+        (tr(key::open_file()), crate::app::panels::header::open_tooltip(side), Action::OpenOutline(side)),
+    ];
+    for (label, tooltip, action) in ways {
+        let button = egui::Button::new(label).frame_when_inactive(true);
+        if menu_entry(ui, true, button, tooltip, &action) {
+            actions.push(action);
+            ui.close();
+        }
+    }
+}
+
+fn cells(ui: &mut Ui, all: &[Shown], columns: usize, side: Side, current: Option<Shown>, actions: &mut Actions) {
+    for row in all.chunks(columns) {
+        ui.horizontal(|ui| {
+            for &shown in row {
+                if cell(ui, shown, current == Some(shown)).clicked() {
+                    actions.push(Action::Session(shown.command(side)));
+                    ui.close();
+                }
+            }
+        });
+    }
+}
+
+fn cell(ui: &mut Ui, shown: Shown, selected: bool) -> Response {
+    let palette = Palette::of(ui.visuals());
+    let (rect, response) = ui.allocate_exact_size(CELL, Sense::click());
+    let name = shown.name();
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, selected, name));
+    let (fill, ink) = match (selected, response.hovered() || response.has_focus()) {
+        (true, _) => (palette.accent, palette.on_accent),
+        (false, true) => (palette.control_hovered, palette.text),
+        (false, false) => (Color32::TRANSPARENT, palette.text),
+    };
+    ui.painter().rect_filled(rect, CornerRadius::same(ROUNDING), fill);
+    let frame = Rect::from_center_size(rect.center_top() + vec2(0.0, 34.0), vec2(50.0, 50.0));
+    match shown {
+        Shown::Outline(preset) => {
+            let points = picture(ui.ctx(), preset).iter().map(|p| frame.center() + 25.0 * p.to_vec2()).collect();
+            ui.painter().add(Shape::closed_line(points, Stroke::new(1.5, ink)));
+        }
+        Shown::Surface(preset) => surface_picture(ui, preset, frame, [palette.raised, ink]),
+    }
+    let weak = if selected { palette.on_accent } else { palette.weak };
+    let caption = rect.center_bottom() - vec2(0.0, 11.0);
+    ui.painter().text(caption, Align2::CENTER_CENTER, name, TextStyle::Small.resolve(ui.style()), weak);
+    response
+}
+
+/// The outline, thinned, in the square from −1 to 1, y down; made once.
+fn picture(context: &egui::Context, preset: Preset) -> Arc<Vec<Pos2>> {
+    let id = Id::unique(("picture", preset.name()));
+    if let Some(points) = context.data(|data| data.get_temp::<Arc<Vec<Pos2>>>(id)) {
+        return points;
+    }
+    let outline = preset.outline();
+    let vertices = outline.polygon.vertices();
+    let (low, high) = bounds(vertices);
+    let (center, scale) = (0.5 * (low + high), 2.0 / (high - low).max_element());
+    let step = vertices.len().div_ceil(PICTURE_POINTS).max(1);
+    let scaled = |p: &glam::DVec2| Pos2::new((scale * (p.x - center.x)) as f32, (-scale * (p.y - center.y)) as f32);
+    let points: Arc<Vec<Pos2>> = Arc::new(vertices.iter().step_by(step).map(scaled).collect());
+    context.data_mut(|data| data.insert_temp(id, Arc::clone(&points)));
+    points
+}

@@ -1,0 +1,100 @@
+//! The line along the bottom: quality, flipped triangles, times, what draws.
+
+pub mod stats;
+
+use super::theme::Palette;
+use crate::app::language::words;
+use crate::app::language::words::grouped;
+use crate::app::theme::text_metrics::text_width;
+use crate::app::theme::widgets::caption_font;
+use crate::language::{key, say, tr};
+use crate::model::Model;
+use egui::{Align, Label, Layout, RichText, Ui};
+
+/// Frames further apart than this are not counted for the frame rate: nothing moved.
+const PAUSE_SECONDS: f32 = 0.1;
+
+/// The first frames build the fonts and the pipelines.
+const WARM_UP_FRAMES: u32 = 4;
+
+/// Frame times and what the backend says about itself.
+#[derive(Debug, Clone, Default)]
+pub struct FrameMeter {
+    frame_seconds: Option<f32>,
+    draw_ms: f64,
+    frames: u32,
+}
+
+impl FrameMeter {
+    /// Takes in the time since the last frame and what that frame took on the processor.
+    pub fn tick(&mut self, since_last: f32, cpu_seconds: Option<f32>, compute_ms: f64) {
+        if since_last > 0.0 && since_last < PAUSE_SECONDS {
+            let old = self.frame_seconds.unwrap_or(since_last);
+            self.frame_seconds = Some(0.9 * old + 0.1 * since_last);
+        }
+        self.frames = self.frames.saturating_add(1);
+        if let Some(seconds) = cpu_seconds.filter(|_| self.frames > WARM_UP_FRAMES) {
+            let draw = (f64::from(seconds) * 1e3 - compute_ms).max(0.0);
+            self.draw_ms = if self.draw_ms == 0.0 { draw } else { 0.8 * self.draw_ms + 0.2 * draw };
+        }
+    }
+
+    fn frames_per_second(&self) -> Option<f32> {
+        self.frame_seconds.map(|seconds| 1.0 / seconds)
+    }
+}
+
+fn tenths(ms: f64) -> String {
+    format!("{ms:.1}")
+}
+
+fn hundredths(ms: f64) -> String {
+    format!("{ms:.2}")
+}
+
+/// The room that the backend's name needs.
+const BACKEND_FROM: f32 = 52.0;
+
+/// Shows the line.
+pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapter: &str, narrow: bool) {
+    let palette = Palette::of(ui.visuals());
+    let weak = |text: String| RichText::new(text).small().color(palette.weak);
+    ui.horizontal_centered(|ui| {
+        ui.spacing_mut().item_spacing.x = if narrow { 12.0 } else { 20.0 };
+        if let Some(quality) = model.quality() {
+            ui.label(weak(format!("Q̄ {:.3}", quality.q_mean))).on_hover_text(format!(
+                "{}\n\n{}",
+                tr(words::QUALITY_TOOLTIP),
+                say(&key::largest_q(format!("{:.3}", quality.q_max)))
+            ));
+            let ink = if quality.flipped == 0 { palette.weak } else { palette.error_edge };
+            let flipped = say(&key::flipped(grouped(quality.flipped as usize)));
+            ui.label(RichText::new(flipped).small().color(ink)).on_hover_text(tr(words::FLIPPED_TOOLTIP));
+        }
+        if let Some(map) = model.shown() {
+            let t = map.timings;
+            let compute = t.kernel + t.matching + t.extend;
+            let split = say(&key::frame_parts(hundredths(t.kernel), hundredths(t.matching), hundredths(t.extend)));
+            if model.is_pending() {
+                ui.label(weak(String::from(tr(words::PENDING)))).on_hover_text(tr(words::PENDING_TOOLTIP));
+            }
+            let times = say(&key::frame_times(tenths(compute), tenths(meter.draw_ms)));
+            ui.add(Label::new(weak(times)).truncate())
+                .on_hover_text(format!("{}\n\n{split}", tr(words::FRAME_TOOLTIP)));
+        }
+        if let (Some(rate), false) = (meter.frames_per_second(), narrow) {
+            ui.label(weak(say(&key::fps(f64::from(rate.round()))))).on_hover_text(tr(key::fps_tooltip()));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if !narrow {
+                let hint = tr(if model.is_planar() { key::hint_plane() } else { key::hint_surface() });
+                if text_width(ui, hint, caption_font(ui)) + BACKEND_FROM <= ui.available_width() {
+                    ui.label(weak(hint.to_owned()));
+                }
+            }
+            if ui.available_width() >= BACKEND_FROM {
+                ui.label(weak(String::from(backend))).on_hover_text(adapter);
+            }
+        });
+    });
+}

@@ -1,0 +1,274 @@
+//! The controls that egui does not have in this look: segmented switches,
+//! sliders with a caption above, headings of groups, messages.
+
+use crate::app::theme::text_metrics::{button_width, text_width};
+use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
+use crate::language::{Label as Words, Message, key, say, tr};
+use egui::{
+    Align2, Button, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, RichText, Role, ScrollArea, Sense,
+    Stroke, StrokeKind, TextStyle, TextWrapMode, Ui, UiBuilder, WidgetInfo, WidgetText, pos2, vec2,
+};
+use std::ops::RangeInclusive;
+
+/// One choice of a [`segmented`] switch.
+#[derive(Debug, Clone, Copy)]
+pub struct Segment<T> {
+    /// What choosing it means.
+    pub value: T,
+    /// What is written on it.
+    pub label: Words,
+    /// What it means, in a sentence.
+    pub tooltip: Words,
+}
+
+/// The size of the labels of a [`segmented`] switch.
+const SEGMENT_TEXT: f32 = 12.5;
+/// Free space on either side of them.
+const SEGMENT_PADDING: f32 = 6.0;
+
+/// A switch of several positions over the full width; returns the one that was clicked.
+pub fn segmented<T: Copy + PartialEq>(ui: &mut Ui, segments: &[Segment<T>], current: T) -> Option<T> {
+    segmented_where(ui, segments, current, |_| None)
+}
+
+/// As [`segmented`]; positions that `refusal` gives a reason against are greyed and say it.
+pub fn segmented_where<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    segments: &[Segment<T>],
+    current: T,
+    refusal: impl Fn(T) -> Option<String>,
+) -> Option<T> {
+    let palette = Palette::of(ui.visuals());
+    let height = control_height(ui, ROW_HEIGHT);
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let rounding = CornerRadius::same(ROUNDING);
+    ui.painter().rect(rect, rounding, palette.control, Stroke::new(1.0, palette.border), StrokeKind::Inside);
+    let mut chosen = None;
+    let mut left = rect.left();
+    for (segment, width) in segments.iter().zip(segment_widths(ui, segments, rect.width())) {
+        let cell = Rect::from_min_size(pos2(left, rect.top()), vec2(width, height));
+        left += width;
+        let refused = refusal(segment.value);
+        let response = segment_cell(ui, cell, segment, segment.value == current, refused.as_deref());
+        if response.clicked() && refused.is_none() && segment.value != current {
+            chosen = Some(segment.value);
+        }
+    }
+    chosen
+}
+
+/// Equal widths where all labels fit, else the same space beside each.
+fn segment_widths<T>(ui: &Ui, segments: &[Segment<T>], whole: f32) -> Vec<f32> {
+    let equal = whole / segments.len() as f32;
+    let font = FontId::proportional(SEGMENT_TEXT);
+    let labels: Vec<f32> = segments.iter().map(|segment| text_width(ui, tr(segment.label), font.clone())).collect();
+    if labels.iter().all(|width| width + 2.0 * SEGMENT_PADDING <= equal) {
+        return vec![equal; segments.len()];
+    }
+    let spare = (whole - labels.iter().sum::<f32>()) / segments.len() as f32;
+    labels.into_iter().map(|width| width + spare).collect()
+}
+
+fn segment_cell<T>(ui: &Ui, cell: Rect, segment: &Segment<T>, selected: bool, refused: Option<&str>) -> Response {
+    let palette = Palette::of(ui.visuals());
+    let id = ui.scope_id().with(segment.label).with(segment.tooltip);
+    let (label, explained) = (tr(segment.label), tr(segment.tooltip));
+    let tooltip = refused.map_or_else(|| explained.into(), |reason| format!("{explained}\n\n{reason}"));
+    let response = ui.interact(cell, id, Sense::click()).on_hover_text(tooltip);
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, refused.is_none(), selected, label));
+    let (fill, ink) = match (selected, response.hovered()) {
+        (true, _) => (palette.accent, palette.on_accent),
+        (false, _) if refused.is_some() => (Color32::TRANSPARENT, palette.weak.gamma_multiply(0.6)),
+        (false, true) => (palette.control_hovered, palette.text),
+        (false, false) => (Color32::TRANSPARENT, palette.text),
+    };
+    ui.painter().rect_filled(cell.shrink(2.0), CornerRadius::same(ROUNDING - 2), fill);
+    if response.has_focus() {
+        let ring = Stroke::new(1.5, palette.accent_soft);
+        ui.painter().rect_stroke(cell.shrink(2.0), CornerRadius::same(ROUNDING - 2), ring, StrokeKind::Outside);
+    }
+    ui.painter().text(cell.center(), Align2::CENTER_CENTER, label, FontId::proportional(SEGMENT_TEXT), ink);
+    response
+}
+
+/// A slider under its caption and value; returns the new value while it is moved.
+pub fn captioned_slider(
+    ui: &mut Ui,
+    caption: &str,
+    shown: &str,
+    value: f64,
+    range: RangeInclusive<f64>,
+    logarithmic: bool,
+) -> Option<f64> {
+    ui.scope(|ui| slider_rows(ui, caption, shown, value, range, logarithmic)).inner
+}
+
+fn slider_rows(
+    ui: &mut Ui,
+    caption: &str,
+    shown: &str,
+    value: f64,
+    range: RangeInclusive<f64>,
+    logarithmic: bool,
+) -> Option<f64> {
+    let palette = Palette::of(ui.visuals());
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = 20.0;
+        ui.label(caption);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.label(RichText::new(shown).color(palette.weak));
+        });
+    });
+    let mut moved = value;
+    let response = ui
+        .scope(|ui| {
+            ui.spacing_mut().slider_width = ui.available_width();
+            ui.visuals_mut().selection.bg_fill = palette.accent_soft;
+            ui.visuals_mut().widgets.inactive.bg_fill = palette.border;
+            ui.spacing_mut().interact_size.y = control_height(ui, 18.0);
+            let slider = egui::Slider::new(&mut moved, range).show_value(false).logarithmic(logarithmic);
+            ui.add(slider)
+        })
+        .inner;
+    response.widget_info(|| WidgetInfo::slider(true, moved, caption));
+    (response.changed() && moved != value).then_some(moved)
+}
+
+/// The heading of a group of controls, in small capitals.
+pub fn group_heading(ui: &mut Ui, text: &str) {
+    let palette = Palette::of(ui.visuals());
+    ui.add_space(6.0);
+    ui.label(RichText::new(text.to_uppercase()).font(bold(11.0)).color(palette.weak).extra_letter_spacing(0.8));
+}
+
+/// Content over a picture: what lies under it, between its controls too, cannot be touched through it.
+pub fn opaque<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
+    ui.scope_builder(UiBuilder::new().sense(Sense::CLICK | Sense::DRAG), content).inner
+}
+
+/// What the person wants done about a message.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MessageAnswer {
+    /// It has been read.
+    Dismiss,
+    /// What its other button says.
+    QuickFix,
+}
+
+/// The width of the cross that closes a message, where a mouse points at it.
+const CROSS_WIDTH: f32 = 30.0;
+
+/// A message narrower than this has its buttons below the words.
+const LEAST_WORDS: f32 = 150.0;
+
+/// The least height of a message's words, two lines.
+const LEAST_MESSAGE: f32 = 36.0;
+/// Around a message.
+const MESSAGE_MARGIN: i8 = 8;
+const MESSAGE_EDGE: f32 = 1.0;
+
+/// An error in a box, with a cross to close it and, where there is one, its quick fix. It is no higher than
+/// `most`, but two lines: more words scroll, so that the buttons are always there.
+pub fn message_box(ui: &mut Ui, text: &Message, quick_fix: Option<Words>, most: f32) -> Option<MessageAnswer> {
+    let palette = Palette::of(ui.visuals());
+    let frame = Frame::new()
+        .fill(palette.error_ground)
+        .stroke(Stroke::new(MESSAGE_EDGE, palette.error_edge))
+        .corner_radius(CornerRadius::same(ROUNDING + 2))
+        .inner_margin(Margin::symmetric(12, MESSAGE_MARGIN));
+    let most = most - 2.0 * (f32::from(MESSAGE_MARGIN) + MESSAGE_EDGE);
+    let content = |ui: &mut Ui| {
+        let remedy_width = quick_fix.map_or(0.0, |label| button_width(ui, tr(label)));
+        let buttons = control_height(ui, CROSS_WIDTH) + ui.spacing().item_spacing.x + remedy_width;
+        if ui.available_width() - buttons < LEAST_WORDS {
+            message_words(ui, text, most - ui.spacing().item_spacing.y - ui.spacing().interact_size.y);
+            return ui.horizontal(|ui| message_buttons(ui, quick_fix)).inner;
+        }
+        let in_a_row = |ui: &mut Ui| {
+            ui.scope(|ui| {
+                ui.set_max_width(ui.available_width() - buttons);
+                message_words(ui, text, most);
+            });
+            message_buttons(ui, quick_fix)
+        };
+        ui.horizontal(in_a_row).inner
+    };
+    opaque(ui, |ui| frame.show(ui, content).inner)
+}
+
+fn message_words(ui: &mut Ui, text: &Message, most: f32) {
+    let most = most.max(LEAST_MESSAGE);
+    let words = RichText::new(say(text)).color(Palette::of(ui.visuals()).text);
+    let width = ui.available_width();
+    let words = WidgetText::from(words).into_galley(ui, Some(TextWrapMode::Wrap), width, TextStyle::Body);
+    if words.size().y <= most {
+        ui.label(words);
+        return;
+    }
+    // what scrolls has the layout around it: in a row it would be in the middle of all that may be seen
+    let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
+    ui.vertical(|ui| area.show(ui, |ui| ui.label(words)));
+}
+
+fn message_buttons(ui: &mut Ui, quick_fix: Option<Words>) -> Option<MessageAnswer> {
+    let helps = quick_fix.is_some_and(|label| ui.button(tr(label)).clicked());
+    let width = control_height(ui, CROSS_WIDTH);
+    let cross = ui.add(Button::new("×").min_size(vec2(width, 0.0))).on_hover_text(tr(key::close_message()));
+    cross.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr(key::close_message())));
+    if cross.clicked() { Some(MessageAnswer::Dismiss) } else { helps.then_some(MessageAnswer::QuickFix) }
+}
+
+/// A few words about what has gone well, in a box that goes away by itself.
+pub fn notice_box(ui: &mut Ui, text: Words) {
+    let palette = Palette::of(ui.visuals());
+    Frame::new()
+        .fill(palette.panel)
+        .stroke(Stroke::new(1.0, palette.border))
+        .corner_radius(CornerRadius::same(ROUNDING + 2))
+        .inner_margin(Margin::symmetric(12, 8))
+        .show(ui, |ui| ui.vertical_centered(|ui| ui.label(RichText::new(tr(text)).color(palette.text))));
+}
+
+/// The button that closes a window, large enough for a finger where there are fingers: the cross of its title is not.
+pub fn close_button(ui: &mut Ui) -> Response {
+    let size = vec2(CLOSE_WIDTH, control_height(ui, ROW_HEIGHT));
+    ui.add_sized(size, Button::new(tr(key::close())))
+}
+
+const CLOSE_WIDTH: f32 = 88.0;
+
+/// Gives a button the keyboard, and says so: egui announces only what a person has moved to.
+pub fn give_keyboard(button: &Response, label: &str) {
+    button.request_focus();
+    let said = egui::output::OutputEvent::FocusGained(WidgetInfo::labeled(Role::Button, true, label));
+    button.ctx.output_mut(|output| output.events.push(said));
+}
+
+/// A chevron at the right end of a button that opens something, down or up.
+pub fn chevron(ui: &Ui, button: Rect, up: bool) {
+    let center = button.right_center() - vec2(13.0, 0.0);
+    let (half, rise) = (4.0, if up { -2.0 } else { 2.0 });
+    let points = vec![center + vec2(-half, -rise), center + vec2(0.0, rise), center + vec2(half, -rise)];
+    ui.painter().line(points, Stroke::new(1.5, Palette::of(ui.visuals()).weak));
+}
+
+/// The largest width of a [`dot`] or a [`dash`].
+pub const SIGN_WIDTH: f32 = 12.0;
+
+/// A dot as in the legend.
+pub fn dot(ui: &mut Ui, colour: Color32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
+    ui.painter().circle_filled(rect.center(), 5.0, colour);
+}
+
+/// A short line as in the legend.
+pub fn dash(ui: &mut Ui, colour: Color32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(SIGN_WIDTH, 10.0), Sense::hover());
+    ui.painter().line_segment([rect.left_center(), rect.right_center()], Stroke::new(2.5, colour));
+}
+
+/// The font of captions in the viewports.
+pub fn caption_font(ui: &Ui) -> FontId {
+    TextStyle::Small.resolve(ui.style())
+}

@@ -1,0 +1,110 @@
+//! The dots on the screen: grabbed, let go, and painted, on planar pictures and on surfaces alike.
+
+use crate::app::input::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, HandleState, hit};
+use crate::app::input::locks::Locks;
+use crate::app::plots::Plots;
+use crate::app::theme::widgets::caption_font;
+use crate::app::theme::{BOUNDARY_COLOUR, INTERIOR_COLOUR, Palette};
+use crate::conformal::Side;
+use egui::emath::GuiRounding;
+use egui::{Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Response, Stroke, StrokeKind, Ui, vec2};
+
+/// How much of its strength a dot keeps behind the surface.
+const HIDDEN_STRENGTH: f32 = 0.4;
+
+/// Where a dot is painted.
+#[derive(Debug, Clone, Copy)]
+pub struct Dot {
+    /// Its centre on the screen.
+    pub place: Pos2,
+    /// Whether a surface lies before it.
+    pub hidden: bool,
+}
+
+/// Takes the dot under the pointer in hand, or lets go; `places` are those of interior and boundary.
+pub fn grab_and_release(
+    ui: &Ui,
+    response: &Response,
+    side: Side,
+    places: [Option<Pos2>; 2],
+    handles: &mut HandleState,
+) {
+    let (pressed, down, pointer, now) = ui.input(|input| {
+        let pointer = &input.pointer;
+        (pointer.primary_pressed(), pointer.primary_down(), pointer.interact_pos(), input.time)
+    });
+    let locks = Locks::of(ui.ctx());
+    let under = pointer.filter(|_| response.hovered()).and_then(|pointer| hit(side, places, pointer));
+    let under = under.filter(|handle| !locks.holds_handle(handle.kind));
+    if let (true, Some(handle), Some(pointer)) = (pressed, under, pointer)
+        && let Some(place) = places[handle.kind as usize]
+    {
+        handles.grab(handle, place, pointer, now);
+        // who takes a dot with the pointer has left the keyboard
+        ui.memory_mut(|memory| memory.focused().inspect(|id| memory.surrender_focus(*id)));
+    }
+    if !down && handles.grip.is_some_and(|grip| grip.handle.side == side) {
+        handles.release();
+    }
+    if handles.hovered.is_none_or(|hovered| hovered.side == side) {
+        handles.hovered = under;
+    }
+    if handles.grip.is_some() {
+        ui.set_cursor_icon(CursorIcon::Grabbing);
+    } else if under.is_some() {
+        ui.set_cursor_icon(CursorIcon::Grab);
+    }
+}
+
+/// Paints a dot; while it is held or has the keyboard, with `words`.
+pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &HandleState, words: &dyn Fn() -> String) {
+    // On whole pixels: small discs come from a texture and are moved there, large ones would not be.
+    let place = dot.place.round_to_pixels(ui.pixels_per_point());
+    let strength = if dot.hidden { HIDDEN_STRENGTH } else { 1.0 };
+    let colour = match handle.kind {
+        HandleKind::Interior => INTERIOR_COLOUR,
+        HandleKind::Boundary => BOUNDARY_COLOUR,
+    };
+    let now = ui.input(|input| input.time);
+    if let Some(progress) = handles.pulse_of(handle, now) {
+        let radius = DOT_RADIUS + 24.0 * progress;
+        painter.circle_stroke(place, radius, Stroke::new(3.0 * (1.0 - progress), colour));
+        ui.request_repaint();
+    }
+    let raised = ui.ctx().animate_bool_with_time(
+        ui.scope_id().with((handle.side, handle.symbol())),
+        handles.is_raised(handle),
+        0.1,
+    );
+    let radius = DOT_RADIUS + 3.0 * raised;
+    painter.circle_filled(place + vec2(0.0, 1.0), radius + 3.0, Color32::from_black_alpha(70).gamma_multiply(strength));
+    painter.circle_filled(place, radius + 1.0, Color32::WHITE.gamma_multiply(strength));
+    painter.circle_filled(place, radius - 1.5, colour.gamma_multiply(strength));
+    if handles.focused == Some(handle) {
+        painter.circle_stroke(place, radius + 5.0, Stroke::new(2.0, Palette::of(ui.visuals()).accent_soft));
+    }
+    if handles.is_held(handle) || handles.focused == Some(handle) {
+        paint_words(ui, painter, words(), place);
+    }
+}
+
+/// Paints the mark of a boundary point that a plot or the pointer means.
+pub fn paint_mark(ui: &Ui, painter: &Painter, side: Side, place: Pos2) {
+    let place = place.round_to_pixels(ui.pixels_per_point());
+    painter.circle_filled(place + vec2(0.0, 1.0), 8.0, Color32::from_black_alpha(70));
+    painter.circle_filled(place, 6.5, Color32::WHITE);
+    painter.circle_filled(place, 4.5, Plots::inks(ui.visuals().dark_mode)[side as usize]);
+}
+
+fn paint_words(ui: &Ui, painter: &Painter, words: String, place: Pos2) {
+    let palette = Palette::of(ui.visuals());
+    let galley = painter.layout_no_wrap(words, caption_font(ui), palette.text);
+    let size = galley.size() + vec2(16.0, 8.0);
+    let clip = painter.clip_rect().shrink(6.0);
+    let above = place.y - GRAB_RADIUS - size.y > clip.top();
+    let y = if above { place.y - GRAB_RADIUS - size.y } else { place.y + GRAB_RADIUS };
+    let x = (place.x - 0.5 * size.x).clamp(clip.left(), (clip.right() - size.x).max(clip.left()));
+    let label = Rect::from_min_size(Pos2::new(x, y), size);
+    painter.rect(label, CornerRadius::same(6), palette.raised, Stroke::new(1.0, palette.border), StrokeKind::Inside);
+    painter.galley(label.min + vec2(8.0, 4.0), galley, palette.text);
+}

@@ -1,0 +1,224 @@
+//! From the model to the GPU: uploads after a change, and the callbacks by
+//! which the viewports are drawn inside egui's pass.
+//!
+//! What is drawn on which side, and with which coordinates, is said in `textured`. The
+//! images are uploaded, or put there by a compute shader ([`GpuExtension`]).
+
+use crate::app::viewport::gpu_extension::GpuExtension;
+use crate::app::viewport::surface;
+use crate::conformal::{Extension, MeshedDomain, Side};
+use crate::geometry::DVec2;
+use crate::model::pattern::Moved;
+use crate::model::{Changes, Model, pattern};
+use crate::render::{
+    CellCode, CellStyle, ImageError, Pace, PlanarFrame, REFINED_AFTER, StrokeStyle, ViewportRenderer, sample_count,
+};
+use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
+
+/// The renderer and its device.
+pub struct Gpu {
+    state: RenderState,
+    extension: Option<GpuExtension>,
+    in_software: bool,
+}
+
+/// Whether the processor is what draws.
+pub fn draws_in_software(state: &RenderState) -> bool {
+    state.adapter.get_info().device_type == wgpu::DeviceType::Cpu
+}
+
+impl Gpu {
+    /// Puts a renderer for both viewports next to egui's own.
+    pub fn new(state: RenderState) -> Self {
+        let in_software = draws_in_software(&state);
+        // there the resolution of several samples takes two thirds of a frame
+        let samples = if in_software { 1 } else { sample_count(&state.device) };
+        let viewports = Side::BOTH.len();
+        let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, viewports, samples);
+        state.renderer.write().callback_resources.insert(renderer);
+        let extension = GpuExtension::new(&state);
+        Self { state, extension, in_software }
+    }
+
+    /// What it draws with, in the words of the status line.
+    pub fn backend(&self) -> String {
+        crate::platform::backend_name(self.state.adapter.get_info().backend)
+    }
+
+    /// The name of the graphics adapter.
+    pub fn adapter(&self) -> String {
+        self.state.adapter.get_info().name
+    }
+
+    /// The device and its queue, for pictures off the screen.
+    pub fn device(&self) -> (&wgpu::Device, &wgpu::Queue) {
+        (&self.state.device, &self.state.queue)
+    }
+
+    /// When a picture that changes now is drawn in full.
+    pub fn pace(&self, now: f64) -> Pace {
+        if self.in_software { Pace::CoarseFirst { now } } else { Pace::Full }
+    }
+
+    /// The largest width or height of a texture.
+    pub fn max_texture_side(&self) -> u32 {
+        self.state.device.limits().max_texture_dimension_2d
+    }
+
+    /// Whether the picture of the model's map has its whole extension from a compute shader.
+    pub fn extends(&self, model: &Model) -> bool {
+        let in_the_plane = model.pattern_home().is_some();
+        let map = model.map().filter(|map| in_the_plane && map.extension() == Extension::CauchyGreen);
+        self.extension.as_ref().zip(map).is_some_and(|(extension, map)| extension.serves(map))
+    }
+
+    /// Uploads what has changed; whether a surface fits on the device.
+    pub fn upload(&mut self, model: &Model, changes: Changes) -> bool {
+        let upload = |renderer: &mut ViewportRenderer| surface::gpu::upload(&self.state, renderer, model, changes);
+        let fits = self.with_renderer(upload) != Some(false);
+        if changes.meshes {
+            for side in Side::BOTH {
+                if let Some(domain) = model.shown_domain(side) {
+                    self.upload_boundary(side, domain);
+                }
+                self.upload_mesh(side, model);
+            }
+        } else if changes.images && !self.extends(model) {
+            for side in Side::BOTH {
+                self.upload_images(side, model);
+            }
+        }
+        if changes.meshes || changes.map {
+            self.extend(model);
+        }
+        fits
+    }
+
+    /// Replaces the images in the picture by those of the compute shader, if it serves.
+    fn extend(&mut self, model: &Model) {
+        let (Some(extension), Some(map)) = (&mut self.extension, model.map()) else { return };
+        let Some(home) = model.pattern_home() else { return };
+        let mut renderer = self.state.renderer.write();
+        if let Some(renderer) = renderer.callback_resources.get_mut::<ViewportRenderer>() {
+            extension.apply(&self.state, renderer, map, home.other());
+        }
+    }
+
+    /// The texture of [`crate::render::Pattern::Image`].
+    pub fn set_image(&self, rgba: &[u8], width: u32, height: u32) -> Result<(), ImageError> {
+        let RenderState { device, queue, .. } = &self.state;
+        self.with_renderer(|renderer| renderer.set_image(device, queue, rgba, width, height)).unwrap_or(Ok(()))
+    }
+
+    /// Makes what has not been needed yet, now that there is time for it.
+    pub fn warm(&self) {
+        self.with_renderer(|renderer| renderer.rehearse_surface(&self.state.device, &self.state.queue));
+    }
+
+    /// The outlines' stroke, of constant width on the screen.
+    pub fn set_stroke(&self, dark: bool, pixels_per_point: f32) {
+        self.with_renderer(|renderer| {
+            for side in Side::BOTH {
+                renderer.set_boundary_style(side as usize, Some(StrokeStyle::themed(dark, pixels_per_point)));
+            }
+        });
+    }
+
+    /// Replaces the triangles that one side shows with [`Self::set_cell_style`].
+    pub fn upload_cells(&self, side: Side, positions: &[DVec2], triangles: &[[u32; 3]]) {
+        let RenderState { device, queue, .. } = &self.state;
+        self.with_renderer(|renderer| renderer.set_cells(device, queue, side as usize, positions, triangles));
+    }
+
+    /// Moves the triangles of one side.
+    pub fn move_cells(&self, side: Side, positions: &[DVec2]) {
+        self.with_renderer(|renderer| renderer.set_cell_positions(&self.state.queue, side as usize, positions));
+    }
+
+    /// Colours the triangles on both sides.
+    pub fn colour_cells(&self, codes: &mut Vec<CellCode>) {
+        self.with_renderer(|renderer| {
+            for side in Side::BOTH {
+                renderer.set_cell_codes(&self.state.queue, side as usize, codes);
+            }
+            renderer.set_surface_codes(&self.state.queue, codes);
+        });
+    }
+
+    /// How the triangles are shown on both sides; `None`: not at all.
+    pub fn set_cell_style(&self, style: Option<CellStyle>) {
+        self.with_renderer(|renderer| Side::BOTH.map(|side| renderer.set_cell_style(side as usize, style)));
+    }
+
+    fn upload_boundary(&self, side: Side, domain: &MeshedDomain) {
+        let RenderState { device, queue, .. } = &self.state;
+        self.with_renderer(|renderer| renderer.set_boundary(device, queue, side as usize, &domain.samples().points));
+    }
+
+    fn upload_mesh(&self, side: Side, model: &Model) {
+        let RenderState { device, queue, .. } = &self.state;
+        if let Some(geometry) = pattern::geometry(model, side) {
+            self.with_renderer(|renderer| renderer.set_mesh(device, queue, side as usize, &geometry));
+        }
+    }
+
+    fn upload_images(&self, side: Side, model: &Model) {
+        let (queue, viewport) = (&self.state.queue, side as usize);
+        let fits = pattern::moved(model, side).and_then(|moved| {
+            self.with_renderer(|renderer| match moved {
+                Moved::Positions(positions) => renderer.set_positions(queue, viewport, positions),
+                Moved::Coordinates(coordinates) => renderer.set_texture_coordinates(queue, viewport, coordinates),
+            })
+        });
+        if fits == Some(false) {
+            self.upload_mesh(side, model);
+        }
+    }
+
+    fn with_renderer<R>(&self, use_it: impl FnOnce(&mut ViewportRenderer) -> R) -> Option<R> {
+        self.state.renderer.write().callback_resources.get_mut::<ViewportRenderer>().map(use_it)
+    }
+}
+
+/// Draws one viewport inside egui's pass.
+pub struct ViewportCallback {
+    /// Which one.
+    pub side: Side,
+    /// What it shows beside what was uploaded.
+    pub frame: PlanarFrame,
+    /// How soon in full.
+    pub pace: Pace,
+    /// Where another frame is asked for while the picture is coarse.
+    pub context: egui::Context,
+}
+
+impl CallbackTrait for ViewportCallback {
+    fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        _screen: &ScreenDescriptor,
+        encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        if let Some(renderer) = resources.get_mut::<ViewportRenderer>() {
+            let viewport = self.side as usize;
+            renderer.prepare(device, queue, encoder, viewport, &self.frame, self.pace);
+            if renderer.is_coarse(viewport) {
+                self.context.request_repaint_after_secs(REFINED_AFTER as f32);
+            }
+        }
+        Vec::new()
+    }
+
+    fn paint(
+        &self,
+        _info: egui::PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
+        if let Some(renderer) = resources.get::<ViewportRenderer>() {
+            renderer.paint(pass, self.side as usize);
+        }
+    }
+}

@@ -1,0 +1,266 @@
+//! One of the two pictures: its gestures, and what is painted over the mesh.
+//!
+//! A frame goes through a viewport twice: [`interact`] turns gestures into
+//! commands and camera moves; after the map has been brought up to date,
+//! [`paint`] draws mesh, dots and words, so that a dragged dot is never behind
+//! the pointer.
+
+use crate::app::input::action::{Action, Actions};
+use crate::app::input::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
+use crate::app::input::keyboard_navigation;
+use crate::app::input::keyboard_navigation::{EyeMove, Nudge};
+use crate::app::input::locks::{Control, Locks};
+use crate::app::theme::Palette;
+use crate::app::theme::widgets::caption_font;
+use crate::app::viewport::dots;
+use crate::app::viewport::dots::Dot;
+use crate::app::viewport::gpu::ViewportCallback;
+use crate::app::viewport::view::View;
+use crate::conformal::Side;
+use crate::language::{key, tr};
+use crate::model::Model;
+use crate::platform::STAGES_SHOWN_AFTER;
+use crate::render::{Pace, PlanarFrame, TextureStyle};
+use crate::session::Command;
+use egui::{Align2, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
+
+/// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
+pub const ZOOM_PER_POINT: f32 = 0.0025;
+
+/// How near the boundary the pointer means it, in points.
+pub const BOUNDARY_REACH: f32 = 14.0;
+
+/// Turns gestures over the viewport into commands and camera moves. Returns the boundary
+/// point under the pointer, as a fraction of arc length.
+pub fn interact(
+    ui: &mut Ui,
+    side: Side,
+    model: &Model,
+    view: &mut View,
+    handles: &mut HandleState,
+    actions: &mut Actions,
+) -> Option<f64> {
+    let response = ui.interact(view.rect, ui.scope_id().with(("viewport", side)), Sense::click_and_drag());
+    if pinch(ui, &response, view) {
+        handles.release();
+        return None;
+    }
+    drag_dots(ui, &response, side, model, view, handles, actions);
+    move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
+    match keyboard_navigation::of_viewport(ui, &response, side, handles) {
+        Some(EyeMove::Step(step)) => view.pan(-step),
+        Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
+        Some(EyeMove::Fit) => view.fit(),
+        None => {}
+    }
+    boundary_under_pointer(&response, side, model, view, handles)
+}
+
+/// Grabs, drags and lets go of the side's two dots, or moves them by keys.
+pub fn drag_dots(
+    ui: &Ui,
+    response: &Response,
+    side: Side,
+    model: &Model,
+    view: &View,
+    handles: &mut HandleState,
+    actions: &mut Actions,
+) {
+    let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
+    dots::grab_and_release(ui, response, side, places, handles);
+    drag_handle(ui, side, model, view, handles, actions);
+    if let Some(nudge) = keyboard_navigation::of_dots(ui, side, places, handles) {
+        actions.extend(nudged(side, model, view, nudge).map(Action::Session));
+    }
+}
+
+fn boundary_under_pointer(
+    response: &Response,
+    side: Side,
+    model: &Model,
+    view: &View,
+    handles: &HandleState,
+) -> Option<f64> {
+    let pointer = response.hover_pos().filter(|_| handles.grip.is_none() && handles.hovered.is_none())?;
+    let samples = model.domain(side)?.samples();
+    let nearest = samples.nearest(view.to_world(pointer));
+    let near = view.to_screen(samples.position(nearest)).distance(pointer) <= BOUNDARY_REACH;
+    near.then(|| samples.fraction_at(nearest))
+}
+
+/// Two fingers: pans and zooms. Returns whether there are two: then what one finger had is let go of.
+pub fn pinch(ui: &Ui, response: &Response, view: &mut View) -> bool {
+    let Some(touch) = ui.input(egui::InputState::multi_touch) else { return false };
+    if !response.rect.contains(touch.center_pos) {
+        return false;
+    }
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return true;
+    }
+    view.pan(touch.translation_delta);
+    view.zoom(touch.zoom_delta, touch.center_pos);
+    true
+}
+
+fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState, actions: &mut Actions) {
+    let Some(grip) = handles.grip.filter(|grip| grip.handle.side == side) else { return };
+    let (moved, pointer) = ui.input(|input| (input.pointer.delta() != Vec2::ZERO, input.pointer.interact_pos()));
+    let Some(pointer) = pointer.filter(|_| moved) else { return };
+    let at = view.to_world(pointer + grip.offset);
+    let command = match grip.handle.kind {
+        HandleKind::Interior => {
+            model.interior_near(side, at).map(|point| Command::MoveInterior { side, point: point.into() })
+        }
+        HandleKind::Boundary => model.anchor_near(side, at).map(|fraction| Command::MoveAnchor { side, fraction }),
+    };
+    actions.extend(command.map(Action::Session));
+}
+
+fn nudged(side: Side, model: &Model, view: &View, nudge: Nudge) -> Option<Command> {
+    match nudge {
+        Nudge::Interior(step) => {
+            let at = view.to_world(view.to_screen(model.interior(side)?) + step);
+            model.interior_near(side, at).map(|point| Command::MoveInterior { side, point: point.into() })
+        }
+        Nudge::Boundary(step) => Some(Command::MoveAnchor { side, fraction: model.session().side(side).anchor + step }),
+    }
+}
+
+/// Drags and scrolls the picture; not while something in it is `held`. A double-click fits it, where that is `fits`.
+pub fn move_camera(ui: &Ui, response: &Response, view: &mut View, held: bool, fits: bool) {
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return;
+    }
+    if response.dragged() && !held {
+        view.pan(response.drag_delta());
+        ui.set_cursor_icon(CursorIcon::Move);
+    }
+    if response.double_clicked() && fits {
+        view.fit();
+    }
+    if let Some(pointer) = response.hover_pos() {
+        let (scroll, zoom) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+        view.zoom(zoom * (ZOOM_PER_POINT * scroll).exp(), pointer);
+    }
+}
+
+/// Draws the textured mesh.
+pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>, pace: Pace) {
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(view.rect);
+    let Some(style) = style else {
+        painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas);
+        return;
+    };
+    let frame = PlanarFrame {
+        size_px: view.size_px(),
+        camera: view.camera(),
+        style: *style,
+        background: palette.canvas.to_normalized_gamma_f32(),
+    };
+    let callback = ViewportCallback { side, frame, pace, context: ui.ctx().clone() };
+    painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
+}
+
+/// Draws the dots, over everything else in the viewport.
+pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState) {
+    let painter = ui.painter_at(view.rect);
+    let points = [(HandleKind::Boundary, model.anchor(side)), (HandleKind::Interior, model.interior(side))];
+    for (kind, point) in points {
+        if let Some(point) = point {
+            let handle = Handle { side, kind };
+            let words = || format!("{} = ({:.3}, {:.3})", handle.symbol(), point.x, point.y);
+            dots::paint(ui, &painter, handle, Dot { place: view.to_screen(point), hidden: false }, handles, &words);
+        }
+    }
+}
+
+/// Draws the frame of the viewport that has the keyboard.
+pub fn paint_focus(ui: &Ui, side: Side, rect: Rect, handles: &HandleState) {
+    if handles.focused_view == Some(side) {
+        let ring = Stroke::new(2.0, Palette::of(ui.visuals()).accent_soft);
+        ui.painter().rect_stroke(rect.shrink(3.0), CornerRadius::same(6), ring, StrokeKind::Inside);
+    }
+}
+
+/// Draws the mark at a fraction of the boundary's arc length.
+pub fn paint_boundary_mark(ui: &Ui, side: Side, model: &Model, view: &View, fraction: f64) {
+    let Some(domain) = model.domain(side) else { return };
+    let samples = domain.samples();
+    let place = view.to_screen(samples.position(samples.at_fraction(fraction)));
+    dots::paint_mark(ui, &ui.painter_at(view.rect), side, place);
+}
+
+/// "drag a dot", until someone has: the inner one, where it is not locked.
+pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
+    let locks = Locks::of(ui.ctx());
+    let dots =
+        [(HandleKind::Interior, model.interior(Side::Source)), (HandleKind::Boundary, model.anchor(Side::Source))];
+    let free = dots.into_iter().find(|(kind, _)| !locks.holds_handle(*kind)).and_then(|(_, point)| point);
+    let Some(place) = free.map(|point| view.to_screen(point)) else { return };
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(view.rect);
+    let galley = painter.layout_no_wrap(
+        String::from(tr(key::drag_dot())),
+        egui::TextStyle::Body.resolve(ui.style()),
+        palette.on_accent,
+    );
+    let size = galley.size() + vec2(22.0, 12.0);
+    let label = Rect::from_center_size(place + vec2(0.0, DOT_RADIUS + 14.0 + 0.5 * size.y), size);
+    let tip = label.center_top() - vec2(0.0, 6.0);
+    let base = [label.center_top() + vec2(-6.0, 0.5), label.center_top() + vec2(6.0, 0.5)];
+    painter.rect_filled(label, CornerRadius::same(8), palette.accent);
+    painter.add(egui::Shape::convex_polygon(vec![tip, base[1], base[0]], palette.accent, Stroke::NONE));
+    painter.galley(label.center() - 0.5 * galley.size(), galley, palette.on_accent);
+}
+
+/// The thin line along the upper edge while something is prepared, with the stage's name; not before that has
+/// taken so long that it is worth a look.
+pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
+    let (surface, outline) = (&model.surface_side(side).preparation, model.side(side));
+    let (stage, seconds) = if surface.is_busy() {
+        (surface.pending_request().stage(), surface.pending_request().seconds_under_way())
+    } else if !outline.is_in_hand() {
+        (outline.pending_request().stage(), outline.pending_request().seconds_under_way())
+    } else {
+        return;
+    };
+    let Some(seconds) = seconds else { return };
+    let left = f64::from(STAGES_SHOWN_AFTER) - seconds;
+    if left > 0.0 {
+        ui.ctx().request_repaint_after_secs(left as f32);
+        return;
+    }
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(rect);
+    let (done, name) = crate::app::language::words::stage(stage);
+    let done = ui.ctx().animate_value_with_time(ui.scope_id().with(("progress", side)), done, 0.15);
+    let line = Rect::from_min_size(rect.min, vec2(rect.width(), 3.0));
+    painter.rect_filled(line, CornerRadius::ZERO, palette.border);
+    let filled = Rect::from_min_size(line.min, vec2(line.width() * done, 3.0));
+    painter.rect_filled(filled, CornerRadius::ZERO, palette.accent_soft);
+    let place = rect.center_bottom() - vec2(0.0, 40.0);
+    painter.text(place, Align2::CENTER_CENTER, name, caption_font(ui), palette.weak);
+}
+
+/// While a file is dragged over the viewport: what will happen to it here.
+pub fn paint_drop_target(ui: &Ui, side: Side, rect: Rect) {
+    let over = crate::platform::drop_position(ui.ctx()).is_some_and(|place| rect.contains(place));
+    if !over || ui.input(|input| input.raw.hovered_files.is_empty()) {
+        return;
+    }
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(rect);
+    let ground = palette.accent.gamma_multiply(0.25);
+    let edge = Stroke::new(2.0, palette.accent_soft);
+    painter.rect(rect.shrink(6.0), CornerRadius::same(10), ground, edge, StrokeKind::Inside);
+    let words = match side {
+        Side::Source => key::drop_for_source(),
+        Side::Target => key::drop_for_target(),
+    };
+    let galley =
+        painter.layout(tr(words).into(), egui::TextStyle::Body.resolve(ui.style()), palette.text, rect.width() - 60.0);
+    let label = Rect::from_center_size(rect.center(), galley.size() + vec2(24.0, 16.0));
+    painter.rect_filled(label, CornerRadius::same(8), palette.raised);
+    painter.galley(label.min + vec2(12.0, 8.0), galley, palette.text);
+}

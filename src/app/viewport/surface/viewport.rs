@@ -1,0 +1,204 @@
+//! The surface's viewport: its gestures, and what is painted over it.
+//!
+//! As in the planar `viewport` a frame goes through it twice, and dots win over the eye: what does
+//! not grab a dot turns the surface, two fingers or the other buttons move it.
+
+use crate::app::input::action::{Action, Actions};
+use crate::app::input::handles::{Handle, HandleKind, HandleState};
+use crate::app::input::keyboard_navigation;
+use crate::app::input::keyboard_navigation::{EyeMove, Nudge};
+use crate::app::input::locks::{Control, Locks};
+use crate::app::theme::Palette;
+use crate::app::viewport::dots;
+use crate::app::viewport::dots::Dot;
+use crate::app::viewport::planar::{BOUNDARY_REACH, ZOOM_PER_POINT};
+use crate::app::viewport::surface::OrbitView;
+use crate::app::viewport::surface::gpu::SurfaceCallback;
+use crate::conformal::Side;
+use crate::geometry::DVec3;
+use crate::model::Model;
+use crate::render::{CellStyle, Pace, SpaceFrame, StrokeStyle, TextureStyle};
+use crate::session::Command;
+use crate::surface::nearest_on_boundary_to_ray;
+use egui::{CornerRadius, CursorIcon, PointerButton, Pos2, Response, Sense, Ui, Vec2};
+
+/// The side that a surface takes.
+const SIDE: Side = Side::Target;
+
+/// How near the ray passages of the loop compete for the boundary handle, as a tangent: 14 points at arm's length.
+const REACH: f64 = 0.015;
+
+/// Turns gestures into commands and moves of the eye. Returns the boundary point under the
+/// pointer, as a fraction of the loop's length.
+pub fn interact(
+    ui: &mut Ui,
+    model: &Model,
+    view: &mut OrbitView,
+    handles: &mut HandleState,
+    actions: &mut Actions,
+) -> Option<f64> {
+    let response = ui.interact(view.rect, ui.scope_id().with("surface viewport"), Sense::click_and_drag());
+    if pinch(ui, &response, view, handles) {
+        return None;
+    }
+    let places = [model.surface_point(SIDE), model.surface_anchor(SIDE)].map(|place| view.to_screen(place?));
+    dots::grab_and_release(ui, &response, SIDE, places, handles);
+    drag_handle(ui, model, view, handles, actions);
+    if let Some(nudge) = keyboard_navigation::of_dots(ui, SIDE, places, handles) {
+        actions.extend(nudged(model, view, nudge).map(Action::Session));
+    }
+    move_eye(ui, &response, view, handles);
+    match keyboard_navigation::of_viewport(ui, &response, SIDE, handles) {
+        Some(EyeMove::Step(step)) => view.turn(-step),
+        Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
+        Some(EyeMove::Fit) => view.fit(),
+        None => {}
+    }
+    boundary_under_pointer(&response, model, view, handles)
+}
+
+/// Two fingers: pan and zoom, and let go of what one finger had. Returns whether there are two.
+fn pinch(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &mut HandleState) -> bool {
+    let Some(touch) = ui.input(egui::InputState::multi_touch) else { return false };
+    if !response.rect.contains(touch.center_pos) {
+        return false;
+    }
+    handles.release();
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return true;
+    }
+    view.let_spin(Vec2::ZERO);
+    view.pan(touch.translation_delta);
+    view.zoom(touch.zoom_delta, touch.center_pos);
+    true
+}
+
+fn drag_handle(ui: &Ui, model: &Model, view: &OrbitView, handles: &HandleState, actions: &mut Actions) {
+    let Some(grip) = handles.grip.filter(|grip| grip.handle.side == SIDE) else { return };
+    let (moved, pointer) = ui.input(|input| (input.pointer.delta() != Vec2::ZERO, input.pointer.interact_pos()));
+    let Some(pointer) = pointer.filter(|_| moved) else { return };
+    let at = pointer + grip.offset;
+    let command = match grip.handle.kind {
+        HandleKind::Interior => point_at(model, view, at),
+        HandleKind::Boundary => anchor_at(model, view, at).map(|fraction| Command::MoveAnchor { side: SIDE, fraction }),
+    };
+    actions.extend(command.map(Action::Session));
+}
+
+fn nudged(model: &Model, view: &OrbitView, nudge: Nudge) -> Option<Command> {
+    match nudge {
+        Nudge::Interior(step) => point_at(model, view, view.to_screen(model.surface_point(SIDE)?)? + step),
+        Nudge::Boundary(step) => {
+            Some(Command::MoveAnchor { side: SIDE, fraction: model.surface(SIDE)?.1.anchor + step })
+        }
+    }
+}
+
+/// The interior point for a pointer at `at`: what it is over; beside the surface, what is nearest.
+fn point_at(model: &Model, view: &OrbitView, at: Pos2) -> Option<Command> {
+    let (side, _) = model.surface(SIDE)?;
+    let (eye, direction) = view.ray(at)?;
+    let tree = side.surface()?.tree();
+    let hit = tree.ray(eye, direction).or_else(|| {
+        let depth = (model.surface_point(SIDE)? - eye).dot(direction);
+        tree.nearest(eye + depth * direction)
+    });
+    side.interior_near(hit?.0).map(|point| Command::MoveInterior { side: SIDE, point: point.into() })
+}
+
+fn anchor_at(model: &Model, view: &OrbitView, at: Pos2) -> Option<f64> {
+    let surface = model.surface(SIDE)?.0.surface()?;
+    let (eye, direction) = view.ray(at)?;
+    Some(surface.fraction_at(nearest_on_boundary_to_ray(surface.mesh(), eye, direction, REACH)?))
+}
+
+fn move_eye(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &HandleState) {
+    if Locks::of(ui.ctx()).holds(Control::View) {
+        return;
+    }
+    let (shift, seconds, speed) =
+        ui.input(|input| (input.modifiers.shift, input.stable_dt.min(0.1), input.pointer.velocity()));
+    if handles.grip.is_some() {
+        view.let_spin(Vec2::ZERO);
+    } else if response.dragged() {
+        let pans = shift || !response.dragged_by(PointerButton::Primary);
+        view.let_spin(Vec2::ZERO);
+        if pans {
+            view.pan(response.drag_delta());
+        } else {
+            view.turn(response.drag_delta());
+        }
+        ui.set_cursor_icon(if pans { CursorIcon::Move } else { CursorIcon::AllScroll });
+    } else if response.drag_stopped_by(PointerButton::Primary) && !shift {
+        view.let_spin(speed);
+    }
+    if view.spin(seconds) {
+        ui.request_repaint();
+    }
+    if response.double_clicked() && handles.hovered.is_none() {
+        view.fit();
+    }
+    if let Some(pointer) = response.hover_pos() {
+        let (scroll, zoom) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+        view.zoom(zoom * (ZOOM_PER_POINT * scroll).exp(), pointer);
+    }
+}
+
+fn boundary_under_pointer(response: &Response, model: &Model, view: &OrbitView, handles: &HandleState) -> Option<f64> {
+    let pointer = response.hover_pos().filter(|_| handles.grip.is_none() && handles.hovered.is_none())?;
+    let surface = model.surface(SIDE)?.0.surface()?;
+    let fraction = anchor_at(model, view, pointer)?;
+    let place = view.to_screen(surface.boundary_position(surface.at_fraction(fraction)))?;
+    (place.distance(pointer) <= BOUNDARY_REACH).then_some(fraction)
+}
+
+/// Draws the textured surface.
+pub fn paint_surface(ui: &Ui, view: &OrbitView, style: Option<&TextureStyle>, cells: Option<CellStyle>, pace: Pace) {
+    let palette = Palette::of(ui.visuals());
+    let painter = ui.painter_at(view.rect);
+    let (Some(style), Some(camera)) = (style, view.camera()) else {
+        painter.rect_filled(view.rect, CornerRadius::ZERO, palette.canvas);
+        return;
+    };
+    let frame = SpaceFrame {
+        size_px: view.size_px(),
+        camera: *camera,
+        style: *style,
+        cells,
+        stroke: StrokeStyle::themed(ui.visuals().dark_mode, ui.pixels_per_point()),
+        background: palette.canvas.to_normalized_gamma_f32(),
+    };
+    let callback = SurfaceCallback { frame, pace, context: ui.ctx().clone() };
+    painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
+}
+
+/// Draws the dots, over everything else in the viewport; fainter where the surface hides them.
+pub fn paint_dots(ui: &Ui, model: &Model, view: &OrbitView, handles: &HandleState) {
+    let painter = ui.painter_at(view.rect);
+    let points =
+        [(HandleKind::Boundary, model.surface_anchor(SIDE)), (HandleKind::Interior, model.surface_point(SIDE))];
+    for (kind, point) in points {
+        let Some(dot) = point.and_then(|point| dot(model, view, point)) else { continue };
+        let handle = Handle { side: SIDE, kind };
+        let words = || {
+            let p = point.unwrap_or_default();
+            format!("{} = ({:.3}, {:.3}, {:.3})", handle.symbol(), p.x, p.y, p.z)
+        };
+        dots::paint(ui, &painter, handle, dot, handles, &words);
+    }
+}
+
+fn dot(model: &Model, view: &OrbitView, point: DVec3) -> Option<Dot> {
+    let eye = view.camera()?.eye();
+    let surface = model.surface(SIDE)?.0.surface()?;
+    let hidden = surface.tree_if_made().is_some_and(|tree| tree.hides(eye, point));
+    Some(Dot { place: view.to_screen(point)?, hidden })
+}
+
+/// Draws the mark at a fraction of the loop's length.
+pub fn paint_boundary_mark(ui: &Ui, model: &Model, view: &OrbitView, fraction: f64) {
+    let Some(surface) = model.surface(SIDE).and_then(|(side, _)| side.surface()) else { return };
+    if let Some(place) = view.to_screen(surface.boundary_position(surface.at_fraction(fraction))) {
+        dots::paint_mark(ui, &ui.painter_at(view.rect), SIDE, place);
+    }
+}

@@ -1,0 +1,191 @@
+//! Ways to explore by oneself: a gallery of pictures, the paper's figures, a guided tour, what the keys and the mouse do.
+
+mod gallery;
+mod shortcuts;
+mod thumbnail;
+mod tour;
+mod window;
+
+use crate::app::input::action::{Actions, ExploreAction};
+use crate::app::menus::figures_menu;
+use crate::language::tr;
+use crate::session::Session;
+use egui::{Context, Pos2, TextureHandle, Ui};
+use window::{BESIDES, Window};
+
+/// What is open: a window at a time, and the tour.
+#[derive(Default)]
+pub struct Explore {
+    window: Option<Window>,
+    /// Where it is closed.
+    close: Option<Pos2>,
+    tour: Option<Tour>,
+    /// What was just opened gets the keyboard.
+    focus_due: bool,
+    /// The gallery's small pictures that have been made, in its order; `None`: could not be.
+    thumbnails: Vec<Option<TextureHandle>>,
+}
+
+struct Tour {
+    step: usize,
+    /// What was on the screen before it.
+    before: Session,
+    /// Whether the random walks ran.
+    walked: bool,
+}
+
+/// What an [`ExploreAction`] changes on the screen.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Consequences {
+    /// This session is shown.
+    pub session: Option<Session>,
+    /// The random walks run, or not.
+    pub walks: Option<bool>,
+}
+
+impl Explore {
+    /// Opens or goes on; `present` is the session on the screen, `is_walking`: its random walks run.
+    pub fn act(&mut self, action: ExploreAction, present: &Session, is_walking: bool) -> Consequences {
+        match action {
+            ExploreAction::Gallery => self.open(Window::Gallery),
+            ExploreAction::Figures => self.open(Window::Figures),
+            ExploreAction::Shortcuts => self.open(Window::Shortcuts),
+            ExploreAction::Tour(step) => return self.go_to(step, present, is_walking),
+            ExploreAction::LeaveTour { keeps } => {
+                let Some(Tour { before, walked, .. }) = self.tour.take() else { return Consequences::default() };
+                return Consequences { session: (!keeps).then_some(before), walks: Some(walked) };
+            }
+        }
+        Consequences::default()
+    }
+
+    fn open(&mut self, window: Window) {
+        (self.window, self.focus_due) = (Some(window), true);
+    }
+
+    fn go_to(&mut self, step: usize, present: &Session, is_walking: bool) -> Consequences {
+        let Some(stop) = tour::steps().get(step) else { return Consequences::default() };
+        self.window = None;
+        self.focus_due = true;
+        let begun = self.tour.take().map(|tour| (tour.before, tour.walked));
+        let (before, walked) = begun.unwrap_or_else(|| (present.clone(), is_walking));
+        self.tour = Some(Tour { step, before, walked });
+        Consequences { session: Some(stop.session.clone()), walks: Some(stop.walks) }
+    }
+
+    /// The number of the tour's step that is shown.
+    pub fn step(&self) -> Option<usize> {
+        self.tour.as_ref().map(|tour| tour.step)
+    }
+
+    /// Whether the picture on the screen is one of the tour's.
+    pub fn is_touring(&self) -> bool {
+        self.tour.is_some()
+    }
+
+    /// What the tour says now.
+    pub fn words(&self) -> Option<[&'static str; 2]> {
+        let stop = tour::steps().get(self.step()?)?;
+        Some([stop.title, stop.text].map(tr))
+    }
+
+    /// Shows the tour's words below the pictures; on a low screen it `yields` to what else is there.
+    pub fn show_tour(&mut self, ui: &mut Ui, yields: bool, actions: &mut Actions) {
+        let step = self.step().filter(|_| !(yields && tour::is_low(ui)));
+        if let Some(step) = step {
+            // a window over it comes first
+            let takes_focus = self.window.is_none() && std::mem::take(&mut self.focus_due);
+            tour::show(ui, step, takes_focus, actions);
+        }
+    }
+
+    /// Shows the window that is open.
+    pub fn show(&mut self, context: &Context, actions: &mut Actions) {
+        let Some(open) = self.window else { return };
+        let takes_focus = std::mem::take(&mut self.focus_due);
+        let thumbnails = &mut self.thumbnails;
+        self.close = open.show(context, takes_focus && open != Window::Gallery, |ui| match open {
+            Window::Gallery => gallery::show(ui, thumbnails, takes_focus, actions),
+            Window::Figures => figures_menu::list(ui, BESIDES, actions),
+            Window::Shortcuts => shortcuts::show(ui),
+        });
+        if self.close.is_none() {
+            self.window = None;
+        }
+    }
+
+    /// The name of the window that is open, and where it is closed.
+    pub fn close(&self) -> Option<(&'static str, Pos2)> {
+        Some((self.window?.name(), self.close?))
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use egui_kittest::kittest::{NodeT, Queryable};
+
+    #[test]
+    fn the_tour_goes_on_from_step_to_step_and_gives_the_picture_from_before_back() {
+        let mine = Session::with([crate::session::Command::SetTextureScale(13.0)]);
+        let mut explore = Explore::default();
+        for step in 0..tour::steps().len() {
+            let shown = explore.act(ExploreAction::Tour(step), &mine, true).session;
+            assert!(shown.is_some_and(|shown| shown != mine), "step {step}");
+        }
+        assert_eq!(
+            explore.act(ExploreAction::Tour(99), &mine, false),
+            Consequences::default(),
+            "there is no such step"
+        );
+        let left = explore.act(ExploreAction::LeaveTour { keeps: false }, &Session::default(), false);
+        assert_eq!(left, Consequences { session: Some(mine), walks: Some(true) });
+        assert!(explore.tour.is_none());
+    }
+
+    #[test]
+    fn who_keeps_the_tours_picture_keeps_it() {
+        let mut explore = Explore::default();
+        explore.act(ExploreAction::Tour(2), &Session::default(), false);
+        assert_eq!(explore.act(ExploreAction::LeaveTour { keeps: true }, &Session::default(), false).session, None);
+    }
+
+    #[test]
+    fn what_is_opened_says_which_button_has_the_keyboard() {
+        for action in [ExploreAction::Gallery, ExploreAction::Shortcuts, ExploreAction::Tour(1)] {
+            let mut harness = crate::app::tests::ready_app([1200.0, 800.0]);
+            harness.run_steps(3);
+            let before = harness.state().stats().spoken;
+            harness.state_mut().explore(action);
+            harness.run_steps(3);
+            assert_eq!(harness.state().stats().spoken, before + 1, "{action:?}");
+        }
+    }
+
+    #[test]
+    fn a_window_that_opens_during_the_tour_has_the_keyboard() {
+        let mut harness = crate::app::tests::ready_app([1200.0, 800.0]);
+        for action in [ExploreAction::Tour(1), ExploreAction::Shortcuts] {
+            harness.state_mut().explore(action);
+            harness.run_steps(3);
+        }
+        assert!(harness.get_by_label("Close").accesskit_node().is_focused());
+    }
+
+    #[test]
+    fn on_a_phone_the_windows_are_closed_by_what_they_show() {
+        for action in [ExploreAction::Gallery, ExploreAction::Shortcuts] {
+            let mut harness = crate::app::tests::ready_app([390.0, 844.0]);
+            harness.state_mut().explore.act(action, &Session::default(), false);
+            harness.run_steps(6);
+            let close = harness.state().stats().close;
+            let at = Pos2::from(*close.values().next().unwrap());
+            harness.drag_at(at);
+            harness.step();
+            harness.drop_at(at);
+            harness.run_steps(3);
+            assert!(harness.state().stats().close.is_empty(), "{action:?} is closed at {at}");
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! Small pictures of maps, made by the processor: the map itself at a coarse resolution, with its pattern.
+//!
+//! Source and target stand side by side as on the screen. Triangles are filled pixel by pixel, near ones over
+//! far ones, at three times the size, and averaged.
+
+use crate::conformal::{PrepareSettings, Side};
+use crate::geometry::{Bounds, DVec2, DVec3};
+use crate::mesh::Sizing;
+use crate::model::scene::{Still, StillSurface};
+use crate::outline::Sampling;
+use crate::render::{MeshGeometry, Pattern, TextureStyle};
+use crate::session::{Command, Comparison, Session, SurfaceShape, SurfaceSpec};
+use egui::{Color32, ColorImage};
+
+/// Width and height of a picture, in points.
+pub const SIZE: [usize; 2] = [176, 84];
+/// Pixels per point: sharp on a screen of twice the density.
+const DENSITY: usize = 2;
+/// Samples along a side of a pixel.
+const FINE: usize = 3;
+
+/// Enough boundary samples for pictures of 80 points; adaptive ones keep corners and channels.
+const SAMPLES: u32 = 120;
+const GROWTH: f64 = 0.3;
+/// Boundary vertices of a surface by formula.
+const SURFACE_BOUNDARY: u32 = 72;
+/// Cells across: fewer than on the screen, to be seen at this size.
+const CELLS: f64 = 6.0;
+
+/// How bright what is seen edge on is, where 1 faces the eye.
+const DARKEST: f64 = 0.45;
+
+/// A picture of a session's map, transparent around it; `None` if it has none.
+pub fn of(session: &Session) -> Option<ColorImage> {
+    let still = Still::new(coarse(session.clone()), None, 1.0).ok()?;
+    let style = still.style(false, true)?;
+    let mut canvas = Canvas::new([SIZE[0] * DENSITY * FINE, SIZE[1] * DENSITY * FINE]);
+    canvas.plane(&still.geometry(Side::Source)?, 0, &style);
+    match still.surface() {
+        Some(surface) => canvas.solid(&surface, still.camera(1.0)?.backward(), &style),
+        None => canvas.plane(&still.geometry(Side::Target)?, 1, &style),
+    }
+    Some(canvas.averaged())
+}
+
+fn coarse(session: Session) -> Session {
+    let mut commands = vec![Command::SetComparison(Comparison::Off), Command::SetTextureScale(CELLS)];
+    for side in Side::BOTH {
+        let settings = PrepareSettings {
+            sampling: Sampling::Adaptive { target: Some(SAMPLES) },
+            sizing: Sizing::Graded(GROWTH),
+            ..session.domain(side).settings
+        };
+        commands.push(Command::SetSettings { side, settings });
+        let spec = session.surface(side).map(|surface| &surface.spec);
+        if let Some(spec @ SurfaceSpec { shape: SurfaceShape::Preset { preset, .. }, .. }) = spec {
+            let shape = SurfaceShape::Preset { preset: *preset, boundary: SURFACE_BOUNDARY };
+            commands.push(Command::RefineSurface { side, surface: SurfaceSpec { shape, ..spec.clone() } });
+        }
+    }
+    session.and(commands)
+}
+
+struct Canvas {
+    size: [usize; 2],
+    pixels: Vec<[f32; 4]>,
+    depths: Vec<f64>,
+}
+
+impl Canvas {
+    fn new(size: [usize; 2]) -> Self {
+        let count = size[0] * size[1];
+        Self { size, pixels: vec![[0.0; 4]; count], depths: vec![f64::NEG_INFINITY; count] }
+    }
+
+    /// From a domain's coordinates to the left or right half, y down.
+    fn fit(&self, points: &[DVec2], half: usize) -> impl Fn(DVec2) -> DVec2 + use<> {
+        let Bounds { min, max } = Bounds::of(points.iter().copied());
+        let room = DVec2::new(0.5 * self.size[0] as f64, self.size[1] as f64);
+        let scale = 0.94 * (room / (max - min)).min_element();
+        let center = DVec2::new((0.5 + half as f64) * room.x, 0.5 * room.y);
+        move |p| center + scale * (p - 0.5 * (min + max)) * DVec2::new(1.0, -1.0)
+    }
+
+    fn plane(&mut self, mesh: &MeshGeometry<'_>, half: usize, style: &TextureStyle) {
+        let place = self.fit(mesh.positions, half);
+        for corners in mesh.triangles {
+            let corners = corners.map(|v| v as usize);
+            let points = corners.map(|v| place(mesh.positions[v]).extend(0.0));
+            self.triangle(points, corners.map(|v| mesh.texture_coordinates[v]), 1.0, style);
+        }
+    }
+
+    /// The surface as it is seen from far away in the direction `towards_eye`, lit from there.
+    fn solid(&mut self, solid: &StillSurface<'_>, towards_eye: DVec3, style: &TextureStyle) {
+        let mesh = solid.surface.mesh();
+        let right = DVec3::Z.cross(towards_eye).try_normalize().unwrap_or(DVec3::X);
+        let up = towards_eye.cross(right);
+        let flat = |p: &DVec3| DVec2::new(p.dot(right), p.dot(up));
+        let flattened: Vec<DVec2> = mesh.vertices.iter().map(flat).collect();
+        let place = self.fit(&flattened, 1);
+        for corners in &mesh.triangles {
+            let corners = corners.map(|v| v as usize);
+            let [a, b, c] = corners.map(|v| mesh.vertices[v]);
+            let facing = (b - a).cross(c - a).normalize_or_zero().dot(towards_eye).abs();
+            let points = [a, b, c].map(|p| place(flat(&p)).extend(p.dot(towards_eye)));
+            let light = (DARKEST + (1.0 - DARKEST) * facing) as f32;
+            self.triangle(points, corners.map(|v| solid.coordinates[v]), light, style);
+        }
+    }
+
+    /// Fills a triangle; z is the depth, larger is nearer.
+    fn triangle(&mut self, [a, b, c]: [DVec3; 3], coordinates: [DVec2; 3], light: f32, style: &TextureStyle) {
+        let area = (b - a).truncate().perp_dot((c - a).truncate());
+        if area == 0.0 || !area.is_finite() {
+            return;
+        }
+        let low = a.min(b).min(c).max(DVec3::ZERO);
+        let high = a.max(b).max(c);
+        let range = |from: f64, to: f64, end: usize| (from.floor() as usize)..(to.ceil().max(0.0) as usize).min(end);
+        for y in range(low.y, high.y, self.size[1]) {
+            for x in range(low.x, high.x, self.size[0]) {
+                let p = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+                let towards = |q: DVec3, r: DVec3| (q.truncate() - p).perp_dot(r.truncate() - p) / area;
+                let weights = [towards(b, c), towards(c, a), towards(a, b)];
+                if weights.iter().any(|weight| *weight < -1e-9) {
+                    continue;
+                }
+                let depth = weights[0] * a.z + weights[1] * b.z + weights[2] * c.z;
+                let at = y * self.size[0] + x;
+                if depth >= self.depths[at] {
+                    self.depths[at] = depth;
+                    let [u, v, w] = weights;
+                    let [r, g, b] = colour(u * coordinates[0] + v * coordinates[1] + w * coordinates[2], style);
+                    self.pixels[at] = [light * r, light * g, light * b, 1.0];
+                }
+            }
+        }
+    }
+
+    fn averaged(&self) -> ColorImage {
+        let [width, height] = [SIZE[0] * DENSITY, SIZE[1] * DENSITY];
+        let mean = |k: usize| {
+            let (x, y) = (FINE * (k % width), FINE * (k / width));
+            let mut sum = [0.0; 4];
+            for at in (0..FINE * FINE).map(|k| (y + k / FINE) * self.size[0] + x + k % FINE) {
+                (0..4).for_each(|c| sum[c] += self.pixels[at][c]);
+            }
+            // alpha is the share of the pixel that is covered, so the colours come out premultiplied
+            let [r, g, b, a] = sum.map(|channel| (channel / (FINE * FINE) as f32 * 255.0).round() as u8);
+            Color32::from_rgba_premultiplied(r, g, b, a)
+        };
+        ColorImage::new([width, height], (0..width * height).map(mean).collect())
+    }
+}
+
+/// The two ends of the hue, top and bottom, and the paper: those of the screen's patterns.
+const TOP: [f32; 3] = [0.80, 0.43, 0.22];
+const BOTTOM: [f32; 3] = [0.18, 0.42, 0.58];
+const PAPER: [f32; 3] = [0.96, 0.93, 0.86];
+/// The half width of a line, in cells.
+const LINE: f64 = 0.07;
+
+/// The pattern at a texture coordinate.
+fn colour(p: DVec2, style: &TextureStyle) -> [f32; 3] {
+    let (low, high) = style.bounds;
+    let cell = (high - low).max_element() / style.cells;
+    let on_line = |coordinate: f64| (coordinate - coordinate.round()).abs() < LINE;
+    let (paper, height) = match style.pattern {
+        Pattern::Conformal | Pattern::Polar => {
+            let g = p - style.pole;
+            let per_radian = 0.5 * (1.5 * style.cells).round() * 4.0 / std::f64::consts::TAU;
+            let radius =
+                if style.pattern == Pattern::Conformal { -per_radian * g.length().ln() } else { g.length() / cell };
+            (on_line(radius) || on_line(per_radian * g.to_angle()), 1.0 - g.length() / (high - low).max_element())
+        }
+        Pattern::Grid => (on_line(p.x / cell) || on_line(p.y / cell), (p.y - low.y) / (high.y - low.y)),
+        Pattern::Checker | Pattern::Image => {
+            let cells = ((p - 0.5 * (low + high)) / cell).floor();
+            ((cells.x + cells.y).rem_euclid(2.0) == 0.0, (p.y - low.y) / (high.y - low.y))
+        }
+    };
+    if paper {
+        return PAPER;
+    }
+    let t = height.clamp(0.0, 1.0) as f32;
+    std::array::from_fn(|k| t * TOP[k] + (1.0 - t) * BOTTOM[k])
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::outline::Preset;
+    use crate::session::OutlineSpec;
+
+    #[test]
+    fn a_disk_covers_its_share_of_the_picture_and_the_corners_stay_transparent() {
+        let shapes = [(Side::Source, Preset::Disk), (Side::Target, Preset::Square)];
+        let set = |(side, preset)| Command::SetOutline { side, outline: OutlineSpec::Preset(preset) };
+        let session = Session::with(shapes.map(set));
+        let picture = of(&session).unwrap();
+        let [width, height] = picture.size;
+        assert_eq!([width, height], [352, 168]);
+        let covered = |from: usize, to: usize| {
+            let row = |y: usize| (from..to).map(move |x| (x, y));
+            let opacity = |(x, y): (usize, usize)| f64::from(picture.pixels[y * width + x].a()) / 255.0;
+            (0..height).flat_map(row).map(opacity).sum::<f64>() / (0.94 * height as f64).powi(2)
+        };
+        // 120 samples: the polygon has 0.9995 of the disk's area
+        assert!((covered(0, width / 2) - 0.25 * std::f64::consts::PI).abs() < 2e-3, "{}", covered(0, width / 2));
+        assert!((covered(width / 2, width) - 1.0).abs() < 1e-2, "{}", covered(width / 2, width));
+        assert_eq!(picture.pixels[0], Color32::TRANSPARENT);
+    }
+}

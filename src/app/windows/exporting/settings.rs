@@ -1,0 +1,176 @@
+//! The choices in the window of exports.
+
+use crate::app::panels::play_panel;
+use crate::app::theme::Palette;
+use crate::app::windows::exporting::window::{Exporter, Surroundings};
+use crate::conformal::Side;
+use crate::export::FileFormat;
+use crate::family::Path;
+use crate::language::{Label, Message, key, say, tr};
+use crate::model::export::request::Kind;
+use crate::render::{FilmFormat, MOST_FRAMES, SECONDS};
+use egui::{Button, DragValue, Response, RichText, Ui, vec2};
+
+/// Sizes that can be had by one click.
+const SIZES: [([u32; 2], &str); 4] = [
+    ([800, 450], "800 × 450"),
+    ([1600, 900], "1600 × 900"),
+    ([3840, 2160], "3840 × 2160"),
+    ([1080, 1080], "1080 × 1080"),
+];
+/// Sides of a picture, in pixels; fewer where the graphics device has smaller textures.
+const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
+impl Exporter {
+    /// The kinds of files, and what is in the chosen one.
+    pub(super) fn kinds(&mut self, ui: &mut Ui, around: Surroundings, height: f32) {
+        ui.horizontal_wrapped(|ui| {
+            for &kind in Kind::all(around.on_surface) {
+                if self.choice(ui, kind.label(), self.request.kind == kind, height).clicked() {
+                    self.request.kind = kind;
+                }
+            }
+        });
+        let weak = Palette::of(ui.visuals()).weak;
+        ui.label(RichText::new(tr(self.request.kind.explained(around.on_surface))).small().color(weak));
+        ui.add_space(4.0);
+    }
+
+    /// The rows of a table: what can be chosen about the kind of file.
+    pub(super) fn settings(&mut self, ui: &mut Ui, around: Surroundings, height: f32) {
+        let kind = self.request.kind;
+        if kind.is_drawn() {
+            self.size(ui, around, height);
+        }
+        let drawing = kind == Kind::File(FileFormat::Svg) && !around.on_surface;
+        if kind.is_drawn() || drawing {
+            self.sides(ui, height);
+        }
+        if kind.is_drawn() {
+            ui.label(tr(key::ground()));
+            let transparent = ui.checkbox(&mut self.request.transparent, tr(key::transparent()));
+            self.note(key::transparent().english(), &transparent.on_hover_text(tr(key::transparent_tooltip())));
+            ui.end_row();
+        }
+        if let Kind::Film(format) = kind {
+            self.film(ui, around, height, format);
+        }
+        if around.on_surface && matches!(kind, Kind::File(format) if format != FileFormat::Svg) {
+            ui.label(tr(key::coordinates()));
+            ui.horizontal(|ui| {
+                for (unit, label, tooltip) in [
+                    (true, key::unit_box(), key::unit_box_tooltip()),
+                    (false, key::true_scale(), key::true_scale_tooltip()),
+                ] {
+                    let choice = self.choice(ui, label, self.request.unit == unit, height);
+                    if choice.on_hover_text(tr(tooltip)).clicked() {
+                        self.request.unit = unit;
+                    }
+                }
+            });
+            ui.end_row();
+        }
+    }
+
+    fn size(&mut self, ui: &mut Ui, around: Surroundings, height: f32) {
+        ui.label(tr(key::size()));
+        let most = around.max_side.min(*SIDES.end());
+        ui.vertical(|ui| {
+            ui.horizontal_wrapped(|ui| {
+                for (size, label) in SIZES.into_iter().filter(|(size, _)| size.iter().all(|&side| side <= most)) {
+                    if self.choice_named(ui, [label; 2], self.request.size == size, height).clicked() {
+                        self.request.size = size;
+                    }
+                }
+            });
+            ui.horizontal(|ui| {
+                for (k, name) in [(0, tr(key::width_pixels())), (1, tr(key::height_pixels()))] {
+                    let field = DragValue::new(&mut self.request.size[k]).range(*SIDES.start()..=most).suffix(" px");
+                    let response = ui.add_sized([84.0, height], field).on_hover_text(name);
+                    self.note(if k == 0 { "Width" } else { "Height" }, &response);
+                    if k == 0 {
+                        ui.label("×");
+                    }
+                }
+            });
+        });
+        ui.end_row();
+    }
+
+    fn sides(&mut self, ui: &mut Ui, height: f32) {
+        ui.label(tr(key::show()));
+        ui.horizontal(|ui| {
+            let sides = [
+                (None, key::both()),
+                (Some(Side::Source), key::source_heading()),
+                (Some(Side::Target), key::target_heading()),
+            ];
+            for (side, label) in sides {
+                if self.choice(ui, label, self.request.side == side, height).clicked() {
+                    self.request.side = side;
+                }
+            }
+        });
+        ui.end_row();
+    }
+
+    fn film(&mut self, ui: &mut Ui, around: Surroundings, height: f32, format: FilmFormat) {
+        ui.label(tr(key::motion()));
+        ui.horizontal(|ui| {
+            for segment in &play_panel::PATHS {
+                let fixed = around.on_surface && segment.value == Path::TargetPoint;
+                ui.add_enabled_ui(!fixed, |ui| {
+                    let is_chosen = self.request.path == segment.value;
+                    let choice = self.choice(ui, segment.label, is_chosen, height);
+                    if choice.on_hover_text(tr(segment.tooltip)).clicked() {
+                        self.request.path = segment.value;
+                    }
+                });
+            }
+        });
+        ui.end_row();
+        ui.label(tr(key::duration()));
+        let seconds = DragValue::new(&mut self.request.seconds).range(SECONDS).speed(0.1).max_decimals(1).suffix(" s");
+        let response = ui.add_sized([84.0, height], seconds).on_hover_text(tr(key::duration_tooltip()));
+        self.note(key::duration().english(), &response);
+        ui.end_row();
+        ui.label(tr(key::pictures()));
+        ui.horizontal(|ui| {
+            let frames = DragValue::new(&mut self.request.frames).range(2..=MOST_FRAMES);
+            let response = ui.add_sized([84.0, height], frames).on_hover_text(tr(key::pictures_tooltip()));
+            self.note(key::pictures().english(), &response);
+            let rate = f64::from(self.request.frames) / self.request.seconds;
+            let weak = Palette::of(ui.visuals()).weak;
+            ui.label(RichText::new(say(&key::per_second(format!("{rate:.0}")))).color(weak));
+        });
+        ui.end_row();
+        if let Err(error) = self.request.film(format).check() {
+            let ink = Palette::of(ui.visuals()).error_edge;
+            ui.label("");
+            ui.label(RichText::new(say(&Message::from(&error))).small().color(ink));
+            ui.end_row();
+        }
+    }
+
+    fn choice(&mut self, ui: &mut Ui, label: Label, is_chosen: bool, height: f32) -> Response {
+        self.choice_named(ui, [label.english(), tr(label)], is_chosen, height)
+    }
+
+    fn choice_named(
+        &mut self,
+        ui: &mut Ui,
+        [name, label]: [&'static str; 2],
+        is_chosen: bool,
+        height: f32,
+    ) -> Response {
+        let button = Button::selectable(is_chosen, label).min_size(vec2(0.0, height)).frame_when_inactive(true);
+        let response = ui.add(button);
+        self.note(name, &response);
+        response
+    }
+
+    /// Remembers where a control is.
+    pub(super) fn note(&mut self, name: &'static str, response: &Response) {
+        let place = response.rect.center();
+        self.places.insert(name, [place.x, place.y]);
+    }
+}

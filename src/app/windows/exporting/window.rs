@@ -1,0 +1,239 @@
+//! The window where a file is chosen, made and saved.
+
+use crate::app::input::action::{Action, Actions};
+use crate::app::theme::text_metrics::scroll_beyond;
+use crate::app::theme::widgets::{close_button, message_box};
+use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
+use crate::family::Path;
+use crate::language::{Message, key, say, tr};
+use crate::model::export::job::{Job, Progress};
+use crate::model::export::request::{ExportRequest, Kind};
+use crate::model::export::{FileRequest, ReadyFile};
+use egui::{
+    Align2, Button, CornerRadius, Grid, Key, Modifiers, RichText, Role, Sense, Ui, Vec2, WidgetInfo, Window, vec2,
+};
+use std::collections::BTreeMap;
+
+const WIDTH: f32 = 400.0;
+/// Room for the scroll bar beside the choices.
+const SCROLL_BAR: f32 = 10.0;
+/// What of the screen's height is above the choices, and below them.
+const BESIDES: f32 = 210.0;
+/// The height of an error in it at most.
+const MOST_MESSAGE: f32 = 120.0;
+/// The window's upper edge, below the bar.
+const FROM_TOP: f32 = 64.0;
+
+/// How far the map on the screen is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MapState {
+    /// Another one is being prepared.
+    Preparing,
+    /// It is there.
+    Ready,
+    /// With all of its extension.
+    Complete,
+}
+
+/// What the window needs to know.
+#[derive(Debug, Clone, Copy)]
+pub struct Surroundings {
+    /// How far the map is.
+    pub map: MapState,
+    /// It is one of a surface.
+    pub on_surface: bool,
+    /// The largest side of a texture.
+    pub max_side: u32,
+}
+
+/// The window and the work that it has begun.
+#[derive(Default)]
+pub struct Exporter {
+    is_open: bool,
+    pub(super) request: ExportRequest,
+    job: Option<Job>,
+    error: Option<Message>,
+    /// The centres of its controls, by what is written on them.
+    pub(super) places: BTreeMap<&'static str, [f32; 2]>,
+}
+
+impl Exporter {
+    /// Shows the window.
+    pub fn open(&mut self) {
+        self.is_open = true;
+    }
+
+    /// What is chosen.
+    pub fn request(&self) -> &ExportRequest {
+        &self.request
+    }
+
+    /// What is chosen, as numbers or vector graphics.
+    pub fn file_request(&self) -> Option<FileRequest> {
+        let Kind::File(format) = self.request.kind else { return None };
+        Some(FileRequest { format, side: self.request.side, unit: self.request.unit })
+    }
+
+    /// Begins with work, or says why not.
+    pub fn begin(&mut self, job: Result<Job, Message>) {
+        (self.job, self.error) = match job {
+            Ok(job) => (Some(job), None),
+            Err(reason) => (None, Some(reason)),
+        };
+    }
+
+    /// Gives up what is under way.
+    pub fn cancel(&mut self) {
+        self.job = None;
+    }
+
+    /// Says what went wrong, or that nothing did.
+    pub fn tell(&mut self, error: Option<Message>) {
+        self.error = error;
+    }
+
+    /// What the window says is wrong, while it is open.
+    pub fn errors(&self) -> impl Iterator<Item = Message> {
+        let refused = match self.request.kind {
+            Kind::Film(format) if self.is_open => {
+                self.request.film(format).check().err().map(|error| Message::from(&error))
+            }
+            _ => None,
+        };
+        self.error.clone().filter(|_| self.is_open).into_iter().chain(refused)
+    }
+
+    /// Whether something is being made.
+    pub fn is_busy(&self) -> bool {
+        self.job.is_some()
+    }
+
+    /// Spends a frame's share on what is under way; the file, when it is there.
+    pub fn work(&mut self, gpu: (&wgpu::Device, &wgpu::Queue)) -> Option<ReadyFile> {
+        match self.job.as_mut()?.work(gpu) {
+            Ok(Progress::GoesOn) => None,
+            Ok(Progress::Done(file)) => {
+                self.job = None;
+                Some(file)
+            }
+            Err(reason) => {
+                (self.job, self.error) = (None, Some(reason));
+                None
+            }
+        }
+    }
+
+    /// Where its controls are; `None` while it is closed.
+    pub fn places(&self) -> Option<&BTreeMap<&'static str, [f32; 2]>> {
+        self.is_open.then_some(&self.places)
+    }
+
+    /// How many pictures of how many are made.
+    pub fn count(&self) -> Option<[u32; 2]> {
+        self.job.as_ref().map(Job::count)
+    }
+
+    /// Shows the window, if it is open. Closing it gives up what is under way.
+    pub fn show(&mut self, context: &egui::Context, around: Surroundings, actions: &mut Actions) {
+        if !self.is_open {
+            return;
+        }
+        self.places.clear();
+        if !Kind::all(around.on_surface).contains(&self.request.kind) {
+            self.request.kind = Kind::Picture;
+        }
+        let screen = context.content_rect();
+        let width = WIDTH.min(screen.width() - 40.0);
+        let mut stays = !context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+        Window::new(tr(key::export()))
+            .id(egui::Id::unique("export"))
+            .open(&mut stays)
+            .collapsible(false)
+            .auto_sized()
+            // it grows downwards only: what is under the pointer stays there
+            .pivot(egui::Align2::CENTER_TOP)
+            .default_pos(screen.center_top() + vec2(0.0, FROM_TOP))
+            .show(context, |ui| {
+                ui.set_width(width);
+                self.content(ui, around, actions);
+            });
+        if !(stays && self.is_open) {
+            (self.is_open, self.error) = (false, None);
+            actions.push(Action::CancelExport);
+        }
+    }
+
+    /// The choices, which may be scrolled, and below them what is done with them.
+    fn content(&mut self, ui: &mut Ui, around: Surroundings, actions: &mut Actions) {
+        let height = control_height(ui, ROW_HEIGHT);
+        scroll_beyond(ui, BESIDES, |ui| {
+            ui.set_width(ui.available_width() - SCROLL_BAR);
+            ui.add_enabled_ui(!self.is_busy(), |ui| {
+                self.kinds(ui, around, height);
+                Grid::new("export settings").num_columns(2).spacing([12.0, 8.0]).show(ui, |ui| {
+                    self.settings(ui, around, height);
+                });
+            });
+        });
+        ui.add_space(6.0);
+        self.bottom(ui, around, height, actions);
+        if let Some(error) = &self.error
+            && message_box(ui, error, None, MOST_MESSAGE).is_some()
+        {
+            self.error = None;
+        }
+    }
+
+    fn bottom(&mut self, ui: &mut Ui, around: Surroundings, height: f32, actions: &mut Actions) {
+        ui.horizontal(|ui| {
+            if let Some(job) = &self.job {
+                let [done, all] = job.count();
+                let text = if all > 1 { say(&key::pictures_done(done, all)) } else { String::new() };
+                let size = vec2(ui.available_width() - 110.0, height);
+                progress_bar(ui, size, job.progress(), text);
+                let cancel = ui.add_sized([100.0, height], Button::new(tr(key::cancel())));
+                self.note(key::cancel().english(), &cancel);
+                if cancel.clicked() {
+                    actions.push(Action::CancelExport);
+                }
+                return;
+            }
+            let Kind::Film(format) = self.request.kind else {
+                let can_be =
+                    around.map == MapState::Complete || (around.map == MapState::Ready && self.request.kind.is_drawn());
+                return self.save(ui, can_be, height, actions);
+            };
+            let fixed = around.on_surface && self.request.path == Path::TargetPoint;
+            let can_be = self.request.film(format).check().is_ok() && !fixed;
+            self.save(ui, around.map != MapState::Preparing && can_be, height, actions);
+        });
+    }
+
+    fn save(&mut self, ui: &mut Ui, enabled: bool, height: f32, actions: &mut Actions) {
+        let palette = Palette::of(ui.visuals());
+        let label = RichText::new(tr(key::save())).color(palette.on_accent);
+        let button = Button::new(label).fill(palette.accent).min_size(vec2(120.0, height));
+        let response = ui.add_enabled(enabled, button);
+        let response = response.on_disabled_hover_text(tr(key::swap_waits()));
+        self.note(key::save().english(), &response);
+        if response.clicked() {
+            actions.push(Action::SaveExport);
+        }
+        let close = close_button(ui);
+        self.note(key::close().english(), &close);
+        self.is_open &= !close.clicked();
+    }
+}
+
+/// How far the work is, with a few words over it.
+fn progress_bar(ui: &mut Ui, size: Vec2, done: f32, text: String) {
+    let palette = Palette::of(ui.visuals());
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, &text));
+    let rounding = CornerRadius::same(ROUNDING);
+    ui.painter().rect_filled(rect, rounding, palette.border);
+    let filled = rect.with_max_x(rect.left() + done.clamp(0.0, 1.0) * rect.width());
+    ui.painter().with_clip_rect(filled).rect_filled(rect, rounding, palette.accent_soft.gamma_multiply(0.6));
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font, palette.text);
+}

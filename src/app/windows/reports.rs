@@ -1,0 +1,284 @@
+//! The paper's tables and its convergence figure, measured on this machine: windows that fill row by row.
+//!
+//! A window that is closed asks for no more rows; the one under way is dropped when it comes.
+
+use crate::app::input::action::Report;
+use crate::app::plots::convergence_chart;
+use crate::app::theme::Palette;
+use crate::app::theme::widgets::close_button;
+use crate::figures::{
+    BenchRow, BenchSetting, ConvergenceRow, Measurement, PaperFrame, PaperPreparation, TABLE_1, TABLE_2,
+};
+use crate::language::{self, Label, Message, key, say, tr};
+use crate::worker::{Finding, Study};
+use egui::{Grid, Key, RichText, ScrollArea, Ui, Window, vec2};
+use std::collections::VecDeque;
+
+/// Measurements per row, of which the median is taken.
+const RUNS: usize = 3;
+
+/// Resolutions of Figure 15 in the app; the command line goes on to 4000.
+const RESOLUTIONS: [u32; 4] = [250, 500, 1000, 2000];
+
+/// The window that is open, and what it knows.
+#[derive(Debug, Default)]
+pub struct Reports {
+    open: Option<Report>,
+    waiting: VecDeque<Study>,
+    running: Option<Study>,
+    /// Whether the study of a window that was closed is still under way: two at once would measure each other.
+    is_abandoned: bool,
+    rows: Vec<(BenchRow, Measurement)>,
+    convergence: Vec<ConvergenceRow>,
+    failures: Vec<Message>,
+}
+
+impl Reports {
+    /// Opens a window and begins anew.
+    pub fn open(&mut self, report: Report) {
+        let waiting = match report {
+            Report::Bench => BenchRow::all().into_iter().map(|row| Study::Bench { row, runs: runs(row) }).collect(),
+            Report::Convergence => RESOLUTIONS.map(|m| Study::Convergence { m }).into(),
+        };
+        self.close();
+        (self.open, self.waiting) = (Some(report), waiting);
+    }
+
+    fn close(&mut self) {
+        *self = Self { is_abandoned: self.is_abandoned || self.running.is_some(), ..Self::default() };
+    }
+
+    /// The next study, when none is under way.
+    pub fn take_study(&mut self) -> Option<Study> {
+        if self.running.is_some() || self.is_abandoned {
+            return None;
+        }
+        self.running = self.waiting.pop_front();
+        self.running
+    }
+
+    /// Takes in what a study found; `None` stands for the one under way. A stale one is dropped.
+    pub fn accept(&mut self, study: Option<Study>, finding: Finding) {
+        if std::mem::take(&mut self.is_abandoned) {
+            return;
+        }
+        let Some(running) = self.running.take_if(|running| study.is_none_or(|study| study == *running)) else { return };
+        match (running, finding) {
+            (Study::Bench { row, .. }, Finding::Bench(measurement)) => self.rows.push((row, measurement)),
+            (Study::Convergence { .. }, Finding::Convergence(rows)) => self.convergence.extend(rows),
+            (_, Finding::Failed(reason)) => self.failures.push(reason),
+            _ => self.failures.push(key::another_answer().into()),
+        }
+    }
+
+    /// What could not be measured, in the words of the window that is open.
+    pub fn errors(&self) -> impl Iterator<Item = &Message> {
+        self.failures.iter()
+    }
+
+    /// Shows the window, if one is open.
+    pub fn show(&mut self, context: &egui::Context) {
+        let Some(report) = self.open else { return };
+        let title = match report {
+            Report::Bench => key::tables_of_paper(),
+            Report::Convergence => key::convergence_of_paper(),
+        };
+        let screen = context.content_rect();
+        let mut still_open = true;
+        let given_up = context.input(|input| input.key_pressed(Key::Escape));
+        Window::new(tr(title))
+            .open(&mut still_open)
+            .collapsible(false)
+            .pivot(egui::Align2::CENTER_CENTER)
+            .default_pos(screen.center())
+            .default_size(vec2(780.0, 700.0).min(screen.size() - vec2(24.0, 90.0)))
+            .show(context, |ui| self.content(ui, report));
+        if !still_open || given_up {
+            self.close();
+        }
+    }
+
+    fn content(&self, ui: &mut Ui, report: Report) {
+        let palette = Palette::of(ui.visuals());
+        let left = self.waiting.len() + usize::from(self.running.is_some());
+        let state = if left == 0 { String::from(tr(key::done())) } else { say(&key::measuring_rows(left)) };
+        ui.label(RichText::new(state).color(palette.weak));
+        for failure in &self.failures {
+            ui.label(RichText::new(say(failure)).color(palette.error_edge));
+        }
+        let below = 2.0 * ui.spacing().item_spacing.y + ui.spacing().interact_size.y;
+        let height = ui.available_height() - below;
+        ScrollArea::both().auto_shrink(false).max_height(height).show(ui, |ui| match report {
+            Report::Bench => self.tables(ui),
+            Report::Convergence => convergence_chart(ui, &self.convergence),
+        });
+        if close_button(ui).clicked() {
+            ui.close();
+        }
+    }
+
+    fn tables(&self, ui: &mut Ui) {
+        let weak = Palette::of(ui.visuals()).weak;
+        ui.label(RichText::new(say(&key::paper_machine_and_here(key::paper_machine()))).color(weak));
+        for setting in BenchSetting::ALL {
+            self.table_1(ui, setting);
+            self.table_2(ui, setting);
+        }
+    }
+
+    fn table_1(&self, ui: &mut Ui, setting: BenchSetting) {
+        heading(ui, key::table_1(), setting);
+        grid(ui, format!("table 1 {setting:?}"), |ui| {
+            header(
+                ui,
+                &[
+                    "",
+                    "m",
+                    "N",
+                    tr(key::stage_mesh()),
+                    tr(key::paper()),
+                    tr(key::factor()),
+                    tr(key::with_psi()),
+                    tr(key::paper()),
+                    tr(key::zipper()),
+                    tr(key::paper()),
+                    tr(key::bff_paper()),
+                ],
+            );
+            for (index, paper) in TABLE_1.iter().enumerate() {
+                let asked = BenchRow::Preparation { index, setting };
+                let Some(Measurement::Preparation(here)) = self.measurement(asked) else { continue };
+                let psi = match self.measurement(BenchRow::PsiTable { index }) {
+                    Some(Measurement::PsiTable { psi_s: Some(s) }) if setting == BenchSetting::Paper => seconds(s),
+                    Some(Measurement::PsiTable { psi_s: None }) if setting == BenchSetting::Paper => {
+                        tr(key::too_large()).into()
+                    }
+                    _ => "–".into(),
+                };
+                let PaperPreparation { triangulation_s, psi_s, zipper_s, bff_s, .. } = *paper;
+                row(
+                    ui,
+                    tr(language::preset(paper.domain)),
+                    &[
+                        here.m.to_string(),
+                        here.triangles.to_string(),
+                        seconds(here.triangulation_s),
+                        seconds(triangulation_s),
+                        seconds(here.factorisation_s),
+                        psi,
+                        seconds(psi_s),
+                        seconds(here.zipper_s),
+                        seconds(zipper_s),
+                        seconds(bff_s),
+                    ],
+                );
+            }
+        });
+    }
+
+    fn table_2(&self, ui: &mut Ui, setting: BenchSetting) {
+        heading(ui, key::table_2(), setting);
+        grid(ui, format!("table 2 {setting:?}"), |ui| {
+            header(
+                ui,
+                &[
+                    "",
+                    "m₁, m₂",
+                    "N₁",
+                    tr(key::psi_match_x1_moves()),
+                    tr(key::x2_moves()),
+                    tr(key::paper()),
+                    tr(key::extend()),
+                    tr(key::paper()),
+                ],
+            );
+            for (index, paper) in TABLE_2.iter().enumerate() {
+                let asked = BenchRow::Frame { index, setting };
+                let Some(Measurement::Frame(here)) = self.measurement(asked) else { continue };
+                let PaperFrame { source, target, matching_ms, extension_ms, .. } = *paper;
+                row(
+                    ui,
+                    &format!("{} → {}", tr(language::preset(source)), tr(language::preset(target))),
+                    &[
+                        format!("{}, {}", here.m[0], here.m[1]),
+                        here.triangles.to_string(),
+                        milliseconds(here.source.matching_ms),
+                        milliseconds(here.target.matching_ms),
+                        milliseconds(matching_ms),
+                        milliseconds(here.source.extension_ms),
+                        milliseconds(extension_ms),
+                    ],
+                );
+            }
+        });
+    }
+
+    fn measurement(&self, row: BenchRow) -> Option<Measurement> {
+        self.rows.iter().find(|(measured, _)| *measured == row).map(|(_, measurement)| *measurement)
+    }
+}
+
+/// The tables of Ψ take seconds each, and riemap does not need them: once is enough.
+fn runs(row: BenchRow) -> usize {
+    if matches!(row, BenchRow::PsiTable { .. }) { 1 } else { RUNS }
+}
+
+fn heading(ui: &mut Ui, table: Label, setting: BenchSetting) {
+    ui.add_space(8.0);
+    let of = match setting {
+        BenchSetting::Paper => key::setting_paper(),
+        BenchSetting::Default => key::setting_default(),
+    };
+    ui.label(RichText::new(tr(table)).strong());
+    ui.label(RichText::new(tr(of)).small().color(Palette::of(ui.visuals()).weak));
+}
+
+fn grid(ui: &mut Ui, id: String, content: impl FnOnce(&mut Ui)) {
+    Grid::new(id).striped(true).spacing([14.0, 3.0]).show(ui, content);
+}
+
+fn header(ui: &mut Ui, titles: &[&str]) {
+    for title in titles {
+        ui.label(RichText::new(*title).small().color(Palette::of(ui.visuals()).weak));
+    }
+    ui.end_row();
+}
+
+fn row(ui: &mut Ui, name: &str, cells: &[String]) {
+    ui.label(name);
+    for cell in cells {
+        ui.label(RichText::new(cell).monospace());
+    }
+    ui.end_row();
+}
+
+fn seconds(s: f64) -> String {
+    if s < 0.1 { format!("{s:.4}") } else { format!("{s:.2}") }
+}
+
+fn milliseconds(ms: f64) -> String {
+    format!("{ms:.2}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_come_one_after_the_other_and_stale_ones_are_dropped() {
+        let mut reports = Reports::default();
+        reports.open(Report::Convergence);
+        let first = reports.take_study();
+        assert!(first.is_some() && reports.take_study().is_none(), "one at a time");
+        reports.open(Report::Bench);
+        assert!(reports.take_study().is_none(), "the other window's row is still under way");
+        reports.accept(first, Finding::Convergence(Vec::new()));
+        assert!(reports.convergence.is_empty(), "its answer is dropped");
+        let second = reports.take_study();
+        reports.accept(second, Finding::Failed("no".into()));
+        assert_eq!(reports.failures.len(), 1);
+        assert!(reports.take_study().is_some());
+        reports.accept(None, Finding::Failed("the worker died".into()));
+        assert_eq!(reports.failures.len(), 2);
+    }
+}

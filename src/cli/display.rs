@@ -1,0 +1,58 @@
+//! Commands need no display, and say nothing of one.
+//!
+//! Mesa's Vulkan layer "device select" connects to Wayland to learn which device the desktop uses. Without
+//! a desktop (containers, services, ssh) libwayland reports on stderr that `XDG_RUNTIME_DIR` is not set, once for each
+//! list of adapters. It needs that folder only to complete the name of a socket: where `WAYLAND_DISPLAY` is an absolute
+//! path, the connection fails without a word.
+
+use std::env;
+use std::ffi::OsStr;
+use std::os::unix::process::CommandExt as _;
+use std::path::Path;
+use std::process::Command;
+
+/// An absolute path at which no Wayland server can be.
+const NO_DISPLAY: &str = "/dev/null";
+
+/// Goes on in a process whose environment names a display, so that libwayland does not complain about a missing
+/// one: the same process with the same arguments, started anew, as changing the environment of a running one is
+/// unsafe. Returns where that is not necessary, or is not possible; then the complaints remain, and nothing else.
+pub fn name_one() {
+    let [folder, display, socket] = ["XDG_RUNTIME_DIR", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].map(env::var_os);
+    if socket.is_some() || is_complete(folder.as_deref(), display.as_deref()) {
+        return;
+    }
+    let Ok(program) = env::current_exe() else { return };
+    let mut arguments = env::args_os();
+    let mut command = Command::new(&program);
+    command.arg0(arguments.next().unwrap_or_else(|| program.into_os_string()));
+    // It returns only when it fails.
+    let _error = command.args(arguments).env("WAYLAND_DISPLAY", NO_DISPLAY).exec();
+}
+
+/// Whether libwayland finds an absolute path to look for a server at.
+fn is_complete(folder: Option<&OsStr>, display: Option<&OsStr>) -> bool {
+    [folder, display].into_iter().flatten().any(|path| Path::new(path).is_absolute())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{NO_DISPLAY, is_complete};
+    use std::ffi::OsStr;
+
+    #[test]
+    fn a_display_is_complete_with_a_folder_or_by_an_absolute_path() {
+        let complete =
+            |folder: Option<&str>, display: Option<&str>| is_complete(folder.map(OsStr::new), display.map(OsStr::new));
+        assert!(!complete(None, None));
+        assert!(!complete(None, Some("wayland-0")));
+        assert!(!complete(Some(""), None));
+        assert!(complete(Some("/run/user/1000"), None));
+        assert!(complete(None, Some("/run/user/1000/wayland-0")));
+    }
+
+    #[test]
+    fn a_process_that_was_started_anew_is_not_started_anew_again() {
+        assert!(is_complete(None, Some(OsStr::new(NO_DISPLAY))));
+    }
+}

@@ -1,0 +1,116 @@
+//! Why there is no map, and what is to be known of one.
+
+use super::Side;
+use crate::counted::counted;
+use crate::laplace::NotConverged;
+
+/// Why there is no map.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MapError {
+    /// An interior point is not inside its (sampled) domain.
+    #[error("the {side} point ({x}, {y}) is not inside the {side} outline as it is sampled")]
+    PointOutside {
+        /// Which domain.
+        side: Side,
+        /// Its position.
+        x: f64,
+        /// Its position.
+        y: f64,
+    },
+    /// No such triangle of a surface, or weights that are negative or do not sum to 1.
+    #[error("{}", counted!(
+        *triangles,
+        "({}, {}, {}) in triangle {triangle} is no point of the surface, which has 1 triangle",
+        "({}, {}, {}) in triangle {triangle} is no point of the surface, which has {triangles} triangles",
+        weights[0],
+        weights[1],
+        weights[2]
+    ))]
+    NoPoint {
+        /// Which surface.
+        side: Side,
+        /// Which triangle.
+        triangle: u32,
+        /// The weights of its corners.
+        weights: [f64; 3],
+        /// How many triangles there are.
+        triangles: usize,
+    },
+    /// The interior point of a surface lies on its boundary, where harmonic measure is a point mass.
+    #[error("the surface point lies on the boundary of the surface; it must be inside")]
+    OnBoundary {
+        /// Which surface.
+        side: Side,
+    },
+    /// A place in the plane was given for a surface, or a point of a surface for a planar domain.
+    #[error("the {side} point is of the other kind: a place in the plane for a surface, or a surface's for an outline")]
+    OtherKind {
+        /// Which side.
+        side: Side,
+    },
+    /// An anchor of a domain is not a number.
+    #[error("the {side} anchor is not a finite fraction of the arc length")]
+    AnchorNotFinite {
+        /// Which domain.
+        side: Side,
+    },
+    /// An anchor of a surface is not a number.
+    #[error("the surface anchor is not a finite fraction of the length of the boundary loop")]
+    LoopAnchorNotFinite {
+        /// Which surface.
+        side: Side,
+    },
+    /// A side's iterative solver did not converge; one with a complete factor has no such error.
+    #[error("{side}: {error}")]
+    NotConverged {
+        /// Which side.
+        side: Side,
+        /// What the solver said.
+        error: NotConverged,
+    },
+}
+
+impl MapError {
+    /// The side that it is about.
+    pub fn side(&self) -> Side {
+        match self {
+            Self::PointOutside { side, .. }
+            | Self::NoPoint { side, .. }
+            | Self::OnBoundary { side }
+            | Self::OtherKind { side }
+            | Self::AnchorNotFinite { side }
+            | Self::LoopAnchorNotFinite { side }
+            | Self::NotConverged { side, .. } => *side,
+        }
+    }
+}
+
+/// What is to be known of a surface under a map: boundary edges whose images are points, as far as f64 tells; between
+/// two surfaces, whose images in the unit disk are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum MapNote {
+    /// They have no harmonic measure.
+    #[error("{}", counted!(
+        *edges,
+        "the ends of 1 boundary edge fall together: no inner way leads there from the surface point, or too long a one",
+        "the ends of {edges} boundary edges fall together: no inner way leads there from the surface point, or too long \
+         a one"
+    ))]
+    NoMeasure {
+        /// How many.
+        edges: usize,
+    },
+    /// They have no harmonic measure, or the kernel has negative values, and the order of the boundary is lost.
+    #[error("{}", counted!(
+        *edges,
+        "the ends of 1 boundary edge fall together: no inner way leads there from the surface point, or too long a one, \
+         or the kernel is negative there, as it may be without intrinsic Delaunay flips",
+        "the ends of {edges} boundary edges fall together: no inner way leads there from the surface point, or too long \
+         a one, or the kernel is negative there, as it may be without intrinsic Delaunay flips"
+    ))]
+    NegativeKernel {
+        /// How many.
+        edges: usize,
+    },
+}

@@ -1,0 +1,131 @@
+//! One side of a map: its interior point, kernel, anchor and measure, renewed as far as a change asks.
+//!
+//! A renewal is planned (which checks the constraints), begun, advanced and, with the map's
+//! whole update, committed; until then all that is seen is what was there before.
+
+use super::kernel::{advance_kernel, begin_kernel};
+use super::measured::{Measured, Renewal};
+use super::{Constraints, InteriorPoint, KernelScratch, MapError, MeshedDomain, PreparedSide, Side, SideGeometry};
+use crate::geometry::{DVec2, DVec3};
+use crate::laplace::Deadline;
+use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, locate};
+use std::sync::Arc;
+
+/// How far from 1 the weights of a point may sum.
+const WEIGHT_TOLERANCE: f64 = 1e-9;
+
+/// One side of a map.
+#[derive(Debug)]
+pub(super) struct MapSide {
+    pub prepared: Arc<PreparedSide>,
+    point: Option<InteriorPoint>,
+    pub located: BarycentricPoint,
+    anchor: f64,
+    pub measured: Measured,
+}
+
+/// What a change of constraints asks of one side.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Change {
+    pub located: Option<BarycentricPoint>,
+    pub re_anchor: bool,
+}
+
+impl Change {
+    /// What becomes another one.
+    pub fn renewal(&self) -> Renewal {
+        Renewal { kernel: self.located.is_some(), measure: self.located.is_some() || self.re_anchor }
+    }
+}
+
+impl MapSide {
+    pub fn new(prepared: Arc<PreparedSide>) -> Self {
+        let located = BarycentricPoint { triangle: 0, weights: [1.0, 0.0, 0.0] };
+        Self { prepared, point: None, located, anchor: f64::NAN, measured: Measured::default() }
+    }
+
+    /// Checks the constraints of this side and finds what they change; changes nothing.
+    pub fn plan(&self, side: Side, constraints: &Constraints) -> Result<Change, MapError> {
+        let (point, anchor) = (constraints.points[side], constraints.anchors[side]);
+        let is_new = self.point != Some(point);
+        let located = match (self.prepared.geometry(), point) {
+            (SideGeometry::Plane(_), InteriorPoint::Plane(_)) if !anchor.is_finite() => {
+                return Err(MapError::AnchorNotFinite { side });
+            }
+            (SideGeometry::Plane(domain), InteriorPoint::Plane(x)) if is_new => Some(self.inside(side, domain, x)?),
+            (SideGeometry::Plane(_), InteriorPoint::Plane(_)) => None,
+            (SideGeometry::Space(surface), InteriorPoint::Surface(point)) => {
+                check(side, surface.mesh(), point)?;
+                if !anchor.is_finite() {
+                    return Err(MapError::LoopAnchorNotFinite { side });
+                }
+                is_new.then_some(point)
+            }
+            _ => return Err(MapError::OtherKind { side }),
+        };
+        Ok(Change { located, re_anchor: anchor != self.anchor })
+    }
+
+    /// Finds a place that has to be inside the domain.
+    fn inside(&self, side: Side, domain: &MeshedDomain, x: DVec2) -> Result<BarycentricPoint, MapError> {
+        let found = if x.is_finite() { locate(domain.mesh(), x, self.located.triangle) } else { None };
+        let inside = found.filter(|found| !on_boundary(domain.mesh(), *found));
+        inside.ok_or(MapError::PointOutside { side, x: x.x, y: x.y })
+    }
+
+    /// Begins with the kernel, if another one is planned.
+    pub fn begin(&self, change: &Change, scratch: &mut KernelScratch) {
+        if let Some(located) = change.located {
+            begin_kernel(&self.prepared, located, scratch);
+        }
+    }
+
+    /// Goes on with kernel and measure as planned until they are there (true) or `deadline` is over.
+    pub fn advance(
+        &mut self,
+        side: Side,
+        constraints: &Constraints,
+        change: &Change,
+        scratch: &mut KernelScratch,
+        deadline: Deadline,
+    ) -> Result<bool, MapError> {
+        if let Some(located) = change.located {
+            let coming = &mut self.measured.coming_kernel;
+            let is_there = advance_kernel(&self.prepared, located, scratch, coming, deadline);
+            if !is_there.map_err(|error| MapError::NotConverged { side, error })? {
+                return Ok(false);
+            }
+        }
+        if change.renewal().measure {
+            let anchor = self.prepared.at_fraction(constraints.anchors[side]);
+            self.measured.set_measure(self.prepared.edge_lengths(), anchor, change.renewal());
+        }
+        Ok(true)
+    }
+
+    /// What was planned is there, and shown from now on.
+    pub fn commit(&mut self, side: Side, constraints: &Constraints, change: &Change) {
+        self.measured.commit(change.renewal());
+        (self.point, self.anchor) = (Some(constraints.points[side]), constraints.anchors[side]);
+        self.located = change.located.unwrap_or(self.located);
+    }
+}
+
+/// Whether a point is one inside a surface.
+fn check(side: Side, mesh: &TriMesh<DVec3>, point: BarycentricPoint) -> Result<(), MapError> {
+    let BarycentricPoint { triangle, weights } = point;
+    let sum: f64 = weights.iter().sum();
+    let sound = weights.iter().all(|&w| w >= 0.0) && (sum - 1.0).abs() <= WEIGHT_TOLERANCE;
+    if !sound || triangle as usize >= mesh.triangles.len() {
+        return Err(MapError::NoPoint { side, triangle, weights, triangles: mesh.triangles.len() });
+    }
+    if on_boundary(mesh, point) { Err(MapError::OnBoundary { side }) } else { Ok(()) }
+}
+
+/// Whether a located point lies on a boundary edge, where harmonic measure is a point mass.
+fn on_boundary<P>(mesh: &TriMesh<P>, point: BarycentricPoint) -> bool {
+    let corners = mesh.triangles[point.triangle as usize];
+    let neighbours = mesh.neighbours[point.triangle as usize];
+    let vertex = (0..3).any(|i| point.weights[i] == 1.0 && corners[i] < mesh.boundary_count);
+    vertex || (0..3).any(|i| point.weights[i] == 0.0 && neighbours[i] == NO_TRIANGLE)
+}

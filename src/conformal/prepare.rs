@@ -1,0 +1,241 @@
+//! The preparation of a side: how it is done, its stages, what it takes, and the doing.
+
+use super::domain::MeshedDomain;
+use super::prepared_side::{PreparedSide, SideGeometry};
+use super::surface::MeshedSurface;
+use super::system::DirichletSystem;
+use super::{HarmonicTable, TableError};
+use crate::geometry::SimplePolygon;
+use crate::laplace::{DirichletLaplacian, LaplaceError, Ordering, Solver, SolverKind};
+use crate::mesh::{MeshError, Sizing};
+use crate::outline::{Sampling, SamplingError};
+use crate::surface::SurfaceMesh;
+use std::sync::Arc;
+use web_time::Instant;
+
+/// How a domain is discretised.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+pub struct PrepareSettings {
+    /// How the boundary is sampled.
+    pub sampling: Sampling,
+    /// How the triangle size varies.
+    pub sizing: Sizing,
+    /// How the kernel is computed.
+    #[serde(default)]
+    pub kernel: KernelMode,
+    /// How linear systems are solved.
+    #[serde(default)]
+    pub solver: SolverKind,
+}
+
+/// How the kernel at a point is computed; the numbers are the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum KernelMode {
+    /// By one adjoint solve for each new point.
+    #[default]
+    Adjoint,
+    /// From a table of all harmonic coordinates, made in advance (the paper's way).
+    Table,
+}
+
+/// What a preparation may take of the memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Memory {
+    /// For the factor of L̂; above it the iterative solver serves.
+    pub factor_bytes: u64,
+    /// For the table of harmonic coordinates; above it the preparation is refused.
+    pub table_bytes: u64,
+}
+
+impl Default for Memory {
+    /// An eighth of what a browser can give to one page where addresses have 32 bits, else a
+    /// quarter of a laptop's memory; for each side, and before a worker hands it over by copying.
+    fn default() -> Self {
+        let bytes = if usize::BITS == 32 { 512 << 20 } else { 4 << 30 };
+        Self { factor_bytes: bytes, table_bytes: bytes }
+    }
+}
+
+/// A stage of the preparation, for progress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stage {
+    /// Reading a surface and checking what it is.
+    Read,
+    /// Sampling the boundary.
+    Sample,
+    /// Triangulating.
+    Mesh,
+    /// Assembling the cotangent Laplacian.
+    Assemble,
+    /// Fill-reducing ordering.
+    Order,
+    /// Cholesky factorisation, complete or incomplete.
+    Factor,
+    /// Solving for the table of harmonic coordinates.
+    Table {
+        /// How much of it is done.
+        percent: u8,
+    },
+}
+
+/// How long each stage took, in milliseconds.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+#[allow(missing_docs, reason = "the fields are the stages")]
+pub struct PrepareTimings {
+    pub sample: f64,
+    pub mesh: f64,
+    pub assemble: f64,
+    pub order: f64,
+    pub factor: f64,
+    pub table: f64,
+}
+
+impl PrepareTimings {
+    /// The whole preparation.
+    pub fn total(&self) -> f64 {
+        self.sample + self.mesh + self.assemble + self.order + self.factor + self.table
+    }
+}
+
+/// Why a side could not be prepared.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PrepareError {
+    /// The boundary could not be sampled.
+    #[error(transparent)]
+    Sampling(#[from] SamplingError),
+    /// The sampled boundary could not be meshed.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The Laplacian could not be factored.
+    #[error(transparent)]
+    Laplace(#[from] LaplaceError),
+    /// The table of harmonic coordinates could not be made.
+    #[error(transparent)]
+    Table(#[from] TableError),
+}
+
+/// How a surface is discretised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct SurfaceSettings {
+    /// Whether edges are flipped to the intrinsic Delaunay triangulation.
+    pub intrinsic_delaunay: bool,
+    /// How the kernel is computed.
+    #[serde(default)]
+    pub kernel: KernelMode,
+    /// How linear systems are solved.
+    #[serde(default)]
+    pub solver: SolverKind,
+}
+
+impl Default for SurfaceSettings {
+    fn default() -> Self {
+        Self { intrinsic_delaunay: true, kernel: KernelMode::default(), solver: SolverKind::default() }
+    }
+}
+
+/// What is to be prepared, and how.
+#[derive(Debug)]
+pub enum Unprepared<'a> {
+    /// The inside of an outline.
+    Outline {
+        /// The outline.
+        polygon: &'a SimplePolygon,
+        /// How to discretise it.
+        settings: &'a PrepareSettings,
+    },
+    /// A triangle mesh in space.
+    Surface {
+        /// The mesh, a disk.
+        surface: SurfaceMesh,
+        /// How to discretise it.
+        settings: SurfaceSettings,
+    },
+}
+
+/// Samples, meshes, assembles, orders and factors, reporting each stage before it starts.
+pub fn prepare(
+    polygon: &SimplePolygon,
+    settings: &PrepareSettings,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<PreparedSide, PrepareError> {
+    prepare_within(Memory::default(), Unprepared::Outline { polygon, settings }, progress)
+}
+
+/// As [`prepare`], of a surface (section 4.3): its edges are flipped to the intrinsic Delaunay triangulation, if that is
+/// asked for; then it goes the same way.
+pub fn prepare_surface(
+    surface: SurfaceMesh,
+    settings: SurfaceSettings,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<PreparedSide, PrepareError> {
+    prepare_within(Memory::default(), Unprepared::Surface { surface, settings }, progress)
+}
+
+/// As [`prepare`] and [`prepare_surface`], with the memory that it may take. A factor that does not fit gives
+/// way to the iterative solver (see [`Solver::kind`] of the result), a table that does not is an error.
+pub fn prepare_within(
+    memory: Memory,
+    unprepared: Unprepared<'_>,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<PreparedSide, PrepareError> {
+    let mut timings = PrepareTimings::default();
+    let (geometry, laplacian, kernel, solver) = match unprepared {
+        Unprepared::Outline { polygon, settings } => {
+            let domain = MeshedDomain::new(polygon, settings, &mut timings, progress)?;
+            progress(Stage::Assemble);
+            let laplacian = timed(&mut timings.assemble, || DirichletLaplacian::assemble(domain.mesh()))?;
+            (SideGeometry::Plane(Arc::new(domain)), laplacian, settings.kernel, settings.solver)
+        }
+        Unprepared::Surface { surface, settings } => {
+            progress(Stage::Mesh);
+            let flip = || MeshedSurface::flipped(surface, settings.intrinsic_delaunay);
+            let (surface, intrinsic) = timed(&mut timings.mesh, flip);
+            progress(Stage::Assemble);
+            let laplacian = timed(&mut timings.assemble, || DirichletLaplacian::assemble_intrinsic(&intrinsic))?;
+            (SideGeometry::Space(Arc::new(surface)), laplacian, settings.kernel, settings.solver)
+        }
+    };
+    let (n, m) = (geometry.interior_count(), geometry.boundary_count());
+    if kernel == KernelMode::Table {
+        HarmonicTable::check(n, m, memory)?;
+    }
+    let solver = solver_for(&laplacian, solver, memory, &mut timings, progress)?;
+    let mut table = None;
+    if kernel == KernelMode::Table {
+        let mut tell = |percent| progress(Stage::Table { percent });
+        let coordinates = || HarmonicTable::new(&solver, &laplacian.coupling, &mut tell);
+        table = Some(timed(&mut timings.table, coordinates)?);
+    }
+    Ok(PreparedSide::new(geometry, DirichletSystem::new(laplacian.coupling, solver, table), timings))
+}
+
+/// The solver that is wanted; the iterative one too where the direct one does not fit.
+fn solver_for(
+    laplacian: &DirichletLaplacian,
+    wanted: SolverKind,
+    memory: Memory,
+    timings: &mut PrepareTimings,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<Solver, LaplaceError> {
+    if wanted == SolverKind::Direct {
+        progress(Stage::Order);
+        let ordering = timed(&mut timings.order, || Ordering::minimum_degree(laplacian));
+        progress(Stage::Factor);
+        let factor = |ordering| Solver::direct(laplacian, ordering, memory.factor_bytes);
+        match timed(&mut timings.factor, || ordering.and_then(factor)) {
+            Err(LaplaceError::TooLarge { .. }) => {}
+            result => return result,
+        }
+    }
+    progress(Stage::Factor);
+    timed(&mut timings.factor, || Solver::pcg(laplacian))
+}
+
+pub(super) fn timed<T>(milliseconds: &mut f64, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    *milliseconds = start.elapsed().as_secs_f64() * 1e3;
+    result
+}

@@ -1,0 +1,189 @@
+//! Everything about one side of a map that does not depend on the constraints.
+//!
+//! A side is a planar domain or a surface in space. Both are a disk with a boundary whose edges have
+//! lengths, and a factored Laplacian; they differ in where a point becomes weights of vertices and where a
+//! vertex lies.
+
+use super::system::DirichletSystem;
+use super::{HarmonicTable, InteriorPoint, MeshedDomain, MeshedSurface, Places, PrepareTimings};
+use crate::geometry::DVec3;
+use crate::laplace::Solver;
+use crate::outline::BoundaryPoint;
+use std::sync::Arc;
+
+/// Where the vertices of a side lie.
+#[derive(Debug, Clone)]
+pub enum SideGeometry {
+    /// In the plane.
+    Plane(Arc<MeshedDomain>),
+    /// In space.
+    Space(Arc<MeshedSurface>),
+}
+
+/// A planar domain or a surface, meshed, assembled and factored.
+///
+/// The system's unknowns are the mesh's interior vertices, its boundary values belong to the mesh's `m` boundary vertices.
+#[derive(Debug, Clone)]
+pub struct PreparedSide {
+    geometry: SideGeometry,
+    pub(super) system: DirichletSystem,
+    timings: PrepareTimings,
+}
+
+impl SideGeometry {
+    /// The number of boundary vertices, `m`.
+    pub fn boundary_count(&self) -> usize {
+        match self {
+            Self::Plane(domain) => domain.mesh().boundary_count as usize,
+            Self::Space(surface) => surface.mesh().boundary_count as usize,
+        }
+    }
+
+    /// The number of all vertices, `m + n`.
+    pub fn vertex_count(&self) -> usize {
+        match self {
+            Self::Plane(domain) => domain.mesh().vertices.len(),
+            Self::Space(surface) => surface.mesh().vertices.len(),
+        }
+    }
+
+    /// The number of interior vertices, `n`.
+    pub fn interior_count(&self) -> usize {
+        self.vertex_count() - self.boundary_count()
+    }
+
+    /// The triangles of the mesh: counter-clockwise vertex triples.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        match self {
+            Self::Plane(domain) => &domain.mesh().triangles,
+            Self::Space(surface) => &surface.mesh().triangles,
+        }
+    }
+
+    /// The triangle across each edge, as in [`crate::mesh::TriMesh`].
+    pub fn neighbours(&self) -> &[[u32; 3]] {
+        match self {
+            Self::Plane(domain) => &domain.mesh().neighbours,
+            Self::Space(surface) => &surface.mesh().neighbours,
+        }
+    }
+}
+
+impl PreparedSide {
+    /// Bundles the parts.
+    pub(super) fn new(geometry: SideGeometry, system: DirichletSystem, timings: PrepareTimings) -> Self {
+        Self { geometry, system, timings }
+    }
+
+    /// Where its vertices lie.
+    pub fn geometry(&self) -> &SideGeometry {
+        &self.geometry
+    }
+
+    /// The planar domain that it is, if it is one.
+    pub fn domain(&self) -> Option<&Arc<MeshedDomain>> {
+        match &self.geometry {
+            SideGeometry::Plane(domain) => Some(domain),
+            SideGeometry::Space(_) => None,
+        }
+    }
+
+    /// The surface that it is, if it is one.
+    pub fn surface(&self) -> Option<&Arc<MeshedSurface>> {
+        match &self.geometry {
+            SideGeometry::Plane(_) => None,
+            SideGeometry::Space(surface) => Some(surface),
+        }
+    }
+
+    /// Whether it is a surface.
+    pub fn is_surface(&self) -> bool {
+        self.surface().is_some()
+    }
+
+    /// The lengths of the boundary edges, `m` of them.
+    pub fn edge_lengths(&self) -> &[f64] {
+        match &self.geometry {
+            SideGeometry::Plane(domain) => &domain.samples().edge_lengths,
+            SideGeometry::Space(surface) => surface.edge_lengths(),
+        }
+    }
+
+    /// Where each boundary vertex lies: the fraction of the whole length from the first one, ascending from 0.
+    pub fn fractions(&self) -> &[f64] {
+        match &self.geometry {
+            SideGeometry::Plane(domain) => &domain.samples().fractions,
+            SideGeometry::Space(surface) => surface.fractions(),
+        }
+    }
+
+    /// The boundary point at fraction `s` of the boundary's length (taken modulo 1).
+    pub fn at_fraction(&self, s: f64) -> BoundaryPoint {
+        BoundaryPoint::at_fraction(self.fractions(), s)
+    }
+
+    /// The inverse of [`Self::at_fraction`].
+    pub fn fraction_at(&self, point: BoundaryPoint) -> f64 {
+        point.fraction_in(self.fractions())
+    }
+
+    /// The number of boundary vertices, `m`.
+    pub fn boundary_count(&self) -> usize {
+        self.geometry.boundary_count()
+    }
+
+    /// The number of interior vertices, `n`.
+    pub fn interior_count(&self) -> usize {
+        self.geometry.interior_count()
+    }
+
+    /// The number of all vertices, `m + n`.
+    pub fn vertex_count(&self) -> usize {
+        self.geometry.vertex_count()
+    }
+
+    /// The triangles of the mesh: counter-clockwise vertex triples.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        self.geometry.triangles()
+    }
+
+    /// The places of the vertices, the boundary's first.
+    pub fn vertices(&self) -> Places<'_> {
+        match &self.geometry {
+            SideGeometry::Plane(domain) => Places::Plane(&domain.mesh().vertices),
+            SideGeometry::Space(surface) => Places::Space(&surface.mesh().vertices),
+        }
+    }
+
+    /// The place of a boundary point in space; the plane lies at z = 0.
+    pub fn boundary_place(&self, point: BoundaryPoint) -> DVec3 {
+        match &self.geometry {
+            SideGeometry::Plane(domain) => domain.samples().position(point).extend(0.0),
+            SideGeometry::Space(surface) => surface.boundary_position(point),
+        }
+    }
+
+    /// The interior point where no other is asked for: the pole of inaccessibility of a domain, the
+    /// vertex of a surface farthest from its boundary.
+    pub fn default_point(&self) -> InteriorPoint {
+        match &self.geometry {
+            SideGeometry::Plane(domain) => domain.pole().into(),
+            SideGeometry::Space(surface) => surface.centre().into(),
+        }
+    }
+
+    /// Solves the Dirichlet problem.
+    pub fn solver(&self) -> &Solver {
+        &self.system.solver
+    }
+
+    /// The harmonic coordinates of all interior vertices, where they are stored.
+    pub fn table(&self) -> Option<&HarmonicTable> {
+        self.system.table.as_ref()
+    }
+
+    /// How long the preparation took; of a surface, `mesh` is the flips and the default point.
+    pub fn timings(&self) -> PrepareTimings {
+        self.timings
+    }
+}

@@ -1,0 +1,80 @@
+//! The numbers of a map: its boundary correspondence as CSV, the mapped mesh as OBJ.
+
+use crate::conformal::{ConformalMap, Direction, Places, Side};
+use crate::outline::BoundaryPoint;
+use std::fmt::Write as _;
+
+/// The boundary correspondence: pairs of points of the two boundaries that are mapped to each other.
+///
+/// One line for each boundary vertex of the mapped side, counter-clockwise from the anchor y: s₁ and s₂, the shares of
+/// the boundaries' lengths from their first points; both places, in the plane or in space; the harmonic measure ω̃ from
+/// the anchor, which is the same on both sides. ω̃ never decreases; s₁ and s₂ neither, but for one step from 1 to 0.
+pub fn boundary_csv(map: &ConformalMap) -> String {
+    let mapped = map.mapped_side();
+    let measure = map.measure(mapped);
+    let mut text = String::from("s1 (share of arc length),s2 (share of arc length)");
+    for (side, k) in Side::BOTH.into_iter().zip(1..) {
+        for axis in axes(map.side(side).is_surface()) {
+            let _ = write!(text, ",{axis}{k} ({side} units)");
+        }
+    }
+    text.push_str(",harmonic measure (from 0 to 1)\n");
+    for k in measure.vertices() {
+        let (point, image) = (BoundaryPoint { edge: k as u32, fraction: 0.0 }, map.correspondence().points[k]);
+        let at = |side: Side| if side == mapped { point } else { image };
+        let [s1, s2] = Side::BOTH.map(|side| map.side(side).fraction_at(at(side)));
+        let _ = write!(text, "{s1},{s2}");
+        for side in Side::BOTH.map(|side| (map.side(side), at(side))) {
+            let place = side.0.boundary_place(side.1).to_array();
+            for (value, _) in place.iter().zip(axes(side.0.is_surface())) {
+                let _ = write!(text, ",{value}");
+            }
+        }
+        let _ = writeln!(text, ",{}", measure.at_vertex(k));
+    }
+    text
+}
+
+fn axes(in_space: bool) -> &'static [&'static str] {
+    if in_space { &["x", "y", "z"] } else { &["x", "y"] }
+}
+
+/// The mapped mesh, with a `vt` for each `v`, not scaled.
+///
+/// Between outlines and between surfaces `v` lies on the target and `vt` on the source; with one surface `v` lies on
+/// that and `vt` in the plane. The vertices are in the order of the mesh: boundary first.
+pub fn mapped_obj(map: &ConformalMap) -> String {
+    let (own, images) = (map.mapped().vertices(), map.image_places());
+    let (positions, coordinates, comment) = match (own, images, map.direction()) {
+        (Places::Space(_), Places::Plane(_), _) => (own, images, "v lies on the surface, vt in the plane (not scaled)"),
+        (_, _, Direction::Forward) => (images, own, "v lies in the target, vt are source coordinates (not scaled)"),
+        (_, _, Direction::Backward) => (own, images, "v lies in the target, vt are source coordinates (not scaled)"),
+    };
+    let mut text = format!("# riemap: {comment}\n");
+    put(&mut text, "v", positions, " 0");
+    put(&mut text, "vt", coordinates, "");
+    for [a, b, c] in map.mapped().triangles().iter().map(|t| t.map(|v| v + 1)) {
+        let _ = writeln!(text, "f {a}/{a} {b}/{b} {c}/{c}");
+    }
+    text
+}
+
+/// A line for each place; those in the plane end with `flat`.
+fn put(text: &mut String, keyword: &str, places: Places<'_>, flat: &str) {
+    match places {
+        Places::Plane(places) => {
+            for p in places {
+                let _ = writeln!(text, "{keyword} {} {}{flat}", p.x, p.y);
+            }
+        }
+        Places::Space(places) => {
+            for p in places {
+                let _ = writeln!(text, "{keyword} {} {} {}", p.x, p.y, p.z);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

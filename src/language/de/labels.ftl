@@ -1,0 +1,673 @@
+### What stands on the screen, in German: the words of controls, menus, windows and tooltips.
+
+## bar
+
+smooth_tooltip = Ecken runden: Die Koordinaten breiten sich längs des Umrisses aus wie Wärme; die Fläche bleibt
+smooth = Glätten
+mirror = Spiegeln
+mirror_tooltip = Links und rechts vertauschen, auch bei den beiden Punkten
+delete = Löschen
+delete_tooltip = Den gewählten Griff entfernen (Entf)
+finish_editing = Fertig
+handles_tooltip = Ein Quadrat ziehen, um den Umriss umzuformen. Ein Doppelklick auf den Umriss setzt noch eines; ein Rechtsklick oder langes Drücken entfernt eines. Pfeiltasten bewegen das gewählte (fein mit Umschalt), N geht zum nächsten; Escape beendet.
+draw_around_shape_go = Die Form in einem Zug umfahren
+click_corners = Die Ecken nacheinander anklicken
+click_points_along_curve = Punkte längs der Kurve anklicken
+back = Zurück
+back_tooltip = Den letzten Punkt zurücknehmen (Rücktaste)
+close = Schließen
+close_tooltip = Den letzten Punkt mit dem ersten verbinden (Eingabe, oder den ersten Punkt anklicken)
+cancel = Abbrechen
+cancel_tooltip = Nichts zeichnen (Escape)
+
+## bench
+
+paper_machine = MacBook Air, Apple M3 (8 Kerne), 24 GB; C++, SC Toolbox in MATLAB
+
+## chart
+
+arc_length_y_length = Bogenlänge ab y / Länge
+psi_length = ψ · Länge
+exact = exakt
+this_map = diese Abbildung
+arc_length_of_side = Bogenlänge ab y / Länge, { $side }
+
+## colouring
+
+area_distortion = Flächenverzerrung log₂(σ₁σ₂)
+angle_distortion = Winkelverzerrung Q = σ₁/σ₂
+
+## convergence
+
+boundary_samples_m = Randpunkte m
+error = Fehler
+max = Maximum
+mean = Mittel
+convergence_about = Abstand der Randbilder von den exakten, V-Form → Klecks; der Klecks ist etwa 2 breit.
+
+## crowding
+
+riemap_harmonic_measure = riemap (harmonisches Maß)
+zipper_run_x1_x2 = Zipper, für x₁, x₂ ausgeführt
+zipper_once_then_mobius = Zipper einmal, dann Möbius
+
+## figures
+
+poisson_kernel_harmonic_measure_disk = Poisson-Kern und harmonisches Maß auf der Scheibe
+mobius_map_disk_exact_approximate = Eine Möbiustransformation der Scheibe, exakt und genähert
+four_ways_map_hand_blob = Vier Wege, eine Hand auf den Klecks abzubilden
+angle_distortion_maple_leaf_cinquefoil = Winkelverzerrung vom Ahornblatt zum Fünfblatt
+gingerbread_man_conformally_reshaped = Der Lebkuchenmann, konform umgeformt
+v_shape_blob_directly_through = Von der V-Form zum Klecks: direkt und über die Scheibe
+hemisphere_over_l_shaped_domains = Die Halbkugel über L-förmigen Gebieten
+convergence_v_shape = Konvergenz auf der V-Form
+angle_distortion_head_over_disk = Winkelverzerrung eines Kopfes über der Scheibe
+face_over_planar_domains = Ein Gesicht über ebenen Gebieten
+
+## figures menu
+
+tables_tooltip = Tabellen 1 und 2 · Zeiten auf diesem Rechner neben denen des Artikels
+takes_a_minute = Dauert ein bis zwei Minuten, im Hintergrund
+as_needed = nach Bedarf
+figure_title = Figur { $number } · { $title }
+figure_samples_of_surface = { $samples } Punkte auf dem Umriss, { $boundary } Randecken der Fläche
+figure_samples_of_surface_file = { $samples } Punkte auf dem Umriss; die Fläche { $surface }
+figure_samples = { $source } Punkte auf der Quelle, { $target } auf dem Ziel
+
+## file menu
+
+file = Datei
+link_tooltip = Die Adresse enthält alles, was eingestellt ist: In einem anderen Browser öffnet sie dasselbe Bild
+undo = Rückgängig
+undo_tooltip = Den letzten Schritt zurücknehmen; ein Zug ist ein Schritt
+redo = Wiederholen
+redo_tooltip = Den Schritt noch einmal tun
+new_session = Neu
+new_session_tooltip = Wieder mit dem ersten Bild beginnen; lässt sich rückgängig machen
+open = Öffnen…
+open_session_tooltip = Eine Sitzung aus einer .riemap-Datei
+save_session = Sichern…
+save_session_tooltip = Die Sitzung als .riemap-Datei
+copy_link = Link kopieren
+full_screen = Ganzer Bildschirm
+presentation_size = Vortragsgröße
+desk_size = Tischgröße
+open_export = Exportieren…
+export_tooltip = Bilder, Animationen, Vektorgrafik, Tabellen, Netze
+
+## files
+
+images = Bilder
+sessions = Sitzungen
+outlines = Umrisse
+outlines_and_surfaces = Umrisse und Flächen
+
+## gallery
+
+saddle = Sattel
+crowding = Crowding
+gingerbread_heart = Lebkuchenherz
+gingerbread_heart_about = Jedes Glied findet seinen Platz
+square_circle = Die Rundung des Quadrats
+square_circle_about = Vier Ecken, geglättet
+polar_star = Polarstern
+polar_star_about = Kreise der Greenschen Funktion, Strahlen gleicher Wahrscheinlichkeit
+around_corner = Um die Ecke
+around_corner_about = Eine einspringende Ecke: die Singularität aus dem Lehrbuch
+leaf_flower = Vom Blatt zur Blüte
+leaf_flower_about = Scharfe Spitzen in scharfe Kerben
+hand_blob = Eine Hand im Klecks
+hand_blob_about = Fünf Finger, jeder ein enger Kanal
+unwound = Abgewickelt
+unwound_about = Ein langer Gang: Fast alles davon ist ein Randpunkt der Scheibe
+gallery_crowding_about = Was der Weg über die Scheibe verliert und der direkte behält
+globe_flattened = Ein Globus, verebnet
+globe_flattened_about = Die halbe Kugel über der Scheibe: stereographische Projektion
+saddle_about = Negative Krümmung über einem Quadrat
+gallery_half_torus = Ein halber Torus
+gallery_half_torus_about = Ein gebogenes Rohr, geöffnet
+animal_over_heart = Tier über Herz
+animal_over_heart_about = Die Textur eines Kopfes, in jedem Umriss
+
+## handles
+
+x1 = x₁
+x2 = x₂
+y1 = y₁
+
+## header
+
+surface = Fläche
+panels = Leisten
+fit = Einpassen
+fit_tooltip = Alles zeigen (Doppelklick)
+shapes = Formen
+swap = Tauschen
+swap_tooltip = Quelle und Ziel vertauschen
+panels_tooltip = Leisten wegklappen oder zurückholen (Tab)
+swap_refused = Eine Fläche ist immer das Ziel: Sie wird auf den Umriss links abgebildet
+open_outline_tooltip = Ein Umriss aus einer Datei: JSON, GeoJSON, SVG, CSV oder Text mit einem Punkt je Zeile
+open_shape_tooltip = Ein Umriss aus einer Datei (JSON, GeoJSON, SVG, CSV, Text) oder eine Fläche (OBJ, PLY, STL, OFF, glTF, GLB)
+interior_point_x1 = innerer Punkt x₁
+boundary_point_y1 = Randpunkt y₁
+x2_f_x1 = x₂ = f(x₁)
+y2_f_y1 = y₂ = f(y₁)
+edit = Bearbeiten
+edit_tooltip = Den Umriss an seinen Griffen umformen (E)
+
+## help menu
+
+help = Hilfe
+language = Sprache
+theme = Farbschema
+system = System
+light = Hell
+dark = Dunkel
+system_tooltip = Hell oder dunkel, wie das System
+light_tooltip = Dunkle Schrift auf hellem Grund
+dark_tooltip = Helle Schrift auf dunklem Grund
+open_gallery = Galerie…
+open_gallery_tooltip = Sehenswerte Abbildungen
+guided_tour = Rundgang
+guided_tour_tooltip = Sechs Bilder: was eine konforme Abbildung ist, und was sie festhält
+open_keys_and_gestures = Tasten und Gesten…
+open_keys_and_gestures_tooltip = Was Tasten, Maus und Finger tun
+system_language_tooltip = Die Sprache des Systems, falls es eine von diesen ist
+open_paper_figures = Figuren des Artikels…
+open_paper_figures_tooltip = Seine Figuren und Tabellen, neu berechnet
+
+## layout
+
+plots = Kurven
+controls = Einstellungen
+
+## legend
+
+mean_of = Mittel { $value }
+
+## locks
+
+locked = Die Adresse der Seite hält dies fest
+
+## method
+
+method = Verfahren
+cauchy_green_needs_plane = Das Cauchy-Integral läuft über einen Rand in der Ebene; der einer Fläche liegt im Raum
+harmonic_for_now = vorerst harmonisch · Cauchy–Green { $percent } %
+harmonic = Harmonisch
+cauchy_green = Cauchy–Green
+adjoint_kernel = Adjungiert
+table_paper = Tabelle (Artikel)
+cholesky = Cholesky
+pcg = PCG
+harmonic_tooltip = Das Innere folgt dem Rand nach der diskreten Laplace-Gleichung: überdeckt das andere Gebiet genau
+cauchy_green_tooltip = Das Innere folgt nach dem Cauchy-Integral des Randes: glatt, doch der Rand kann schrumpfen oder sich wölben
+adjoint_kernel_tooltip = Eine Lösung des transponierten Systems für jeden neuen inneren Punkt: keine Tabelle
+table_paper_tooltip = Die harmonischen Koordinaten jeder Ecke, wie im Artikel im Voraus berechnet: dieselben Zahlen
+cholesky_tooltip = Ein vollständiger dünnbesetzter Cholesky-Faktor: schnell und genau, selbst wo das Maß 1e-300 ist
+pcg_tooltip = Konjugierte Gradienten mit einem unvollständigen Faktor: wenig Speicher, 15- bis 300-mal langsamer; beim Ziehen springt eine grobe Abbildung ein
+
+## names
+
+disk = Scheibe
+square = Quadrat
+gingerbread_man = Lebkuchenmann
+heart = Herz
+blob = Klecks
+v_shape = V-Form
+cinquefoil = Fünfblatt
+maple_leaf = Ahornblatt
+hand = Hand
+turkey = Truthahn
+l_shape = L-Form
+star = Stern
+spiral = Spirale
+hemisphere = Halbkugel
+paraboloid = Paraboloid
+bent_strip = Gebogener Streifen
+half_torus = Halber Torus
+face_like = Gesichtsartig
+animal_head = Tierkopf
+drawn = Zeichnung
+traced = Nachgezeichnet
+pasted = Eingefügt
+
+## nudge
+
+picture_source = Bild der Quelle
+picture_target = Bild des Ziels
+x1_interior_point_source = x₁, innerer Punkt der Quelle
+x2_interior_point_target = x₂, innerer Punkt des Ziels
+y1_boundary_point_source = y₁, Randpunkt der Quelle
+y2_boundary_point_target = y₂, Randpunkt des Ziels
+
+## offer
+
+trace_picture_tooltip = Der Umriss der größten Form in einem PNG oder JPEG
+picture_texture = Das Bild ist die Textur.
+trace_outline = Als Umriss nachzeichnen
+no = Nein
+
+## other
+
+english = English
+deutsch = Deutsch
+
+## overlay
+
+through_disk_fresh = über die Scheibe, frisch
+through_disk_precomputed = über die Scheibe, vorberechnet
+random_walks = Irrfahrten
+disk_fresh = Scheibe, frisch
+disk_precomputed = Scheibe, vorberechnet
+hits = Treffer
+
+## page
+
+graphics_lost = Der Browser hat dieser Seite die Grafik entzogen, wie nach einem Absturz des Grafiktreibers oder nach dem Ruhezustand. Die Abbildung bleibt erhalten: Seite neu laden, um fortzufahren.
+no_graphics = riemap zeichnet mit WebGPU oder WebGL 2, und dieser Browser bietet hier keines von beiden. Ein aktueller Firefox, Chrome, Edge oder Safari mit eingeschalteter Hardwarebeschleunigung genügt.
+stopped = riemap ist wegen eines eigenen Fehlers stehen geblieben. Seite neu laden, um fortzufahren. ({ $reason })
+
+## paint
+
+sixty_equal_steps = 60 gleiche Schritte von ω
+their_images = deren Bilder
+
+## panel
+
+vertices = Ecken
+intrinsic_delaunay = Intrinsische Delaunay-Kanten
+back_plane = Zurück in die Ebene
+back_plane_tooltip = Wieder den Umriss des Ziels zeigen
+along_boundary = { $count } entlang des Randes
+surface_map_tooltip = Die Fläche ist das Ziel. Ihr Laplace-Operator folgt aus den Längen ihrer Kanten; das harmonische Maß auf ihrem Rand wird mit dem des Umrisses abgeglichen, und jede Ecke erhält ihren Ort im Umriss: ihre Texturkoordinate
+delaunay_tooltip = Kanten werden innerhalb der Fläche umgeklappt, bis alle Kotangensgewichte positiv sind: Dann ist es auch das harmonische Maß, und der Rand behält seine Reihenfolge. Die Fläche selbst bleibt, wie sie ist
+surface_direction = Jeder Punkt der Fläche wird auf den Umriss links abgebildet
+through_disk = Über die Scheibe
+random_walks_heading = Irrfahrten
+this_map_had_none = (diese Abbildung: keine)
+under_a_hundredth_percent = unter 0.01 %
+clear = Leeren
+clear_tooltip = Alle Treffer vergessen
+start = Start
+pause = Pause
+rays = { $count } Strahlen
+cells_across = { $count } Zellen quer
+points_collapsed = { $collapsed } von { $samples } Punkten zusammengefallen
+this_map_had = (diese Abbildung: { $count })
+out_order = { $count } in falscher Reihenfolge
+all_points_kept_apart = alle { $count } Punkte getrennt geblieben
+largest_difference = größter Unterschied { $share } der Länge
+walks = { $count ->
+    [one] { $shown } Irrfahrt
+   *[other] { $shown } Irrfahrten
+}
+largest_deviation = größte Abweichung von ω: { $deviation } (Zufall: etwa { $chance })
+conformal = Konform
+euclidean = Euklidisch
+in_source = In der Quelle
+in_target = Im Ziel
+off = Aus
+fresh = Frisch
+precomputed = Vorberechnet
+conformal_tooltip = Das Polargitter der Scheibe auf beiden Seiten: Die Kreise sind Niveaulinien der Greenschen Funktion um x, zwischen den Strahlen liegt gleiches harmonisches Maß, der erste endet in y. Für eine konforme Abbildung sind alle Zellen Quadrate
+euclidean_tooltip = Echte Kreise und Strahlen um den inneren Punkt der Seite, auf der das Muster liegt
+in_source_tooltip = Das Muster liegt auf der Quelle und wird zum Ziel vorgeschoben; passt am besten zu „Rückwärts“, das das ganze Ziel füllt
+in_target_tooltip = Das Muster liegt auf dem Ziel und wird zur Quelle zurückgezogen; passt am besten zu „Vorwärts“, das die ganze Quelle füllt
+off_tooltip = Diese Abbildung allein
+fresh_tooltip = Beide Gebiete werden für jede Lage von x₁ und x₂ neu auf die Scheibe abgebildet, mit dem geodätischen Algorithmus: richtig, aber zu langsam zum Ziehen; bis die Punkte ruhen, werden wenige Randpunkte benutzt
+precomputed_tooltip = Jedes Gebiet wird einmal auf die Scheibe abgebildet, für seine Mitte; x zu bewegen ist dann nur noch eine Möbiustransformation. Schnell, doch in langen Armen gehen der Scheibe die Stellen aus: Punkte fallen zusammen oder tauschen ihre Plätze, und keine Möbiustransformation trennt sie wieder
+both_tooltip = Frische und vorberechnete Scheibenabbildungen nebeneinander: Was bei der zweiten verloren geht und bei der ersten nicht, geht durch Crowding verloren
+through_disk_tooltip = Warum nicht beide Umrisse auf eine Scheibe abbilden und über sie gehen? Auf dem Umriss, auf den abgebildet wird, sind die Striche nach innen die Bilder von 60 Punkten in gleichen Schritten des harmonischen Maßes unter dieser Abbildung, die nach außen jene über die Scheibe: Wo beide übereinstimmen, wird jedes Paar zu einer Linie. Die blassen Punkte sind die Bilder aller Randpunkte. Ein Punkt ist zusammengefallen, wenn zwischen ihm und dem vorigen keine Stellen bleiben, und in falscher Reihenfolge, wenn er vor diesem landet
+walks_tooltip = Kakutani (1944): Das harmonische Maß eines Randstücks ist die Wahrscheinlichkeit, dass eine Irrfahrt ab x₁ durch dieses Stück austritt. Jeder Sprung führt zu einem zufälligen Punkt des größten Kreises, der hineinpasst. Balken: der Anteil der Treffer in jedem Randstück; Querstriche: sein harmonisches Maß
+
+## paste
+
+paste_kinds = SVG-Pfaddaten (M 0 0 L 2 0 …), SVG, Koordinaten (0,0 2,0 1,3 oder ein Punkt je Zeile), JSON oder GeoJSON
+paste_outline_source = Einen Umriss für die Quelle einfügen
+paste_outline_target = Einen Umriss für das Ziel einfügen
+use_pasted = Verwenden
+
+## play panel
+
+speed = Tempo
+all = Alle
+x1_tooltip = Der innere Punkt der Quelle läuft auf einem Kreis, der innen bleibt
+x2_tooltip = Der innere Punkt des Ziels läuft auf einem Kreis, der innen bleibt
+y1_tooltip = Der Randpunkt der Quelle läuft einmal um; gleiche Zeiten sind gleiche harmonische Maße: die Kreisscheibe dreht sich gleichmäßig
+all_tooltip = Alle zugleich, durch alle Abbildungen des einen Gebiets auf das andere
+no_plane = Das Ziel ist eine Fläche: ihr Punkt wird von Hand gezogen
+play_tooltip = Die Punkte auf einer Schleife laufen lassen oder anhalten, wo sie sind (Leertaste)
+seconds_for_turn = { $seconds } s je Umlauf
+stop_here = Hier anhalten
+play = Abspielen
+
+## plots
+
+log = log
+poisson_kernel = Poisson-Kern
+reparameterisation = Umparametrisierung
+kernel = Kern
+measure = Maß
+reparam = Umparam.
+poisson_kernel_tooltip = ψ·ℓ: wie wahrscheinlich eine Irrfahrt ab x durch ein Stück des Randes austritt, bezogen auf dessen Anteil an der Länge; 1, wo es so wahrscheinlich ist wie im Mittel
+harmonic_measure_tooltip = ω: die Wahrscheinlichkeit, dass eine Irrfahrt ab x durch den Rand zwischen y und hier austritt, gegen den Uhrzeigersinn. Die Abbildung führt jeden Punkt in den mit demselben Maß über
+reparameterisation_tooltip = r: wohin die Abbildung einen Randpunkt führt, in Bogenlänge ab y; gerade, wo Längenverhältnisse erhalten bleiben
+log_tooltip = Logarithmische Achse: zeigt, wie tief der Kern fällt, wo es im Gebiet eng wird
+
+## presentation
+
+full_screen_tooltip = Den ganzen Bildschirm füllen oder wieder ein Fenster sein (F)
+presentation_tooltip = Schrift, Regler, Punkte und Linien um die Hälfte größer, um von Weitem lesbar zu sein
+
+## reports
+
+done = fertig
+too_large = zu groß
+measuring_rows = { $count ->
+    [one] es wird gemessen, noch { $count } Zeile…
+   *[other] es wird gemessen, noch { $count } Zeilen…
+}
+paper_machine_and_here = Artikel: { $machine }. Hier: ein Thread.
+tables_of_paper = Tabellen 1 und 2 des Artikels auf diesem Rechner
+convergence_of_paper = Figur 15: Konvergenz auf der V-Form, bis m = 2000
+setting_paper = Einstellungen des Artikels: gleichmäßige Punkte und Dreiecke
+setting_default = Voreinstellungen von riemap: adaptive Punkte, abgestufte Dreiecke
+table_1 = Tabelle 1: Vorbereitung, in Sekunden
+table_2 = Tabelle 2: ein Bild, in Millisekunden
+paper = Artikel
+factor = faktorisieren
+with_psi = mit Ψ
+zipper = Zipper
+bff_paper = BFF, Artikel
+psi_match_x1_moves = ψ + Abgleich, x₁ bewegt
+x2_moves = x₂ bewegt
+extend = Fortsetzung
+stage_mesh = vernetzen
+
+## sessions
+
+link_copied = Link kopiert
+
+## settings
+
+show = Zeigen
+unit_box = Einheitsbox
+true_scale = Wahre Größe
+unit_box_tooltip = Texturkoordinaten werden in die Einheitsbox verschoben und skaliert
+true_scale_tooltip = Texturkoordinaten sind die des Umrisses
+per_second = { $rate } je Sekunde
+both = Beide
+source_heading = Quelle
+target_heading = Ziel
+ground = Grund
+transparent = Durchsichtig
+transparent_tooltip = Ohne die Farbe hinter der Abbildung
+coordinates = Koordinaten
+size = Größe
+width_pixels = Breite in Pixeln
+height_pixels = Höhe in Pixeln
+motion = Bewegung
+duration = Dauer
+duration_tooltip = Wie lange ein Umlauf dauert
+pictures = Bilder
+pictures_tooltip = Wie viele Bilder ein Umlauf hat
+
+## shapes
+
+surfaces_mapped_source = Flächen, auf die Quelle abgebildet
+open_file = Datei öffnen…
+draw_freehand = Freihand zeichnen
+draw_freehand_tooltip = Die Form in einem Strich umfahren; Ecken bleiben Ecken (D)
+draw_lines = Strecken zeichnen
+draw_lines_tooltip = Gerade Kanten zwischen angeklickten Punkten (L)
+draw_curve = Kurve zeichnen
+draw_curve_tooltip = Eine glatte Kurve durch angeklickte Punkte (C)
+paste = Einfügen…
+paste_tooltip = SVG-Pfaddaten oder Koordinaten; Strg+V gilt überall der Quelle
+trace_picture = Bild nachzeichnen…
+
+## shortcuts
+
+mouse_fingers = Maus und Finger
+drag_dot_gesture = Einen Punkt ziehen
+drag_dot_gesture_about = Bewegt, was die Abbildung festhält; sie folgt
+drag_beside_dots = Neben den Punkten ziehen
+drag_beside_dots_about = Bewegt das Bild; eine Fläche wird gedreht, mit Umschalt verschoben
+wheel_two_fingers = Rad oder zwei Finger
+wheel_two_fingers_about = Vergrößert; zwei Finger verschieben auch
+double_click = Doppelklick
+double_click_about = Zeigt wieder alles
+drop_file = Eine Datei ablegen
+drop_file_about = Öffnet einen Umriss, eine Fläche, ein Bild oder eine Sitzung
+keys = Tasten
+key_tab = Tab
+key_tab_about = Klappt die Leisten weg oder holt sie zurück
+key_p = P
+key_p_about = Öffnet und schließt die Kurven
+key_f = F
+key_f_about = Füllt den Bildschirm oder gibt ihn frei
+ctrl_z = Strg+Z
+ctrl_z_about = Nimmt einen Schritt zurück
+ctrl_shift_z_ctrl_y = Strg+Umschalt+Z oder Strg+Y
+ctrl_shift_z_ctrl_y_about = Tut ihn noch einmal
+ctrl_s = Strg+S
+ctrl_s_about = Sichert die Sitzung als Datei
+without_mouse = Ohne Maus
+f6_shift_tab = F6 oder Umschalt+Tab
+arrow_keys_dot = Pfeiltasten auf einem Punkt
+arrow_keys_dot_about = Bewegen ihn, mit Umschalt fein. Ein Randpunkt läuft den Rand entlang
+arrow_keys_picture = Pfeiltasten auf einem Bild
+arrow_keys_picture_about = Bewegen es oder drehen die Fläche; + und − vergrößern, 0 zeigt alles
+space_enter = Leertaste oder Eingabe
+space_enter_about = Drückt eine Schaltfläche
+f6_shift_tab_about = Beginnt durch Bedienelemente, Bilder und Punkte zu gehen; Tab geht weiter, Esc beendet
+space = Leertaste
+space_about = Setzt die Punkte in Bewegung, oder hält sie an, wo sie sind
+ctrl_e = Strg+E
+ctrl_e_about = Öffnet das Fenster, das Bilder, Animationen und andere Dateien sichert
+drawing_reshaping = Zeichnen und Umformen
+d_l_c = D, L, C
+d_l_c_about = Zeichnet einen Umriss: freihändig, mit geraden Kanten, als Kurve; für die Seite unter dem Zeiger
+enter_backspace = Eingabe, Rücktaste
+enter_backspace_about = Schließt das Gezeichnete; nimmt seinen letzten Punkt zurück
+key_e = E
+key_e_about = Formt den Umriss unter dem Zeiger an seinen Griffen um oder beendet das
+double_click_outline = Doppelklick auf den Umriss
+double_click_outline_about = Setzt einen weiteren Griff; ein Rechtsklick oder langes Drücken entfernt einen
+n_shift_n = N, Umschalt+N
+n_shift_n_about = Zum nächsten Griff, zum vorigen
+arrow_keys_delete = Pfeiltasten, Entf
+arrow_keys_delete_about = Bewegen den gewählten Griff, mit Umschalt fein; entfernen ihn
+escape = Escape
+escape_about = Beendet Zeichnen und Umformen und schließt Fenster
+ctrl_v = Strg+V
+ctrl_v_about = Nimmt einen Umriss aus der Zwischenablage: Pfaddaten, Koordinaten, GeoJSON
+
+## side panel
+
+map = Abbildung
+mesh = Netz
+mesh_tooltip = Die Kanten des abgebildeten Netzes und seines Bildes auf der anderen Seite
+texture = Textur
+choose = Wählen…
+scale = Maßstab
+samples = Randpunkte
+keep_corners = Ecken behalten
+keep_corners_tooltip = Auch die Ecken des Umrisses sind Randpunkte
+as_many_as_needed = So viele, wie der Umriss braucht
+adaptive_samples_tooltip = Abstände allein nach Krümmung, Ecken und Breite der Engstellen
+growth = Wachstum
+resolution_of = Auflösung · { $side }
+automatic = { $value }, automatisch
+per_distance = { $growth } je Abstand
+forward = Vorwärts
+backward = Rückwärts
+angle = Winkel
+area = Flächen
+checker = Karos
+grid = Gitter
+polar = Polar
+image = Bild
+adaptive = Adaptiv
+uniform_paper = Gleichmäßig
+graded = Abgestuft
+uniform_mesh = Gleichmäßig
+forward_tooltip = Das Netz der Quelle wird in das Ziel abgebildet
+backward_tooltip = Das Netz des Ziels wird in die Quelle abgebildet und liest dort seine Textur
+texture_tooltip = Das Muster, das die Abbildung überträgt
+angle_tooltip = Winkelverzerrung Q = σ₁/σ₂ jedes Dreiecks: 1, wo Winkel erhalten bleiben
+area_tooltip = Flächenverzerrung log₂(σ₁σ₂) jedes Dreiecks, von der Quelle zum Ziel: +1 ist die doppelte Fläche, −1 die halbe
+checker_tooltip = Quadrate; Winkel von 90° bleiben Winkel von 90°
+lines = Linien
+polar_tooltip = Kreise und Strahlen um den inneren Punkt
+image_tooltip = Ein eigenes PNG oder JPEG; irgendwo ablegen genügt
+adaptive_tooltip = Dichter an Ecken, bei starker Krümmung und in Engstellen: ein kleinerer Fehler bei gleicher Zahl
+uniform_paper_tooltip = Gleiche Abstände in der Bogenlänge, wie im Artikel
+graded_tooltip = Dreiecke wachsen mit dem Abstand vom Rand: 4–15 % der Ecken bei fast gleichem Fehler
+uniform_mesh_tooltip = Dreiecke von einer Größe, wie im Artikel
+
+## spoken
+
+spoken_quality = { $count ->
+    [one] Mittlere Winkelverzerrung { $mean }; { $count } Dreieck umgeklappt.
+   *[other] Mittlere Winkelverzerrung { $mean }; { $count } Dreiecke umgeklappt.
+}
+being_prepared = Wird vorbereitet.
+problem = Problem: { $what }
+spoken_surface_map = Die Fläche { $surface }, konform abgebildet auf den Umriss { $outline }.
+spoken_map = Konforme Abbildung von { $source } nach { $target }.
+points_of_side = { $interior } bei ({ $place }), { $boundary } bei { $percent } % des Randes.
+button = Schaltfläche
+choice = Auswahl
+check_box = Kontrollkästchen
+slider = Schieberegler
+text_field = Textfeld
+selected = gewählt
+not_selected = nicht gewählt
+not_available = nicht verfügbar
+
+## status
+
+fps_tooltip = Solange sich etwas bewegt; in Ruhe wird nichts gezeichnet
+largest_q = größtes Q: { $value }
+flipped = umgeklappt { $count }
+frame_parts = Kern { $kernel } ms + Abgleich { $matching } ms + Fortsetzung { $extension } ms
+frame_times = Rechnen { $compute } ms + Zeichnen { $draw } ms
+fps = { $rate } Bilder/s
+hint_plane = Punkt ziehen · Rad: vergrößern · Datei irgendwo ablegen
+hint_surface = Punkt ziehen, oder die Fläche, um sie zu drehen · Umschalt verschiebt · Rad: vergrößern
+
+## top bar
+
+riemap_tooltip = Die konforme Abbildung zwischen zwei Umrissen, durch Abgleich des harmonischen Maßes
+choose_image = Bild…
+choose_image_tooltip = Ein PNG oder JPEG als Textur
+plots_tooltip = Poisson-Kern, harmonisches Maß und Umparametrisierung entlang der Ränder (P)
+
+## tour
+
+harmonic_measure = Harmonisches Maß
+of = { $part } von { $whole }
+next = Weiter
+end = Beenden
+keep_picture = Dieses Bild behalten
+keep_picture_tooltip = Beendet den Rundgang hier
+end_tour_tooltip = Beendet den Rundgang und zeigt wieder das eigene Bild
+map_between_two_shapes = Eine Abbildung zwischen zwei Formen
+map_between_two_shapes_about = Was im linken Umriss gezeichnet ist, wird in den rechten übertragen: von Ort zu Ort gestreckt und gedreht, aber nie zerrissen und nie gefaltet. Einen grünen Punkt ziehen und sehen, wie alles folgt.
+angles_stay = Winkel bleiben
+angles_stay_about = Das heißt konform. Jedes kleine Quadrat wird wieder ein kleines Quadrat, größer oder kleiner und gedreht, mit rechten Winkeln. Wie gut, sagt die Zahl Q̄ unten: 1 ist vollkommen.
+three_freedoms = Drei Freiheiten
+three_freedoms_about = Riemann (1851): Zwischen zwei solchen Umrissen gibt es genau eine konforme Abbildung, sobald feststeht, wohin ein innerer Punkt geht (zwei Zahlen, die grünen Punkte) und wohin ein Randpunkt (eine Zahl, die magentafarbenen).
+harmonic_measure_about = Eine Irrfahrt beginne im grünen Punkt. Die Wahrscheinlichkeit, dass sie durch ein Randstück austritt, ist dessen harmonisches Maß. Eine konforme Abbildung erhält es; also genügt es, das Maß entlang beider Ränder abzugleichen: So rechnet riemap.
+tour_crowding_about = Warum nicht über eine Scheibe? Die Arme dieses V schrumpfen auf deren Rand auf Längen von 10⁻¹⁷, und dem Rechner bleiben keine Stellen: Die Marken außen am Umriss laufen zusammen. Direkt abgeglichen bleiben sie getrennt.
+surfaces = Flächen
+surfaces_about = Dasselbe geht mit einer Fläche im Raum mit einem Rand: Jeder ihrer Punkte bekommt einen Ort im Umriss. Sie lässt sich drehen, die Punkte auf ihr lassen sich ziehen. So werden Texturen auf Modelle gelegt.
+
+## user error
+
+try_again = Noch einmal
+use_repaired = Repariert verwenden
+repair = Reparieren
+
+## viewport
+
+drag_dot = Punkt ziehen
+drop_for_source = Hier einen Umriss für diese Seite ablegen oder ein Bild als Textur
+drop_for_target = Hier einen Umriss oder eine Fläche für diese Seite ablegen oder ein Bild als Textur
+
+## widgets
+
+close_message = Diese Meldung schließen
+
+## window
+
+figures = Figuren
+swap_waits = Solange nichts vorbereitet wird
+export = Exportieren
+gallery = Galerie
+keys_and_gestures = Tasten und Gesten
+pictures_done = { $done } von { $all } Bildern
+save = Sichern
+paper_figures = Figuren des Artikels
+
+## request
+
+surface_obj_tooltip = Wavefront OBJ: die Ecken in ihrer Reihenfolge, jede mit ihrer Texturkoordinate
+surface_ply_tooltip = PLY, ASCII: x y z s t für jede Ecke
+surface_glb_tooltip = Binäres glTF mit Texturkoordinaten
+surface_csv_tooltip = Eine Tabelle: x, y, z, u, v für jede Ecke
+surface_svg_tooltip = Die Kanten der Abwicklung im Umriss
+animated_png = Animiertes PNG
+png_tooltip = Das Bild in beliebiger Größe
+animated_png_tooltip = Ein Umlauf der Punkte ohne Ende, in allen Farben
+gif_tooltip = Ein Umlauf der Punkte ohne Ende, in 256 Farben
+svg_tooltip = Umrisse, Linien des Musters, die Punkte, und das Netz, wo es gezeigt wird
+csv_tooltip = Eine Tabelle von Randpunkten, die aufeinander abgebildet werden: Bogenlängen, Orte, harmonisches Maß
+obj_tooltip = Wavefront OBJ: das Netz im Ziel, seine Texturkoordinaten in der Quelle
+png = PNG
+gif = GIF
+svg = SVG
+csv = CSV
+obj = OBJ
+ply = PLY
+glb = GLB
+
+## words
+
+edited_name = { $name } (bearbeitet)
+cauchy_green_gpu = Cauchy–Green: GPU
+cauchy_green_cpu = Cauchy–Green: CPU
+harmonic_coordinates = harmonische Koordinaten: { $percent } %
+cauchy_green_cpu_at = Cauchy–Green: CPU { $percent } %
+sizes = m { $boundary } · n { $interior } · vorbereitet in { $duration }
+surface_sizes_about = { $count ->
+    [one] m: Randecken. n: innere Ecken. { $shown } Dreieck.
+   *[other] m: Randecken. n: innere Ecken. { $shown } Dreiecke.
+}
+edges_flipped = { $count ->
+    [one] Intrinsische Delaunay-Kanten: { $shown } umgeklappt, negative Gewichte { $before } → { $after }
+   *[other] Intrinsische Delaunay-Kanten: { $shown } umgeklappt, negative Gewichte { $before } → { $after }
+}
+pending = die volle Abbildung wird berechnet…
+pending_tooltip = Diese Abbildung braucht länger als ein Bild. Solange sich ein Punkt bewegt und bis die volle da ist, wird eine grobe gezeigt.
+size_tooltip = m: Randpunkte. n: innere Ecken des Netzes.
+quality_tooltip = Q ist das Verhältnis der beiden Singulärwerte der Abbildung auf einem Dreieck: 1, wo Winkel erhalten bleiben. Q̄ ist sein flächengewichtetes Mittel über das Netz; das größte Q steht hier.
+flipped_tooltip = Dreiecke, deren Umlaufsinn die Abbildung umgekehrt hat. Bei einer guten Abbildung keine; wo es welche gibt, helfen mehr Randpunkte.
+frame_tooltip = Was die letzte Berechnung der Abbildung gekostet hat: Kern (harmonisches Maß: die Wahrscheinlichkeit, dass eine Irrfahrt ab x durch ein Randstück austritt), Abgleich (die Maße der Ränder werden gleich gemacht), Fortsetzung (ins Innere), und was das Zeichnen den Prozessor gekostet hat.
+source = Quelle
+target = Ziel
+stage_sample = abtasten
+stage_assemble = aufstellen
+stage_order = ordnen
+stage_table = Tabelle
+waiting_worker = wartet auf den Hintergrundprozess…
+reading_surface = die Fläche wird gelesen…
+sampling_boundary = der Rand wird abgetastet…
+triangulating = es wird trianguliert…
+assembling_laplacian = der Laplace-Operator wird aufgestellt…
+ordering = es wird geordnet…
+factoring = es wird faktorisiert…
+solved_iteratively = Der Cholesky-Faktor passt nicht in den Speicher: Es wird iterativ gelöst. Beim Ziehen folgt eine grobe Abbildung; nach dem Loslassen braucht die volle eine Weile
+mesh_is_coarser = Das Netz ist gröber als verlangt: Seine Verfeinerung endete an der Grenze

@@ -1,0 +1,673 @@
+### What stands on the screen, in English: the words of controls, menus, windows and tooltips.
+
+## bar
+
+smooth_tooltip = Round the corners: coordinates spread along the outline as heat does; the area stays
+smooth = Smooth
+mirror = Mirror
+mirror_tooltip = Exchange left and right, the two points too
+delete = Delete
+delete_tooltip = Take the selected handle away (Delete)
+finish_editing = Done
+handles_tooltip = Drag a square to reshape the outline. Double-click on the outline for another one; a right click or a long press takes one away. Arrow keys move the selected one (finely with Shift), N goes to the next; Escape ends.
+draw_around_shape_go = Draw around the shape in one go
+click_corners = Click the corners one by one
+click_points_along_curve = Click points along the curve
+back = Back
+back_tooltip = Take the last point back (Backspace)
+close = Close
+close_tooltip = Join the last point to the first (Enter, or click the first point)
+cancel = Cancel
+cancel_tooltip = Draw nothing (Escape)
+
+## bench
+
+paper_machine = MacBook Air, Apple M3 (8 cores), 24 GB; C++, SC Toolbox in MATLAB
+
+## chart
+
+arc_length_y_length = arc length from y / length
+psi_length = ψ · length
+exact = exact
+this_map = this map
+arc_length_of_side = arc length from y / length, { $side }
+
+## colouring
+
+area_distortion = Area distortion log₂(σ₁σ₂)
+angle_distortion = Angle distortion Q = σ₁/σ₂
+
+## convergence
+
+boundary_samples_m = boundary samples m
+error = error
+max = max
+mean = mean
+convergence_about = Distance of the boundary images from the exact ones, V-shape → blob; the blob is about 2 across.
+
+## crowding
+
+riemap_harmonic_measure = riemap (harmonic measure)
+zipper_run_x1_x2 = Zipper, run for x₁, x₂
+zipper_once_then_mobius = Zipper once, then Möbius
+
+## figures
+
+poisson_kernel_harmonic_measure_disk = Poisson kernel and harmonic measure on the disk
+mobius_map_disk_exact_approximate = A Möbius map of the disk, exact and approximate
+four_ways_map_hand_blob = Four ways to map a hand to the blob
+angle_distortion_maple_leaf_cinquefoil = Angle distortion from the maple leaf to the cinquefoil
+gingerbread_man_conformally_reshaped = The gingerbread man, conformally reshaped
+v_shape_blob_directly_through = From the V-shape to the blob: directly, and through the disk
+hemisphere_over_l_shaped_domains = The hemisphere over L-shaped domains
+convergence_v_shape = Convergence on the V-shape
+angle_distortion_head_over_disk = Angle distortion of a head over the disk
+face_over_planar_domains = A face over planar domains
+
+## figures menu
+
+tables_tooltip = Tables 1 and 2 · times on this machine, beside the paper's
+takes_a_minute = Takes a minute or two, in the background
+as_needed = as needed
+figure_title = Figure { $number } · { $title }
+figure_samples_of_surface = { $samples } samples of the outline, { $boundary } boundary vertices of the surface
+figure_samples_of_surface_file = { $samples } samples of the outline; the surface { $surface }
+figure_samples = { $source } samples of the source, { $target } of the target
+
+## file menu
+
+file = File
+link_tooltip = The address carries everything that is set: it opens the same picture in another browser
+undo = Undo
+undo_tooltip = Take the last step back; a drag is one step
+redo = Redo
+redo_tooltip = Make it again
+new_session = New
+new_session_tooltip = Begin with the first picture again; it can be undone
+open = Open…
+open_session_tooltip = A session from a .riemap file
+save_session = Save…
+save_session_tooltip = The session as a .riemap file
+copy_link = Copy link
+full_screen = Full screen
+presentation_size = Presentation size
+desk_size = Desk size
+open_export = Export…
+export_tooltip = Pictures, animations, vector graphics, tables, meshes
+
+## files
+
+images = Images
+sessions = Sessions
+outlines = Outlines
+outlines_and_surfaces = Outlines and surfaces
+
+## gallery
+
+saddle = Saddle
+crowding = Crowding
+gingerbread_heart = Gingerbread heart
+gingerbread_heart_about = Every limb finds its place
+square_circle = Square the circle
+square_circle_about = Four corners, smoothed away
+polar_star = Polar star
+polar_star_about = Circles of Green's function, rays of equal chance
+around_corner = Around the corner
+around_corner_about = One re-entrant corner: the textbook singularity
+leaf_flower = Leaf to flower
+leaf_flower_about = Sharp tips into sharp cusps
+hand_blob = A hand in a blob
+hand_blob_about = Five fingers, each a crowded channel
+unwound = Unwound
+unwound_about = A long corridor: almost all of it is one boundary point of the disk
+gallery_crowding_about = What a way through the disk loses, and the direct one keeps
+globe_flattened = A globe, flattened
+globe_flattened_about = Half a sphere over the disk: stereographic projection
+saddle_about = Negative curvature over a square
+gallery_half_torus = Half a torus
+gallery_half_torus_about = A bent tube, opened
+animal_over_heart = Animal over a heart
+animal_over_heart_about = A head's texture, in any outline you like
+
+## handles
+
+x1 = x₁
+x2 = x₂
+y1 = y₁
+
+## header
+
+surface = Surface
+panels = Panels
+fit = Fit
+fit_tooltip = Show all of it (double-click)
+shapes = Shapes
+swap = Swap
+swap_tooltip = Exchange source and target
+panels_tooltip = Fold the panels away, or bring them back (Tab)
+swap_refused = A surface is always the target: it is mapped to the outline on the left
+open_outline_tooltip = An outline from a file: JSON, GeoJSON, SVG, CSV or text with one point per line
+open_shape_tooltip = An outline from a file (JSON, GeoJSON, SVG, CSV, text), or a surface (OBJ, PLY, STL, OFF, glTF, GLB)
+interior_point_x1 = interior point x₁
+boundary_point_y1 = boundary point y₁
+x2_f_x1 = x₂ = f(x₁)
+y2_f_y1 = y₂ = f(y₁)
+edit = Edit
+edit_tooltip = Reshape the outline by its handles (E)
+
+## help menu
+
+help = Help
+language = Language
+theme = Theme
+system = System
+light = Light
+dark = Dark
+system_tooltip = Light or dark, as the system is
+light_tooltip = Dark ink on a light ground
+dark_tooltip = Light ink on a dark ground
+open_gallery = Gallery…
+open_gallery_tooltip = Maps worth seeing
+guided_tour = Guided tour
+guided_tour_tooltip = Six pictures: what a conformal map is, and what it is held by
+open_keys_and_gestures = Keys and gestures…
+open_keys_and_gestures_tooltip = What keys, mouse and fingers do
+system_language_tooltip = The language of the system, if it is one of these
+open_paper_figures = The paper's figures…
+open_paper_figures_tooltip = Its figures and tables, made anew
+
+## layout
+
+plots = Plots
+controls = Controls
+
+## legend
+
+mean_of = mean { $value }
+
+## locks
+
+locked = The page's address keeps this as it is
+
+## method
+
+method = Method
+cauchy_green_needs_plane = Cauchy's integral is one over a boundary in the plane; a surface's is in space
+harmonic_for_now = harmonic for now · Cauchy–Green { $percent } %
+harmonic = Harmonic
+cauchy_green = Cauchy–Green
+adjoint_kernel = Adjoint kernel
+table_paper = Table (paper)
+cholesky = Cholesky
+pcg = PCG
+harmonic_tooltip = The inside follows the boundary by the discrete Laplace equation: covers the other domain exactly
+cauchy_green_tooltip = The inside follows by Cauchy's integral of the boundary: smooth, but the boundary may shrink or bulge
+adjoint_kernel_tooltip = One solve with the transposed system for each new interior point: no table
+table_paper_tooltip = The harmonic coordinates of every vertex, computed in advance as in the paper: the same numbers
+cholesky_tooltip = A complete sparse Cholesky factor: fast, and accurate even where the measure is 1e-300
+pcg_tooltip = Conjugate gradients with an incomplete factor: little memory, 15 to 300 times slower; a coarse map stands in while you drag
+
+## names
+
+disk = Disk
+square = Square
+gingerbread_man = Gingerbread man
+heart = Heart
+blob = Blob
+v_shape = V-shape
+cinquefoil = Cinquefoil
+maple_leaf = Maple leaf
+hand = Hand
+turkey = Turkey
+l_shape = L-shape
+star = Star
+spiral = Spiral
+hemisphere = Hemisphere
+paraboloid = Paraboloid
+bent_strip = Bent strip
+half_torus = Half torus
+face_like = Face-like
+animal_head = Animal head
+drawn = Drawing
+traced = Traced
+pasted = Pasted
+
+## nudge
+
+picture_source = Picture of the source
+picture_target = Picture of the target
+x1_interior_point_source = x₁, interior point of the source
+x2_interior_point_target = x₂, interior point of the target
+y1_boundary_point_source = y₁, boundary point of the source
+y2_boundary_point_target = y₂, boundary point of the target
+
+## offer
+
+trace_picture_tooltip = The outline of the largest shape in a PNG or JPEG
+picture_texture = The picture is the texture.
+trace_outline = Trace it as outline
+no = No
+
+## other
+
+english = English
+deutsch = Deutsch
+
+## overlay
+
+through_disk_fresh = through the disk, fresh
+through_disk_precomputed = through the disk, precomputed
+random_walks = random walks
+disk_fresh = disk, fresh
+disk_precomputed = disk, precomputed
+hits = hits
+
+## page
+
+graphics_lost = The browser has taken the graphics away from this page, as it does after a crash of the graphics driver, or when the computer slept. The map is kept: reload the page to go on with it.
+no_graphics = riemap draws with WebGPU or WebGL 2, and this browser offers neither of them here. A current Firefox, Chrome, Edge or Safari with hardware acceleration turned on will do.
+stopped = riemap has stopped because of an error in itself. Reload the page to go on. ({ $reason })
+
+## paint
+
+sixty_equal_steps = 60 equal steps of ω
+their_images = their images
+
+## panel
+
+vertices = Vertices
+intrinsic_delaunay = Intrinsic Delaunay
+back_plane = Back to the plane
+back_plane_tooltip = Show the target's outline again
+along_boundary = { $count } along the boundary
+surface_map_tooltip = The surface is the target. Its Laplacian comes from the lengths of its edges; harmonic measure on its boundary loop is matched with the outline's, and every vertex gets its place in the outline: its texture coordinate
+delaunay_tooltip = Edges are flipped within the surface until all cotangent weights are positive: then harmonic measure is too, and the boundary keeps its order. The surface itself stays as it is
+surface_direction = Every point of the surface is mapped to the outline on the left
+through_disk = Through the disk
+random_walks_heading = Random walks
+this_map_had_none = (this map: none)
+under_a_hundredth_percent = under 0.01 %
+clear = Clear
+clear_tooltip = Forget all hits
+start = Start
+pause = Pause
+rays = { $count } rays
+cells_across = { $count } cells across
+points_collapsed = { $collapsed } of { $samples } points collapsed
+this_map_had = (this map: { $count })
+out_order = { $count } out of order
+all_points_kept_apart = all { $count } points kept apart
+largest_difference = largest difference { $share } of the length
+walks = { $count ->
+    [one] { $shown } walk
+   *[other] { $shown } walks
+}
+largest_deviation = largest deviation from ω: { $deviation } (chance: about { $chance })
+conformal = Conformal
+euclidean = Euclidean
+in_source = In the source
+in_target = In the target
+off = Off
+fresh = Fresh
+precomputed = Precomputed
+conformal_tooltip = The polar grid of the disk, on both sides: the circles are level sets of Green's function about x, the rays leave equal harmonic measure between them, the first one ends at y. To a conformal map all cells are squares
+euclidean_tooltip = True circles and rays about the interior point of the side where the pattern lives
+in_source_tooltip = The pattern is drawn on the source and pushed forward to the target; goes best with Backward, which fills the whole target
+in_target_tooltip = The pattern is drawn on the target and pulled back to the source; goes best with Forward, which fills the whole source
+off_tooltip = This map alone
+fresh_tooltip = Both domains are mapped to the disk anew for every place of x₁ and x₂, by the geodesic algorithm: right, but too slow to drag, so few boundary points are used until the dots rest
+precomputed_tooltip = Each domain is mapped to the disk once, for its middle; moving x is then only a Möbius map. Fast, but in long arms the disk has no digits left: points fall together or change places, and no Möbius map gets them apart
+both_tooltip = Fresh and precomputed disk maps side by side: what is lost with the second and not with the first is lost to crowding
+through_disk_tooltip = Why not map both outlines to a disk and go through it? On the outline that is mapped to, ticks inwards are this map's images of 60 points at equal steps of harmonic measure, ticks outwards those through the disk: where both agree, each pair makes one line. The faint dots are the images of all boundary points. A point is collapsed if no digits are left between it and the one before, and out of order if it comes out before that one
+walks_tooltip = Kakutani (1944): the harmonic measure of a part of the boundary is the chance that a random walk from x₁ leaves through it. Each jump goes to a random point of the largest circle that fits. Bars: the share of the hits in each piece of the boundary; strokes across: its harmonic measure
+
+## paste
+
+paste_kinds = SVG path data (M 0 0 L 2 0 …), SVG, coordinates (0,0 2,0 1,3 or one point per line), JSON or GeoJSON
+paste_outline_source = Paste an outline for the source
+paste_outline_target = Paste an outline for the target
+use_pasted = Use it
+
+## play panel
+
+speed = Speed
+all = All
+x1_tooltip = The source's interior point goes around a circle that stays inside
+x2_tooltip = The target's interior point goes around a circle that stays inside
+y1_tooltip = The source's boundary point turns once; equal times are equal harmonic measures: the disk turns evenly
+all_tooltip = All of them at once, through all maps of one domain onto the other
+no_plane = The target is a surface: its point is dragged by hand
+play_tooltip = Let the points move along a loop, or stop them where they are (space)
+seconds_for_turn = { $seconds } s for a turn
+stop_here = Stop here
+play = Play
+
+## plots
+
+log = log
+poisson_kernel = Poisson kernel
+reparameterisation = Reparameterisation
+kernel = Kernel
+measure = Measure
+reparam = Reparam.
+poisson_kernel_tooltip = ψ·ℓ: how likely a random walk from x is to leave through a piece of the boundary, per piece of its length; 1 where it is as likely as anywhere
+harmonic_measure_tooltip = ω: the chance that a random walk from x leaves through the boundary between y and here, counter-clockwise. The map takes each point to the one with the same measure
+reparameterisation_tooltip = r: where the map takes a boundary point, in arc length from y; straight where lengths are kept in proportion
+log_tooltip = A logarithmic axis: shows how deep the kernel falls where the domain is crowded
+
+## presentation
+
+full_screen_tooltip = The whole screen, or a window again (F)
+presentation_tooltip = Text, controls, dots and lines half as large again, to be read from afar
+
+## reports
+
+done = done
+too_large = too large
+measuring_rows = { $count ->
+    [one] measuring, { $count } row to go…
+   *[other] measuring, { $count } rows to go…
+}
+paper_machine_and_here = Paper: { $machine }. Here: one thread.
+tables_of_paper = Tables 1 and 2 of the paper, on this machine
+convergence_of_paper = Figure 15: convergence on the V-shape, up to m = 2000
+setting_paper = the paper's settings: uniform samples and triangles
+setting_default = riemap's defaults: adaptive samples, graded triangles
+table_1 = Table 1: preparation, in seconds
+table_2 = Table 2: a frame, in milliseconds
+paper = paper
+factor = factor
+with_psi = with Ψ
+zipper = Zipper
+bff_paper = BFF, paper
+psi_match_x1_moves = ψ + match, x₁ moves
+x2_moves = x₂ moves
+extend = extend
+stage_mesh = mesh
+
+## sessions
+
+link_copied = Link copied
+
+## settings
+
+show = Show
+unit_box = Unit box
+true_scale = True scale
+unit_box_tooltip = Texture coordinates are moved and scaled into the unit box
+true_scale_tooltip = Texture coordinates are the outline's own
+per_second = { $rate } per second
+both = Both
+source_heading = Source
+target_heading = Target
+ground = Ground
+transparent = Transparent
+transparent_tooltip = Without the colour behind the map
+coordinates = Coordinates
+size = Size
+width_pixels = Width in pixels
+height_pixels = Height in pixels
+motion = Motion
+duration = Duration
+duration_tooltip = How long a turn takes
+pictures = Pictures
+pictures_tooltip = How many pictures a turn has
+
+## shapes
+
+surfaces_mapped_source = Surfaces, mapped to the source
+open_file = Open a file…
+draw_freehand = Draw freehand
+draw_freehand_tooltip = Around the shape in one stroke; corners stay corners (D)
+draw_lines = Draw lines
+draw_lines_tooltip = Straight edges between clicked points (L)
+draw_curve = Draw a curve
+draw_curve_tooltip = A smooth curve through clicked points (C)
+paste = Paste…
+paste_tooltip = SVG path data or coordinates; Ctrl+V anywhere is the source's
+trace_picture = Trace a picture…
+
+## shortcuts
+
+mouse_fingers = Mouse and fingers
+drag_dot_gesture = Drag a dot
+drag_dot_gesture_about = Moves what the map is held by; the map follows
+drag_beside_dots = Drag beside the dots
+drag_beside_dots_about = Moves the picture; a surface is turned, with Shift moved
+wheel_two_fingers = Wheel, or two fingers
+wheel_two_fingers_about = Zooms; two fingers also move
+double_click = Double-click
+double_click_about = Shows all of it again
+drop_file = Drop a file
+drop_file_about = Opens an outline, a surface, an image or a session
+keys = Keys
+key_tab = Tab
+key_tab_about = Folds the panels away, or brings them back
+key_p = P
+key_p_about = Opens and closes the plots
+key_f = F
+key_f_about = Fills the screen, or gives it back
+ctrl_z = Ctrl+Z
+ctrl_z_about = Takes a step back
+ctrl_shift_z_ctrl_y = Ctrl+Shift+Z or Ctrl+Y
+ctrl_shift_z_ctrl_y_about = Makes it again
+ctrl_s = Ctrl+S
+ctrl_s_about = Saves the session as a file
+without_mouse = Without a mouse
+f6_shift_tab = F6 or Shift+Tab
+arrow_keys_dot = Arrow keys on a dot
+arrow_keys_dot_about = Move it; with Shift finely. A magenta dot goes along its boundary
+arrow_keys_picture = Arrow keys on a picture
+arrow_keys_picture_about = Move it, or turn the surface; + and − zoom, 0 shows all of it
+space_enter = Space or Enter
+space_enter_about = Presses a button
+f6_shift_tab_about = Begins to walk through controls, pictures and dots; Tab goes on, Escape ends
+space = Space
+space_about = Sets the points in motion, or stops them where they are
+ctrl_e = Ctrl+E
+ctrl_e_about = Opens the window that saves pictures, animations and other files
+drawing_reshaping = Drawing and reshaping
+d_l_c = D, L, C
+d_l_c_about = Draws an outline: freehand, with straight edges, as a curve; for the side under the pointer
+enter_backspace = Enter, Backspace
+enter_backspace_about = Closes what is drawn; takes its last point back
+key_e = E
+key_e_about = Reshapes the outline under the pointer by its handles, or ends that
+double_click_outline = Double-click on the outline
+double_click_outline_about = Sets another handle; a right click or a long press takes one away
+n_shift_n = N, Shift+N
+n_shift_n_about = Go to the next handle, to the one before
+arrow_keys_delete = Arrow keys, Delete
+arrow_keys_delete_about = Move the chosen handle, with Shift finely; take it away
+escape = Escape
+escape_about = Ends drawing and reshaping, and closes windows
+ctrl_v = Ctrl+V
+ctrl_v_about = Takes an outline from the clipboard: path data, coordinates, GeoJSON
+
+## side panel
+
+map = Map
+mesh = Mesh
+mesh_tooltip = The edges of the mapped mesh, and of its image on the other side
+texture = Texture
+choose = Choose…
+scale = Scale
+samples = Samples
+keep_corners = Keep corners
+keep_corners_tooltip = The outline's corners are samples too
+as_many_as_needed = As many as the outline needs
+adaptive_samples_tooltip = Spacing from curvature, corners and channel width alone
+growth = Growth
+resolution_of = Resolution · { $side }
+automatic = { $value }, automatic
+per_distance = { $growth } per distance
+forward = Forward
+backward = Backward
+angle = Angle
+area = Area
+checker = Checker
+grid = Grid
+polar = Polar
+image = Image
+adaptive = Adaptive
+uniform_paper = Uniform (paper)
+graded = Graded
+uniform_mesh = Uniform mesh
+forward_tooltip = The source's mesh is mapped into the target
+backward_tooltip = The target's mesh is mapped into the source and looks its texture up there
+texture_tooltip = The pattern that the map carries
+angle_tooltip = Angle distortion Q = σ₁/σ₂ of every triangle: 1 where angles are kept
+area_tooltip = Area distortion log₂(σ₁σ₂) of every triangle, from source to target: +1 is twice the area, −1 half of it
+checker_tooltip = Squares; angles of 90° stay angles of 90°
+lines = Lines
+polar_tooltip = Circles and rays about the interior point
+image_tooltip = Your own PNG or JPEG; drop one anywhere
+adaptive_tooltip = Denser at corners, high curvature and in narrow channels: a smaller error for the same number
+uniform_paper_tooltip = Equally spaced in arc length, as in the paper
+graded_tooltip = Triangles grow with the distance from the boundary: 4–15 % of the vertices at nearly the same error
+uniform_mesh_tooltip = Triangles of one size, as in the paper
+
+## spoken
+
+spoken_quality = { $count ->
+    [one] Mean angle distortion { $mean }; { $count } triangle flipped.
+   *[other] Mean angle distortion { $mean }; { $count } triangles flipped.
+}
+being_prepared = Being prepared.
+problem = Problem: { $what }
+spoken_surface_map = The surface { $surface }, mapped conformally to the outline { $outline }.
+spoken_map = Conformal map from { $source } to { $target }.
+points_of_side = { $interior } at ({ $place }), { $boundary } at { $percent } % of the boundary.
+button = button
+choice = choice
+check_box = check box
+slider = slider
+text_field = text field
+selected = selected
+not_selected = not selected
+not_available = not available
+
+## status
+
+fps_tooltip = While something moves; at rest nothing is drawn
+largest_q = largest Q: { $value }
+flipped = flipped { $count }
+frame_parts = kernel { $kernel } ms + match { $matching } ms + extend { $extension } ms
+frame_times = frame { $compute } ms + draw { $draw } ms
+fps = { $rate } fps
+hint_plane = drag a dot · scroll to zoom · drop a file anywhere
+hint_surface = drag a dot, or the surface to turn it · shift moves it · scroll to zoom
+
+## top bar
+
+riemap_tooltip = The conformal map between two outlines, by matching harmonic measure
+choose_image = Image…
+choose_image_tooltip = A PNG or JPEG as the texture
+plots_tooltip = Poisson kernel, harmonic measure and reparameterisation along the boundaries (P)
+
+## tour
+
+harmonic_measure = Harmonic measure
+of = { $part } of { $whole }
+next = Next
+end = End
+keep_picture = Keep this picture
+keep_picture_tooltip = Ends the tour here
+end_tour_tooltip = Ends the tour and shows your own picture again
+map_between_two_shapes = A map between two shapes
+map_between_two_shapes_about = Whatever is drawn inside the left outline is carried into the right one: stretched and turned from place to place, but never torn and never folded. Drag a green dot and watch all of it follow.
+angles_stay = Angles stay
+angles_stay_about = That is what conformal means. Each small square becomes a small square, larger or smaller and turned, with right angles. The number Q̄ at the bottom says how well: 1 is perfect.
+three_freedoms = Three freedoms
+three_freedoms_about = Riemann (1851): between two such outlines there is exactly one conformal map once you say where one inner point goes (two numbers, the green dots) and where one boundary point goes (one number, the magenta dots).
+harmonic_measure_about = Let a random walk start at the green dot. The chance that it leaves through a part of the boundary is that part's harmonic measure. A conformal map keeps it, so it is enough to match it along both boundaries: that is how riemap computes.
+tour_crowding_about = Why not go through a disk? From this V, arms shrink on the disk's rim to lengths of 10⁻¹⁷, and the computer has no digits left: the marks outside of the outline run together. Matched directly, they stay apart.
+surfaces = Surfaces
+surfaces_about = The same works for a surface in space with one boundary: each of its points gets a place in the outline. Turn it, drag the dots on it. This is how textures are laid on models.
+
+## user error
+
+try_again = Try again
+use_repaired = Use it repaired
+repair = Repair it
+
+## viewport
+
+drag_dot = drag a dot
+drop_for_source = Drop an outline for this side, or an image as the texture
+drop_for_target = Drop an outline or a surface for this side, or an image as the texture
+
+## widgets
+
+close_message = Close this message
+
+## window
+
+figures = Figures
+swap_waits = While nothing is prepared
+export = Export
+gallery = Gallery
+keys_and_gestures = Keys and gestures
+pictures_done = { $done } of { $all } pictures
+save = Save
+paper_figures = The paper's figures
+
+## request
+
+surface_obj_tooltip = Wavefront OBJ: the vertices in their order, each with its texture coordinate
+surface_ply_tooltip = PLY, ascii: x y z s t for each vertex
+surface_glb_tooltip = Binary glTF with texture coordinates
+surface_csv_tooltip = A table: x, y, z, u, v for each vertex
+surface_svg_tooltip = The edges of the layout in the outline
+animated_png = Animated PNG
+png_tooltip = The picture, of any size
+animated_png_tooltip = A turn of the points that goes on for ever, in all its colours
+gif_tooltip = A turn of the points that goes on for ever, in 256 colours
+svg_tooltip = Outlines, the pattern's lines, the points, and the mesh where it is shown
+csv_tooltip = A table of boundary points that are mapped to each other: arc lengths, places, harmonic measure
+obj_tooltip = Wavefront OBJ: the mesh in the target, its texture coordinates in the source
+png = PNG
+gif = GIF
+svg = SVG
+csv = CSV
+obj = OBJ
+ply = PLY
+glb = GLB
+
+## words
+
+edited_name = { $name } (edited)
+cauchy_green_gpu = Cauchy–Green: GPU
+cauchy_green_cpu = Cauchy–Green: CPU
+harmonic_coordinates = harmonic coordinates: { $percent } %
+cauchy_green_cpu_at = Cauchy–Green: CPU { $percent } %
+sizes = m { $boundary } · n { $interior } · prepared in { $duration }
+surface_sizes_about = { $count ->
+    [one] m: boundary vertices. n: interior vertices. { $shown } triangle.
+   *[other] m: boundary vertices. n: interior vertices. { $shown } triangles.
+}
+edges_flipped = { $count ->
+    [one] Intrinsic Delaunay: { $shown } edge flipped, negative weights { $before } → { $after }
+   *[other] Intrinsic Delaunay: { $shown } edges flipped, negative weights { $before } → { $after }
+}
+pending = computing the full map…
+pending_tooltip = This map takes longer than a frame. A coarse one is shown while a dot moves, until the full one is there.
+size_tooltip = m: boundary samples. n: interior vertices of the mesh.
+quality_tooltip = Q is the ratio of the two singular values of the map on a triangle: 1 where angles are kept. Q̄ is its area-weighted mean over the mesh; the largest Q is shown here.
+flipped_tooltip = Triangles whose orientation the map reversed. None for a good map; more boundary samples help where there are some.
+frame_tooltip = What the last update of the map took: kernel (harmonic measure: the chance that a random walk from x leaves through a part of the boundary), match (the boundaries' measures are made equal), extend (to the inside), and what drawing took on the processor.
+source = source
+target = target
+stage_sample = sample
+stage_assemble = assemble
+stage_order = order
+stage_table = table
+waiting_worker = waiting for the worker…
+reading_surface = reading the surface…
+sampling_boundary = sampling the boundary…
+triangulating = triangulating…
+assembling_laplacian = assembling the Laplacian…
+ordering = ordering…
+factoring = factoring…
+solved_iteratively = The Cholesky factor does not fit into memory: solved iteratively. A coarse map follows your drags; the full one takes a while when you let go
+mesh_is_coarser = The mesh is coarser than asked for: its refinement stopped at the limit

@@ -1,0 +1,343 @@
+//! Real errors, made by what a person may open: in English they say what their own text says, in German no English is
+//! left, and no number is lost.
+
+use super::{Language, Message, key};
+use crate::conformal::{PrepareSettings, Side};
+use crate::geometry::{DVec2, SimplePolygon};
+use crate::outline::{Sampling, parse, sample};
+use crate::session::{Command, OutlineSpec, Session, file, link};
+use crate::surface::{SurfaceMesh, read_surface};
+use serde_json::json;
+use std::fmt::Display;
+
+/// Words that no German sentence has.
+const ENGLISH: [&str; 24] = [
+    "the", "is", "are", "of", "with", "and", "not", "this", "has", "be", "it", "its", "to", "must", "there", "where",
+    "than", "that", "from", "point", "line", "outline", "surface", "side",
+];
+
+fn numbers(text: &str) -> Vec<&str> {
+    let mut numbers: Vec<&str> =
+        text.split(|letter: char| !letter.is_ascii_digit()).filter(|run| !run.is_empty()).collect();
+    numbers.sort_unstable();
+    numbers
+}
+
+/// What is left without names in quotes and, of others' words, without what stands in brackets.
+fn own_words(text: &str, is_cause_foreign: bool) -> String {
+    let mut words = String::new();
+    let (mut quoted, mut bracketed) = (false, 0);
+    for letter in text.chars() {
+        match letter {
+            '„' => quoted = true,
+            '“' => quoted = false,
+            '(' if is_cause_foreign => bracketed += 1,
+            ')' if is_cause_foreign => bracketed -= 1,
+            _ if !quoted && bracketed == 0 => words.push(letter),
+            _ => {}
+        }
+    }
+    words
+}
+
+fn check(message: &Message, is_cause_foreign: bool) {
+    let (english, german) = (message.english(), Language::German.message(message));
+    let words = own_words(&german, is_cause_foreign);
+    let left = words.split(|letter: char| !letter.is_alphabetic()).find(|word| ENGLISH.contains(word));
+    assert_eq!(left, None, "{english:?} became {german:?}");
+    assert_ne!(german, english);
+    assert_eq!(numbers(&german), numbers(&english), "{german}");
+}
+
+/// The message of an error, which says in English what the error's own text says.
+fn message<E: Display>(error: &E) -> Message
+where
+    for<'a> Message: From<&'a E>,
+{
+    let message = Message::from(error);
+    assert_eq!(message.english(), error.to_string());
+    message
+}
+
+/// German but for the words of others in brackets.
+fn german_but_for_the_cause<E: Display>(error: &E)
+where
+    for<'a> Message: From<&'a E>,
+{
+    check(&message(error), true);
+}
+
+fn german<E: Display>(error: &E)
+where
+    for<'a> Message: From<&'a E>,
+{
+    check(&message(error), false);
+}
+
+#[test]
+fn files_that_are_no_outlines() {
+    let files = [
+        ("a.csv", "0,0\n1,0\n"),
+        ("a.csv", "0,0\n1,0\n1,x y\n"),
+        ("a.csv", "0,0\n1\n"),
+        ("a.csv", "0,0\n1,0,2,3\n"),
+        ("a.csv", "0,0\n1,\n"),
+        ("a.csv", "0,0\n1,1e999\n"),
+        ("a.csv", "0,0\n2,2\n2,0\n0,2\n"),
+        ("a.csv", "0,0\n2,0\n0,0\n2,2\n"),
+        ("a.csv", "0,0\n1,1\n2,2\n"),
+        ("a.csv", "0,0\n2,0\n1,0\n1,3\n"),
+        ("a.csv", "0,0\n1e300,0\n0,1\n"),
+        ("a.csv", "0,0\n1e-300,0\n0,1e-300\n"),
+        ("a.txt", "0 0 1 0 1 1 2"),
+        ("a.txt", " "),
+        ("a.json", "[[0,0],[1,\"b\"],[1,1]]"),
+        ("a.json", "[[0,0],[1],[1,1]]"),
+        ("a.json", "[[0,0],[1,2,3],[1,1]]"),
+        ("a.json", "[[0,0],null,[1,1]]"),
+        ("a.json", "{\"points\": {}}"),
+        ("a.json", "{\"pints\": []}"),
+        ("a.json", "true"),
+        ("a.json", "{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[1,0],[1,1],[0,1]]]}"),
+        ("a.json", "{\"type\": \"Polygon\", \"coordinates\": [3]}"),
+        ("a.json", "{\"type\": \"Polygon\", \"coordinates\": [[]]}"),
+        ("a.json", "{\"type\": \"MultiPolygon\", \"coordinates\": [3]}"),
+        ("a.json", "{\"type\": \"Polygon\"}"),
+        ("a.json", "{\"type\": \"Polygon\", \"coordinates\": 3}"),
+        ("a.json", "{\"type\": \"Circle\"}"),
+        ("a.json", "{\"type\": \"FeatureCollection\", \"features\": [{}]}"),
+        ("a.json", "{\"type\": \"Point\"}"),
+        ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M 0 0 L 1 0 L 1 1\"/></svg>"),
+        ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>"),
+    ];
+    for (name, text) in files {
+        let error = parse(name, text.as_bytes()).expect_err(text);
+        german(&error);
+        check(&key::about(name, message(&error)), false);
+    }
+    german(&parse("a.csv", b"0,0\n1,\xff\n").unwrap_err());
+    let nested = format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{}{}</svg>", "<g>".repeat(99), "</g>".repeat(99));
+    german(&parse("a.svg", nested.as_bytes()).unwrap_err());
+    for (name, text) in [("a.json", "[[0,0],"), ("a.svg", "<svg><g></svg>")] {
+        german_but_for_the_cause(&parse(name, text.as_bytes()).unwrap_err());
+    }
+}
+
+#[test]
+fn notes_on_outlines() {
+    let files = [
+        "{\"type\": \"MultiPolygon\", \"coordinates\": [[[[0,0],[0,1],[1,0],[0,0]], [[0,0],[1,0],[0,1],[0,0]]], \
+         [[[0,0],[9,0],[0,9],[0,0]], [[0,0],[1,0],[0,1],[0,0]], [[0,0],[1,0],[0,1],[0,0]]]]}",
+        "[[0,0],[0,1],[1,1],[1,0],[0,0]]",
+    ];
+    let notes: Vec<_> = files.iter().flat_map(|text| parse("a.json", text.as_bytes()).unwrap().notes).collect();
+    assert_eq!(notes.len(), 4, "{notes:?}");
+    notes.iter().for_each(german);
+}
+
+#[test]
+fn files_that_are_no_surfaces() {
+    let head = "ply\nformat ascii 1.0\n";
+    let vertices = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+    let asset = "{\"asset\": {\"version\": \"2.0\"}, ";
+    let primitive = "\"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}], \"nodes\": [{\"mesh\": 0}]";
+    let files = [
+        ("a.obj", "v 0 0\n".into()),
+        ("a.obj", "v 0 0 x\n".into()),
+        ("a.obj", "v 0 0 inf\n".into()),
+        ("a.obj", "v 0 0 0\nf 1 2 3\n".into()),
+        ("a.obj", "v 0 0 0\nf 1 1\n".into()),
+        ("a.off", "OFF\n-3 1 0\n".into()),
+        ("a.off", "OFF\n3\n".into()),
+        ("a.off", "OFF\n2 1 0\n0 0 0\n".into()),
+        ("a.off", "OFF\n1 1 0\n0 0 0\n3 0 0\n".into()),
+        ("a.off", "OFF BINARY\n".into()),
+        ("a.off", "4OFF\n".into()),
+        ("a.off", String::new()),
+        ("a.stl", "solid a\nfacet\nouter loop\nvertex 0 0 0\n".into()),
+        ("a.stl", "\0\0\0".into()),
+        ("a.ply", "plx\n".into()),
+        ("a.ply", format!("{head}{vertices}")),
+        ("a.ply", "ply\nformat utf8 1.0\nend_header\n".into()),
+        ("a.ply", "ply\nfoo\nend_header\n".into()),
+        ("a.ply", "ply\nproperty float x\nend_header\n".into()),
+        ("a.ply", "ply\nend_header\n".into()),
+        ("a.ply", format!("{head}element vertex 1\nproperty real x\nend_header\n")),
+        ("a.ply", format!("{head}element vertex 1\nproperty list float int a\nend_header\n")),
+        ("a.ply", format!("{head}element vertex 1\nproperty float x\nend_header\n0\n")),
+        ("a.ply", format!("{head}{vertices}end_header\n0 0\n")),
+        ("a.ply", format!("{head}{vertices}element face 1\nend_header\n0 0 0\n")),
+        ("a.ply", format!("{head}element tristrips 1\nproperty list int int vertex_indices\nend_header\n3 0 0 0\n")),
+        ("a.glb", "glTX".into()),
+        ("a.glb", "glTF\u{3}\0\0\0".into()),
+        ("a.glb", "glTF\u{2}\0\0\0\0\0\0\0".into()),
+        ("a.glb", "glTF\u{2}\0\0\0\0\0\0\0\u{9}\0\0\0".into()),
+        ("a.gltf", format!("{asset}\"extensionsRequired\": [\"KHR_mesh_quantization\"]}}")),
+        ("a.gltf", format!("{asset}\"scene\": 4}}")),
+        ("a.gltf", format!("{asset}\"nodes\": [{{\"mesh\": 3}}]}}")),
+        ("a.gltf", format!("{asset}\"scenes\": [{{\"nodes\": [0, 0]}}], \"nodes\": [{{}}]}}")),
+        ("a.gltf", format!("{asset}\"buffers\": [{{}}]}}")),
+        ("a.gltf", format!("{asset}\"buffers\": [{{\"uri\": \"b.bin\"}}]}}")),
+        ("a.gltf", format!("{asset}\"buffers\": [{{\"uri\": \"data:,a\"}}]}}")),
+        ("a.gltf", format!("{asset}\"buffers\": [{{\"uri\": \"data:;base64,A?\"}}]}}")),
+        ("a.gltf", format!("{asset}{primitive}}}")),
+        ("a.gltf", format!("{asset}{primitive}, \"accessors\": [{{\"sparse\": {{}}}}]}}")),
+        ("a.gltf", format!("{asset}{primitive}, \"accessors\": [{{\"type\": \"VEC2\", \"componentType\": 5126}}]}}")),
+        ("a.xyz", "nothing".into()),
+    ];
+    for (name, text) in &files {
+        let error = read_surface(name, text.as_bytes()).map(|surface| surface.triangles.len()).expect_err(text);
+        german(&error);
+        check(&key::about(*name, message(&error)), false);
+    }
+    german_but_for_the_cause(&read_surface("a.gltf", b"{").unwrap_err());
+}
+
+#[test]
+fn surfaces_that_are_no_disks() {
+    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    let surfaces = [
+        (square, "f 1 2 2\n"),
+        ("v 0 0 0\nv 1 0 0\nv 2 0 0\n", "f 1 2 3\n"),
+        ("v 0 0 0\nv 1e99 0 0\nv 0 2 0\n", "f 1 2 3\n"),
+        ("v 0 0 0\nv 1e-99 0 0\nv 0 1e-99 0\n", "f 1 2 3\n"),
+        (square, "f 1 2 3\nf 1 3 4\nf 2 1 3\n"),
+        ("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n", "f 1 2 3\nf 1 2 4\nf 2 1 5\n"),
+        (square, "f 1 2 3\nf 1 4 3\n"),
+        (square, "f 1 2 3\n"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\n", "f 1 2 3\nf 4 5 6\n"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\n", "f 1 2 3\nf 1 4 5\n"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n", "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
+        (
+            "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 0\nv 3 1 0\nv 1 3 0\n",
+            "f 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\nf 3 1 4\nf 3 4 6\n",
+        ),
+    ];
+    for (vertices, faces) in surfaces {
+        let surface = read_surface("a.obj", format!("{vertices}{faces}").as_bytes()).unwrap();
+        german(&SurfaceMesh::new(&surface).expect_err(faces));
+        if let Ok(repaired) = SurfaceMesh::repaired(&surface) {
+            repaired.repairs.iter().for_each(german);
+        }
+    }
+    // a strip of 7 × 3 squares without three of them: four boundary loops
+    let vertices = (0..32).map(|k| format!("v {} {} 0\n", k % 8, k / 8)).collect::<Vec<_>>().concat();
+    let kept = (0..21).map(|k| (k % 7, k / 7)).filter(|place| ![(1, 1), (3, 1), (5, 1)].contains(place));
+    let corners = |(x, y): (usize, usize)| [0, 1, 9, 8].map(|corner| 8 * y + x + corner + 1);
+    let faces = kept.map(corners).map(|[a, b, c, d]| format!("f {a} {b} {c} {d}\n")).collect::<Vec<_>>().concat();
+    let strip = read_surface("a.obj", format!("{vertices}{faces}").as_bytes()).unwrap();
+    let error = SurfaceMesh::new(&strip).unwrap_err();
+    assert!(error.to_string().contains("4 boundary loops"), "{error}");
+    german(&error);
+    let polygon = read_surface("a.obj", format!("{square}f 1 2 3 4\n").as_bytes()).unwrap();
+    polygon.notes.iter().for_each(german);
+    let longer = read_surface("a.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n").unwrap();
+    assert_eq!(longer.notes.len(), 1);
+    longer.notes.iter().for_each(german);
+}
+
+#[test]
+fn sessions_and_links_that_cannot_be_opened() {
+    for text in ["{}", "{\"riemap\": 7}"] {
+        german(&file::read(text.as_bytes()).unwrap_err());
+    }
+    for text in ["{\"riemap\": 1}", "[", "\u{1}"] {
+        german_but_for_the_cause(&file::read(text.as_bytes()).unwrap_err());
+    }
+    for address in ["", "#s=1.AAAA", "#s=2.AAAA", "#s=3.AAAA", "#s=1.____", &format!("#s={}", "A".repeat(9000))] {
+        let error = link::decode(address).unwrap_err();
+        german(&error);
+        let last = key::last_session_not_opened(message(&file::read(b"{}").unwrap_err()));
+        check(&key::sentence_and(key::link_not_opened(message(&error)), last), false);
+    }
+    let side = Side::Source;
+    let coarse =
+        PrepareSettings { sampling: Sampling::Uniform { count: 7, keep_corners: true }, ..PrepareSettings::default() };
+    for command in [
+        Command::SetTextureScale(1e9),
+        Command::SetSettings { side, settings: coarse },
+        Command::MoveInterior { side, point: DVec2::new(0.0, f64::INFINITY).into() },
+    ] {
+        let session = Session::with([command]);
+        check(&key::session_not_saved(message(&file::write(&session).unwrap_err())), false);
+        check(&key::no_link_to_session(message(&link::encode(&session).unwrap_err())), false);
+    }
+    let bow = json!({ "points": { "name": "the bow", "points": [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]] } });
+    for (field, value) in [("/anchor/1", json!(-3.0)), ("/version", json!(2)), ("/target/outline", bow)] {
+        let mut written =
+            serde_json::from_str::<serde_json::Value>(&file::write(&Session::default()).unwrap()).unwrap();
+        *written.pointer_mut(field).unwrap() = value;
+        german(&file::read(written.to_string().as_bytes()).unwrap_err());
+    }
+    let spike = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
+    let polygon = SimplePolygon::try_from(spike.map(DVec2::from).to_vec()).unwrap();
+    let session = Session::with(Side::BOTH.map(|side| {
+        let outline = OutlineSpec::Points { name: format!("a spike of the {side}"), polygon: polygon.clone() };
+        Command::SetOutline { side, outline }
+    }));
+    let both = link::encode(&session).unwrap().left_out;
+    assert_eq!(both.len(), 2);
+    check(&key::link_copied_but(key::both_clauses(message(&both[0]), message(&both[1]))), false);
+    for left_out in &both {
+        let both = key::both_clauses(message(left_out), key::image_not_in_link());
+        check(&key::link_copied_but(both), false);
+    }
+}
+
+#[test]
+fn what_cannot_be_computed_or_exported() {
+    use crate::conformal::{HarmonicTable, Memory};
+    use crate::render::{Film, FilmFormat, FilmSettings};
+    let disk = crate::outline::Preset::Disk.outline().polygon;
+    for count in [2, u32::MAX] {
+        german(&sample(&disk, Sampling::Uniform { count, keep_corners: true }).unwrap_err());
+    }
+    german(&HarmonicTable::check(10_000_000, 10_000, Memory::default()).unwrap_err());
+    let sound = FilmSettings { format: FilmFormat::Gif, size: [100, 80], frames: 20, seconds: 2.0 };
+    for settings in [
+        FilmSettings { frames: 1, ..sound },
+        FilmSettings { seconds: 1e9, ..sound },
+        FilmSettings { size: [70_000, 80], ..sound },
+        FilmSettings { frames: 200, seconds: 1.0, ..sound },
+    ] {
+        german(&Film::new(settings).err().unwrap());
+    }
+}
+
+/// What is said of one thing and of several.
+#[test]
+fn counts_of_one() {
+    use crate::conformal::MapNote;
+    use crate::surface::{RepairNote, TopologyError};
+    let sentences = |count: usize| {
+        let corners = [4, 4, 7];
+        [
+            message(&TopologyError::RepeatedCorner { triangle: 5, corners, count }),
+            message(&TopologyError::Degenerate { triangle: 5, corners, count }),
+            message(&TopologyError::Duplicates { triangle: 5, corners, other: 2, count }),
+            message(&TopologyError::NonManifoldEdge { edge: [2, 4], triangles: vec![5, 7, 9], count }),
+            message(&TopologyError::Orientation { edge: [2, 4], triangles: [5, 7], count }),
+            message(&TopologyError::NonManifoldVertex { vertex: 4, fans: 3, count }),
+            message(&TopologyError::Unreferenced { vertex: 4, count }),
+            message(&TopologyError::Genus { genus: count }),
+            message(&RepairNote::DroppedTriangles { count }),
+            message(&RepairNote::DroppedDuplicates { count }),
+            message(&RepairNote::Oriented { count }),
+            message(&RepairNote::KeptLargest { components: 3, dropped: count }),
+            message(&RepairNote::DroppedVertices { count }),
+            message(&MapNote::NoMeasure { edges: count }),
+            message(&MapNote::NegativeKernel { edges: count }),
+        ]
+    };
+    for said in sentences(1) {
+        let sentence = said.english();
+        let words: Vec<&str> = sentence.split_whitespace().collect();
+        assert!(!words.windows(2).any(|pair| pair[0] == "1" && pair[1].ends_with('s')), "{sentence}");
+        assert!(![" vertices", "s were ", "s have "].iter().any(|plural| sentence.contains(plural)), "{sentence}");
+        check(&said, false);
+    }
+    for said in sentences(6) {
+        assert!(said.english().contains('6'), "{}", said.english());
+        check(&said, false);
+    }
+}

@@ -1,0 +1,76 @@
+//! Why there is no map, and what is to be known of one.
+
+use crate::conformal::{MapError, MapNote, PrepareError, TableError, WalkError};
+use crate::figures::FigureError;
+use crate::language::{Message, key};
+
+impl From<&PrepareError> for Message {
+    fn from(error: &PrepareError) -> Self {
+        match error {
+            PrepareError::Sampling(error) => error.into(),
+            PrepareError::Mesh(error) => error.into(),
+            PrepareError::Laplace(error) => error.into(),
+            PrepareError::Table(error) => error.into(),
+        }
+    }
+}
+
+impl From<&TableError> for Message {
+    fn from(error: &TableError) -> Self {
+        match error {
+            TableError::TooLarge { rows, columns, bytes, budget, fitting_samples } => {
+                key::table_too_large(*rows, *columns, bytes / 1_000_000, budget / 1_000_000, *fitting_samples)
+            }
+            TableError::NotConverged(error) => error.into(),
+        }
+    }
+}
+
+impl From<&MapError> for Message {
+    fn from(error: &MapError) -> Self {
+        match error {
+            MapError::PointOutside { side, x, y } => key::map_point_outside(*side, *x, *y),
+            MapError::NoPoint { triangle, weights, triangles, .. } => {
+                key::map_no_point(*triangles, weights[0], weights[1], weights[2], *triangle)
+            }
+            MapError::OnBoundary { .. } => key::map_on_boundary().into(),
+            MapError::OtherKind { side } => key::map_other_kind(*side),
+            MapError::AnchorNotFinite { side } => key::map_anchor_not_finite(*side),
+            MapError::LoopAnchorNotFinite { .. } => key::map_loop_anchor_not_finite().into(),
+            MapError::NotConverged { side, error } => key::map_not_converged(*side, Message::from(error)),
+        }
+    }
+}
+
+impl From<&MapNote> for Message {
+    fn from(note: &MapNote) -> Self {
+        match note {
+            MapNote::NoMeasure { edges } => key::map_no_measure(*edges),
+            MapNote::NegativeKernel { edges } => key::map_negative_kernel(*edges),
+        }
+    }
+}
+
+impl From<&WalkError> for Message {
+    fn from(error: &WalkError) -> Self {
+        match error {
+            WalkError::StartOutside { x, y } => key::walk_start_outside(*x, *y),
+            WalkError::NoBoundary => key::walk_no_boundary().into(),
+        }
+    }
+}
+
+impl From<&FigureError> for Message {
+    fn from(error: &FigureError) -> Self {
+        match error {
+            FigureError::Prepare(error) => error.into(),
+            FigureError::Map(error) => error.into(),
+            FigureError::Zipper(error) => error.into(),
+            FigureError::NotConverged(error) => error.into(),
+            FigureError::Topology(error) => error.into(),
+            FigureError::NoSurface => key::figure_no_surface().into(),
+            FigureError::NoDomain => key::figure_no_domain().into(),
+            FigureError::Outline => key::figure_outline().into(),
+        }
+    }
+}

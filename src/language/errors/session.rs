@@ -1,0 +1,91 @@
+//! Why a session is not opened, saved or put into a link.
+
+use crate::language::{Label, Message, key};
+use crate::session::file::{self, FileError};
+use crate::session::link::{Choice, LeftOut, LinkError, MAX_LENGTH, NEWEST, NotCarried};
+use crate::session::{OutOfRange, Quantity};
+
+impl From<&FileError> for Message {
+    fn from(error: &FileError) -> Self {
+        match error {
+            FileError::TooLarge => key::session_file_too_large(file::MAX_BYTES >> 20),
+            FileError::Malformed(reason) => key::session_file_malformed(reason.as_str()),
+            FileError::NoSession => key::session_file_no_session(file::NEWEST),
+            FileError::Version { found } => key::session_file_version(*found, file::NEWEST),
+            FileError::OutOfRange(reason) => key::session_file_out_of_range(Message::from(reason)),
+            FileError::Outline { side, reason } => key::session_file_outline(*side, Message::from(reason)),
+        }
+    }
+}
+
+impl From<&LinkError> for Message {
+    fn from(error: &LinkError) -> Self {
+        match error {
+            LinkError::NoSession => key::link_no_session().into(),
+            LinkError::TooLong { length } => key::link_too_long(*length, MAX_LENGTH),
+            LinkError::Version { found } => key::link_version(found.as_str(), NEWEST),
+            LinkError::Damaged => key::link_damaged().into(),
+            LinkError::TooMuch => key::link_too_much().into(),
+            LinkError::Unknown { what, name } => key::link_unknown(Label::from(*what), name.as_str()),
+            LinkError::OutOfRange(reason) => key::link_out_of_range(Message::from(reason)),
+            LinkError::Outline { side, reason } => key::link_outline(*side, Message::from(reason)),
+        }
+    }
+}
+
+impl From<&NotCarried> for Message {
+    fn from(error: &NotCarried) -> Self {
+        match error {
+            NotCarried::TooLong { points } => key::not_carried_too_long(*points, MAX_LENGTH),
+            NotCarried::NotSimple(reason) => key::not_carried_not_simple(Message::from(reason)),
+            NotCarried::Inexact => key::not_carried_inexact().into(),
+        }
+    }
+}
+
+impl From<&LeftOut> for Message {
+    fn from(LeftOut { side, name, reason }: &LeftOut) -> Self {
+        key::outline_left_out(*side, name, Message::from(reason))
+    }
+}
+
+impl From<&OutOfRange> for Message {
+    fn from(OutOfRange { what, value, low, high }: &OutOfRange) -> Self {
+        key::out_of_range(Label::from(*what), *value, *low, *high)
+    }
+}
+
+impl From<Quantity> for Label {
+    fn from(quantity: Quantity) -> Self {
+        match quantity {
+            Quantity::Version => key::limit_version(),
+            Quantity::Coordinate => key::limit_coordinate(),
+            Quantity::Anchor => key::limit_anchor(),
+            Quantity::Cells => key::limit_cells(),
+            Quantity::Samples => key::limit_samples(),
+            Quantity::Growth => key::limit_growth(),
+            Quantity::SurfaceBoundary => key::limit_surface_boundary(),
+            Quantity::Weight => key::limit_weight(),
+            Quantity::WeightSum => key::limit_weight_sum(),
+            Quantity::SurfaceAnchor => key::limit_surface_anchor(),
+        }
+    }
+}
+
+impl From<Choice> for Label {
+    fn from(choice: Choice) -> Self {
+        match choice {
+            Choice::Direction => key::choice_direction(),
+            Choice::Extension => key::choice_extension(),
+            Choice::Side => key::choice_side(),
+            Choice::Kernel => key::choice_kernel(),
+            Choice::Solver => key::choice_solver(),
+            Choice::Colouring => key::choice_colouring(),
+            Choice::Texture => key::choice_texture(),
+            Choice::Comparison => key::choice_comparison(),
+            Choice::Setting => key::choice_setting(),
+            Choice::Outline => key::choice_outline(),
+            Choice::Surface => key::choice_surface(),
+        }
+    }
+}

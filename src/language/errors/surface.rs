@@ -1,0 +1,75 @@
+//! What keeps a surface from being a disk, and how one was repaired.
+
+use crate::language::{Message, Value, key};
+use crate::surface::{LISTED, LoopReport, MAX_COORDINATE, MIN_EXTENT, RepairNote, TopologyError};
+
+impl From<&TopologyError> for Message {
+    fn from(error: &TopologyError) -> Self {
+        match error {
+            TopologyError::Empty => key::topology_empty().into(),
+            TopologyError::IndexOutOfRange { triangle, vertex, vertices } => {
+                key::topology_index_out_of_range(*vertices, *triangle, *vertex)
+            }
+            TopologyError::NotFinite { vertex } => key::topology_not_finite(*vertex, format!("{MAX_COORDINATE:e}")),
+            TopologyError::TooSmall { extent } => {
+                key::topology_too_small(format!("{extent:e}"), format!("{MIN_EXTENT:e}"))
+            }
+            TopologyError::RepeatedCorner { triangle, corners, count } => {
+                key::topology_repeated_corner(*count, *triangle, format!("{corners:?}"))
+            }
+            TopologyError::Degenerate { triangle, corners, count } => {
+                key::topology_degenerate(*count, *triangle, format!("{corners:?}"))
+            }
+            TopologyError::Duplicates { triangle, corners, other, count } => {
+                key::topology_duplicates(*count, *triangle, format!("{corners:?}"), *other)
+            }
+            TopologyError::NonManifoldEdge { edge, triangles, count } => {
+                key::topology_non_manifold_edge(*count, edge[0], edge[1], format!("{triangles:?}"))
+            }
+            TopologyError::Orientation { edge, triangles, count } => {
+                key::topology_orientation(*count, edge[0], edge[1], triangles[0], triangles[1])
+            }
+            TopologyError::OneSided { triangle } => key::topology_one_sided(*triangle),
+            TopologyError::NonManifoldVertex { vertex, fans, count } => {
+                key::topology_non_manifold_vertex(*count, *vertex, *fans)
+            }
+            TopologyError::Components { triangles } => {
+                let sizes = listed(triangles, |size| size.to_string().into());
+                key::topology_components(triangles.len(), sizes)
+            }
+            TopologyError::Unreferenced { vertex, count } => key::topology_unreferenced(*count, *vertex),
+            TopologyError::Closed { genus } => key::topology_closed(*genus),
+            TopologyError::Loops { loops } => key::topology_loops(loops.len(), listed(loops, |each| each.into())),
+            TopologyError::Genus { genus } => key::topology_genus(*genus),
+        }
+    }
+}
+
+impl From<&RepairNote> for Message {
+    fn from(note: &RepairNote) -> Self {
+        match note {
+            RepairNote::DroppedTriangles { count } => key::repair_dropped_triangles(*count),
+            RepairNote::DroppedDuplicates { count } => key::repair_dropped_duplicates(*count),
+            RepairNote::Oriented { count } => key::repair_oriented(*count),
+            RepairNote::KeptLargest { components, dropped } => key::repair_kept_largest(*dropped, *components),
+            RepairNote::DroppedVertices { count } => key::repair_dropped_vertices(*count),
+            RepairNote::FilledHoles { holes, triangles } if holes.len() > 1 => {
+                key::repair_filled_holes(holes.len(), *triangles)
+            }
+            RepairNote::FilledHoles { triangles, .. } => key::repair_filled_hole(*triangles),
+        }
+    }
+}
+
+impl From<&LoopReport> for Message {
+    fn from(LoopReport { vertices, length, first }: &LoopReport) -> Self {
+        key::boundary_loop(format!("{length:.4}"), *vertices, *first)
+    }
+}
+
+/// The first of `all`, with commas between them.
+fn listed<T>(all: &[T], words: impl Fn(&T) -> Message) -> Value {
+    let more = (all.len() > LISTED).then(|| Message::from("…"));
+    let shown = all.iter().take(LISTED).map(words).chain(more);
+    Message::joined(shown, key::both_items).map_or_else(|| "".into(), Value::from)
+}

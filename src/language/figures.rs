@@ -1,0 +1,99 @@
+//! The paper's figures: their titles, what is settled in them, and what tells their scenes apart.
+
+use super::{Label, Message, key, preset};
+use crate::conformal::{Direction, Extension};
+use crate::figures::{Figure, Method, SceneLabel};
+
+/// What a figure shows.
+pub fn title(figure: Figure) -> Label {
+    match figure {
+        Figure::DiskKernel => key::poisson_kernel_harmonic_measure_disk(),
+        Figure::Moebius => key::mobius_map_disk_exact_approximate(),
+        Figure::Options => key::four_ways_map_hand_blob(),
+        Figure::Distortion => key::angle_distortion_maple_leaf_cinquefoil(),
+        Figure::Reshaping => key::gingerbread_man_conformally_reshaped(),
+        Figure::Crowding => key::v_shape_blob_directly_through(),
+        Figure::LShapes => key::hemisphere_over_l_shaped_domains(),
+        Figure::Convergence => key::convergence_v_shape(),
+        Figure::Head => key::angle_distortion_head_over_disk(),
+        Figure::Face => key::face_over_planar_domains(),
+    }
+}
+
+/// What the paper's text leaves open in a figure and how it is settled here.
+pub fn choices(figure: Figure) -> Vec<Label> {
+    match figure {
+        Figure::DiskKernel => vec![key::settled_disk_kernel_places(), key::settled_disk_kernel_phi()],
+        Figure::Moebius => vec![key::settled_moebius_constraints(), key::settled_moebius_lines()],
+        Figure::Options => vec![key::settled_options_outlines(), key::settled_both_poles(), key::settled_q_avg()],
+        Figure::Distortion => vec![
+            key::settled_own_outlines(),
+            key::settled_distortion_samples(),
+            key::settled_distortion_constraints(),
+            key::settled_q_avg(),
+        ],
+        Figure::Reshaping => vec![
+            key::settled_own_outlines(),
+            key::settled_both_poles(),
+            key::settled_reshaping_samples(),
+            key::settled_q_avg(),
+        ],
+        Figure::Crowding => vec![
+            key::settled_crowding_x1(),
+            key::settled_crowding_x2(),
+            key::settled_crowding_precomputed(),
+            key::settled_crowding_zipper(),
+        ],
+        Figure::LShapes => {
+            vec![key::settled_l_shapes_hemisphere(), key::settled_l_shapes_leftmost(), key::settled_l_shapes_others()]
+        }
+        Figure::Head => vec![key::settled_head_surface(), key::settled_head_constraints(), key::settled_head_disk()],
+        Figure::Face => {
+            vec![key::settled_face_surface(), key::settled_face_outlines(), key::settled_face_constraints()]
+        }
+        Figure::Convergence => vec![
+            key::settled_convergence_constraints(),
+            key::settled_convergence_second_map(),
+            key::settled_convergence_zipper(),
+        ],
+    }
+}
+
+/// A way to map the V-shape to the blob.
+pub fn method(method: Method) -> Label {
+    match method {
+        Method::Exact => key::exact(),
+        Method::HarmonicMeasure => key::riemap_harmonic_measure(),
+        Method::FreshZipper => key::zipper_run_x1_x2(),
+        Method::PrecomputedZipper => key::zipper_once_then_mobius(),
+    }
+}
+
+impl From<SceneLabel> for Message {
+    fn from(label: SceneLabel) -> Self {
+        match label {
+            SceneLabel::Samples(_) | SceneLabel::SourceSamples(_) | SceneLabel::Radius(_) => label.to_string().into(),
+            SceneLabel::Way(direction, extension) => key::both_items(way(direction), how(extension)),
+            SceneLabel::Outline(outline) => preset(outline).into(),
+            SceneLabel::VShapeToBlob => key::scene_v_shape_to_blob().into(),
+            SceneLabel::SixthsToCorners => key::scene_sixths_to_corners().into(),
+            SceneLabel::InArm => key::scene_in_arm().into(),
+            SceneLabel::NarrowArms => key::scene_narrow_arms().into(),
+            SceneLabel::UnequalArms => key::scene_unequal_arms().into(),
+        }
+    }
+}
+
+fn way(direction: Direction) -> Label {
+    match direction {
+        Direction::Forward => key::scene_forward(),
+        Direction::Backward => key::scene_backward(),
+    }
+}
+
+fn how(extension: Extension) -> Label {
+    match extension {
+        Extension::Harmonic => key::scene_harmonic(),
+        Extension::CauchyGreen => key::cauchy_green(),
+    }
+}

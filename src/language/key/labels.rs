@@ -1,0 +1,179 @@
+//! What stands on the screen: the words of controls, menus, windows and tooltips.
+
+use super::{Label, Message, Value};
+
+keys_of_labels! {
+    // bar
+    smooth_tooltip, smooth, mirror, mirror_tooltip, delete, delete_tooltip, finish_editing, handles_tooltip,
+    draw_around_shape_go, click_corners, click_points_along_curve, back, back_tooltip, close, close_tooltip, cancel,
+    cancel_tooltip,
+    // bench
+    paper_machine,
+    // chart
+    arc_length_y_length, psi_length, exact, this_map,
+    // colouring
+    area_distortion, angle_distortion,
+    // convergence
+    boundary_samples_m, error, max, mean, convergence_about,
+    // crowding
+    riemap_harmonic_measure, zipper_run_x1_x2, zipper_once_then_mobius,
+    // figures
+    poisson_kernel_harmonic_measure_disk, mobius_map_disk_exact_approximate, four_ways_map_hand_blob,
+    angle_distortion_maple_leaf_cinquefoil, gingerbread_man_conformally_reshaped, v_shape_blob_directly_through,
+    hemisphere_over_l_shaped_domains, convergence_v_shape, angle_distortion_head_over_disk, face_over_planar_domains,
+    // figures menu
+    tables_tooltip, takes_a_minute, as_needed,
+    // file menu
+    file, link_tooltip, undo, undo_tooltip, redo, redo_tooltip, new_session, new_session_tooltip, open,
+    open_session_tooltip, save_session, save_session_tooltip, copy_link, full_screen, presentation_size, desk_size,
+    open_export, export_tooltip,
+    // files
+    images, sessions, outlines, outlines_and_surfaces,
+    // gallery
+    saddle, crowding, gingerbread_heart, gingerbread_heart_about, square_circle, square_circle_about, polar_star,
+    polar_star_about, around_corner, around_corner_about, leaf_flower, leaf_flower_about, hand_blob, hand_blob_about,
+    unwound, unwound_about, gallery_crowding_about, globe_flattened, globe_flattened_about, saddle_about,
+    gallery_half_torus, gallery_half_torus_about, animal_over_heart, animal_over_heart_about,
+    // handles
+    x1, x2, y1,
+    // header
+    surface, panels, fit, fit_tooltip, shapes, swap, swap_tooltip, panels_tooltip, swap_refused, open_outline_tooltip,
+    open_shape_tooltip, interior_point_x1, boundary_point_y1, x2_f_x1, y2_f_y1, edit, edit_tooltip,
+    // help menu
+    help, language, theme, system, light, dark, system_tooltip, light_tooltip, dark_tooltip, open_gallery,
+    open_gallery_tooltip, guided_tour, guided_tour_tooltip, open_keys_and_gestures, open_keys_and_gestures_tooltip,
+    system_language_tooltip, open_paper_figures, open_paper_figures_tooltip,
+    // layout
+    plots, controls,
+    // locks
+    locked,
+    // method
+    method, cauchy_green_needs_plane, harmonic, cauchy_green, adjoint_kernel, table_paper, cholesky, pcg,
+    harmonic_tooltip, cauchy_green_tooltip, adjoint_kernel_tooltip, table_paper_tooltip, cholesky_tooltip,
+    pcg_tooltip,
+    // names
+    disk, square, gingerbread_man, heart, blob, v_shape, cinquefoil, maple_leaf, hand, turkey, l_shape, star, spiral,
+    hemisphere, paraboloid, bent_strip, half_torus, face_like, animal_head, drawn, traced, pasted,
+    // nudge
+    picture_source, picture_target, x1_interior_point_source, x2_interior_point_target, y1_boundary_point_source,
+    y2_boundary_point_target,
+    // offer
+    trace_picture_tooltip, picture_texture, trace_outline, no,
+    // other
+    english, deutsch,
+    // overlay
+    through_disk_fresh, through_disk_precomputed, random_walks, disk_fresh, disk_precomputed, hits,
+    // page
+    graphics_lost, no_graphics,
+    // paint
+    sixty_equal_steps, their_images,
+    // panel
+    vertices, intrinsic_delaunay, back_plane, back_plane_tooltip, surface_map_tooltip, delaunay_tooltip,
+    surface_direction, through_disk, random_walks_heading, this_map_had_none, under_a_hundredth_percent, clear,
+    clear_tooltip, start, pause, conformal, euclidean, in_source, in_target, off, fresh, precomputed,
+    conformal_tooltip, euclidean_tooltip, in_source_tooltip, in_target_tooltip, off_tooltip, fresh_tooltip,
+    precomputed_tooltip, both_tooltip, through_disk_tooltip, walks_tooltip,
+    // paste
+    paste_kinds, paste_outline_source, paste_outline_target, use_pasted,
+    // play panel
+    speed, all, x1_tooltip, x2_tooltip, y1_tooltip, all_tooltip, no_plane, play_tooltip, stop_here, play,
+    // plots
+    log, poisson_kernel, reparameterisation, kernel, measure, reparam, poisson_kernel_tooltip,
+    harmonic_measure_tooltip, reparameterisation_tooltip, log_tooltip,
+    // presentation
+    full_screen_tooltip, presentation_tooltip,
+    // reports
+    done, too_large, tables_of_paper, convergence_of_paper, setting_paper, setting_default, table_1, table_2, paper,
+    factor, with_psi, zipper, bff_paper, psi_match_x1_moves, x2_moves, extend, stage_mesh,
+    // sessions
+    link_copied,
+    // settings
+    show, unit_box, true_scale, unit_box_tooltip, true_scale_tooltip, both, source_heading, target_heading, ground,
+    transparent, transparent_tooltip, coordinates, size, width_pixels, height_pixels, motion, duration,
+    duration_tooltip, pictures, pictures_tooltip,
+    // shapes
+    surfaces_mapped_source, open_file, draw_freehand, draw_freehand_tooltip, draw_lines, draw_lines_tooltip,
+    draw_curve, draw_curve_tooltip, paste, paste_tooltip, trace_picture,
+    // shortcuts
+    mouse_fingers, drag_dot_gesture, drag_dot_gesture_about, drag_beside_dots, drag_beside_dots_about,
+    wheel_two_fingers, wheel_two_fingers_about, double_click, double_click_about, drop_file, drop_file_about, keys,
+    key_tab, key_tab_about, key_p, key_p_about, key_f, key_f_about, ctrl_z, ctrl_z_about, ctrl_shift_z_ctrl_y,
+    ctrl_shift_z_ctrl_y_about, ctrl_s, ctrl_s_about, without_mouse, f6_shift_tab, arrow_keys_dot,
+    arrow_keys_dot_about, arrow_keys_picture, arrow_keys_picture_about, space_enter, space_enter_about,
+    f6_shift_tab_about, space, space_about, ctrl_e, ctrl_e_about, drawing_reshaping, d_l_c, d_l_c_about,
+    enter_backspace, enter_backspace_about, key_e, key_e_about, double_click_outline, double_click_outline_about,
+    n_shift_n, n_shift_n_about, arrow_keys_delete, arrow_keys_delete_about, escape, escape_about, ctrl_v,
+    ctrl_v_about,
+    // side panel
+    map, mesh, mesh_tooltip, texture, choose, scale, samples, keep_corners, keep_corners_tooltip, as_many_as_needed,
+    adaptive_samples_tooltip, growth, forward, backward, angle, area, checker, grid, polar, image, adaptive,
+    uniform_paper, graded, uniform_mesh, forward_tooltip, backward_tooltip, texture_tooltip, angle_tooltip,
+    area_tooltip, checker_tooltip, lines, polar_tooltip, image_tooltip, adaptive_tooltip, uniform_paper_tooltip,
+    graded_tooltip, uniform_mesh_tooltip,
+    // spoken
+    being_prepared, button, choice, check_box, slider, text_field, selected, not_selected, not_available,
+    // status
+    fps_tooltip, hint_plane, hint_surface,
+    // top bar
+    riemap_tooltip, choose_image, choose_image_tooltip, plots_tooltip,
+    // tour
+    harmonic_measure, next, end, keep_picture, keep_picture_tooltip, end_tour_tooltip, map_between_two_shapes,
+    map_between_two_shapes_about, angles_stay, angles_stay_about, three_freedoms, three_freedoms_about,
+    harmonic_measure_about, tour_crowding_about, surfaces, surfaces_about,
+    // user error
+    try_again, use_repaired, repair,
+    // viewport
+    drag_dot, drop_for_source, drop_for_target,
+    // widgets
+    close_message,
+    // window
+    figures, swap_waits, export, gallery, keys_and_gestures, save, paper_figures,
+    // request
+    surface_obj_tooltip, surface_ply_tooltip, surface_glb_tooltip, surface_csv_tooltip, surface_svg_tooltip,
+    animated_png, png_tooltip, animated_png_tooltip, gif_tooltip, svg_tooltip, csv_tooltip, obj_tooltip, png, gif,
+    svg, csv, obj, ply, glb,
+    // words
+    cauchy_green_gpu, cauchy_green_cpu, pending, pending_tooltip, size_tooltip, quality_tooltip, flipped_tooltip,
+    frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,
+    reading_surface, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
+    mesh_is_coarser,
+}
+
+keys_of_messages! {
+    // chart
+    arc_length_of_side(side);
+    // figures menu
+    figure_title(number, title); figure_samples_of_surface(samples, boundary);
+    figure_samples_of_surface_file(samples, surface); figure_samples(source, target);
+    // legend
+    mean_of(value);
+    // method
+    harmonic_for_now(percent);
+    // page
+    stopped(reason);
+    // panel
+    along_boundary(count); rays(count); cells_across(count); points_collapsed(collapsed, samples);
+    this_map_had(count); out_order(count); all_points_kept_apart(count); largest_difference(share);
+    walks(count, shown); largest_deviation(deviation, chance);
+    // play panel
+    seconds_for_turn(seconds);
+    // reports
+    measuring_rows(count); paper_machine_and_here(machine);
+    // settings
+    per_second(rate);
+    // side panel
+    resolution_of(side); automatic(value); per_distance(growth);
+    // spoken
+    spoken_quality(mean, count); problem(what); spoken_surface_map(surface, outline); spoken_map(source, target);
+    points_of_side(interior, place, boundary, percent);
+    // status
+    largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
+    // tour
+    of(part, whole);
+    // window
+    pictures_done(done, all);
+    // words
+    edited_name(name); harmonic_coordinates(percent); cauchy_green_cpu_at(percent);
+    sizes(boundary, interior, duration); surface_sizes_about(count, shown);
+    edges_flipped(count, shown, before, after);
+}

@@ -1,0 +1,146 @@
+//! Labels and messages: keys, and what is said with them.
+
+use std::borrow::Cow;
+
+/// The key of words without arguments.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Label(&'static str);
+
+impl Label {
+    /// The functions of [`super::key`] make labels, and nothing else does.
+    pub(super) const fn new(key: &'static str) -> Self {
+        Self(key)
+    }
+
+    /// The key, as in the files of words.
+    pub const fn key(self) -> &'static str {
+        self.0
+    }
+}
+
+/// A key with its arguments. It has a form as text, in which it crosses from a worker.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct Message {
+    key: Cow<'static, str>,
+    arguments: Vec<(Cow<'static, str>, Value)>,
+}
+
+impl Message {
+    /// The functions of [`super::key`] and labels make messages, and nothing else does.
+    pub(super) fn new(key: &'static str, arguments: Vec<(&'static str, Value)>) -> Self {
+        let arguments = arguments.into_iter().map(|(name, value)| (name.into(), value)).collect();
+        Self { key: key.into(), arguments }
+    }
+
+    /// The key, as in the files of words.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// The arguments by their names.
+    pub fn arguments(&self) -> impl Iterator<Item = (&str, &Value)> {
+        self.arguments.iter().map(|(name, value)| (name.as_ref(), value))
+    }
+
+    /// Whether it is `other`, or `other` is a part of it.
+    pub fn mentions(&self, other: &Self) -> bool {
+        let within = |value: &Value| matches!(value, Value::Message(part) if part.mentions(other));
+        self == other || self.arguments.iter().any(|(_, value)| within(value))
+    }
+
+    /// Several as one, joined by `join`; `None` if there are none.
+    pub fn joined(all: impl IntoIterator<Item = Self>, join: impl Fn(Self, Self) -> Self) -> Option<Self> {
+        all.into_iter().reduce(join)
+    }
+}
+
+impl From<Label> for Message {
+    fn from(label: Label) -> Self {
+        Self::new(label.0, Vec::new())
+    }
+}
+
+/// Words of others, such as the system's: the same in all languages.
+impl From<&str> for Message {
+    fn from(text: &str) -> Self {
+        super::key::verbatim(text)
+    }
+}
+
+/// Words of others, such as the system's: the same in all languages.
+impl From<String> for Message {
+    fn from(text: String) -> Self {
+        super::key::verbatim(text)
+    }
+}
+
+/// What stands in a message.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Value {
+    /// A name, a number with its digits, or words of others.
+    Text(Cow<'static, str>),
+    /// A whole number, of which the words may depend.
+    Count(i64),
+    /// What has words of its own.
+    Message(Message),
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned().into())
+    }
+}
+
+impl From<String> for Value {
+    fn from(text: String) -> Self {
+        Self::Text(text.into())
+    }
+}
+
+impl From<&String> for Value {
+    fn from(text: &String) -> Self {
+        Self::Text(text.clone().into())
+    }
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Self::Text(number.to_string().into())
+    }
+}
+
+impl From<usize> for Value {
+    fn from(count: usize) -> Self {
+        Self::Count(count as i64)
+    }
+}
+
+impl From<u64> for Value {
+    fn from(count: u64) -> Self {
+        Self::Count(count as i64)
+    }
+}
+
+impl From<i64> for Value {
+    fn from(count: i64) -> Self {
+        Self::Count(count)
+    }
+}
+
+impl From<u32> for Value {
+    fn from(count: u32) -> Self {
+        Self::Count(count.into())
+    }
+}
+
+impl From<Label> for Value {
+    fn from(label: Label) -> Self {
+        Self::Message(label.into())
+    }
+}
+
+impl From<Message> for Value {
+    fn from(message: Message) -> Self {
+        Self::Message(message)
+    }
+}

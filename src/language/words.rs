@@ -1,0 +1,171 @@
+//! Messages in words: the files of words, read once, and the language of the screen.
+
+use super::{Label, Message, Value, key};
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentError, FluentResource, FluentValue};
+use std::borrow::Cow;
+use std::cell::Cell;
+use std::sync::OnceLock;
+use unic_langid::LanguageIdentifier;
+
+/// A language that the screen speaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub enum Language {
+    /// English.
+    #[default]
+    #[serde(rename = "en")]
+    English,
+    /// German.
+    #[serde(rename = "de")]
+    German,
+}
+
+impl Language {
+    /// All of them, as they are listed in the menu.
+    pub const ALL: [Self; 2] = [Self::English, Self::German];
+
+    /// Its own name for itself.
+    pub fn own_name(self) -> Label {
+        match self {
+            Self::English => key::english(),
+            Self::German => key::deutsch(),
+        }
+    }
+
+    /// Its code (ISO 639-1).
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::German => "de",
+        }
+    }
+
+    /// The language of a tag such as `de-AT` or `en_US.UTF-8`, if it is one of these.
+    pub fn of_tag(tag: &str) -> Option<Self> {
+        let code = tag.split(['-', '_', '.']).next().unwrap_or_default();
+        Self::ALL.into_iter().find(|language| language.code().eq_ignore_ascii_case(code))
+    }
+
+    /// The first of a person's languages that the screen speaks; English if it speaks none of them.
+    pub fn of_preferences(tags: impl IntoIterator<Item = String>) -> Self {
+        tags.into_iter().find_map(|tag| Self::of_tag(&tag)).unwrap_or_default()
+    }
+
+    /// Its files of words.
+    pub(super) fn files(self) -> [&'static str; 2] {
+        match self {
+            Self::English => [include_str!("en/labels.ftl"), include_str!("en/messages.ftl")],
+            Self::German => [include_str!("de/labels.ftl"), include_str!("de/messages.ftl")],
+        }
+    }
+
+    /// The words of a label in this language.
+    pub fn label(self, label: Label) -> &'static str {
+        let words = |language: Self| language.look_up(label.key(), None, &mut Vec::new());
+        match words(self).or_else(|| words(Self::English)) {
+            Some(Cow::Borrowed(words)) => words,
+            // a test looks all labels up
+            Some(Cow::Owned(_)) | None => label.key(),
+        }
+    }
+
+    /// A message in words of this language.
+    pub fn message(self, message: &Message) -> String {
+        let mut arguments = FluentArgs::new();
+        for (name, value) in message.arguments() {
+            let value = match value {
+                Value::Text(text) => FluentValue::from(text.as_ref()),
+                Value::Count(count) => FluentValue::from(*count),
+                Value::Message(message) => FluentValue::from(self.message(message)),
+            };
+            arguments.set(name, value);
+        }
+        // a test looks all messages up
+        let words = |language: Self| language.look_up(message.key(), Some(&arguments), &mut Vec::new());
+        words(self).or_else(|| words(Self::English)).map_or_else(|| message.key().to_owned(), Cow::into_owned)
+    }
+
+    /// The words of a key; what is wrong with them is added to `errors`.
+    pub(super) fn look_up(
+        self,
+        key: &str,
+        arguments: Option<&FluentArgs<'_>>,
+        errors: &mut Vec<FluentError>,
+    ) -> Option<Cow<'static, str>> {
+        let words = self.words();
+        let pattern = words.get_message(key)?.value()?;
+        Some(words.format_pattern(pattern, arguments, errors))
+    }
+
+    fn words(self) -> &'static Words {
+        static ENGLISH: OnceLock<Words> = OnceLock::new();
+        static GERMAN: OnceLock<Words> = OnceLock::new();
+        let words = match self {
+            Self::English => &ENGLISH,
+            Self::German => &GERMAN,
+        };
+        words.get_or_init(|| self.read())
+    }
+
+    /// The files are part of the program: that they are well formed, and have each key once, is tested.
+    fn read(self) -> Words {
+        let identifier: LanguageIdentifier = self.code().parse().unwrap_or_default();
+        let mut words = FluentBundle::new_concurrent(vec![identifier]);
+        // names are not of another direction of writing here
+        words.set_use_isolating(false);
+        for file in self.files() {
+            words.add_resource_overriding(FluentResource::try_new(file.to_owned()).unwrap_or_else(|(file, _)| file));
+        }
+        words
+    }
+}
+
+type Words = FluentBundle<FluentResource>;
+
+impl Label {
+    /// In English, whatever the language of the screen: for pages around the app, and for names that they ask for.
+    pub fn english(self) -> &'static str {
+        Language::English.label(self)
+    }
+}
+
+impl Message {
+    /// In English, whatever the language of the screen: for pages around the app, and for the command line.
+    pub fn english(&self) -> String {
+        Language::English.message(self)
+    }
+}
+
+thread_local! {
+    /// The screen is drawn by one thread, and each test by its own.
+    static CURRENT: Cell<Language> = const { Cell::new(Language::English) };
+}
+
+/// The language that the screen speaks.
+pub fn current() -> Language {
+    CURRENT.get()
+}
+
+/// From now on the screen speaks `language`.
+pub fn set(language: Language) {
+    CURRENT.set(language);
+}
+
+/// A label in the language of the screen.
+pub fn tr(label: Label) -> &'static str {
+    current().label(label)
+}
+
+/// A message in the language of the screen.
+pub fn say(message: &Message) -> String {
+    current().message(message)
+}
+
+/// A number with `digits` after the decimal point or comma, for the ear: to a German one a point groups thousands.
+pub fn number(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match current() {
+        Language::English => text,
+        Language::German => text.replace('.', ","),
+    }
+}

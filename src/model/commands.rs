@@ -1,0 +1,226 @@
+//! What the model is asked for: commands, files, remedies; requests to the workers and their answers.
+
+use crate::conformal::{PerSide, Side};
+use crate::geometry::DVec2;
+use crate::language::Message;
+use crate::model::Model;
+use crate::model::editing::Reshaped;
+use crate::model::side::ModelSide;
+use crate::model::side::preparation::Progress;
+use crate::model::side::user_error::{QuickFix, UserError};
+use crate::outline::{Outline, OutlineNote};
+use crate::session::{Command, DomainSpec, OutlineSpec, Session, Touched};
+use crate::worker::{Request, Response};
+
+/// The distance from the boundary that a point is pushed to, in sizes of the domain: nearer, the map
+/// squeezes nearly everything into a place too small to be seen.
+const PUSH: f64 = 0.05;
+
+impl Model {
+    /// Carries out a command, or begins to: what needs a preparation takes effect when it is done.
+    pub fn dispatch(&mut self, command: Command, now: f64) {
+        match command {
+            Command::SetOutline { side, outline } => {
+                self.want_outline(side, outline, Vec::new());
+            }
+            Command::ReshapeOutline { side, outline, interior, anchor } => {
+                self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false });
+            }
+            Command::SetSurface { side, surface } => self.set_surface(side, surface, now),
+            Command::RefineSurface { side, surface } => self.refine_surface(side, surface, now),
+            Command::CloseSurface(side) => self.close_surface(side),
+            Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
+            Command::Swap => self.swap(),
+            Command::Open(session) => self.open(&session),
+            Command::MoveInterior { .. }
+            | Command::MoveAnchor { .. }
+            | Command::PlacePoints { .. }
+            | Command::SetDirection(_)
+            | Command::SetExtension(_)
+            | Command::SetTexture(_)
+            | Command::SetTextureSide(_)
+            | Command::SetTextureScale(_)
+            | Command::SetColouring(_)
+            | Command::SetWireframe(_)
+            | Command::SetPlots(_)
+            | Command::SetComparison(_) => {
+                let touched = self.session.apply(command);
+                self.points_changed |= touched.touches(Touched::POINTS | Touched::SETTINGS);
+            }
+        }
+    }
+
+    /// Shows another session: at once but for its domains, which come with their points when they are prepared.
+    fn open(&mut self, session: &Session) {
+        for side in Side::BOTH {
+            self.sides[side].surface.gives_way = false;
+            let points = session.side(side).outline_points();
+            let has_to_come = self.side_mut(side).want_spec(session.domain(side));
+            self.sides[side].incoming_points = has_to_come.then_some(points);
+            if !has_to_come {
+                self.session.apply(Command::PlacePoints { side, points });
+            }
+        }
+        let over_what_is_shown = session.over_sides_of(&self.session);
+        self.session.apply(Command::Open(Box::new(over_what_is_shown)));
+        for side in Side::BOTH {
+            self.open_surface(side, session.surface(side).cloned());
+        }
+        self.map_error = None;
+        self.points_changed = true;
+    }
+
+    fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+        self.sides[side].incoming_surface = None;
+        self.sides[side].surface.preparation.give_up();
+        if self.session.surface(side).is_some() && self.side(side).wanted().outline == outline {
+            return self.close_surface(side);
+        }
+        self.sides[side].surface.gives_way = true;
+        self.sides[side].incoming_points = None;
+        self.side_mut(side).error = None;
+        self.side_mut(side).want_outline(outline, notes);
+    }
+
+    /// Begins to prepare another form of an outline; while that is in someone's hand, coarsely.
+    pub fn reshape(&mut self, side: Side, outline: OutlineSpec, reshaped: Reshaped) {
+        self.sides[side].incoming_points = None;
+        self.side_mut(side).want_reshaped(outline, reshaped);
+    }
+
+    /// Begins to prepare an outline that was read from a file.
+    pub fn want_loaded(&mut self, side: Side, outline: Outline) {
+        let notes = outline.notes.clone();
+        self.want_outline(side, outline.into(), notes);
+    }
+
+    /// What is wrong with a side's outline, and with its surface.
+    pub fn user_errors(&self, side: Side) -> impl Iterator<Item = &UserError> {
+        let ModelSide { outline, surface, .. } = &self.sides[side];
+        outline.error.iter().chain(&surface.preparation.error)
+    }
+
+    /// What was noticed when a side's outline was read and, where one stands, when its surface was.
+    pub fn notes(&self, side: Side) -> impl Iterator<Item = Message> {
+        self.side(side).notes.iter().map(Message::from).chain(self.surface_notes(side))
+    }
+
+    /// Whether something is prepared for a side.
+    pub fn is_preparing(&self, side: Side) -> bool {
+        self.sides[side].is_busy()
+    }
+
+    /// Does what the message about a side offers.
+    pub fn quick_fix(&mut self, side: Side) {
+        let ModelSide { outline, surface, .. } = &mut self.sides[side];
+        if surface.preparation.error.as_ref().is_some_and(|user_error| user_error.quick_fix.is_some()) {
+            return surface.preparation.quick_fix();
+        }
+        match outline.error.take().and_then(|user_error| user_error.quick_fix) {
+            Some(QuickFix::Retry) => outline.retry(),
+            Some(QuickFix::Repaired(outline)) => self.want_loaded(side, *outline),
+            Some(QuickFix::RepairSurface) | None => {}
+        }
+    }
+
+    /// Closes the messages about a side.
+    pub fn dismiss(&mut self, side: Side) {
+        self.sides[side].surface.preparation.dismiss();
+        self.side_mut(side).error = None;
+        self.map_error = self.map_error.take().filter(|(at, _)| *at != side);
+    }
+
+    /// The requests that are due, at most one for each side.
+    pub fn take_requests(&mut self, now: f64) -> Vec<(Side, Request)> {
+        // what is in a hand is prepared anew when the picture shows it, or none of it would be seen
+        let shows = !self.is_pending() && !self.sides_changed;
+        let mut requests = Vec::new();
+        for side in Side::BOTH {
+            requests.extend(self.sides[side].take_request(now, shows).map(|request| (side, request)));
+            if !self.side(side).is_busy() {
+                self.sides[side].incoming_points = None; // their domain was refused
+            }
+        }
+        requests
+    }
+
+    /// When the next request will be due.
+    pub fn next_due(&self) -> Option<f64> {
+        self.sides.iter().filter_map(|(_, side)| side.due()).reduce(f64::min)
+    }
+
+    /// Takes in an answer of a side's worker.
+    pub fn accept(&mut self, side: Side, generation: u64, response: Response) {
+        if self.sides[side].surface.preparation.pending_request().awaits(generation) {
+            return self.accept_surface(side, generation, response);
+        }
+        let progress = self.side_mut(side).accept(generation, response);
+        if matches!(progress, Progress::Failed) {
+            self.sides[side].incoming_points = None;
+            self.sides[side].surface.gives_way = false;
+        }
+        if let Progress::Ready { spec, reshaped: Some(reshaped), .. } = progress {
+            self.take_reshaped(side, spec, reshaped);
+        } else if let Progress::Ready { spec, new_outline, .. } = progress {
+            if new_outline && spec.outline != self.session.domain(side).outline {
+                // a surface that is opened with it, or is there before it, stays
+                let outline = spec.outline;
+                self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor: 0.0 });
+            }
+            if std::mem::take(&mut self.sides[side].surface.gives_way) {
+                self.session.apply(Command::CloseSurface(side));
+            }
+            self.session.apply(Command::SetSettings { side, settings: spec.settings });
+            if let Some(points) = self.sides[side].incoming_points.take() {
+                self.session.apply(Command::PlacePoints { side, points });
+            }
+            if self.session.surface(side).is_none() {
+                self.sides[side].refit |= new_outline;
+                self.change_sides();
+            }
+        }
+    }
+
+    /// A reshaped outline is prepared. The view stays as it is, and the settings while the outline is in a hand.
+    fn take_reshaped(&mut self, side: Side, spec: DomainSpec, reshaped: Reshaped) {
+        let Reshaped { interior, anchor, in_hand } = reshaped;
+        let interior = interior.and_then(|point| self.pushed_inside(side, point));
+        self.session.apply(Command::ReshapeOutline { side, outline: spec.outline, interior, anchor });
+        if !in_hand {
+            self.session.apply(Command::SetSettings { side, settings: spec.settings });
+        }
+        self.change_sides();
+    }
+
+    /// The interior point of a side that was reshaped: where the outline has run over it, well inside,
+    /// for a map that has anything to see.
+    fn pushed_inside(&self, side: Side, point: DVec2) -> Option<DVec2> {
+        if self.interior_near(side, point)?.distance(point) == 0.0 {
+            return Some(point);
+        }
+        let (low, high) = self.extent(side)?;
+        Some(self.domain(side)?.nearest_inside(point, PUSH * (high - low).max_element()))
+    }
+
+    /// The worker of a side stopped.
+    pub fn worker_died(&mut self, side: Side, reason: &Message) {
+        self.side_mut(side).worker_died(reason);
+        self.sides[side].surface.preparation.worker_died(reason);
+    }
+
+    fn swap(&mut self) {
+        if !self.is_planar() || Side::BOTH.into_iter().any(|side| self.is_preparing(side)) {
+            return;
+        }
+        self.session.apply(Command::Swap);
+        let PerSide { source, target } = &mut self.sides;
+        std::mem::swap(&mut source.outline, &mut target.outline);
+        let generation =
+            Side::BOTH.map(|side| self.side(side).pending_request().generation()).into_iter().max().unwrap_or(0);
+        for side in Side::BOTH {
+            self.side_mut(side).skip_to(generation);
+            self.sides[side].refit = true;
+        }
+        self.change_sides();
+    }
+}

@@ -1,0 +1,97 @@
+//! The exact curves under the map's own, where the map is known in closed form.
+
+use crate::closed_form::ExactMap;
+use crate::conformal::{Constraints, Side};
+use crate::model::curves::{Curve, Curves};
+use crate::outline::Preset;
+
+/// Places of each boundary at which the exact curves are computed: with 160 a pixel of a plot is missed nowhere by the
+/// presets' curves.
+const PLACES: usize = 160;
+
+/// Exact measures and reparameterisation of the map that some [`Curves`] are of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExactCurves {
+    /// ω of source and target.
+    pub measure: [Curve; 2],
+    /// r from the mapped side.
+    pub reparameterisation: Curve,
+    /// The largest distance of r̃ from r at these places, as a part of the other boundary's length.
+    pub difference: f64,
+}
+
+impl ExactCurves {
+    /// The curves of `exact` beside these of the same map.
+    ///
+    /// Their places are samples of both sides, which are dense where their side is curved: so r is as fine
+    /// where it is steep as where it is flat.
+    pub fn new(exact: &ExactMap, curves: &Curves) -> Self {
+        let places = Side::BOTH.map(|side| thinned(&curves.measure[side as usize]));
+        let measure = Side::BOTH.map(|side| {
+            let points = places[side as usize].iter().map(|&x| [x, exact.measure(side, x)]).collect();
+            curve(points)
+        });
+        let (mapped, other) = (curves.mapped, curves.mapped.other());
+        let forward = places[mapped as usize].iter().map(|&x| [x, exact.reparameterisation(mapped, x)]);
+        let forward: Vec<[f64; 2]> = forward.collect();
+        let difference = |&[x, r]: &[f64; 2]| (curves.reparameterisation.at(x) - r).abs();
+        let difference = forward.iter().map(difference).fold(0.0, f64::max);
+        let backward = places[other as usize].iter().map(|&r| [exact.reparameterisation(other, r), r]);
+        let reparameterisation = curve(forward.into_iter().chain(backward).collect());
+        Self { measure, reparameterisation, difference }
+    }
+}
+
+/// What exact curves are made of: the outlines, where they are presets, the constraints, and the map's own curves.
+#[derive(Debug, PartialEq)]
+struct Parts {
+    presets: Option<[Preset; 2]>,
+    constraints: Constraints,
+    curves: Curves,
+}
+
+/// The exact curves of the last map, made anew only when what they are made of has changed: a map's extension alone
+/// may be refined, and a surface's has none.
+#[derive(Debug, Default)]
+pub struct KeptExact {
+    parts: Option<Parts>,
+    exact: Option<ExactCurves>,
+}
+
+impl KeptExact {
+    /// Renews them; whether anything was computed. No presets: the map is not known.
+    pub fn update(&mut self, presets: Option<[Preset; 2]>, constraints: Constraints, curves: &Curves) -> bool {
+        let is_same =
+            |parts: &Parts| parts.presets == presets && parts.constraints == constraints && parts.curves == *curves;
+        if self.parts.as_ref().is_some_and(is_same) {
+            return false;
+        }
+        let exact = presets.and_then(|presets| ExactMap::between(presets, &constraints));
+        self.exact = exact.map(|exact| ExactCurves::new(&exact, curves));
+        self.parts = Some(Parts { presets, constraints, curves: curves.clone() });
+        true
+    }
+
+    /// The curves; `None` where the map is not known in closed form.
+    pub fn curves(&self) -> Option<&ExactCurves> {
+        self.exact.as_ref()
+    }
+}
+
+/// A curve through these points of a non-decreasing function, each known up to rounding.
+fn curve(mut points: Vec<[f64; 2]>) -> Curve {
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let mut highest = 0.0_f64;
+    for [_, y] in &mut points {
+        highest = highest.max(*y);
+        *y = highest;
+    }
+    Curve { name: String::from("exact"), points }
+}
+
+/// The arc lengths of some of a curve's points, the ends among them.
+fn thinned(curve: &Curve) -> Vec<f64> {
+    let last = curve.points.len() - 1;
+    let count = last.min(PLACES);
+    (0..=count).map(|k| curve.points[k * last / count][0]).collect()
+}

@@ -1,0 +1,102 @@
+//! The map as a file of numbers or of vector graphics.
+
+use crate::conformal::Side;
+use crate::export::{FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_obj, svg};
+use crate::language::{Message, key};
+use crate::model::{Model, pattern};
+use crate::render::{Pattern, TextureStyle};
+use crate::session::SurfaceShape;
+
+/// A file that is ready to be saved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadyFile {
+    /// Its name.
+    pub name: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+/// What of a map goes into a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FileRequest {
+    /// Its format.
+    pub format: FileFormat,
+    /// The domain of a drawing; `None`: both, side by side.
+    pub side: Option<Side>,
+    /// Whether a surface's texture coordinates are moved and scaled into the unit box.
+    pub unit: bool,
+}
+
+/// The map that is shown as a file. `None` while there is no map. Errors: in words.
+pub fn file(model: &Model, request: FileRequest) -> Option<Result<ReadyFile, Message>> {
+    if let Some(side) = model.side_of_surface() {
+        return surface_file(model, side, request);
+    }
+    let map = model.map()?;
+    let bytes = match request.format {
+        FileFormat::Svg => drawing(model, request.side)?,
+        FileFormat::Csv => boundary_csv(map),
+        FileFormat::Obj => mapped_obj(map),
+        FileFormat::Ply | FileFormat::Glb => {
+            let format = request.format.extension();
+            return Some(Err(key::planar_map_format(format)));
+        }
+    };
+    let name = format!("riemap.{}", request.format.extension());
+    Some(Ok(ReadyFile { name, bytes: bytes.into_bytes() }))
+}
+
+/// The surface as it was given, every vertex with its place in the outline.
+fn surface_file(model: &Model, side: Side, request: FileRequest) -> Option<Result<ReadyFile, Message>> {
+    let (surface, state) = model.surface(side)?;
+    let (map, source) = (model.map()?, surface.preparation.source()?);
+    let surface = match source.surface() {
+        Ok(surface) => surface,
+        Err(failure) => return Some(Err(failure.text)),
+    };
+    let bytes = Flattened::new(&surface, map, request.unit)?.encode(request.format);
+    Some(Ok(ReadyFile { name: format!("{}-mapped.{}", stem(&state.spec.shape), request.format.extension()), bytes }))
+}
+
+fn stem(shape: &SurfaceShape) -> &str {
+    match shape {
+        SurfaceShape::Preset { preset, .. } => preset.name(),
+        SurfaceShape::File { name } => name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem),
+    }
+}
+
+/// Outlines, the pattern's lines, the points, and the mesh's edges where they are shown.
+fn drawing(model: &Model, side: Option<Side>) -> Option<String> {
+    let style = pattern::style(model, true, false)?;
+    let sides = Side::BOTH.into_iter().filter(|at| side.is_none_or(|only| only == *at));
+    let parts = sides.map(|side| Some(Part { side, panel: panel(model, side)?, wire: wire(model, side) }));
+    Some(svg(&parts.collect::<Option<Vec<_>>>()?, Some(ruling(&style))))
+}
+
+/// A side in the plane as it is drawn.
+pub fn panel(model: &Model, side: Side) -> Option<Panel<'_>> {
+    let geometry = pattern::geometry(model, side)?;
+    Some(Panel {
+        positions: geometry.positions,
+        coordinates: geometry.texture_coordinates,
+        triangles: geometry.triangles,
+        boundary: &model.shown_domain(side)?.samples().points,
+        handles: [model.interior(side)?, model.anchor(side)?],
+    })
+}
+
+fn wire(model: &Model, side: Side) -> Option<crate::export::Wire<'_>> {
+    let map = model.shown().filter(|_| model.session().wireframe())?;
+    Some((map.places(side)?, map.triangles))
+}
+
+/// The lines of a pattern: between the squares of a checkerboard, and over an image as on the grid.
+fn ruling(style: &TextureStyle) -> Ruling {
+    let (low, high) = style.bounds;
+    let spacing = (high - low).max_element() / style.cells;
+    match style.pattern {
+        Pattern::Checker | Pattern::Grid | Pattern::Image => Ruling::Squares { origin: 0.5 * (low + high), spacing },
+        Pattern::Polar => Ruling::Polar { pole: style.pole, spacing },
+        Pattern::Conformal => Ruling::Conformal { rays: style.conformal_rays() },
+    }
+}

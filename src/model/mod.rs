@@ -1,0 +1,313 @@
+//! The state behind the picture: session, the two sides, the map.
+//!
+//! No egui and no wgpu in this room. Commands come in through [`Model::dispatch`] (file `commands`),
+//! worker answers through [`Model::accept`]; [`Model::refresh`] (file `refresh`)
+//! then brings the map up to date and says what has to be uploaded; an update that takes longer
+//! than a frame goes on in the next one (file `update`). While a side is prepared,
+//! the last good map stays and follows its handles.
+
+pub mod coarse;
+mod commands;
+pub mod curves;
+pub mod editing;
+pub mod export;
+pub mod files;
+mod measurement;
+pub mod motion;
+pub mod names;
+pub mod overlays;
+pub mod pattern;
+pub mod persistence;
+mod refresh;
+pub mod scene;
+mod shown;
+pub mod side;
+mod surface;
+mod under_way;
+mod update;
+
+use crate::conformal::{
+    ConformalMap, InteriorPoint, MeshedDomain, PerSide, PreparedSide, Quality, Side, TriangleDistortion,
+};
+use crate::geometry::{Bounds, DVec2};
+use crate::language::Message;
+use crate::model::coarse::Draft;
+use crate::model::measurement::Measurement;
+use crate::model::overlays::Teaching;
+use crate::model::pattern::disk_grid::DiskGrid;
+use crate::model::shown::ShownMap;
+use crate::model::side::ModelSide;
+use crate::model::side::preparation::Preparation;
+use crate::model::under_way::MapUnderWay;
+use crate::session::{Command, Session};
+use std::sync::Arc;
+
+/// The distance that a handle keeps from the boundary, in sizes of the domain:
+/// 0.004 is two pixels in a domain of 500, closer than a dot can be told from
+/// the edge, and still several boundary edges away from it.
+const INSET: f64 = 0.004;
+
+/// What a frame spends on an update, in ms; one that takes longer goes on in the next frame, and does
+/// not follow a drag: a coarse map stands in. With a step that is longer than the clock asks for
+/// (10 ms in a browser), the coarse map and the drawing, a frame stays below the 50 ms
+/// from which on a hand feels that something lags.
+const UPDATE_MS: f64 = 20.0;
+
+/// What a refresh changed, for the upload.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Changes {
+    /// A domain, the direction or the pattern's home is another one: meshes and outlines.
+    pub meshes: bool,
+    /// The map is another one: the boundary moved.
+    pub map: bool,
+    /// Images of vertices moved: with the map, or because they were refined.
+    pub images: bool,
+}
+
+impl std::ops::BitOrAssign for Changes {
+    fn bitor_assign(&mut self, other: Self) {
+        self.meshes |= other.meshes;
+        self.map |= other.map;
+        self.images |= other.images;
+    }
+}
+
+/// When an extension that is not complete is gone on with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refines {
+    /// In every [`Model::refresh`].
+    InRefresh,
+    /// When [`Model::refine_at_rest`] is called.
+    AtRest,
+}
+
+/// What evaluates an extension.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Processor {
+    /// A compute shader, in every frame.
+    Gpu,
+    /// The processor, over several frames.
+    Cpu,
+}
+
+/// Session, sides and map.
+///
+/// Invariant: a side of the map that is shown is a surface only where the session shows that surface.
+#[derive(Debug)]
+pub struct Model {
+    session: Session,
+    sides: PerSide<ModelSide>,
+    shown: ShownMap,
+    under_way: MapUnderWay,
+    coarse: Draft,
+    measurement: Measurement,
+    teaching: Teaching,
+    refines: Refines,
+    pub(super) update_ms: f64,
+    /// What the map said about a constraint that it could not take.
+    map_error: Option<(Side, Message)>,
+    /// The session's points or settings are others than when the map was last asked for.
+    points_changed: bool,
+    /// What stands on a side is another thing than when the map was last begun.
+    sides_changed: bool,
+}
+
+impl Model {
+    /// Wants both of the session's domains, and its surface.
+    pub fn new(session: Session) -> Self {
+        let surfaces = PerSide::from_fn(|side| session.surface(side).cloned());
+        let session = session.and(Side::BOTH.map(Command::CloseSurface));
+        let mut model = Self {
+            sides: PerSide::from_fn(|side| ModelSide::new(session.side(side))),
+            shown: ShownMap::new(pattern::home(&session)),
+            session,
+            under_way: MapUnderWay::default(),
+            coarse: Draft::default(),
+            measurement: Measurement::default(),
+            teaching: Teaching::default(),
+            refines: Refines::InRefresh,
+            update_ms: UPDATE_MS,
+            map_error: None,
+            points_changed: false,
+            sides_changed: false,
+        };
+        for (side, surface) in surfaces.iter() {
+            if surface.is_some() {
+                model.open_surface(side, surface.clone());
+            }
+        }
+        model
+    }
+
+    /// Another model of the same session, on the same prepared sides, with a map of its own. It asks for nothing:
+    /// what is being prepared for this one does not come to it.
+    #[must_use]
+    pub fn twin(&self) -> Self {
+        let mut twin = Self::new(self.session.clone().and(Side::BOTH.map(Command::CloseSurface)));
+        twin.sides = self.sides.as_ref().map(ModelSide::twin);
+        twin.session.apply(Command::Open(Box::new(self.session.clone())));
+        twin.sides_changed = true;
+        twin
+    }
+
+    /// What the map on the screen is made from.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The preparation of a side's outline.
+    pub fn side(&self, side: Side) -> &Preparation {
+        &self.sides[side].outline
+    }
+
+    /// The preparation of a side's outline.
+    pub fn side_mut(&mut self, side: Side) -> &mut Preparation {
+        &mut self.sides[side].outline
+    }
+
+    /// The inside of a side's outline, the last good one, also while a surface stands in the outline's place.
+    pub fn domain(&self, side: Side) -> Option<&Arc<MeshedDomain>> {
+        self.side(side).domain()
+    }
+
+    /// What stands on a side, prepared: the surface, else the last good outline.
+    pub fn prepared(&self, side: Side) -> Option<&Arc<PreparedSide>> {
+        match self.session.surface(side) {
+            Some(_) => self.sides[side].surface.prepared(),
+            None => self.side(side).prepared(),
+        }
+    }
+
+    /// Whether two outlines are mapped: there is no surface on either side.
+    pub fn is_planar(&self) -> bool {
+        Side::BOTH.into_iter().all(|side| self.session.surface(side).is_none())
+    }
+
+    /// The map that is shown, as soon as there is one: the full one, or a coarse one
+    /// while the full one is computed or too slow for the drag that is under way.
+    pub fn map(&self) -> Option<&ConformalMap> {
+        self.coarse.map().or(self.shown.map.as_ref())
+    }
+
+    /// Whether the map that is shown is the coarse one.
+    pub fn is_draft(&self) -> bool {
+        self.coarse.map().is_some()
+    }
+
+    /// Whether the full map is not there yet: [`Self::refresh`] goes on with it, but not while dragging.
+    pub fn is_pending(&self) -> bool {
+        self.under_way.is_pending()
+    }
+
+    /// The domain of a side that is shown: that of the map, before there is one the prepared one.
+    pub fn shown_domain(&self, side: Side) -> Option<&Arc<MeshedDomain>> {
+        self.map().and_then(|map| map.domain(side)).or_else(|| self.domain(side))
+    }
+
+    /// The disk coordinates of the map that is shown, where [`Self::pattern_home`] asks for them.
+    pub fn shown_grid(&self) -> &DiskGrid {
+        if self.is_draft() { self.coarse.grid() } else { &self.teaching.grid }
+    }
+
+    /// The side where the pattern in the picture lives; `None`: in the disk. It follows the
+    /// session as soon as there are disk coordinates.
+    pub fn pattern_home(&self) -> Option<Side> {
+        self.shown.pattern_home
+    }
+
+    /// Angle distortion of the map; of the last one that was measured while a drag is under way;
+    /// none before another large mesh has rested.
+    pub fn quality(&self) -> Option<Quality> {
+        self.measurement.quality()
+    }
+
+    /// The distortion of every triangle of the mapped mesh, when [`Self::quality`] was measured.
+    pub fn triangles(&self) -> &[TriangleDistortion] {
+        self.measurement.triangles()
+    }
+
+    /// The [`Self::generation`] of the map whose [`Self::triangles`] these are.
+    pub fn measured_generation(&self) -> u64 {
+        self.measurement.generation()
+    }
+
+    /// How many times the images have changed: with the map, or because they were refined.
+    pub fn generation(&self) -> u64 {
+        self.shown.generation
+    }
+
+    /// How many times another mesh was mapped.
+    pub fn mesh_generation(&self) -> u64 {
+        self.shown.mesh_generation
+    }
+
+    /// What the map said about a constraint that it could not take.
+    pub fn map_error(&self) -> Option<(Side, &Message)> {
+        self.map_error.as_ref().map(|(side, message)| (*side, message))
+    }
+
+    /// Whether a side shows a new outline since the last call: its viewport fits it.
+    pub fn take_refit(&mut self, side: Side) -> bool {
+        let comes = self.under_way.is_pending() && self.under_way.next.is_some();
+        let shows_the_old_one = comes && self.shown.map.is_some() && !self.is_draft();
+        !shows_the_old_one && std::mem::take(&mut self.sides[side].refit)
+    }
+
+    /// The full map of what is asked for is shown and nothing is being prepared.
+    pub fn is_ready(&self) -> bool {
+        let is_busy = self.sides.iter().any(|(_, side)| side.is_busy());
+        self.shown.map.is_some() && !self.is_pending() && !is_busy
+    }
+
+    /// Lower left and upper right corner of a side's domain.
+    pub fn extent(&self, side: Side) -> Option<(DVec2, DVec2)> {
+        self.domain(side).map(|domain| bounds(&domain.samples().points))
+    }
+
+    /// The interior point of what stands on a side: of the surface, else of the outline.
+    pub fn point(&self, side: Side) -> Option<InteriorPoint> {
+        match self.surface(side) {
+            Some((surface, state)) => surface.point(state).map(InteriorPoint::from),
+            None => self.interior(side).map(InteriorPoint::from),
+        }
+    }
+
+    /// The interior point of a side's outline, where its handle is.
+    pub fn interior(&self, side: Side) -> Option<DVec2> {
+        let domain = self.domain(side)?;
+        Some(self.session.side(side).interior.unwrap_or(domain.pole()))
+    }
+
+    /// The boundary point of a side's outline, where its handle is.
+    pub fn anchor(&self, side: Side) -> Option<DVec2> {
+        let samples = self.domain(side)?.samples();
+        Some(samples.position(samples.at_fraction(self.session.side(side).anchor)))
+    }
+
+    /// Where the interior handle goes when the pointer is at `x`: there, or along the boundary.
+    pub fn interior_near(&self, side: Side, x: DVec2) -> Option<DVec2> {
+        let domain = self.domain(side)?;
+        let (low, high) = self.extent(side)?;
+        Some(domain.nearest_inside(x, INSET * (high - low).max_element()))
+    }
+
+    /// The boundary point nearest to `x`, as a fraction of arc length.
+    pub fn anchor_near(&self, side: Side, x: DVec2) -> Option<f64> {
+        let samples = self.domain(side)?.samples();
+        Some(samples.fraction_at(samples.nearest(x)))
+    }
+}
+
+/// Lower left and upper right corner of the points.
+pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
+    let Bounds { min, max } = Bounds::of(points.iter().copied());
+    (min, max)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod surface_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

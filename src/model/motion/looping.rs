@@ -1,0 +1,27 @@
+//! Closed ways through the family of maps, from the points of a model.
+
+use crate::conformal::{PerSide, Side};
+use crate::family::{Loop, Path, Place, Start};
+use crate::model::Model;
+use crate::session::Command;
+
+/// The loop along `path` that begins at the model's points; `None` while its map is not complete, and where nothing
+/// would move.
+pub fn begin(model: &Model, path: Path) -> Option<Loop> {
+    if !model.is_ready() {
+        return None;
+    }
+    let map = model.map()?;
+    let sides = PerSide::from_fn(|side| Some((map.side(side), model.point(side)?)));
+    Loop::new(path, &Start { sides: sides.both()?, measure: map.measure(Side::Source) })
+}
+
+/// What brings a session's points to a place.
+pub fn commands(place: Place) -> impl Iterator<Item = Command> {
+    let moved = move |side: Side| {
+        let point = place.interior[side as usize]?;
+        Some(Command::MoveInterior { side, point: point.into() })
+    };
+    let turned = place.anchor.map(|fraction| Command::MoveAnchor { side: Side::Source, fraction });
+    Side::BOTH.into_iter().filter_map(moved).chain(turned)
+}

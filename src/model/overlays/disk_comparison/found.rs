@@ -1,0 +1,107 @@
+//! What a comparison finds: both ways' measures, reparameterisations and images, and how far they are apart.
+
+use crate::conformal::Side;
+use crate::language::{Message, key};
+use crate::model::curves::{Curve, Curves};
+use crate::model::overlays::Situation;
+use crate::outline::BoundarySamples;
+use crate::zipper::{DiskComparison, DiskMeasure, ZipperError};
+
+/// How many points are shown on both maps, at equal steps of harmonic measure.
+pub const MARKS: u32 = 60;
+
+/// A point of the mapped boundary and where the two ways take it: fractions of arc length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mark {
+    /// On the mapped side.
+    pub from: f64,
+    /// On the other side, by riemap's map.
+    pub direct: f64,
+    /// On the other side, through the disk.
+    pub through_disk: f64,
+}
+
+/// One comparison.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// ω̃ of source and target as the disk has it, over the arc length from the anchor.
+    pub measures: [Curve; 2],
+    /// r̃ through the disk.
+    pub reparameterisation: Curve,
+    /// [`MARKS`] points at equal steps of riemap's harmonic measure.
+    pub marks: Vec<Mark>,
+    /// Where each vertex goes through the disk: fractions of the other side's arc length.
+    pub images: Vec<f64>,
+    /// Boundary samples of source and target.
+    pub samples: [usize; 2],
+    /// How many of them can't be told from the one before.
+    pub collapsed: [usize; 2],
+    /// How many came out before the one before.
+    pub disordered: [usize; 2],
+    /// How many of riemap's own samples have no harmonic measure in f64 between them and the one before.
+    pub directly_collapsed: [usize; 2],
+    /// The largest distance between the two images of a mark, as a part of the other boundary's length: at most ½.
+    pub difference: f64,
+}
+
+/// A side's measure as the disk has it, or why there is none.
+#[derive(Debug)]
+pub(super) struct Measured {
+    pub samples: BoundarySamples,
+    pub measure: Result<DiskMeasure, ZipperError>,
+}
+
+/// Compares the map with the one through the disk by these measures of source and target.
+pub(super) fn compare(situation: &Situation, sides: [&Measured; 2]) -> Result<Found, Message> {
+    let measure = |side: Side| {
+        let failed = |error: &ZipperError| key::through_disk_fails(side, Message::from(error));
+        sides[side as usize].measure.as_ref().map_err(failed)
+    };
+    let [source, target] = Side::BOTH.map(measure);
+    let measures = [source?, target?];
+    let (mapped, other) = (situation.mapped(), situation.mapped().other());
+    let matched = DiskComparison::new(measures[mapped as usize].clone(), measures[other as usize].clone());
+    let cut = Side::BOTH.map(|side| (&sides[side as usize].samples, situation.anchors[side as usize]));
+    let reparameterisation = Curve::reparameterisation(cut[mapped as usize], cut[other as usize], matched.points());
+    let marks = marks(situation, &reparameterisation);
+    let difference = marks.iter().map(|mark| around(mark.direct, mark.through_disk)).fold(0.0, f64::max);
+    Ok(Found {
+        measures: Side::BOTH.map(|side| Curve::measure(cut[side as usize], measures[side as usize].from_anchor())),
+        reparameterisation,
+        marks,
+        images: matched.points().iter().map(|&point| sides[other as usize].samples.fraction_at(point)).collect(),
+        samples: sides.map(|side| side.samples.len()),
+        collapsed: measures.map(DiskMeasure::collapsed),
+        disordered: measures.map(DiskMeasure::disordered),
+        directly_collapsed: Side::BOTH.map(|side| directly_collapsed(situation, side)),
+        difference,
+    })
+}
+
+fn directly_collapsed(situation: &Situation, side: Side) -> usize {
+    let measure = situation.map.measure(side);
+    // where the anchor is a vertex, the last two knots are the same point
+    let doubled = usize::from(measure.anchor().fraction == 0.0);
+    measure.at_knots().windows(2).filter(|pair| pair[0] == pair[1]).count() - doubled
+}
+
+fn marks(situation: &Situation, through_disk: &Curve) -> Vec<Mark> {
+    let (mapped, other) = (situation.mapped(), situation.mapped().other());
+    let curves = Curves::new(situation.map, situation.anchors);
+    let mark = |k: u32| {
+        let omega = (f64::from(k) + 0.5) / f64::from(MARKS);
+        let [from, direct] = [mapped, other].map(|side| curves.measure[side as usize].inverse_at(omega));
+        Mark {
+            from: curves.fraction(mapped, from),
+            direct: curves.fraction(other, direct),
+            through_disk: curves.fraction(other, through_disk.at(from)),
+        }
+    };
+    (0..MARKS).map(mark).collect()
+}
+
+/// The distance along the boundary, the shorter way.
+fn around(a: f64, b: f64) -> f64 {
+    let d = (a - b).abs();
+    d.min(1.0 - d)
+}

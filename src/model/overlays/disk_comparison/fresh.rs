@@ -1,0 +1,111 @@
+//! Disk maps for the present interior points: of few samples while something moves, of many when it rests.
+//!
+//! Where the curve through the samples leaves a point out, twice as many are taken: up to the cap at once, beyond
+//! it when nothing moves, one map per call. Until all are, what was found before stays and nothing is said.
+
+use crate::conformal::{MeshedDomain, Side};
+use crate::geometry::DVec2;
+use crate::model::overlays::Situation;
+use crate::model::overlays::disk_comparison::found::{Measured, compare};
+use crate::model::overlays::disk_comparison::{MOVING_SAMPLES, RESTING_SAMPLES, Shown, is_refused, thinned};
+use crate::zipper::DiskMeasure;
+use std::sync::Arc;
+
+/// How long nothing must have moved before the large maps are made, in seconds.
+const REST_SECONDS: f64 = 0.15;
+
+/// A side's measure, with what it was made from.
+#[derive(Debug)]
+struct Known {
+    domain: Arc<MeshedDomain>,
+    point: DVec2,
+    anchor: f64,
+    measured: Measured,
+}
+
+impl Known {
+    /// Whether more of the domain's samples may let the point in.
+    fn is_undecided(&self) -> bool {
+        is_refused(&self.measured.measure) && self.measured.samples.len() < self.domain.samples().len()
+    }
+}
+
+/// The state of this way.
+#[derive(Debug, Default)]
+pub(super) struct Fresh {
+    /// The generation of the map that was last looked at.
+    seen: Option<u64>,
+    changed_at: f64,
+    known: [Option<Known>; 2],
+    pub(super) shown: Shown,
+}
+
+impl Fresh {
+    pub(super) fn clear(&mut self) {
+        self.shown.clear();
+        (self.seen, self.known) = (None, [None, None]);
+    }
+
+    /// As [`crate::model::overlays::disk_comparison::ThroughDisk::advance`]; large maps are made only if they may be.
+    pub(super) fn advance(&mut self, situation: &Situation, now: f64, large: bool) -> Option<f64> {
+        if self.seen.replace(situation.generation) != Some(situation.generation) {
+            self.changed_at = now;
+            for side in Side::BOTH {
+                self.measure_moving(situation, side);
+            }
+            self.compare(situation);
+        }
+        let (side, samples) = Side::BOTH.into_iter().find_map(|side| Some((side, self.lacks(situation, side)?)))?;
+        let rest = self.changed_at + REST_SECONDS - now;
+        if rest > 0.0 || !large {
+            return Some(rest.max(0.0));
+        }
+        self.measure(situation, side, samples);
+        self.compare(situation);
+        Some(0.0)
+    }
+
+    /// The measure of the present points.
+    fn present(&self, situation: &Situation, side: Side) -> Option<&Known> {
+        let k = side as usize;
+        self.known[k].as_ref().filter(|known| {
+            Arc::ptr_eq(&known.domain, situation.domains[side as usize])
+                && (known.point, known.anchor) == (situation.points[k], situation.anchors[k])
+        })
+    }
+
+    /// How many samples are to be taken at rest, if they were not.
+    fn lacks(&self, situation: &Situation, side: Side) -> Option<usize> {
+        let (present, all) = (self.present(situation, side), situation.domains[side as usize].samples().len());
+        let there = present.map_or(0, |known| known.measured.samples.len());
+        let wanted = if present.is_some_and(Known::is_undecided) { 2 * there } else { RESTING_SAMPLES };
+        (there < wanted.min(all)).then_some(wanted)
+    }
+
+    fn measure_moving(&mut self, situation: &Situation, side: Side) {
+        if self.present(situation, side).is_some() {
+            return;
+        }
+        let mut samples = MOVING_SAMPLES;
+        self.measure(situation, side, samples);
+        while samples < RESTING_SAMPLES && self.present(situation, side).is_some_and(Known::is_undecided) {
+            samples = (2 * samples).min(RESTING_SAMPLES);
+            self.measure(situation, side, samples);
+        }
+    }
+
+    fn measure(&mut self, situation: &Situation, side: Side, most: usize) {
+        let domain = Arc::clone(situation.domains[side as usize]);
+        let (point, anchor) = (situation.points[side as usize], situation.anchors[side as usize]);
+        let samples = thinned(domain.samples(), most);
+        let measure = DiskMeasure::fresh(&samples.points, point, samples.at_fraction(anchor));
+        self.known[side as usize] = Some(Known { domain, point, anchor, measured: Measured { samples, measure } });
+    }
+
+    fn compare(&mut self, situation: &Situation) {
+        let [Some(source), Some(target)] = &self.known else { return };
+        if !source.is_undecided() && !target.is_undecided() {
+            self.shown.set(compare(situation, [&source.measured, &target.measured]));
+        }
+    }
+}

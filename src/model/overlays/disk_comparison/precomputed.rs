@@ -1,0 +1,72 @@
+//! Disk maps of the domains' poles, made once per domain; moving a point is then a Möbius map.
+
+use crate::conformal::{MeshedDomain, Side};
+use crate::model::overlays::Situation;
+use crate::model::overlays::disk_comparison::found::{Measured, compare};
+use crate::model::overlays::disk_comparison::{RESTING_SAMPLES, Shown, is_refused, thinned};
+use crate::outline::BoundarySamples;
+use crate::zipper::{DiskMap, DiskMeasure, ZipperError};
+use std::sync::Arc;
+
+/// The disk map of a domain's pole.
+#[derive(Debug)]
+struct Known {
+    domain: Arc<MeshedDomain>,
+    samples: BoundarySamples,
+    map: Result<DiskMap, ZipperError>,
+}
+
+/// The state of this way.
+#[derive(Debug, Default)]
+pub(super) struct Precomputed {
+    /// The generation of the map that was last compared.
+    seen: Option<u64>,
+    known: [Option<Known>; 2],
+    pub(super) shown: Shown,
+}
+
+impl Precomputed {
+    /// Shows nothing. The disk maps are kept.
+    pub(super) fn clear(&mut self) {
+        self.shown.clear();
+        self.seen = None;
+    }
+
+    /// With both disk maps there, Möbius; else makes one of them, and is to be called again.
+    pub(super) fn advance(&mut self, situation: &Situation) -> Option<f64> {
+        let missing = Side::BOTH.into_iter().find_map(|side| Some((side, self.lacks(situation, side)?)));
+        if let Some((side, most)) = missing {
+            let domain = Arc::clone(situation.domains[side as usize]);
+            let samples = thinned(domain.samples(), most);
+            let map = DiskMap::new(&samples.points, domain.pole());
+            self.known[side as usize] = Some(Known { domain, samples, map });
+            return Some(0.0);
+        }
+        if self.seen.replace(situation.generation) != Some(situation.generation)
+            && let [Some(source), Some(target)] = Side::BOTH.map(|side| self.measured(situation, side))
+        {
+            self.shown.set(compare(situation, [&source, &target]));
+        }
+        None
+    }
+
+    /// How many samples are to be taken for a side's map, if there is none or it leaves the pole out.
+    fn lacks(&self, situation: &Situation, side: Side) -> Option<usize> {
+        let domain = situation.domains[side as usize];
+        match self.known[side as usize].as_ref().filter(|known| Arc::ptr_eq(&known.domain, domain)) {
+            None => Some(RESTING_SAMPLES),
+            Some(known) if is_refused(&known.map) && known.samples.len() < domain.samples().len() => {
+                Some(2 * known.samples.len())
+            }
+            Some(_) => None,
+        }
+    }
+
+    fn measured(&self, situation: &Situation, side: Side) -> Option<Measured> {
+        let known = self.known[side as usize].as_ref()?;
+        let start = known.samples.at_fraction(situation.anchors[side as usize]);
+        let by = |map| DiskMeasure::precomputed(map, situation.points[side as usize], start);
+        let measure = known.map.as_ref().map_err(|error| *error).and_then(by);
+        Some(Measured { samples: known.samples.clone(), measure })
+    }
+}

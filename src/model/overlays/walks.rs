@@ -1,0 +1,283 @@
+//! Random walks from x₁, counted where they hit: harmonic measure as Kakutani saw it (1944).
+//!
+//! A walk takes 1/speed seconds: it is made when it begins and unfolds until it is
+//! counted. Fast walks go in batches, for a part of a frame at most; what does not fit
+//! is left out, so the page stays smooth and the speed is an upper bound. The seed is
+//! fixed: the same start gives the same walks.
+
+use crate::conformal::{HitCounts, MeshedDomain, Side, WalkCircle, WalkStep, Walker};
+use crate::geometry::DVec2;
+use crate::language::{Message, key};
+use crate::model::curves::Curve;
+use crate::model::overlays::Situation;
+use crate::outline::{BoundaryPoint, BoundarySamples};
+use std::collections::VecDeque;
+use std::sync::Arc;
+use web_time::Instant;
+
+/// Walks per second.
+pub const SPEEDS: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
+/// Up to this speed a walk is seen on its way.
+const SEEN_SPEED: f64 = 30.0;
+
+/// Parts of the boundary in which hits are counted, of equal length.
+pub const BINS: usize = 120;
+
+/// What a frame spends on walking.
+const FRAME_MS: f64 = 8.0;
+/// Walks between two looks at the clock: 0.3 ms at 5 to 10 µs a walk.
+const BATCH: u32 = 32;
+/// A pause between frames is taken for at most this long, in seconds.
+const LONGEST_FRAME: f64 = 0.1;
+
+/// The latest hits, which are marked on the boundary.
+const MARKED_HITS: usize = 250;
+
+const SEED: u64 = 1944;
+
+/// What a person does to the walks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum WalkAction {
+    /// Start or pause.
+    Toggle,
+    /// Walks per second.
+    Speed(f64),
+    /// Forget all hits.
+    Clear,
+}
+
+/// A walk that unfolds.
+#[derive(Debug)]
+struct Walk {
+    circles: Vec<WalkCircle>,
+    hit: BoundaryPoint,
+    place: DVec2,
+}
+
+/// Walks from one point of one domain.
+#[derive(Debug)]
+struct Start {
+    domain: Arc<MeshedDomain>,
+    point: DVec2,
+    anchor: f64,
+    walker: Walker,
+    counts: HitCounts,
+    walk: Option<Walk>,
+}
+
+impl Start {
+    /// The share of the hits from the anchor to the beginning of each bin, and to the end of the last one.
+    fn shares(&self) -> impl Iterator<Item = f64> + '_ {
+        let total = self.counts.total() as f64;
+        // whole numbers are added exactly
+        running_sum(self.counts.counts().iter().map(|&count| count as f64)).map(move |sum| sum / total)
+    }
+}
+
+/// The walks' state.
+#[derive(Debug)]
+pub struct Walks {
+    running: bool,
+    per_second: f64,
+    start: Option<Start>,
+    recent: VecDeque<DVec2>,
+    /// Walks that are due; its fraction is how far the present one has come.
+    due: f64,
+    last_time: Option<f64>,
+    error: Option<Message>,
+    version: u64,
+}
+
+impl Default for Walks {
+    fn default() -> Self {
+        Self {
+            running: false,
+            per_second: 5.0,
+            start: None,
+            recent: VecDeque::new(),
+            due: 0.0,
+            last_time: None,
+            error: None,
+            version: 0,
+        }
+    }
+}
+
+/// One bin of the boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bar {
+    /// Its middle: a fraction of arc length.
+    pub at: f64,
+    /// The share of the hits, and the harmonic measure, over the largest measure of a bin.
+    pub hits: f64,
+    /// See `hits`.
+    pub expected: f64,
+}
+
+impl Walks {
+    /// Does what was asked for.
+    pub fn act(&mut self, action: WalkAction) {
+        match action {
+            WalkAction::Toggle => self.running = !self.running,
+            WalkAction::Speed(speed) => self.per_second = speed.clamp(*SPEEDS.start(), *SPEEDS.end()),
+            WalkAction::Clear => self.clear(),
+        }
+    }
+
+    fn clear(&mut self) {
+        self.start = None;
+        self.recent.clear();
+        self.due = 0.0;
+        self.error = None;
+        self.version += 1;
+    }
+
+    /// Walks on; in how many seconds to come back, if at all.
+    pub fn advance(&mut self, situation: &Situation, now: f64) -> Option<f64> {
+        let (point, anchor) = (situation.points[0], situation.anchors[0]);
+        let domain = situation.domains[0];
+        let is_here = |old: &Start| Arc::ptr_eq(&old.domain, domain) && (old.point, old.anchor) == (point, anchor);
+        if self.start.as_ref().is_some_and(|old| !is_here(old)) {
+            self.clear();
+        }
+        if !self.running {
+            self.last_time = None;
+            return None;
+        }
+        if self.start.is_none() && !self.begin(situation) {
+            return None;
+        }
+        let since = self.last_time.replace(now).map_or(0.0, |last| (now - last).clamp(0.0, LONGEST_FRAME));
+        self.due += since * self.per_second;
+        self.walk();
+        Some(0.0)
+    }
+
+    fn begin(&mut self, situation: &Situation) -> bool {
+        let domain = Arc::clone(situation.domains[0]);
+        let (point, anchor) = (situation.points[0], situation.anchors[0]);
+        match Walker::new(&domain.samples().points, point, SEED) {
+            Ok(walker) => {
+                let counts = HitCounts::by_arc_length(domain.samples(), situation.map.measure(Side::Source), BINS);
+                self.start = Some(Start { domain, point, anchor, walker, counts, walk: None });
+                true
+            }
+            Err(error) => {
+                self.error = Some(key::sentence(Message::from(&error)));
+                self.running = false;
+                false
+            }
+        }
+    }
+
+    /// Ends the walks that are due and begins the next one.
+    fn walk(&mut self) {
+        let Some(start) = &mut self.start else { return };
+        let clock = Instant::now();
+        let mut ended = 0_u32;
+        while self.due >= 1.0 {
+            let hit = start.walk.take().map_or_else(|| start.walker.walk(), |walk| walk.hit);
+            start.counts.record(hit);
+            if self.recent.len() == MARKED_HITS {
+                self.recent.pop_front();
+            }
+            self.recent.push_back(start.domain.samples().position(hit));
+            self.due -= 1.0;
+            ended += 1;
+            if ended.is_multiple_of(BATCH) && clock.elapsed().as_secs_f64() * 1e3 > FRAME_MS {
+                self.due = self.due.fract();
+            }
+        }
+        self.version += u64::from(ended > 0);
+        let samples = start.domain.samples();
+        start.walk.get_or_insert_with(|| unfolded(&mut start.walker, samples));
+    }
+
+    /// Whether walks are under way.
+    pub fn is_running(&self) -> bool {
+        self.running
+    }
+
+    /// Walks per second.
+    pub fn speed(&self) -> f64 {
+        self.per_second
+    }
+
+    /// Why there are no walks.
+    pub fn error(&self) -> Option<&Message> {
+        self.error.as_ref()
+    }
+
+    /// Counts up with every hit.
+    pub fn version(&self) -> u64 {
+        self.version
+    }
+
+    /// How many walks have ended.
+    pub fn count(&self) -> u64 {
+        self.start.as_ref().map_or(0, |start| start.counts.total())
+    }
+
+    /// The circles of the present walk so far, and the hit once it is there; empty where walks are too fast to be seen.
+    pub fn path(&self) -> (&[WalkCircle], Option<DVec2>) {
+        let seen = self.start.as_ref().and_then(|start| start.walk.as_ref());
+        let Some(walk) = seen.filter(|_| self.per_second <= SEEN_SPEED) else { return (&[], None) };
+        // the last quarter of the time shows the whole walk
+        let shown = (self.due / 0.75 * walk.circles.len() as f64) as usize + 1;
+        (&walk.circles[..shown.min(walk.circles.len())], (shown > walk.circles.len()).then_some(walk.place))
+    }
+
+    /// The latest hits, the oldest first.
+    pub fn recent(&self) -> impl ExactSizeIterator<Item = DVec2> + '_ {
+        self.recent.iter().copied()
+    }
+
+    /// The bins with their hits; empty before the first hit.
+    pub fn bars(&self) -> Vec<Bar> {
+        let Some(start) = self.start.as_ref().filter(|start| start.counts.total() > 0) else { return Vec::new() };
+        let (counts, expected) = (start.counts.counts(), start.counts.expected());
+        let largest = expected.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let total = start.counts.total() as f64;
+        let bar = |k: usize| Bar {
+            at: (start.anchor + (k as f64 + 0.5) / BINS as f64).rem_euclid(1.0),
+            hits: counts[k] as f64 / total / largest,
+            expected: expected[k] / largest,
+        };
+        (0..BINS).map(bar).collect()
+    }
+
+    /// The share of the hits from y₁ to each bin's end, over the arc length.
+    pub fn cumulative(&self) -> Option<Curve> {
+        let start = self.start.as_ref().filter(|start| start.counts.total() > 0)?;
+        let shares = start.shares().enumerate();
+        let points = shares.map(|(k, share)| [k as f64 / BINS as f64, share]).collect();
+        Some(Curve { name: String::from("random walks"), points })
+    }
+
+    /// The largest distance between the shares of hits and the harmonic measure, over all bins' ends.
+    pub fn deviation(&self) -> Option<f64> {
+        let start = self.start.as_ref().filter(|start| start.counts.total() > 0)?;
+        let expected = running_sum(start.counts.expected().iter().copied());
+        Some(start.shares().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max))
+    }
+}
+
+/// 0 and the sums of the first 1, 2, … values.
+fn running_sum(values: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
+    let sums = values.scan(0.0, |sum, value| {
+        *sum += value;
+        Some(*sum)
+    });
+    std::iter::once(0.0).chain(sums)
+}
+
+/// A whole walk, from its start.
+fn unfolded(walker: &mut Walker, samples: &BoundarySamples) -> Walk {
+    let mut circles = vec![walker.circle()];
+    loop {
+        match walker.step() {
+            WalkStep::Jump(circle) => circles.push(circle),
+            WalkStep::Hit(hit) => return Walk { circles, hit, place: samples.position(hit) },
+        }
+    }
+}

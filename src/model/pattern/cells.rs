@@ -1,0 +1,86 @@
+//! The colours and the style of the mapped mesh's triangles, as the model has them.
+
+use super::colouring::{self, ColourScale};
+use crate::conformal::MeshedSurface;
+use crate::model::Model;
+use crate::render::{CellCode, CellStyle, ColourMap, StrokeStyle};
+use crate::session::Colouring;
+use std::sync::Arc;
+
+/// The triangles' colours.
+#[derive(Debug, Default)]
+pub struct Cells {
+    /// The measurement and the colouring that `scale` and `codes` are of.
+    coloured: Option<(u64, Colouring)>,
+    codes: Vec<CellCode>,
+    /// The codes are others than when [`Self::take_recoloured`] was last called.
+    recoloured: bool,
+    scale: Option<ColourScale>,
+    style: Option<CellStyle>,
+}
+
+impl Cells {
+    /// How the triangles are shown; `None` where there is nothing to show but the texture.
+    pub fn style(&self) -> Option<CellStyle> {
+        self.style
+    }
+
+    /// The codes of the mapped mesh's triangles.
+    pub fn codes(&self) -> &[CellCode] {
+        &self.codes
+    }
+
+    /// The same, for an upload that pads them.
+    pub fn codes_mut(&mut self) -> &mut Vec<CellCode> {
+        &mut self.codes
+    }
+
+    /// What the colours mean, where they are not the texture's.
+    pub fn scale(&self) -> Option<&ColourScale> {
+        self.scale.as_ref()
+    }
+
+    /// Whether the codes have changed since the last call.
+    pub fn take_recoloured(&mut self) -> bool {
+        std::mem::take(&mut self.recoloured)
+    }
+
+    /// Brings colours and style up to date with the model.
+    pub fn update(&mut self, model: &Model, pixels_per_point: f32) {
+        self.colour(model);
+        self.style = self.choose_style(model, pixels_per_point);
+    }
+
+    /// Renews scale and codes when there is a new measurement or another colouring.
+    fn colour(&mut self, model: &Model) {
+        let session = model.session();
+        let wanted = (model.measured_generation(), session.colouring());
+        if self.coloured == Some(wanted) {
+            return;
+        }
+        self.coloured = Some(wanted);
+        let triangles = model.triangles();
+        let direction = model.shown().map_or(session.direction(), |map| map.direction);
+        // what fills a hole is not measured, and grey
+        let is_repaired = |surface: &Arc<MeshedSurface>| !surface.surface().repairs.is_empty();
+        let repaired = model.map().filter(|map| map.mapped().surface().is_some_and(is_repaired));
+        let given: Option<Vec<_>> = repaired.map(|map| map.given(triangles).copied().collect());
+        let measured = given.as_deref().unwrap_or(triangles);
+        self.scale = ColourScale::new(session.colouring(), direction, measured, self.scale.as_ref());
+        colouring::codes(self.scale.as_ref(), triangles, &mut self.codes);
+        if let Some(surface) = repaired.and_then(|map| map.mapped().surface()) {
+            colouring::grey_added(&surface.surface().triangle_origins, &mut self.codes);
+        }
+        self.recoloured = true;
+    }
+
+    fn choose_style(&self, model: &Model, pixels_per_point: f32) -> Option<CellStyle> {
+        let session = model.session();
+        let map = self.scale.as_ref().map(|scale| scale.map);
+        let light = map == Some(ColourMap::Cividis);
+        let wire = session.wireframe().then(|| StrokeStyle::wire(light, pixels_per_point));
+        let marks = model.quality().is_some_and(|quality| quality.flipped > 0);
+        let shown = model.shown().is_some() && (map.is_some() || wire.is_some() || marks);
+        shown.then_some(CellStyle { map, wire, marks, pixels_per_point })
+    }
+}

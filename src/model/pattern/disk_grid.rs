@@ -1,0 +1,87 @@
+//! The disk coordinates of both meshes, for the conformal pattern.
+//!
+//! Each side has its own, from its own measure. f takes the level sets of one side to
+//! those of the other, f = g₂⁻¹ ∘ g₁, so the pattern that both pictures show is one
+//! pattern, carried by the map. They can be made in pieces; both sides change at once.
+
+use crate::conformal::{ConformalMap, ExtensionScratch, Side, advance_extension, begin_disk_coordinates};
+use crate::geometry::DVec2;
+use crate::language::{Message, key};
+use crate::laplace::Deadline;
+
+/// Both sides' coordinates.
+#[derive(Debug, Default)]
+pub struct DiskGrid {
+    made: Coordinates,
+    /// Those that are under way.
+    coming: Coordinates,
+    /// The side that is worked on.
+    at: Option<Side>,
+    scratch: ExtensionScratch,
+}
+
+#[derive(Debug, Default)]
+struct Coordinates {
+    sides: [Vec<DVec2>; 2],
+    /// What they are of.
+    generation: Option<u64>,
+    error: Option<Message>,
+}
+
+impl DiskGrid {
+    /// Goes on with the coordinates of `map`, the `generation`-th, until they are there (true) or
+    /// `deadline` is over. Another generation starts over.
+    pub fn advance(&mut self, map: &ConformalMap, generation: u64, deadline: Deadline) -> bool {
+        if self.is_of(generation) {
+            return true;
+        }
+        let known = self.at.filter(|_| self.coming.generation == Some(generation));
+        let mut side = known.unwrap_or_else(|| {
+            (self.coming.generation, self.coming.error) = (Some(generation), None);
+            self.begin(map, Side::Source)
+        });
+        while self.advance_side(map, side, deadline) {
+            if side == Side::Target {
+                self.at = None;
+                std::mem::swap(&mut self.made, &mut self.coming);
+                return true;
+            }
+            side = self.begin(map, Side::Target);
+            if deadline.is_over() {
+                break;
+            }
+        }
+        false
+    }
+
+    fn begin(&mut self, map: &ConformalMap, side: Side) -> Side {
+        begin_disk_coordinates(map.side(side), map.measure(side), &mut self.scratch);
+        *self.at.insert(side)
+    }
+
+    fn advance_side(&mut self, map: &ConformalMap, side: Side, deadline: Deadline) -> bool {
+        let values = &mut self.coming.sides[side as usize];
+        advance_extension(map.side(side), &mut self.scratch, values, deadline).unwrap_or_else(|error| {
+            // The flat pattern of a point at the centre, rather than a wrong one.
+            values.clear();
+            values.resize(map.side(side).vertex_count(), DVec2::ZERO);
+            self.coming.error = Some(key::no_disk_coordinates(side, Message::from(&error)));
+            true
+        })
+    }
+
+    /// Whether these are the coordinates of the `generation`-th map.
+    pub fn is_of(&self, generation: u64) -> bool {
+        self.made.generation == Some(generation)
+    }
+
+    /// g at the vertices of a side's mesh; empty before the first have been made.
+    pub fn of(&self, side: Side) -> &[DVec2] {
+        &self.made.sides[side as usize]
+    }
+
+    /// Why there is no pattern.
+    pub fn error(&self) -> Option<&Message> {
+        self.made.error.as_ref()
+    }
+}

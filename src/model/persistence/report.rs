@@ -1,0 +1,62 @@
+//! What a link of a session holds, for its sender: all of it, or what is not in it.
+
+use crate::conformal::Side;
+use crate::language::{Message, key};
+use crate::session::link::{self, Encoded, MissingOutline};
+use crate::session::{Session, SurfaceShape, TextureKind};
+
+/// What the `encoded` link of `session` does not carry, or `None`; `missing`: the outlines that a disk stands in for.
+pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -> Option<Message> {
+    let outlines = encoded.left_out.iter().map(Message::from);
+    let missing = missing.iter().map(|outline| key::disk_stands_in(outline.side, &outline.name));
+    let surfaces = Side::BOTH.into_iter().filter_map(|side| session.surface(side));
+    let surfaces = surfaces.filter_map(|surface| match &surface.spec.shape {
+        SurfaceShape::File { name } => Some(key::surface_not_in_link(name)),
+        SurfaceShape::Preset { .. } => None,
+    });
+    let image = (session.texture() == TextureKind::Image).then(|| key::image_not_in_link().into());
+    let all = outlines.chain(missing).chain(surfaces).chain(image);
+    Message::joined(all, key::both_clauses).map(key::link_copied_but)
+}
+
+/// The link of `session`, if all of its outlines are in it, and no disk stands in for one of the `missing`.
+pub fn whole_link(session: &Session, missing: &[MissingOutline]) -> Option<String> {
+    let is_whole = |left_out: &[_]| left_out.is_empty() && missing.is_empty();
+    let encoded = link::encode(session).ok().filter(|encoded| is_whole(&encoded.left_out))?;
+    Some(encoded.fragment)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::geometry::DVec2;
+    use crate::session::{Command, OutlineSpec, SurfaceSpec};
+
+    #[test]
+    fn everything_that_is_not_in_the_link_is_named() {
+        let mut session = Session::default();
+        let encoded = link::encode(&session).unwrap();
+        assert_eq!(link_report(&session, &encoded, &[]), None);
+        assert_eq!(whole_link(&session, &[]), Some(encoded.fragment));
+        let name = String::from("spike");
+        let spike =
+            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
+        let polygon = spike.map(DVec2::from).to_vec().try_into().unwrap();
+        session.apply(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Points { name, polygon } });
+        assert_eq!(whole_link(&session, &[]), None, "a spike finer than a link can tell");
+        let shape = SurfaceShape::File { name: "cow.obj".into() };
+        session.apply(Command::SetSurface {
+            side: Side::Target,
+            surface: SurfaceSpec { shape, ..SurfaceSpec::default() },
+        });
+        session.apply(Command::SetTexture(TextureKind::Image));
+        let missing = MissingOutline { side: Side::Target, name: "long".into(), interior: None, anchor: 0.0 };
+        let missing = [missing];
+        assert_eq!(whole_link(&Session::default(), &missing), None, "a disk stands in");
+        let report = link_report(&session, &link::encode(&session).unwrap(), &missing).unwrap().english();
+        for word in ["spike", "cow.obj", "image", "long"] {
+            assert!(report.contains(word), "no {word:?} in: {report}");
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! A frame of the model: the map is brought up to date (file `update`), refined, measured, and taught with.
+
+use crate::conformal::{ConformalMap, Side};
+use crate::laplace::Deadline;
+use crate::model::overlays::walks::WalkAction;
+use crate::model::overlays::{Situation, Teaching};
+use crate::model::{Changes, Model, Refines, pattern};
+use crate::session::{Colouring, Session};
+
+/// The quality is computed with every update when it takes less than this, else when the drag rests.
+const CHEAP_QUALITY_MS: f64 = 1.0;
+
+/// Another mesh with more triangles is measured when the map rests: these take 10 ms.
+const MEASURED_AT_ONCE: usize = 200_000;
+
+/// What a frame spends on an extension that is not complete: half of a frame at 60 Hz. The app
+/// asks for another frame whenever images changed, and so goes on until it is.
+const REFINE_MS: f64 = 8.0;
+
+impl Model {
+    /// Brings the map up to date with session and domains, or goes on with that; `dragging`: a dot moves.
+    pub fn refresh(&mut self, dragging: bool) -> Changes {
+        let mut changes = Changes::default();
+        if std::mem::take(&mut self.sides_changed) {
+            changes.meshes = self.take_sides();
+            self.points_changed = true;
+        }
+        if std::mem::take(&mut self.points_changed) {
+            self.under_way.revision += 1;
+            self.under_way.want();
+        } else if !self.is_pending() && self.lacks_grid() {
+            self.under_way.want();
+        }
+        if self.is_pending() {
+            changes |= self.go_on(dragging);
+        }
+        let refined = self.refines == Refines::InRefresh && self.refine();
+        changes.images = changes.map || refined;
+        self.shown.map_generation += u64::from(changes.map || changes.meshes);
+        if changes.meshes || changes.images {
+            self.shown.mesh_generation += u64::from(changes.meshes);
+            self.count_images(changes.meshes);
+        }
+        changes.meshes |= self.follow_pattern();
+        changes
+    }
+
+    /// The pattern in the picture lives where it is wanted, once there are coordinates; whether that is elsewhere.
+    fn follow_pattern(&mut self) -> bool {
+        let home = pattern::home(&self.session);
+        if home.is_none() {
+            self.coarse.make_grid();
+        }
+        let is_there = self.map().is_some() && (home.is_some() || self.is_draft() || !self.lacks_grid());
+        is_there && std::mem::replace(&mut self.shown.pattern_home, home) != home
+    }
+
+    /// When to refine an extension: at rest, where the picture has it from elsewhere.
+    pub fn set_refines(&mut self, refines: Refines) {
+        self.refines = refines;
+    }
+
+    /// Goes on with an extension that [`Self::refresh`] leaves alone.
+    pub fn refine_at_rest(&mut self) -> Changes {
+        let images = self.refines == Refines::AtRest && self.refine();
+        if images {
+            self.count_images(false);
+        }
+        Changes { images, ..Changes::default() }
+    }
+
+    /// How far the images are those of the extension that was asked for, from 0 to 1.
+    pub fn extension_progress(&self) -> f64 {
+        self.map().map_or(1.0, ConformalMap::extension_progress)
+    }
+
+    /// Notes that images moved.
+    pub(super) fn count_images(&mut self, another_mesh: bool) {
+        self.shown.generation += 1;
+        self.measurement.expire();
+        // what the picture does not show is not worth a number
+        let shown = self.refines == Refines::InRefresh || self.extension_progress() == 1.0;
+        // Another mesh has other triangles: the old ones' distortions fit nothing any more.
+        if another_mesh && self.is_large() {
+            self.measurement.clear();
+        } else if another_mesh || (shown && self.measurement.milliseconds() < CHEAP_QUALITY_MS) {
+            self.measure();
+        }
+    }
+
+    /// Whether a frame is too short to measure the map, and the picture does not need it.
+    fn is_large(&self) -> bool {
+        let count = self.shown().map_or(0, |map| map.triangles.len());
+        count > MEASURED_AT_ONCE && self.session.colouring() == Colouring::Texture
+    }
+
+    /// What teaches.
+    pub fn teaching(&self) -> &Teaching {
+        &self.teaching
+    }
+
+    /// Does something with the random walks.
+    pub fn act_on_walks(&mut self, action: WalkAction) {
+        self.teaching.walks.act(action);
+    }
+
+    /// Brings what teaches up to date at the time `now` (seconds); in how many seconds to come back, if at all.
+    pub fn teach(&mut self, now: f64) -> Option<f64> {
+        // A coarse map has boundaries of its own: what is shown waits for the full one.
+        let map = self.shown.map.as_ref().filter(|_| !self.under_way.is_pending())?;
+        let situation = situation(map, &self.session, self.shown.map_generation)?;
+        self.teaching.advance(&situation, self.session.comparison(), now)
+    }
+
+    /// Whether [`Self::measure`] would tell something new.
+    pub fn is_quality_stale(&self) -> bool {
+        self.measurement.is_stale()
+    }
+
+    /// Measures the map's distortion.
+    pub fn measure(&mut self) {
+        self.measurement.restart();
+        self.advance_measure(Deadline::NEVER);
+    }
+
+    /// Spends a frame's share on measuring the map's distortion, until it is not stale any more.
+    pub fn measure_at_rest(&mut self) {
+        self.advance_measure(Deadline::in_ms(self.update_ms));
+    }
+
+    fn advance_measure(&mut self, deadline: Deadline) {
+        let map = self.coarse.map().or(self.shown.map.as_ref());
+        self.measurement.advance(map, self.shown.generation, deadline);
+    }
+
+    /// Goes on with the extension in the picture if it is not complete; whether images changed.
+    fn refine(&mut self) -> bool {
+        let full = self.shown.map.as_mut().filter(|_| !self.under_way.is_pending());
+        let Some(map) = self.coarse.map_mut().or(full) else { return false };
+        let incomplete = map.extension_progress() < 1.0;
+        if incomplete {
+            map.refine(REFINE_MS);
+        }
+        incomplete
+    }
+}
+
+fn situation<'a>(map: &'a ConformalMap, session: &Session, generation: u64) -> Option<Situation<'a>> {
+    let domains = [map.domain(Side::Source)?, map.domain(Side::Target)?];
+    let points = Side::BOTH.map(|side| session.side(side).interior.unwrap_or(domains[side as usize].pole()));
+    Some(Situation { map, domains, generation, points, anchors: Side::BOTH.map(|side| session.side(side).anchor) })
+}

@@ -1,0 +1,135 @@
+//! Pictures put together: domains and a surface side by side, with their outlines and dots, as a scene.
+
+use crate::conformal::MeshedSurface;
+use crate::export::Panel;
+use crate::geometry::{DVec2, DVec3};
+use crate::render::{
+    CellCode, CellStyle, Handle, MeshGeometry, OrbitCamera, SceneCells, SceneDescription, SceneSurface, SceneViewport,
+    StrokeStyle, SurfaceGeometry, SurfaceHandle, TextureStyle,
+};
+use image::RgbaImage;
+
+/// Okabe–Ito green for x, magenta for y.
+pub const HANDLE_COLOURS: [[f32; 4]; 2] = [[0.0, 0.62, 0.45, 1.0], [0.84, 0.235, 0.65, 1.0]];
+
+/// The boundary's stroke on a surface relative to the outline's.
+const LOOP_TO_OUTLINE: f32 = 1.4;
+
+/// Behind a picture that goes with the dark theme, the app's ground, or with the light one.
+pub const fn background(dark: bool) -> [f32; 4] {
+    if dark { [0.05, 0.067, 0.09, 1.0] } else { [1.0; 4] }
+}
+
+/// How panels are drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Look<'a> {
+    /// The texture, and the theme.
+    pub style: TextureStyle,
+    /// The ground, sRGB-encoded with straight alpha.
+    pub background: [f32; 4],
+    /// The image of [`crate::render::Pattern::Image`].
+    pub image: Option<&'a RgbaImage>,
+    /// The outlines; `None`: the theme's stroke.
+    pub stroke: Option<StrokeStyle>,
+    /// The radius of the dots.
+    pub radius_px: f32,
+}
+
+/// A domain in the plane.
+#[derive(Debug, Clone, Copy)]
+pub struct PlanarPart<'a> {
+    /// Mesh, outline and points.
+    pub panel: Panel<'a>,
+    /// Colours and edges over it.
+    pub cells: Option<SceneCells<'a>>,
+}
+
+/// A surface in space.
+#[derive(Debug, Clone, Copy)]
+pub struct SurfacePart<'a> {
+    /// The surface.
+    pub surface: &'a MeshedSurface,
+    /// Where each vertex looks the texture up.
+    pub coordinates: &'a [DVec2],
+    /// The eye.
+    pub camera: OrbitCamera,
+    /// The interior and the boundary point.
+    pub handles: [DVec3; 2],
+    /// The codes of its triangles, and how they are shown.
+    pub cells: Option<(&'a [CellCode], CellStyle)>,
+    /// Whether it is right of the plane.
+    pub right: bool,
+}
+
+/// Puts the parts of a picture of `size` pixels together, for `draw`.
+pub fn compose<R>(
+    planar: &[PlanarPart<'_>],
+    surface: Option<&SurfacePart<'_>>,
+    look: &Look<'_>,
+    size: [u32; 2],
+    draw: impl FnOnce(Option<&SceneSurface>, &SceneDescription) -> R,
+) -> R {
+    let dots: Vec<_> = planar.iter().map(|part| handles(&part.panel, look.radius_px)).collect();
+    let viewports: Vec<_> = planar.iter().zip(&dots).map(|(part, dots)| viewport(part, dots, look)).collect();
+    // free space around what is drawn
+    let margin_px = 0.06 * size[1] as f32;
+    let scene = SceneDescription { viewports: &viewports, background: look.background, image: look.image, margin_px };
+    match surface {
+        None => draw(None, &scene),
+        Some(part) => {
+            let dots = surface_handles(part.surface, part.handles, &part.camera, look.radius_px);
+            draw(Some(&in_space(part, &dots, look)), &scene)
+        }
+    }
+}
+
+fn handles(panel: &Panel<'_>, radius_px: f32) -> [Handle; 2] {
+    [0, 1].map(|k| Handle { position: panel.handles[k], colour: HANDLE_COLOURS[k], radius_px })
+}
+
+fn viewport<'a>(part: &PlanarPart<'a>, handles: &'a [Handle], look: &Look<'a>) -> SceneViewport<'a> {
+    let Panel { positions, coordinates, triangles, boundary, .. } = part.panel;
+    SceneViewport {
+        geometry: MeshGeometry { positions, texture_coordinates: coordinates, triangles },
+        boundary,
+        boundary_style: look.stroke,
+        camera: None,
+        style: look.style,
+        cells: part.cells,
+        handles,
+    }
+}
+
+fn in_space<'a>(part: &SurfacePart<'a>, handles: &'a [SurfaceHandle], look: &Look<'a>) -> SceneSurface<'a> {
+    let mesh = part.surface.mesh();
+    let (codes, cells) = part.cells.unzip();
+    SceneSurface {
+        right: part.right,
+        geometry: SurfaceGeometry {
+            positions: &mesh.vertices,
+            triangles: &mesh.triangles,
+            boundary_count: mesh.boundary_count,
+        },
+        texture_coordinates: part.coordinates,
+        codes: codes.unwrap_or_default(),
+        cells,
+        camera: part.camera,
+        style: look.style,
+        stroke: look.stroke.map(|stroke| StrokeStyle { width_px: LOOP_TO_OUTLINE * stroke.width_px, ..stroke }),
+        handles,
+    }
+}
+
+/// The dots on a surface, at `places`, fainter where it hides them.
+pub fn surface_handles(
+    surface: &MeshedSurface,
+    places: [DVec3; 2],
+    camera: &OrbitCamera,
+    radius_px: f32,
+) -> [SurfaceHandle; 2] {
+    [0, 1].map(|k| {
+        let position = places[k];
+        let hidden = surface.tree().hides(camera.eye(), position);
+        SurfaceHandle { position, hidden, colour: HANDLE_COLOURS[k], radius_px }
+    })
+}

@@ -1,0 +1,257 @@
+//! What both viewports show of a session, without a window: the model brought to rest, and what there is to draw.
+//!
+//! The model is the app's own, its workers run here and now; so a picture made from this shows what
+//! the app shows. It does not depend on how fast the machine is: no coarse map ever stands in.
+
+pub mod compose;
+mod shot;
+
+pub use shot::Shot;
+
+use crate::conformal::{MeshedSurface, Side, Stage};
+use crate::family::{Loop, Path, Place};
+use crate::geometry::{DVec2, DVec3};
+use crate::language::{Message, key};
+use crate::mesh::BarycentricPoint;
+use crate::model::export::{FileRequest, ReadyFile};
+use crate::model::motion::looping;
+use crate::model::pattern::cells::Cells;
+use crate::model::{Changes, Model, export, pattern};
+use crate::render::{CellCode, CellStyle, MeshGeometry, OrbitCamera, TextureStyle};
+use crate::session::{Command, Session, SurfaceShape};
+use crate::worker::{self, Response};
+
+/// A session whose map is complete.
+#[derive(Debug)]
+pub struct Still {
+    model: Model,
+    cells: Cells,
+    pixels_per_point: f32,
+}
+
+/// What a still is waiting for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Doing {
+    /// A stage of the preparation of a side's outline, which begins.
+    PreparingOutline(Side, Stage),
+    /// A stage of the preparation of a side's surface, which begins.
+    PreparingSurface(Side, Stage),
+    /// The map, and what is measured of it.
+    Mapping,
+}
+
+/// Why there is nothing to show.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{}", .0.english())]
+pub struct StillError(Message);
+
+impl From<&StillError> for Message {
+    fn from(StillError(message): &StillError) -> Self {
+        message.clone()
+    }
+}
+
+/// The mapped mesh on one side, to be drawn triangle by triangle.
+#[derive(Debug, Clone, Copy)]
+pub struct StillCells<'a> {
+    /// Where its vertices lie; `None` on a surface.
+    pub positions: Option<&'a [DVec2]>,
+    /// Its triangles.
+    pub triangles: &'a [[u32; 3]],
+    /// Their codes.
+    pub codes: &'a [CellCode],
+    /// How they are shown.
+    pub style: CellStyle,
+}
+
+/// The surface in the target's place.
+#[derive(Debug, Clone, Copy)]
+pub struct StillSurface<'a> {
+    /// It.
+    pub surface: &'a MeshedSurface,
+    /// Where each vertex looks the pattern up.
+    pub coordinates: &'a [DVec2],
+    /// The interior and the boundary point.
+    pub points: [DVec3; 2],
+}
+
+impl Still {
+    /// Prepares and maps, which may take seconds. The triangles of a surface from a file come with
+    /// it. `pixels_per_point` scales what is drawn over the triangles.
+    ///
+    /// Errors: what the app would say beside an outline or a surface, in words for the person.
+    pub fn new(session: Session, surface_file: Option<Vec<u8>>, pixels_per_point: f32) -> Result<Self, StillError> {
+        Self::telling(session, surface_file, pixels_per_point, &mut |_| ())
+    }
+
+    /// As [`Self::new`], telling what it begins to do.
+    pub fn telling(
+        session: Session,
+        surface_file: Option<Vec<u8>>,
+        pixels_per_point: f32,
+        tell: &mut dyn FnMut(Doing),
+    ) -> Result<Self, StillError> {
+        let mut model = begin(session, surface_file)?;
+        model.update_ms = f64::INFINITY; // nobody waits for a frame
+        settle(&mut model, tell)?;
+        let mut still = Self { model, cells: Cells::default(), pixels_per_point };
+        still.rest();
+        Ok(still)
+    }
+
+    /// The session; its points may have been moved into the domains.
+    pub fn session(&self) -> &Session {
+        self.model.session()
+    }
+
+    /// The texture, the same on both sides; without an image a checkerboard in its place.
+    pub fn style(&self, has_image: bool, dark: bool) -> Option<TextureStyle> {
+        pattern::style(&self.model, has_image, dark)
+    }
+
+    /// The textured mesh of a side in the plane.
+    pub fn geometry(&self, side: Side) -> Option<MeshGeometry<'_>> {
+        pattern::geometry(&self.model, side)
+    }
+
+    /// What a model shows, on the same prepared domains: [`Self::advance`] brings its map to rest.
+    pub(super) fn of(model: &Model, pixels_per_point: f32) -> Self {
+        Self { model: model.twin(), cells: Cells::default(), pixels_per_point }
+    }
+
+    /// Spends a frame's share on the map; whether it is complete.
+    pub(super) fn advance(&mut self) -> Result<bool, StillError> {
+        self.model.refresh(false);
+        if let Some(error) = user_error(&self.model) {
+            return Err(StillError(error));
+        }
+        let is_complete = is_complete(&self.model);
+        if is_complete {
+            self.rest();
+        }
+        Ok(is_complete)
+    }
+
+    /// The loop along `path` that begins here; `None` where nothing would move.
+    pub fn way(&self, path: Path) -> Option<Loop> {
+        looping::begin(&self.model, path)
+    }
+
+    /// Goes to another place in the family of maps, and waits for the map there.
+    pub fn go(&mut self, place: Place) -> Result<(), StillError> {
+        self.head_for(place);
+        settle(&mut self.model, &mut |_| ())?;
+        self.rest();
+        Ok(())
+    }
+
+    /// Wants another place: [`Self::advance`] goes there.
+    pub(super) fn head_for(&mut self, place: Place) {
+        for command in looping::commands(place) {
+            self.model.dispatch(command, 0.0);
+        }
+    }
+
+    /// The map is complete: its colours follow.
+    fn rest(&mut self) {
+        self.model.measure();
+        self.cells.update(&self.model, self.pixels_per_point);
+    }
+
+    /// The map as a file. Errors: in words.
+    pub fn file(&self, request: FileRequest) -> Result<ReadyFile, StillError> {
+        let nothing = || Err(key::no_map().into());
+        export::file(&self.model, request).unwrap_or_else(nothing).map_err(StillError)
+    }
+
+    /// The mapped mesh on a side, where the session shows more of it than the texture.
+    pub fn cells(&self, side: Side) -> Option<StillCells<'_>> {
+        let (style, map) = (self.cells.style()?, self.model.shown()?);
+        Some(StillCells { positions: map.places(side), triangles: map.triangles, codes: self.cells.codes(), style })
+    }
+
+    /// The surface, if there is one.
+    pub fn surface(&self) -> Option<StillSurface<'_>> {
+        let side = self.model.side_of_surface()?;
+        Some(StillSurface {
+            surface: self.model.surface_side(side).surface()?,
+            coordinates: pattern::surface_coordinates(&self.model, side)?,
+            points: [self.model.surface_point(side)?, self.model.surface_anchor(side)?],
+        })
+    }
+
+    /// The interior point of the surface as it is mapped, and how many triangles the surface has.
+    pub fn surface_point(&self) -> Option<(BarycentricPoint, usize)> {
+        let (surface, state) = self.model.surface(self.model.side_of_surface()?)?;
+        Some((surface.point(state)?, surface.surface()?.mesh().triangles.len()))
+    }
+
+    /// From where the surface is seen at first, in a viewport of this width over height.
+    pub fn camera(&self, aspect: f64) -> Option<OrbitCamera> {
+        let (surface, state) = self.model.surface(self.model.side_of_surface()?)?;
+        surface.first_view(state, aspect)
+    }
+}
+
+fn begin(session: Session, surface_file: Option<Vec<u8>>) -> Result<Model, StillError> {
+    let mut model = Model::new(session.clone().and([Command::CloseSurface(Side::Target)]));
+    match (session.surface(Side::Target), surface_file) {
+        (None, None) => {}
+        (Some(state), Some(bytes)) if matches!(state.spec.shape, SurfaceShape::File { .. }) => {
+            model.open_surface_file(Side::Target, state.clone(), bytes);
+        }
+        (Some(state), None) if matches!(state.spec.shape, SurfaceShape::Preset { .. }) => {
+            model.dispatch(Command::Open(Box::new(session)), 0.0);
+        }
+        (Some(state), None) => {
+            let SurfaceShape::File { name } = &state.spec.shape else { return Ok(model) };
+            return Err(StillError(key::surface_travels_as_file(name)));
+        }
+        (_, Some(_)) => return Err(StillError(key::no_surface_from_file().into())),
+    }
+    Ok(model)
+}
+
+/// Prepares and maps until there is nothing left to do.
+fn settle(model: &mut Model, tell: &mut dyn FnMut(Doing)) -> Result<(), StillError> {
+    loop {
+        for (side, request) in model.take_requests(f64::INFINITY) {
+            let doing = if request.is_of_surface() { Doing::PreparingSurface } else { Doing::PreparingOutline };
+            worker::run(&request, &mut |generation, response| {
+                if let Response::Progress(stage) = response {
+                    tell(doing(side, stage));
+                }
+                model.accept(side, generation, response);
+            });
+        }
+        if let Some(error) = user_error(model) {
+            return Err(StillError(error));
+        }
+        tell(Doing::Mapping);
+        let changes = model.refresh(false);
+        if let Some(error) = user_error(model) {
+            return Err(StillError(error));
+        }
+        if is_complete(model) {
+            return Ok(());
+        }
+        if changes == Changes::default() && !model.is_pending() {
+            return Err(StillError(key::no_map().into()));
+        }
+    }
+}
+
+/// Whether the map is the full one, with its whole extension, and the pattern is where it is wanted.
+pub fn is_complete(model: &Model) -> bool {
+    let is_home = model.pattern_home() == pattern::home(model.session());
+    model.is_ready() && is_home && model.extension_progress() == 1.0
+}
+
+fn user_error(model: &Model) -> Option<Message> {
+    let of_side = |side| {
+        let outline = model.side(side).error.as_ref().map(|user_error| key::about(side, user_error.text.clone()));
+        outline.or_else(|| Some(model.surface_side(side).preparation.error.as_ref()?.text.clone()))
+    };
+    let map = model.map_error().map(|(_, text)| text.clone());
+    Side::BOTH.into_iter().find_map(of_side).or(map)
+}

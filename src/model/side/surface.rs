@@ -1,0 +1,142 @@
+//! The surface that is shown: where its points lie, and from where it is seen.
+
+use crate::conformal::{MeshedSurface, PreparedSide};
+use crate::geometry::DVec3;
+use crate::mesh::{BarycentricPoint, NO_TRIANGLE};
+use crate::model::side::SurfacePreparation;
+use crate::render::{BoundingSphere, OrbitCamera};
+use crate::session::{SurfaceShape, SurfaceState};
+use std::sync::Arc;
+
+/// The share of a point's weight that corners on the boundary may have: nearer to the loop harmonic
+/// measure is a peak that no drag can hold still.
+const MOST_BOUNDARY_WEIGHT: f64 = 0.9;
+
+/// How much larger than the surface what is fitted into the viewport is.
+const ROOM: f64 = 1.12;
+
+/// Triangles that are sorted into their tree within a frame, about 20 ms for 70,000; of more the dots
+/// are never drawn fainter before the first one was dragged.
+const SORTED_AT_ONCE: usize = 150_000;
+
+/// The surface side of the model.
+#[derive(Debug, Default)]
+pub struct SurfaceSide {
+    /// The way to the next surface.
+    pub preparation: SurfacePreparation,
+    /// A person wants an outline in its place: it goes when the outline is there.
+    pub gives_way: bool,
+    /// The surface that is shown; its map may still be missing.
+    shown: Option<Arc<PreparedSide>>,
+    scene: Option<BoundingSphere>,
+}
+
+impl SurfaceSide {
+    /// Takes over the surface that was prepared.
+    pub fn renew(&mut self) {
+        self.shown = self.preparation.surface().map(Arc::clone);
+        self.scene = self.surface().map(|surface| {
+            let BoundingSphere { center, radius } = BoundingSphere::of(&surface.mesh().vertices);
+            BoundingSphere { center, radius: ROOM * radius }
+        });
+    }
+
+    /// The same surface.
+    #[must_use]
+    pub fn twin(&self) -> Self {
+        let mut twin = Self { preparation: self.preparation.twin(), ..Self::default() };
+        twin.renew();
+        twin
+    }
+
+    /// The surface.
+    pub fn surface(&self) -> Option<&Arc<MeshedSurface>> {
+        self.shown.as_ref()?.surface()
+    }
+
+    /// The surface, prepared.
+    pub fn prepared(&self) -> Option<&Arc<PreparedSide>> {
+        self.shown.as_ref()
+    }
+
+    /// Sorts its triangles for rays, now that there is time for it: until then, a tenth of a second after a surface is
+    /// prepared, its dots are drawn as if nothing were before them.
+    pub fn sort_at_rest(&self) {
+        if let Some(surface) = self.surface()
+            && surface.mesh().triangles.len() <= SORTED_AT_ONCE
+        {
+            surface.tree();
+        }
+    }
+
+    /// A ball around it, with room for the words above and below it.
+    pub fn scene(&self) -> Option<BoundingSphere> {
+        self.scene
+    }
+
+    /// From where the surface is looked at first, in a viewport of this width over height.
+    pub fn first_view(&self, state: &SurfaceState, aspect: f64) -> Option<OrbitCamera> {
+        let (surface, scene) = (self.surface()?, self.scene?);
+        let mesh = surface.mesh();
+        let mut camera = match &state.spec.shape {
+            SurfaceShape::Preset { preset, .. } => {
+                let [towards_eye, up] = preset.view();
+                OrbitCamera::new(scene, towards_eye, up, aspect)
+            }
+            SurfaceShape::File { .. } => OrbitCamera::before(&mesh.vertices, &mesh.triangles, aspect),
+        };
+        camera.fit(scene, aspect);
+        Some(camera)
+    }
+
+    /// The interior point where its handle is.
+    pub fn point(&self, state: &SurfaceState) -> Option<BarycentricPoint> {
+        let surface = self.surface()?;
+        let count = surface.mesh().triangles.len();
+        Some(state.point.filter(|point| (point.triangle as usize) < count).unwrap_or(surface.centre()))
+    }
+
+    /// Where the interior point lies in space.
+    pub fn place(&self, state: &SurfaceState) -> Option<DVec3> {
+        Some(self.surface()?.position(self.point(state)?))
+    }
+
+    /// Where the boundary point lies in space.
+    pub fn anchor_place(&self, state: &SurfaceState) -> Option<DVec3> {
+        let (prepared, surface) = (self.prepared()?, self.surface()?);
+        Some(surface.boundary_position(prepared.at_fraction(state.anchor)))
+    }
+
+    /// The point near `found` that the interior handle may take: a little inside of the loop.
+    pub fn interior_near(&self, found: BarycentricPoint) -> Option<BarycentricPoint> {
+        let mesh = self.surface()?.mesh();
+        let corners = mesh.triangles[found.triangle as usize];
+        let on_loop = corners.map(|v| v < mesh.boundary_count);
+        let sum: f64 = (0..3).filter(|&i| on_loop[i]).map(|i| found.weights[i]).sum();
+        if sum <= MOST_BOUNDARY_WEIGHT {
+            return Some(found);
+        }
+        let BarycentricPoint { triangle, mut weights } = found;
+        let inner = on_loop.iter().filter(|on_loop| !**on_loop).count();
+        if inner == 0 {
+            // An ear or a bridge between two boundaries: the middle is as far from them as one can be.
+            let open = mesh.neighbours[triangle as usize].contains(&NO_TRIANGLE);
+            return Some(BarycentricPoint { triangle, weights: if open { [1.0 / 3.0; 3] } else { weights } });
+        }
+        for i in 0..3 {
+            weights[i] = if on_loop[i] {
+                weights[i] * MOST_BOUNDARY_WEIGHT / sum
+            } else {
+                weights[i] + (sum - MOST_BOUNDARY_WEIGHT) / inner as f64
+            };
+        }
+        let total: f64 = weights.iter().sum();
+        Some(BarycentricPoint { triangle, weights: weights.map(|w| w / total) })
+    }
+
+    /// The point of the surface nearest to a place.
+    pub fn nearest(&self, place: DVec3) -> Option<BarycentricPoint> {
+        let found = self.surface()?.tree().nearest(place)?.0;
+        self.interior_near(found)
+    }
+}

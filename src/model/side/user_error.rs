@@ -1,0 +1,42 @@
+//! What is said beside the input that caused it, and the way out that it offers.
+
+use crate::language::{Label, Message, key};
+use crate::outline::Outline;
+
+/// What a click can do about a user error.
+#[derive(Debug, Clone, PartialEq)]
+pub enum QuickFix {
+    /// Prepare the same once more.
+    Retry,
+    /// Take the outline as the reader repaired it.
+    Repaired(Box<Outline>),
+    /// Make the repairs of the surface that are safe.
+    RepairSurface,
+}
+
+impl QuickFix {
+    /// What is written on its button.
+    pub fn label(&self) -> Label {
+        match self {
+            Self::Retry => key::try_again(),
+            Self::Repaired(_) => key::use_repaired(),
+            Self::RepairSurface => key::repair(),
+        }
+    }
+}
+
+/// A message with its quick fix, if there is one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UserError {
+    /// What is wrong, where, and what to do.
+    pub text: Message,
+    /// What a click can do.
+    pub quick_fix: Option<QuickFix>,
+}
+
+impl UserError {
+    /// Without a quick fix.
+    pub fn new(text: Message) -> Self {
+        Self { text, quick_fix: None }
+    }
+}

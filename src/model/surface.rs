@@ -1,0 +1,178 @@
+//! The surfaces that stand in the outlines' places: commands, answers, and where their points are.
+
+use crate::conformal::Side;
+use crate::geometry::DVec3;
+use crate::language::{Message, key};
+use crate::model::Model;
+use crate::model::side::user_error::UserError;
+use crate::model::side::{Arrival, SurfaceSide};
+use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec, SurfaceState};
+use crate::surface::RepairNote;
+use crate::worker::Response;
+
+impl Model {
+    /// The surface of a side and where its points are, while it stands in the outline's place.
+    pub fn surface(&self, side: Side) -> Option<(&SurfaceSide, &SurfaceState)> {
+        Some((&self.sides[side].surface, self.session.surface(side)?))
+    }
+
+    /// The side on which a surface stands.
+    pub fn side_of_surface(&self) -> Option<Side> {
+        Side::BOTH.into_iter().find(|side| self.session.surface(*side).is_some())
+    }
+
+    /// A side's way to a surface; also while none is shown.
+    pub fn surface_side(&self, side: Side) -> &SurfaceSide {
+        &self.sides[side].surface
+    }
+
+    /// The interior point of a side's surface, where its handle is, once it is mapped.
+    pub fn surface_point(&self, side: Side) -> Option<DVec3> {
+        let (surface, state) = self.surface(side).filter(|_| self.shown.map.is_some())?;
+        surface.place(state)
+    }
+
+    /// The boundary point of a side's surface, where its handle is, once it is mapped.
+    pub fn surface_anchor(&self, side: Side) -> Option<DVec3> {
+        let (surface, state) = self.surface(side).filter(|_| self.shown.map.is_some())?;
+        surface.anchor_place(state)
+    }
+
+    /// Begins to prepare a surface that a person has opened or dropped; what was wrong with an outline for its place is
+    /// past. If a session waits for the file of that name, it comes with the session's points.
+    pub fn want_surface_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
+        self.sides[side].surface.gives_way = false;
+        self.dismiss(side);
+        let is_awaited =
+            |state: &SurfaceState| matches!(&state.spec.shape, SurfaceShape::File { name: awaited } if awaited == name);
+        match self.sides[side].incoming_surface.take().filter(is_awaited) {
+            Some(state) => self.open_surface_file(side, state, bytes),
+            None => self.sides[side].surface.preparation.want_file(name, bytes),
+        }
+    }
+
+    /// Takes the surface of a session, whose triangles come from a file.
+    pub fn open_surface_file(&mut self, side: Side, state: SurfaceState, bytes: Vec<u8>) {
+        self.sides[side].surface.preparation.want_file_of(state.spec.clone(), bytes);
+        self.sides[side].incoming_surface = Some(state);
+    }
+
+    /// Begins to prepare a surface for a side.
+    pub(super) fn set_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
+        if side == Side::Source {
+            return self.refuse_on_source();
+        }
+        self.sides[side].incoming_surface = None;
+        self.sides[side].surface.gives_way = false;
+        self.dismiss(side);
+        self.want_surface(side, spec, now);
+    }
+
+    /// Says that a surface cannot be shown on the source's side: there the outline stays.
+    fn refuse_on_source(&mut self) {
+        self.side_mut(Side::Source).error = Some(UserError::new(key::no_surface_on_side().into()));
+    }
+
+    /// Begins to discretise the surface that is there in another way.
+    pub(super) fn refine_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
+        let surface = &self.sides[side].surface;
+        let stays = self.session.surface(side).is_some() && !surface.gives_way;
+        let wanted = surface.preparation.wanted().filter(|_| stays);
+        if wanted.is_some_and(|wanted| wanted.is_like(&spec)) {
+            let incoming = self.sides[side].incoming_surface.as_mut();
+            if let Some(incoming) = incoming.filter(|incoming| incoming.spec.is_like(&spec)) {
+                // a point is one of a triangle, and those may be others
+                incoming.point = incoming.point.filter(|_| incoming.spec.shape == spec.shape);
+                incoming.spec = spec.clone();
+            }
+            self.want_surface(side, spec, now);
+        }
+    }
+
+    fn want_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
+        if !self.sides[side].surface.preparation.want_spec(&spec, now) {
+            let is_new = self.session.surface(side).is_none_or(|shown| shown.spec.shape != spec.shape);
+            self.take_surface(side, spec, is_new);
+        }
+    }
+
+    /// Shows a surface that is there, with the points that a session has for it.
+    fn take_surface(&mut self, side: Side, spec: SurfaceSpec, is_new: bool) {
+        let incoming = &mut self.sides[side].incoming_surface;
+        let incoming = incoming.take_if(|incoming| incoming.spec.shape.is_like(&spec.shape));
+        self.show_surface(side, spec, is_new);
+        if let Some(incoming) = incoming {
+            self.place_surface(side, incoming);
+        }
+    }
+
+    /// Puts a surface that is prepared into the session, with its points.
+    fn place_surface(&mut self, side: Side, state: SurfaceState) {
+        let points = state.points();
+        self.session.apply(Command::SetSurface { side, surface: state.spec });
+        self.session.apply(Command::PlacePoints { side, points });
+    }
+
+    /// Takes the surface of a side away, if there is one or one is to come: the outline that it has hidden is shown.
+    pub(super) fn close_surface(&mut self, side: Side) {
+        self.sides[side].incoming_surface = None;
+        self.sides[side].surface.preparation.give_up();
+        if self.session.surface(side).is_some() {
+            self.session.apply(Command::CloseSurface(side));
+            self.change_sides();
+            self.sides[side].refit = true;
+        }
+    }
+
+    /// Takes the surface of a session that is opened: at once, or when it is prepared.
+    pub(super) fn open_surface(&mut self, side: Side, wanted: Option<SurfaceState>) {
+        let Some(wanted) = wanted else { return self.close_surface(side) };
+        if side == Side::Source {
+            return self.refuse_on_source();
+        }
+        self.sides[side].surface.gives_way = false;
+        if self.sides[side].surface.preparation.want_spec(&wanted.spec, f64::NEG_INFINITY) {
+            self.sides[side].incoming_surface = Some(wanted);
+        } else {
+            self.place_surface(side, wanted);
+            self.change_sides();
+        }
+    }
+
+    /// Takes in an answer about a side's surface.
+    pub(super) fn accept_surface(&mut self, side: Side, generation: u64, response: Response) {
+        if let Some(Arrival { spec, is_new }) = self.sides[side].surface.preparation.accept(generation, response) {
+            self.take_surface(side, spec, is_new);
+        }
+    }
+
+    fn show_surface(&mut self, side: Side, spec: SurfaceSpec, is_new: bool) {
+        let shown = self.session.surface(side);
+        let is_finer = shown.is_some_and(|shown| shown.spec.shape.is_like(&spec.shape) && shown.spec != spec);
+        let place = self.surface_point(side).filter(|_| is_finer && shown.is_some_and(|shown| shown.point.is_some()));
+        if is_new && !is_finer {
+            self.session.apply(Command::CloseSurface(side));
+            self.sides[side].refit = true;
+        }
+        self.session.apply(Command::SetSurface { side, surface: spec });
+        self.sides[side].surface.renew();
+        if let (Some(place), Some(state)) = (place, self.session.surface(side)) {
+            let interior = self.sides[side].surface.nearest(place);
+            self.session
+                .apply(Command::PlacePoints { side, points: SidePoints::Surface { interior, anchor: state.anchor } });
+        }
+        self.change_sides();
+    }
+
+    /// What was noticed when the surface was read, how it was repaired, and what is to be known of its map.
+    pub fn surface_notes(&self, side: Side) -> Vec<Message> {
+        let Some((surface, _)) = self.surface(side) else { return Vec::new() };
+        let words = |repair: &RepairNote| match repair {
+            RepairNote::FilledHoles { .. } => key::grey_in_colours(Message::from(repair)),
+            _ => repair.into(),
+        };
+        let repairs = surface.surface().into_iter().flat_map(|surface| &surface.surface().repairs);
+        let map = self.map().and_then(|map| map.note(side)).map(|note| Message::from(&note));
+        surface.preparation.notes.iter().cloned().chain(repairs.map(words)).chain(map).collect()
+    }
+}

@@ -1,0 +1,190 @@
+//! The full map, a frame's share at a time; what takes longer lets a coarse one stand in.
+//!
+//! The picture is always that of one complete map: the last full one, the draft, or the
+//! new full one. Only a direct map's second frame in a row that was too short lets the draft be
+//! seen: a browser compiles what it runs for the first time.
+//!
+//! Surfaces differ from outlines in one thing here, [`Model::has_stand_in`]: nothing coarse stands in for their map.
+//! So it holds what it was asked for until it is there, and then goes on to where the points are by now.
+
+use crate::conformal::{ConformalMap, Constraints, MapError, Side};
+use crate::language::Message;
+use crate::laplace::{Deadline, SolverKind};
+use crate::model::{Changes, Model, pattern};
+use crate::session::{Command, SidePoints};
+use std::sync::Arc;
+
+impl Model {
+    /// Whether a coarse map can stand in for the full one: one between the same outlines.
+    fn has_stand_in(&self) -> bool {
+        self.is_planar()
+    }
+
+    /// Another thing stands on a side. A map of what is not there any more is not shown; one of outlines may be.
+    pub(super) fn change_sides(&mut self) {
+        self.sides_changed = true;
+        let fits = |map: &ConformalMap, side| {
+            self.prepared(side).is_some_and(|standing| {
+                let mapped = map.side(side);
+                Arc::ptr_eq(mapped, standing) || !(mapped.is_surface() || standing.is_surface())
+            })
+        };
+        if self.shown.map.as_ref().is_some_and(|map| !Side::BOTH.into_iter().all(|side| fits(map, side))) {
+            self.shown.map = None;
+        }
+    }
+
+    /// Begins with the map of other sides; whether the picture changes at once.
+    pub(super) fn take_sides(&mut self) -> bool {
+        let retired = self.coarse.retire();
+        self.coarse.forget();
+        self.keep_points_inside();
+        let next = self.prepared(Side::Source).zip(self.prepared(Side::Target));
+        let next = next.map(|(source, target)| ConformalMap::unmapped(Arc::clone(source), Arc::clone(target)));
+        self.under_way.restart(next);
+        self.has_stand_in() && (retired || self.shown.map.is_none())
+    }
+
+    /// Goes on with what is pending: in a drag that is too fast for the full map, with the draft alone.
+    pub(super) fn go_on(&mut self, dragging: bool) -> Changes {
+        let mut changes = Changes::default();
+        if dragging && self.is_slow() {
+            changes |= self.follow_coarsely();
+            if self.is_draft() {
+                return changes;
+            }
+        }
+        match self.advance() {
+            Ok(true) => changes |= self.show_full(),
+            Ok(false) => {
+                self.under_way.unfinished += 1;
+                if self.is_slow() {
+                    changes |= self.follow_coarsely();
+                }
+            }
+            Err(error) => changes |= self.give_up(&error),
+        }
+        changes
+    }
+
+    /// Spends a frame's share on the full map and, where the pattern needs them, its disk
+    /// coordinates; whether all is there.
+    fn advance(&mut self) -> Result<bool, MapError> {
+        let Some(wanted) = self.constraints() else { return Ok(true) };
+        let asked = self.under_way.go_on(wanted, !self.has_stand_in());
+        let Some(map) = self.under_way.next.as_mut().or(self.shown.map.as_mut()) else { return Ok(true) };
+        let deadline = Deadline::in_ms(self.update_ms);
+        if !map.advance(&asked.constraints, self.session.map_settings(), deadline)? {
+            return Ok(false);
+        }
+        self.shown.map_revision = asked.revision;
+        let in_the_plane = pattern::home(&self.session).is_some();
+        Ok(in_the_plane || self.teaching.grid.advance(map, self.shown.map_revision, deadline))
+    }
+
+    /// Whether the pattern needs disk coordinates that the full map does not have.
+    pub(super) fn lacks_grid(&self) -> bool {
+        let is_there = self.shown.map.is_some() && self.under_way.next.is_none();
+        let wanted = pattern::home(&self.session).is_none() && is_there;
+        wanted && !self.teaching.grid.is_of(self.shown.map_revision)
+    }
+
+    /// The full map is complete: it is the one in the picture.
+    fn show_full(&mut self) -> Changes {
+        let has_caught_up = self.under_way.finish(self.constraints());
+        let replaced = self.under_way.next.is_some();
+        if let Some(mut map) = self.under_way.next.take() {
+            if let Some(old) = self.shown.map.take() {
+                map.adopt(old);
+            }
+            self.shown.map = Some(map);
+        }
+        let retired = self.coarse.retire();
+        let shown = &mut self.shown;
+        let Some(map) = &shown.map else { return Changes::default() };
+        let turned = std::mem::replace(&mut shown.direction, map.direction()) != map.direction();
+        let renewed = std::mem::replace(&mut shown.revision, shown.map_revision) != shown.map_revision;
+        if has_caught_up {
+            for side in Side::BOTH {
+                self.sides[side].last_good = self.session.side(side).points();
+            }
+        }
+        self.map_error = None;
+        let (meshes, map) = (replaced || retired || turned, replaced || retired || renewed);
+        Changes { meshes, map, images: map }
+    }
+
+    /// The full map could not be made: the last good one stays.
+    fn give_up(&mut self, error: &MapError) -> Changes {
+        self.under_way.give_up();
+        if self.under_way.next.is_none() {
+            for side in Side::BOTH {
+                self.session.apply(Command::PlacePoints { side, points: self.sides[side].last_good });
+            }
+        } else if !self.has_stand_in() {
+            self.begin_at_the_default_points();
+        }
+        self.map_error = Some((error.side(), Message::from(error)));
+        let meshes = self.coarse.retire();
+        Changes { meshes, map: meshes, images: meshes }
+    }
+
+    /// The first map of a surface was refused, and no points of before fit: tries once more with the default ones,
+    /// unless they were those that failed.
+    fn begin_at_the_default_points(&mut self) {
+        for side in Side::BOTH {
+            let (is_set, points) = match self.session.side(side).points() {
+                SidePoints::Outline { interior, anchor } => {
+                    (interior.is_some(), SidePoints::Outline { interior: None, anchor })
+                }
+                SidePoints::Surface { interior, anchor } => {
+                    (interior.is_some(), SidePoints::Surface { interior: None, anchor })
+                }
+            };
+            self.points_changed |= is_set;
+            self.session.apply(Command::PlacePoints { side, points });
+        }
+    }
+
+    /// Whether the full map is too slow for a drag. One frame that was too short says so of the
+    /// iterative solver only.
+    fn is_slow(&self) -> bool {
+        let is_iterative =
+            |side| self.prepared(side).is_some_and(|prepared| prepared.solver().kind() == SolverKind::Pcg);
+        let most = u32::from(!Side::BOTH.into_iter().any(is_iterative));
+        self.has_stand_in() && self.under_way.unfinished > most
+    }
+
+    /// Lets the coarse map follow, if it has not; where it cannot, the last full one is in the picture.
+    fn follow_coarsely(&mut self) -> Changes {
+        if self.coarse.has_followed(self.under_way.revision) {
+            return Changes::default();
+        }
+        let Some(constraints) = self.constraints() else { return Changes::default() };
+        let before = self.coarse.map().map(ConformalMap::direction);
+        let outlines = Side::BOTH.map(|side| &self.session.domain(side).outline);
+        if self.coarse.follow(outlines, &constraints, self.session.map_settings()) {
+            let meshes = before != Some(self.session.direction());
+            return Changes { meshes, map: true, images: true };
+        }
+        let retired = self.coarse.retire();
+        Changes { meshes: retired, map: retired, images: retired }
+    }
+
+    /// Where the points of both sides are.
+    fn constraints(&self) -> Option<Constraints> {
+        let of_side = |side| Some((self.point(side)?, self.session.side(side).points().anchor()));
+        Some(Constraints::new(of_side(Side::Source)?, of_side(Side::Target)?))
+    }
+
+    /// A point that was set may lie outside a coarser polygon of the same outline.
+    pub(super) fn keep_points_inside(&mut self) {
+        for side in Side::BOTH {
+            if let Some(point) = self.session.side(side).interior
+                && let Some(inside) = self.interior_near(side, point)
+            {
+                self.session.apply(Command::MoveInterior { side, point: inside.into() });
+            }
+        }
+    }
+}

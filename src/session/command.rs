@@ -1,0 +1,146 @@
+//! The commands, what each touches, and how it changes the session: the only door to a change.
+
+use super::{Colouring, Comparison, OutlineSpec, Session, SidePoints, SideState, SurfaceSpec, TextureKind, Touched};
+use crate::conformal::{Direction, Extension, InteriorPoint, PrepareSettings, Side};
+use crate::geometry::DVec2;
+
+/// A change of the session.
+#[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs, reason = "each variant without a comment sets what its name says")]
+pub enum Command {
+    /// Puts another outline on a side: the side's two points are the default ones again, and a surface goes.
+    SetOutline {
+        side: Side,
+        outline: OutlineSpec,
+    },
+    /// Puts another form of the outline in its place, with the points that go along. A surface stays.
+    ReshapeOutline {
+        side: Side,
+        outline: OutlineSpec,
+        interior: Option<DVec2>,
+        anchor: f64,
+    },
+    SetSettings {
+        side: Side,
+        settings: PrepareSettings,
+    },
+    /// Moves the interior point of an outline, or of the surface; without a surface the latter changes nothing.
+    MoveInterior {
+        side: Side,
+        point: InteriorPoint,
+    },
+    /// Moves the boundary point of what stands on the side to a fraction of the boundary's length.
+    MoveAnchor {
+        side: Side,
+        fraction: f64,
+    },
+    /// Puts both points, also of an outline that waits behind a surface.
+    PlacePoints {
+        side: Side,
+        points: SidePoints,
+    },
+    /// Puts a surface in the outline's place. One that is there already in another resolution or with other
+    /// settings keeps its points, but for an interior point whose triangles are others.
+    SetSurface {
+        side: Side,
+        surface: SurfaceSpec,
+    },
+    /// Discretises the surface that is there in another way: other settings, or another number of boundary vertices of
+    /// one by formula. Another surface changes nothing.
+    RefineSurface {
+        side: Side,
+        surface: SurfaceSpec,
+    },
+    /// Takes the surface away: the outline is there again.
+    CloseSurface(Side),
+    SetDirection(Direction),
+    SetExtension(Extension),
+    SetTexture(TextureKind),
+    SetTextureScale(f64),
+    SetTextureSide(Side),
+    SetColouring(Colouring),
+    SetWireframe(bool),
+    SetPlots(bool),
+    SetComparison(Comparison),
+    /// Exchanges source and target.
+    Swap,
+    /// Takes another session in place of this one.
+    Open(Box<Session>),
+}
+
+impl Command {
+    /// What it may change. Points that go along with their own shape when that takes another form are not touched.
+    pub fn touches(&self) -> Touched {
+        match self {
+            Self::SetOutline { .. } | Self::SetSurface { .. } => Touched::ANOTHER_SHAPE,
+            Self::CloseSurface(_) => Touched::SHAPES | Touched::POINTS,
+            Self::ReshapeOutline { .. } => Touched::SHAPES, // its points go along
+            Self::Swap => Touched::SHAPES | Touched::POINTS | Touched::SETTINGS,
+            Self::MoveInterior { .. } => Touched::INTERIOR,
+            Self::MoveAnchor { .. } => Touched::BOUNDARY,
+            Self::PlacePoints { .. } => Touched::POINTS,
+            Self::SetSettings { .. } | Self::RefineSurface { .. } | Self::SetDirection(_) | Self::SetExtension(_) => {
+                Touched::SETTINGS
+            }
+            Self::SetTexture(_) | Self::SetTextureScale(_) | Self::SetTextureSide(_) => Touched::PATTERN,
+            Self::SetColouring(_) | Self::SetWireframe(_) => Touched::COLOURS,
+            Self::SetPlots(_) => Touched::PLOTS,
+            Self::SetComparison(_) => Touched::COMPARISON,
+            Self::Open(_) => Touched::EVERYTHING,
+        }
+    }
+}
+
+impl Session {
+    /// Carries out a command; returns what it touched: [`Command::touches`], or nothing where it was about a
+    /// surface that is not there.
+    pub fn apply(&mut self, command: Command) -> Touched {
+        if !self.has_object_of(&command) {
+            return Touched::NOTHING;
+        }
+        let touched = command.touches();
+        match command {
+            Command::SetOutline { side, outline } => {
+                let settings = self.sides[side].domain.settings;
+                self.sides[side] = SideState::new(outline, settings);
+            }
+            Command::ReshapeOutline { side, outline, interior, anchor } => {
+                self.sides[side].domain.outline = outline;
+                self.sides[side].place(SidePoints::Outline { interior, anchor });
+            }
+            Command::SetSettings { side, settings } => self.sides[side].domain.settings = settings,
+            Command::MoveInterior { side, point } => self.sides[side].move_interior(point),
+            Command::MoveAnchor { side, fraction } => self.sides[side].move_anchor(fraction),
+            Command::PlacePoints { side, points } => self.sides[side].place(points),
+            Command::SetSurface { side, surface } | Command::RefineSurface { side, surface } => {
+                self.sides[side].set_surface(surface);
+            }
+            Command::CloseSurface(side) => self.sides[side].surface = None,
+            Command::SetDirection(direction) => self.direction = direction,
+            Command::SetExtension(extension) => self.extension = extension,
+            Command::SetTexture(texture) => self.texture = texture,
+            Command::SetTextureScale(scale) => self.texture_scale = scale,
+            Command::SetTextureSide(side) => self.texture_side = side,
+            Command::SetColouring(colouring) => self.colouring = colouring,
+            Command::SetWireframe(shown) => self.wireframe = shown,
+            Command::SetPlots(open) => self.plots = open,
+            Command::SetComparison(comparison) => self.comparison = comparison,
+            Command::Swap => self.sides.swap(),
+            Command::Open(session) => *self = *session,
+        }
+        touched
+    }
+
+    /// Whether the surface that a command is about, if it is about one, is there.
+    fn has_object_of(&self, command: &Command) -> bool {
+        match command {
+            Command::MoveInterior { side, point: InteriorPoint::Surface(_) }
+            | Command::PlacePoints { side, points: SidePoints::Surface { .. } }
+            | Command::CloseSurface(side) => self.surface(*side).is_some(),
+            Command::RefineSurface { side, surface } => {
+                self.surface(*side).is_some_and(|there| there.spec.is_like(surface))
+            }
+            _ => true,
+        }
+    }
+}

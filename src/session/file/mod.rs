@@ -1,0 +1,176 @@
+//! Sessions as files: `.riemap`, the JSON of a session with the marker `"riemap"` and the number of its format.
+//!
+//! Everything is in it but for images and the triangles of surfaces from files. Numbers and outlines
+//! come back bit for bit. A file from before a setting was there reads with that setting's default;
+//! fields that are not known are skipped.
+//!
+//! | format | holds | module |
+//! |---|---|---|
+//! | 1 | a surface on the target's side at most | `version1` |
+//! | 2 | a surface on either side, or on both | `version2` |
+//!
+//! The oldest format that holds the session is written, so that older programs and the scripts of pages that
+//! embed the app read all that they can; both are read for ever.
+
+mod version1;
+mod version2;
+
+use super::{OutOfRange, OutlineSpec, Session};
+use crate::conformal::Side;
+use crate::geometry::{DVec2, PolygonError, SimplePolygon};
+use crate::outline::Preset;
+use serde::{Deserialize, Serialize};
+use version1::Version1;
+use version2::Version2;
+
+/// What the names of such files end with, after a dot.
+pub const EXTENSION: &str = "riemap";
+
+/// The newest format that is written and read.
+pub const NEWEST: u32 = 2;
+
+/// The largest file that is read: two outlines of the most points that one may have take 40 MB.
+pub const MAX_BYTES: usize = 64 << 20;
+
+/// Why a file is not written or read.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FileError {
+    /// More than [`MAX_BYTES`].
+    #[error("the file is too large for a session: {} MiB are the most", MAX_BYTES >> 20)]
+    TooLarge,
+    /// It is no JSON, or not a session's.
+    #[error("the file is no session of riemap: {0}")]
+    Malformed(String),
+    /// It is JSON without the marker.
+    #[error("the file is no session of riemap: there is no \"riemap\": {NEWEST} in it")]
+    NoSession,
+    /// It is of another version.
+    #[error("the file is of format {found}, made by a newer riemap; this one reads format {NEWEST}")]
+    Version {
+        /// Its version.
+        found: u32,
+    },
+    /// A number is not finite, or beyond what its control allows.
+    #[error("the session cannot be used: {0}")]
+    OutOfRange(#[from] OutOfRange),
+    /// An outline is not a simple polygon.
+    #[error("the session's outline of the {side} cannot be used: {reason}")]
+    Outline {
+        /// Whose it is.
+        side: Side,
+        /// What is wrong with it.
+        reason: PolygonError,
+    },
+}
+
+/// What is looked at first.
+#[derive(Deserialize)]
+struct Marker {
+    riemap: Option<u32>,
+}
+
+/// The same of an object without a marker.
+#[derive(Deserialize)]
+struct Unmarked {
+    version: u32,
+}
+
+/// A format's form of a session. A number in `riemap` marks a file.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Written<'a> {
+    First(version1::Written<'a>),
+    Second(version2::Written<'a>),
+}
+
+impl<'a> Written<'a> {
+    fn new(session: &'a Session, is_file: bool) -> Result<Self, FileError> {
+        session.check()?;
+        Ok(if version1::holds(session) {
+            Self::First(version1::Written::new(session, is_file))
+        } else {
+            Self::Second(version2::Written::new(session, is_file))
+        })
+    }
+}
+
+/// The file of a session. Errors: numbers that the session's controls do not allow.
+pub fn write(session: &Session) -> Result<String, FileError> {
+    let written = Written::new(session, true)?;
+    serde_json::to_string_pretty(&written).map(|text| text + "\n").map_err(|error| malformed(&error))
+}
+
+/// As [`write()`], on one line: half of the time and of the length where an outline has many points.
+pub fn write_compact(session: &Session) -> Result<String, FileError> {
+    serde_json::to_string(&Written::new(session, true)?).map_err(|error| malformed(&error))
+}
+
+/// The JSON of a session for a page's script: that of a file without its marker.
+pub fn write_object(session: &Session) -> Result<String, FileError> {
+    serde_json::to_string(&Written::new(session, false)?).map_err(|error| malformed(&error))
+}
+
+/// The session of a file. Its numbers are in their ranges, its outlines simple polygons.
+pub fn read(bytes: &[u8]) -> Result<Session, FileError> {
+    if bytes.len() > MAX_BYTES {
+        return Err(FileError::TooLarge);
+    }
+    // Read as text, like everything else: the readers for bytes would be as large once more.
+    let text = std::str::from_utf8(bytes).map_err(|error| FileError::Malformed(error.to_string()))?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    match parsed::<Marker>(text)?.riemap {
+        Some(format @ 1..=NEWEST) => read_format(format, text),
+        Some(found) => Err(FileError::Version { found }),
+        None => Err(FileError::NoSession),
+    }
+}
+
+/// The session of an object as [`write_object`] makes it, with the same guarantees as [`read`].
+pub fn read_object(text: &str) -> Result<Session, FileError> {
+    match parsed::<Unmarked>(text)?.version {
+        2 => read_format(2, text),
+        _ => read_format(1, text), // which says what other numbers there are
+    }
+}
+
+fn read_format(format: u32, text: &str) -> Result<Session, FileError> {
+    let session = if format == 1 {
+        Session::try_from(parsed::<Version1>(text)?)?
+    } else {
+        Session::try_from(parsed::<Version2>(text)?)?
+    };
+    session.check()?;
+    Ok(session)
+}
+
+fn parsed<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, FileError> {
+    serde_json::from_str(text).map_err(|error| malformed(&error))
+}
+
+fn malformed(error: &serde_json::Error) -> FileError {
+    FileError::Malformed(error.to_string())
+}
+
+/// An outline that has not been checked yet.
+#[derive(Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum OutlineForm {
+    Preset(Preset),
+    Points { name: String, points: Vec<DVec2> },
+}
+
+impl OutlineForm {
+    fn checked(self, side: Side) -> Result<OutlineSpec, FileError> {
+        Ok(match self {
+            Self::Preset(preset) => OutlineSpec::Preset(preset),
+            Self::Points { name, points } => {
+                let polygon = SimplePolygon::try_from(points);
+                OutlineSpec::Points { name, polygon: polygon.map_err(|reason| FileError::Outline { side, reason })? }
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

@@ -1,0 +1,140 @@
+//! What files hold, in both formats, and what is refused.
+
+use super::*;
+use crate::mesh::BarycentricPoint;
+use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec};
+use serde_json::{Value, json};
+
+/// A session of format 1.
+fn drawn() -> Session {
+    let points = [(0.1, 0.2), (1.0 / 3.0, 1e-12), (0.7, 0.9)].map(DVec2::from).to_vec();
+    let polygon = SimplePolygon::try_from(points).unwrap();
+    let outline = OutlineSpec::Points { name: "Drachen \"ü\"".into(), polygon };
+    Session::with([
+        Command::SetOutline { side: Side::Source, outline },
+        Command::MoveInterior { side: Side::Source, point: DVec2::new(0.4, 0.35).into() },
+        Command::SetSurface { side: Side::Target, surface: SurfaceSpec::default() },
+    ])
+}
+
+/// One of format 2: a surface on both sides.
+fn solid() -> Session {
+    let shape = SurfaceShape::File { name: "cow.obj".into() };
+    let point = BarycentricPoint { triangle: 7, weights: [0.25, 0.25, 0.5] };
+    drawn().and([
+        Command::SetSurface { side: Side::Source, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } },
+        Command::PlacePoints {
+            side: Side::Source,
+            points: SidePoints::Surface { interior: Some(point), anchor: 0.625 },
+        },
+    ])
+}
+
+fn on_source_only() -> Session {
+    solid().and([Command::CloseSurface(Side::Target)])
+}
+
+fn changed(session: &Session, change: impl FnOnce(&mut Value)) -> Result<Session, FileError> {
+    let mut value: Value = serde_json::from_str(&write(session).unwrap()).unwrap();
+    change(&mut value);
+    read(value.to_string().as_bytes())
+}
+
+#[test]
+fn what_is_written_is_read_bit_for_bit_in_the_oldest_format_that_holds_it() {
+    for (session, format) in [(Session::default(), 1), (drawn(), 1), (solid(), 2), (on_source_only(), 2)] {
+        let text = write(&session).unwrap();
+        assert!(text.starts_with(&format!("{{\n  \"riemap\": {format},\n  \"version\": {format},\n")), "{text}");
+        assert_eq!(read(text.as_bytes()), Ok(session.clone()));
+        let compact = write_compact(&session).unwrap();
+        assert!(compact.len() < text.len() && !compact.contains('\n'), "{compact}");
+        assert_eq!(read(compact.as_bytes()), Ok(session.clone()));
+        assert_eq!(read(format!("\u{feff}{text}").as_bytes()), Ok(session.clone()));
+        let object = write_object(&session).unwrap();
+        assert!(!object.contains("riemap"), "{object}");
+        assert_eq!(read_object(&object), Ok(session));
+    }
+}
+
+/// A file of format 1 as it was written before there was a second one. It must never change.
+const GOLDEN: &str = include_str!("golden_version1.riemap");
+
+#[test]
+fn a_file_of_format_1_opens_for_ever_and_is_written_as_before() {
+    assert_eq!(read(GOLDEN.as_bytes()), Ok(drawn()));
+    assert_eq!(write(&drawn()).unwrap(), GOLDEN);
+}
+
+#[test]
+fn older_files_have_defaults_and_newer_fields_are_skipped() {
+    let older = changed(&drawn(), |value| {
+        for field in ["colouring", "wireframe", "plots", "texture_side", "comparison", "surface"] {
+            value.as_object_mut().unwrap().remove(field).unwrap();
+        }
+    });
+    assert_eq!(older, Ok(drawn().and([Command::CloseSurface(Side::Target)])));
+    for session in [drawn(), solid()] {
+        assert_eq!(changed(&session, |value| value["tour"] = json!({ "step": 3 })), Ok(session.clone()));
+        assert_eq!(changed(&session, |value| value["source"]["pins"] = json!([1, 2])), Ok(session.clone()));
+    }
+}
+
+#[test]
+fn other_versions_and_other_files_are_refused() {
+    assert_eq!(changed(&drawn(), |value| value["riemap"] = 3.into()), Err(FileError::Version { found: 3 }));
+    assert_eq!(changed(&drawn(), |value| value["riemap"] = 0.into()), Err(FileError::Version { found: 0 }));
+    for session in [drawn(), solid()] {
+        let other = changed(&session, |value| value["version"] = 3.into());
+        assert!(matches!(other, Err(FileError::OutOfRange(_))), "{other:?}");
+    }
+    let bare = changed(&drawn(), |value| _ = value.as_object_mut().unwrap().remove("riemap"));
+    assert_eq!(bare, Err(FileError::NoSession));
+    assert_eq!(read(b"{}"), Err(FileError::NoSession));
+    for text in [
+        "",
+        "[1, 2]",
+        "null",
+        "{\"riemap\": \"1\"}",
+        "{\"riemap\": 1}",
+        "{\"riemap\": 2}",
+        "{\"riemap\": 1, \"source\": 3}",
+    ] {
+        assert!(matches!(read(text.as_bytes()), Err(FileError::Malformed(_))), "{text}");
+    }
+    for text in ["null", "{}", "{\"version\": 1}", "{\"version\": 2}"] {
+        assert!(matches!(read_object(text), Err(FileError::Malformed(_))), "{text}");
+    }
+    assert!(matches!(read(b"{\"riemap\": 1, \"\xff\": 0}"), Err(FileError::Malformed(_))));
+    assert!(matches!(read("[".repeat(100_000).as_bytes()), Err(FileError::Malformed(_))));
+    assert_eq!(read(&vec![b' '; MAX_BYTES + 1]), Err(FileError::TooLarge));
+}
+
+#[test]
+fn numbers_and_outlines_are_checked() {
+    let crossed = json!([[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]);
+    let bow_tie = json!({ "points": { "name": "bow tie", "points": crossed } });
+    for session in [drawn(), solid()] {
+        let found = changed(&session, |value| value["texture_scale"] = 1e6.into());
+        assert!(matches!(found, Err(FileError::OutOfRange(_))), "{found:?}");
+        for side in Side::BOTH {
+            let found = changed(&session, |value| value[side.to_string()]["outline"] = bow_tie.clone());
+            let Err(FileError::Outline { side: told, reason }) = found else { unreachable!("{found:?}") };
+            assert_eq!(told, side);
+            assert!(matches!(reason, PolygonError::EdgesCross { .. }), "{reason:?}");
+        }
+        let infinite = write(&session).unwrap().replace("0.35", "1e999");
+        assert!(matches!(read(infinite.as_bytes()), Err(FileError::Malformed(_))), "{infinite}");
+        let scaled = session.and([Command::SetTextureScale(f64::NAN)]);
+        assert!(matches!(write(&scaled), Err(FileError::OutOfRange(_))));
+    }
+    let found = changed(&solid(), |value| value["source"]["surface"]["anchor"] = 2.0.into());
+    assert!(matches!(found, Err(FileError::OutOfRange(_))), "{found:?}");
+}
+
+#[test]
+fn points_that_run_clockwise_are_an_outline() {
+    let clockwise = json!([[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]]);
+    let found = changed(&drawn(), |value| value["source"]["outline"]["points"]["points"] = clockwise).unwrap();
+    let expected = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from);
+    assert_eq!(found.domain(Side::Source).outline.polygon().vertices(), expected);
+}

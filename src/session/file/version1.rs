@@ -1,0 +1,138 @@
+//! Format 1 of files, frozen: a session whose only surface, if there is one, stands on the target's side.
+
+use super::{FileError, OutlineForm};
+use crate::conformal::{Direction, Extension, PerSide, PrepareSettings, Side};
+use crate::geometry::DVec2;
+use crate::session::limits::{Quantity, within};
+use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
+use serde::{Deserialize, Serialize};
+
+/// Whether the format holds the session.
+pub(super) fn holds(session: &Session) -> bool {
+    session.surface(Side::Source).is_none()
+}
+
+/// A session as it is written.
+#[derive(Serialize)]
+pub(super) struct Written<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    riemap: Option<u32>,
+    version: u32,
+    source: &'a DomainSpec,
+    target: &'a DomainSpec,
+    interior: [Option<DVec2>; 2],
+    anchor: [f64; 2],
+    #[serde(flatten)]
+    drawn: Drawn,
+    surface: Option<&'a SurfaceState>,
+}
+
+/// How the map is made and what is drawn of it, in every format.
+#[derive(Serialize)]
+pub(super) struct Drawn {
+    direction: Direction,
+    extension: Extension,
+    texture: TextureKind,
+    texture_scale: f64,
+    texture_side: Side,
+    colouring: Colouring,
+    wireframe: bool,
+    plots: bool,
+    comparison: Comparison,
+}
+
+impl Drawn {
+    pub fn of(session: &Session) -> Self {
+        // By name, so that a field that a session gets is not forgotten here.
+        let &Session {
+            sides: _,
+            direction,
+            extension,
+            texture,
+            texture_scale,
+            texture_side,
+            colouring,
+            wireframe,
+            plots,
+            comparison,
+        } = session;
+        Self { direction, extension, texture, texture_scale, texture_side, colouring, wireframe, plots, comparison }
+    }
+}
+
+impl<'a> Written<'a> {
+    pub fn new(session: &'a Session, is_file: bool) -> Self {
+        let PerSide { source, target } = session.sides();
+        Self {
+            riemap: is_file.then_some(1),
+            version: 1,
+            source: &source.domain,
+            target: &target.domain,
+            interior: [source.interior, target.interior],
+            anchor: [source.anchor, target.anchor],
+            drawn: Drawn::of(session),
+            surface: target.surface.as_ref(),
+        }
+    }
+}
+
+/// A session as it is read.
+#[derive(Deserialize)]
+pub(super) struct Version1 {
+    version: u32,
+    source: DomainForm,
+    target: DomainForm,
+    interior: [Option<DVec2>; 2],
+    anchor: [f64; 2],
+    direction: Direction,
+    extension: Extension,
+    texture: TextureKind,
+    texture_scale: f64,
+    #[serde(default = "source")]
+    texture_side: Side,
+    #[serde(default)]
+    colouring: Colouring,
+    #[serde(default)]
+    wireframe: bool,
+    #[serde(default)]
+    plots: bool,
+    #[serde(default)]
+    comparison: Comparison,
+    #[serde(default)]
+    surface: Option<SurfaceState>,
+}
+
+#[derive(Deserialize)]
+struct DomainForm {
+    outline: OutlineForm,
+    settings: PrepareSettings,
+}
+
+fn source() -> Side {
+    Side::Source
+}
+
+impl TryFrom<Version1> for Session {
+    type Error = FileError;
+
+    fn try_from(form: Version1) -> Result<Self, FileError> {
+        within(Quantity::Version, f64::from(form.version), &(1.0..=1.0))?;
+        let side = |side: Side, DomainForm { outline, settings }: DomainForm, surface| {
+            let domain = DomainSpec { outline: outline.checked(side)?, settings };
+            let (interior, anchor) = (form.interior[side as usize], form.anchor[side as usize]);
+            Ok::<_, FileError>(SideState { domain, interior, anchor, surface })
+        };
+        Ok(Self {
+            sides: PerSide::new(side(Side::Source, form.source, None)?, side(Side::Target, form.target, form.surface)?),
+            direction: form.direction,
+            extension: form.extension,
+            texture: form.texture,
+            texture_scale: form.texture_scale,
+            texture_side: form.texture_side,
+            colouring: form.colouring,
+            wireframe: form.wireframe,
+            plots: form.plots,
+            comparison: form.comparison,
+        })
+    }
+}

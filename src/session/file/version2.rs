@@ -1,0 +1,95 @@
+//! Format 2 of files: each side has its outline, its points, and a surface or none. What later versions of the
+//! program add is a field with a default; readers skip the fields that they do not know.
+
+use super::version1::Drawn;
+use super::{FileError, OutlineForm};
+use crate::conformal::{Direction, Extension, PerSide, PrepareSettings, Side};
+use crate::geometry::DVec2;
+use crate::session::limits::{Quantity, within};
+use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
+use serde::{Deserialize, Serialize};
+
+/// A session as it is written.
+#[derive(Serialize)]
+pub(super) struct Written<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    riemap: Option<u32>,
+    version: u32,
+    source: WrittenSide<'a>,
+    target: WrittenSide<'a>,
+    #[serde(flatten)]
+    drawn: Drawn,
+}
+
+#[derive(Serialize)]
+struct WrittenSide<'a> {
+    #[serde(flatten)]
+    domain: &'a DomainSpec,
+    interior: Option<DVec2>,
+    anchor: f64,
+    surface: Option<&'a SurfaceState>,
+}
+
+impl<'a> Written<'a> {
+    pub fn new(session: &'a Session, is_file: bool) -> Self {
+        let side = |side| {
+            let SideState { domain, interior, anchor, surface } = session.side(side);
+            WrittenSide { domain, interior: *interior, anchor: *anchor, surface: surface.as_ref() }
+        };
+        let (source, target) = (side(Side::Source), side(Side::Target));
+        Self { riemap: is_file.then_some(2), version: 2, source, target, drawn: Drawn::of(session) }
+    }
+}
+
+/// A session as it is read.
+#[derive(Deserialize)]
+pub(super) struct Version2 {
+    version: u32,
+    source: SideForm,
+    target: SideForm,
+    direction: Direction,
+    extension: Extension,
+    texture: TextureKind,
+    texture_scale: f64,
+    texture_side: Side,
+    colouring: Colouring,
+    wireframe: bool,
+    plots: bool,
+    comparison: Comparison,
+}
+
+#[derive(Deserialize)]
+struct SideForm {
+    outline: OutlineForm,
+    settings: PrepareSettings,
+    interior: Option<DVec2>,
+    anchor: f64,
+    surface: Option<SurfaceState>,
+}
+
+impl SideForm {
+    fn checked(self, side: Side) -> Result<SideState, FileError> {
+        let Self { outline, settings, interior, anchor, surface } = self;
+        Ok(SideState { domain: DomainSpec { outline: outline.checked(side)?, settings }, interior, anchor, surface })
+    }
+}
+
+impl TryFrom<Version2> for Session {
+    type Error = FileError;
+
+    fn try_from(form: Version2) -> Result<Self, FileError> {
+        within(Quantity::Version, f64::from(form.version), &(2.0..=2.0))?;
+        Ok(Self {
+            sides: PerSide::new(form.source.checked(Side::Source)?, form.target.checked(Side::Target)?),
+            direction: form.direction,
+            extension: form.extension,
+            texture: form.texture,
+            texture_scale: form.texture_scale,
+            texture_side: form.texture_side,
+            colouring: form.colouring,
+            wireframe: form.wireframe,
+            plots: form.plots,
+            comparison: form.comparison,
+        })
+    }
+}

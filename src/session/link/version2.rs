@@ -1,0 +1,76 @@
+//! What a link of version 2 holds: what one of version 1 does, and a list of sections.
+//!
+//! A section has a number, its length and its bytes, so that a reader that does not know the number finds
+//! the next one. Each says whether it may be skipped: a link with an unknown section that may
+//! not is refused, since it would mean another map. What a [`Session`] gets later is another section;
+//! none of them moves or changes its bytes once links with it have been sent.
+//!
+//! | number | content | may be skipped |
+//! |---|---|---|
+//! | 1 | the surface on the source's side, as `version1` has that of the target's | no |
+
+use super::version1::{Surface, Version1, WiredOutline};
+use super::{Choice, Decoded, LinkError};
+use crate::conformal::{PerSide, Side};
+use crate::session::Session;
+use serde::{Deserialize, Serialize};
+
+/// The number of the section with the source's surface.
+const SOURCE_SURFACE: u16 = 1;
+
+/// A session.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Version2 {
+    first: Version1,
+    sections: Vec<Section>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Section {
+    pub number: u16,
+    pub may_be_skipped: bool,
+    pub content: Vec<u8>,
+}
+
+/// Whether the session has something that only this version holds.
+pub(super) fn is_needed(session: &Session) -> bool {
+    session.surface(Side::Source).is_some()
+}
+
+impl Version2 {
+    /// Everything of `session` but for its outlines, which are given; `None`: it cannot be written.
+    pub fn new(session: &Session, outlines: PerSide<WiredOutline>) -> Option<Self> {
+        let mut sections = Vec::new();
+        if let Some(surface) = session.surface(Side::Source) {
+            let content = postcard::to_allocvec(&Surface::new(surface)).ok()?;
+            sections.push(Section { number: SOURCE_SURFACE, may_be_skipped: false, content });
+        }
+        Some(Self { first: Version1::new(session, outlines), sections })
+    }
+
+    /// The session. Its numbers are not checked yet, its outlines are.
+    pub fn session(self) -> Result<Decoded, LinkError> {
+        let mut decoded = self.first.session()?;
+        for Section { number, may_be_skipped, content } in &self.sections {
+            match *number {
+                SOURCE_SURFACE => {
+                    let surface = &mut decoded.session.sides[Side::Source].surface;
+                    if surface.is_some() {
+                        return Err(LinkError::Damaged); // one section of a number
+                    }
+                    *surface = Some(super::whole::<Surface>(content)?.state()?);
+                }
+                _ if *may_be_skipped => {}
+                unknown => return Err(LinkError::Unknown { what: Choice::Setting, name: unknown.to_string() }),
+            }
+        }
+        Ok(decoded)
+    }
+
+    /// The same with one more section.
+    #[cfg(test)]
+    pub fn and(mut self, section: Section) -> Self {
+        self.sections.push(section);
+        self
+    }
+}

@@ -1,0 +1,178 @@
+//! The parts of a surface file that an error is about.
+
+use crate::counted::counted;
+
+/// A part of a file that is missing. Names and counts are those of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Item {
+    /// GLB: the version.
+    #[error("the version")]
+    Version,
+    /// GLB: the length of the file.
+    #[error("the length of the file")]
+    FileLength,
+    /// GLB: the length of a chunk.
+    #[error("the length of a chunk")]
+    ChunkLength,
+    /// GLB: the type of a chunk.
+    #[error("the type of a chunk")]
+    ChunkType,
+    /// GLB: the bytes of a chunk.
+    #[error("{}", counted!(*length, "a chunk of 1 byte", "a chunk of {length} bytes"))]
+    Chunk {
+        /// How many.
+        length: usize,
+    },
+    /// GLB: the chunk with the document.
+    #[error("the JSON chunk")]
+    JsonChunk,
+    /// glTF: a mesh that a node names.
+    #[error("meshes[{0}]")]
+    Mesh(usize),
+    /// glTF: the scene that is shown.
+    #[error("the default scene")]
+    DefaultScene,
+    /// glTF: a node.
+    #[error("the node")]
+    Node,
+    /// glTF: the positions of a primitive.
+    #[error("the attribute POSITION")]
+    Position,
+    /// glTF: the content of a buffer.
+    #[error("the data")]
+    Data,
+    /// glTF: an accessor.
+    #[error("the accessor")]
+    Accessor,
+    /// glTF: a buffer view.
+    #[error("the bufferView")]
+    BufferView,
+    /// glTF: a buffer.
+    #[error("the buffer")]
+    Buffer,
+    /// glTF: the bytes of a buffer view.
+    #[error("a part of the data that its bufferView describes")]
+    ViewedData,
+    /// glTF: an element of an accessor.
+    #[error("element {index} of {count}")]
+    Element {
+        /// Which one, from 0.
+        index: usize,
+        /// Of how many.
+        count: usize,
+    },
+    /// OFF: the line of a vertex.
+    #[error("a vertex")]
+    Vertex,
+    /// OFF: the line of a face.
+    #[error("a face")]
+    Face,
+    /// OFF: how many corners a face has.
+    #[error("the number of corners")]
+    CornerCount,
+    /// OFF: a corner of a face.
+    #[error("corner {index} of {count}")]
+    Corner {
+        /// Which one, from 1.
+        index: usize,
+        /// Of how many.
+        count: usize,
+    },
+    /// OFF: the first word.
+    #[error("the keyword OFF")]
+    OffKeyword,
+    /// OFF: how many vertices there are.
+    #[error("the number of vertices")]
+    VertexCount,
+    /// OFF: how many faces there are.
+    #[error("the number of faces")]
+    FaceCount,
+    /// PLY: how long a list is.
+    #[error("the length of a list")]
+    ListLength,
+    /// PLY: the value of a property.
+    #[error("a property")]
+    Property,
+    /// PLY: the items of a list.
+    #[error("a list")]
+    List,
+    /// PLY: a coordinate's property in the header.
+    #[error("the property {0} of the element vertex")]
+    VertexProperty(&'static str),
+    /// PLY: a coordinate's value.
+    #[error("a coordinate of a vertex")]
+    VertexCoordinate,
+    /// PLY: the list of a face's corners in the header.
+    #[error("the property vertex_indices of the element face")]
+    FaceProperty,
+    /// PLY: a corner's value.
+    #[error("a corner of a face")]
+    FaceCorner,
+    /// PLY: how many elements there are.
+    #[error("the number of elements")]
+    ElementCount,
+    /// PLY: the element that a property belongs to.
+    #[error("the element of a property")]
+    PropertyElement,
+    /// PLY: the header's line `format`.
+    #[error("the line format")]
+    FormatLine,
+    /// PLY: the header's last line.
+    #[error("the line end_header")]
+    HeaderEnd,
+    /// PLY: a property's name.
+    #[error("the name of a property")]
+    PropertyName,
+    /// STL: how many triangles there are.
+    #[error("the number of triangles")]
+    TriangleCount,
+    /// STL: a triangle's normal.
+    #[error("the normal of a triangle")]
+    TriangleNormal,
+    /// STL: a triangle's corner.
+    #[error("a corner of triangle {triangle} of {count}")]
+    TriangleCorner {
+        /// Whose, from 0.
+        triangle: usize,
+        /// Of how many.
+        count: usize,
+    },
+    /// STL: what follows a triangle's corners.
+    #[error("the end of a triangle")]
+    TriangleEnd,
+    /// STL: the end of a loop of corners, or of the surface.
+    #[error("{0}")]
+    Keyword(&'static str),
+    /// OBJ, OFF, STL: a coordinate's value.
+    #[error("the coordinate {0} of a vertex")]
+    Coordinate(&'static str),
+}
+
+/// A part of a format that is not read.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Unsupported {
+    /// GLB of another version.
+    #[error("version {0} of glTF")]
+    Version(u32),
+    /// An extension of glTF that changes where positions or indices are.
+    #[error("{0}")]
+    Extension(String),
+    /// glTF: values that replace a few others.
+    #[error("a sparse accessor")]
+    SparseAccessor,
+    /// glTF: a buffer in a file of its own.
+    #[error("the separate file \"{0}\" (use .glb, or embed it)")]
+    SeparateFile(String),
+    /// glTF: an embedded buffer in another encoding.
+    #[error("data that is not in base 64")]
+    Encoding,
+    /// OFF of more dimensions, with its keyword.
+    #[error("a surface in 4 or n dimensions ({0})")]
+    Dimensions(String),
+    /// OFF in binary form.
+    #[error("binary OFF")]
+    BinaryOff,
+    /// PLY: strips of triangles.
+    #[error("the element tristrips")]
+    Strips,
+}
