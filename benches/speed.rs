@@ -54,7 +54,7 @@ fn frame(criterion: &mut Criterion) {
             let at = |x: f64| {
                 Constraints::new(
                     (disk.default_point(), 0.0),
-                    (target.domain().unwrap().pole() + DVec2::new(x, 0.0), 0.0),
+                    (target.domain().unwrap().default_point() + DVec2::new(x, 0.0), 0.0),
                 )
             };
             let mut map = ConformalMap::new(disk.clone(), target.clone(), &at(0.0), MapSettings::default()).unwrap();

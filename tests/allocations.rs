@@ -50,8 +50,14 @@ fn between_outlines() {
     let [source, target] = [Preset::Cinquefoil, Preset::Heart].map(|preset| domain(preset, PrepareSettings::default()));
     let at = |t: f64| {
         Constraints::new(
-            (source.domain().unwrap().pole() + 0.1 * t * DVec2::new((9.0 * t).cos(), (9.0 * t).sin()), 0.3 * t),
-            (target.domain().unwrap().pole() - 0.1 * t * DVec2::new((7.0 * t).cos(), (5.0 * t).sin()), 0.9 * t),
+            (
+                source.domain().unwrap().default_point() + 0.1 * t * DVec2::new((9.0 * t).cos(), (9.0 * t).sin()),
+                0.3 * t,
+            ),
+            (
+                target.domain().unwrap().default_point() - 0.1 * t * DVec2::new((7.0 * t).cos(), (5.0 * t).sin()),
+                0.9 * t,
+            ),
         )
     };
     for direction in [Direction::Forward, Direction::Backward] {

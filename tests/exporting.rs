@@ -109,7 +109,7 @@ fn one_side_alone_fills_the_picture() {
 }
 
 #[test]
-fn wishes_that_make_no_sense_are_refused() {
+fn requests_that_make_no_sense_are_refused() {
     let link = link(&Session::default());
     fails(&["render", &link, "--out", "map.svg", "--transparent"], 2, &["--transparent"]);
     fails(&["render", &link, "--out", "map.docx"], 2, &["extension", "svg"]);

@@ -30,8 +30,8 @@ fn domain(preset: Preset, (solver, kernel): (SolverKind, KernelMode)) -> Arc<Pre
 
 fn constraints(source: &PreparedSide, target: &PreparedSide, t: f64) -> Constraints {
     Constraints::new(
-        (source.domain().unwrap().pole() + t * DVec2::new(0.02, 0.03), 0.3 * t),
-        (target.domain().unwrap().pole() - t * DVec2::new(0.03, 0.01), 0.9 * t),
+        (source.domain().unwrap().default_point() + t * DVec2::new(0.02, 0.03), 0.3 * t),
+        (target.domain().unwrap().default_point() - t * DVec2::new(0.03, 0.01), 0.9 * t),
     )
 }
 
@@ -130,7 +130,7 @@ fn a_surface_in_pieces_is_the_surface_at_once() {
         let surface = Arc::new(prepare_surface(surface, settings, &mut |_| ()).unwrap());
         let at = |anchor: f64| {
             Constraints::new(
-                (source.domain().unwrap().pole() + DVec2::splat(0.1 * anchor), 0.0),
+                (source.domain().unwrap().default_point() + DVec2::splat(0.1 * anchor), 0.0),
                 (surface.default_point(), anchor),
             )
         };

@@ -32,8 +32,9 @@ fn outline<'a>(polygon: &'a SimplePolygon, settings: &'a PrepareSettings) -> Unp
 fn kernels(domain: &PreparedSide, step: usize) -> Vec<Vec<f64>> {
     let inside = domain.domain().unwrap().mesh().vertices[domain.boundary_count()..].iter().step_by(step);
     let mut scratch = KernelScratch::default();
-    let near = inside
-        .filter_map(|v| locate(domain.domain().unwrap().mesh(), v.lerp(domain.domain().unwrap().pole(), 0.01), 0));
+    let near = inside.filter_map(|v| {
+        locate(domain.domain().unwrap().mesh(), v.lerp(domain.domain().unwrap().default_point(), 0.01), 0)
+    });
     near.map(|x| {
         let mut psi = Vec::new();
         poisson_kernel(domain, x, &mut scratch, &mut psi).unwrap();

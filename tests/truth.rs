@@ -203,17 +203,17 @@ fn adjoint_kernel_equals_the_dense_table() {
 fn harmonic_coordinates_sum_to_one_and_reproduce_the_point() {
     for preset in Preset::ALL {
         let prepared = domain(preset, PrepareSettings::default());
-        let x = locate(prepared.domain().unwrap().mesh(), prepared.domain().unwrap().pole(), 0).unwrap();
+        let x = locate(prepared.domain().unwrap().mesh(), prepared.domain().unwrap().default_point(), 0).unwrap();
         let (mut scratch, mut phi) = (KernelScratch::default(), Vec::new());
         harmonic_coordinates(&prepared, x, &mut scratch, &mut phi).unwrap();
         let sum: f64 = phi.iter().sum();
         let mean: DVec2 = phi.iter().zip(prepared.domain().unwrap().samples().points()).map(|(&w, &v)| w * v).sum();
         assert!((sum - 1.0).abs() < 1e-11, "{}: Σφ = {sum}", preset.name());
         assert!(
-            mean.distance(prepared.domain().unwrap().pole()) < 1e-10,
+            mean.distance(prepared.domain().unwrap().default_point()) < 1e-10,
             "{}: Σφ v = {mean}, x = {}",
             preset.name(),
-            prepared.domain().unwrap().pole()
+            prepared.domain().unwrap().default_point()
         );
         assert!(phi.iter().all(|&w| w >= 0.0), "{}: a harmonic coordinate is negative", preset.name());
     }

@@ -78,8 +78,10 @@ fn walks_from_a_point_of_the_disk_follow_the_closed_form() {
 fn walks_in_presets_follow_the_kernel() {
     for preset in [Preset::Gingerbread, Preset::LShape, Preset::Cinquefoil, Preset::Star] {
         let domain = domain(preset, PrepareSettings::default());
-        let x =
-            domain.domain().unwrap().nearest_inside(domain.domain().unwrap().pole() + DVec2::new(0.07, -0.05), 0.01);
+        let x = domain
+            .domain()
+            .unwrap()
+            .nearest_inside(domain.domain().unwrap().default_point() + DVec2::new(0.07, -0.05), 0.01);
         let anchor = domain.at_fraction(0.37);
         let measure = measure(&domain, x, anchor);
         let mut by_length = HitCounts::by_arc_length(domain.domain().unwrap().samples(), &measure, BINS);
@@ -111,7 +113,8 @@ fn walks_end_everywhere() {
     for preset in Preset::ALL {
         let domain = domain(preset, PrepareSettings::default());
         let mut walker =
-            Walker::new(domain.domain().unwrap().samples().points(), domain.domain().unwrap().pole(), 1).unwrap();
+            Walker::new(domain.domain().unwrap().samples().points(), domain.domain().unwrap().default_point(), 1)
+                .unwrap();
         let (mut jumps, mut longest, walks) = (0_u64, 0, 5000);
         let start = std::time::Instant::now();
         for _ in 0..walks {

@@ -164,12 +164,15 @@ fn measures_agree_with_the_kernels_where_nothing_crowds() {
         let y = domain.at_fraction(0.31);
         let kernel = HarmonicMeasure::new(
             domain.domain().unwrap().samples(),
-            &kernel(&domain, domain.domain().unwrap().pole()),
+            &kernel(&domain, domain.domain().unwrap().default_point()),
             y,
         );
-        let measure =
-            DiskMeasure::fresh(domain.domain().unwrap().samples().points(), domain.domain().unwrap().pole(), y)
-                .unwrap();
+        let measure = DiskMeasure::fresh(
+            domain.domain().unwrap().samples().points(),
+            domain.domain().unwrap().default_point(),
+            y,
+        )
+        .unwrap();
         let exact: Vec<f64> = (0..domain.boundary_count()).map(|k| kernel.at_vertex(k)).collect();
         let (max, mean) = errors(&measure, &exact);
         println!("{}, m = {}: max {max:.2e}, mean {mean:.2e}", preset.name(), exact.len());
@@ -184,8 +187,10 @@ fn measures_agree_with_the_kernels_where_nothing_crowds() {
 fn precomputed_map_agrees_with_a_fresh_one_on_the_heart() {
     let domain = prepared(Preset::Heart);
     let y = domain.at_fraction(0.6);
-    let map = DiskMap::new(domain.domain().unwrap().samples().points(), domain.domain().unwrap().pole()).unwrap();
-    let x = domain.domain().unwrap().nearest_inside(domain.domain().unwrap().pole() + DVec2::new(0.2, 0.1), 0.05);
+    let map =
+        DiskMap::new(domain.domain().unwrap().samples().points(), domain.domain().unwrap().default_point()).unwrap();
+    let x =
+        domain.domain().unwrap().nearest_inside(domain.domain().unwrap().default_point() + DVec2::new(0.2, 0.1), 0.05);
     let fresh = DiskMeasure::fresh(domain.domain().unwrap().samples().points(), x, y).unwrap();
     let moved = DiskMeasure::precomputed(&map, x, y).unwrap();
     assert!(moved.image().norm() > 0.1 && moved.image().norm() < 0.95, "{:?}", moved.image());
@@ -242,7 +247,7 @@ fn precomputed_map_collapses_on_the_v_shape() {
 #[test]
 fn correspondence_through_the_disk_is_riemaps() {
     let (source, target) = (prepared(Preset::Heart), prepared(Preset::Cinquefoil));
-    let (x1, x2) = (source.domain().unwrap().pole(), target.domain().unwrap().pole());
+    let (x1, x2) = (source.domain().unwrap().default_point(), target.domain().unwrap().default_point());
     let constraints = Constraints::new((x1, 0.123), (x2, 0.456));
     let map = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
     let (y1, y2) = (source.at_fraction(0.123), target.at_fraction(0.456));
@@ -263,7 +268,8 @@ fn equal_domains_match_by_the_identity() {
     let star = prepared(Preset::Star);
     for y in [START, star.at_fraction(0.5), star.at_fraction(0.777)] {
         let measure =
-            DiskMeasure::fresh(star.domain().unwrap().samples().points(), star.domain().unwrap().pole(), y).unwrap();
+            DiskMeasure::fresh(star.domain().unwrap().samples().points(), star.domain().unwrap().default_point(), y)
+                .unwrap();
         let comparison = DiskComparison::new(measure.clone(), measure);
         for (k, (&p, &v)) in comparison.points().iter().zip(star.domain().unwrap().samples().points()).enumerate() {
             let error = star.domain().unwrap().samples().position(p).distance(v);

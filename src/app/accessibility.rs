@@ -18,7 +18,7 @@ pub fn state(app: &RiemapApp) -> String {
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| points(model, side)));
     if let Some(quality) = model.quality() {
         let mean = number(quality.q_mean, 3);
-        sentences.push(say(&key::spoken_quality(mean, quality.flipped)));
+        sentences.push(say(&key::accessible_quality(mean, quality.flipped)));
     }
     if !model.is_ready() {
         sentences.push(tr(key::being_prepared()).into());
@@ -33,10 +33,10 @@ fn shown(model: &Model) -> String {
     let source = words::outline(&model.session().domain(Side::Source).outline);
     if let Some((_, surface)) = model.surface(Side::Target) {
         let surface = words::surface(&surface.spec.shape);
-        return say(&key::spoken_surface_map(surface, &*source));
+        return say(&key::accessible_surface_map(surface, &*source));
     }
     let target = words::outline(&model.session().domain(Side::Target).outline);
-    say(&key::spoken_map(&*source, &*target))
+    say(&key::accessible_map(&*source, &*target))
 }
 
 fn points(model: &Model, side: Side) -> Option<String> {

@@ -11,7 +11,7 @@ use crate::conformal::Side;
 use crate::language::tr;
 use crate::model::files::{FilePurpose, kind_of_file};
 use crate::model::overlays::walks::WalkAction;
-use crate::model::persistence::Keeper;
+use crate::model::persistence::Persistence;
 use crate::platform;
 use crate::session::{Command, Session, Touched};
 
@@ -28,8 +28,8 @@ impl RiemapApp {
             }
             match action {
                 Action::Session(command) => self.command(command, now),
-                Action::Undo => self.step(Keeper::undo),
-                Action::Redo => self.step(Keeper::redo),
+                Action::Undo => self.step(Persistence::undo),
+                Action::Redo => self.step(Persistence::redo),
                 Action::New => self.open_session(Session::default()),
                 Action::OpenSession => self.pick_file(FilePurpose::Session),
                 Action::SaveSession => self.save_session(),
@@ -76,7 +76,7 @@ impl RiemapApp {
         if touched.touches(Touched::NEW_SHAPE) {
             self.end_tour();
         }
-        self.keeper.touch();
+        self.persistence.touch();
         self.model.dispatch(command, now);
     }
 
@@ -88,7 +88,7 @@ impl RiemapApp {
         if matches!(action, EditAction::Close | EditAction::TakePasted) {
             self.end_tour();
         }
-        self.keeper.touch();
+        self.persistence.touch();
         self.editor.act(action, &mut self.model, &mut self.views);
     }
 
@@ -103,12 +103,12 @@ impl RiemapApp {
         if matches!(action, ExploreAction::Tour(_)) {
             self.editor.act(EditAction::Leave, &mut self.model, &mut self.views);
         }
-        let is_walking = self.model.teaching().walks.is_running();
+        let is_walking = self.model.overlay_state().walks.is_running();
         let Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {
             self.show_session(session);
         }
-        if walks.is_some_and(|run| run != self.model.teaching().walks.is_running()) {
+        if walks.is_some_and(|run| run != self.model.overlay_state().walks.is_running()) {
             self.model.act_on_walks(WalkAction::Toggle);
         }
     }
@@ -122,7 +122,7 @@ impl RiemapApp {
     /// been closed itself.
     fn dismiss_message(&mut self) {
         let closed = self.message.take();
-        self.message = closed.and_then(|closed| self.keeper.unread_after(&closed));
+        self.message = closed.and_then(|closed| self.persistence.unread_after(&closed));
     }
 
     fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {

@@ -33,7 +33,7 @@ impl RiemapApp {
             handles,
             errors: self.errors().iter().map(Message::english).collect(),
             notes: self.notes().iter().map(Message::english).collect(),
-            undo: self.keeper.history().undo_count(),
+            undo: self.persistence.history().undo_count(),
             dark: self.theme == egui::Theme::Dark,
             spoken: self.spoken,
             playing: self.player.is_playing(),

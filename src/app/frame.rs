@@ -90,7 +90,7 @@ impl RiemapApp {
                 context.request_repaint_after_secs(REST_SECONDS as f32);
             }
         }
-        if let Some(delay) = self.model.teach(now) {
+        if let Some(delay) = self.model.advance_overlays(now) {
             context.request_repaint_after_secs(delay as f32);
         }
         self.work_on_export(context);
@@ -117,7 +117,7 @@ impl RiemapApp {
     /// Moves the points that are in motion.
     fn play(&mut self, context: &egui::Context, now: f64) {
         for command in self.player.advance(&self.model, now) {
-            self.keeper.touch();
+            self.persistence.touch();
             self.model.dispatch(command, now);
         }
         if self.player.is_playing() {

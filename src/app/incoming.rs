@@ -75,7 +75,7 @@ impl RiemapApp {
         match content {
             Ok(Content::Outline(..) | Content::Session(_)) => self.begin_change(),
             // it takes the tour's place when it is there: it is read by its worker
-            Ok(Content::Surface { .. }) => self.keeper.touch(),
+            Ok(Content::Surface { .. }) => self.persistence.touch(),
             Ok(Content::Image { .. }) | Err(_) => {}
         }
         match content {
@@ -97,7 +97,7 @@ impl RiemapApp {
     /// What the person has brought changes the session.
     pub(super) fn begin_change(&mut self) {
         self.end_tour();
-        self.keeper.touch();
+        self.persistence.touch();
     }
 
     /// An image was decoded, or could not be.
@@ -123,7 +123,7 @@ impl RiemapApp {
     /// Traces the picture that has just become the texture.
     pub(super) fn trace_image(&mut self) {
         if let Some(offer) = self.offer.take() {
-            self.keeper.touch();
+            self.persistence.touch();
             self.take(offer.accept());
         }
     }

@@ -84,7 +84,7 @@ fn bar_frame(palette: &Palette) -> Frame {
 fn bars(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     Panel::top("top").exact_size(46.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
-        top_bar::show(ui, &app.model, &app.keeper, app.preferences, narrow, actions);
+        top_bar::show(ui, &app.model, &app.persistence, app.preferences, narrow, actions);
     });
     let (backend, adapter) = app.gpu.as_ref().map(|gpu| (gpu.backend(), gpu.adapter())).unwrap_or_default();
     let extension = app.cauchy_green().map(|processor| words::cauchy_green(processor, app.model.extension_progress()));

@@ -39,7 +39,7 @@ pub use status::stats::Stats;
 
 use crate::language::{Label, Message};
 use crate::model::motion::Player;
-use crate::model::persistence::Keeper;
+use crate::model::persistence::Persistence;
 use crate::model::{Model, pattern};
 use crate::platform::{self, Event, Mailbox, Preparer, StudyRunner};
 use crate::render::TextureStyle;
@@ -106,7 +106,7 @@ pub struct RiemapApp {
     /// What there was to tell when the picture was described.
     described: Option<News>,
     explore: Explore,
-    keeper: Keeper,
+    persistence: Persistence,
     announced: Announced,
     reports: Reports,
     study_runner: StudyRunner,
@@ -143,8 +143,8 @@ impl RiemapApp {
         if let Some(state) = &creation.wgpu_render_state {
             platform::watch_graphics(&state.device, mailbox.clone());
         }
-        let mut keeper = Keeper::new(model.session().clone(), resumes);
-        keeper.open_link(missing, platform::link());
+        let mut persistence = Persistence::new(model.session().clone(), resumes);
+        persistence.open_link(missing, platform::link());
         let (mut reports, study_runner) = (Reports::default(), StudyRunner::new(mailbox.clone()));
         if options.bench {
             reports.open(Report::Bench);
@@ -172,7 +172,7 @@ impl RiemapApp {
             has_fingers: platform::has_fingers(),
             described: None,
             explore: Explore::default(),
-            keeper,
+            persistence,
             announced: Announced::default(),
             reports,
             study_runner,
@@ -201,9 +201,9 @@ impl RiemapApp {
     pub fn open_session(&mut self, session: Session) {
         self.end_tour();
         if self.options.locks.holds(Control::Session) {
-            self.keeper.begin_anew();
+            self.persistence.begin_anew();
         } else {
-            self.keeper.touch();
+            self.persistence.touch();
         }
         self.show_session(session);
     }

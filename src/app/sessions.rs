@@ -3,15 +3,15 @@
 use super::{NOTICE_SECONDS, RiemapApp};
 use crate::language::{Message, key};
 use crate::model::persistence;
-use crate::model::persistence::Keeper;
+use crate::model::persistence::Persistence;
 use crate::platform::{self, Kept, PageEvent};
 use crate::session::{Command, Session, file, link};
 
 impl RiemapApp {
     /// Goes to another step.
-    pub(super) fn step(&mut self, to: impl Fn(&mut Keeper, Option<&Session>) -> Option<Session>) {
+    pub(super) fn step(&mut self, to: impl Fn(&mut Persistence, Option<&Session>) -> Option<Session>) {
         let at_rest = self.model.is_ready().then(|| self.model.session());
-        let Some(session) = to(&mut self.keeper, at_rest) else { return };
+        let Some(session) = to(&mut self.persistence, at_rest) else { return };
         self.end_tour();
         self.show_session(session);
     }
@@ -40,7 +40,7 @@ impl RiemapApp {
         match link::encode(self.model.session()) {
             Ok(encoded) => {
                 context.copy_text(platform::address_with(&encoded.fragment));
-                self.message = persistence::link_report(self.model.session(), &encoded, self.keeper.missing());
+                self.message = persistence::link_report(self.model.session(), &encoded, self.persistence.missing());
                 let until = context.input(|input| input.time) + NOTICE_SECONDS;
                 self.notice = self.message.is_none().then_some((key::link_copied(), until));
             }
@@ -50,7 +50,7 @@ impl RiemapApp {
 
     /// The link of this session, if it carries all of its outlines and no disk stands in for one.
     pub fn link(&self) -> Option<String> {
-        persistence::whole_link(self.model.session(), self.keeper.missing())
+        persistence::whole_link(self.model.session(), self.persistence.missing())
     }
 
     /// Shows what another link carries.
@@ -63,7 +63,7 @@ impl RiemapApp {
 
     /// What stands in the address was refused.
     pub(super) fn correct_address(&mut self) {
-        if let Some(fragment) = self.keeper.correct_address() {
+        if let Some(fragment) = self.persistence.correct_address() {
             platform::show_link(fragment.trim_start_matches('#'));
         }
     }
@@ -73,7 +73,7 @@ impl RiemapApp {
         let decoded = link::decode(address).map_err(|error| Message::from(&error))?;
         self.message = persistence::missing_text(&decoded.missing);
         self.open_session(decoded.session);
-        self.keeper.open_link(decoded.missing, platform::link());
+        self.persistence.open_link(decoded.missing, platform::link());
         Ok(())
     }
 
@@ -85,7 +85,7 @@ impl RiemapApp {
         if held || passes || !self.model.is_ready() {
             return;
         }
-        let settled = self.keeper.settle(self.model.session(), now);
+        let settled = self.persistence.settle(self.model.session(), now);
         let is_news = settled.address.is_some() || settled.copy.is_some();
         for command in settled.moves {
             self.model.dispatch(command, now);
@@ -98,7 +98,7 @@ impl RiemapApp {
             platform::tell_page(PageEvent::Session, "");
         }
         if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(Kept::Session, &text))
-            && let Some(message) = self.keeper.not_kept(reason)
+            && let Some(message) = self.persistence.not_kept(reason)
         {
             self.message = Some(message);
             context.request_repaint();

@@ -5,9 +5,9 @@ use super::arguments::{AnimateArguments, PathArgument, SideArgument, ThemeArgume
 use super::output::{check_paths, write_all};
 use super::picture::failed;
 use super::progress::Progress;
-use super::render::still;
+use super::render::offscreen;
 use crate::family::{Loop, Path};
-use crate::model::scene::{Shot, Still};
+use crate::model::scene::{Offscreen, Shot};
 use crate::render::{Film, FilmFormat, FilmSettings, Studio};
 
 /// Makes the animation.
@@ -22,13 +22,13 @@ pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
         side: arguments.side.and_then(SideArgument::side),
     };
     let progress = Progress::new("reading");
-    let still = still(&arguments.session, &shot, &progress)?;
-    let way = still.way(path(arguments.path)).ok_or_else(|| {
+    let offscreen = offscreen(&arguments.session, &shot, &progress)?;
+    let way = offscreen.way(path(arguments.path)).ok_or_else(|| {
         let message = "--path target-interior: the target is a surface, whose point is not moved along a loop";
         CliError::Usage(String::from(message))
     })?;
     progress.enter("the animation");
-    let bytes = Making { film, frames: settings.frames, shot: &shot, progress: &progress }.make(still, &way)?;
+    let bytes = Making { film, frames: settings.frames, shot: &shot, progress: &progress }.make(offscreen, &way)?;
     write_all(&[(arguments.out.clone(), bytes)])
 }
 
@@ -59,14 +59,14 @@ struct Making<'a> {
 }
 
 impl Making<'_> {
-    fn make(mut self, mut still: Still, way: &Loop) -> Result<Vec<u8>, CliError> {
+    fn make(mut self, mut offscreen: Offscreen, way: &Loop) -> Result<Vec<u8>, CliError> {
         let input = |error: &dyn std::error::Error| CliError::Input(error.to_string());
         let mut studio = Studio::new().map_err(|error| failed(&error))?;
         self.progress.report(0.0);
         for k in 0..self.frames {
-            still.go(way.at(f64::from(k) / f64::from(self.frames))).map_err(|error| input(&error))?;
+            offscreen.go(way.at(f64::from(k) / f64::from(self.frames))).map_err(|error| input(&error))?;
             let picture = studio
-                .shoot(|renderer, device, queue| still.draw(renderer, (device, queue), self.shot, None, None))
+                .shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), self.shot, None, None))
                 .map_err(|error| failed(&error))?;
             self.film.push(&picture).map_err(|error| input(&error))?;
             self.progress.report(f64::from(k + 1) / f64::from(self.frames));

@@ -137,7 +137,7 @@ fn compute(
         timed(|| if arguments.repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) });
     let disk = disk.map_err(|error| about(&arguments.surface, &error))?;
     let sides = Sides::prepare(arguments, &outline, disk, progress)?;
-    let x1 = arguments.outline_point.map_or(sides.domain.pole(), |p| p.0);
+    let x1 = arguments.outline_point.map_or(sides.domain.default_point(), |p| p.0);
     let default = sides.meshed.centre();
     let x2 =
         arguments.surface_point.map_or(Ok(default), |point| point.locate("--surface-point", surface, &sides.meshed))?;

@@ -4,7 +4,7 @@ use super::output::triangles;
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::mesh::BarycentricPoint;
-use crate::model::scene::Still;
+use crate::model::scene::Offscreen;
 use crate::session::Session;
 
 /// A point that moves by less than this part of its coordinates was where it stands: one at the distance that the app
@@ -12,8 +12,8 @@ use crate::session::Session;
 const ROUNDING: f64 = 1e-9;
 
 /// Says on stderr which points of `wanted` the still has others for.
-pub fn say_moved(wanted: &Session, still: &Still) {
-    let used = still.session();
+pub fn say_moved(wanted: &Session, offscreen: &Offscreen) {
+    let used = offscreen.session();
     for side in Side::BOTH.into_iter().filter(|&side| used.surface(side).is_none()) {
         let [wanted, used] = [wanted, used].map(|session| session.side(side).interior);
         if let Some(note) = wanted.and_then(|wanted| planar(side, wanted, used)) {
@@ -21,7 +21,7 @@ pub fn say_moved(wanted: &Session, still: &Still) {
         }
     }
     let wanted = wanted.surface(Side::Target).and_then(|surface| surface.point);
-    let used = still.surface_point().filter(|(used, _)| wanted.is_some_and(|wanted| wanted != *used));
+    let used = offscreen.surface_point().filter(|(used, _)| wanted.is_some_and(|wanted| wanted != *used));
     if let (Some(wanted), Some((_, count))) = (wanted, used) {
         eprintln!("riemap: {}", on_surface(wanted, count));
     }

@@ -11,7 +11,7 @@ use super::progress::Progress;
 use crate::conformal::Side;
 use crate::export::FileFormat;
 use crate::model::export::FileRequest;
-use crate::model::scene::{Doing, Shot, Still};
+use crate::model::scene::{Doing, Offscreen, Shot};
 use crate::render::Studio;
 use crate::session::link::{Decoded, MissingOutline, decode, encode as link_of, is_link};
 use crate::session::{Command, Session, SurfaceShape, SurfaceSpec, TextureKind, file};
@@ -27,13 +27,13 @@ pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
     }
     let shot = shot(arguments);
     let progress = Progress::new("reading");
-    let still = still(&arguments.session, &shot, &progress)?;
+    let offscreen = offscreen(&arguments.session, &shot, &progress)?;
     progress.enter(arguments.out.display().to_string());
     let bytes = match format {
-        Format::Picture => picture(&still, &shot)?,
+        Format::Picture => picture(&offscreen, &shot)?,
         Format::File(format) => {
             let request = FileRequest { format, side: shot.side, unit: true };
-            still.file(request).map_err(|error| CliError::Input(error.to_string()))?.bytes
+            offscreen.file(request).map_err(|error| CliError::Input(error.to_string()))?.bytes
         }
     };
     write_all(&[(arguments.out.clone(), bytes)])
@@ -67,25 +67,25 @@ fn shot(arguments: &RenderArguments) -> Shot {
 }
 
 /// The session that is named, brought to rest.
-pub fn still(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> Result<Still, CliError> {
+pub fn offscreen(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> Result<Offscreen, CliError> {
     let mut session = with_files(open(&arguments.link)?, arguments)?;
     let surface = surface_file(&mut session, arguments)?;
-    let still = Still::telling(session.clone(), surface, shot.pixels_per_point(), &mut |doing| match doing {
+    let offscreen = Offscreen::telling(session.clone(), surface, shot.pixels_per_point(), &mut |doing| match doing {
         Doing::PreparingOutline(side, stage) => progress.preparing(&format!("the {side}"))(stage),
         Doing::PreparingSurface(_, stage) => progress.preparing("the surface")(stage),
         Doing::Mapping => progress.enter("the map"),
     });
-    let still = still.map_err(|error| CliError::Input(error.to_string()))?;
-    say_moved(&session, &still);
-    if still.session().texture() == TextureKind::Image {
+    let offscreen = offscreen.map_err(|error| CliError::Input(error.to_string()))?;
+    say_moved(&session, &offscreen);
+    if offscreen.session().texture() == TextureKind::Image {
         eprintln!("riemap: images do not travel with sessions: a checkerboard stands in");
     }
-    Ok(still)
+    Ok(offscreen)
 }
 
-fn picture(still: &Still, shot: &Shot) -> Result<Vec<u8>, CliError> {
+fn picture(offscreen: &Offscreen, shot: &Shot) -> Result<Vec<u8>, CliError> {
     let mut studio = Studio::new().map_err(|error| failed(&error))?;
-    let picture = studio.shoot(|renderer, device, queue| still.draw(renderer, (device, queue), shot, None, None));
+    let picture = studio.shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), shot, None, None));
     encode(&picture.map_err(|error| failed(&error))?)
 }
 

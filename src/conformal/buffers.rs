@@ -46,7 +46,7 @@ impl FlatBuffers {
     fn put_domain(&mut self, domain: &MeshedDomain) {
         let (samples, refinement) = (domain.samples(), domain.refinement());
         self.indices.push(vec![PLANE]);
-        self.floats.push(domain.pole().to_array().to_vec());
+        self.floats.push(domain.default_point().to_array().to_vec());
         self.indices.push(vec![u32::from(refinement.complete), refinement.added as u32]);
         self.put_mesh(domain.mesh());
         self.floats.extend([samples.edge_lengths.clone(), samples.fractions.clone()]);
@@ -68,7 +68,7 @@ impl FlatBuffers {
 
 impl FlatReader {
     fn domain(&mut self) -> Option<MeshedDomain> {
-        let pole = DVec2::from_array(self.floats()?.try_into().ok()?);
+        let default_point = DVec2::from_array(self.floats()?.try_into().ok()?);
         let [complete, added]: [u32; 2] = self.indices()?.try_into().ok()?;
         let refinement = RefineReport { complete: complete != 0, added: added as usize };
         let mesh = self.mesh::<2, DVec2>()?;
@@ -78,7 +78,7 @@ impl FlatReader {
             return None;
         }
         let samples = BoundarySamples { points: mesh.vertices[..m].to_vec(), edge_lengths, fractions };
-        Some(MeshedDomain::from_parts(samples, mesh, refinement, pole))
+        Some(MeshedDomain::from_parts(samples, mesh, refinement, default_point))
     }
 
     /// `repairs` are the surface's, as JSON.

@@ -115,7 +115,7 @@ mod tests {
         let constraints = Constraints::new((heart.default_point(), 0.0), (heart.default_point(), 0.0));
         let map = ConformalMap::new(Arc::clone(&heart), Arc::clone(&heart), &constraints, Direction::Forward.into());
         let values = coordinates(&map.unwrap(), Side::Source);
-        let found = locate(heart.domain().unwrap().mesh(), heart.domain().unwrap().pole(), 0).unwrap();
+        let found = locate(heart.domain().unwrap().mesh(), heart.domain().unwrap().default_point(), 0).unwrap();
         let corners = heart.triangles()[found.triangle as usize];
         let at: DVec2 = corners.iter().zip(found.weights).map(|(&v, w)| w * values[v as usize]).sum();
         // Both are solves with the same Laplacian: ω̃'s total is exact, its first moment up to the quadrature.

@@ -8,13 +8,13 @@ use crate::outline::{BoundarySamples, sample};
 
 /// A planar domain, sampled and meshed.
 ///
-/// The mesh's boundary vertices are the samples, in their order; the pole lies inside the mesh.
+/// The mesh's boundary vertices are the samples, in their order; the default point lies inside the mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshedDomain {
     samples: BoundarySamples,
     mesh: TriMesh,
     refinement: RefineReport,
-    pole: DVec2,
+    default_point: DVec2,
 }
 
 impl MeshedDomain {
@@ -29,13 +29,18 @@ impl MeshedDomain {
         let samples = timed(&mut timings.sample, || sample(polygon, settings.sampling))?;
         progress(Stage::Mesh);
         let (mesh, refinement) = timed(&mut timings.mesh, || mesh_domain(&samples.points, settings.sizing))?;
-        let pole = default_point(polygon, &mesh);
-        Ok(Self { samples, mesh, refinement, pole })
+        let default_point = default_point(polygon, &mesh);
+        Ok(Self { samples, mesh, refinement, default_point })
     }
 
     /// From parts that have been elsewhere.
-    pub(super) fn from_parts(samples: BoundarySamples, mesh: TriMesh, refinement: RefineReport, pole: DVec2) -> Self {
-        Self { samples, mesh, refinement, pole }
+    pub(super) fn from_parts(
+        samples: BoundarySamples,
+        mesh: TriMesh,
+        refinement: RefineReport,
+        default_point: DVec2,
+    ) -> Self {
+        Self { samples, mesh, refinement, default_point }
     }
 
     /// The boundary samples, `m` of them.
@@ -54,8 +59,8 @@ impl MeshedDomain {
     }
 
     /// The default interior point: the pole of inaccessibility.
-    pub fn pole(&self) -> DVec2 {
-        self.pole
+    pub fn default_point(&self) -> DVec2 {
+        self.default_point
     }
 
     /// The point inside the domain nearest to `x` that keeps the distance `inset`

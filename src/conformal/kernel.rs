@@ -7,7 +7,7 @@
 //! are non-negative, so φ_x is accurate componentwise.
 
 use super::stencil::{self, Stencil};
-use super::unfold::{self, Places};
+use super::unfold::{self, UnfoldedPlaces};
 use super::{PreparedSide, SideGeometry};
 use crate::laplace::{Deadline, Lanes, NotConverged, RootPaths, SolveRun};
 use crate::mesh::BarycentricPoint;
@@ -21,7 +21,7 @@ pub struct KernelScratch {
     /// Whether the weights are those of the triangle alone: no fallback is attempted.
     pub(super) is_linear: bool,
     pub(super) stencil: Stencil,
-    pub(super) places: Places,
+    pub(super) places: UnfoldedPlaces,
 }
 
 impl KernelScratch {

@@ -167,7 +167,7 @@ impl PreparedSide {
     /// vertex of a surface farthest from its boundary.
     pub fn default_point(&self) -> InteriorPoint {
         match &self.geometry {
-            SideGeometry::Plane(domain) => domain.pole().into(),
+            SideGeometry::Plane(domain) => domain.default_point().into(),
             SideGeometry::Space(surface) => surface.centre().into(),
         }
     }

@@ -13,11 +13,11 @@ use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh};
 const FLAT: f64 = 1e-9;
 
 /// Vertices with their places in the plane.
-pub(super) type Places = Vec<(u32, DVec2)>;
+pub(super) type UnfoldedPlaces = Vec<(u32, DVec2)>;
 
 /// The weights of the vertices around `x` into `stencil`: of the ring where it is flat and interior, else of
 /// the three corners. `places` is working memory.
-pub(super) fn around(mesh: &TriMesh<DVec3>, x: BarycentricPoint, stencil: &mut Stencil, places: &mut Places) {
+pub(super) fn around(mesh: &TriMesh<DVec3>, x: BarycentricPoint, stencil: &mut Stencil, places: &mut UnfoldedPlaces) {
     stencil.clear();
     let corners = mesh.triangles[x.triangle as usize];
     if unfold(mesh, x.triangle, places).is_some() {
@@ -33,13 +33,13 @@ pub(super) fn around(mesh: &TriMesh<DVec3>, x: BarycentricPoint, stencil: &mut S
 }
 
 /// Where a vertex was placed; rings have about 12.
-fn known(places: &Places, vertex: u32) -> Option<DVec2> {
+fn known(places: &UnfoldedPlaces, vertex: u32) -> Option<DVec2> {
     places.iter().find(|(known, _)| *known == vertex).map(|&(_, place)| place)
 }
 
 /// Places the corners of `start` and all vertices of the triangles at them; `None` if one of them
 /// is on the boundary or the ring is not flat.
-fn unfold(mesh: &TriMesh<DVec3>, start: u32, places: &mut Places) -> Option<()> {
+fn unfold(mesh: &TriMesh<DVec3>, start: u32, places: &mut UnfoldedPlaces) -> Option<()> {
     places.clear();
     let corners = mesh.triangles[start as usize];
     let [a, b, c] = corners.map(|v| mesh.vertices[v as usize]);
@@ -50,7 +50,7 @@ fn unfold(mesh: &TriMesh<DVec3>, start: u32, places: &mut Places) -> Option<()> 
 }
 
 /// Unfolds the triangles at corner `i` of `start` one after another, counter-clockwise.
-fn turn(mesh: &TriMesh<DVec3>, start: u32, i: usize, places: &mut Places) -> Option<()> {
+fn turn(mesh: &TriMesh<DVec3>, start: u32, i: usize, places: &mut UnfoldedPlaces) -> Option<()> {
     let corner = mesh.triangles[start as usize][i];
     let centre = known(places, corner)?;
     let (mut triangle, mut at) = (start, i);

@@ -219,7 +219,7 @@ fn preparation(preset: Preset, setting: BenchSetting, runs: usize) -> Result<Pre
         timings.push(domain.timings());
         let start = Instant::now();
         let planar = planar(&domain)?;
-        DiskMap::new(&planar.samples().points, planar.pole())?;
+        DiskMap::new(&planar.samples().points, planar.default_point())?;
         zipper.push(start.elapsed().as_secs_f64());
     }
     let seconds = |stage: fn(&PrepareTimings) -> f64| 1e-3 * median(timings.iter().map(stage).collect());

@@ -128,8 +128,9 @@ impl CrowdingStudy {
         let [source, target] = Side::BOTH.map(|side| prepare_spec(scene.session.domain(side)));
         let (source, target) = (source?, target?);
         let domains = PerSide::new(planar(&source)?, planar(&target)?);
-        let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.pole()).into_array());
-        let points = PerSide::from_fn(|side| scene.session.side(side).interior.unwrap_or(domains[side].pole()));
+        let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.default_point()).into_array());
+        let points =
+            PerSide::from_fn(|side| scene.session.side(side).interior.unwrap_or(domains[side].default_point()));
         let map = ConformalMap::new(source, target, &constraints, Direction::Forward.into())?;
         let maps = Boundaries::new(&map, &domains, points).maps()?;
         Ok(Self { map, domains, points, maps })
@@ -233,7 +234,7 @@ impl<'a> Boundaries<'a> {
     fn precomputed(&self) -> Result<DiskComparison, FigureError> {
         let [y1, y2] = self.anchors();
         let source = DiskMap::new(&self.domains.source.samples().points, V_CENTRE)?;
-        let target = DiskMap::new(&self.domains.target.samples().points, self.domains.target.pole())?;
+        let target = DiskMap::new(&self.domains.target.samples().points, self.domains.target.default_point())?;
         Ok(DiskComparison::new(
             DiskMeasure::precomputed(&source, self.points.source, y1)?,
             DiskMeasure::precomputed(&target, self.points.target, y2)?,

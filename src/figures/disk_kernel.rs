@@ -26,7 +26,7 @@ impl DiskKernelStudy {
     pub fn new(scene: &Scene) -> Result<Self, FigureError> {
         let side = prepare_spec(scene.session.domain(Side::Source))?;
         let domain = planar(&side)?;
-        let point = scene.session.side(Side::Source).interior.unwrap_or(domain.pole());
+        let point = scene.session.side(Side::Source).interior.unwrap_or(domain.default_point());
         let outside = MapError::PointOutside { side: Side::Source, x: point.x, y: point.y };
         let located = locate(domain.mesh(), point, 0).ok_or(outside)?;
         let mut kernel = Vec::new();

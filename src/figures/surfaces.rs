@@ -63,7 +63,7 @@ impl SurfaceStudy {
             };
             sources.push((spec.clone(), Arc::clone(&source)));
             let domain = planar(&source)?;
-            let point = interior.unwrap_or(domain.pole());
+            let point = interior.unwrap_or(domain.default_point());
             let constraints = Constraints::new((point, *source_anchor), (surface_point, anchor));
             let map = ConformalMap::new(source, Arc::clone(&prepared), &constraints, MapSettings::default())?;
             let (source, surface) = ((domain, point), (Arc::clone(&surface), surface_point));

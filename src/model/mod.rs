@@ -33,7 +33,7 @@ use crate::geometry::{Bounds, DVec2};
 use crate::language::Message;
 use crate::model::coarse::Draft;
 use crate::model::measurement::Measurement;
-use crate::model::overlays::Teaching;
+use crate::model::overlays::OverlayState;
 use crate::model::pattern::disk_grid::DiskGrid;
 use crate::model::shown::ShownMap;
 use crate::model::side::ModelSide;
@@ -102,7 +102,7 @@ pub struct Model {
     under_way: MapUnderWay,
     coarse: Draft,
     measurement: Measurement,
-    teaching: Teaching,
+    overlay_state: OverlayState,
     refines: Refines,
     pub(super) update_ms: f64,
     /// What the map said about a constraint that it could not take.
@@ -125,7 +125,7 @@ impl Model {
             under_way: MapUnderWay::default(),
             coarse: Draft::default(),
             measurement: Measurement::default(),
-            teaching: Teaching::default(),
+            overlay_state: OverlayState::default(),
             refines: Refines::InRefresh,
             update_ms: UPDATE_MS,
             map_error: None,
@@ -207,7 +207,7 @@ impl Model {
 
     /// The disk coordinates of the map that is shown, where [`Self::pattern_home`] asks for them.
     pub fn shown_grid(&self) -> &DiskGrid {
-        if self.is_draft() { self.coarse.grid() } else { &self.teaching.grid }
+        if self.is_draft() { self.coarse.grid() } else { &self.overlay_state.grid }
     }
 
     /// The side where the pattern in the picture lives; `None`: in the disk. It follows the
@@ -276,7 +276,7 @@ impl Model {
     /// The interior point of a side's outline, where its handle is.
     pub fn interior(&self, side: Side) -> Option<DVec2> {
         let domain = self.domain(side)?;
-        Some(self.session.side(side).interior.unwrap_or(domain.pole()))
+        Some(self.session.side(side).interior.unwrap_or(domain.default_point()))
     }
 
     /// The boundary point of a side's outline, where its handle is.

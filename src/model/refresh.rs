@@ -3,7 +3,7 @@
 use crate::conformal::{ConformalMap, Side};
 use crate::laplace::Deadline;
 use crate::model::overlays::walks::WalkAction;
-use crate::model::overlays::{Situation, Teaching};
+use crate::model::overlays::{OverlayState, Situation};
 use crate::model::{Changes, Model, Refines, pattern};
 use crate::session::{Colouring, Session};
 
@@ -94,22 +94,22 @@ impl Model {
         count > MEASURED_AT_ONCE && self.session.colouring() == Colouring::Texture
     }
 
-    /// What teaches.
-    pub fn teaching(&self) -> &Teaching {
-        &self.teaching
+    /// What the overlays show.
+    pub fn overlay_state(&self) -> &OverlayState {
+        &self.overlay_state
     }
 
     /// Does something with the random walks.
     pub fn act_on_walks(&mut self, action: WalkAction) {
-        self.teaching.walks.act(action);
+        self.overlay_state.walks.act(action);
     }
 
-    /// Brings what teaches up to date at the time `now` (seconds); in how many seconds to come back, if at all.
-    pub fn teach(&mut self, now: f64) -> Option<f64> {
+    /// Brings the overlays up to date at the time `now` (seconds); in how many seconds to come back, if at all.
+    pub fn advance_overlays(&mut self, now: f64) -> Option<f64> {
         // A coarse map has boundaries of its own: what is shown waits for the full one.
         let map = self.shown.map.as_ref().filter(|_| !self.under_way.is_pending())?;
         let situation = situation(map, &self.session, self.shown.map_generation)?;
-        self.teaching.advance(&situation, self.session.comparison(), now)
+        self.overlay_state.advance(&situation, self.session.comparison(), now)
     }
 
     /// Whether [`Self::measure`] would tell something new.
@@ -147,6 +147,6 @@ impl Model {
 
 fn situation<'a>(map: &'a ConformalMap, session: &Session, generation: u64) -> Option<Situation<'a>> {
     let domains = [map.domain(Side::Source)?, map.domain(Side::Target)?];
-    let points = Side::BOTH.map(|side| session.side(side).interior.unwrap_or(domains[side as usize].pole()));
+    let points = Side::BOTH.map(|side| session.side(side).interior.unwrap_or(domains[side as usize].default_point()));
     Some(Situation { map, domains, generation, points, anchors: Side::BOTH.map(|side| session.side(side).anchor) })
 }

@@ -183,7 +183,10 @@ fn the_pattern_of_the_disk_has_coordinates_on_the_surface() {
     let corners = mesh.triangles[x.triangle as usize];
     let at: DVec2 = corners.iter().zip(x.weights).map(|(&v, w)| w * coordinates[v as usize]).sum();
     assert!(at.length() < 0.02, "g(x) = {at}");
-    assert_eq!(model.teaching().grid.of(Side::Source).len(), model.domain(Side::Source).unwrap().mesh().vertices.len());
+    assert_eq!(
+        model.overlay_state().grid.of(Side::Source).len(),
+        model.domain(Side::Source).unwrap().mesh().vertices.len()
+    );
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn prepare(model: &mut Model) {
 }
 
 fn drag(model: &mut Model, step: f64) -> Changes {
-    let point = model.domain(Side::Source).unwrap().pole() + 0.01 * step * DVec2::new(1.0, -1.0);
+    let point = model.domain(Side::Source).unwrap().default_point() + 0.01 * step * DVec2::new(1.0, -1.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
     model.refresh(true)
 }

@@ -79,14 +79,14 @@ impl Model {
         }
         self.shown.map_revision = asked.revision;
         let in_the_plane = pattern::home(&self.session).is_some();
-        Ok(in_the_plane || self.teaching.grid.advance(map, self.shown.map_revision, deadline))
+        Ok(in_the_plane || self.overlay_state.grid.advance(map, self.shown.map_revision, deadline))
     }
 
     /// Whether the pattern needs disk coordinates that the full map does not have.
     pub(super) fn lacks_grid(&self) -> bool {
         let is_there = self.shown.map.is_some() && self.under_way.next.is_none();
         let wanted = pattern::home(&self.session).is_none() && is_there;
-        wanted && !self.teaching.grid.is_of(self.shown.map_revision)
+        wanted && !self.overlay_state.grid.is_of(self.shown.map_revision)
     }
 
     /// The full map is complete: it is the one in the picture.

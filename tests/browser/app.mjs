@@ -48,6 +48,8 @@ export class App {
     this.#page = page;
     this.#backend = backend;
     this.#faults = watch(page.context());
+    // as long as someone listens no dialog is opened by the system; taken on and off around each use it is, at times
+    page.on('filechooser', () => {});
     // after an uncaught error no state is reached any more: closing the page ends every wait
     page.on('pageerror', () => page.close());
     page.on('crash', () => {

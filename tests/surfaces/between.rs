@@ -177,7 +177,7 @@ fn a_flat_mesh_is_its_domain_on_either_side() {
         let mesh = flat.domain().unwrap().mesh();
         let vertices = mesh.vertices.iter().map(|p| p.extend(0.0)).collect();
         let surface = prepared(&surface_of(vertices, mesh.triangles.clone()), SurfaceSettings::default());
-        let point = flat.domain().unwrap().pole();
+        let point = flat.domain().unwrap().default_point();
         let on_surface = locate(mesh, point, 0).unwrap();
         let anchors = (flat.fractions()[70], surface.fractions()[70]);
         let heart: (InteriorPoint, f64) = (other.default_point(), 0.3);

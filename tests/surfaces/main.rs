@@ -62,7 +62,7 @@ fn planar_mesh_as_a_surface_equals_the_planar_map() {
         // next to the pole the kernel comes from a ring of vertices, near the boundary from a triangle
         for towards in [0.02, 0.97] {
             let target_point =
-                target.domain().unwrap().pole().lerp(target.domain().unwrap().mesh().vertices[7], towards);
+                target.domain().unwrap().default_point().lerp(target.domain().unwrap().mesh().vertices[7], towards);
             let constraints = Constraints::new((source.default_point(), 0.3), (target_point, target.fractions()[70]));
             let planar =
                 ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Backward.into()).unwrap();

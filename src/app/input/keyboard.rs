@@ -103,7 +103,7 @@ mod tests {
     use super::*;
     use crate::app::input::handles::{Handle, HandleKind, HandleState};
     use crate::app::input::keyboard_navigation;
-    use crate::app::input::keyboard_navigation::Nudge;
+    use crate::app::input::keyboard_navigation::KeyStep;
     use crate::conformal::Side;
     use egui::{Modifiers, pos2, vec2};
 
@@ -155,7 +155,7 @@ mod tests {
         keyboard: Keyboard,
         handles: HandleState,
         clicks: [usize; 2],
-        nudges: Vec<Nudge>,
+        key_steps: Vec<KeyStep>,
     }
 
     impl Screen {
@@ -167,7 +167,7 @@ mod tests {
                 let mut shown = self.context.clone().run_ui(input, |ui| {
                     self.clicks[0] += usize::from(ui.button("before").clicked());
                     let places = [Some(pos2(60.0, 200.0)), Some(pos2(160.0, 200.0))];
-                    self.nudges.extend(keyboard_navigation::of_dots(ui, Side::Source, places, &mut self.handles));
+                    self.key_steps.extend(keyboard_navigation::of_dots(ui, Side::Source, places, &mut self.handles));
                     self.clicks[1] += usize::from(ui.button("after").clicked());
                 });
                 shown.textures_delta.clear(); // nothing is drawn
@@ -191,11 +191,11 @@ mod tests {
             let mut screen = Screen::default();
             screen.run(frames);
             assert_eq!(screen.focused(), Some(HandleKind::Interior));
-            let way = screen.nudges.iter().fold(egui::Vec2::ZERO, |way, nudge| match nudge {
-                Nudge::Interior(step) => way + *step,
-                Nudge::Boundary(_) => way,
+            let way = screen.key_steps.iter().fold(egui::Vec2::ZERO, |way, key_step| match key_step {
+                KeyStep::Interior(step) => way + *step,
+                KeyStep::Boundary(_) => way,
             });
-            assert_eq!(way, vec2(moved, 0.0), "{:?}", screen.nudges);
+            assert_eq!(way, vec2(moved, 0.0), "{:?}", screen.key_steps);
         }
     }
 
@@ -226,6 +226,6 @@ mod tests {
         let mut screen = Screen::default();
         let [tab, right] = [Key::Tab, Key::ArrowRight].map(plain);
         screen.run([vec![tab.clone(), tab, right, Event::WindowFocused(false)]]);
-        assert_eq!((screen.focused(), screen.nudges.len()), (None, 0));
+        assert_eq!((screen.focused(), screen.key_steps.len()), (None, 0));
     }
 }

@@ -20,7 +20,7 @@ const ZOOM_STEP: f32 = 1.25;
 
 /// What the arrow keys ask of a dot.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Nudge {
+pub enum KeyStep {
     /// To move on the screen, in points.
     Interior(Vec2),
     /// To move along the boundary, by a fraction of its length, counter-clockwise.
@@ -29,8 +29,8 @@ pub enum Nudge {
 
 /// Makes a side's dots stations of the Tab key; returns what the arrow keys ask of the one that has the keyboard.
 /// `places` are those of interior and boundary.
-pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut HandleState) -> Option<Nudge> {
-    let mut nudge = None;
+pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut HandleState) -> Option<KeyStep> {
+    let mut key_step = None;
     for kind in [HandleKind::Interior, HandleKind::Boundary] {
         let handle = Handle { side, kind };
         let Some(place) = places[kind as usize] else { continue };
@@ -41,19 +41,19 @@ pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut Han
             handles.focused = Some(handle);
             handles.ever_dragged = true;
             let arrows = held_arrows(ui, &response);
-            nudge = (arrows != [Vec2::ZERO; 2]).then(|| steps(kind, arrows)).or(nudge);
+            key_step = (arrows != [Vec2::ZERO; 2]).then(|| steps(kind, arrows)).or(key_step);
         } else if handles.focused == Some(handle) {
             handles.focused = None;
         }
     }
-    nudge
+    key_step
 }
 
-fn steps(kind: HandleKind, [coarse, fine]: [Vec2; 2]) -> Nudge {
+fn steps(kind: HandleKind, [coarse, fine]: [Vec2; 2]) -> KeyStep {
     let along = |arrow: Vec2| f64::from(arrow.x - arrow.y);
     match kind {
-        HandleKind::Interior => Nudge::Interior(STEPS[0] * coarse + STEPS[1] * fine),
-        HandleKind::Boundary => Nudge::Boundary(FRACTIONS[0] * along(coarse) + FRACTIONS[1] * along(fine)),
+        HandleKind::Interior => KeyStep::Interior(STEPS[0] * coarse + STEPS[1] * fine),
+        HandleKind::Boundary => KeyStep::Boundary(FRACTIONS[0] * along(coarse) + FRACTIONS[1] * along(fine)),
     }
 }
 

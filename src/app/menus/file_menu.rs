@@ -7,7 +7,7 @@ use crate::app::theme::FINGER_HEIGHT;
 use crate::app::theme::text_metrics::{BELOW_BAR, menu_label, scroll_beyond};
 use crate::app::theme::widgets::chevron;
 use crate::language::{Label, key, tr};
-use crate::model::persistence::Keeper;
+use crate::model::persistence::Persistence;
 use crate::platform;
 use egui::containers::menu::MenuButton;
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Role, Ui, WidgetInfo};
@@ -25,17 +25,17 @@ const LINK_TOOLTIP: Label = key::link_tooltip();
 const EXPORT_TOOLTIP: Label = key::export_tooltip();
 
 /// A button that opens the menu.
-pub fn menu_button(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
+pub fn menu_button(ui: &mut Ui, persistence: &Persistence, actions: &mut Actions) {
     let (response, _) = MenuButton::from_button(egui::Button::new(menu_label(tr(key::file())))).ui(ui, |ui| {
         ui.set_width(190.0);
-        scroll_beyond(ui, BELOW_BAR, |ui| content(ui, keeper, actions));
+        scroll_beyond(ui, BELOW_BAR, |ui| content(ui, persistence, actions));
     });
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr(key::file())));
     chevron(ui, response.rect, false);
 }
 
-fn content(ui: &mut Ui, keeper: &Keeper, actions: &mut Actions) {
-    for (entry, enabled, action) in entries(keeper, ui.ctx()) {
+fn content(ui: &mut Ui, persistence: &Persistence, actions: &mut Actions) {
+    for (entry, enabled, action) in entries(persistence, ui.ctx()) {
         let shortcut = entry.shortcut.map(|shortcut| ui.ctx().format_shortcut(&shortcut)).unwrap_or_default();
         let button =
             egui::Button::new(tr(entry.label)).shortcut_text(shortcut).min_size(egui::vec2(190.0, FINGER_HEIGHT));
@@ -52,9 +52,9 @@ struct Entry {
     shortcut: Option<KeyboardShortcut>,
 }
 
-fn entries(keeper: &Keeper, context: &Context) -> Vec<(Entry, bool, Action)> {
+fn entries(persistence: &Persistence, context: &Context) -> Vec<(Entry, bool, Action)> {
     let entry = |label, tooltip, shortcut| Entry { label, tooltip, shortcut };
-    let history = keeper.history();
+    let history = persistence.history();
     let mut entries = vec![
         (entry(key::undo(), key::undo_tooltip(), Some(UNDO)), history.can_undo(), Action::Undo),
         (entry(key::redo(), key::redo_tooltip(), Some(REDO)), history.can_redo(), Action::Redo),

@@ -14,7 +14,7 @@ use crate::app::theme::{Palette, ROW_HEIGHT};
 use crate::conformal::Side;
 use crate::language::{Label, key, tr};
 use crate::model::Model;
-use crate::model::persistence::Keeper;
+use crate::model::persistence::Persistence;
 use crate::session::Command;
 use egui::{Align, FontId, Layout, RichText, Ui, vec2};
 
@@ -76,7 +76,7 @@ fn wordmark_font() -> FontId {
 pub fn show(
     ui: &mut Ui,
     model: &Model,
-    keeper: &Keeper,
+    persistence: &Persistence,
     preferences: Preferences,
     narrow: bool,
     actions: &mut Actions,
@@ -89,7 +89,7 @@ pub fn show(
                 .on_hover_text(tr(key::riemap_tooltip()));
             ui.add_space(WORDMARK_GAP);
         }
-        file_menu::menu_button(ui, keeper, actions);
+        file_menu::menu_button(ui, persistence, actions);
         for side in Side::BOTH {
             guarded(ui, Control::Outline, |ui| shapes::menu_button(ui, words::side(side), side, model, actions));
         }

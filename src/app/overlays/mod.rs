@@ -1,4 +1,4 @@
-//! The overlays that teach, on the screen: controls and figures in the panel, lines and points over the pictures.
+//! The overlays on the screen: controls and figures in the panel, lines and points over the pictures.
 //!
 //! Their state and their computation are [`crate::model::overlays`].
 

@@ -1,4 +1,4 @@
-//! What teaches, painted over a viewport's mesh: ticks on the outline, walks, bars along the boundary.
+//! The overlays, painted over a viewport's mesh: ticks on the outline, walks, bars along the boundary.
 
 use crate::app::plots::Plots;
 use crate::app::theme::Palette;
@@ -6,7 +6,7 @@ use crate::app::viewport::view::View;
 use crate::conformal::Side;
 use crate::language::{key, say, tr};
 use crate::model::Model;
-use crate::model::overlays::disk_comparison::{Found, ThroughDisk};
+use crate::model::overlays::disk_comparison::{DiskComparison, Found};
 use crate::model::overlays::overlay::Origin;
 use crate::model::overlays::walks::{Bar, Walks};
 use crate::outline::BoundarySamples;
@@ -48,26 +48,26 @@ pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
     let outline = Outline { samples: domain.samples(), view, size };
     let painter = ui.painter_at(view.rect);
     let dark = ui.visuals().dark_mode;
-    let teaching = model.teaching();
+    let overlay_state = model.overlay_state();
     if side == Side::Source {
-        walks(&painter, &outline, &teaching.walks, dark, Palette::of(ui.visuals()).text);
+        walks(&painter, &outline, &overlay_state.walks, dark, Palette::of(ui.visuals()).text);
     }
     let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
     if is_mapped {
-        steps(&painter, &outline, &teaching.through_disk, dark);
+        steps(&painter, &outline, &overlay_state.disk_comparison, dark);
     } else {
-        comparisons(&painter, &outline, &teaching.through_disk, dark);
+        comparisons(&painter, &outline, &overlay_state.disk_comparison, dark);
     }
 }
 
 /// What the ticks and bars of a side mean.
 pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static str)> {
-    let teaching = model.teaching();
+    let overlay_state = model.overlay_state();
     let mut entries = Vec::new();
     if !model.is_planar() {
         return entries; // both are of plane outlines
     }
-    let ways: Vec<DiskWay> = teaching.through_disk.all_found().map(|(way, _)| way).collect();
+    let ways: Vec<DiskWay> = overlay_state.disk_comparison.all_found().map(|(way, _)| way).collect();
     if !ways.is_empty() {
         let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
         let direct = if is_mapped { key::sixty_equal_steps() } else { key::their_images() };
@@ -77,7 +77,7 @@ pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static s
             entries.extend(ways.into_iter().map(entry));
         }
     }
-    if side == Side::Source && teaching.walks.count() > 0 {
+    if side == Side::Source && overlay_state.walks.count() > 0 {
         entries.push((Plots::overlay_ink(Origin::Walks, dark), tr(Origin::Walks.short_name())));
     }
     entries
@@ -112,7 +112,7 @@ impl Outline<'_> {
 }
 
 /// Ticks inwards: equal steps of ω on the mapped side.
-fn steps(painter: &Painter, outline: &Outline, disk: &ThroughDisk, dark: bool) {
+fn steps(painter: &Painter, outline: &Outline, disk: &DiskComparison, dark: bool) {
     let Some((_, found)) = disk.all_found().next() else { return };
     for mark in &found.marks {
         outline.spoke(painter, mark.from, INWARDS, Stroke::new(2.0, Plots::map_ink(dark)));
@@ -120,7 +120,7 @@ fn steps(painter: &Painter, outline: &Outline, disk: &ThroughDisk, dark: bool) {
 }
 
 /// Ticks inwards: the images of these steps; outwards, in a lane for each way, their images through the disk.
-fn comparisons(painter: &Painter, outline: &Outline, disk: &ThroughDisk, dark: bool) {
+fn comparisons(painter: &Painter, outline: &Outline, disk: &DiskComparison, dark: bool) {
     let lanes = disk.all_found().count();
     for (lane, (way, found)) in disk.all_found().enumerate() {
         let ink = Plots::overlay_ink(Origin::Disk(way), dark);

@@ -1,4 +1,4 @@
-//! The controls of what teaches: which polar grid, where the pattern lives, the way through the disk, random walks.
+//! The controls of the overlays: which polar grid, where the pattern lives, the way through the disk, random walks.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::language::words;
@@ -9,7 +9,7 @@ use crate::app::theme::widgets::{Segment, captioned_slider, dash, group_heading,
 use crate::conformal::Side;
 use crate::language::{Label as Words, Message, key, say, tr};
 use crate::model::Model;
-use crate::model::overlays::disk_comparison::{Found, ThroughDisk};
+use crate::model::overlays::disk_comparison::{DiskComparison, Found};
 use crate::model::overlays::overlay::Origin;
 use crate::model::overlays::walks::{SPEEDS, WalkAction, Walks};
 use crate::session::{Command, Comparison, DiskWay, Session, TextureKind};
@@ -85,11 +85,11 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     }
     for way in DiskWay::ALL {
         if comparison.shows(way) {
-            verdict(ui, way, &model.teaching().through_disk);
+            verdict(ui, way, &model.overlay_state().disk_comparison);
         }
     }
     group_heading(ui, tr(key::random_walks_heading()));
-    walks(ui, &model.teaching().walks, actions);
+    walks(ui, &model.overlay_state().walks, actions);
 }
 
 /// What the groups say is wrong.
@@ -97,8 +97,9 @@ pub fn errors(model: &Model) -> impl Iterator<Item = &Message> {
     let session = model.session();
     let grid = model.shown_grid().error().filter(|_| session.texture() == TextureKind::Conformal);
     let disk = DiskWay::ALL.into_iter().filter(|way| session.comparison().shows(*way));
-    let of_plane =
-        disk.filter_map(|way| model.teaching().through_disk.error(way)).chain(model.teaching().walks.error());
+    let of_plane = disk
+        .filter_map(|way| model.overlay_state().disk_comparison.error(way))
+        .chain(model.overlay_state().walks.error());
     grid.into_iter().chain(of_plane.filter(|_| model.is_planar()))
 }
 
@@ -110,7 +111,7 @@ fn problem(ui: &mut Ui, error: Option<&Message>) {
 }
 
 /// The way's colour and name, and what was found or went wrong.
-fn verdict(ui: &mut Ui, way: DiskWay, disk: &ThroughDisk) {
+fn verdict(ui: &mut Ui, way: DiskWay, disk: &DiskComparison) {
     let palette = Palette::of(ui.visuals());
     let lines = disk.found(way).map(verdicts);
     if lines.is_some() || disk.error(way).is_some() {

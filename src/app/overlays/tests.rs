@@ -44,7 +44,7 @@ fn settle(model: &mut Model) -> (u32, f64) {
     let (mut now, mut calls, mut longest) = (0.0, 0, 0.0_f64);
     loop {
         let start = std::time::Instant::now();
-        let next = model.teach(now);
+        let next = model.advance_overlays(now);
         longest = longest.max(start.elapsed().as_secs_f64() * 1e3);
         calls += 1;
         assert!(calls < 10, "it never ends");
@@ -54,7 +54,7 @@ fn settle(model: &mut Model) -> (u32, f64) {
 }
 
 fn found(model: &Model, way: DiskWay) -> &Found {
-    let disk = &model.teaching().through_disk;
+    let disk = &model.overlay_state().disk_comparison;
     assert_eq!(disk.error(way), None);
     disk.found(way).unwrap()
 }
@@ -104,7 +104,8 @@ fn on_the_v_the_precomputed_map_collapses_and_the_fresh_one_does_not() {
     compare(&mut model, Comparison::Off);
     settle(&mut model);
     assert!(
-        model.teaching().through_disk.all_found().next().is_none() && model.teaching().overlays().measure.is_empty()
+        model.overlay_state().disk_comparison.all_found().next().is_none()
+            && model.overlay_state().overlays().measure.is_empty()
     );
 }
 
@@ -117,15 +118,15 @@ fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
     let point = model.interior(Side::Source).unwrap() + DVec2::new(0.01, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
     model.refresh(false);
-    assert_eq!(model.teach(10.0), Some(0.0), "the coarse comparison is shown at once");
-    let delay = model.teach(10.0).unwrap();
+    assert_eq!(model.advance_overlays(10.0), Some(0.0), "the coarse comparison is shown at once");
+    let delay = model.advance_overlays(10.0).unwrap();
     assert!(delay > 0.0, "it does not wait");
     // The side that did not move keeps what it has.
     assert_eq!(found(&model, DiskWay::Fresh).samples, [MOVING_SAMPLES, 500]);
-    assert!(model.teach(10.0 + 0.5 * delay).is_some_and(|rest| rest > 0.0));
-    model.teach(10.0 + delay + 1e-6);
+    assert!(model.advance_overlays(10.0 + 0.5 * delay).is_some_and(|rest| rest > 0.0));
+    model.advance_overlays(10.0 + delay + 1e-6);
     assert_eq!(found(&model, DiskWay::Fresh).samples, [500; 2]);
-    let overlays = model.teaching().overlays();
+    let overlays = model.overlay_state().overlays();
     assert_eq!((overlays.measure.len(), overlays.reparameterisation.len()), (2, 1));
 }
 
@@ -134,12 +135,12 @@ fn precomputed_maps_are_made_once_per_domain() {
     let mut model = model(Preset::Heart, Preset::Cinquefoil, 300);
     compare(&mut model, Comparison::Precomputed);
     assert_eq!(settle(&mut model).0, 4, "two maps, the comparison, its picture");
-    let version = model.teaching().through_disk.version();
+    let version = model.overlay_state().disk_comparison.version();
     let point = model.interior(Side::Target).unwrap() + DVec2::new(0.01, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Target, point: point.into() }, 0.0);
     model.refresh(false);
     assert_eq!(settle(&mut model).0, 2);
-    assert_eq!(model.teaching().through_disk.version(), version + 1);
+    assert_eq!(model.overlay_state().disk_comparison.version(), version + 1);
 }
 
 #[test]
@@ -153,8 +154,8 @@ fn both_ways_are_shown_together_and_each_as_if_it_were_alone() {
     let [both, fresh, precomputed] = [Comparison::Both, Comparison::Fresh, Comparison::Precomputed].map(shown);
     assert_eq!(found(&both, DiskWay::Fresh), found(&fresh, DiskWay::Fresh));
     assert_eq!(found(&both, DiskWay::Precomputed), found(&precomputed, DiskWay::Precomputed));
-    assert!(fresh.teaching().through_disk.found(DiskWay::Precomputed).is_none());
-    let overlays = both.teaching().overlays();
+    assert!(fresh.overlay_state().disk_comparison.found(DiskWay::Precomputed).is_none());
+    let overlays = both.overlay_state().overlays();
     let origins = |overlays: &[Overlay]| overlays.iter().map(|overlay| overlay.origin).collect::<Vec<_>>();
     let [below, above] = [DiskWay::Precomputed, DiskWay::Fresh].map(Origin::Disk);
     assert_eq!(origins(&overlays.reparameterisation), [below, above]);
@@ -172,10 +173,10 @@ fn one_way_of_both_can_be_left_out_and_comes_back_at_once() {
     let before = found(&model, DiskWay::Precomputed).clone();
     compare(&mut model, Comparison::Fresh);
     settle(&mut model);
-    assert!(model.teaching().through_disk.found(DiskWay::Precomputed).is_none());
-    assert_eq!(model.teaching().overlays().reparameterisation.len(), 1);
+    assert!(model.overlay_state().disk_comparison.found(DiskWay::Precomputed).is_none());
+    assert_eq!(model.overlay_state().overlays().reparameterisation.len(), 1);
     compare(&mut model, Comparison::Both);
-    assert_eq!(model.teach(9.0), Some(0.0), "the overlays changed");
+    assert_eq!(model.advance_overlays(9.0), Some(0.0), "the overlays changed");
     assert_eq!(found(&model, DiskWay::Precomputed), &before, "its disk maps were kept");
 }
 
@@ -198,17 +199,17 @@ fn a_point_that_few_samples_leave_out_is_asked_of_more_before_it_is_refused() {
         model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
         model.refresh(false);
         let now = 10.0 * (k + 1) as f64;
-        model.teach(now);
+        model.advance_overlays(now);
         let all = DiskMeasure::fresh(&domain.samples().points, point, anchor);
         assert_eq!(
-            model.teaching().through_disk.error(DiskWay::Fresh),
+            model.overlay_state().disk_comparison.error(DiskWay::Fresh),
             None,
             "{point}, which all take as {:?}",
             all.err()
         );
         let samples = found(&model, DiskWay::Fresh).samples;
         settle(&mut model);
-        let error = model.teaching().through_disk.error(DiskWay::Fresh);
+        let error = model.overlay_state().disk_comparison.error(DiskWay::Fresh);
         println!("{point}: {samples:?} while it moves, then {error:?}");
         assert_eq!(error.is_some(), all.is_err(), "only what all samples leave out is refused");
     }
@@ -230,11 +231,11 @@ fn what_fails_is_said_and_the_map_stays() {
         model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
         model.refresh(false);
         settle(&mut model);
-        model.teaching().through_disk.error(DiskWay::Fresh).map(Message::english)
+        model.overlay_state().disk_comparison.error(DiskWay::Fresh).map(Message::english)
     });
     let error = failed.unwrap();
     assert!(error.starts_with("The way through the disk fails on the source: the point ("), "{error}");
-    assert!(model.map().is_some() && model.teaching().through_disk.all_found().next().is_none());
+    assert!(model.map().is_some() && model.overlay_state().disk_comparison.all_found().next().is_none());
 }
 
 /// A model with walks that have been going for a second at this speed.
@@ -243,7 +244,7 @@ fn walked(speed: f64) -> Model {
     model.act_on_walks(WalkAction::Speed(speed));
     model.act_on_walks(WalkAction::Toggle);
     for frame in 0..=60 {
-        assert_eq!(model.teach(f64::from(frame) / 60.0), Some(0.0));
+        assert_eq!(model.advance_overlays(f64::from(frame) / 60.0), Some(0.0));
     }
     model
 }
@@ -252,7 +253,7 @@ fn walked(speed: f64) -> Model {
 fn walks_are_counted_at_their_speed_and_follow_the_measure() {
     // 25 walks a frame: never cut short by the clock
     let model = walked(1500.0);
-    let walks = &model.teaching().walks;
+    let walks = &model.overlay_state().walks;
     let count = walks.count();
     assert!((1499..=1500).contains(&count), "{count} walks in a second");
     let curve = walks.cumulative().unwrap();
@@ -267,7 +268,7 @@ fn walks_are_counted_at_their_speed_and_follow_the_measure() {
 #[test]
 fn the_bins_hold_every_walk_and_equal_seeds_walk_alike() {
     let [a, b] = [(); 2].map(|()| walked(100.0));
-    let (a, b) = (&a.teaching().walks, &b.teaching().walks);
+    let (a, b) = (&a.overlay_state().walks, &b.overlay_state().walks);
     let share: f64 = a.cumulative().unwrap().points.windows(2).map(|pair| pair[1][1] - pair[0][1]).sum();
     assert!((share - 1.0).abs() < 1e-12 && a.count() > 90, "{share} of {}", a.count());
     assert_eq!((a.count(), a.bars()), (b.count(), b.bars()));
@@ -279,8 +280,8 @@ fn a_slow_walk_is_seen_from_its_start_to_the_boundary() {
     let start = model.interior(Side::Source).unwrap();
     let mut ended = 0;
     for frame in 61..600 {
-        model.teach(f64::from(frame) / 60.0);
-        let (circles, hit) = model.teaching().walks.path();
+        model.advance_overlays(f64::from(frame) / 60.0);
+        let (circles, hit) = model.overlay_state().walks.path();
         assert_eq!(circles[0].centre, start);
         for pair in circles.windows(2) {
             let jump = pair[0].centre.distance(pair[1].centre);
@@ -298,29 +299,29 @@ fn a_slow_walk_is_seen_from_its_start_to_the_boundary() {
 #[test]
 fn another_start_begins_anew_and_a_pause_keeps_the_counts() {
     let mut model = walked(500.0);
-    let count = model.teaching().walks.count();
+    let count = model.overlay_state().walks.count();
     model.act_on_walks(WalkAction::Toggle);
-    assert_eq!((model.teach(2.0), model.teaching().walks.count()), (None, count));
+    assert_eq!((model.advance_overlays(2.0), model.overlay_state().walks.count()), (None, count));
     let point = model.interior(Side::Target).unwrap() + DVec2::new(0.02, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Target, point: point.into() }, 0.0);
     model.refresh(false);
-    assert_eq!(model.teach(2.1), None);
-    assert_eq!(model.teaching().walks.count(), count, "x₂ is no start");
+    assert_eq!(model.advance_overlays(2.1), None);
+    assert_eq!(model.overlay_state().walks.count(), count, "x₂ is no start");
     model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.3 }, 0.0);
     model.refresh(false);
-    model.teach(2.2);
-    assert_eq!(model.teaching().walks.count(), 0);
+    model.advance_overlays(2.2);
+    assert_eq!(model.overlay_state().walks.count(), 0);
 }
 
 #[test]
 fn walks_and_comparison_wait_while_a_coarse_map_stands_in() {
     let mut model = walked(500.0);
     compare(&mut model, Comparison::Fresh);
-    model.teach(1.0);
-    let (count, samples) = (model.teaching().walks.count(), found(&model, DiskWay::Fresh).samples);
+    model.advance_overlays(1.0);
+    let (count, samples) = (model.overlay_state().walks.count(), found(&model, DiskWay::Fresh).samples);
     model.update_ms = 0.0;
     for step in 1..4 {
-        let point = model.domain(Side::Target).unwrap().pole() + DVec2::new(0.01 * f64::from(step), 0.0);
+        let point = model.domain(Side::Target).unwrap().default_point() + DVec2::new(0.01 * f64::from(step), 0.0);
         model.dispatch(Command::MoveInterior { side: Side::Target, point: point.into() }, 0.0);
         model.refresh(true);
     }
@@ -328,15 +329,15 @@ fn walks_and_comparison_wait_while_a_coarse_map_stands_in() {
         !std::sync::Arc::ptr_eq(model.map().unwrap().domain(Side::Source).unwrap(), model.domain(Side::Source).unwrap())
     };
     assert!(is_coarse(&model));
-    assert_eq!((model.teach(1.1), model.teaching().walks.count()), (None, count));
+    assert_eq!((model.advance_overlays(1.1), model.overlay_state().walks.count()), (None, count));
     assert_eq!(found(&model, DiskWay::Fresh).samples, samples);
     while model.is_pending() {
-        assert_eq!((model.teach(1.1), is_coarse(&model)), (None, true));
+        assert_eq!((model.advance_overlays(1.1), is_coarse(&model)), (None, true));
         model.refresh(false);
     }
     assert!(!is_coarse(&model));
-    assert_eq!(model.teach(1.2), Some(0.0));
-    assert!(model.teaching().walks.count() >= count, "x₁ did not move");
+    assert_eq!(model.advance_overlays(1.2), Some(0.0));
+    assert!(model.overlay_state().walks.count() >= count, "x₁ did not move");
 }
 
 #[test]

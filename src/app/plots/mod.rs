@@ -118,7 +118,7 @@ impl Plots {
         let session = model.session();
         let presets = ExactMap::presets(session).filter(|_| model.is_planar());
         let (stamp, kept) = self.exact.get_or_insert_default();
-        kept.update(presets, session.constraints([source.pole(), target.pole()]), curves);
+        kept.update(presets, session.constraints([source.default_point(), target.default_point()]), curves);
         *stamp = generation;
     }
 
@@ -264,7 +264,7 @@ impl Plots {
 
 /// What is compared with the map; of plane outlines only.
 fn overlays_of(model: &Model) -> Option<&Overlays> {
-    model.is_planar().then(|| model.teaching().overlays())
+    model.is_planar().then(|| model.overlay_state().overlays())
 }
 
 /// The inks that stand side by side in a plot, for each plot and theme.

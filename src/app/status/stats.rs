@@ -206,7 +206,7 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
             precomputed: comparison(model, DiskWay::Precomputed),
         },
         exact_difference: screen.exact_difference,
-        walks: (model.teaching().walks.count(), model.teaching().walks.deviation()),
+        walks: (model.overlay_state().walks.count(), model.overlay_state().walks.deviation()),
         handles: screen.handles,
         editing: screen.editing,
         image_of_mapped_point: image_of_point(model, mapped),
@@ -216,7 +216,7 @@ pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
 }
 
 fn comparison(model: &Model, way: DiskWay) -> Option<ComparisonStats> {
-    let &Found { samples, collapsed, disordered, difference, .. } = model.teaching().through_disk.found(way)?;
+    let &Found { samples, collapsed, disordered, difference, .. } = model.overlay_state().disk_comparison.found(way)?;
     Some(ComparisonStats { samples, collapsed, disordered, difference })
 }
 

@@ -37,12 +37,12 @@ fn what_is_locked_is_refused_wherever_it_comes_from() {
     Locks::default().with(Control::Pattern).install(&context);
     let app = harness.state_mut();
     let before = app.session().clone();
-    let wishes = vec![
+    let actions = vec![
         Action::Session(Command::SetTexture(TextureKind::Grid)),
         Action::New,
         Action::Session(Command::MoveAnchor { side: Side::Source, fraction: 0.25 }),
     ];
-    app.carry_out(&context, wishes);
+    app.carry_out(&context, actions);
     assert_eq!(app.session().texture(), before.texture());
     assert_eq!(app.session().side(Side::Source).anchor, 0.25, "the rest goes on");
 }

@@ -128,7 +128,10 @@ mod tests {
         let mut extension = GpuExtension::new(&state).unwrap();
         let (source, target) = (domain(Preset::Gingerbread, 200), domain(Preset::Heart, 150));
         let at = |x: f64| {
-            Constraints::new((source.domain().unwrap().pole() + DVec2::new(x, 0.0), 0.1), (target.default_point(), 0.0))
+            Constraints::new(
+                (source.domain().unwrap().default_point() + DVec2::new(x, 0.0), 0.1),
+                (target.default_point(), 0.0),
+            )
         };
         let mut map = ConformalMap::new(source.clone(), target.clone(), &at(0.0), MapSettings::default()).unwrap();
         assert!(!extension.apply(&state, &mut renderer, &map, Side::Target) && !extension.serves(&map), "harmonic");

@@ -8,7 +8,7 @@
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
 use crate::app::input::keyboard_navigation;
-use crate::app::input::keyboard_navigation::{EyeMove, Nudge};
+use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
 use crate::app::input::locks::{Control, Locks};
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::caption_font;
@@ -69,8 +69,8 @@ pub fn drag_dots(
     let places = [model.interior(side), model.anchor(side)].map(|point| point.map(|point| view.to_screen(point)));
     dots::grab_and_release(ui, response, side, places, handles);
     drag_handle(ui, side, model, view, handles, actions);
-    if let Some(nudge) = keyboard_navigation::of_dots(ui, side, places, handles) {
-        actions.extend(nudged(side, model, view, nudge).map(Action::Session));
+    if let Some(key_step) = keyboard_navigation::of_dots(ui, side, places, handles) {
+        actions.extend(stepped(side, model, view, key_step).map(Action::Session));
     }
 }
 
@@ -116,13 +116,15 @@ fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Handle
     actions.extend(command.map(Action::Session));
 }
 
-fn nudged(side: Side, model: &Model, view: &View, nudge: Nudge) -> Option<Command> {
-    match nudge {
-        Nudge::Interior(step) => {
+fn stepped(side: Side, model: &Model, view: &View, key_step: KeyStep) -> Option<Command> {
+    match key_step {
+        KeyStep::Interior(step) => {
             let at = view.to_world(view.to_screen(model.interior(side)?) + step);
             model.interior_near(side, at).map(|point| Command::MoveInterior { side, point: point.into() })
         }
-        Nudge::Boundary(step) => Some(Command::MoveAnchor { side, fraction: model.session().side(side).anchor + step }),
+        KeyStep::Boundary(step) => {
+            Some(Command::MoveAnchor { side, fraction: model.session().side(side).anchor + step })
+        }
     }
 }
 

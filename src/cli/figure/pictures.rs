@@ -55,7 +55,7 @@ pub fn maps(figure: Figure, detail: Detail) -> Result<Vec<Shown>, FigureError> {
     let shown = |Scene { label, session }: Scene| {
         let (source, target) = (domain(session.domain(Side::Source))?, domain(session.domain(Side::Target))?);
         let domains = PerSide::new(planar(&source)?, planar(&target)?);
-        let constraints = session.constraints(domains.as_ref().map(|domain| domain.pole()).into_array());
+        let constraints = session.constraints(domains.as_ref().map(|domain| domain.default_point()).into_array());
         let mut map = ConformalMap::new(source, target, &constraints, session.map_settings())?;
         map.refine_exactly();
         let triangles = map.distortions();

@@ -232,7 +232,7 @@ drawn = Zeichnung
 traced = Nachgezeichnet
 pasted = Eingefügt
 
-## nudge
+## keyboard navigation
 
 picture_source = Bild der Quelle
 picture_target = Bild des Ziels
@@ -527,16 +527,16 @@ uniform_paper_tooltip = Gleiche Abstände in der Bogenlänge, wie im Artikel
 graded_tooltip = Dreiecke wachsen mit dem Abstand vom Rand: 4–15 % der Ecken bei fast gleichem Fehler
 uniform_mesh_tooltip = Dreiecke von einer Größe, wie im Artikel
 
-## spoken
+## accessibility
 
-spoken_quality = { $count ->
+accessible_quality = { $count ->
     [one] Mittlere Winkelverzerrung { $mean }; { $count } Dreieck umgeklappt.
    *[other] Mittlere Winkelverzerrung { $mean }; { $count } Dreiecke umgeklappt.
 }
 being_prepared = Wird vorbereitet.
 problem = Problem: { $what }
-spoken_surface_map = Die Fläche { $surface }, konform abgebildet auf den Umriss { $outline }.
-spoken_map = Konforme Abbildung von { $source } nach { $target }.
+accessible_surface_map = Die Fläche { $surface }, konform abgebildet auf den Umriss { $outline }.
+accessible_map = Konforme Abbildung von { $source } nach { $target }.
 points_of_side = { $interior } bei ({ $place }), { $boundary } bei { $percent } % des Randes.
 button = Schaltfläche
 choice = Auswahl

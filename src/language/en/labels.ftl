@@ -232,7 +232,7 @@ drawn = Drawing
 traced = Traced
 pasted = Pasted
 
-## nudge
+## keyboard navigation
 
 picture_source = Picture of the source
 picture_target = Picture of the target
@@ -527,16 +527,16 @@ uniform_paper_tooltip = Equally spaced in arc length, as in the paper
 graded_tooltip = Triangles grow with the distance from the boundary: 4–15 % of the vertices at nearly the same error
 uniform_mesh_tooltip = Triangles of one size, as in the paper
 
-## spoken
+## accessibility
 
-spoken_quality = { $count ->
+accessible_quality = { $count ->
     [one] Mean angle distortion { $mean }; { $count } triangle flipped.
    *[other] Mean angle distortion { $mean }; { $count } triangles flipped.
 }
 being_prepared = Being prepared.
 problem = Problem: { $what }
-spoken_surface_map = The surface { $surface }, mapped conformally to the outline { $outline }.
-spoken_map = Conformal map from { $source } to { $target }.
+accessible_surface_map = The surface { $surface }, mapped conformally to the outline { $outline }.
+accessible_map = Conformal map from { $source } to { $target }.
 points_of_side = { $interior } at ({ $place }), { $boundary } at { $percent } % of the boundary.
 button = button
 choice = choice

@@ -54,7 +54,7 @@ keys_of_labels! {
     // names
     disk, square, gingerbread_man, heart, blob, v_shape, cinquefoil, maple_leaf, hand, turkey, l_shape, star, spiral,
     hemisphere, paraboloid, bent_strip, half_torus, face_like, animal_head, drawn, traced, pasted,
-    // nudge
+    // keyboard navigation
     picture_source, picture_target, x1_interior_point_source, x2_interior_point_target, y1_boundary_point_source,
     y2_boundary_point_target,
     // offer
@@ -110,7 +110,7 @@ keys_of_labels! {
     uniform_paper, graded, uniform_mesh, forward_tooltip, backward_tooltip, texture_tooltip, angle_tooltip,
     area_tooltip, checker_tooltip, lines, polar_tooltip, image_tooltip, adaptive_tooltip, uniform_paper_tooltip,
     graded_tooltip, uniform_mesh_tooltip,
-    // spoken
+    // accessibility
     being_prepared, button, choice, check_box, slider, text_field, selected, not_selected, not_available,
     // status
     fps_tooltip, hint_plane, hint_surface,
@@ -163,8 +163,8 @@ keys_of_messages! {
     per_second(rate);
     // side panel
     resolution_of(side); automatic(value); per_distance(growth);
-    // spoken
-    spoken_quality(mean, count); problem(what); spoken_surface_map(surface, outline); spoken_map(source, target);
+    // accessibility
+    accessible_quality(mean, count); problem(what); accessible_surface_map(surface, outline); accessible_map(source, target);
     points_of_side(interior, place, boundary, percent);
     // status
     largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);

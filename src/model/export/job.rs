@@ -8,7 +8,7 @@ use crate::language::{Message, key};
 use crate::model::Model;
 use crate::model::export::ReadyFile;
 use crate::model::export::request::{ExportRequest, Kind};
-use crate::model::scene::{Shot, Still};
+use crate::model::scene::{Offscreen, Shot};
 use crate::render::{Film, Graphics, OrbitCamera, PngFile, Readback, SceneRenderer, guarded};
 use image::RgbaImage;
 use std::sync::Arc;
@@ -29,7 +29,7 @@ pub struct Scenery {
 
 /// Work under way.
 pub struct Job {
-    still: Still,
+    offscreen: Offscreen,
     shot: Shot,
     scenery: Scenery,
     way: Option<Loop>,
@@ -77,9 +77,9 @@ impl Job {
             }
             _ => (None, None, 1),
         };
-        let still = Still::of(model, shot.pixels_per_point());
+        let offscreen = Offscreen::of(model, shot.pixels_per_point());
         let renderer = SceneRenderer::new(device, queue);
-        Ok(Self { still, shot, scenery, way, frames, done: 0, renderer, stage: Stage::Map, film })
+        Ok(Self { offscreen, shot, scenery, way, frames, done: 0, renderer, stage: Stage::Map, film })
     }
 
     /// How far it is, from 0 to 1.
@@ -108,7 +108,7 @@ impl Job {
     fn step(&mut self, gpu: Graphics<'_>) -> Result<Option<Progress>, Message> {
         match &mut self.stage {
             Stage::Map => {
-                if !self.still.advance().map_err(|error| Message::from(&error))? {
+                if !self.offscreen.advance().map_err(|error| Message::from(&error))? {
                     return Ok(Some(Progress::GoesOn));
                 }
                 self.stage = Stage::Draw;
@@ -116,9 +116,9 @@ impl Job {
             }
             Stage::Draw => {
                 let Scenery { image, camera, .. } = &self.scenery;
-                let (still, renderer) = (&self.still, &mut self.renderer);
+                let (offscreen, renderer) = (&self.offscreen, &mut self.renderer);
                 let pixels = guarded(gpu.0, || {
-                    let target = still.draw(renderer, gpu, &self.shot, image.as_deref(), *camera)?;
+                    let target = offscreen.draw(renderer, gpu, &self.shot, image.as_deref(), *camera)?;
                     Ok(Readback::begin(gpu.0, gpu.1, &target))
                 });
                 self.stage = Stage::Pixels(pixels.map_err(|error| Message::from(&error))?);
@@ -141,7 +141,7 @@ impl Job {
         film.push(&picture).map_err(|error| Message::from(&error))?;
         self.done += 1;
         if self.done < self.frames {
-            self.still.head_for(way.at(f64::from(self.done) / f64::from(self.frames)));
+            self.offscreen.head_for(way.at(f64::from(self.done) / f64::from(self.frames)));
             self.stage = Stage::Map;
             return Ok(None);
         }

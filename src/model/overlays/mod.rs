@@ -1,4 +1,4 @@
-//! What teaches: the way through the disk beside the map, random walks beside the measure, the grid of the disk.
+//! The overlays: the way through the disk beside the map, random walks beside the measure, the grid of the disk.
 //!
 //! Work is dosed: whatever is asked here takes a fraction of a frame, and
 //! the answer says when to ask again.
@@ -11,7 +11,7 @@ use crate::conformal::{ConformalMap, MeshedDomain, Side};
 use crate::geometry::DVec2;
 use crate::model::pattern::disk_grid::DiskGrid;
 use crate::session::Comparison;
-use disk_comparison::ThroughDisk;
+use disk_comparison::DiskComparison;
 use overlay::Overlays;
 use std::sync::Arc;
 use walks::Walks;
@@ -40,9 +40,9 @@ impl Situation<'_> {
 
 /// The state of all of it.
 #[derive(Debug, Default)]
-pub struct Teaching {
+pub struct OverlayState {
     /// The way through the disk.
-    pub through_disk: ThroughDisk,
+    pub disk_comparison: DiskComparison,
     /// The walks from x₁.
     pub walks: Walks,
     /// The coordinates of the conformal pattern.
@@ -50,13 +50,13 @@ pub struct Teaching {
     overlays: Overlays,
 }
 
-impl Teaching {
+impl OverlayState {
     /// Brings everything up to date at the time `now` (seconds); in how many seconds to come back, if at all.
     pub fn advance(&mut self, situation: &Situation, comparison: Comparison, now: f64) -> Option<f64> {
-        let compared = self.through_disk.advance(situation, comparison, now);
+        let compared = self.disk_comparison.advance(situation, comparison, now);
         let walked = self.walks.advance(situation, now);
         // The panel and the plots were laid out before.
-        let renewed = self.overlays.update(&self.through_disk, &self.walks).then_some(0.0);
+        let renewed = self.overlays.update(&self.disk_comparison, &self.walks).then_some(0.0);
         [compared, walked, renewed].into_iter().flatten().reduce(f64::min)
     }
 

@@ -2,7 +2,7 @@
 
 use crate::language::{Label, key};
 use crate::model::curves::Curve;
-use crate::model::overlays::disk_comparison::ThroughDisk;
+use crate::model::overlays::disk_comparison::DiskComparison;
 use crate::model::overlays::walks::Walks;
 use crate::session::DiskWay;
 
@@ -62,7 +62,7 @@ pub struct Overlays {
 
 impl Overlays {
     /// Renews them when the disk's or the walks' have changed; whether they have.
-    pub fn update(&mut self, disk: &ThroughDisk, walks: &Walks) -> bool {
+    pub fn update(&mut self, disk: &DiskComparison, walks: &Walks) -> bool {
         let versions = [disk.version(), walks.version()];
         if self.versions == versions {
             return false;

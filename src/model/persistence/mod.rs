@@ -46,9 +46,9 @@ enum Coming {
     Completed,
 }
 
-/// The keeper of sessions.
+/// The persistence of sessions.
 #[derive(Debug)]
-pub struct Keeper {
+pub struct Persistence {
     history: History,
     /// No session has come to rest yet.
     is_new: bool,
@@ -63,7 +63,7 @@ pub struct Keeper {
     public: Option<Public>,
 }
 
-impl Keeper {
+impl Persistence {
     /// Begins at `session`; `is_public`: the address and the copy for the next start follow it.
     pub fn new(session: Session, is_public: bool) -> Self {
         Self {

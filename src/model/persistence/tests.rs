@@ -19,13 +19,13 @@ fn changed(session: &Session, command: Command) -> Session {
     session
 }
 
-/// A keeper that has settled at the scales one after the other.
-fn keeper(scales: &[f64]) -> Keeper {
-    let mut keeper = Keeper::new(Session::default(), true);
+/// A persistence that has settled at the scales one after the other.
+fn persistence(scales: &[f64]) -> Persistence {
+    let mut persistence = Persistence::new(Session::default(), true);
     for &scale in scales {
-        keeper.settle(&scaled(scale), 0.0);
+        persistence.settle(&scaled(scale), 0.0);
     }
-    keeper
+    persistence
 }
 
 fn address(session: &Session) -> Option<String> {
@@ -34,55 +34,55 @@ fn address(session: &Session) -> Option<String> {
 
 #[test]
 fn a_step_that_does_not_settle_bit_for_bit_loses_nothing() {
-    let mut keeper = keeper(&[2.0, 3.0, 4.0]);
-    assert_eq!(keeper.undo(Some(&scaled(4.0))), Some(scaled(3.0)));
-    let settled = keeper.settle(&scaled(3.5), 0.0);
+    let mut persistence = persistence(&[2.0, 3.0, 4.0]);
+    assert_eq!(persistence.undo(Some(&scaled(4.0))), Some(scaled(3.0)));
+    let settled = persistence.settle(&scaled(3.5), 0.0);
     assert_eq!(settled.address, address(&scaled(3.5)));
     assert_eq!(file::read(settled.copy.unwrap().as_bytes()), Ok(scaled(3.5)));
-    assert_eq!(keeper.history().undo_count(), 1);
-    assert_eq!(keeper.redo(Some(&scaled(3.5))), Some(scaled(4.0)));
-    assert_eq!(keeper.undo(None), Some(scaled(3.5)), "before the redo has settled");
-    assert_eq!(keeper.undo(None), Some(scaled(2.0)), "and further back");
-    assert_eq!(keeper.undo(None), None);
+    assert_eq!(persistence.history().undo_count(), 1);
+    assert_eq!(persistence.redo(Some(&scaled(3.5))), Some(scaled(4.0)));
+    assert_eq!(persistence.undo(None), Some(scaled(3.5)), "before the redo has settled");
+    assert_eq!(persistence.undo(None), Some(scaled(2.0)), "and further back");
+    assert_eq!(persistence.undo(None), None);
 }
 
 #[test]
 fn a_change_after_a_step_is_a_step_of_its_own() {
-    let mut keeper = keeper(&[2.0, 3.0]);
-    keeper.undo(Some(&scaled(3.0)));
-    keeper.touch();
-    keeper.settle(&scaled(7.0), 0.0);
-    assert!(!keeper.history().can_redo());
-    assert_eq!(keeper.undo(Some(&scaled(7.0))), Some(scaled(2.0)));
+    let mut persistence = persistence(&[2.0, 3.0]);
+    persistence.undo(Some(&scaled(3.0)));
+    persistence.touch();
+    persistence.settle(&scaled(7.0), 0.0);
+    assert!(!persistence.history().can_redo());
+    assert_eq!(persistence.undo(Some(&scaled(7.0))), Some(scaled(2.0)));
 }
 
 #[test]
 fn undo_takes_back_the_last_change_only_whether_it_has_settled_or_not() {
-    let mut at_rest = keeper(&[2.0, 3.0]);
+    let mut at_rest = persistence(&[2.0, 3.0]);
     assert_eq!(at_rest.undo(Some(&scaled(4.0))), Some(scaled(3.0)), "not taken in yet");
     assert_eq!(at_rest.redo(Some(&scaled(3.0))), Some(scaled(4.0)));
-    let mut under_way = keeper(&[2.0, 3.0]);
+    let mut under_way = persistence(&[2.0, 3.0]);
     assert_eq!(under_way.redo(None), None);
     assert_eq!(under_way.undo(None), Some(scaled(3.0)), "what is being prepared is left out");
     under_way.settle(&scaled(3.0), 0.0);
     assert_eq!(under_way.undo(Some(&scaled(3.0))), Some(scaled(2.0)));
-    assert_eq!(Keeper::new(scaled(2.0), true).undo(None), None, "nothing has come to rest yet");
+    assert_eq!(Persistence::new(scaled(2.0), true).undo(None), None, "nothing has come to rest yet");
 }
 
 #[test]
 fn the_copy_follows_changes_and_not_what_is_merely_opened() {
-    let mut keeper = Keeper::new(scaled(2.0), true);
-    let first = keeper.settle(&scaled(2.5), 0.0);
+    let mut persistence = Persistence::new(scaled(2.0), true);
+    let first = persistence.settle(&scaled(2.5), 0.0);
     assert_eq!(first, Settled { address: address(&scaled(2.5)), ..Settled::default() });
-    assert_eq!(keeper.settle(&scaled(2.5), 0.1), Settled::default(), "nothing has changed");
-    keeper.open_link(Vec::new(), None);
-    let opened = keeper.settle(&scaled(9.0), 0.2);
+    assert_eq!(persistence.settle(&scaled(2.5), 0.1), Settled::default(), "nothing has changed");
+    persistence.open_link(Vec::new(), None);
+    let opened = persistence.settle(&scaled(9.0), 0.2);
     assert_eq!(opened, Settled { address: address(&scaled(9.0)), ..Settled::default() });
-    assert_eq!(keeper.history().undo_count(), 1);
-    keeper.touch();
-    let changed = keeper.settle(&scaled(10.0), 0.3);
+    assert_eq!(persistence.history().undo_count(), 1);
+    persistence.touch();
+    let changed = persistence.settle(&scaled(10.0), 0.3);
     assert_eq!(file::read(changed.copy.unwrap().as_bytes()), Ok(scaled(10.0)));
-    let mut private = Keeper::new(scaled(2.0), false);
+    let mut private = Persistence::new(scaled(2.0), false);
     private.settle(&scaled(2.0), 0.0);
     assert_eq!(private.settle(&scaled(3.0), 0.0), Settled::default());
 }
@@ -90,29 +90,29 @@ fn the_copy_follows_changes_and_not_what_is_merely_opened() {
 /// The first map takes seconds to prepare: what is set meanwhile is kept.
 #[test]
 fn a_change_before_the_first_rest_is_copied() {
-    let mut keeper = Keeper::new(scaled(2.0), true);
-    keeper.touch();
-    let copy = keeper.settle(&scaled(3.0), 0.0).copy;
+    let mut persistence = Persistence::new(scaled(2.0), true);
+    persistence.touch();
+    let copy = persistence.settle(&scaled(3.0), 0.0).copy;
     assert_eq!(file::read(copy.unwrap().as_bytes()), Ok(scaled(3.0)));
-    assert_eq!(keeper.history().undo_count(), 0);
+    assert_eq!(persistence.history().undo_count(), 0);
 }
 
 #[test]
 fn a_link_that_is_taken_back_while_it_is_prepared_leaves_nothing() {
     let (_, Decoded { session: _, missing }) = with_missing();
-    let mut keeper = keeper(&[2.0, 3.0]);
-    keeper.open_link(missing, None);
-    assert_eq!(keeper.undo(None), Some(scaled(3.0)));
-    assert!(keeper.missing().is_empty());
-    assert_eq!(keeper.settle(&scaled(3.0), 1.0).address, address(&scaled(3.0)));
+    let mut persistence = persistence(&[2.0, 3.0]);
+    persistence.open_link(missing, None);
+    assert_eq!(persistence.undo(None), Some(scaled(3.0)));
+    assert!(persistence.missing().is_empty());
+    assert_eq!(persistence.settle(&scaled(3.0), 1.0).address, address(&scaled(3.0)));
 }
 
 #[test]
 fn nothing_leads_behind_a_new_beginning() {
-    let mut at_rest = keeper(&[2.0, 3.0]);
+    let mut at_rest = persistence(&[2.0, 3.0]);
     at_rest.begin_anew();
     assert_eq!(at_rest.undo(Some(&scaled(9.0))), None);
-    let mut under_way = keeper(&[2.0, 3.0]);
+    let mut under_way = persistence(&[2.0, 3.0]);
     under_way.undo(Some(&scaled(3.0)));
     under_way.settle(&scaled(2.0), 0.0);
     under_way.begin_anew();
@@ -125,9 +125,9 @@ fn nothing_leads_behind_a_new_beginning() {
 
 #[test]
 fn a_failing_store_is_complained_of_once() {
-    let mut keeper = keeper(&[]);
-    assert!(keeper.not_kept("the disk is full".into()).unwrap().english().contains("the disk is full"));
-    assert_eq!(keeper.not_kept("the disk is full".into()), None);
+    let mut persistence = persistence(&[]);
+    assert!(persistence.not_kept("the disk is full".into()).unwrap().english().contains("the disk is full"));
+    assert_eq!(persistence.not_kept("the disk is full".into()), None);
 }
 
 fn circle(name: &str, count: u32) -> OutlineSpec {
@@ -153,37 +153,37 @@ fn with_missing() -> (Session, Decoded) {
 #[test]
 fn an_outline_that_comes_later_gets_its_points_and_then_the_address_follows() {
     let (whole, Decoded { session, missing }) = with_missing();
-    let mut keeper = Keeper::new(session.clone(), true);
-    keeper.open_link(missing, None);
-    assert_eq!(keeper.settle(&session, 0.0), Settled::default(), "the address stays as it was opened");
+    let mut persistence = Persistence::new(session.clone(), true);
+    persistence.open_link(missing, None);
+    assert_eq!(persistence.settle(&session, 0.0), Settled::default(), "the address stays as it was opened");
     let outline = whole.domain(Side::Source).outline.clone();
     let loaded = changed(&session, Command::SetOutline { side: Side::Source, outline });
-    let settled = keeper.settle(&loaded, 1.0);
+    let settled = persistence.settle(&loaded, 1.0);
     assert_eq!((settled.address, settled.copy), (None, None));
     let loaded = loaded.and(settled.moves);
     assert_eq!(loaded, whole);
-    let settled = keeper.settle(&loaded, 2.0);
+    let settled = persistence.settle(&loaded, 2.0);
     assert_eq!(settled.address, address(&whole));
     assert_eq!(file::read(settled.copy.unwrap().as_bytes()), Ok(whole));
-    assert_eq!(keeper.history().undo_count(), 1, "one step");
-    assert!(keeper.missing().is_empty());
+    assert_eq!(persistence.history().undo_count(), 1, "one step");
+    assert!(persistence.missing().is_empty());
 }
 
 #[test]
 fn another_change_ends_the_waiting_and_another_outline_what_it_is_for() {
     let (whole, Decoded { session, missing }) = with_missing();
-    let mut keeper = Keeper::new(session.clone(), true);
-    keeper.open_link(missing, None);
-    keeper.settle(&session, 0.0);
+    let mut persistence = Persistence::new(session.clone(), true);
+    persistence.open_link(missing, None);
+    persistence.settle(&session, 0.0);
     let grown = changed(&session, Command::SetTextureScale(20.0));
-    assert_eq!(keeper.settle(&grown, 1.0).address, address(&grown));
-    assert_eq!(keeper.missing().len(), 1, "it can still be opened");
+    assert_eq!(persistence.settle(&grown, 1.0).address, address(&grown));
+    assert_eq!(persistence.missing().len(), 1, "it can still be opened");
     let other = changed(&grown, Command::SetOutline { side: Side::Source, outline: circle("other", 100) });
-    assert_eq!(keeper.settle(&other, 2.0).address, address(&other));
-    assert!(keeper.missing().is_empty());
+    assert_eq!(persistence.settle(&other, 2.0).address, address(&other));
+    assert!(persistence.missing().is_empty());
     let outline = whole.domain(Side::Source).outline.clone();
     let late = changed(&other, Command::SetOutline { side: Side::Source, outline });
-    assert!(keeper.settle(&late, 3.0).moves.is_empty());
+    assert!(persistence.settle(&late, 3.0).moves.is_empty());
 }
 
 #[test]
@@ -191,34 +191,34 @@ fn a_large_session_is_copied_once_in_a_while() {
     let mut large = Session::default();
     let outline = circle("large", LARGE_POINTS as u32 + 1);
     large.apply(Command::SetOutline { side: Side::Source, outline });
-    let mut keeper = Keeper::new(Session::default(), true);
-    keeper.settle(&Session::default(), 0.0);
-    assert!(keeper.settle(&large, 10.0).copy.is_some());
+    let mut persistence = Persistence::new(Session::default(), true);
+    persistence.settle(&Session::default(), 0.0);
+    assert!(persistence.settle(&large, 10.0).copy.is_some());
     large.apply(Command::SetTextureScale(20.0));
-    let settled = keeper.settle(&large, 11.0);
+    let settled = persistence.settle(&large, 11.0);
     assert_eq!((settled.copy, settled.copy_due), (None, Some(COPY_SECONDS - 1.0)));
     assert!(settled.address.is_some());
-    let copy = keeper.settle(&large, 10.0 + COPY_SECONDS).copy;
+    let copy = persistence.settle(&large, 10.0 + COPY_SECONDS).copy;
     assert_eq!(file::read(copy.unwrap().as_bytes()), Ok(large));
 }
 
 #[test]
 fn an_address_that_was_refused_shows_at_once_what_it_showed_before() {
-    let mut keeper = Keeper::new(scaled(1.0), true);
-    assert_eq!(keeper.correct_address(), None, "nothing yet");
-    let first = keeper.settle(&scaled(1.0), 0.0).address;
+    let mut persistence = Persistence::new(scaled(1.0), true);
+    assert_eq!(persistence.correct_address(), None, "nothing yet");
+    let first = persistence.settle(&scaled(1.0), 0.0).address;
     assert_eq!(first, address(&scaled(1.0)));
-    assert_eq!(keeper.correct_address(), first);
-    assert_eq!(keeper.settle(&scaled(1.0), 1.0), Settled::default(), "it is shown already");
+    assert_eq!(persistence.correct_address(), first);
+    assert_eq!(persistence.settle(&scaled(1.0), 1.0), Settled::default(), "it is shown already");
     let (_, Decoded { session, missing }) = with_missing();
-    keeper.open_link(missing, Some("#s=1.opened".into()));
-    assert_eq!(keeper.settle(&session, 2.0), Settled::default());
-    assert_eq!(keeper.correct_address().as_deref(), Some("#s=1.opened"), "it waits for its outline");
+    persistence.open_link(missing, Some("#s=1.opened".into()));
+    assert_eq!(persistence.settle(&session, 2.0), Settled::default());
+    assert_eq!(persistence.correct_address().as_deref(), Some("#s=1.opened"), "it waits for its outline");
 }
 
 #[test]
 fn an_address_that_does_not_follow_is_left_alone() {
-    let mut keeper = Keeper::new(scaled(1.0), false);
-    keeper.settle(&scaled(1.0), 0.0);
-    assert_eq!(keeper.correct_address(), None);
+    let mut persistence = Persistence::new(scaled(1.0), false);
+    persistence.settle(&scaled(1.0), 0.0);
+    assert_eq!(persistence.correct_address(), None);
 }

@@ -23,7 +23,7 @@ use crate::worker::{self, Response};
 
 /// A session whose map is complete.
 #[derive(Debug)]
-pub struct Still {
+pub struct Offscreen {
     model: Model,
     cells: Cells,
     pixels_per_point: f32,
@@ -53,7 +53,7 @@ impl From<&StillError> for Message {
 
 /// The mapped mesh on one side, to be drawn triangle by triangle.
 #[derive(Debug, Clone, Copy)]
-pub struct StillCells<'a> {
+pub struct OffscreenCells<'a> {
     /// Where its vertices lie; `None` on a surface.
     pub positions: Option<&'a [DVec2]>,
     /// Its triangles.
@@ -66,7 +66,7 @@ pub struct StillCells<'a> {
 
 /// The surface in the target's place.
 #[derive(Debug, Clone, Copy)]
-pub struct StillSurface<'a> {
+pub struct OffscreenSurface<'a> {
     /// It.
     pub surface: &'a MeshedSurface,
     /// Where each vertex looks the pattern up.
@@ -75,7 +75,7 @@ pub struct StillSurface<'a> {
     pub points: [DVec3; 2],
 }
 
-impl Still {
+impl Offscreen {
     /// Prepares and maps, which may take seconds. The triangles of a surface from a file come with
     /// it. `pixels_per_point` scales what is drawn over the triangles.
     ///
@@ -94,9 +94,9 @@ impl Still {
         let mut model = begin(session, surface_file)?;
         model.update_ms = f64::INFINITY; // nobody waits for a frame
         settle(&mut model, tell)?;
-        let mut still = Self { model, cells: Cells::default(), pixels_per_point };
-        still.rest();
-        Ok(still)
+        let mut offscreen = Self { model, cells: Cells::default(), pixels_per_point };
+        offscreen.rest();
+        Ok(offscreen)
     }
 
     /// The session; its points may have been moved into the domains.
@@ -165,15 +165,15 @@ impl Still {
     }
 
     /// The mapped mesh on a side, where the session shows more of it than the texture.
-    pub fn cells(&self, side: Side) -> Option<StillCells<'_>> {
+    pub fn cells(&self, side: Side) -> Option<OffscreenCells<'_>> {
         let (style, map) = (self.cells.style()?, self.model.shown()?);
-        Some(StillCells { positions: map.places(side), triangles: map.triangles, codes: self.cells.codes(), style })
+        Some(OffscreenCells { positions: map.places(side), triangles: map.triangles, codes: self.cells.codes(), style })
     }
 
     /// The surface, if there is one.
-    pub fn surface(&self) -> Option<StillSurface<'_>> {
+    pub fn surface(&self) -> Option<OffscreenSurface<'_>> {
         let side = self.model.side_of_surface()?;
-        Some(StillSurface {
+        Some(OffscreenSurface {
             surface: self.model.surface_side(side).surface()?,
             coordinates: pattern::surface_coordinates(&self.model, side)?,
             points: [self.model.surface_point(side)?, self.model.surface_anchor(side)?],

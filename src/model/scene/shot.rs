@@ -3,7 +3,7 @@
 use crate::conformal::Side;
 use crate::model::export::panel;
 use crate::model::scene::compose::{Look, PlanarPart, SurfacePart, background, compose};
-use crate::model::scene::{Still, StillCells, StillSurface};
+use crate::model::scene::{Offscreen, OffscreenCells, OffscreenSurface};
 use crate::render::{Graphics, OrbitCamera, RenderError, SceneCells, SceneRenderer, StrokeStyle, Target};
 use image::RgbaImage;
 
@@ -47,7 +47,7 @@ impl Shot {
     }
 }
 
-impl Still {
+impl Offscreen {
     /// Draws it with `renderer`; `image` is the texture of a session that has one, `camera` sees the surface: from
     /// where it is seen at first, if there is none.
     ///
@@ -90,18 +90,18 @@ impl Still {
 
     fn surface_part<'a>(
         &'a self,
-        surface: StillSurface<'a>,
+        surface: OffscreenSurface<'a>,
         camera: Option<OrbitCamera>,
         shot: &Shot,
     ) -> Option<SurfacePart<'a>> {
-        let StillSurface { surface, coordinates, points } = surface;
+        let OffscreenSurface { surface, coordinates, points } = surface;
         let camera = camera.or_else(|| self.camera(shot.aspect()))?;
         let cells = self.cells(Side::Target).map(|cells| (cells.codes, cells.style));
         Some(SurfacePart { surface, coordinates, camera, handles: points, cells, right: true })
     }
 }
 
-fn in_the_plane(cells: StillCells<'_>) -> Option<SceneCells<'_>> {
-    let StillCells { positions, triangles, codes, style } = cells;
+fn in_the_plane(cells: OffscreenCells<'_>) -> Option<SceneCells<'_>> {
+    let OffscreenCells { positions, triangles, codes, style } = cells;
     Some(SceneCells { positions: positions?, triangles, codes, style })
 }

@@ -300,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wish_becomes_a_domain() {
+    fn what_is_wanted_becomes_a_domain() {
         let mut side = coarse();
         let request = side.take_request(0.0).unwrap();
         assert!(side.pending_request().under_way().is_some() && side.domain().is_none());

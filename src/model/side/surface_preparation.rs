@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wish_becomes_a_surface_and_is_not_prepared_twice() {
+    fn a_wanted_surface_is_prepared_once() {
         let mut preparation = SurfacePreparation::default();
         assert!(preparation.want_spec(&hemisphere(), 0.0));
         let request = preparation.take_request(f64::INFINITY).unwrap();

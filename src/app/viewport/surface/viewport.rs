@@ -6,7 +6,7 @@
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::handles::{Handle, HandleKind, HandleState};
 use crate::app::input::keyboard_navigation;
-use crate::app::input::keyboard_navigation::{EyeMove, Nudge};
+use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
 use crate::app::input::locks::{Control, Locks};
 use crate::app::theme::Palette;
 use crate::app::viewport::dots;
@@ -44,8 +44,8 @@ pub fn interact(
     let places = [model.surface_point(SIDE), model.surface_anchor(SIDE)].map(|place| view.to_screen(place?));
     dots::grab_and_release(ui, &response, SIDE, places, handles);
     drag_handle(ui, model, view, handles, actions);
-    if let Some(nudge) = keyboard_navigation::of_dots(ui, SIDE, places, handles) {
-        actions.extend(nudged(model, view, nudge).map(Action::Session));
+    if let Some(key_step) = keyboard_navigation::of_dots(ui, SIDE, places, handles) {
+        actions.extend(stepped(model, view, key_step).map(Action::Session));
     }
     move_eye(ui, &response, view, handles);
     match keyboard_navigation::of_viewport(ui, &response, SIDE, handles) {
@@ -85,10 +85,10 @@ fn drag_handle(ui: &Ui, model: &Model, view: &OrbitView, handles: &HandleState, 
     actions.extend(command.map(Action::Session));
 }
 
-fn nudged(model: &Model, view: &OrbitView, nudge: Nudge) -> Option<Command> {
-    match nudge {
-        Nudge::Interior(step) => point_at(model, view, view.to_screen(model.surface_point(SIDE)?)? + step),
-        Nudge::Boundary(step) => {
+fn stepped(model: &Model, view: &OrbitView, key_step: KeyStep) -> Option<Command> {
+    match key_step {
+        KeyStep::Interior(step) => point_at(model, view, view.to_screen(model.surface_point(SIDE)?)? + step),
+        KeyStep::Boundary(step) => {
             Some(Command::MoveAnchor { side: SIDE, fraction: model.surface(SIDE)?.1.anchor + step })
         }
     }

@@ -6,7 +6,7 @@
 use crate::conformal::{PrepareSettings, Side};
 use crate::geometry::{Bounds, DVec2, DVec3};
 use crate::mesh::Sizing;
-use crate::model::scene::{Still, StillSurface};
+use crate::model::scene::{Offscreen, OffscreenSurface};
 use crate::outline::Sampling;
 use crate::render::{MeshGeometry, Pattern, TextureStyle};
 use crate::session::{Command, Comparison, Session, SurfaceShape, SurfaceSpec};
@@ -32,13 +32,13 @@ const DARKEST: f64 = 0.45;
 
 /// A picture of a session's map, transparent around it; `None` if it has none.
 pub fn of(session: &Session) -> Option<ColorImage> {
-    let still = Still::new(coarse(session.clone()), None, 1.0).ok()?;
-    let style = still.style(false, true)?;
+    let offscreen = Offscreen::new(coarse(session.clone()), None, 1.0).ok()?;
+    let style = offscreen.style(false, true)?;
     let mut canvas = Canvas::new([SIZE[0] * DENSITY * FINE, SIZE[1] * DENSITY * FINE]);
-    canvas.plane(&still.geometry(Side::Source)?, 0, &style);
-    match still.surface() {
-        Some(surface) => canvas.solid(&surface, still.camera(1.0)?.backward(), &style),
-        None => canvas.plane(&still.geometry(Side::Target)?, 1, &style),
+    canvas.plane(&offscreen.geometry(Side::Source)?, 0, &style);
+    match offscreen.surface() {
+        Some(surface) => canvas.solid(&surface, offscreen.camera(1.0)?.backward(), &style),
+        None => canvas.plane(&offscreen.geometry(Side::Target)?, 1, &style),
     }
     Some(canvas.averaged())
 }
@@ -92,7 +92,7 @@ impl Canvas {
     }
 
     /// The surface as it is seen from far away in the direction `towards_eye`, lit from there.
-    fn solid(&mut self, solid: &StillSurface<'_>, towards_eye: DVec3, style: &TextureStyle) {
+    fn solid(&mut self, solid: &OffscreenSurface<'_>, towards_eye: DVec3, style: &TextureStyle) {
         let mesh = solid.surface.mesh();
         let right = DVec3::Z.cross(towards_eye).try_normalize().unwrap_or(DVec3::X);
         let up = towards_eye.cross(right);

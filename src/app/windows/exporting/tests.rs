@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::model::export::ReadyFile;
 use crate::model::export::job::{Job, Progress, Scenery};
 use crate::model::export::request::{ExportRequest, Kind};
-use crate::model::scene::Still;
+use crate::model::scene::Offscreen;
 use crate::render::{FilmFormat, Studio, headless_device};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -54,10 +54,10 @@ fn a_picture_is_that_of_the_command_line_and_the_model_stays() {
     assert_eq!(file.name, "riemap.png");
     let picture = image::load_from_memory(&file.bytes).unwrap().into_rgba8();
     let shot = request.shot(true);
-    let still = Still::new(session.clone(), None, shot.pixels_per_point()).unwrap();
+    let offscreen = Offscreen::new(session.clone(), None, shot.pixels_per_point()).unwrap();
     let expected = Studio::new()
         .unwrap()
-        .shoot(|renderer, device, queue| still.draw(renderer, (device, queue), &shot, None, None));
+        .shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), &shot, None, None));
     assert_eq!(picture, expected.unwrap());
     assert_eq!(picture.get_pixel(0, 0).0[3], 0, "no ground");
     assert_eq!((model.session(), model.generation()), (&session, generation));

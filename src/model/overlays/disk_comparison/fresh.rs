@@ -46,7 +46,7 @@ impl Fresh {
         (self.seen, self.known) = (None, [None, None]);
     }
 
-    /// As [`crate::model::overlays::disk_comparison::ThroughDisk::advance`]; large maps are made only if they may be.
+    /// As [`crate::model::overlays::disk_comparison::DiskComparison::advance`]; large maps are made only if they may be.
     pub(super) fn advance(&mut self, situation: &Situation, now: f64, large: bool) -> Option<f64> {
         if self.seen.replace(situation.generation) != Some(situation.generation) {
             self.changed_at = now;

@@ -30,12 +30,12 @@ pub const RESTING_SAMPLES: usize = 800;
 
 /// The comparisons' state.
 #[derive(Debug, Default)]
-pub struct ThroughDisk {
+pub struct DiskComparison {
     fresh: Fresh,
     precomputed: Precomputed,
 }
 
-impl ThroughDisk {
+impl DiskComparison {
     /// What was found by one way; `None` while there is nothing to show.
     pub fn found(&self, way: DiskWay) -> Option<&Found> {
         self.shown(way).found.as_ref()?.as_ref().ok()

@@ -38,7 +38,7 @@ impl Precomputed {
         if let Some((side, most)) = missing {
             let domain = Arc::clone(situation.domains[side as usize]);
             let samples = thinned(domain.samples(), most);
-            let map = DiskMap::new(&samples.points, domain.pole());
+            let map = DiskMap::new(&samples.points, domain.default_point());
             self.known[side as usize] = Some(Known { domain, samples, map });
             return Some(0.0);
         }
