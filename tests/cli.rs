@@ -157,7 +157,12 @@ fn repair_cuts_off_what_meets_itself_and_says_so() {
 fn bad_usage_exits_2() {
     fails(&["map", "preset:disk"], 2, &["TARGET"]);
     fails(&["map", "preset:disk", "preset:disk", "--out", "map.docx"], 2, &["extension"]);
-    fails(&["map", "preset:disk", "preset:disk", "--source-point", "here"], 2, &["X,Y"]);
+    fails(&["map", "preset:disk", "preset:disk", "--source-point", "here"], 2, &["X,Y in an outline", "X,Y,Z"]);
+    fails(&["map", "preset:disk", "preset:disk", "--source-anchor", "here"], 2, &["X,Y of an outline", "X,Y,Z"]);
+    fails(&["map", "preset:disk", "preset:nonsense"], 1, &["\"nonsense\"", "blob", "surfaces: ", "hemisphere"]);
+    let same = ["map", "preset:hemisphere:20", "preset:hemisphere:20"];
+    fails(&[&same[..], &["--samples", "100"]].concat(), 2, &["--samples is for outlines"]);
+    fails(&[&same[..], &["--target-anchor", "1,2"]].concat(), 2, &["preset:hemisphere:20 (target) is a surface"]);
     fails(&["prepare", "preset:disk", "--sizing", "graded:-1"], 2, &["graded"]);
     fails(&["map", "preset:disk", "preset:disk", "--extension", "conic"], 2, &["conic", "cauchy-green"]);
     fails(&["prepare", "preset:disk", "--samples", "many"], 2, &["samples"]);

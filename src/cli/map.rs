@@ -53,15 +53,18 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
         intrinsic_delaunay: !arguments.no_intrinsic_delaunay,
         discretisation: &arguments.discretisation,
     };
+    let titles = titles(arguments);
     let asked = [
         Asked {
             name: &arguments.source,
+            title: &titles.source,
             samples: arguments.source_samples,
             point: ("--source-point", arguments.source_point),
             anchor: ("--source-anchor", arguments.source_anchor),
         },
         Asked {
             name: &arguments.target,
+            title: &titles.target,
             samples: arguments.target_samples,
             point: ("--target-point", arguments.target_point),
             anchor: ("--target-anchor", arguments.target_anchor),
@@ -69,6 +72,10 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
     ];
     // what is wrong with either side is said before the first one is prepared
     asked.iter().try_for_each(Asked::check)?;
+    if asked.iter().all(|side| is_surface(side.name)) && arguments.discretisation.samples.is_some() {
+        let text = "--samples is for outlines: both sides are surfaces, which have their own boundary vertices";
+        return Err(CliError::Usage(text.to_owned()));
+    }
     let [first, second] = [side::read(asked[0].name, arguments.repair)?, side::read(asked[1].name, arguments.repair)?];
     let source = NamedSide::prepare(&asked[0], first, reading, progress)?;
     let target = NamedSide::prepare(&asked[1], second, reading, progress)?;
@@ -76,7 +83,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
     progress.enter("the map");
     let sides = (Arc::clone(&source.prepared), Arc::clone(&target.prepared));
     let mut map =
-        ConformalMap::new(sides.0, sides.1, &constraints, settings).map_err(|error| refused(&error, arguments))?;
+        ConformalMap::new(sides.0, sides.1, &constraints, settings).map_err(|error| refused(&error, &asked))?;
     if settings.extension == Extension::CauchyGreen {
         progress.enter("the Cauchy–Green extension");
     }
@@ -86,7 +93,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
     }
     for (side, asked) in Side::BOTH.into_iter().zip(asked) {
         if let Some(note) = map.note(side) {
-            eprintln!("riemap: {}: {note}", asked.name);
+            eprintln!("riemap: {}: {note}", asked.title);
         }
     }
     Ok((map, constraints))
@@ -110,10 +117,19 @@ fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
     }
 }
 
-/// An error of the map; one about a surface with its name, for there may be two.
-fn refused(error: &MapError, arguments: &MapArguments) -> CliError {
-    let name = if error.side() == Side::Source { &arguments.source } else { &arguments.target };
-    CliError::Input(if is_surface(name) { format!("{name}: {error}") } else { error.to_string() })
+/// What messages call the sides: by their names, with "source" and "target" where the names are the same.
+fn titles(MapArguments { source, target, .. }: &MapArguments) -> PerSide<String> {
+    if source == target {
+        PerSide::new(format!("{source} (source)"), format!("{target} (target)"))
+    } else {
+        PerSide::new(source.clone(), target.clone())
+    }
+}
+
+/// An error of the map; one about a surface with its title, for there may be two.
+fn refused(error: &MapError, [source, target]: &[Asked<'_>; 2]) -> CliError {
+    let side = if error.side() == Side::Source { source } else { target };
+    CliError::Input(if is_surface(side.name) { format!("{}: {error}", side.title) } else { error.to_string() })
 }
 
 /// A map with its constraints, ready to be drawn.

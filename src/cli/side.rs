@@ -8,7 +8,8 @@ use super::progress::Progress;
 use crate::conformal::{
     InteriorPoint, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings, prepare, prepare_surface,
 };
-use crate::surface::{Surface, SurfaceMesh, names_format};
+use crate::outline::Preset;
+use crate::surface::{Surface, SurfaceMesh, SurfacePreset, names_format};
 use std::str::FromStr;
 use std::sync::Arc;
 
@@ -27,7 +28,11 @@ impl FromStr for SidePoint {
     /// Two numbers are a place in the plane; all else that a surface's point may be is that.
     fn from_str(text: &str) -> Result<Self, String> {
         let planar = text.parse().map(Self::Plane);
-        planar.or_else(|error| text.parse().map(Self::Surface).map_err(|_: String| error))
+        planar.or_else(|_: String| text.parse().map(Self::Surface)).map_err(|_: String| {
+            "expected X,Y in an outline, or in a surface a vertex V, F:A,B,C (triangle F with weights that are not \
+             negative and not all zero) or X,Y,Z, all finite"
+                .to_owned()
+        })
     }
 }
 
@@ -49,7 +54,11 @@ impl FromStr for SideAnchor {
         match text.parse() {
             Ok(Anchor::Fraction(s)) => Ok(Self::Fraction(s)),
             Ok(anchor) => Ok(Self::Plane(anchor)),
-            Err(error) => text.parse().map(Self::Surface).map_err(|_: String| error),
+            Err(_) => text.parse().map(Self::Surface).map_err(|_: String| {
+                "expected X,Y of an outline, a boundary vertex V or X,Y,Z of a surface, or @S with a finite fraction S, \
+                 such as @0.25"
+                    .to_owned()
+            }),
         }
     }
 }
@@ -64,7 +73,7 @@ pub enum Given {
 
 /// A side, prepared.
 pub struct NamedSide {
-    name: String,
+    title: String,
     given: Given,
     pub prepared: Arc<PreparedSide>,
 }
@@ -87,8 +96,10 @@ pub fn is_surface(name: &str) -> bool {
 /// What is asked of a side: the options of its points, and what they say.
 #[derive(Debug, Clone, Copy)]
 pub struct Asked<'a> {
-    /// The side.
+    /// The file or preset.
     pub name: &'a str,
+    /// What messages call the side: its name, with "source" or "target" where both sides have the same name.
+    pub title: &'a str,
     /// The number of boundary samples.
     pub samples: Option<u32>,
     /// The interior point.
@@ -100,48 +111,59 @@ pub struct Asked<'a> {
 impl Asked<'_> {
     /// Checks that all of it is of the side's kind.
     pub fn check(&self) -> Result<(), CliError> {
-        let Self { name, samples, point: (point_option, point), anchor: (anchor_option, anchor) } = *self;
-        if let (true, Some(SidePoint::Plane(_))) | (false, Some(SidePoint::Surface(_))) = (is_surface(name), point) {
-            return Err(other_point(name, point_option));
+        let is_surface = is_surface(self.title);
+        let (point_option, point) = self.point;
+        if let (true, Some(SidePoint::Plane(_))) | (false, Some(SidePoint::Surface(_))) = (is_surface, point) {
+            return Err(other_point(self.title, is_surface, point_option));
         }
-        match (is_surface(name), anchor) {
-            (true, SideAnchor::Plane(_)) | (false, SideAnchor::Surface(_)) => Err(other_anchor(name, anchor_option)),
-            (true, _) if samples.is_some() => Err(CliError::Usage(format!(
-                "{name} is a surface: it has its own boundary vertices, and takes no samples"
+        let (anchor_option, anchor) = self.anchor;
+        match (is_surface, anchor) {
+            (true, SideAnchor::Plane(_)) | (false, SideAnchor::Surface(_)) => {
+                Err(other_anchor(self.title, is_surface, anchor_option))
+            }
+            (true, _) if self.samples.is_some() => Err(CliError::Usage(format!(
+                "{} is a surface: it has its own boundary vertices, and takes no samples",
+                self.title
             ))),
             _ => Ok(()),
         }
     }
 }
 
-fn other_point(name: &str, option: &str) -> CliError {
-    let meant = if is_surface(name) { "a surface: V, F:A,B,C or X,Y,Z" } else { "an outline: X,Y" };
-    CliError::Usage(format!("{option}: {name} is {meant} is meant"))
+fn other_point(title: &str, is_surface: bool, option: &str) -> CliError {
+    let meant = if is_surface { "a surface: V, F:A,B,C or X,Y,Z" } else { "an outline: X,Y" };
+    CliError::Usage(format!("{option}: {title} is {meant} is meant"))
 }
 
-fn other_anchor(name: &str, option: &str) -> CliError {
-    let meant = if is_surface(name) { "a surface: V, X,Y,Z or @S" } else { "an outline: X,Y or @S" };
-    CliError::Usage(format!("{option}: {name} is {meant} is meant"))
+fn other_anchor(title: &str, is_surface: bool, option: &str) -> CliError {
+    let meant = if is_surface { "a surface: V, X,Y,Z or @S" } else { "an outline: X,Y or @S" };
+    CliError::Usage(format!("{option}: {title} is {meant} is meant"))
 }
 
-/// Reads the side of this name.
+/// Reads the side of this name; a preset that is neither an outline nor a surface is refused with the names of both.
 pub fn read(name: &str, repair: bool) -> Result<Given, CliError> {
     if is_surface(name) {
-        flatten_arguments::read(name).map(Given::Surface)
-    } else {
-        read_outline(name, repair).map(Given::Outline)
+        return flatten_arguments::read(name).map(Given::Surface);
     }
+    let is_unknown = name.strip_prefix("preset:").is_some_and(|preset| Preset::from_str(preset).is_err());
+    read_outline(name, repair).map(Given::Outline).map_err(|error| match error {
+        CliError::Input(text) if is_unknown => {
+            let surfaces = SurfacePreset::ALL.map(|preset| preset.name()).join(", ");
+            CliError::Input(format!("{text}; surfaces: {surfaces}"))
+        }
+        other => other,
+    })
 }
 
 impl NamedSide {
     /// Prepares a side that was read.
     pub fn prepare(
-        Asked { name, samples, .. }: &Asked<'_>,
+        Asked { title, samples, .. }: &Asked<'_>,
         given: Given,
         reading: Reading<'_>,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        let about = |error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
+        let about = |error: &dyn std::fmt::Display| CliError::Input(format!("{title}: {error}"));
         let Reading { repair, intrinsic_delaunay, discretisation } = reading;
         let prepared = match &given {
             Given::Surface(surface) => {
@@ -149,15 +171,19 @@ impl NamedSide {
                 let (kernel, solver) = (discretisation.kernel_mode(), discretisation.solver_kind());
                 let settings = SurfaceSettings { intrinsic_delaunay, kernel, solver };
                 let mesh = mesh.map_err(|error| about(&error))?;
-                prepare_surface(mesh, settings, &mut progress.preparing(name)).map_err(|error| about(&error))?
+                prepare_surface(mesh, settings, &mut progress.preparing(title)).map_err(|error| about(&error))?
             }
             Given::Outline(outline) => {
                 let settings: PrepareSettings = discretisation.settings(outline, *samples);
-                let prepared = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(name));
+                let prepared = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(title));
                 prepared.map_err(|error| about(&error))?
             }
         };
-        Ok(Self { name: (*name).to_owned(), given, prepared: Arc::new(prepared) })
+        Ok(Self { title: (*title).to_owned(), given, prepared: Arc::new(prepared) })
+    }
+
+    fn is_surface(&self) -> bool {
+        matches!(self.given, Given::Surface(_))
     }
 
     /// Its interior point, or the default one, and the fraction of the boundary's length at its boundary point.
@@ -174,7 +200,7 @@ impl NamedSide {
             (Some(SidePoint::Surface(point)), SideGeometry::Space(surface), Given::Surface(given)) => {
                 point.locate(option, given, surface).map(Into::into)
             }
-            (Some(_), ..) => Err(other_point(&self.name, option)),
+            (Some(_), ..) => Err(other_point(&self.title, self.is_surface(), option)),
         }
     }
 
@@ -184,21 +210,23 @@ impl NamedSide {
             (SideAnchor::Fraction(s), _) => Ok(s.rem_euclid(1.0)),
             (SideAnchor::Plane(anchor), SideGeometry::Plane(domain)) => Ok(anchor.fraction(domain)),
             (SideAnchor::Surface(anchor), SideGeometry::Space(surface)) => anchor.fraction(option, surface),
-            (SideAnchor::Plane(_) | SideAnchor::Surface(_), _) => Err(other_anchor(&self.name, option)),
+            (SideAnchor::Plane(_) | SideAnchor::Surface(_), _) => {
+                Err(other_anchor(&self.title, self.is_surface(), option))
+            }
         }
     }
 
     /// Says on stderr what was done to what was read, and how it was prepared.
     pub fn say_notes(&self, discretisation: &Discretisation) {
         match &self.given {
-            Given::Outline(outline) => outline.say_notes(&self.name),
+            Given::Outline(outline) => outline.say_notes(&self.title),
             Given::Surface(surface) => {
                 let repairs = self.prepared.surface().into_iter().flat_map(|meshed| &meshed.surface().repairs);
                 let notes = surface.notes.iter().map(ToString::to_string).chain(repairs.map(ToString::to_string));
-                notes.for_each(|note| eprintln!("riemap: {}: {note}", self.name));
+                notes.for_each(|note| eprintln!("riemap: {}: {note}", self.title));
             }
         }
-        warn_if_coarse(&self.name, &self.prepared);
-        say_solver(&self.name, discretisation.solver_kind(), self.prepared.solver());
+        warn_if_coarse(&self.title, &self.prepared);
+        say_solver(&self.title, discretisation.solver_kind(), self.prepared.solver());
     }
 }
