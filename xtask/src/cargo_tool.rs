@@ -1,13 +1,16 @@
 //! Programs that cargo installs: found by their exact version, installed once.
 //!
 //! They go into the project's folder in the user's cache and not into the cargo
-//! home: they have only the features that are used here.
+//! home: they have only the features that are used here. Each version of each
+//! program has a folder of its own, so that clones that need different versions
+//! do not replace each other's.
 
 use crate::places::Places;
 use crate::shell::{Failure, ask, find_on_path, program_in, run, say};
 use std::env;
 use std::ffi::OsString;
 use std::fs;
+use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -43,8 +46,8 @@ impl Optimization {
 pub enum Source {
     /// A package of the registry, with further arguments of `cargo install`.
     Registry { package: &'static str, arguments: &'static [&'static str] },
-    /// This project's own package xtask, with the feature of the program's name.
-    Xtask,
+    /// This project's own package xtask, with the feature of the program's name; `source` is the program's file.
+    Xtask { source: &'static str },
 }
 
 /// A program at a pinned version.
@@ -64,24 +67,41 @@ pub struct CargoTool {
 impl CargoTool {
     /// The folder that holds this version of the program, after installing it if need be.
     pub fn ensure(&self, places: &Places) -> Result<PathBuf, Failure> {
-        let programs =
-            [self.program_in(&places.tools), self.program_in(&places.cargo_home), find_on_path(self.program)];
+        let root = self.root(places)?;
+        let programs = [self.program_in(&root), self.program_in(&places.cargo_home), find_on_path(self.program)];
         let is_right = |program: &PathBuf| version_of(program).as_ref() == Some(&self.version);
         if let Some(program) = programs.into_iter().flatten().find(is_right) {
             return Ok(program.parent().unwrap_or(Path::new("")).to_path_buf());
         }
-        self.install(places)?;
-        Ok(places.tools.join("bin"))
+        self.install(places, &root)?;
+        match self.program_in(&root).as_deref().and_then(version_of) {
+            Some(version) if version == self.version => Ok(root.join("bin")),
+            other => Err(Failure::new(
+                format!("installing {} {}", self.program, self.version),
+                format!("{} says that it is version {}", root.display(), other.as_deref().unwrap_or("(none)")),
+            )),
+        }
+    }
+
+    /// Where this version is installed (it goes to the folder's `bin/`). The name of this project's own program
+    /// includes a hash of its source, which may change while the version does not.
+    fn root(&self, places: &Places) -> Result<PathBuf, Failure> {
+        let name = format!("{}-{}", self.program, self.version);
+        let Source::Xtask { source } = self.source else { return Ok(places.tools.join(name)) };
+        let text = fs::read(places.root.join(source)).map_err(|error| Failure::new(source, error.to_string()))?;
+        let mut hasher = DefaultHasher::new();
+        hasher.write(&text);
+        Ok(places.tools.join(format!("{name}-{:016x}", hasher.finish())))
     }
 
     fn program_in(&self, root: &Path) -> Option<PathBuf> {
         Some(program_in(&root.join("bin"), self.program)).filter(|file| file.is_file())
     }
 
-    fn install(&self, places: &Places) -> Result<(), Failure> {
+    fn install(&self, places: &Places, root: &Path) -> Result<(), Failure> {
         let step = format!("installing {} {}", self.program, self.version);
         fs::create_dir_all(&places.cache).map_err(|error| Failure::new(&step, error.to_string()))?;
-        if let Some(mut binstall) = self.binstall(places)
+        if let Some(mut binstall) = self.binstall(root)
             && run(&step, &mut binstall).is_ok()
         {
             return Ok(());
@@ -90,29 +110,29 @@ impl CargoTool {
             "{} ({}) is compiled from source, once, into {}: this takes minutes",
             self.program,
             self.purpose,
-            places.tools.display()
+            root.display()
         ));
-        run(&step, self.compile(places).current_dir(&places.cache))
+        run(&step, self.compile(places, root).current_dir(&places.cache))
     }
 
     /// Fetches a ready-made program, where cargo-binstall is there and the program is published.
-    fn binstall(&self, places: &Places) -> Option<Command> {
+    fn binstall(&self, root: &Path) -> Option<Command> {
         let Source::Registry { package, .. } = self.source else { return None };
         find_on_path("cargo-binstall")?;
         let mut command = Command::new("cargo");
-        command.args(["binstall", "--no-confirm", "--disable-strategies", "compile", "--root"]).arg(&places.tools);
+        command.args(["binstall", "--no-confirm", "--disable-strategies", "compile", "--root"]).arg(root);
         command.arg(format!("{package}@{}", self.version));
         Some(command)
     }
 
-    fn compile(&self, places: &Places) -> Command {
+    fn compile(&self, places: &Places, root: &Path) -> Command {
         let mut command = Command::new("cargo");
-        command.args(["install", "--locked", "--root"]).arg(&places.tools);
+        command.args(["install", "--locked", "--root"]).arg(root);
         match self.source {
             Source::Registry { package, arguments } => {
                 command.args([package, "--version", &self.version]).args(arguments);
             }
-            Source::Xtask => {
+            Source::Xtask { .. } => {
                 command.arg("--path").arg(places.root.join("xtask"));
                 command.args(["--features", self.program, "--bin", self.program]);
             }

@@ -14,7 +14,7 @@ pub struct Places {
     pub cargo_home: PathBuf,
     /// `riemap/` in the user's cache.
     pub cache: PathBuf,
-    /// Where these commands install programs (they go to its `bin/`).
+    /// Where these commands install programs, each version in a folder of its own.
     pub tools: PathBuf,
 }
 

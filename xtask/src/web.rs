@@ -96,7 +96,7 @@ fn wasm_bindgen(version: String) -> CargoTool {
     CargoTool {
         program: "wasm-bindgen",
         version,
-        source: Source::Xtask,
+        source: Source::Xtask { source: "xtask/src/wasm_bindgen.rs" },
         optimization: Optimization::Basic,
         purpose: "which writes the JavaScript around the compiled app",
     }
