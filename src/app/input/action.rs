@@ -1,4 +1,4 @@
-//! What the panels ask for: commands to the session, and what concerns the screen alone.
+//! The requests that panels, gestures and keys emit: session commands, and actions that concern only the screen.
 
 use crate::app::input::preferences::Preferences;
 use crate::conformal::Side;
@@ -8,128 +8,128 @@ use crate::model::motion::PlayAction;
 use crate::model::overlays::walks::WalkAction;
 use crate::session::Command;
 
-/// A request of the person at the screen. All of them go through one queue and are carried out in one place.
+/// A request of the user. All requests go through one queue and are carried out in one place.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Action {
     /// A change of the session.
     Session(Command),
-    /// Take the last step back.
+    /// Undo.
     Undo,
-    /// Make it again.
+    /// Redo.
     Redo,
-    /// Begin with the first picture.
+    /// Start over with the default session.
     New,
-    /// Show the dialog for a session.
+    /// Show the dialog that opens a session file.
     OpenSession,
     /// Save the session as a file.
     SaveSession,
-    /// Put the session's address into the clipboard.
+    /// Copy the session's URL to the clipboard.
     CopyLink,
-    /// Show the dialog for an outline.
+    /// Show the dialog that opens an outline file for this side.
     OpenOutline(Side),
-    /// Show the dialog for a picture to trace for this side.
+    /// Show the dialog that opens an image whose outline is traced for this side.
     OpenTrace(Side),
-    /// Trace the picture that has just become the texture.
+    /// Trace the outline of the image that has just become the texture.
     TraceImage,
-    /// Leave it the texture.
+    /// Decline the offer to trace the texture image.
     DismissOffer,
-    /// Show the dialog for the texture image.
+    /// Show the dialog that opens a texture image.
     OpenImage,
-    /// Show all of a side's outline.
+    /// Fit a side's whole outline into its view.
     Fit(Side),
     /// Draw or reshape an outline by hand.
     Edit(EditAction),
-    /// Take a pasted text as the source's outline.
+    /// Read a pasted text as an outline: for the side of the paste window if it is open, else for the source.
     PasteText(String),
-    /// Do what the message about a side offers.
+    /// Apply the quick fix that the message about a side offers.
     QuickFix(Side),
     /// Close the messages about a side.
     Dismiss(Side),
-    /// Show a window of measurements, and begin them.
+    /// Show a window of measurements, and start measuring.
     OpenReport(Report),
-    /// Close the message about the image or a file.
+    /// Close the message that belongs to neither side.
     DismissMessage,
-    /// Show the window of exports.
+    /// Show the export window.
     OpenExport,
-    /// Save what is chosen there, or begin to make it.
+    /// Save the file chosen in the export window, or start rendering it.
     SaveExport,
-    /// Give up what is being made.
+    /// Cancel the export under way.
     CancelExport,
-    /// Set the points in motion, or stop them.
+    /// Start or stop the motion of the points, or change its path or period.
     Play(PlayAction),
     /// Start, pause or clear the random walks, or change their speed.
     Walks(WalkAction),
-    /// Open the gallery, the tour or the list of keys, or go on in the tour.
+    /// Open the gallery, the figures or the list of shortcuts; start, advance or leave the tour.
     Explore(ExploreAction),
-    /// Look and speak like this, now and the next time.
+    /// Apply these preferences and store them for the next start.
     Prefer(Preferences),
-    /// Fold the panels away, or bring them back.
+    /// Hide or show the panels.
     TogglePanels,
-    /// The whole screen, or a window again.
+    /// Enter or leave full screen.
     ToggleFullScreen,
-    /// Everything half as large again, or not.
+    /// Switch between the usual zoom and 1.5 times that zoom.
     TogglePresentation,
 }
 
-/// The queue.
+/// The requests of a frame, in the order in which they were made.
 pub type Actions = Vec<Action>;
 
-/// A step of a person who edits.
+/// A step of drawing, reshaping or pasting an outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum EditAction {
-    /// Reshape the outline of a side; once more: no more.
+    /// Start reshaping the outline of a side; stop if it is being reshaped.
     Toggle(Side),
-    /// Draw another one for a side.
+    /// Start drawing a new outline for a side.
     Draw(Side, Pen),
-    /// The stroke goes on, or a point was clicked.
+    /// Append a point: a sample of the stroke, or a click.
     Point(DVec2),
-    /// Take the last point back.
+    /// Remove the last point.
     TakeBack,
-    /// The stroke came to nothing.
+    /// Remove all points: the stroke was cancelled.
     Clear,
-    /// Close what is drawn.
+    /// Close the drawn outline and use it.
     Close,
-    /// No more.
+    /// Stop editing.
     Leave,
-    /// Take a handle in hand.
+    /// Start dragging a handle, with the pointer or the arrow keys.
     Grab(usize, Hold),
-    /// Move it.
+    /// Move the dragged handle to this point of the plane.
     Drag(DVec2),
-    /// Let it go.
+    /// Stop dragging the handle.
     Release,
-    /// Mean this handle, or none.
+    /// Select this handle, or none.
     Select(Option<usize>),
-    /// Make a change at once.
+    /// Apply a change that is not a drag: insert or remove a handle, smooth, mirror.
     Change(Change),
-    /// The message has been read.
+    /// Close the message about the edited outline.
     Dismiss,
-    /// Open the window for pasted text, for a side.
+    /// Open the paste window for a side.
     OpenPaste(Side),
-    /// Take what is written in it.
+    /// Use the text in the paste window as the outline.
     TakePasted,
-    /// Close it.
+    /// Close the paste window.
     ClosePaste,
 }
 
-/// What the menu opens.
+/// The actions of the gallery, the figures, the list of shortcuts and the tour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExploreAction {
-    /// The gallery.
+    /// Open the gallery.
     Gallery,
-    /// The paper's figures.
+    /// Open the list of the paper's figures.
     Figures,
-    /// The list of keys and gestures.
+    /// Open the list of keys and gestures.
     Shortcuts,
-    /// The tour, or its step of this number.
+    /// Go to this step of the tour, counted from 0; starts the tour if it is not running.
     Tour(usize),
-    /// Ends the tour with the picture that is shown, or with the one from before.
+    /// End the tour.
     LeaveTour {
-        /// The one that is shown.
+        /// Whether the session of the last step stays; otherwise the session from before the tour is restored.
         keeps: bool,
     },
 }
 
-/// What a window is about.
+/// The kinds of report windows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Report {
     /// Tables 1 and 2.

@@ -1,49 +1,49 @@
-//! What the page's address asks for besides the session, such as `?embed&lock=outline,view&theme=light`.
+//! The options in the page's URL besides the session, such as `?embed&lock=outline,view&theme=light`.
 //!
 //! | option | meaning |
 //! |---|---|
-//! | `embed` | no bars and no panels: the two pictures alone |
-//! | `lock=…` | controls that stay as they are, by their names (`locks`) |
-//! | `present` | everything half as large again |
-//! | `theme=dark`, `theme=light` | in place of the system's theme |
-//! | `lang=en`, `lang=de` | in place of the system's language |
-//! | `bench` | the paper's tables |
-//! | `backend=webgl` | WebGPU is left out |
+//! | `embed` | only the two pictures, without bars and panels |
+//! | `lock=…` | names of the controls that are locked, separated by commas (`locks`) |
+//! | `present` | zoom factor 1.5 |
+//! | `theme=dark`, `theme=light` | replaces the user's theme |
+//! | `lang=en`, `lang=de` | replaces the user's language |
+//! | `bench` | opens the window with the paper's tables |
+//! | `backend=webgl` | WebGPU is not used |
 //!
-//! Options that are none of these are left to others (a host may add its own); values that are none
-//! are reported.
+//! Unknown options are ignored, because a host may add its own; unknown values of these options are
+//! reported in `user_errors`.
 
 use crate::app::input::locks::{Control, Locks};
 use crate::app::input::preferences::Appearance;
 use crate::language::{Language, Message, key};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The options of an address; the default is that of an address without any.
+/// The parsed options; the default is that of a URL without options.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[allow(clippy::struct_excessive_bools, reason = "each is an option of its own, there or not")]
 pub struct AddressOptions {
-    /// The pictures alone.
+    /// Only the pictures, without bars and panels.
     pub embed: bool,
-    /// Everything larger.
+    /// Zoom factor 1.5.
     pub present: bool,
-    /// The paper's tables.
+    /// Opens the window with the paper's tables.
     pub bench: bool,
-    /// WebGPU is left out.
+    /// WebGPU is not used.
     pub webgl: bool,
-    /// What stays as it is.
+    /// The locked controls.
     pub locks: Locks,
-    /// The theme, if the address says so.
+    /// The theme, if the URL names one.
     pub theme: Option<Appearance>,
-    /// The language, if the address says so.
+    /// The language, if the URL names one.
     pub language: Option<Language>,
-    /// What could not be understood.
+    /// One message for each option with unknown values.
     pub user_errors: Vec<Message>,
 }
 
 const THEMES: [(&str, Appearance); 2] = [("light", Appearance::Light), ("dark", Appearance::Dark)];
 
 impl AddressOptions {
-    /// Reads names and values, decoded, in their order.
+    /// Parses pairs of name and value, percent-decoded, in the order of the URL.
     pub fn parse<'a>(pairs: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
         let mut options = Self::default();
         let mut unknown = Unknown::default();
@@ -56,7 +56,7 @@ impl AddressOptions {
         options
     }
 
-    /// Takes in an option; what of its value is not understood.
+    /// Applies one option; returns the parts of its value that are unknown.
     fn read<'a>(&mut self, name: &str, value: &'a str) -> Vec<&'a str> {
         let mut is_understood = true;
         match name {
@@ -86,14 +86,14 @@ impl AddressOptions {
     }
 }
 
-/// By option what was not understood, each once.
+/// The unknown values by option, without repetitions.
 type Unknown<'a> = BTreeMap<&'a str, BTreeSet<&'a str>>;
 
-/// How many values that are not understood are named, and how many letters of each: an address may be of any length.
+/// The most unknown values that a message lists, and the most characters of each: a URL may be of any length.
 const MOST_NAMED: usize = 3;
 const MOST_LETTERS: usize = 24;
 
-/// What is wrong with an option, in one sentence.
+/// The message about the unknown values of an option, one sentence.
 fn user_error(name: &str, values: &BTreeSet<&str>) -> Message {
     let said = values.iter().take(MOST_NAMED).map(|value| shortened(value)).collect::<Vec<_>>().join(",");
     let (asked, known) = (format!("{name}={said}"), known(name).join(", "));
@@ -103,7 +103,7 @@ fn user_error(name: &str, values: &BTreeSet<&str>) -> Message {
     }
 }
 
-/// The values that an option may have.
+/// The values that an option accepts.
 fn known(name: &str) -> Vec<&'static str> {
     match name {
         "lock" => Control::ALL.map(Control::name).into(),

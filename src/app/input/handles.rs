@@ -1,7 +1,7 @@
-//! The four dots: which one is under the pointer, which one is being dragged.
+//! The four dots x₁, y₁, x₂, y₂: hit test, drag, focus and pulse.
 //!
-//! A dot is grabbed where it was touched and keeps that offset, so that it does
-//! not jump. Nearer dots win; ties go to the interior point.
+//! A drag keeps the offset from the pointer to the dot, so that the dot does not jump when it is grabbed.
+//! The nearest dot within [`GRAB_RADIUS`] is hit; a tie goes to the interior point.
 
 use crate::conformal::Side;
 use egui::{Pos2, Vec2};
@@ -10,35 +10,35 @@ use egui::{Pos2, Vec2};
 pub const DOT_RADIUS: f32 = 9.0;
 /// The radius of the area that grabs a dot: 44 points across, a finger's width.
 pub const GRAB_RADIUS: f32 = 22.0;
-/// How long a partner's pulse lasts, in seconds.
+/// The duration of the pulse of a dragged dot's partner, in seconds.
 pub const PULSE_SECONDS: f64 = 0.7;
 
-/// Which of a side's two dots.
+/// The two dots of a side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HandleKind {
-    /// x, green.
+    /// The interior point x, green.
     Interior,
-    /// y, magenta.
+    /// The boundary point y, magenta.
     Boundary,
 }
 
 /// One of the four dots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Handle {
-    /// Its viewport.
+    /// The side that it belongs to.
     pub side: Side,
-    /// Its kind.
+    /// Interior or boundary point.
     pub kind: HandleKind,
 }
 
 impl Handle {
-    /// The dot that this one is mapped to.
+    /// The dot of the same kind on the other side: the map sends one to the other.
     #[must_use]
     pub fn partner(self) -> Self {
         Self { side: self.side.other(), ..self }
     }
 
-    /// "x₁", "y₂", …
+    /// The symbol with the side as index, such as "x₁" or "y₂".
     pub fn symbol(self) -> &'static str {
         match (self.kind, self.side) {
             (HandleKind::Interior, Side::Source) => "x₁",
@@ -49,7 +49,7 @@ impl Handle {
     }
 }
 
-/// The dot of a viewport that a touch at `pointer` means; `positions` are interior, boundary.
+/// The dot that a press at `pointer` grabs; `positions` are those of the interior and the boundary point.
 pub fn hit(side: Side, positions: [Option<Pos2>; 2], pointer: Pos2) -> Option<Handle> {
     let candidates = [(HandleKind::Interior, positions[0]), (HandleKind::Boundary, positions[1])];
     candidates
@@ -60,56 +60,56 @@ pub fn hit(side: Side, positions: [Option<Pos2>; 2], pointer: Pos2) -> Option<Ha
         .map(|(kind, _)| Handle { side, kind })
 }
 
-/// A dot in someone's hand.
+/// A dot that is being dragged.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grip {
-    /// Which one.
+    /// The dragged dot.
     pub handle: Handle,
-    /// From the pointer to the dot's centre, when it was grabbed.
+    /// From the pointer to the dot's center when the drag began.
     pub offset: Vec2,
 }
 
-/// What happens to the dots over time.
+/// Drag, focus, hover and pulse state of the dots.
 #[derive(Debug, Clone, Default)]
 pub struct HandleState {
-    /// The one in hand.
+    /// The dragged dot.
     pub grip: Option<Grip>,
-    /// The one that has the keyboard.
+    /// The dot that has the keyboard focus.
     pub focused: Option<Handle>,
-    /// The viewport that has the keyboard.
+    /// The viewport that has the keyboard focus.
     pub focused_view: Option<Side>,
-    /// The one under the pointer.
+    /// The dot under the pointer.
     pub hovered: Option<Handle>,
-    /// The one that pulses, and since when (seconds).
+    /// The pulsing dot and the start of its pulse, in seconds.
     pulse: Option<(Handle, f64)>,
-    /// Whether any dot was ever dragged: the hint is not needed any more.
+    /// Whether a dot was ever dragged or focused; from then on the hint is not shown.
     pub ever_dragged: bool,
 }
 
 impl HandleState {
-    /// Takes `handle` in hand.
+    /// Starts dragging `handle`, and the pulse of its partner.
     pub fn grab(&mut self, handle: Handle, position: Pos2, pointer: Pos2, now: f64) {
         self.grip = Some(Grip { handle, offset: position - pointer });
         self.pulse = Some((handle.partner(), now));
         self.ever_dragged = true;
     }
 
-    /// Lets it go.
+    /// Ends the drag.
     pub fn release(&mut self) {
         self.grip = None;
     }
 
-    /// Whether `handle` is drawn large.
+    /// Whether `handle` is drawn larger: hovered, dragged or focused.
     pub fn is_raised(&self, handle: Handle) -> bool {
         self.hovered == Some(handle) || self.is_held(handle) || self.focused == Some(handle)
     }
 
-    /// Whether `handle` is in hand.
+    /// Whether `handle` is being dragged.
     pub fn is_held(&self, handle: Handle) -> bool {
         self.grip.is_some_and(|grip| grip.handle == handle)
     }
 
-    /// How far the pulse of `handle` has gone, from 0 to 1.
+    /// The progress of the pulse of `handle`, from 0 to 1; `None` if it does not pulse.
     pub fn pulse_of(&self, handle: Handle, now: f64) -> Option<f32> {
         let (pulsing, since) = self.pulse?;
         let progress = (now - since) / PULSE_SECONDS;

@@ -1,30 +1,30 @@
-//! Who gets a key: a hand at the pointer folds the panels with Tab, a person at the keyboard walks
-//! from control to control; and every key goes to the control that those before it have led to.
+//! Dispatch of keys: Tab either folds the panels or moves the focus, and each key goes to the control that is focused
+//! after all earlier keys have been processed.
 //!
-//! After the pointer was used, Tab folds; while a control has the keyboard, and before the pointer was ever
-//! used, it goes to the next control, as everywhere. F6 or Shift+Tab begin to walk from anywhere, Escape ends it.
+//! Tab folds the panels after the pointer was used. It moves the focus while a control is focused and before the
+//! pointer was ever used. F6 and Shift+Tab always move the focus; Escape removes it.
 //!
-//! egui looks at all keys of a frame before any control does, and learns only a frame after a control got the keyboard
-//! which keys that one keeps to itself. So a key that walks waits until those before it have been seen, what comes after
-//! it waits for the next frame, and keys that could lead away again for one more.
+//! egui processes the focus keys of a frame before any control sees its keys, and learns which keys a control
+//! captures only one frame after it was focused. So a key that moves the focus is delayed until the earlier keys have
+//! been delivered, later keys are delayed to the next frame, and keys that could move the focus again by one more.
 
 use egui::{Context, Event, Id, Key, RawInput};
 
-/// What was used last, and what waits.
+/// The last used device, the focus, and the delayed keys.
 #[derive(Debug, Clone, Default)]
 pub struct Keyboard {
-    /// The pointer, and no key since then that walks.
+    /// The pointer was used, and no key has moved the focus since.
     by_pointer: bool,
-    /// What had the keyboard when the last frame began.
+    /// The focused control at the beginning of the last frame.
     focused: Option<Id>,
-    /// Whether a key of the last frame has walked.
+    /// Whether a key of the last frame has moved the focus.
     has_walked: bool,
-    /// Keys that wait for the next frame.
+    /// Keys that are delayed to the next frame.
     waiting: Vec<Event>,
 }
 
 impl Keyboard {
-    /// Looks at a frame's events before egui does; returns how many times the panels are to be folded or brought back.
+    /// Filters a frame's events before egui sees them; returns how many times the panels are to be toggled.
     pub fn take_in(&mut self, context: &Context, input: &mut RawInput) -> usize {
         let focused = context.memory(egui::Memory::focused);
         let is_new = focused != std::mem::replace(&mut self.focused, focused);
@@ -46,7 +46,7 @@ impl Keyboard {
             has_passed |= is_of_keyboard(&event) && !matches!(event, Event::Key { pressed: false, .. });
             match event {
                 Event::PointerMoved(_) | Event::PointerButton { .. } | Event::Touch { .. } => self.by_pointer = true,
-                // what was pressed before is not let go of in here
+                // the releases of delayed presses would not arrive in this window
                 Event::WindowFocused(false) => later.clear(),
                 Event::Key { key: Key::F6, physical_key, pressed, repeat, modifiers } => {
                     (self.by_pointer, walks) = (false, true);
@@ -75,20 +75,20 @@ impl Keyboard {
     }
 }
 
-/// Whether a key that walks is held down and its last step has not been taken yet: no more of them pile up than frames
-/// can follow.
+/// Whether the event is another press of a held Tab or F6 whose last press is still delayed. Such repeats are dropped,
+/// so that they do not pile up faster than frames process them.
 fn is_repeated(event: &Event, waiting: &[Event]) -> bool {
     let Event::Key { key: held @ (Key::Tab | Key::F6), pressed: true, .. } = event else { return false };
     let last = waiting.iter().rev().find(|event| matches!(event, Event::Key { key, .. } if key == held));
     matches!(last, Some(Event::Key { pressed: true, .. }))
 }
 
-/// Whether the control that has the keyboard loses it by this key, as nearly all do.
+/// Whether this key takes the focus away from nearly every focused control.
 fn walks_from_here(event: &Event) -> bool {
     matches!(event, Event::Key { key: Key::Tab | Key::F6 | Key::Escape, pressed: true, .. })
 }
 
-/// Whether a control that does not keep this key loses the keyboard by it.
+/// Whether this key takes the focus away from a control that does not capture it.
 fn leads_away(event: &Event) -> bool {
     let keys = [Key::ArrowUp, Key::ArrowRight, Key::ArrowDown, Key::ArrowLeft, Key::Escape];
     matches!(event, Event::Key { key, pressed: true, modifiers, .. } if keys.contains(key) && !modifiers.any())
@@ -115,7 +115,7 @@ mod tests {
         key(of, Modifiers::NONE)
     }
 
-    /// The end of a press.
+    /// The release that belongs to a press.
     fn released(press: &Event) -> Event {
         let mut end = press.clone();
         if let Event::Key { pressed, .. } = &mut end {
@@ -124,7 +124,7 @@ mod tests {
         end
     }
 
-    /// How often the panels fold, and how many Tab keys are left for egui.
+    /// How often the panels are toggled, and how many Tab keys are passed to egui.
     fn after(mut events: Vec<Event>) -> (usize, usize) {
         let (mut keyboard, context) = (Keyboard::default(), Context::default());
         let (mut folds, mut tabs) = (0, 0);
@@ -148,7 +148,7 @@ mod tests {
         assert_eq!(after(vec![moved(), tab(), tab()]), (2, 0));
     }
 
-    /// A button, a picture's two dots, a button.
+    /// A screen with a button, two dots and another button.
     #[derive(Default)]
     struct Screen {
         context: Context,
@@ -159,7 +159,7 @@ mod tests {
     }
 
     impl Screen {
-        /// Shows frames of these events, and then some without any.
+        /// Runs frames with these events, and then eight without events.
         fn run<const N: usize>(&mut self, frames: [Vec<Event>; N]) {
             for events in frames.into_iter().chain(std::iter::repeat_n(Vec::new(), 8)) {
                 let mut input = RawInput { events, ..RawInput::default() };

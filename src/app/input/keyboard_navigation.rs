@@ -1,7 +1,7 @@
-//! The keyboard's hold on the pictures: dots and viewports are stations of the Tab key, arrow keys move what has it.
+//! Keyboard control of the pictures: Tab focuses dots and viewports, arrow keys move the focused one.
 //!
-//! A green dot moves on the screen, a magenta one along its boundary (right and up: counter-clockwise);
-//! Shift makes the steps fine. A viewport moves its eye, `+` and `-` zoom, `0` fits.
+//! An interior dot moves on the screen, a boundary dot along its boundary (right and up: counter-clockwise);
+//! Shift makes the steps ten times smaller. In a viewport the arrow keys move the camera, `+` and `-` zoom, `0` fits.
 
 use crate::app::input::handles::{GRAB_RADIUS, Handle, HandleKind, HandleState};
 use crate::app::input::locks::{Control, Locks};
@@ -9,26 +9,26 @@ use crate::conformal::Side;
 use crate::language::{Label, key, tr};
 use egui::{EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
 
-/// A step of a dot on the screen, in points: a dot's radius. Fine: one.
+/// A step of an interior dot on the screen, in points: coarse (about a dot's radius) and fine.
 const STEPS: [f32; 2] = [10.0, 1.0];
-/// A step of a dot along its boundary, as fractions of the length.
+/// A step of a boundary dot, as a fraction of the boundary's length: coarse and fine.
 const FRACTIONS: [f64; 2] = [0.01, 0.001];
-/// A step of the eye, in points.
+/// A step of the camera, in points.
 const EYE_STEP: f32 = 40.0;
-/// What a press of `+` zooms by.
+/// The zoom factor of one press of `+`.
 const ZOOM_STEP: f32 = 1.25;
 
-/// What the arrow keys ask of a dot.
+/// A step of a dot by the arrow keys.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum KeyStep {
-    /// To move on the screen, in points.
+    /// The displacement on the screen, in points.
     Interior(Vec2),
-    /// To move along the boundary, by a fraction of its length, counter-clockwise.
+    /// The displacement along the boundary, as a fraction of its length, counter-clockwise.
     Boundary(f64),
 }
 
-/// Makes a side's dots stations of the Tab key; returns what the arrow keys ask of the one that has the keyboard.
-/// `places` are those of interior and boundary.
+/// Makes a side's dots focusable by Tab; returns the step of the focused one. `places` are the screen positions of the
+/// interior and the boundary dot.
 pub fn of_dots(ui: &Ui, side: Side, places: [Option<Pos2>; 2], handles: &mut HandleState) -> Option<KeyStep> {
     let mut key_step = None;
     for kind in [HandleKind::Interior, HandleKind::Boundary] {
@@ -57,18 +57,18 @@ fn steps(kind: HandleKind, [coarse, fine]: [Vec2; 2]) -> KeyStep {
     }
 }
 
-/// What the keys ask of a picture's eye, in points and as a factor.
+/// A camera move by keys.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum EyeMove {
-    /// Move, or turn.
+    /// Pan a planar view or orbit a surface, in points.
     Step(Vec2),
-    /// Come nearer by this factor.
+    /// Zoom in by this factor.
     Zoom(f32),
-    /// Show everything.
+    /// Fit the whole outline or surface.
     Fit,
 }
 
-/// What the keys ask of the eye of the viewport that has the keyboard.
+/// The camera move of the pressed keys, if the viewport of `side` is focused and the view is not locked.
 pub fn of_viewport(ui: &Ui, response: &Response, side: Side, handles: &mut HandleState) -> Option<EyeMove> {
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr(viewport_name(side))));
     if !response.has_focus() || Locks::of(ui.ctx()).holds(Control::View) {
@@ -90,18 +90,18 @@ pub fn of_viewport(ui: &Ui, response: &Response, side: Side, handles: &mut Handl
         .map(|(_, wanted)| wanted)
 }
 
-/// The arrow keys of the control that has the keyboard: [`arrow_keys`], kept from leading to another one.
+/// The [`arrow_keys`] of the focused control, which are kept from moving the focus.
 fn held_arrows(ui: &Ui, response: &Response) -> [Vec2; 2] {
     let ours = EventFilter { horizontal_arrows: true, vertical_arrows: true, tab: false, escape: false };
     if response.gained_focus() {
-        // the filter holds from the second frame on: before it an arrow would lead away
+        // the filter takes effect in the second frame; in the first one an arrow key would move the focus
         ui.request_repaint();
     }
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, ours));
     arrow_keys(ui)
 }
 
-/// The arrow keys and their ways, y down.
+/// The arrow keys and their directions, y down.
 pub const ARROWS: [(Key, Vec2); 4] = [
     (Key::ArrowRight, vec2(1.0, 0.0)),
     (Key::ArrowLeft, vec2(-1.0, 0.0)),
@@ -116,13 +116,13 @@ pub fn arrow_keys(ui: &Ui) -> [Vec2; 2] {
             let pressed = |(key, way)| input.count_and_consume_key(modifiers, key) as f32 * way;
             ARROWS.map(pressed).into_iter().fold(Vec2::ZERO, |sum, by| sum + by)
         };
-        // with Shift first: without it an arrow would match too
+        // Shift first: the pattern without modifiers would match a shifted arrow too
         let fine = sum(Modifiers::SHIFT);
         [sum(Modifiers::NONE), fine]
     })
 }
 
-/// The same for a dot in the plane and on a surface.
+/// The id of a dot's focusable area, the same in the plane and on a surface.
 fn id_of(handle: Handle) -> Id {
     Id::unique(("dot", handle.symbol()))
 }
@@ -157,7 +157,7 @@ mod tests {
     fn a_dot_that_was_just_reached_keeps_the_keyboard() {
         let mut harness = ready_app([1200.0, 800.0]);
         harness.get_by_label("x₁, interior point of the source").focus();
-        harness.run(); // as many frames as are asked for
+        harness.run(); // until no frame is requested
         for step in 1..=3 {
             let [x, _] = harness.state().stats().handles.x1.unwrap();
             harness.key_press(Key::ArrowRight);

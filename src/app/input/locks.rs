@@ -1,8 +1,8 @@
-//! Controls that the page's address keeps as they are: `?lock=outline,view`.
+//! Controls that the page's URL locks: `?lock=outline,view`.
 //!
-//! A locked control is inert for the person at the screen: its actions are refused where all actions
-//! are carried out ([`Locks::refused`]), dots and pictures do not follow the pointer, and what is on
-//! the screen is grey and says why. The page around a frame is not bound by them.
+//! The user cannot change a locked control: its actions are refused where all actions are carried out
+//! ([`Locks::refused`]), dots and pictures do not follow the pointer, and its widgets are grayed with the
+//! reason as tooltip. Locks do not apply to the page that embeds the app.
 
 use crate::app::input::action::{Action, EditAction, ExploreAction};
 use crate::app::input::handles::HandleKind;
@@ -11,37 +11,37 @@ use crate::model::editing::Change;
 use crate::session::Touched;
 use egui::{Button, Context, Id, Sense, Ui};
 
-/// What can be locked.
+/// The controls that can be locked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Control {
     /// The interior points.
     Interior,
     /// The boundary points.
     Boundary,
-    /// Outlines and surfaces.
+    /// The choice and the shape of outlines and surfaces.
     Outline,
-    /// Moving, zooming and turning the pictures.
+    /// Panning, zooming and orbiting the pictures.
     View,
-    /// The texture, its scale, side and image.
+    /// The texture: its kind, scale, side and image.
     Pattern,
-    /// What the meshes are painted with, and their edges.
+    /// The coloring of the triangles, and the wireframe.
     Colours,
     /// Direction, extension, kernel, solver, sampling and meshing.
     Method,
     /// Opening and closing the plots.
     Plots,
-    /// Comparisons, random walks and measurements.
+    /// Comparisons through the disk, random walks and measurements.
     Comparison,
-    /// Beginning anew, and opening another session.
+    /// Starting over and opening another session.
     Session,
     /// Theme and language.
     Theme,
-    /// Folding the panels.
+    /// Hiding and showing the panels.
     Panels,
 }
 
 impl Control {
-    /// All of them, in the order in which they are documented.
+    /// All variants, in the order of the documentation.
     pub const ALL: [Self; 12] = [
         Self::Interior,
         Self::Boundary,
@@ -57,10 +57,10 @@ impl Control {
         Self::Panels,
     ];
 
-    /// What another outline or surface changes: it has two points of its own.
+    /// The controls that a new outline or surface changes: it comes with its own interior and boundary point.
     pub const OF_SHAPES: &[Self] = &[Self::Outline, Self::Interior, Self::Boundary];
 
-    /// Its name in the address.
+    /// The name in the URL.
     pub fn name(self) -> &'static str {
         match self {
             Self::Interior => "interior",
@@ -78,12 +78,12 @@ impl Control {
         }
     }
 
-    /// Whether it is a part of the session, which another session would change too.
+    /// Whether it is part of the session, so that opening another session would change it.
     fn is_part_of_session(self) -> bool {
         !matches!(self, Self::View | Self::Theme | Self::Panels)
     }
 
-    /// What an action besides a command belongs to; `None`: nothing that can be locked.
+    /// The control that an action other than a session command belongs to; `None` if no lock applies.
     fn of(action: &Action) -> Option<Self> {
         Some(match action {
             Action::New
@@ -120,7 +120,7 @@ impl Control {
         })
     }
 
-    /// What keeps a change of these parts of the session, in the order in which a refusal names it.
+    /// The controls whose locks refuse a change of these parts of the session; a refusal names the first locked one.
     pub fn of_touched(touched: Touched) -> impl Iterator<Item = Self> {
         let is_another_session = touched == Touched::EVERYTHING;
         let parts = [
@@ -143,7 +143,7 @@ impl Control {
 pub struct Locks(u16);
 
 impl Locks {
-    /// Reads `outline,view`; the names that are none come back too.
+    /// Parses a list such as `outline,view`; also returns the unknown names.
     pub fn parse(list: &str) -> (Self, Vec<&str>) {
         let (mut locks, mut unknown) = (Self::default(), Vec::new());
         for name in list.split(',').map(str::trim).filter(|name| !name.is_empty()) {
@@ -155,19 +155,19 @@ impl Locks {
         (locks, unknown)
     }
 
-    /// These and one more.
+    /// This set with one more control.
     #[must_use]
     pub fn with(self, control: Control) -> Self {
         Self(self.0 | 1 << control as u16)
     }
 
-    /// These and those.
+    /// The union of both sets.
     #[must_use]
     pub fn and(self, others: Self) -> Self {
         Self(self.0 | others.0)
     }
 
-    /// Whether `control` is locked. Another session is refused as soon as a part of this one is kept.
+    /// Whether `control` is locked. [`Control::Session`] is locked as soon as any part of the session is.
     pub fn holds(self, control: Control) -> bool {
         let named = |control: Control| self.0 & 1 << control as u16 != 0;
         let implied = || {
@@ -176,7 +176,7 @@ impl Locks {
         named(control) || implied()
     }
 
-    /// The lock that keeps `action` from being carried out.
+    /// The first lock that refuses `action`; `None` if it may be carried out.
     pub fn refused(self, action: &Action) -> Option<Control> {
         if let Action::Session(command) = action {
             return Control::of_touched(command.touches()).find(|&control| self.holds(control));
@@ -202,7 +202,7 @@ impl Locks {
         Control::of(action).filter(|&control| self.holds(control))
     }
 
-    /// Keeps the dots of this kind where they are.
+    /// Whether the dots of this kind are locked.
     pub fn holds_handle(self, kind: HandleKind) -> bool {
         self.holds(match kind {
             HandleKind::Interior => Control::Interior,
@@ -210,12 +210,12 @@ impl Locks {
         })
     }
 
-    /// Makes them known to everything that is shown in `context`.
+    /// Stores the locks in `context`, where [`Self::of`] finds them.
     pub fn install(self, context: &Context) {
         context.data_mut(|data| data.insert_temp(id(), self.0));
     }
 
-    /// The ones of `context`.
+    /// The locks stored in `context`; none if none were stored.
     pub fn of(context: &Context) -> Self {
         Self(context.data(|data| data.get_temp(id())).unwrap_or_default())
     }
@@ -225,15 +225,15 @@ fn id() -> Id {
     Id::unique("locked controls")
 }
 
-/// What is said about a locked control.
+/// The tooltip of a locked control.
 pub const REFUSAL: Label = key::locked();
 
-/// Shows controls, grey and with the reason while they are locked.
+/// Shows widgets, disabled and with the reason as tooltip while `control` is locked.
 pub fn guarded<R>(ui: &mut Ui, control: Control, show: impl FnOnce(&mut Ui) -> R) -> R {
     guarded_by(ui, &[control], show)
 }
 
-/// Shows controls that any of these locks.
+/// As [`guarded`], for widgets that are disabled while any of `controls` is locked.
 pub fn guarded_by<R>(ui: &mut Ui, controls: &[Control], show: impl FnOnce(&mut Ui) -> R) -> R {
     let locks = Locks::of(ui.ctx());
     let locked = controls.iter().any(|&control| locks.holds(control));
@@ -245,7 +245,8 @@ pub fn guarded_by<R>(ui: &mut Ui, controls: &[Control], show: impl FnOnce(&mut U
     shown.inner
 }
 
-/// An entry of a menu, grey and with the reason while what it does is locked; whether it was clicked.
+/// Shows a menu entry, disabled and with the reason as tooltip while `action` is refused; returns whether it was
+/// clicked.
 pub fn menu_entry(ui: &mut Ui, enabled: bool, button: Button<'_>, tooltip: Label, action: &Action) -> bool {
     let locked = Locks::of(ui.ctx()).refused(action).is_some();
     let response = ui.add_enabled(enabled && !locked, button).on_hover_text(tr(tooltip));

@@ -1,14 +1,14 @@
-//! What a person asks for: the actions, who may ask, and the gestures and keys that ask.
+//! User input: the actions, the locks that refuse them, and the gestures and keys that produce them.
 //!
-//! | what | file |
+//! | content | file |
 //! |---|---|
-//! | the requests of the person at the screen | `action` |
-//! | the options of the page's address | `address_options` |
-//! | controls that the page's address keeps as they are | `locks` |
-//! | theme, language and size of words | `preferences`, `presentation` |
-//! | the dots under the pointer | `handles` |
-//! | keys | `keyboard`, `keyboard_navigation` |
-//! | fingers | `touches` |
+//! | the requests of the user | `action` |
+//! | the options in the page's URL | `address_options` |
+//! | controls that the page's URL locks | `locks` |
+//! | theme, language and zoom | `preferences`, `presentation` |
+//! | hit test and drag state of the four dots | `handles` |
+//! | keyboard focus, Tab and arrow keys | `keyboard`, `keyboard_navigation` |
+//! | cancelled touches | `touches` |
 
 pub mod action;
 pub mod address_options;

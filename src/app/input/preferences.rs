@@ -1,27 +1,27 @@
-//! What a person has chosen for this device, whatever is on the screen: language and theme.
+//! The preferences of the user on this device: language and theme.
 //!
-//! Not part of a session: a link does not change how another person's app looks or speaks.
+//! They are not part of a session, so opening a link changes neither language nor theme.
 
 use crate::app::input::address_options::AddressOptions;
 use crate::language::{self, Language, Message};
 use crate::platform::{self, Kept};
 use egui::ThemePreference;
 
-/// Which of the themes is shown.
+/// The choice of theme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Appearance {
-    /// The one that the system shows.
+    /// The theme of the system.
     #[default]
     System,
-    /// The light one.
+    /// The light theme.
     Light,
-    /// The dark one.
+    /// The dark theme.
     Dark,
 }
 
 impl Appearance {
-    /// All of them, as they are listed in the menu.
+    /// All variants, in the order of the menu.
     pub const ALL: [Self; 3] = [Self::System, Self::Light, Self::Dark];
 
     fn preference(self) -> ThemePreference {
@@ -33,28 +33,28 @@ impl Appearance {
     }
 }
 
-/// The choices; what is not chosen follows the system.
+/// The preferences; a preference that was not chosen follows the system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 pub struct Preferences {
-    /// The language of the screen.
+    /// The chosen language; `None` follows the system.
     pub language: Option<Language>,
-    /// The theme.
+    /// The chosen theme.
     pub appearance: Appearance,
 }
 
 impl Preferences {
-    /// English on the dark ground, whatever the system is like: a picture that is the same everywhere.
+    /// English and the dark theme, independent of the system: for screenshots and tests.
     pub fn fixed() -> Self {
         Self { language: Some(Language::English), appearance: Appearance::Dark }
     }
 
-    /// Those of the last time. What cannot be read is as good as not chosen.
+    /// The stored preferences; the defaults where none are stored or the stored text cannot be read.
     pub fn remembered() -> Self {
         platform::remembered(Kept::Preferences).and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
     }
 
-    /// Keeps them for the next time. A device that keeps nothing asks again: no reason to disturb anybody.
+    /// Stores the preferences for the next start. A failure is only logged: the user chooses again next time.
     pub fn remember(self) {
         let kept = serde_json::to_string(&self).map_err(|error| Message::from(error.to_string()));
         if let Err(reason) = kept.and_then(|text| platform::remember(Kept::Preferences, &text)) {
@@ -62,22 +62,22 @@ impl Preferences {
         }
     }
 
-    /// With what an address asks for in their place.
+    /// These preferences, overridden by the options of the page's URL.
     #[must_use]
     pub fn with(self, options: &AddressOptions) -> Self {
         Self { language: options.language.or(self.language), appearance: options.theme.unwrap_or(self.appearance) }
     }
 
-    /// The language of the screen.
+    /// The chosen language, or the first supported one of the system.
     pub fn language(self) -> Language {
         self.language.unwrap_or_else(|| Language::of_preferences(platform::languages()))
     }
 
-    /// From now on the screen looks and speaks like this.
+    /// Sets language and theme of the app; the language is also reported to the page.
     pub fn apply(self, context: &egui::Context) {
         language::set(self.language());
         platform::say_language(self.language().code());
-        // the dark one where the system shows none: egui's own choice
+        // where the system reports no theme, egui chooses the dark one
         context.set_theme(self.appearance.preference());
     }
 }

@@ -1,4 +1,4 @@
-//! How the app is shown: in a frame, on the whole screen, large for a room, in the theme that the address asks for.
+//! Zoom for presentations, full screen, and the options of the page's URL at startup.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::address_options::AddressOptions;
@@ -8,15 +8,15 @@ use crate::language::{Label, Message, key, tr};
 use crate::platform;
 use egui::{Context, Event, Key, Response, Role, Stroke, Ui, WidgetInfo, vec2};
 
-/// How much larger everything is in a presentation, dots and strokes too.
+/// The zoom factor of a presentation; it applies to dots and strokes too.
 const PRESENTATION_ZOOM: f32 = 1.5;
 
-/// What the button says.
+/// The tooltip of the full-screen button.
 pub const FULL_SCREEN_TOOLTIP: Label = key::full_screen_tooltip();
-/// What the menu says.
+/// The tooltip of the menu entry that switches the zoom.
 pub const PRESENTATION_TOOLTIP: Label = key::presentation_tooltip();
 
-/// Begins as the address asks for, and beyond that as the person has chosen for this device.
+/// Applies locks, zoom and preferences at startup; the URL's options override the user's. Returns the preferences.
 pub fn install(context: &Context, chosen: Preferences, options: &AddressOptions) -> Preferences {
     options.locks.install(context);
     if options.present {
@@ -27,23 +27,23 @@ pub fn install(context: &Context, chosen: Preferences, options: &AddressOptions)
     preferences
 }
 
-/// The first message, and what is wrong with the address.
+/// The message of the startup, followed by the errors in the page's URL.
 pub fn with_user_errors(message: Option<Message>, options: &AddressOptions) -> Option<Message> {
     let all = message.into_iter().chain(options.user_errors.iter().cloned());
     Message::joined(all, key::both_sentences)
 }
 
-/// Whether everything is larger.
+/// Whether the zoom is that of a presentation.
 pub fn is_large(context: &Context) -> bool {
     context.zoom_factor() >= PRESENTATION_ZOOM
 }
 
-/// Goes to the presentation's size and back.
+/// Switches between the presentation's zoom and zoom 1.
 pub fn toggle(context: &Context) {
     context.set_zoom_factor(if is_large(context) { 1.0 } else { PRESENTATION_ZOOM });
 }
 
-/// F is for the whole screen, unless a control has the keyboard.
+/// F toggles full screen, unless a control has the keyboard focus.
 pub fn keys(ui: &Ui, actions: &mut Actions) {
     let is_f = |event: &Event| {
         let Event::Key { key, pressed, repeat, modifiers, .. } = event else { return false };
@@ -55,7 +55,7 @@ pub fn keys(ui: &Ui, actions: &mut Actions) {
     }
 }
 
-/// Four corners; nothing where the system has no full screen.
+/// Shows a button with four corners as its icon; `None` where the system has no full screen.
 pub fn full_screen_button(ui: &mut Ui, size: egui::Vec2, ink: egui::Color32) -> Option<Response> {
     if !platform::has_full_screen() {
         return None;
@@ -70,7 +70,7 @@ pub fn full_screen_button(ui: &mut Ui, size: egui::Vec2, ink: egui::Color32) -> 
     Some(response)
 }
 
-/// What to do when nothing can be drawn any more.
+/// The message when the graphics device is lost.
 pub fn graphics_lost(reason: &str) -> Message {
     key::graphics_device_lost(reason)
 }

@@ -1,24 +1,23 @@
-//! Touches that the system takes away: by a gesture of its own, a call, a palm.
+//! Touches that the system cancels: for a system gesture, a call, or a palm.
 
 use egui::{Event, Modifiers, PointerButton, TouchId, TouchPhase, vec2};
 
-/// Farther than a press may move and be a click, and than any screen is wide: walls of them have 1e5 points.
+/// An offset larger than a click may move and than any screen is wide: walls of screens have 1e5 points.
 const AWAY: egui::Vec2 = vec2(1e7, 0.0);
 
-/// Which touch holds the pointer.
+/// The touch that acts as the pointer.
 #[derive(Debug, Default)]
 pub struct Touches {
     first: Option<TouchId>,
 }
 
-/// Whether this is how a cancelled touch lets go: everything that it has done since its press does not count.
+/// Whether this event marks a cancelled touch: everything since its press must be discarded.
 pub fn lets_go(event: &Event) -> bool {
     matches!(event, Event::PointerMoved(place) if place.x > 0.5 * AWAY.x)
 }
 
 impl Touches {
-    /// Lets go of what a cancelled touch has held, without a click: of a cancelled touch egui is not told that the
-    /// pointer is up.
+    /// Adds a pointer release without a click after a cancelled touch: egui is not told that the pointer is up.
     pub fn take_in(&mut self, events: &mut Vec<Event>) {
         for event in std::mem::take(events) {
             let Event::Touch { id, phase, pos, .. } = event else {
@@ -61,7 +60,7 @@ mod tests {
         Event::PointerButton { pos: PLACE, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
     }
 
-    /// Whether the pointer is down after each frame, and whether what lies there was ever clicked.
+    /// Whether the pointer is down after each frame, and whether the button at `PLACE` was ever clicked.
     fn after(frames: Vec<Vec<Event>>) -> (Vec<bool>, bool) {
         let (context, mut touches, mut is_clicked) = (Context::default(), Touches::default(), false);
         let mut is_down = Vec::new();
@@ -84,7 +83,7 @@ mod tests {
         let press = || vec![touch(1, Start), button(true)];
         assert_eq!(after(vec![press(), vec![touch(1, End), button(false)]]), (vec![true, false], true));
         assert_eq!(after(vec![press(), vec![touch(1, Cancel)]]), (vec![true, false], false));
-        // the next finger may come in the same frame, and a palm holds nothing
+        // the next touch may begin in the same frame; a cancelled touch that is not the pointer releases nothing
         let again = vec![touch(1, Cancel), touch(2, Start), button(true)];
         assert_eq!(after(vec![press(), again]), (vec![true, true], false));
         assert_eq!(after(vec![press(), vec![touch(2, Start)], vec![touch(2, Cancel)]]), (vec![true; 3], false));
