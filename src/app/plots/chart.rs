@@ -1,4 +1,4 @@
-//! One plot, drawn with egui_plot: bounds, axes, lines, and what the pointer is at.
+//! One plot, drawn with egui_plot: bounds, axes, lines, legend, and the point under the pointer.
 
 use super::super::theme::Palette;
 use super::{Kind, Plots};
@@ -12,32 +12,33 @@ use egui_plot::{
     AxisHints, GridInput, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotTransform, PlotUi, Points, VLine,
 };
 
-/// Source and target on the dark and on the light theme: Okabe–Ito's blues, and oranges.
+/// The colors of source and target, in the dark and the light theme: Okabe–Ito's blues, and oranges.
 pub const SIDE_INKS: [[Color32; 2]; 2] = [
     [Color32::from_rgb(86, 180, 233), Color32::from_rgb(230, 159, 0)],
     [Color32::from_rgb(0, 114, 178), Color32::from_rgb(196, 120, 0)],
 ];
 
-/// The reparameterisation of the map on the screen, and those through fresh and precomputed disk maps.
+/// The colors of the reparameterization of the shown map and of those through fresh and precomputed disk maps.
 pub const MAP_INKS: [[Color32; 3]; 2] = [
     [Color32::from_rgb(64, 196, 150), Color32::from_rgb(168, 148, 255), Color32::from_rgb(204, 121, 167)],
     [Color32::from_rgb(0, 138, 100), Color32::from_rgb(96, 72, 196), Color32::from_rgb(180, 80, 140)],
 ];
 
-/// The exact curves, wide and under all others: no colour, for what they tell about is the coloured ones.
+/// The color of the exact curves, by theme. They are wide, below all others and gray: they are the reference for the
+/// colored curves.
 pub const EXACT_INKS: [Color32; 2] = [Color32::from_rgb(132, 142, 154), Color32::from_rgb(160, 168, 178)];
 const EXACT_WIDTH: f32 = 4.5;
 
-/// The hits of random walks: apart from the sides' inks and from the map's.
+/// The color of the hits of random walks, by theme; distinct from [`SIDE_INKS`] and [`MAP_INKS`].
 pub const WALK_INKS: [Color32; 2] = [Color32::from_rgb(240, 228, 66), Color32::from_rgb(200, 40, 48)];
 
-/// On the logarithmic axis: no more decades than f64 has digits either side of 1, or the curve's peak is a spike again.
+/// The most decades on the logarithmic axis: twice the 16 digits of f64; with more, the curve's peak is a spike again.
 const MOST_DECADES: f64 = 32.0;
 
-/// Free space at the ends of the axes, as a part of their length.
+/// Free space at the ends of the axes, as a fraction of their length.
 const MARGIN: f64 = 0.03;
 
-/// A plot that is ready to be shown.
+/// The content of one plot: its curves, axis range and colors.
 pub struct Chart<'a> {
     kind: Kind,
     lines: Vec<(&'a Curve, Color32)>,
@@ -46,11 +47,11 @@ pub struct Chart<'a> {
     dark: bool,
     mapped: Side,
     logarithmic: bool,
-    /// The lowest and the highest value on the axis.
+    /// The lowest and the highest value of the y axis.
     range: (f64, f64),
 }
 
-/// A line of a legend.
+/// An entry of the legend.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Entry {
     name: &'static str,
@@ -60,7 +61,7 @@ struct Entry {
 }
 
 impl<'a> Chart<'a> {
-    /// The plot of a kind.
+    /// The plot of this kind; `logarithmic` applies to the kernel only.
     pub fn of(
         kind: Kind,
         curves: &'a Curves,
@@ -93,8 +94,8 @@ impl<'a> Chart<'a> {
         Self { kind, lines, exact, overlays, dark, mapped: curves.mapped, logarithmic, range }
     }
 
-    /// Draws the plot with the points at `marked` (by side, from the anchors); returns the
-    /// side and the arc length that the pointer is at.
+    /// Draws the plot with the points at `marked` (arc lengths by side, from the anchors); returns the
+    /// side and the arc length under the pointer.
     pub fn show(&self, ui: &mut Ui, marked: Option<[f64; 2]>) -> Option<(Side, f64)> {
         let palette = Palette::of(ui.visuals());
         let columns = (ui.available_width() * ui.pixels_per_point()).max(1.0) as usize;
@@ -151,7 +152,7 @@ impl<'a> Chart<'a> {
         axis.formatter(move |mark, _| if logarithmic { power_of_ten(mark.value) } else { decimal(mark) })
     }
 
-    /// From a curve's value to the axis.
+    /// The position of a curve's value on the y axis.
     fn ordinate(&self, y: f64) -> f64 {
         if self.logarithmic { y.max(f64::MIN_POSITIVE).log10().max(self.range.0) } else { y }
     }
@@ -178,7 +179,7 @@ impl<'a> Chart<'a> {
         EXACT_INKS[usize::from(!self.dark)]
     }
 
-    /// What the legend names, from top to bottom.
+    /// The entries of the legend, from top to bottom.
     fn entries(&self) -> Vec<Entry> {
         let overlay = |overlay: &Overlay| Entry {
             name: tr(overlay.origin.name()),
@@ -197,7 +198,7 @@ impl<'a> Chart<'a> {
         entries
     }
 
-    /// What the curves are, where those leave room: below the diagonal.
+    /// Paints the legend at the lower right, where the curves leave room: below the diagonal.
     fn legend(&self, ui: &Ui, area: Rect) {
         let palette = Palette::of(ui.visuals());
         let painter = ui.painter_at(area);
@@ -228,7 +229,7 @@ impl<'a> Chart<'a> {
         }
     }
 
-    /// The side whose curve is nearest to the pointer, and the arc length there.
+    /// The side whose curve is nearest to the pointer in y, and the arc length at the pointer.
     fn pointed(&self, transform: &PlotTransform, pointer: Pos2) -> (Side, f64) {
         let x = transform.value_from_position(pointer).x.clamp(0.0, 1.0);
         if self.kind == Kind::Reparameterisation {
@@ -243,7 +244,7 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// The curves' values at the marked points, in words, by side.
+/// The curves' values at the marked points, formatted, by side.
 pub fn values(kind: Kind, curves: &Curves, at: [f64; 2]) -> [String; 2] {
     Side::BOTH.map(|side| {
         let (k, x) = (side as usize, at[side as usize]);
@@ -271,13 +272,13 @@ fn axis<'a>(hints: AxisHints<'a>, palette: &Palette, label: String) -> AxisHints
         .tick_label_font(FontId::proportional(10.5))
 }
 
-/// The linear axis of the kernel ends above what this share of the boundary has, times `HEADROOM`:
-/// beside a re-entrant corner ψ grows without bound, and all the rest would lie on the axis.
+/// The linear axis of the kernel ends at `HEADROOM` times the value that ψ stays below on this share of the boundary:
+/// near a re-entrant corner ψ is unbounded, and if the axis ended at its maximum, the rest would lie on the axis.
 const SHOWN_SHARE: f64 = 0.98;
 const HEADROOM: f64 = 1.5;
 
-/// From 0 to what nearly the whole boundary has, or, as logarithms, from the smallest
-/// positive value to the largest one.
+/// The range of the kernel's y axis: linear from 0 to the end described at [`SHOWN_SHARE`], or, as logarithms, from the
+/// smallest positive value to the largest one, over at most [`MOST_DECADES`].
 fn kernel_range(curves: &[Curve; 2], logarithmic: bool) -> (f64, f64) {
     let values = || curves.iter().flat_map(|curve| &curve.points).map(|p| p[1]);
     let high = values().fold(f64::MIN_POSITIVE, f64::max);
@@ -290,7 +291,7 @@ fn kernel_range(curves: &[Curve; 2], logarithmic: bool) -> (f64, f64) {
     (low.max(high - MOST_DECADES), high.max(low + 1.0))
 }
 
-/// The value that a curve stays below on `share` of its length.
+/// The value that a curve stays below on `share` of its length; 0 for an empty curve.
 fn quantile(points: &[[f64; 2]], share: f64) -> f64 {
     let mut pieces: Vec<(f64, f64)> =
         points.windows(2).map(|pair| (pair[0][1].max(pair[1][1]), pair[1][0] - pair[0][0])).collect();
@@ -328,13 +329,13 @@ fn marks(low: f64, high: f64, step_size: f64) -> Vec<GridMark> {
     (first..=last).map(|k| GridMark { value: k as f64 * step_size, step_size }).collect()
 }
 
-/// As many digits as the step has.
+/// The mark's value with as many decimals as its step has.
 fn decimal(mark: GridMark) -> String {
     let digits = (-mark.step_size.log10().floor()).max(0.0) as usize;
     format!("{:.digits$}", mark.value)
 }
 
-/// "10⁻³".
+/// A power of ten with its exponent raised, such as "10⁻³"; the exponent is rounded.
 pub fn power_of_ten(exponent: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised = |c: char| match c.to_digit(10) {
@@ -356,7 +357,7 @@ mod tests {
         Curve { name: String::new(), points }
     }
 
-    /// The curves that a legend names, of a kind of plot, with everything shown that can be.
+    /// The names in the legend of a kind of plot with all overlays, and with or without the exact curves.
     fn names(kind: Kind, exact: bool) -> Vec<&'static str> {
         let line = || curve(&[0.0, 1.0]);
         let curves = Curves {

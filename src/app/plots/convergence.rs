@@ -1,4 +1,4 @@
-//! Figure 15: errors over the number of samples, both axes logarithmic.
+//! Figure 15: the errors of both methods over the number of samples, with both axes logarithmic.
 
 use super::super::theme::Palette;
 use super::chart::power_of_ten;
@@ -7,7 +7,7 @@ use crate::language::{self, key, tr};
 use egui::{Color32, RichText, Ui};
 use egui_plot::{AxisHints, GridInput, GridMark, Legend, Line, Plot, Points};
 
-/// Maximum and mean of the harmonic-measure map and of the geodesic algorithm: Okabe–Ito.
+/// The colors of maximum and mean error of the harmonic-measure map and of the geodesic algorithm: Okabe–Ito.
 const INKS: [Color32; 4] = [
     Color32::from_rgb(86, 180, 233),
     Color32::from_rgb(0, 158, 115),
@@ -15,7 +15,7 @@ const INKS: [Color32; 4] = [
     Color32::from_rgb(204, 121, 167),
 ];
 
-/// Shows what there is so far, with the fitted order of each curve in the legend.
+/// Shows the rows measured so far, with the fitted order of each curve in the legend.
 pub fn convergence_chart(ui: &mut Ui, rows: &[ConvergenceRow]) {
     let palette = Palette::of(ui.visuals());
     let text = key::convergence_about();
@@ -69,7 +69,7 @@ fn series(method: Method, error: &str, points: Vec<(u32, f64)>) -> Series {
     Series { name: format!("{}, {error}{order}", tr(language::method(method))), points }
 }
 
-/// A line at every whole number.
+/// A grid line at every integer.
 #[allow(clippy::needless_pass_by_value, reason = "the plot hands it over")]
 fn whole(input: GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;

@@ -1,8 +1,8 @@
-//! The plots: kernel, measure and reparameterisation over the arc length, live.
+//! The plots of Poisson kernel, harmonic measure and reparameterization over the arc length, updated with the map.
 //!
-//! In a dock below the viewports, three in a row, on a tablet one at a time; so too on a phone, in the
-//! sheet. Pointing at a plot marks the boundary point and its partner in both
-//! viewports, pointing at a boundary marks both in the plots.
+//! They are shown in a dock below the viewports: three in a row, or one at a time in a dock narrower than 900 points;
+//! on a phone one at a time in the sheet. Pointing at a plot marks the boundary point and its image in both viewports;
+//! pointing at a boundary marks both in the plots.
 
 mod chart;
 mod convergence;
@@ -23,21 +23,22 @@ use egui::{Align, Color32, Layout, RichText, Ui};
 
 /// The height of the dock with all plots in a row.
 const ROW_HEIGHT: f32 = 212.0;
-/// That with one plot under a switch.
+/// The height of the dock with one plot below a switch.
 const ONE_HEIGHT: f32 = 260.0;
-/// A dock that is narrower has one plot at a time: three of them would be narrower than their titles.
+/// A dock narrower than this shows one plot at a time: three would be narrower than their titles.
 const ROW_FROM: f32 = 900.0;
 
-/// The least height of a plot with its title and the switch.
+/// The least height of the dock: a plot with its title and the switch.
 const LEAST_HEIGHT: f32 = 176.0;
 
-/// The height of a dock of this width beside pictures, which have half of `both` at least where that is enough for a plot.
+/// The height of a dock of this width, where dock and pictures share the height `both`: at most half of it, but at
+/// least [`LEAST_HEIGHT`].
 pub fn dock_height(width: f32, both: f32) -> f32 {
     let wanted = if width < ROW_FROM { ONE_HEIGHT } else { ROW_HEIGHT };
     wanted.min((0.5 * both).max(LEAST_HEIGHT))
 }
 
-/// Which plot.
+/// The kinds of plots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Kind {
     #[default]
@@ -63,37 +64,37 @@ struct BoundaryPlace {
     fraction: f64,
 }
 
-/// The plots' state on the screen.
+/// The curves, and the state of the plots on the screen.
 #[derive(Debug, Default)]
 pub struct Plots {
-    /// With the generation of the map that they are of.
+    /// The curves, with the generation of their map.
     curves: Option<(u64, Curves)>,
-    /// With the same.
+    /// The exact curves, with the generation of their map.
     exact: Option<(u64, KeptExact)>,
-    /// The kernel's axis.
+    /// Whether the kernel's y axis is logarithmic.
     logarithmic: bool,
-    /// The one where there is room for one.
+    /// The plot that is shown where there is room for one.
     shown: Kind,
-    /// Where the pointer was in the plots in the last frame, and is in this one: plots
-    /// that are drawn before the one under the pointer are marked too.
+    /// The place under the pointer in the plots in the last frame and in this one: the former marks the plots that are
+    /// drawn before the one under the pointer.
     in_plot: Option<BoundaryPlace>,
     found: Option<BoundaryPlace>,
     in_view: Option<BoundaryPlace>,
 }
 
 impl Plots {
-    /// Looks for the pointer in the plots anew.
+    /// Forgets the place found in this frame and keeps it as that of the last one.
     pub fn begin_frame(&mut self) {
         self.in_plot = self.found.take();
     }
 
-    /// Takes in where the pointer is on a boundary in a viewport; whether that is new.
+    /// Stores the boundary point under the pointer in a viewport; returns whether it changed.
     pub fn point_at(&mut self, place: Option<(Side, f64)>) -> bool {
         let place = place.map(|(side, fraction)| BoundaryPlace { side, fraction });
         std::mem::replace(&mut self.in_view, place) != place
     }
 
-    /// Renews the curves when the map has changed and somebody needs them.
+    /// Recomputes the curves if the map has changed and the plots are open or a place is marked.
     pub fn update(&mut self, model: &Model) {
         let needed = model.session().plots() || self.pointed().is_some();
         let generation = model.generation();
@@ -122,29 +123,29 @@ impl Plots {
         *stamp = generation;
     }
 
-    /// The exact curves of the map in the plots, where they are known and the plots are open.
+    /// The exact curves of the map in the plots; `None` where no closed form is known or the curves are of another map.
     pub fn exact(&self) -> Option<&ExactCurves> {
         let (_, kept) = self.exact.as_ref().filter(|(generation, _)| self.generation() == Some(*generation))?;
         kept.curves()
     }
 
-    /// The marked point and its partner: fractions of arc length of source and target.
+    /// The marked boundary point and its image, as fractions of arc length of source and target.
     pub fn marked(&self) -> Option<[f64; 2]> {
         let (curves, at) = (self.curves()?, self.marked_from_anchor()?);
         Some(Side::BOTH.map(|side| curves.fraction(side, at[side as usize])))
     }
 
-    /// The colours of source and target.
+    /// The colors of source and target.
     pub fn inks(dark: bool) -> [Color32; 2] {
         chart::SIDE_INKS[usize::from(!dark)]
     }
 
-    /// The colour of the map's own reparameterisation.
+    /// The color of the reparameterization of the shown map.
     pub fn map_ink(dark: bool) -> Color32 {
         chart::MAP_INKS[usize::from(!dark)][0]
     }
 
-    /// The colour of the curves of `origin`.
+    /// The color of the curves of `origin`.
     pub fn overlay_ink(origin: Origin, dark: bool) -> Color32 {
         let theme = usize::from(!dark);
         match origin {
@@ -166,7 +167,7 @@ impl Plots {
         self.found.or(self.in_plot).or(self.in_view)
     }
 
-    /// As [`Self::marked`], from the anchors.
+    /// As [`Self::marked`], with arc lengths measured from the anchors.
     fn marked_from_anchor(&self) -> Option<[f64; 2]> {
         let (curves, place) = (self.curves()?, self.pointed()?);
         let x = curves.along(place.side, place.fraction);
@@ -174,7 +175,7 @@ impl Plots {
         Some(if place.side == Side::Source { [x, there] } else { [there, x] })
     }
 
-    /// All three in a row where they fit, else one.
+    /// Shows three plots in a row where they fit, else one.
     pub fn show_dock(&mut self, ui: &mut Ui, model: &Model, width: f32) {
         if width < ROW_FROM { self.show_one(ui, model) } else { self.show_row(ui, model) }
     }
@@ -192,7 +193,7 @@ impl Plots {
         self.settle(ui);
     }
 
-    /// One of them, under a switch.
+    /// Shows one plot below a switch.
     pub fn show_one(&mut self, ui: &mut Ui, model: &Model) {
         self.update(model);
         let none = Overlays::default();
@@ -208,7 +209,7 @@ impl Plots {
         self.settle(ui);
     }
 
-    /// What was drawn before the pointer was found is drawn once more.
+    /// Requests another frame if the place under the pointer changed: earlier plots of this frame lack its mark.
     fn settle(&self, ui: &Ui) {
         if self.found != self.in_plot {
             ui.request_repaint();
@@ -226,7 +227,7 @@ impl Plots {
         }
     }
 
-    /// The title, what the colours mean, and the values at the marked point.
+    /// The title, the sides' colors, and the values at the marked point or else the sides' names.
     fn header(&mut self, ui: &mut Ui, kind: &Segment<Kind>, marked: Option<[f64; 2]>) {
         let palette = Palette::of(ui.visuals());
         let inks = Self::inks(ui.visuals().dark_mode);
@@ -262,12 +263,12 @@ impl Plots {
     }
 }
 
-/// What is compared with the map; of plane outlines only.
+/// The curves that are compared with the map; `None` for surfaces.
 fn overlays_of(model: &Model) -> Option<&Overlays> {
     model.is_planar().then(|| model.overlay_state().overlays())
 }
 
-/// The inks that stand side by side in a plot, for each plot and theme.
+/// The groups of colors that occur together in a plot, for each plot and theme.
 #[cfg(test)]
 pub fn inks_of_plots() -> Vec<Vec<egui::Color32>> {
     let of_theme = |theme: usize| {
