@@ -1,7 +1,7 @@
-//! The look: two palettes (dark slate, light), spacing, rounding, text sizes.
+//! The theme: two palettes (dark slate, light), fonts, spacing, rounding, text sizes.
 //!
-//! Widgets take their colours from egui's visuals, which are set from the
-//! [`Palette`] here; what is painted by hand asks [`Palette::of`].
+//! Widgets take their colors from egui's visuals, which are set from the
+//! [`Palette`] here; custom painting takes them from [`Palette::of`].
 
 pub mod text_metrics;
 pub mod widgets;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// The height of buttons, segmented switches and rows.
 pub const ROW_HEIGHT: f32 = 28.0;
-/// Their height where fingers press them, in points: a fingertip is 10 mm wide.
+/// The same height on touch screens, in points: a fingertip is 10 mm wide.
 pub const FINGER_HEIGHT: f32 = 40.0;
 /// The rounding of buttons and switches.
 pub const ROUNDING: u8 = 6;
@@ -26,39 +26,39 @@ const REGULAR_FILE: &[u8] = include_bytes!("../fonts/Inter-Regular.otf");
 const SEMIBOLD_FILE: &[u8] = include_bytes!("../fonts/Inter-SemiBold.otf");
 const TABULAR_FILE: &[u8] = include_bytes!("../fonts/Inter-Tabular.otf");
 
-/// The interior handles: Okabe–Ito's bluish green, a little lighter for the dark ground.
+/// The color of interior dots: Okabe–Ito's bluish green, a little lighter for the dark theme.
 pub const INTERIOR_COLOUR: Color32 = Color32::from_rgb(22, 173, 121);
-/// The boundary handles.
+/// The color of boundary dots.
 pub const BOUNDARY_COLOUR: Color32 = Color32::from_rgb(214, 58, 158);
 
-/// The colours of a theme.
+/// The colors of a theme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Palette {
-    /// Behind the meshes.
+    /// The background of the meshes.
     pub canvas: Color32,
-    /// Panels and bars.
+    /// The background of panels and bars.
     pub panel: Color32,
-    /// Menus and tooltips.
+    /// The background of menus, windows and tooltips.
     pub raised: Color32,
-    /// Buttons and the ground of switches.
+    /// The background of buttons and switches.
     pub control: Color32,
-    /// A button under the pointer.
+    /// The background of a button under the pointer.
     pub control_hovered: Color32,
-    /// Edges of panels and controls.
+    /// The edges of panels and controls.
     pub border: Color32,
     /// Text.
     pub text: Color32,
-    /// Text of second rank.
+    /// Secondary text.
     pub weak: Color32,
-    /// Selected, filled, in progress.
+    /// The background of selected controls and primary buttons.
     pub accent: Color32,
-    /// The filled part of sliders, the progress line.
+    /// The filled part of sliders, progress bars, focus rings, links.
     pub accent_soft: Color32,
     /// Text on `accent`.
     pub on_accent: Color32,
-    /// The ground of error messages.
+    /// The background of error messages.
     pub error_ground: Color32,
-    /// The edge of error messages.
+    /// The edge of error messages, and error text.
     pub error_edge: Color32,
 }
 
@@ -101,19 +101,19 @@ impl Palette {
     }
 }
 
-/// The font of titles.
+/// The semibold font, for titles.
 pub fn bold(size: f32) -> FontId {
     FontId::new(size, FontFamily::Name(SEMIBOLD.into()))
 }
 
-/// Inter alone: `fonts/` has every sign that the app writes (tested), and egui's own fonts would be a
-/// quarter of the download.
+/// Inter only, without egui's default fonts, which would be a quarter of the download; `fonts/` has every
+/// character that the app writes (tested).
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     for (name, bytes) in [(REGULAR, REGULAR_FILE), (SEMIBOLD, SEMIBOLD_FILE), (TABULAR, TABULAR_FILE)] {
         fonts.font_data.insert(String::from(name), Arc::new(FontData::from_static(bytes)));
     }
-    // Numbers in columns need digits of one width, and nothing else here is written in a monospaced font.
+    // The monospaced family is used for numbers in columns only, which need digits of equal width.
     for (family, names) in [
         (FontFamily::Proportional, &[REGULAR][..]),
         (FontFamily::Monospace, &[TABULAR, REGULAR]),
@@ -131,7 +131,7 @@ pub fn install(context: &egui::Context) {
     context.set_style_of(Theme::Light, style(&LIGHT, Visuals::light()));
 }
 
-/// Makes rows as high as fingers need, or as low as a mouse allows.
+/// Sets the row height for touch or for a mouse.
 pub fn suit_pointer(context: &egui::Context, fingers: bool) {
     let height = if fingers { FINGER_HEIGHT } else { ROW_HEIGHT };
     if context.global_style().spacing.interact_size.y != height {
@@ -139,7 +139,7 @@ pub fn suit_pointer(context: &egui::Context, fingers: bool) {
     }
 }
 
-/// The height of a control that is `compact` where a mouse points at it.
+/// The height of a control: `compact` for a mouse, the row height on touch screens.
 pub fn control_height(ui: &egui::Ui, compact: f32) -> f32 {
     let row = ui.ctx().global_style().spacing.interact_size.y;
     if row > ROW_HEIGHT { row } else { compact }
@@ -201,7 +201,7 @@ fn coloured(palette: &Palette, mut visuals: Visuals) -> Visuals {
         state.corner_radius = rounding;
         state.expansion = 0.0;
     }
-    // what has the keyboard is to be seen at a glance
+    // the focus ring must be seen at a glance
     widgets.active.bg_stroke = Stroke::new(2.0, palette.accent_soft);
     visuals
 }
@@ -213,7 +213,7 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::Path;
 
-    /// The signs between quotation marks in the program's own part of a source file.
+    /// The characters between quotation marks in a source file, without comments and tests.
     fn quoted(text: &str) -> BTreeSet<char> {
         let program = text.split("#[cfg(test)]").next().unwrap_or_default();
         let lines = program.lines().filter(|line| !line.trim_start().starts_with("//"));
@@ -225,7 +225,7 @@ mod tests {
             let path = entry.unwrap().path();
             let text = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
             let (stem, ending) = (text(path.file_stem()), text(path.extension()));
-            // the command line writes to a terminal
+            // the command line writes to a terminal, not with these fonts
             if path.is_dir() && stem != "cli" {
                 all_quoted(&path, found);
             } else if (ending == "rs" && !stem.ends_with("tests")) || ending == "po" {
@@ -236,11 +236,11 @@ mod tests {
 
     #[test]
     fn the_fonts_have_every_sign_that_is_written() {
-        // German, what stands in `\u{…}` and in character literals, and a Mac's keys
+        // German letters, characters in `\u{…}` and in character literals, and the symbols of a Mac's keys
         let mut needed: BTreeSet<char> = "ÄÖÜäöüß„“–\u{2009}⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂…⌘⇧⌥⌃".chars().collect();
         all_quoted(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut needed);
         assert!(needed.contains(&'ω') && needed.contains(&'→'), "the sources are looked at");
-        // not written but read: the byte order mark of a file
+        // the byte order mark is read from files and never written
         needed.remove(&'\u{feff}');
         let context = egui::Context::default();
         install(&context);

@@ -1,34 +1,34 @@
-//! How much room there is: how wide texts and buttons are, how high lists may be.
+//! Measures for layout: the width of texts and buttons, the height of scrolling lists.
 
 use egui::{Color32, FontId, ScrollArea, TextStyle, Ui};
 
-/// The least height of a list that scrolls: two rows for a finger.
+/// The least height of a scrolling list, in points: two rows of a touch screen.
 const LEAST_LIST: f32 = 90.0;
 
-/// What of the screen's height a menu of the bar along the top leaves: the bar above it, a margin below.
+/// The part of the screen's height that a menu of the top bar leaves free, in points: the bar above, a margin below.
 pub const BELOW_BAR: f32 = 80.0;
 
-/// A list in a window or a menu, as high as the screen allows besides what else stands above and below it (`besides`,
-/// in points); what is longer scrolls.
+/// Shows `content` in a window or a menu; it scrolls if it is higher than the screen less `besides`, the height in
+/// points of everything above and below it.
 pub fn scroll_beyond<R>(ui: &mut Ui, besides: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
     let height = (ui.ctx().content_rect().height() - besides).max(LEAST_LIST);
-    // without a least height egui ends what scrolls in a window or a menu after 400 points
+    // without a least height egui limits a scroll area in a window or a menu to 400 points
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, content).inner
 }
 
-/// How wide a line of text is.
+/// The width of a line of text, in points.
 pub fn text_width(ui: &Ui, text: &str, font: FontId) -> f32 {
     ui.painter().layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER).size().x
 }
 
-/// What a button with this text takes of a row, the gap beside it included.
+/// The width of a button with this text and of the gap beside it, in points.
 pub fn button_width(ui: &Ui, text: &str) -> f32 {
     let spacing = ui.spacing();
     let text = text_width(ui, text, TextStyle::Button.resolve(ui.style()));
     text + 2.0 * spacing.button_padding.x + spacing.item_spacing.x
 }
 
-/// What is written on a button that opens a menu: spaces make room for the [chevron](crate::app::theme::widgets::chevron).
+/// The text of a button that opens a menu, with spaces for the [chevron](crate::app::theme::widgets::chevron).
 pub fn menu_label(label: &str) -> String {
     format!("{label}     ")
 }

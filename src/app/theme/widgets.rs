@@ -1,5 +1,5 @@
-//! The controls that egui does not have in this look: segmented switches,
-//! sliders with a caption above, headings of groups, messages.
+//! Widgets that egui does not have: segmented switches, sliders with a caption
+//! above, group headings, message boxes, legend signs.
 
 use crate::app::theme::text_metrics::{button_width, text_width};
 use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, bold, control_height};
@@ -13,25 +13,25 @@ use std::ops::RangeInclusive;
 /// One choice of a [`segmented`] switch.
 #[derive(Debug, Clone, Copy)]
 pub struct Segment<T> {
-    /// What choosing it means.
+    /// The value that it selects.
     pub value: T,
-    /// What is written on it.
+    /// Its label.
     pub label: Words,
-    /// What it means, in a sentence.
+    /// Its tooltip, a sentence.
     pub tooltip: Words,
 }
 
-/// The size of the labels of a [`segmented`] switch.
+/// The font size of the labels of a [`segmented`] switch, in points.
 const SEGMENT_TEXT: f32 = 12.5;
-/// Free space on either side of them.
+/// The least free space on either side of a label.
 const SEGMENT_PADDING: f32 = 6.0;
 
-/// A switch of several positions over the full width; returns the one that was clicked.
+/// A switch with several positions over the full width; returns the newly clicked value.
 pub fn segmented<T: Copy + PartialEq>(ui: &mut Ui, segments: &[Segment<T>], current: T) -> Option<T> {
     segmented_where(ui, segments, current, |_| None)
 }
 
-/// As [`segmented`]; positions that `refusal` gives a reason against are greyed and say it.
+/// As [`segmented`]; a position for which `refusal` returns a reason is grayed, with the reason in its tooltip.
 pub fn segmented_where<T: Copy + PartialEq>(
     ui: &mut Ui,
     segments: &[Segment<T>],
@@ -57,7 +57,7 @@ pub fn segmented_where<T: Copy + PartialEq>(
     chosen
 }
 
-/// Equal widths where all labels fit, else the same space beside each.
+/// Equal widths if all labels fit, else widths with equal free space beside the labels.
 fn segment_widths<T>(ui: &Ui, segments: &[Segment<T>], whole: f32) -> Vec<f32> {
     let equal = whole / segments.len() as f32;
     let font = FontId::proportional(SEGMENT_TEXT);
@@ -142,34 +142,34 @@ pub fn group_heading(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text.to_uppercase()).font(bold(11.0)).color(palette.weak).extra_letter_spacing(0.8));
 }
 
-/// Content over a picture: what lies under it, between its controls too, cannot be touched through it.
+/// Content over a picture that takes clicks and drags on its whole area, so that none reaches the picture below.
 pub fn opaque<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
     ui.scope_builder(UiBuilder::new().sense(Sense::CLICK | Sense::DRAG), content).inner
 }
 
-/// What the person wants done about a message.
+/// The button of a message that was clicked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MessageAnswer {
-    /// It has been read.
+    /// The cross that closes the message.
     Dismiss,
-    /// What its other button says.
+    /// The button of the quick fix.
     QuickFix,
 }
 
-/// The width of the cross that closes a message, where a mouse points at it.
+/// The width of the button that closes a message, for a mouse.
 const CROSS_WIDTH: f32 = 30.0;
 
-/// A message narrower than this has its buttons below the words.
+/// If the words beside the buttons were narrower than this, the buttons are below the words.
 const LEAST_WORDS: f32 = 150.0;
 
-/// The least height of a message's words, two lines.
+/// The least height of a message's words before they scroll: two lines.
 const LEAST_MESSAGE: f32 = 36.0;
-/// Around a message.
+/// The vertical margin inside a message's edge.
 const MESSAGE_MARGIN: i8 = 8;
 const MESSAGE_EDGE: f32 = 1.0;
 
-/// An error in a box, with a cross to close it and, where there is one, its quick fix. It is no higher than
-/// `most`, but two lines: more words scroll, so that the buttons are always there.
+/// An error in a box, with a button to close it and the button of its quick fix, if it has one. The box is at most
+/// `most` high, or two lines if that is more; longer words scroll, so that the buttons are always visible.
 pub fn message_box(ui: &mut Ui, text: &Message, quick_fix: Option<Words>, most: f32) -> Option<MessageAnswer> {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new()
@@ -206,7 +206,7 @@ fn message_words(ui: &mut Ui, text: &Message, most: f32) {
         ui.label(words);
         return;
     }
-    // what scrolls has the layout around it: in a row it would be in the middle of all that may be seen
+    // a scroll area inherits the layout: in a horizontal one its content would be centered vertically
     let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most);
     ui.vertical(|ui| area.show(ui, |ui| ui.label(words)));
 }
@@ -219,7 +219,7 @@ fn message_buttons(ui: &mut Ui, quick_fix: Option<Words>) -> Option<MessageAnswe
     if cross.clicked() { Some(MessageAnswer::Dismiss) } else { helps.then_some(MessageAnswer::QuickFix) }
 }
 
-/// A few words about what has gone well, in a box that goes away by itself.
+/// A notice of success in a box; the caller removes it after some time.
 pub fn notice_box(ui: &mut Ui, text: Words) {
     let palette = Palette::of(ui.visuals());
     Frame::new()
@@ -230,7 +230,7 @@ pub fn notice_box(ui: &mut Ui, text: Words) {
         .show(ui, |ui| ui.vertical_centered(|ui| ui.label(RichText::new(tr(text)).color(palette.text))));
 }
 
-/// The button that closes a window, large enough for a finger where there are fingers: the cross of its title is not.
+/// The button that closes a window, as high as touch needs on touch screens; the cross in the title bar is not.
 pub fn close_button(ui: &mut Ui) -> Response {
     let size = vec2(CLOSE_WIDTH, control_height(ui, ROW_HEIGHT));
     ui.add_sized(size, Button::new(tr(key::close())))
@@ -238,14 +238,14 @@ pub fn close_button(ui: &mut Ui) -> Response {
 
 const CLOSE_WIDTH: f32 = 88.0;
 
-/// Gives a button the keyboard, and says so: egui announces only what a person has moved to.
+/// Moves the keyboard focus to a button and announces it: egui announces only a focus that the user has moved.
 pub fn give_keyboard(button: &Response, label: &str) {
     button.request_focus();
     let said = egui::output::OutputEvent::FocusGained(WidgetInfo::labeled(Role::Button, true, label));
     button.ctx.output_mut(|output| output.events.push(said));
 }
 
-/// A chevron at the right end of a button that opens something, down or up.
+/// A chevron at the right end of a button that opens a menu or sheet, pointing down or up.
 pub fn chevron(ui: &Ui, button: Rect, up: bool) {
     let center = button.right_center() - vec2(13.0, 0.0);
     let (half, rise) = (4.0, if up { -2.0 } else { 2.0 });
@@ -256,19 +256,19 @@ pub fn chevron(ui: &Ui, button: Rect, up: bool) {
 /// The largest width of a [`dot`] or a [`dash`].
 pub const SIGN_WIDTH: f32 = 12.0;
 
-/// A dot as in the legend.
+/// A filled circle, as the sign of a legend entry.
 pub fn dot(ui: &mut Ui, colour: Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
     ui.painter().circle_filled(rect.center(), 5.0, colour);
 }
 
-/// A short line as in the legend.
+/// A short line, as the sign of a legend entry.
 pub fn dash(ui: &mut Ui, colour: Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(SIGN_WIDTH, 10.0), Sense::hover());
     ui.painter().line_segment([rect.left_center(), rect.right_center()], Stroke::new(2.5, colour));
 }
 
-/// The font of captions in the viewports.
+/// The font of captions in the viewports: the small text style.
 pub fn caption_font(ui: &Ui) -> FontId {
     TextStyle::Small.resolve(ui.style())
 }
