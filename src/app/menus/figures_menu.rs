@@ -1,4 +1,4 @@
-//! The menu of the paper's figures and tables, and the same as a window where there is no room for the menu's button.
+//! The list of the paper's figures and tables: a menu of the top bar, or a window where the bar has no room for it.
 
 use crate::app::input::action::{Action, Actions, Report};
 use crate::app::theme::Palette;
@@ -12,17 +12,17 @@ use egui::containers::menu::MenuButton;
 use egui::{RichText, Role, Ui, WidgetInfo};
 use std::sync::LazyLock;
 
-/// The four ways of Figure 8 fit into one row of the menu, the low resolution above the high one.
+/// Scenes per row: the four variants of Figure 8 fit into one row, the low resolution above the high one.
 const SCENES_IN_A_ROW: usize = 4;
 
-/// How wide the list is where there is room.
+/// The width of the list where there is room, in points.
 pub const WIDTH: f32 = 620.0;
-/// What of the screen's width is left and right of the menu.
+/// The free width left and right of the menu together, in points.
 const MARGINS: f32 = 40.0;
-/// The button of the tables below it.
+/// The height of the tables' button below the list, in points.
 const TABLES: f32 = 60.0;
 
-/// The figures with their scenes, made once: each scene is a whole session.
+/// The figures with their scenes, built once: each scene is a whole session.
 static FIGURES: LazyLock<Vec<(Figure, Vec<Scene>)>> =
     LazyLock::new(|| Figure::ALL.map(|figure| (figure, figure.scenes(Detail::Paper))).into());
 
@@ -36,7 +36,8 @@ pub fn menu_button(ui: &mut Ui, actions: &mut Actions) {
     chevron(ui, response.rect, false);
 }
 
-/// The figures and, below them, the tables; `besides` is what else of the screen's height is taken.
+/// Shows the figures and, below them, the tables' button; `besides` is the height in points of everything else on the
+/// screen.
 pub fn list(ui: &mut Ui, besides: f32, actions: &mut Actions) {
     scroll_beyond(ui, besides + TABLES, |ui| {
         for (figure, scenes) in FIGURES.iter() {
@@ -83,7 +84,7 @@ fn scene_button(ui: &mut Ui, figure: Figure, scene: &Scene, actions: &mut Action
     }
 }
 
-/// These figures are plots.
+/// Opens the plots for the figures that are plots, and closes them for the others.
 fn with_plots(figure: Figure, session: Session) -> Session {
     let plots = matches!(figure, Figure::DiskKernel | Figure::Moebius | Figure::Crowding);
     session.and([Command::SetPlots(plots)])

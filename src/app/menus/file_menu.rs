@@ -1,4 +1,4 @@
-//! The menu of the session: new, open, save, link, undo, redo.
+//! The file menu: undo, redo, new, open, save, link, export, full screen, presentation; and its shortcuts.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::menu_entry;
@@ -73,13 +73,13 @@ fn entries(persistence: &Persistence, context: &Context) -> Vec<(Entry, bool, Ac
     entries
 }
 
-/// Turns the menu's keys into actions, unless a text is being written.
+/// Turns the menu's shortcuts into actions, unless a text field has the focus.
 pub fn keys(ui: &Ui, actions: &mut Actions) {
     if ui.ctx().text_edit_focused() {
         return;
     }
     ui.input_mut(|input| {
-        // the longer shortcut first: the shorter one would match it too
+        // the longer shortcut first: its keys would match the shorter one too
         for (shortcut, action) in [
             (REDO, Action::Redo),
             (UNDO, Action::Undo),
@@ -91,7 +91,7 @@ pub fn keys(ui: &Ui, actions: &mut Actions) {
                 actions.push(action);
             }
         }
-        // a browser's own reaction to the keys is kept out
+        // drops the remaining events of these keys, such as their releases: nothing else may react to them
         let is_ours =
             |event: &Event| matches!(event, Event::Key { key: Key::S | Key::E, modifiers, .. } if modifiers.command);
         input.events.retain(|event| !is_ours(event));

@@ -1,4 +1,4 @@
-//! The menu of what helps: gallery, figures, tour, keys; and what the app looks like and speaks.
+//! The help menu: gallery, figures, tour, list of keys; theme and language.
 
 use crate::app::input::action::{Action, Actions, ExploreAction};
 use crate::app::input::locks::{Control, guarded, menu_entry};

@@ -1,4 +1,4 @@
-//! The bar at the top and its menus.
+//! The top bar and its menus.
 
 pub mod figures_menu;
 pub mod file_menu;

@@ -1,4 +1,4 @@
-//! The bar along the top: the name, outlines for both sides, the image, help.
+//! The top bar: name, file menu, outlines of both sides, image, figures, gallery, panels, plots, full screen, help.
 
 use crate::app::input::action::{Action, Actions, ExploreAction};
 use crate::app::input::locks::{Control, guarded};
@@ -18,10 +18,10 @@ use crate::model::persistence::Persistence;
 use crate::session::Command;
 use egui::{Align, FontId, Layout, RichText, Ui, vec2};
 
-/// What opens the plots.
+/// The tooltip of the button that opens and closes the plots.
 const PLOTS_TOOLTIP: Label = key::plots_tooltip();
 
-/// What the bar shows where there is room; all of it is also in a menu or in the panel.
+/// The parts of the bar that are left out where there is no room; each is also in a menu or in the panel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Extra {
     Wordmark,
@@ -32,9 +32,9 @@ enum Extra {
 }
 
 impl Extra {
-    /// What the bar of a desk has room for, the first ones first.
+    /// The parts on a desktop, by decreasing priority.
     const ALL: [Self; 5] = [Self::Wordmark, Self::Figures, Self::Image, Self::Gallery, Self::FullScreen];
-    /// What that of a phone has.
+    /// The parts on a phone.
     const NARROW: [Self; 1] = [Self::Wordmark];
 
     fn width(self, ui: &Ui) -> f32 {
@@ -47,7 +47,7 @@ impl Extra {
         }
     }
 
-    /// Those that fit beside what the bar always shows.
+    /// The parts that fit beside the permanent part of the bar, chosen by priority.
     fn fitting(ui: &Ui, narrow: bool) -> Vec<Self> {
         let menus = [key::file(), key::source_heading(), key::target_heading(), key::help()]
             .map(|label| button_width(ui, &menu_label(tr(label))));
@@ -64,7 +64,7 @@ impl Extra {
 }
 
 const WORDMARK: &str = "riemap";
-/// Free space beside it.
+/// Free space right of the wordmark.
 const WORDMARK_GAP: f32 = 10.0;
 const FULL_SCREEN_WIDTH: f32 = 34.0;
 
@@ -123,7 +123,7 @@ pub fn show(
     });
 }
 
-/// What opens the panels and the plots: on a phone the sheet does.
+/// The buttons of the panels and the plots; on a phone the sheet replaces them.
 fn of_panels(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let panels = guarded(ui, Control::Panels, |ui| ui.button(tr(key::panels())).on_hover_text(tr(PANELS_TOOLTIP)));
     if panels.clicked() {
