@@ -1,4 +1,4 @@
-//! Windows over the app: gallery, tour, figures and keys; exports; measurements.
+//! The windows: gallery, figures, list of keys and tour (`explore`); export (`exporting`); measurements (`reports`).
 
 pub mod explore;
 pub mod exporting;

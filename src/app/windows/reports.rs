@@ -1,6 +1,6 @@
-//! The paper's tables and its convergence figure, measured on this machine: windows that fill row by row.
+//! Windows with the paper's tables and its convergence figure, measured on this machine row by row.
 //!
-//! A window that is closed asks for no more rows; the one under way is dropped when it comes.
+//! Closing a window stops its measurements: no further row is requested, and the result in flight is dropped.
 
 use crate::app::input::action::Report;
 use crate::app::plots::convergence_chart;
@@ -14,19 +14,20 @@ use crate::worker::{Finding, Study};
 use egui::{Grid, Key, RichText, ScrollArea, Ui, Window, vec2};
 use std::collections::VecDeque;
 
-/// Measurements per row, of which the median is taken.
+/// Measurements per row; the row shows their median.
 const RUNS: usize = 3;
 
-/// Resolutions of Figure 15 in the app; the command line goes on to 4000.
+/// Resolutions of Figure 15 in the app; the command line goes up to 4000.
 const RESOLUTIONS: [u32; 4] = [250, 500, 1000, 2000];
 
-/// The window that is open, and what it knows.
+/// The open report window, its queue of studies and its results.
 #[derive(Debug, Default)]
 pub struct Reports {
     open: Option<Report>,
     waiting: VecDeque<Study>,
     running: Option<Study>,
-    /// Whether the study of a window that was closed is still under way: two at once would measure each other.
+    /// Whether the study of a closed window is still in flight. The next one waits for it: two at once would slow each
+    /// other down.
     is_abandoned: bool,
     rows: Vec<(BenchRow, Measurement)>,
     convergence: Vec<ConvergenceRow>,
@@ -34,7 +35,7 @@ pub struct Reports {
 }
 
 impl Reports {
-    /// Opens a window and begins anew.
+    /// Opens a window and starts its measurements from the beginning.
     pub fn open(&mut self, report: Report) {
         let waiting = match report {
             Report::Bench => BenchRow::all().into_iter().map(|row| Study::Bench { row, runs: runs(row) }).collect(),
@@ -48,7 +49,7 @@ impl Reports {
         *self = Self { is_abandoned: self.is_abandoned || self.running.is_some(), ..Self::default() };
     }
 
-    /// The next study, when none is under way.
+    /// Takes the next study to run; `None` while one is in flight or when all are done.
     pub fn take_study(&mut self) -> Option<Study> {
         if self.running.is_some() || self.is_abandoned {
             return None;
@@ -57,7 +58,7 @@ impl Reports {
         self.running
     }
 
-    /// Takes in what a study found; `None` stands for the one under way. A stale one is dropped.
+    /// Stores the finding of a study; `None` stands for the one in flight. The finding of a stale study is dropped.
     pub fn accept(&mut self, study: Option<Study>, finding: Finding) {
         if std::mem::take(&mut self.is_abandoned) {
             return;
@@ -71,12 +72,12 @@ impl Reports {
         }
     }
 
-    /// What could not be measured, in the words of the window that is open.
+    /// The messages in the open window about failed measurements.
     pub fn errors(&self) -> impl Iterator<Item = &Message> {
         self.failures.iter()
     }
 
-    /// Shows the window, if one is open.
+    /// Shows the open window, if there is one.
     pub fn show(&mut self, context: &egui::Context) {
         let Some(report) = self.open else { return };
         let title = match report {
@@ -218,7 +219,7 @@ impl Reports {
     }
 }
 
-/// The tables of Ψ take seconds each, and riemap does not need them: once is enough.
+/// Measurements of a row: one for the tables of Ψ, which take seconds each and which riemap does not need.
 fn runs(row: BenchRow) -> usize {
     if matches!(row, BenchRow::PsiTable { .. }) { 1 } else { RUNS }
 }

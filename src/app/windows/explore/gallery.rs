@@ -1,4 +1,4 @@
-//! The gallery: maps worth seeing, each with a small picture and a line about it.
+//! The gallery: example maps, each with a thumbnail and a caption.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::theme::text_metrics::scroll_beyond;
@@ -18,24 +18,24 @@ use egui::{
 };
 use std::sync::LazyLock;
 
-/// One picture.
+/// An entry of the gallery.
 pub struct Piece {
-    /// What it is called.
+    /// The title.
     pub title: Label,
-    /// What there is to see.
+    /// A line about what there is to see.
     pub caption: Label,
-    /// The map.
+    /// The session with the map.
     pub session: Session,
 }
 
 impl Piece {
-    /// Its words, for those who hear the screen.
+    /// Title and caption, for screen readers.
     fn said(&self) -> String {
         format!("{}: {}", tr(self.title), tr(self.caption))
     }
 }
 
-/// All of them, from easy to hard, then the surfaces; made once.
+/// All entries, from easy to hard, then the surfaces; built once.
 pub fn pieces() -> &'static [Piece] {
     static PIECES: LazyLock<Vec<Piece>> = LazyLock::new(make_pieces);
     &PIECES
@@ -91,20 +91,20 @@ fn solid(surface: SurfacePreset, outline: Preset) -> Session {
     ])
 }
 
-/// The V over the blob, with the way through the disk beside it (the paper's Figure 12).
+/// The V-shape and the blob, compared with the map through the disk (the paper's Figure 12).
 pub fn crowding() -> Session {
     planar(Preset::VShape, Preset::Blob)
         .and([Command::SetComparison(Comparison::Precomputed), Command::SetColouring(Colouring::Texture)])
 }
 
-/// The frame around a picture.
+/// Free space around a thumbnail, in points.
 const PADDING: f32 = 8.0;
-/// A picture with its words below.
+/// The size of an entry with the text below the thumbnail.
 const CARD: Vec2 = vec2(SIZE[0] as f32 + 2.0 * PADDING, SIZE[1] as f32 + 82.0);
-/// A picture with its words beside it: where there is room for one column only.
+/// The size of an entry with the text beside the thumbnail: where there is room for one column only.
 const ROW: Vec2 = vec2(420.0, SIZE[1] as f32 + 2.0 * PADDING);
 
-/// Between them, in points.
+/// The gap between entries, in points.
 const GAP: f32 = 8.0;
 const MOST_COLUMNS: f32 = 3.0;
 
@@ -112,14 +112,14 @@ fn columns(most: f32) -> f32 {
     ((most + GAP) / (CARD.x + GAP)).floor().min(MOST_COLUMNS)
 }
 
-/// How wide the gallery is where there is room for `most`.
+/// The width of the gallery where at most `most` points are available.
 pub fn width(most: f32) -> f32 {
     let columns = columns(most);
     if columns < 2.0 { ROW.x.min(most) } else { columns * (CARD.x + GAP) - GAP }
 }
 
-/// Shows the gallery; one picture is made in a frame. Who chooses one closes it. `takes_focus`: the first picture gets
-/// the keyboard.
+/// Shows the gallery; renders one missing thumbnail per frame into `made`. Choosing an entry closes the gallery. With
+/// `takes_focus` the first entry gets the keyboard focus.
 pub fn show(ui: &mut Ui, made: &mut Vec<Option<TextureHandle>>, takes_focus: bool, actions: &mut Actions) {
     let pieces = pieces();
     if let Some(next) = pieces.get(made.len()) {

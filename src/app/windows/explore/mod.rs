@@ -1,4 +1,4 @@
-//! Ways to explore by oneself: a gallery of pictures, the paper's figures, a guided tour, what the keys and the mouse do.
+//! Gallery, list of figures, guided tour and list of shortcuts.
 
 mod gallery;
 mod shortcuts;
@@ -13,38 +13,39 @@ use crate::session::Session;
 use egui::{Context, Pos2, TextureHandle, Ui};
 use window::{BESIDES, Window};
 
-/// What is open: a window at a time, and the tour.
+/// The open window, at most one, and the tour.
 #[derive(Default)]
 pub struct Explore {
     window: Option<Window>,
-    /// Where it is closed.
+    /// The center of the window's close button.
     close: Option<Pos2>,
     tour: Option<Tour>,
-    /// What was just opened gets the keyboard.
+    /// Whether the window or step that was just opened still has to get the keyboard focus.
     focus_due: bool,
-    /// The gallery's small pictures that have been made, in its order; `None`: could not be.
+    /// The gallery's thumbnails rendered so far, in its order; `None` where rendering failed.
     thumbnails: Vec<Option<TextureHandle>>,
 }
 
 struct Tour {
     step: usize,
-    /// What was on the screen before it.
+    /// The session from before the tour.
     before: Session,
-    /// Whether the random walks ran.
+    /// Whether the random walks ran before the tour.
     walked: bool,
 }
 
-/// What an [`ExploreAction`] changes on the screen.
+/// What the app must change after an [`ExploreAction`]; `None` leaves a part unchanged.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Consequences {
-    /// This session is shown.
+    /// The session to open.
     pub session: Option<Session>,
-    /// The random walks run, or not.
+    /// Whether the random walks are to run.
     pub walks: Option<bool>,
 }
 
 impl Explore {
-    /// Opens or goes on; `present` is the session on the screen, `is_walking`: its random walks run.
+    /// Carries out the action. `present` is the session on the screen, `is_walking` whether its random walks run; when
+    /// the tour starts both are kept for its end. A step that does not exist changes nothing.
     pub fn act(&mut self, action: ExploreAction, present: &Session, is_walking: bool) -> Consequences {
         match action {
             ExploreAction::Gallery => self.open(Window::Gallery),
@@ -73,33 +74,33 @@ impl Explore {
         Consequences { session: Some(stop.session.clone()), walks: Some(stop.walks) }
     }
 
-    /// The number of the tour's step that is shown.
+    /// The step of the tour that is shown, counted from 0.
     pub fn step(&self) -> Option<usize> {
         self.tour.as_ref().map(|tour| tour.step)
     }
 
-    /// Whether the picture on the screen is one of the tour's.
+    /// Whether the tour is in progress.
     pub fn is_touring(&self) -> bool {
         self.tour.is_some()
     }
 
-    /// What the tour says now.
+    /// Title and text of the tour's step.
     pub fn words(&self) -> Option<[&'static str; 2]> {
         let stop = tour::steps().get(self.step()?)?;
         Some([stop.title, stop.text].map(tr))
     }
 
-    /// Shows the tour's words below the pictures; on a low screen it `yields` to what else is there.
+    /// Shows the tour's step below the pictures; if it `yields` to other content there, it is hidden on a low screen.
     pub fn show_tour(&mut self, ui: &mut Ui, yields: bool, actions: &mut Actions) {
         let step = self.step().filter(|_| !(yields && tour::is_low(ui)));
         if let Some(step) = step {
-            // a window over it comes first
+            // a window that opens over the tour gets the focus
             let takes_focus = self.window.is_none() && std::mem::take(&mut self.focus_due);
             tour::show(ui, step, takes_focus, actions);
         }
     }
 
-    /// Shows the window that is open.
+    /// Shows the open window, and closes it if the user does.
     pub fn show(&mut self, context: &Context, actions: &mut Actions) {
         let Some(open) = self.window else { return };
         let takes_focus = std::mem::take(&mut self.focus_due);
@@ -114,7 +115,7 @@ impl Explore {
         }
     }
 
-    /// The name of the window that is open, and where it is closed.
+    /// The name of the open window, and the center of its close button.
     pub fn close(&self) -> Option<(&'static str, Pos2)> {
         Some((self.window?.name(), self.close?))
     }

@@ -1,4 +1,4 @@
-//! What keys, mouse and fingers do.
+//! The list of keys and gestures.
 
 use crate::app::theme::text_metrics::scroll_beyond;
 use crate::app::theme::{Palette, bold};
@@ -6,14 +6,14 @@ use crate::app::windows::explore::window::BESIDES;
 use crate::language::{Label as Words, key, tr};
 use egui::{Align, Label, Layout, RichText, Ui, vec2};
 
-/// How wide the list is where there is room.
+/// The width of the list where there is room, in points.
 pub const WIDTH: f32 = 660.0;
-/// What of it the keys take.
+/// The fraction of the width that the column of keys takes.
 const KEYS_SHARE: f32 = 0.32;
-/// Room for the scroll bar beside it.
+/// Room for the scroll bar beside the list.
 const SCROLL_BAR: f32 = 8.0;
 
-/// Each with what it does, in groups.
+/// The groups of the list: pairs of a key or gesture and its effect.
 const GROUPS: [(Words, &[[Words; 2]]); 4] = [
     (
         key::mouse_fingers(),
@@ -80,7 +80,7 @@ pub fn show(ui: &mut Ui) {
     });
 }
 
-/// A column of a row, as high as its words.
+/// A cell of this width, as high as its text.
 fn words(ui: &mut Ui, width: f32, text: RichText) {
     let left_aligned = Layout::top_down(Align::Min);
     ui.allocate_ui_with_layout(vec2(width, 0.0), left_aligned, |ui| {

@@ -1,7 +1,7 @@
-//! Small pictures of maps, made by the processor: the map itself at a coarse resolution, with its pattern.
+//! Thumbnails of maps, rendered on the CPU: the actual map at a coarse resolution, with its pattern.
 //!
-//! Source and target stand side by side as on the screen. Triangles are filled pixel by pixel, near ones over
-//! far ones, at three times the size, and averaged.
+//! Source and target are side by side. Triangles are rasterized with a depth buffer at three times the
+//! resolution, which is then averaged.
 
 use crate::conformal::{PrepareSettings, Side};
 use crate::geometry::{Bounds, DVec2, DVec3};
@@ -12,25 +12,25 @@ use crate::render::{MeshGeometry, Pattern, TextureStyle};
 use crate::session::{Command, Comparison, Session, SurfaceShape, SurfaceSpec};
 use egui::{Color32, ColorImage};
 
-/// Width and height of a picture, in points.
+/// Width and height of a thumbnail, in points.
 pub const SIZE: [usize; 2] = [176, 84];
-/// Pixels per point: sharp on a screen of twice the density.
+/// Pixels per point: sharp on a screen with two.
 const DENSITY: usize = 2;
-/// Samples along a side of a pixel.
+/// Samples per pixel along each axis.
 const FINE: usize = 3;
 
-/// Enough boundary samples for pictures of 80 points; adaptive ones keep corners and channels.
+/// Boundary samples, enough for thumbnails of 80 points; adaptive sampling keeps corners and channels.
 const SAMPLES: u32 = 120;
 const GROWTH: f64 = 0.3;
-/// Boundary vertices of a surface by formula.
+/// Boundary vertices of a preset surface.
 const SURFACE_BOUNDARY: u32 = 72;
-/// Cells across: fewer than on the screen, to be seen at this size.
+/// Cells of the pattern across the domain: fewer than on the screen, to be visible at this size.
 const CELLS: f64 = 6.0;
 
-/// How bright what is seen edge on is, where 1 faces the eye.
+/// The brightness of a triangle that is seen edge-on; one that faces the eye has brightness 1.
 const DARKEST: f64 = 0.45;
 
-/// A picture of a session's map, transparent around it; `None` if it has none.
+/// A thumbnail of a session's map on a transparent background; `None` if the session has no map.
 pub fn of(session: &Session) -> Option<ColorImage> {
     let offscreen = Offscreen::new(coarse(session.clone()), None, 1.0).ok()?;
     let style = offscreen.style(false, true)?;
@@ -73,7 +73,7 @@ impl Canvas {
         Self { size, pixels: vec![[0.0; 4]; count], depths: vec![f64::NEG_INFINITY; count] }
     }
 
-    /// From a domain's coordinates to the left or right half, y down.
+    /// The affine map from a domain's coordinates to the left (0) or right (1) half of the canvas, y down.
     fn fit(&self, points: &[DVec2], half: usize) -> impl Fn(DVec2) -> DVec2 + use<> {
         let Bounds { min, max } = Bounds::of(points.iter().copied());
         let room = DVec2::new(0.5 * self.size[0] as f64, self.size[1] as f64);
@@ -91,7 +91,7 @@ impl Canvas {
         }
     }
 
-    /// The surface as it is seen from far away in the direction `towards_eye`, lit from there.
+    /// Draws the surface in parallel projection along `towards_eye`, lit from there.
     fn solid(&mut self, solid: &OffscreenSurface<'_>, towards_eye: DVec3, style: &TextureStyle) {
         let mesh = solid.surface.mesh();
         let right = DVec3::Z.cross(towards_eye).try_normalize().unwrap_or(DVec3::X);
@@ -109,7 +109,7 @@ impl Canvas {
         }
     }
 
-    /// Fills a triangle; z is the depth, larger is nearer.
+    /// Fills a triangle; z is the depth, larger is nearer. A degenerate or infinite triangle is skipped.
     fn triangle(&mut self, [a, b, c]: [DVec3; 3], coordinates: [DVec2; 3], light: f32, style: &TextureStyle) {
         let area = (b - a).truncate().perp_dot((c - a).truncate());
         if area == 0.0 || !area.is_finite() {
@@ -146,7 +146,7 @@ impl Canvas {
             for at in (0..FINE * FINE).map(|k| (y + k / FINE) * self.size[0] + x + k % FINE) {
                 (0..4).for_each(|c| sum[c] += self.pixels[at][c]);
             }
-            // alpha is the share of the pixel that is covered, so the colours come out premultiplied
+            // alpha is the coverage of the pixel, so the colors are already premultiplied
             let [r, g, b, a] = sum.map(|channel| (channel / (FINE * FINE) as f32 * 255.0).round() as u8);
             Color32::from_rgba_premultiplied(r, g, b, a)
         };
@@ -154,14 +154,14 @@ impl Canvas {
     }
 }
 
-/// The two ends of the hue, top and bottom, and the paper: those of the screen's patterns.
+/// The colors of the patterns, as on the screen: the gradient's ends at top and bottom, and the light color.
 const TOP: [f32; 3] = [0.80, 0.43, 0.22];
 const BOTTOM: [f32; 3] = [0.18, 0.42, 0.58];
 const PAPER: [f32; 3] = [0.96, 0.93, 0.86];
-/// The half width of a line, in cells.
+/// Half the width of a line, in cells.
 const LINE: f64 = 0.07;
 
-/// The pattern at a texture coordinate.
+/// The pattern's color at a texture coordinate.
 fn colour(p: DVec2, style: &TextureStyle) -> [f32; 3] {
     let (low, high) = style.bounds;
     let cell = (high - low).max_element() / style.cells;

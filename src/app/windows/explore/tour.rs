@@ -1,4 +1,4 @@
-//! The guided tour: six pictures with a few sentences each.
+//! The guided tour: six sessions with a few sentences each.
 
 use crate::app::input::action::{Action, Actions, ExploreAction};
 use crate::app::theme::widgets::give_keyboard;
@@ -12,19 +12,19 @@ use crate::surface::SurfacePreset;
 use egui::{Frame, Label, Margin, Panel, RichText, ScrollArea, Ui};
 use std::sync::LazyLock;
 
-/// One stop.
+/// One step of the tour.
 pub struct Step {
-    /// What it is about.
+    /// The heading.
     pub title: Words,
-    /// What to see, and what to try.
+    /// The sentences: what there is to see and to try.
     pub text: Words,
-    /// The picture.
+    /// The session that is shown.
     pub session: Session,
-    /// Whether random walks run.
+    /// Whether the random walks run.
     pub walks: bool,
 }
 
-/// All of them, in order; made once.
+/// All steps, in order; built once.
 pub fn steps() -> &'static [Step] {
     static STEPS: LazyLock<Vec<Step>> = LazyLock::new(make_steps);
     &STEPS
@@ -61,7 +61,8 @@ fn solid() -> Session {
     Session::with([Command::SetSurface { side: Side::Target, surface }])
 }
 
-/// Shows the words of a step below the pictures, which make room; `takes_focus`: its first button gets the keyboard.
+/// Shows the text and the buttons of a step in a panel below the pictures; with `takes_focus` the button to go on gets
+/// the keyboard focus.
 pub fn show(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) {
     let all = steps();
     let Some(stop) = all.get(step) else { return };
@@ -88,16 +89,16 @@ pub fn show(ui: &mut Ui, step: usize, takes_focus: bool, actions: &mut Actions) 
     });
 }
 
-/// On a screen lower than this the title stands beside the buttons and the words take three lines; more scroll.
+/// On a screen lower than this, in points, the title is beside the buttons and the text takes three lines and scrolls.
 const LOW_SCREEN: f32 = 450.0;
 const LOW_WORDS: f32 = 50.0;
 
-/// Whether the screen is one.
+/// Whether the screen is lower than [`LOW_SCREEN`].
 pub fn is_low(ui: &Ui) -> bool {
     ui.ctx().content_rect().height() < LOW_SCREEN
 }
 
-/// The buttons of a step, and which of `count` it is, into a row.
+/// The buttons of a step and its number out of `count`, in a row.
 fn buttons(ui: &mut Ui, step: usize, count: usize, takes_focus: bool, actions: &mut Actions) {
     let weak = Palette::of(ui.visuals()).weak;
     let mut act = |action| actions.push(Action::Explore(action));

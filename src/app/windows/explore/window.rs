@@ -1,4 +1,4 @@
-//! A window in the middle of the screen: as wide as what it shows and the screen allow, with a button below that closes it.
+//! A window in the middle of the screen, as wide as its content and the screen allow, with a close button below.
 
 use crate::app::menus::figures_menu;
 use crate::app::theme::widgets::{close_button, give_keyboard};
@@ -6,12 +6,12 @@ use crate::app::windows::explore::{gallery, shortcuts};
 use crate::language::{key, tr};
 use egui::{Align2, Context, Key, Pos2, Ui};
 
-/// What of the screen's height is above what a window shows, and below it: title, button, margins.
+/// The height above and below a window's content together, in points: title, button, margins.
 pub const BESIDES: f32 = 140.0;
-/// What of the screen's width is left and right of it.
+/// The free width left and right of a window together, in points.
 const MARGINS: f32 = 40.0;
 
-/// Which one.
+/// The kinds of windows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Window {
     /// The gallery.
@@ -39,7 +39,7 @@ impl Window {
         }
     }
 
-    /// Its name in the numbers of the screen.
+    /// The name in the record of the screen (`stats`), in English.
     pub fn name(self) -> &'static str {
         let name = match self {
             Self::Gallery => key::gallery(),
@@ -49,8 +49,8 @@ impl Window {
         name.english()
     }
 
-    /// Shows it around `content`, which may close it. Returns where it is closed; `None`: it has been. `takes_focus`: the
-    /// button that closes it gets the keyboard.
+    /// Shows the window around `content`, which may close it. Returns the center of the close button; `None` once the
+    /// window is closed. With `takes_focus` the close button gets the keyboard focus.
     pub fn show(self, context: &Context, takes_focus: bool, content: impl FnOnce(&mut Ui)) -> Option<Pos2> {
         let screen = context.content_rect();
         let mut stays = true;

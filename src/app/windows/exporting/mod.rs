@@ -1,9 +1,6 @@
-//! Files that leave the app: pictures, animations, vector graphics, tables and meshes.
+//! Export of pictures, animations, vector graphics, tables and meshes.
 //!
-//! | what | file |
-//! |---|---|
-//! | the window | `window`, `settings` |
-//! | what the app does with them | `app` |
+//! The window is in `window`, its form in `settings`; the files are made by [`crate::model::export`].
 
 mod settings;
 pub mod window;

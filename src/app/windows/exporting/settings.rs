@@ -1,4 +1,4 @@
-//! The choices in the window of exports.
+//! The form of the export window: kind of file, size, sides, background, animation, coordinates.
 
 use crate::app::panels::play_panel;
 use crate::app::theme::Palette;
@@ -11,17 +11,17 @@ use crate::model::export::request::Kind;
 use crate::render::{FilmFormat, MOST_FRAMES, SECONDS};
 use egui::{Button, DragValue, Response, RichText, Ui, vec2};
 
-/// Sizes that can be had by one click.
+/// The sizes offered as buttons, in pixels.
 const SIZES: [([u32; 2], &str); 4] = [
     ([800, 450], "800 × 450"),
     ([1600, 900], "1600 × 900"),
     ([3840, 2160], "3840 × 2160"),
     ([1080, 1080], "1080 × 1080"),
 ];
-/// Sides of a picture, in pixels; fewer where the graphics device has smaller textures.
+/// The allowed width and height of a picture, in pixels; the maximum is lower if the graphics device's textures are.
 const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 impl Exporter {
-    /// The kinds of files, and what is in the chosen one.
+    /// Shows the kinds of files and a description of the chosen one.
     pub(super) fn kinds(&mut self, ui: &mut Ui, around: Surroundings, height: f32) {
         ui.horizontal_wrapped(|ui| {
             for &kind in Kind::all(around.on_surface) {
@@ -35,7 +35,7 @@ impl Exporter {
         ui.add_space(4.0);
     }
 
-    /// The rows of a table: what can be chosen about the kind of file.
+    /// Shows the settings of the chosen kind of file, as rows of a grid.
     pub(super) fn settings(&mut self, ui: &mut Ui, around: Surroundings, height: f32) {
         let kind = self.request.kind;
         if kind.is_drawn() {
@@ -168,7 +168,7 @@ impl Exporter {
         response
     }
 
-    /// Remembers where a control is.
+    /// Stores the center of a control for [`Self::places`].
     pub(super) fn note(&mut self, name: &'static str, response: &Response) {
         let place = response.rect.center();
         self.places.insert(name, [place.x, place.y]);

@@ -1,4 +1,4 @@
-//! Pictures and animations are made beside the app's model, and the window says what it cannot do.
+//! Exports do not change the model, and the window reports what cannot be exported.
 
 use crate::app::tests::{has_adapter, prepared_model, ready_app};
 use crate::app::windows::exporting::Exporter;
@@ -25,7 +25,7 @@ fn request(kind: Kind) -> ExportRequest {
     ExportRequest { kind, size: [240, 120], frames: 4, seconds: 1.0, ..ExportRequest::default() }
 }
 
-/// Works as the app does, frame by frame.
+/// Runs the job as the app does, frame by frame, and returns its file.
 fn made(model: &Model, request: &ExportRequest) -> ReadyFile {
     let (device, queue, _) = headless_device().unwrap();
     let mut job = Job::begin(model, request, scenery(), (&device, &queue)).unwrap();
@@ -122,7 +122,7 @@ fn planar_maps_and_surfaces_have_their_own_formats() {
     }
 }
 
-/// This harness has no graphics device: what goes wrong is said in the window, and nothing hangs.
+/// This harness has no graphics device: the window reports the error, and nothing hangs.
 #[test]
 fn the_window_opens_by_key_says_what_is_wrong_and_closes() {
     let mut harness = ready_app([1200.0, 800.0]);

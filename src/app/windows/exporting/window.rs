@@ -1,4 +1,4 @@
-//! The window where a file is chosen, made and saved.
+//! The export window: chooses a kind of file, shows the progress of the job, and saves the result.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::theme::text_metrics::scroll_beyond;
@@ -15,66 +15,66 @@ use egui::{
 use std::collections::BTreeMap;
 
 const WIDTH: f32 = 400.0;
-/// Room for the scroll bar beside the choices.
+/// Room for the scroll bar beside the form.
 const SCROLL_BAR: f32 = 10.0;
-/// What of the screen's height is above the choices, and below them.
+/// The height above and below the form together, in points.
 const BESIDES: f32 = 210.0;
-/// The height of an error in it at most.
+/// The largest height of an error in the window.
 const MOST_MESSAGE: f32 = 120.0;
-/// The window's upper edge, below the bar.
+/// The initial distance from the screen's upper edge to the window, in points: below the top bar.
 const FROM_TOP: f32 = 64.0;
 
-/// How far the map on the screen is.
+/// The state of the map on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MapState {
-    /// Another one is being prepared.
+    /// The map that is asked for is still being prepared.
     Preparing,
-    /// It is there.
+    /// The map is shown, but its extension is not complete.
     Ready,
-    /// With all of its extension.
+    /// The map is shown with its complete extension.
     Complete,
 }
 
-/// What the window needs to know.
+/// The facts about the app that decide what can be exported.
 #[derive(Debug, Clone, Copy)]
 pub struct Surroundings {
-    /// How far the map is.
+    /// The state of the map.
     pub map: MapState,
-    /// It is one of a surface.
+    /// Whether the target is a surface.
     pub on_surface: bool,
-    /// The largest side of a texture.
+    /// The largest width or height of a texture, in pixels.
     pub max_side: u32,
 }
 
-/// The window and the work that it has begun.
+/// The export window and the job that it has started.
 #[derive(Default)]
 pub struct Exporter {
     is_open: bool,
     pub(super) request: ExportRequest,
     job: Option<Job>,
     error: Option<Message>,
-    /// The centres of its controls, by what is written on them.
+    /// The centers of the window's controls, by their English labels.
     pub(super) places: BTreeMap<&'static str, [f32; 2]>,
 }
 
 impl Exporter {
-    /// Shows the window.
+    /// Opens the window; [`Self::show`] draws it.
     pub fn open(&mut self) {
         self.is_open = true;
     }
 
-    /// What is chosen.
+    /// The chosen settings.
     pub fn request(&self) -> &ExportRequest {
         &self.request
     }
 
-    /// What is chosen, as numbers or vector graphics.
+    /// The chosen file of numbers or vector graphics; `None` for pictures and animations.
     pub fn file_request(&self) -> Option<FileRequest> {
         let Kind::File(format) = self.request.kind else { return None };
         Some(FileRequest { format, side: self.request.side, unit: self.request.unit })
     }
 
-    /// Begins with work, or says why not.
+    /// Starts a job, or shows the reason why it cannot start.
     pub fn begin(&mut self, job: Result<Job, Message>) {
         (self.job, self.error) = match job {
             Ok(job) => (Some(job), None),
@@ -82,17 +82,17 @@ impl Exporter {
         };
     }
 
-    /// Gives up what is under way.
+    /// Drops the job, if there is one.
     pub fn cancel(&mut self) {
         self.job = None;
     }
 
-    /// Says what went wrong, or that nothing did.
+    /// Sets the error that the window shows; `None` clears it.
     pub fn tell(&mut self, error: Option<Message>) {
         self.error = error;
     }
 
-    /// What the window says is wrong, while it is open.
+    /// The errors that the window shows; none while it is closed.
     pub fn errors(&self) -> impl Iterator<Item = Message> {
         let refused = match self.request.kind {
             Kind::Film(format) if self.is_open => {
@@ -103,12 +103,12 @@ impl Exporter {
         self.error.clone().filter(|_| self.is_open).into_iter().chain(refused)
     }
 
-    /// Whether something is being made.
+    /// Whether a job is in progress.
     pub fn is_busy(&self) -> bool {
         self.job.is_some()
     }
 
-    /// Spends a frame's share on what is under way; the file, when it is there.
+    /// Works on the job for a part of a frame; returns the file once complete. An error ends the job and is shown.
     pub fn work(&mut self, gpu: (&wgpu::Device, &wgpu::Queue)) -> Option<ReadyFile> {
         match self.job.as_mut()?.work(gpu) {
             Ok(Progress::GoesOn) => None,
@@ -123,17 +123,17 @@ impl Exporter {
         }
     }
 
-    /// Where its controls are; `None` while it is closed.
+    /// The centers of the window's controls, by their English labels; `None` while it is closed.
     pub fn places(&self) -> Option<&BTreeMap<&'static str, [f32; 2]>> {
         self.is_open.then_some(&self.places)
     }
 
-    /// How many pictures of how many are made.
+    /// The number of finished pictures and of all pictures of the job; `None` without a job.
     pub fn count(&self) -> Option<[u32; 2]> {
         self.job.as_ref().map(Job::count)
     }
 
-    /// Shows the window, if it is open. Closing it gives up what is under way.
+    /// Draws the window if it is open. Closing it cancels the job.
     pub fn show(&mut self, context: &egui::Context, around: Surroundings, actions: &mut Actions) {
         if !self.is_open {
             return;
@@ -150,7 +150,7 @@ impl Exporter {
             .open(&mut stays)
             .collapsible(false)
             .auto_sized()
-            // it grows downwards only: what is under the pointer stays there
+            // the window grows downwards only, so that its buttons stay under the pointer
             .pivot(egui::Align2::CENTER_TOP)
             .default_pos(screen.center_top() + vec2(0.0, FROM_TOP))
             .show(context, |ui| {
@@ -163,7 +163,7 @@ impl Exporter {
         }
     }
 
-    /// The choices, which may be scrolled, and below them what is done with them.
+    /// The form, which scrolls, and below it the buttons or the progress of the job.
     fn content(&mut self, ui: &mut Ui, around: Surroundings, actions: &mut Actions) {
         let height = control_height(ui, ROW_HEIGHT);
         scroll_beyond(ui, BESIDES, |ui| {
@@ -225,7 +225,7 @@ impl Exporter {
     }
 }
 
-/// How far the work is, with a few words over it.
+/// A progress bar with a text over it; `done` is from 0 to 1.
 fn progress_bar(ui: &mut Ui, size: Vec2, done: f32, text: String) {
     let palette = Palette::of(ui.visuals());
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
