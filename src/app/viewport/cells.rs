@@ -1,8 +1,8 @@
-//! Keeps the triangles on the GPU as the model has them: uploaded when they are
-//! shown, and only what changed since.
+//! Keeps the triangles on the GPU in step with the model: uploaded only while they are
+//! shown, and only what has changed.
 //!
-//! The mapped mesh is drawn on both sides: on its own with its vertices, on the
-//! other at their images. A surface's own side is a viewport in space, with buffers of its own.
+//! The mapped mesh is drawn on both sides: with its vertices on its own side, with their
+//! images on the other. The viewport of a surface has separate buffers.
 
 use crate::app::viewport::gpu::Gpu;
 use crate::conformal::Side;
@@ -11,14 +11,14 @@ use crate::model::pattern::cells::Cells;
 use crate::model::pattern::colouring::ColourScale;
 use crate::render::CellStyle;
 
-/// What has been uploaded, by the model's counts.
+/// The generations of the uploaded mesh and images, as counted by the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 struct Uploaded {
     mesh: u64,
     images: u64,
 }
 
-/// The triangles' state on the screen.
+/// The triangles' colors, and what of them has been uploaded.
 #[derive(Debug, Default)]
 pub struct CellUploads {
     cells: Cells,
@@ -26,17 +26,17 @@ pub struct CellUploads {
 }
 
 impl CellUploads {
-    /// How the triangles are shown; `None` where there is nothing to show but the texture.
+    /// How the triangles are shown; `None` where only the texture is shown.
     pub fn style(&self) -> Option<CellStyle> {
         self.cells.style()
     }
 
-    /// What the colours mean, where they are not the texture's.
+    /// The scale of the colors; `None` where the texture is shown.
     pub fn scale(&self) -> Option<&ColourScale> {
         self.cells.scale()
     }
 
-    /// Brings colours and uploads up to date with the model.
+    /// Brings colors and uploads up to date with the model.
     pub fn update(&mut self, model: &Model, gpu: Option<&Gpu>, pixels_per_point: f32) {
         self.cells.update(model, pixels_per_point);
         let Some(gpu) = gpu else { return };

@@ -1,4 +1,4 @@
-//! The dots on the screen: grabbed, let go, and painted, on planar pictures and on surfaces alike.
+//! Grabbing, releasing and painting the dots, in planar viewports and on surfaces.
 
 use crate::app::input::handles::{DOT_RADIUS, GRAB_RADIUS, Handle, HandleKind, HandleState, hit};
 use crate::app::input::locks::Locks;
@@ -9,19 +9,20 @@ use crate::conformal::Side;
 use egui::emath::GuiRounding;
 use egui::{Color32, CornerRadius, CursorIcon, Painter, Pos2, Rect, Response, Stroke, StrokeKind, Ui, vec2};
 
-/// How much of its strength a dot keeps behind the surface.
+/// The opacity of a dot behind the surface.
 const HIDDEN_STRENGTH: f32 = 0.4;
 
-/// Where a dot is painted.
+/// The place of a dot on the screen.
 #[derive(Debug, Clone, Copy)]
 pub struct Dot {
-    /// Its centre on the screen.
+    /// The dot's center.
     pub place: Pos2,
-    /// Whether a surface lies before it.
+    /// Whether the surface occludes the dot.
     pub hidden: bool,
 }
 
-/// Takes the dot under the pointer in hand, or lets go; `places` are those of interior and boundary.
+/// Starts dragging the dot under a pressed pointer, ends the drag on release, and updates hover state and cursor.
+/// `places` are those of the interior and the boundary dot; locked dots are not hit.
 pub fn grab_and_release(
     ui: &Ui,
     response: &Response,
@@ -40,7 +41,7 @@ pub fn grab_and_release(
         && let Some(place) = places[handle.kind as usize]
     {
         handles.grab(handle, place, pointer, now);
-        // who takes a dot with the pointer has left the keyboard
+        // grabbing a dot with the pointer takes the keyboard focus away from the focused control
         ui.memory_mut(|memory| memory.focused().inspect(|id| memory.surrender_focus(*id)));
     }
     if !down && handles.grip.is_some_and(|grip| grip.handle.side == side) {
@@ -56,9 +57,9 @@ pub fn grab_and_release(
     }
 }
 
-/// Paints a dot; while it is held or has the keyboard, with `words`.
+/// Paints a dot; while it is dragged or focused, with `words` beside it.
 pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &HandleState, words: &dyn Fn() -> String) {
-    // On whole pixels: small discs come from a texture and are moved there, large ones would not be.
+    // egui draws small discs from a texture, aligned to pixels, and large ones unaligned: align all of them.
     let place = dot.place.round_to_pixels(ui.pixels_per_point());
     let strength = if dot.hidden { HIDDEN_STRENGTH } else { 1.0 };
     let colour = match handle.kind {
@@ -88,7 +89,7 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
     }
 }
 
-/// Paints the mark of a boundary point that a plot or the pointer means.
+/// Paints the mark of the boundary point under the pointer, or of its image.
 pub fn paint_mark(ui: &Ui, painter: &Painter, side: Side, place: Pos2) {
     let place = place.round_to_pixels(ui.pixels_per_point());
     painter.circle_filled(place + vec2(0.0, 1.0), 8.0, Color32::from_black_alpha(70));

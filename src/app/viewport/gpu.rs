@@ -1,8 +1,8 @@
-//! From the model to the GPU: uploads after a change, and the callbacks by
-//! which the viewports are drawn inside egui's pass.
+//! Uploads from the model to the GPU after a change, and the callbacks that
+//! draw the viewports inside egui's pass.
 //!
-//! What is drawn on which side, and with which coordinates, is said in `textured`. The
-//! images are uploaded, or put there by a compute shader ([`GpuExtension`]).
+//! Positions and texture coordinates of each side come from [`pattern`]. The images of the
+//! mapped mesh are uploaded, or written by a compute shader ([`GpuExtension`]).
 
 use crate::app::viewport::gpu_extension::GpuExtension;
 use crate::app::viewport::surface;
@@ -22,16 +22,16 @@ pub struct Gpu {
     in_software: bool,
 }
 
-/// Whether the processor is what draws.
+/// Whether the adapter is a software renderer on the CPU.
 pub fn draws_in_software(state: &RenderState) -> bool {
     state.adapter.get_info().device_type == wgpu::DeviceType::Cpu
 }
 
 impl Gpu {
-    /// Puts a renderer for both viewports next to egui's own.
+    /// Adds a renderer for both viewports to egui's callback resources.
     pub fn new(state: RenderState) -> Self {
         let in_software = draws_in_software(&state);
-        // there the resolution of several samples takes two thirds of a frame
+        // in software, resolving multisampling takes two thirds of a frame
         let samples = if in_software { 1 } else { sample_count(&state.device) };
         let viewports = Side::BOTH.len();
         let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, viewports, samples);
@@ -40,7 +40,7 @@ impl Gpu {
         Self { state, extension, in_software }
     }
 
-    /// What it draws with, in the words of the status line.
+    /// The name of the graphics API, for the status line.
     pub fn backend(&self) -> String {
         crate::platform::backend_name(self.state.adapter.get_info().backend)
     }
@@ -50,29 +50,29 @@ impl Gpu {
         self.state.adapter.get_info().name
     }
 
-    /// The device and its queue, for pictures off the screen.
+    /// The device and its queue, for offscreen pictures.
     pub fn device(&self) -> (&wgpu::Device, &wgpu::Queue) {
         (&self.state.device, &self.state.queue)
     }
 
-    /// When a picture that changes now is drawn in full.
+    /// Whether a picture that changes at time `now` is drawn coarsely first (in software) or at full resolution.
     pub fn pace(&self, now: f64) -> Pace {
         if self.in_software { Pace::CoarseFirst { now } } else { Pace::Full }
     }
 
-    /// The largest width or height of a texture.
+    /// The largest width or height of a texture, in pixels.
     pub fn max_texture_side(&self) -> u32 {
         self.state.device.limits().max_texture_dimension_2d
     }
 
-    /// Whether the picture of the model's map has its whole extension from a compute shader.
+    /// Whether the picture shows the complete Cauchy–Green extension of the model's map, evaluated by a compute shader.
     pub fn extends(&self, model: &Model) -> bool {
         let in_the_plane = model.pattern_home().is_some();
         let map = model.map().filter(|map| in_the_plane && map.extension() == Extension::CauchyGreen);
         self.extension.as_ref().zip(map).is_some_and(|(extension, map)| extension.serves(map))
     }
 
-    /// Uploads what has changed; whether a surface fits on the device.
+    /// Uploads what has changed; returns whether a surface fits on the device.
     pub fn upload(&mut self, model: &Model, changes: Changes) -> bool {
         let upload = |renderer: &mut ViewportRenderer| surface::gpu::upload(&self.state, renderer, model, changes);
         let fits = self.with_renderer(upload) != Some(false);
@@ -94,7 +94,7 @@ impl Gpu {
         fits
     }
 
-    /// Replaces the images in the picture by those of the compute shader, if it serves.
+    /// Replaces the images in the picture by those of the compute shader, if it is available for this map.
     fn extend(&mut self, model: &Model) {
         let (Some(extension), Some(map)) = (&mut self.extension, model.map()) else { return };
         let Some(home) = model.pattern_home() else { return };
@@ -104,18 +104,18 @@ impl Gpu {
         }
     }
 
-    /// The texture of [`crate::render::Pattern::Image`].
+    /// Sets the texture of [`crate::render::Pattern::Image`].
     pub fn set_image(&self, rgba: &[u8], width: u32, height: u32) -> Result<(), ImageError> {
         let RenderState { device, queue, .. } = &self.state;
         self.with_renderer(|renderer| renderer.set_image(device, queue, rgba, width, height)).unwrap_or(Ok(()))
     }
 
-    /// Makes what has not been needed yet, now that there is time for it.
+    /// Draws a surface once while there is time, so that its pipelines exist when the first one is opened.
     pub fn warm(&self) {
         self.with_renderer(|renderer| renderer.rehearse_surface(&self.state.device, &self.state.queue));
     }
 
-    /// The outlines' stroke, of constant width on the screen.
+    /// Sets the stroke of the outlines, of constant width on the screen.
     pub fn set_stroke(&self, dark: bool, pixels_per_point: f32) {
         self.with_renderer(|renderer| {
             for side in Side::BOTH {
@@ -124,18 +124,18 @@ impl Gpu {
         });
     }
 
-    /// Replaces the triangles that one side shows with [`Self::set_cell_style`].
+    /// Replaces the triangles of one side that [`Self::set_cell_style`] shows.
     pub fn upload_cells(&self, side: Side, positions: &[DVec2], triangles: &[[u32; 3]]) {
         let RenderState { device, queue, .. } = &self.state;
         self.with_renderer(|renderer| renderer.set_cells(device, queue, side as usize, positions, triangles));
     }
 
-    /// Moves the triangles of one side.
+    /// Moves the vertices of one side's triangles.
     pub fn move_cells(&self, side: Side, positions: &[DVec2]) {
         self.with_renderer(|renderer| renderer.set_cell_positions(&self.state.queue, side as usize, positions));
     }
 
-    /// Colours the triangles on both sides.
+    /// Uploads the colors of the triangles on both sides and on the surface.
     pub fn colour_cells(&self, codes: &mut Vec<CellCode>) {
         self.with_renderer(|renderer| {
             for side in Side::BOTH {
@@ -145,7 +145,7 @@ impl Gpu {
         });
     }
 
-    /// How the triangles are shown on both sides; `None`: not at all.
+    /// Sets how the triangles are shown on both sides; `None` hides them.
     pub fn set_cell_style(&self, style: Option<CellStyle>) {
         self.with_renderer(|renderer| Side::BOTH.map(|side| renderer.set_cell_style(side as usize, style)));
     }
@@ -182,13 +182,13 @@ impl Gpu {
 
 /// Draws one viewport inside egui's pass.
 pub struct ViewportCallback {
-    /// Which one.
+    /// The side of the viewport.
     pub side: Side,
-    /// What it shows beside what was uploaded.
+    /// Camera, size, texture style and background.
     pub frame: PlanarFrame,
-    /// How soon in full.
+    /// Whether it may be drawn coarsely first.
     pub pace: Pace,
-    /// Where another frame is asked for while the picture is coarse.
+    /// The context whose repaint is requested while the picture is coarse.
     pub context: egui::Context,
 }
 

@@ -1,9 +1,8 @@
-//! The Cauchy–Green extension of the map on the screen, evaluated on the GPU frame by frame.
+//! The Cauchy–Green extension of the shown map, evaluated on the GPU in every frame.
 //!
-//! The picture comes from here; numbers, wireframe and colours of triangles come from the
-//! map itself, which refines its images on the processor when the drag rests. Where the
-//! device has no compute shaders (WebGL2), or the map is too large for it, nothing comes
-//! from here, and the picture follows the map's own refinement.
+//! Only the textured picture uses these images; numbers, wireframe and colors of triangles use those of the
+//! map itself, which refines them on the CPU when the drag rests. Where the device has no compute
+//! shaders (WebGL2), or the map has too many terms, the picture too uses the map's own images.
 
 use crate::app::viewport::gpu::draws_in_software;
 use crate::conformal::{ConformalMap, Extension, MeshedDomain, Side};
@@ -11,15 +10,14 @@ use crate::render::{CauchyGreenBuffers, CauchyGreenPass, ViewportRenderer};
 use egui_wgpu::RenderState;
 use std::sync::Arc;
 
-/// Terms (vertex × sample) of a frame, at most. 10⁸ are meant to take a laptop's GPU a frame;
-/// with five times as many a drag still moves, and no system takes the GPU for hung.
+/// The most terms (vertices × samples) per frame. 10⁸ should take a laptop's GPU one frame; with five
+/// times as many a drag still moves, and no system's watchdog takes the GPU for hung.
 const MOST_TERMS: usize = 500_000_000;
 
-/// On a software adapter, where a term takes 27 ns (lavapipe, two busy cores): the processor
-/// does not get faster by being called a GPU.
+/// The same on a software adapter, where a term takes 27 ns (lavapipe, two busy cores).
 const MOST_TERMS_IN_SOFTWARE: usize = 1 << 20;
 
-/// The pass, and the buffers of one domain.
+/// The compute pass, and the buffers of the mapped domain.
 #[derive(Debug)]
 pub struct GpuExtension {
     pass: CauchyGreenPass,
@@ -28,7 +26,7 @@ pub struct GpuExtension {
 }
 
 impl GpuExtension {
-    /// `None` where the device has no compute shaders.
+    /// Creates the compute pass; `None` where the device has no compute shaders.
     pub fn new(state: &RenderState) -> Option<Self> {
         let flags = state.adapter.get_downlevel_capabilities().flags;
         let pass =
@@ -37,7 +35,7 @@ impl GpuExtension {
         Some(Self { pass, most_terms, mapped: None })
     }
 
-    /// Whether the picture of `map` comes from here.
+    /// Whether the images in the picture of `map` come from this pass.
     pub fn serves(&self, map: &ConformalMap) -> bool {
         let known = self
             .mapped
@@ -47,9 +45,9 @@ impl GpuExtension {
         known && map.extension() == Extension::CauchyGreen
     }
 
-    /// Puts the extension of the map's boundary into the mapped mesh in the viewport of `side`: its
-    /// texture coordinates on its own side, its positions on the other. False, and nothing
-    /// changes, where it does not come from here.
+    /// Writes the extension into the mapped mesh in the viewport of `side`: as texture coordinates if
+    /// `side` is the mapped side, else as positions. Returns false, with the picture unchanged, if the map's
+    /// extension is harmonic, the map is too large, or the mesh in the viewport is another one.
     pub fn apply(
         &mut self,
         state: &RenderState,
@@ -78,7 +76,7 @@ impl GpuExtension {
         recorded
     }
 
-    /// Makes the buffers of the mapped domain where they are not there; false where there can be none.
+    /// Creates the buffers of the mapped domain unless they exist; false if it has too many terms for the device.
     fn provide(&mut self, state: &RenderState, map: &ConformalMap) -> bool {
         let Some(domain) = map.mapped().domain() else { return false };
         if !self.mapped.as_ref().is_some_and(|(known, _)| Arc::ptr_eq(known, domain)) {
@@ -109,7 +107,7 @@ mod tests {
         Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
     }
 
-    /// What a viewport has just taken.
+    /// The images that were written last, read back from the GPU.
     fn images(state: &RenderState, extension: &GpuExtension) -> Vec<DVec2> {
         let (sender, receiver) = mpsc::channel();
         let take = move |images: Result<_, _>| sender.send(images.unwrap()).unwrap();
@@ -147,14 +145,14 @@ mod tests {
             assert!(renderer.set_mesh(&state.device, &state.queue, Side::Target as usize, &geometry));
             for x in [0.0, 0.01] {
                 map.update(&at(x), mapped).unwrap();
-                // a refinement that has begun does not change what the shader is given
+                // a refinement in progress must not change the input of the shader
                 map.refine(0.0);
                 assert!(extension.apply(&state, &mut renderer, &map, Side::Target) && extension.serves(&map));
                 let computed = images(&state, &extension);
                 assert!(map.refine(f64::INFINITY));
                 let (low, high) = crate::model::bounds(map.images());
                 let error = computed.iter().zip(map.images()).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
-                // the map's own are rows of Γ in f32, 1e-6 from those in f64
+                // the map's own images use rows of Γ in f32, within 1e-6 of those in f64
                 let tolerance = (CauchyGreenPass::ERROR + 1e-6) * (high - low).max_element();
                 assert!(error < tolerance, "{direction:?}, x = {x}: {error:e}, tolerance {tolerance:e}");
                 assert_eq!(computed.len(), map.images().len());

@@ -1,4 +1,4 @@
-//! The legend of triangle colours: a bar with ticks, the distribution above it, the mean marked.
+//! The legend of triangle colors: a color bar with ticks, the histogram above it, and a mark at the mean.
 
 use crate::app::theme::text_metrics::text_width;
 use crate::app::theme::{Palette, bold};
@@ -6,7 +6,7 @@ use crate::language::{key, say, tr};
 use crate::model::pattern::colouring::ColourScale;
 use egui::{Align2, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
 
-/// How large the legend is.
+/// The size of the legend, in points.
 #[derive(Debug, Clone, Copy)]
 struct Size {
     width: f32,
@@ -15,31 +15,31 @@ struct Size {
 
 const DESK: Size = Size { width: 220.0, histogram: 30.0 };
 const PHONE: Size = Size { width: 170.0, histogram: 18.0 };
-/// Beside the picture, while the sheet is open.
+/// The size in a low or narrow viewport, such as above the open sheet of a phone.
 const TINY: Size = Size { width: 104.0, histogram: 2.0 };
-/// A viewport lower than this has room for the tiny one only.
+/// On a phone, a viewport lower than this has room for [`TINY`] only.
 const TINY_BELOW: f32 = 220.0;
 
-/// Beside the words of the dots, the legend of a desk and that of a phone need this width.
+/// The widths from which a viewport has room for [`DESK`] and [`PHONE`] beside the legend of the dots.
 const DESK_FROM: f32 = 420.0;
 const NARROW_FROM: f32 = 360.0;
 
 /// The height of the bar.
 const BAR: f32 = 9.0;
-/// The size of the words above the colours, and the least space between them.
+/// The font size of title and mean, and the least space between them.
 const TITLE_TEXT: f32 = 11.5;
 const TITLE_GAP: f32 = 6.0;
 /// The heights of the title above and the ticks below.
 const TITLE: f32 = 17.0;
 const TICKS: f32 = 15.0;
-/// From the picture's right edge to the ground.
+/// From the picture's right edge to the legend's background.
 const BESIDE: f32 = 12.0;
-/// From the picture's lower edge to the ground.
+/// From the picture's lower edge to the legend's background.
 const BELOW: f32 = 10.0;
-/// From the ground's edge to what is on it.
+/// From the background's edge to its content.
 const PADDING: f32 = 10.0;
 
-/// The height that the legend takes at the lower edge of `area`; the tiny one lies over the picture.
+/// The height that the legend takes at the lower edge of `area`; 0 for [`TINY`] on a phone, which overlaps the picture.
 pub fn height(area: Rect, narrow: bool) -> f32 {
     if narrow && area.height() < TINY_BELOW {
         return 0.0;
@@ -47,12 +47,13 @@ pub fn height(area: Rect, narrow: bool) -> f32 {
     TITLE + size_in(area, narrow).histogram + BAR + TICKS + PADDING + BELOW
 }
 
-/// The width that it takes at the right edge of `area`.
+/// The width that the legend takes at the right edge of `area`.
 pub fn width(area: Rect, narrow: bool) -> f32 {
     size_in(area, narrow).width + 2.0 * PADDING + BESIDE
 }
 
-/// On a phone the words of the dots stand elsewhere; otherwise they need their part of the width.
+/// The largest size that fits. On a phone (`narrow`) the legend of the dots is elsewhere; otherwise it takes a part of
+/// the width.
 fn size_in(area: Rect, narrow: bool) -> Size {
     match area.width() {
         _ if narrow && area.height() < TINY_BELOW => TINY,
@@ -85,7 +86,7 @@ pub fn paint(ui: &Ui, area: Rect, scale: &ColourScale, narrow: bool) {
     paint_mean(&painter, bar, size.histogram, scale, &palette);
 }
 
-/// The mean at the right, and beside it as much of the title as there is room for.
+/// The mean at the right, and left of it the title: whole if it fits, else its first word, else its symbols.
 fn paint_title(ui: &Ui, painter: &Painter, inner: Rect, scale: &ColourScale, palette: &Palette) {
     let mut room = inner.width();
     if let Some(mean) = scale.mean() {
@@ -102,7 +103,7 @@ fn paint_title(ui: &Ui, painter: &Painter, inner: Rect, scale: &ColourScale, pal
     }
 }
 
-/// The square root of the shares: that of a bin with a hundredth of the area is still seen.
+/// The histogram; heights are square roots of the shares, so that a bin with 1 % of the area is still visible.
 fn paint_histogram(painter: &Painter, bar: Rect, height: f32, scale: &ColourScale, palette: &Palette) {
     let Some(histogram) = &scale.histogram else { return };
     let largest = histogram.shares.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
@@ -151,7 +152,7 @@ fn paint_ticks(painter: &Painter, bar: Rect, scale: &ColourScale, palette: &Pale
     }
 }
 
-/// A line through histogram and bar with a small triangle on top.
+/// The mark of the mean: a line through histogram and bar with a small triangle on top.
 fn paint_mean(painter: &Painter, bar: Rect, height: f32, scale: &ColourScale, palette: &Palette) {
     let Some(histogram) = &scale.histogram else { return };
     let x = bar.left() + scale.place(histogram.mean).clamp(0.0, 1.0) as f32 * bar.width();

@@ -1,12 +1,12 @@
-//! The viewports: what each shows of the plane or of a surface, and the gestures over it.
+//! The viewports: cameras, gestures, dots, uploads and drawing, for planar domains and surfaces.
 //!
-//! | what | file |
+//! | content | file |
 //! |---|---|
-//! | which part of the plane is shown | `view` |
+//! | the camera of a planar viewport | `view` |
 //! | gestures and dots over a planar domain | `planar` |
-//! | a surface in space | `surface` |
-//! | the dots | `dots` |
-//! | uploads and drawing | `gpu`, `gpu_extension`, `cells` |
+//! | the viewport of a surface | `surface` |
+//! | dragging and painting the dots | `dots` |
+//! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
 //! | the legend of triangle colours | `legend` |
 
 pub mod cells;

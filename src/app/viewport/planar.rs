@@ -1,9 +1,8 @@
-//! One of the two pictures: its gestures, and what is painted over the mesh.
+//! A planar viewport: its gestures, and what is painted over the mesh.
 //!
-//! A frame goes through a viewport twice: [`interact`] turns gestures into
-//! commands and camera moves; after the map has been brought up to date,
-//! [`paint`] draws mesh, dots and words, so that a dragged dot is never behind
-//! the pointer.
+//! A frame visits a viewport twice: [`interact`] turns gestures into commands and
+//! camera moves; after the map has been updated, [`paint_mesh`], [`paint_dots`] and the
+//! other functions draw it, so that a dragged dot never lags behind the pointer.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
@@ -27,7 +26,7 @@ use egui::{Align2, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, Stro
 /// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
 pub const ZOOM_PER_POINT: f32 = 0.0025;
 
-/// How near the boundary the pointer means it, in points.
+/// The distance from the boundary within which the pointer hits it, in points.
 pub const BOUNDARY_REACH: f32 = 14.0;
 
 /// Turns gestures over the viewport into commands and camera moves. Returns the boundary
@@ -56,7 +55,7 @@ pub fn interact(
     boundary_under_pointer(&response, side, model, view, handles)
 }
 
-/// Grabs, drags and lets go of the side's two dots, or moves them by keys.
+/// Grabs, drags and releases the side's two dots, or moves them by keys.
 pub fn drag_dots(
     ui: &Ui,
     response: &Response,
@@ -88,7 +87,7 @@ fn boundary_under_pointer(
     near.then(|| samples.fraction_at(nearest))
 }
 
-/// Two fingers: pans and zooms. Returns whether there are two: then what one finger had is let go of.
+/// Pans and zooms with two fingers. Returns whether there are two; the caller then ends the drag of one finger.
 pub fn pinch(ui: &Ui, response: &Response, view: &mut View) -> bool {
     let Some(touch) = ui.input(egui::InputState::multi_touch) else { return false };
     if !response.rect.contains(touch.center_pos) {
@@ -128,7 +127,8 @@ fn stepped(side: Side, model: &Model, view: &View, key_step: KeyStep) -> Option<
     }
 }
 
-/// Drags and scrolls the picture; not while something in it is `held`. A double-click fits it, where that is `fits`.
+/// Pans by dragging, unless something in the picture is `held`, and zooms by scrolling. A double-click fits the outline
+/// if `fits`.
 pub fn move_camera(ui: &Ui, response: &Response, view: &mut View, held: bool, fits: bool) {
     if Locks::of(ui.ctx()).holds(Control::View) {
         return;
@@ -146,7 +146,7 @@ pub fn move_camera(ui: &Ui, response: &Response, view: &mut View, held: bool, fi
     }
 }
 
-/// Draws the textured mesh.
+/// Draws the textured mesh; without a style, only the background.
 pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>, pace: Pace) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
@@ -164,7 +164,7 @@ pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>
     painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
 }
 
-/// Draws the dots, over everything else in the viewport.
+/// Draws the dots, over all other content of the viewport.
 pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState) {
     let painter = ui.painter_at(view.rect);
     let points = [(HandleKind::Boundary, model.anchor(side)), (HandleKind::Interior, model.interior(side))];
@@ -177,7 +177,7 @@ pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &Han
     }
 }
 
-/// Draws the frame of the viewport that has the keyboard.
+/// Draws the focus frame if the viewport has the keyboard focus.
 pub fn paint_focus(ui: &Ui, side: Side, rect: Rect, handles: &HandleState) {
     if handles.focused_view == Some(side) {
         let ring = Stroke::new(2.0, Palette::of(ui.visuals()).accent_soft);
@@ -193,7 +193,7 @@ pub fn paint_boundary_mark(ui: &Ui, side: Side, model: &Model, view: &View, frac
     dots::paint_mark(ui, &ui.painter_at(view.rect), side, place);
 }
 
-/// "drag a dot", until someone has: the inner one, where it is not locked.
+/// Draws the hint "drag a dot" below the source's interior dot, or below the boundary dot if the former is locked.
 pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
     let locks = Locks::of(ui.ctx());
     let dots =
@@ -216,8 +216,8 @@ pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
     painter.galley(label.center() - 0.5 * galley.size(), galley, palette.on_accent);
 }
 
-/// The thin line along the upper edge while something is prepared, with the stage's name; not before that has
-/// taken so long that it is worth a look.
+/// Draws the progress of a preparation: a thin line along the upper edge, and the name of the stage near the lower one.
+/// Nothing is drawn for the first [`STAGES_SHOWN_AFTER`] seconds.
 pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
     let (surface, outline) = (&model.surface_side(side).preparation, model.side(side));
     let (stage, seconds) = if surface.is_busy() {
@@ -245,7 +245,7 @@ pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
     painter.text(place, Align2::CENTER_CENTER, name, caption_font(ui), palette.weak);
 }
 
-/// While a file is dragged over the viewport: what will happen to it here.
+/// Draws what dropping would do, while a file is dragged over the viewport.
 pub fn paint_drop_target(ui: &Ui, side: Side, rect: Rect) {
     let over = crate::platform::drop_position(ui.ctx()).is_some_and(|place| rect.contains(place));
     if !over || ui.input(|input| input.raw.hovered_files.is_empty()) {

@@ -1,7 +1,7 @@
-//! What a viewport shows: the part of the plane, panned, zoomed or fitted.
+//! The camera of a planar viewport: the part of the plane that is shown, panned, zoomed or fitted.
 //!
-//! Everything here is in points relative to the viewport's rectangle on the
-//! screen; [`View::camera`] is in physical pixels, for the renderer.
+//! Rectangles, places and displacements are in points on the screen; [`View::camera`] and
+//! [`View::size_px`] are in physical pixels, for the renderer.
 
 use crate::geometry::DVec2;
 use crate::render::Camera;
@@ -12,26 +12,26 @@ use egui::{Pos2, Rect, Vec2, vec2};
 pub struct Margins {
     /// Left and right.
     pub sides: f32,
-    /// Above: title and buttons.
+    /// Above, for title and buttons.
     pub top: f32,
-    /// Below: the legend.
+    /// Below, for the legend.
     pub bottom: f32,
 }
 
-/// With a legend.
+/// The margins on a desktop, with room for a legend.
 pub const DESK_MARGINS: Margins = Margins { sides: 30.0, top: 66.0, bottom: 46.0 };
-/// Without.
+/// The margins on a phone, without a legend.
 pub const PHONE_MARGINS: Margins = Margins { sides: 20.0, top: 62.0, bottom: 18.0 };
 
-/// How far one can zoom in from the fitted view: f32 steps show up at about 10⁵.
+/// The largest zoom factor relative to the fitted view: rounding to f32 becomes visible at about 10⁵.
 const MAX_ZOOM: f64 = 2e4;
-/// How far one can zoom out.
+/// The smallest zoom factor relative to the fitted view.
 const MIN_ZOOM: f64 = 0.1;
 
-/// The state of a viewport's camera.
+/// The camera and its place on the screen.
 #[derive(Debug, Clone)]
 pub struct View {
-    /// Its place on the screen, aligned with physical pixels.
+    /// The viewport's rectangle on the screen, aligned with physical pixels.
     pub rect: Rect,
     pixels_per_point: f32,
     camera: Camera,
@@ -52,7 +52,7 @@ impl Default for View {
 }
 
 impl View {
-    /// Puts the view at `rect` and, unless it was panned or zoomed, shows all of `bounds`.
+    /// Moves the view to `rect` and, unless it was panned or zoomed, fits `bounds` into it.
     pub fn place(&mut self, rect: Rect, pixels_per_point: f32, margins: Margins, bounds: Option<(DVec2, DVec2)>) {
         let snap = |v: f32| (v * pixels_per_point).round() / pixels_per_point;
         let corner = |p: Pos2| Pos2::new(snap(p.x), snap(p.y));
@@ -69,22 +69,22 @@ impl View {
         }
     }
 
-    /// Shows the whole outline from now on.
+    /// Fits the outline at every following [`Self::place`].
     pub fn fit(&mut self) {
         self.follows_outline = true;
     }
 
-    /// Stays where it is, whatever becomes of the outline.
+    /// Keeps the camera where it is when the outline changes.
     pub fn stay(&mut self) {
         self.follows_outline = false;
     }
 
-    /// Whether it shows the whole outline.
+    /// Whether the camera follows the outline.
     pub fn is_fitted(&self) -> bool {
         self.follows_outline
     }
 
-    /// What the renderer needs.
+    /// The camera in physical pixels, for the renderer.
     pub fn camera(&self) -> Camera {
         self.camera
     }
@@ -94,7 +94,7 @@ impl View {
         self.size().map(|side| side.round().max(1.0) as u32)
     }
 
-    /// Where a point of the plane is on the screen.
+    /// The place of a point of the plane on the screen.
     pub fn to_screen(&self, point: DVec2) -> Pos2 {
         let [x, y] = self.camera.to_screen(point, self.size());
         self.rect.min + vec2(x, y) / self.pixels_per_point
@@ -106,7 +106,7 @@ impl View {
         self.camera.to_world([d.x, d.y], self.size())
     }
 
-    /// Moves the picture by `delta` on the screen.
+    /// Moves the picture by `delta` on the screen and stops following the outline.
     pub fn pan(&mut self, delta: Vec2) {
         if delta != Vec2::ZERO {
             let d = delta * self.pixels_per_point;
@@ -115,7 +115,8 @@ impl View {
         }
     }
 
-    /// Enlarges the picture by `factor`; what is at `place` stays there.
+    /// Enlarges the picture by `factor` about `place`, within the limits of the zoom, and stops following the outline.
+    /// A factor that is not positive and finite is ignored.
     pub fn zoom(&mut self, factor: f32, place: Pos2) {
         if factor != 1.0 && factor.is_finite() && factor > 0.0 {
             let fixed = self.to_world(place);
@@ -138,7 +139,7 @@ impl View {
     }
 }
 
-/// Shows all of `bounds` between the margins of a viewport of this size.
+/// The camera that fits `bounds` between the margins of a viewport of this size; margins and size in the same unit.
 fn fit(bounds: (DVec2, DVec2), [width, height]: [f32; 2], Margins { sides, top, bottom }: Margins) -> Camera {
     let free = [(width - 2.0 * sides).max(1.0), (height - top - bottom).max(1.0)];
     let mut camera = Camera::fit(bounds, free, 0.0);
@@ -146,7 +147,7 @@ fn fit(bounds: (DVec2, DVec2), [width, height]: [f32; 2], Margins { sides, top, 
     camera
 }
 
-/// How much of `rect` is free below what is fitted into it.
+/// The free height of `rect` below `bounds` fitted into it.
 pub fn free_below(rect: Rect, bounds: (DVec2, DVec2), margins: Margins) -> f32 {
     let size = rect.size().into();
     rect.height() - fit(bounds, size, margins).to_screen(bounds.0, size)[1]
