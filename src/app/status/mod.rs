@@ -1,4 +1,4 @@
-//! The line along the bottom: quality, flipped triangles, times, what draws.
+//! The status line: quality Q̄, flipped triangles, times, frame rate, graphics API.
 
 pub mod stats;
 
@@ -11,13 +11,13 @@ use crate::language::{key, say, tr};
 use crate::model::Model;
 use egui::{Align, Label, Layout, RichText, Ui};
 
-/// Frames further apart than this are not counted for the frame rate: nothing moved.
+/// A longer time between two frames is not counted for the frame rate: nothing moved meanwhile.
 const PAUSE_SECONDS: f32 = 0.1;
 
-/// The first frames build the fonts and the pipelines.
+/// The first frames, whose times are not counted: they build fonts and pipelines.
 const WARM_UP_FRAMES: u32 = 4;
 
-/// Frame times and what the backend says about itself.
+/// Running averages of frame interval and drawing time.
 #[derive(Debug, Clone, Default)]
 pub struct FrameMeter {
     frame_seconds: Option<f32>,
@@ -26,7 +26,7 @@ pub struct FrameMeter {
 }
 
 impl FrameMeter {
-    /// Takes in the time since the last frame and what that frame took on the processor.
+    /// Records the time since the last frame, that frame's CPU time, and the part of it that computed the map.
     pub fn tick(&mut self, since_last: f32, cpu_seconds: Option<f32>, compute_ms: f64) {
         if since_last > 0.0 && since_last < PAUSE_SECONDS {
             let old = self.frame_seconds.unwrap_or(since_last);
@@ -52,7 +52,7 @@ fn hundredths(ms: f64) -> String {
     format!("{ms:.2}")
 }
 
-/// The room that the backend's name needs.
+/// The width that the backend's name needs, in points.
 const BACKEND_FROM: f32 = 52.0;
 
 /// Shows the line.

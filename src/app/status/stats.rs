@@ -1,4 +1,4 @@
-//! The numbers on the screen as one plain record, for `window.riemap.stats()` and for tests.
+//! The state of the screen as one plain record, for `window.riemap.stats()` and for tests.
 
 use crate::app::editing::EditingStats;
 use crate::conformal::{FrameTimings, PrepareTimings, Side};
@@ -9,7 +9,7 @@ use crate::session::{Colouring, DiskWay};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The size of a prepared domain; zeros before there is one.
+/// The size of a prepared domain; zeros until it is prepared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct DomainSize {
     /// Boundary samples.
@@ -20,7 +20,7 @@ pub struct DomainSize {
     pub triangles: usize,
 }
 
-/// Where the handles are, in CSS pixels of the page.
+/// The places of the dots, in CSS pixels of the page; `None` where a dot is not shown.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct HandlePositions {
     /// The source's interior point.
@@ -33,43 +33,43 @@ pub struct HandlePositions {
     pub y2: Option<[f32; 2]>,
 }
 
-/// A map through the disk, by source and target.
+/// The result of a map through the disk; arrays are by source and target.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ComparisonStats {
     /// Boundary samples.
     pub samples: [usize; 2],
-    /// How many can't be told from the one before.
+    /// Samples whose image equals that of the one before, up to rounding.
     pub collapsed: [usize; 2],
-    /// How many came out before the one before.
+    /// Samples whose image comes before that of the one before, by more than rounding.
     pub disordered: [usize; 2],
-    /// The largest difference between the images, as a part of the boundary's length.
+    /// The largest difference between the images of both maps, as a fraction of the boundary's length.
     pub difference: f64,
 }
 
 /// The maps through the disk that are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct ComparisonsStats {
-    /// By fresh disk maps.
+    /// With fresh disk maps.
     pub fresh: Option<ComparisonStats>,
-    /// By precomputed ones.
+    /// With precomputed disk maps.
     pub precomputed: Option<ComparisonStats>,
 }
 
-/// What is on the screen now.
+/// The state of the screen.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[allow(clippy::struct_excessive_bools, reason = "a record of what is on the screen")]
 pub struct Stats {
-    /// The full map of what is asked for is shown and nothing is being prepared.
+    /// Whether the full-resolution map of the requested session is shown and nothing is being prepared.
     pub ready: bool,
-    /// "WebGPU", "WebGL2", or what the desktop draws with.
+    /// "WebGPU", "WebGL2", or the desktop's graphics API.
     pub backend: String,
     /// How many times the map has changed.
     pub generation: u64,
     /// Whether each side is being prepared.
     pub preparing: [bool; 2],
-    /// Ω₁.
+    /// The size of Ω₁.
     pub source: DomainSize,
-    /// Ω₂.
+    /// The size of Ω₂.
     pub target: DomainSize,
     /// Area-weighted mean of the angle distortion Q.
     pub q_mean: Option<f64>,
@@ -77,98 +77,99 @@ pub struct Stats {
     pub q_max: Option<f64>,
     /// Triangles that changed their orientation.
     pub flipped: Option<u32>,
-    /// How long the stages of the preparation took, in ms.
+    /// The times of the preparation's stages of both sides, in ms.
     pub prepare_ms: [PrepareTimings; 2],
-    /// Those of the surface; `None` where none is shown.
+    /// The times of the surface's preparation, in ms; `None` where no surface is shown.
     pub surface_ms: Option<PrepareTimings>,
-    /// What the last update of the map took, in ms.
+    /// The times of the last update of the map, in ms.
     pub frame_ms: FrameTimings,
     /// The error messages on the screen.
     pub errors: Vec<String>,
     /// The notes on the screen.
     pub notes: Vec<String>,
-    /// How many steps can be taken back.
+    /// The number of undo steps.
     pub undo: usize,
     /// Whether the dark theme is shown.
     pub dark: bool,
-    /// How many times a control was said to those who hear the screen.
+    /// How many times a control was announced to screen readers.
     pub spoken: u64,
-    /// Whether points are in motion.
+    /// Whether the motion of the points is running.
     pub playing: bool,
-    /// Where the controls of the window of exports are, by name; `None` while it is closed.
+    /// The centers of the export window's controls by English label; `None` while it is closed.
     pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
-    /// Where the windows that are open are closed, by name.
+    /// The centers of the close buttons of the open windows, by English name.
     pub close: BTreeMap<&'static str, [f32; 2]>,
-    /// How many pictures of how many are made, while they are.
+    /// The number of finished pictures and of all pictures of the export under way.
     pub export_count: Option<[u32; 2]>,
-    /// What the meshes are painted with.
+    /// The coloring of the triangles.
     pub colouring: Colouring,
-    /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
+    /// The processor that evaluates the Cauchy–Green extension in the picture; `None` for the harmonic extension.
     pub cauchy_green: Option<Processor>,
-    /// How far the map's own images are those of the extension that is asked for, from 0 to 1.
+    /// The progress of the map's own images from the harmonic to the requested extension, from 0 to 1.
     pub extension_progress: f64,
-    /// Whether the mapped mesh's edges are drawn.
+    /// Whether the edges of the mapped mesh are drawn.
     pub wireframe: bool,
     /// Whether the plots are open.
     pub plots: bool,
     /// The [`Self::generation`] of the map whose distortion is shown.
     pub measured_generation: u64,
-    /// The boundary point under the pointer and its partner: fractions of arc length of source and target.
+    /// The boundary point under the pointer and its image: fractions of arc length of source and target.
     pub marked_boundary: Option<[f64; 2]>,
-    /// What the map is compared with.
+    /// The comparisons with maps through the disk.
     pub comparison: ComparisonsStats,
-    /// How far the reparameterisation in the plot is from the exact one, where that is known, as a part of the length.
+    /// The largest distance of the plotted reparameterization from the exact one, as a fraction of the length; `None`
+    /// where the exact one is not known.
     pub exact_difference: Option<f64>,
-    /// How many random walks were counted, and the largest deviation of their hits from the harmonic measure.
+    /// The number of random walks, and the largest deviation of their hits from the harmonic measure.
     pub walks: (u64, Option<f64>),
-    /// Where the handles are.
+    /// The places of the dots.
     pub handles: HandlePositions,
-    /// The outline that is being reshaped.
+    /// The outline that is being drawn, reshaped or pasted.
     pub editing: Option<EditingStats>,
     /// The image of the mapped side's interior point under the piecewise linear map.
     pub image_of_mapped_point: Option<[f64; 2]>,
-    /// Where it should be: the other side's interior point.
+    /// The expected value of [`Self::image_of_mapped_point`]: the other side's interior point.
     pub expected: Option<[f64; 2]>,
     /// `Σ (k + 1)/m · (x_k + y_k)` over the images of the mapped side's boundary vertices.
     pub boundary_checksum: f64,
 }
 
-/// What the screen knows and the model does not.
+/// The part of [`Stats`] that the model does not know.
 #[derive(Debug, Clone, Default)]
 pub struct ScreenFacts {
-    /// What it draws with.
+    /// The graphics API.
     pub backend: String,
-    /// Where the handles are.
+    /// The places of the dots.
     pub handles: HandlePositions,
-    /// The messages.
+    /// The error messages on the screen.
     pub errors: Vec<String>,
-    /// The notes.
+    /// The notes on the screen.
     pub notes: Vec<String>,
-    /// How many steps can be taken back.
+    /// The number of undo steps.
     pub undo: usize,
     /// Whether the dark theme is shown.
     pub dark: bool,
-    /// How many times a control was said to those who hear the screen.
+    /// How many times a control was announced to screen readers.
     pub spoken: u64,
-    /// Whether points are in motion.
+    /// Whether the motion of the points is running.
     pub playing: bool,
-    /// Where the controls of the window of exports are.
+    /// The centers of the export window's controls.
     pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
-    /// Where the windows that are open are closed.
+    /// The centers of the close buttons of the open windows.
     pub close: BTreeMap<&'static str, [f32; 2]>,
-    /// How many pictures of how many are made.
+    /// The number of finished pictures and of all pictures of the export under way.
     pub export_count: Option<[u32; 2]>,
-    /// The boundary point under the pointer and its partner.
+    /// The boundary point under the pointer and its image.
     pub marked_boundary: Option<[f64; 2]>,
-    /// The distance of the plotted reparameterisation from the exact one.
+    /// The distance of the plotted reparameterization from the exact one.
     pub exact_difference: Option<f64>,
-    /// Where the Cauchy–Green extension comes from.
+    /// The processor that evaluates the Cauchy–Green extension.
     pub cauchy_green: Option<Processor>,
-    /// The outline that is being reshaped.
+    /// The outline that is being drawn, reshaped or pasted.
     pub editing: Option<EditingStats>,
 }
 
-/// Collects the record.
+/// Builds the record from the model and the screen.
 pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
     let quality = model.quality();
     let mapped = model.shown().map_or(model.session().direction().mapped_side(), |map| map.mapped_side());
