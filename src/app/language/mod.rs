@@ -1,3 +1,3 @@
-//! The words on the screen that are not beside their control.
+//! Texts that several controls share.
 
 pub mod words;

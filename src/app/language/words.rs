@@ -1,5 +1,5 @@
-//! The words on the screen that are not beside their control: stages, shapes,
-//! patterns, and the field's own terms, each explained once.
+//! Texts that several controls share: stages, names of sides and shapes, sizes and
+//! times, and the tooltips that explain the field's terms.
 
 use crate::conformal::{MeshedSurface, PrepareTimings, PreparedSide, Side, Stage};
 use crate::language::{self, Label, key, say, tr};
@@ -11,7 +11,8 @@ use crate::session::{OutlineSpec, SurfaceShape};
 use crate::surface::SurfacePreset;
 use std::borrow::Cow;
 
-/// How far a preparation is when `stage` begins (from 0 to 1), and what is being done.
+/// The progress of a preparation when `stage` begins, from 0 to 1, and the stage in words. `None` stands for the wait
+/// for the worker.
 pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
     if let Some(Stage::Table { percent }) = stage {
         return (0.85 + 0.15 * f32::from(percent) / 100.0, say(&key::harmonic_coordinates(u32::from(percent))).into());
@@ -28,7 +29,7 @@ pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
     (share, tr(words).into())
 }
 
-/// Where the Cauchy–Green extension comes from, and how far it is.
+/// The processor that evaluates the Cauchy–Green extension, and on the CPU the `progress` from 0 to 1.
 pub fn cauchy_green(processor: Processor, progress: f64) -> String {
     match processor {
         Processor::Gpu => String::from(tr(key::cauchy_green_gpu())),
@@ -42,7 +43,7 @@ pub fn side(side: Side) -> &'static str {
     tr(language::side_heading(side))
 }
 
-/// "source", "target" inside of a sentence.
+/// "source", "target" within a sentence.
 pub fn side_within(side: Side) -> &'static str {
     tr(side.into())
 }
@@ -52,13 +53,14 @@ pub fn preset(preset: Preset) -> &'static str {
     tr(language::preset(preset))
 }
 
-/// The name of an outline in a title, which says so if it was reshaped.
+/// The name of an outline in a title, marked as edited if it was reshaped.
 pub fn outline(outline: &OutlineSpec) -> Cow<'_, str> {
     let name = names::outline(outline);
     name.strip_suffix(names::EDITED).map_or(said(name).into(), |name| say(&key::edited_name(said(name))).into())
 }
 
-/// A name of a session in the language of the screen, if it is one that riemap gives, or a file's that is the same.
+/// Translates a name that riemap itself gives (presets, drawn, pasted, traced); other names are returned unchanged. A
+/// file with such a name is translated too.
 fn said(name: &str) -> &str {
     let given = [(names::DRAWN, key::drawn()), (names::PASTED, key::pasted()), (names::TRACED, key::traced())];
     let presets = Preset::ALL.map(|preset| (names::preset(preset), language::preset(preset)));
@@ -79,13 +81,13 @@ pub fn surface(shape: &SurfaceShape) -> &str {
     }
 }
 
-/// How large a side's mesh is, and how long that took.
+/// The sizes m and n of a side, and the time of its preparation.
 pub fn sizes(side: &PreparedSide) -> String {
     let (m, n, ms) = (side.boundary_count(), side.interior_count(), side.timings().total());
     say(&key::sizes(grouped(m), grouped(n), milliseconds(ms)))
 }
 
-/// What the intrinsic Delaunay flips have done to a surface, and how long the stages took.
+/// The number of triangles of a surface, the effect of the intrinsic Delaunay flips, and the times of the stages.
 pub fn surface_details(surface: &MeshedSurface, times: PrepareTimings) -> String {
     let FlipReport { flips, negative_before, negative_after } = surface.flips();
     let triangles = surface.mesh().triangles.len();
@@ -94,14 +96,14 @@ pub fn surface_details(surface: &MeshedSurface, times: PrepareTimings) -> String
     format!("{sizes}\n\n{flips}\n\n{}", timings(&times))
 }
 
-/// What should be known about a prepared domain that is not quite what was asked for.
+/// Notes where a prepared domain differs from the request: solved iteratively, or a coarser mesh.
 pub fn cautions(side: &PreparedSide, wanted: SolverKind) -> impl Iterator<Item = Label> {
     let iterative = (side.solver().kind() != wanted).then_some(key::solved_iteratively());
     let is_coarse = side.domain().is_some_and(|domain| !domain.refinement().complete);
     iterative.into_iter().chain(is_coarse.then_some(key::mesh_is_coarser()))
 }
 
-/// The preparation's stages with their times, a line each.
+/// The stages of a preparation with their times, one per line.
 pub fn timings(timings: &PrepareTimings) -> String {
     let rows = [
         (key::stage_sample(), timings.sample),
@@ -114,18 +116,18 @@ pub fn timings(timings: &PrepareTimings) -> String {
     rows.iter().map(|(name, ms)| format!("{}: {ms:.1} ms", tr(*name))).collect::<Vec<_>>().join("\n")
 }
 
-/// Said while the full map is not there.
+/// The status while the full-resolution map is not available.
 pub const PENDING: Label = key::pending();
-/// The same at length.
+/// The tooltip of [`PENDING`].
 pub const PENDING_TOOLTIP: Label = key::pending_tooltip();
 
-/// m and n.
+/// The tooltip that explains m and n.
 pub const SIZE_TOOLTIP: Label = key::size_tooltip();
-/// Q̄.
+/// The tooltip that explains Q̄.
 pub const QUALITY_TOOLTIP: Label = key::quality_tooltip();
-/// Flipped triangles.
+/// The tooltip that explains flipped triangles.
 pub const FLIPPED_TOOLTIP: Label = key::flipped_tooltip();
-/// The frame's time.
+/// The tooltip that explains the time of a frame.
 pub const FRAME_TOOLTIP: Label = key::frame_tooltip();
 
 /// A number with thin spaces between groups of three digits.
@@ -141,7 +143,7 @@ pub fn grouped(number: usize) -> String {
     text
 }
 
-/// Milliseconds with as many digits as are worth reading.
+/// A time in ms, with one decimal below 10 ms.
 pub fn milliseconds(ms: f64) -> String {
     if ms < 9.95 { format!("{ms:.1}\u{2009}ms") } else { format!("{ms:.0}\u{2009}ms") }
 }
