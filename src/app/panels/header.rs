@@ -1,4 +1,4 @@
-//! What lies over a viewport's upper edge: title, sizes, buttons, messages; and its legend below.
+//! The overlay of a viewport: title, sizes, buttons and messages at the upper edge, legend of dots at the lower one.
 
 use crate::app::input::action::{Action, Actions, EditAction};
 use crate::app::input::locks::{Control, Locks, REFUSAL, guarded, menu_entry};
@@ -16,12 +16,12 @@ use crate::model::side::user_error::QuickFix;
 use crate::session::Command;
 use egui::{Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Shape, Ui, UiBuilder, vec2};
 
-/// What folds the panels.
+/// The tooltip of the button that hides and shows the panels.
 pub const PANELS_TOOLTIP: Words = key::panels_tooltip();
-/// What keeps a surface and an outline from being exchanged.
+/// The reason why a surface and an outline cannot be swapped.
 const SWAP_REFUSED: Words = key::swap_refused();
 
-/// What the dialog takes.
+/// The tooltip that names the files which the dialog accepts: outlines, for the target also surfaces.
 pub fn open_tooltip(side: Side) -> Words {
     match side {
         Side::Source => key::open_outline_tooltip(),
@@ -29,16 +29,16 @@ pub fn open_tooltip(side: Side) -> Words {
     }
 }
 
-/// What else is on the screen.
+/// The facts about the screen that decide which buttons are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Surroundings {
-    /// The ways to another outline fit beside the title; the bar along the top has them too.
+    /// Whether the buttons that open another outline fit beside the title; the top bar has them too.
     pub has_room: bool,
     /// The side whose outline is being edited.
     pub edited: Option<Side>,
-    /// The panels are folded away: here is the way back for those without a Tab key.
+    /// Whether the panels are hidden: then a button brings them back, for devices without a Tab key.
     pub folded: bool,
-    /// In another page, which wants the pictures alone.
+    /// Whether the app is embedded in another page that shows only the pictures.
     pub embedded: bool,
 }
 
@@ -49,10 +49,10 @@ pub fn has_room(ui: &Ui, width: f32) -> bool {
     width >= TITLE_WIDTH + buttons + button_width(ui, &menu_label(tr(key::shapes())))
 }
 
-/// The height of the title and the line below it, in points; the buttons stand beside them.
+/// The height of the title and the line below it, in points; the buttons are beside them.
 const TITLE_HEIGHT: f32 = 36.0;
 
-/// What the title has beside the buttons, at least, where all of them are shown; and where some are.
+/// The least width of the title beside all buttons, and beside the buttons of a narrow picture.
 const TITLE_WIDTH: f32 = 190.0;
 const LEAST_TITLE: f32 = 90.0;
 /// Between the title and the buttons.
@@ -61,7 +61,7 @@ const BESIDE_TITLE: f32 = 6.0;
 /// From a viewport's edges to its title, buttons and messages.
 const INSET: [f32; 2] = [14.0, 10.0];
 
-/// Shows the title line and the buttons of a viewport; returns how far down they reach.
+/// Shows the title line and the buttons of a viewport; returns the y of their lower edge.
 pub fn show(
     ui: &mut Ui,
     side: Side,
@@ -132,7 +132,7 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
     }
     guarded(ui, Control::Outline, |ui| outline_buttons(ui, side, model, around, actions));
     if !all_fit && !is_fitted {
-        // in the place of the next, so that no other button comes under the finger
+        // in the place of the swap button, so that the other buttons do not move under the finger
         fit_button(ui, side, is_fitted, actions);
     } else if side == Side::Target {
         swap_button(ui, model, actions);
@@ -141,7 +141,7 @@ fn buttons(ui: &mut Ui, side: Side, model: &Model, is_fitted: bool, around: Surr
 
 fn fit_button(ui: &mut Ui, side: Side, is_fitted: bool, actions: &mut Actions) {
     guarded(ui, Control::View, |ui| {
-        let width = theme::control_height(ui, 0.0); // a short word needs as much of a finger as a long one
+        let width = theme::control_height(ui, 0.0); // a button with a short label must not be narrower than a finger
         let fit = ui.add_enabled(!is_fitted, egui::Button::new(tr(key::fit())).min_size(vec2(width, 0.0)));
         if fit.on_hover_text(tr(key::fit_tooltip())).clicked() {
             actions.push(Action::Fit(side));
@@ -149,7 +149,7 @@ fn fit_button(ui: &mut Ui, side: Side, is_fitted: bool, actions: &mut Actions) {
     });
 }
 
-/// How wide the buttons are that a narrow picture has.
+/// The width of the buttons that are always shown, as in a narrow picture.
 fn narrow_row(ui: &Ui, side: Side) -> f32 {
     let labels: &[Words] =
         if side == Side::Target { &[key::fit(), key::edit(), key::swap()] } else { &[key::fit(), key::edit()] };
@@ -188,10 +188,10 @@ fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings,
     }
 }
 
-/// Above a message.
+/// Free space above a message.
 const BETWEEN_MESSAGES: f32 = 4.0;
 
-/// Shows what is wrong on a side; more than its `room` has place for scrolls.
+/// Shows the errors of a side; they scroll if they are higher than `room`.
 pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mut Actions) {
     let user_errors = model.user_errors(side).map(|user_error| (&user_error.text, user_error.quick_fix.as_ref()));
     let of_map = model.map_error().filter(|(at, _)| *at == side).map(|(_, text)| (text, None));
@@ -216,10 +216,11 @@ pub fn messages(ui: &mut Ui, side: Side, model: &Model, room: Rect, actions: &mu
     });
 }
 
-/// How far the words of a legend reach up from a picture's lower edge.
+/// The height of one row of the legend above a picture's lower edge.
 pub const LEGEND_HEIGHT: f32 = 32.0;
 
-/// What the dots mean, and the dashes; `beside`: the width at the right that something else takes.
+/// Shows the legend of the dots and of the overlays' ticks, in two rows if needed; `beside` is the width at the right
+/// that other content takes.
 pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) {
     let low = view.rect.bottom();
     let place = view.rect.with_min_y(low - LEGEND_HEIGHT + 2.0).with_max_y(low - 8.0).shrink2(vec2(14.0, 0.0));
@@ -247,10 +248,10 @@ pub fn legend(ui: &mut Ui, side: Side, model: &Model, view: &View, beside: f32) 
     }
 }
 
-/// Free space after an entry, besides the usual.
+/// Free space after an entry, in addition to the usual spacing.
 const ENTRY_GAP: f32 = 2.0;
 
-/// What an entry takes of a row.
+/// The width of an entry in a row, with the space around it.
 fn entry_width(ui: &Ui, text: &str) -> f32 {
     widgets::SIGN_WIDTH
         + text_width(ui, text, widgets::caption_font(ui))
@@ -267,7 +268,7 @@ fn entries(ui: &mut Ui, entries: &[(Color32, &str)], sign: impl Fn(&mut Ui, Colo
     }
 }
 
-/// Words stay readable over a mesh that was zoomed under them.
+/// Shows content on a translucent background, so that it stays readable over a mesh.
 fn over_the_mesh(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
     let ground = ui.painter().add(Shape::Noop);
     let rect = ui.scope(content).response.rect;

@@ -1,6 +1,6 @@
-//! The controls of how the map is computed: extension, kernel, solver.
+//! The controls of the method: extension, kernel, solver.
 //!
-//! Kernel and solver are one choice for both sides. What would not fit is greyed, with the reason.
+//! Kernel and solver are set for both sides at once. A choice that is not possible is grayed, with the reason.
 
 use super::surface_panel;
 use crate::app::input::action::{Action, Actions};
@@ -67,7 +67,7 @@ fn set(model: &Model, actions: &mut Actions, change: impl Fn(PrepareSettings) ->
     }));
 }
 
-/// Why a kernel cannot be had for the domains as they are.
+/// The reason why a kernel is not available for the prepared domains: the table of Ψ does not fit into memory.
 fn refusal(model: &Model, kernel: KernelMode) -> Option<String> {
     let outlines = Side::BOTH.into_iter().filter_map(|side| model.side(side).prepared());
     let surfaces = Side::BOTH.into_iter().filter_map(|side| model.surface(side)?.0.prepared());

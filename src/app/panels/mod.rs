@@ -1,9 +1,9 @@
-//! The panels: controls beside the pictures, titles and buttons over them.
+//! The panels: controls beside the pictures, titles, buttons and messages over them.
 //!
-//! | what | file |
+//! | content | file |
 //! |---|---|
 //! | the column of controls | `side_panel`, `method`, `surface_panel`, `play_panel` |
-//! | title, buttons and legend of a picture | `header` |
+//! | title, buttons, messages and legend of a picture | `header` |
 //! | the menu of outlines and surfaces | `shapes` |
 //! | the offer to trace a picture | `offer` |
 

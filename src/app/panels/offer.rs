@@ -1,4 +1,4 @@
-//! After a picture has become the texture: the offer to trace an outline of it.
+//! The offer to trace the outline of an image that has just become the texture.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::menu_entry;
@@ -10,19 +10,19 @@ use crate::model::files;
 use crate::model::files::Picture;
 use egui::{Button, Ui, vec2};
 
-/// How long the offer stands, in seconds: a sentence and two buttons are read in five.
+/// How long the offer is shown, in seconds: a sentence and two buttons are read in five.
 const SECONDS: f64 = 12.0;
 
-/// A picture that can be traced.
+/// An image that can be traced.
 pub struct Offer {
     side: Side,
     picture: Picture,
-    /// Since it was first shown, when it ends (seconds).
+    /// The time at which the offer expires, in seconds; set when it is first shown.
     until: Option<f64>,
 }
 
 impl Offer {
-    /// Keeps as much of the picture as is traced.
+    /// Keeps the image at the resolution of the tracing, at most [`tracing::MAX_SIDE`] pixels on its longer side.
     pub fn new(side: Side, picture: &Picture) -> Self {
         let (width, height) = picture.pixels.dimensions();
         let pixels = match width.max(height) {
@@ -35,14 +35,14 @@ impl Offer {
         Self { side, picture: Picture { name: picture.name.clone(), pixels }, until: None }
     }
 
-    /// What tracing it gives.
+    /// Traces the image.
     pub fn accept(&self) -> Result<files::Content, files::FileError> {
         files::traced(self.side, &self.picture)
     }
 }
 
-/// Takes the offer away when it has stood long enough; not while the pointer has something in hand, for the pictures
-/// grow when it goes.
+/// Removes an expired offer, but not while a pointer button is down: the pictures grow when the offer goes, which
+/// would move what is being dragged.
 pub fn expire(ui: &Ui, offer: &mut Option<Offer>) {
     let Some(standing) = offer else { return };
     let (now, held) = ui.input(|input| (input.time, input.pointer.any_down()));

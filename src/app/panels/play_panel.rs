@@ -1,4 +1,4 @@
-//! The controls that set the picture in motion.
+//! The controls of the motion of the points: path, speed, start and stop.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::theme::widgets::{Segment, captioned_slider, group_heading, segmented_where};
@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::model::motion::{PERIODS, PlayAction, Player};
 use egui::{Event, Key, Ui};
 
-/// What moves.
+/// The paths: which points move.
 pub const PATHS: [Segment<Path>; 4] = [
     Segment { value: Path::SourcePoint, label: key::x1(), tooltip: key::x1_tooltip() },
     Segment { value: Path::TargetPoint, label: key::x2(), tooltip: key::x2_tooltip() },
@@ -17,10 +17,10 @@ pub const PATHS: [Segment<Path>; 4] = [
     Segment { value: Path::All, label: key::all(), tooltip: key::all_tooltip() },
 ];
 
-/// What cannot be moved along a circle.
+/// The reason why a target point on a surface cannot move along a circle.
 pub const NO_PLANE: Label = key::no_plane();
 
-/// What a click on the button does.
+/// The tooltip of the button that starts and stops.
 const PLAY_TOOLTIP: Label = key::play_tooltip();
 
 /// The group "Motion".
@@ -42,7 +42,7 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, actions: &mut Actions) 
     }
 }
 
-/// The space bar plays and pauses, unless a control has the keyboard.
+/// The space bar starts and stops the motion, unless a control has the keyboard focus.
 pub fn keys(ui: &Ui, actions: &mut Actions) {
     let is_space = |event: &Event| {
         let Event::Key { key, pressed, repeat, modifiers, .. } = event else { return false };

@@ -1,4 +1,4 @@
-//! The menu of built-in outlines and surfaces, each with its picture, and the way to a file.
+//! The menu of preset outlines and surfaces with their pictures; below them drawing, pasting, tracing and opening.
 
 use crate::app::input::action::{Action, Actions, EditAction};
 use crate::app::input::locks::{Control, guarded_by, menu_entry};
@@ -23,9 +23,9 @@ use std::sync::Arc;
 
 const CELL: egui::Vec2 = vec2(100.0, 84.0);
 const COLUMNS: usize = 4;
-/// What of the screen's height is above the cells, and below them: two or three rows of buttons.
+/// The height above and below the cells together, in points: two or three rows of buttons.
 const BESIDES: f32 = 260.0;
-/// Points of a picture: its 50 points across need no more.
+/// The most vertices of an outline's picture: enough for its 50 points across.
 const PICTURE_POINTS: usize = 160;
 
 /// A button that opens the menu of a side's shapes.
@@ -36,7 +36,7 @@ pub fn menu_button(ui: &mut Ui, label: &str, side: Side, model: &Model, actions:
     chevron(ui, response.rect, false);
 }
 
-/// What the cells stand for.
+/// The shape that a cell stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Shown {
     Outline(Preset),
@@ -61,7 +61,7 @@ impl Shown {
         }
     }
 
-    /// What is on the screen, or on its way there.
+    /// The requested shape of a side; `None` if it is not a preset.
     fn current(side: Side, model: &Model) -> Option<Self> {
         let surface = model.surface_side(side).preparation.wanted().filter(|_| is_solid(model, side));
         match (surface, &model.side(side).wanted().outline) {
@@ -98,7 +98,7 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     ui.horizontal_wrapped(|ui| by_hand(ui, side, actions));
 }
 
-/// The ways to an outline of one's own: pens, text, pictures, files.
+/// The buttons for a custom outline: three pens, pasting, tracing, opening a file.
 fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
     let draw = |pen| Action::Edit(EditAction::Draw(side, pen));
     let ways = [
@@ -156,7 +156,7 @@ fn cell(ui: &mut Ui, shown: Shown, selected: bool) -> Response {
     response
 }
 
-/// The outline, thinned, in the square from −1 to 1, y down; made once.
+/// The outline, thinned, in the square from −1 to 1, y down; computed once per context.
 fn picture(context: &egui::Context, preset: Preset) -> Arc<Vec<Pos2>> {
     let id = Id::unique(("picture", preset.name()));
     if let Some(points) = context.data(|data| data.get_temp::<Arc<Vec<Pos2>>>(id)) {

@@ -1,6 +1,6 @@
-//! The controls: direction of the map, what is shown, texture, resolution of both sides.
+//! The column of controls: direction, coloring, texture, motion, method, overlays, resolution of both sides.
 //!
-//! Everything shown is what is *wanted*; a click becomes an [`Action`].
+//! The controls show the *requested* settings, not those of the map on the screen; a click becomes an [`Action`].
 
 use super::surface_panel;
 use crate::app::input::action::{Action, Actions};
@@ -75,7 +75,7 @@ fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut A
     let session = model.session();
     group_heading(ui, tr(key::texture()));
     match segmented(ui, &TEXTURES, overlays::panel::family(session.texture())) {
-        // Without an image there is nothing to show: the dialog first.
+        // Without an image there is no texture to show: open the dialog first.
         Some(TextureKind::Image) if image_name.is_none() => actions.push(Action::OpenImage),
         Some(texture) => actions.push(Action::Session(Command::SetTexture(texture))),
         None => {}

@@ -1,4 +1,4 @@
-//! The surface's controls: how it is discretised, and the way back to the plane.
+//! The controls of a surface: its discretization, and the return to the plane.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, menu_entry};
@@ -11,14 +11,15 @@ use crate::model::Model;
 use crate::session::{Command, SurfaceShape, SurfaceSpec};
 use egui::{Button, Label, RichText, Ui};
 
-/// Boundary vertices of a surface by formula: fewer than 24 make a hemisphere a gem, 2000 make it a million triangles.
+/// Boundary vertices of a preset surface: with fewer than 24 a hemisphere is visibly faceted, with 2000 it has a
+/// million triangles.
 const BOUNDARY: std::ops::RangeInclusive<f64> = 24.0..=2000.0;
 
 const MAP_TOOLTIP: Words = key::surface_map_tooltip();
 
 const DELAUNAY_TOOLTIP: Words = key::delaunay_tooltip();
 
-/// Shows what takes the place of the map's direction while a surface is shown.
+/// Shows the group that replaces the map's direction while the target is a surface.
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let Some(spec) = model.surface_side(Side::Target).preparation.wanted() else { return };
     let weak = Palette::of(ui.visuals()).weak;
@@ -47,7 +48,7 @@ fn discretisation(ui: &mut Ui, spec: &SurfaceSpec, actions: &mut Actions) {
     }
 }
 
-/// The wanted surface with other settings.
+/// The action that changes the settings of the requested surface; `None` if the target is not a surface.
 pub fn with_settings(model: &Model, change: impl Fn(&mut SurfaceSpec)) -> Option<Action> {
     let mut spec = model
         .surface_side(Side::Target)
