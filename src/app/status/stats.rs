@@ -38,9 +38,9 @@ pub struct HandlePositions {
 pub struct ComparisonStats {
     /// Boundary samples.
     pub samples: [usize; 2],
-    /// Samples whose image equals that of the one before, up to rounding.
+    /// Samples at which the disk's harmonic measure is equal to that at the one before, up to rounding.
     pub collapsed: [usize; 2],
-    /// Samples whose image comes before that of the one before, by more than rounding.
+    /// Samples at which the disk's harmonic measure is less than at the one before, by more than rounding.
     pub disordered: [usize; 2],
     /// The largest difference between the images of both maps, as a fraction of the boundary's length.
     pub difference: f64,
