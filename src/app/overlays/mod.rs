@@ -1,6 +1,6 @@
-//! The overlays on the screen: controls and figures in the panel, lines and points over the pictures.
+//! The overlays on the screen: controls and numbers in the panel, ticks, bars and paths over the pictures.
 //!
-//! Their state and their computation are [`crate::model::overlays`].
+//! Their state and computation are in [`crate::model::overlays`].
 
 pub mod paint;
 pub mod panel;

@@ -1,4 +1,4 @@
-//! The overlays, painted over a viewport's mesh: ticks on the outline, walks, bars along the boundary.
+//! Painting of the overlays over a viewport's mesh: ticks on the outline, paths of walks, bars along the boundary.
 
 use crate::app::plots::Plots;
 use crate::app::theme::Palette;
@@ -17,28 +17,29 @@ use egui::{Color32, CornerRadius, FontId, Painter, Pos2, Rect, Stroke, Ui, Vec2,
 const TICK: f32 = 11.0;
 /// The height of the bar of the largest harmonic measure, in points.
 const BAR: f32 = 30.0;
-/// The highest bar: of few hits, one piece of the boundary may have many times its share.
+/// The height limit of a bar: with few hits, one bin of the boundary may have many times its share.
 const HIGHEST_BAR: f32 = 1.5 * BAR;
 
-/// What a tick grows by with every further point in its place, up to a height; from some number on it is written beside it.
+/// The growth of a tick with every further image at its place, the limit of its height (both in points), and the number
+/// of images from which their count is written beside it.
 const HEAP_STEP: f32 = 1.4;
 const HIGHEST_HEAP: f32 = 70.0;
 const COUNTED_HEAP: usize = 5;
-/// Nearer than this part of the length, points are in one place: a pixel of an outline of 2000.
+/// Points nearer than this fraction of the length are at one place: a pixel of an outline 2000 pixels long.
 const SAME_PLACE: f64 = 5e-4;
 
-/// The lesser side of a viewport in which everything has its full size, and how small it gets in smaller ones.
+/// The shorter side of a viewport from which ticks and bars have their full size, and their least scale below that.
 const FULL_SIZE: f32 = 440.0;
 const SMALLEST: f32 = 0.45;
 
-/// From the outline's middle to where ticks and bars begin.
+/// From the middle of the outline's stroke to the beginning of ticks and bars, in points.
 const CLEARANCE: f32 = 2.0;
-/// The ticks inside.
+/// The extent of the ticks on the inside.
 const INWARDS: [f32; 2] = [-CLEARANCE, -TICK];
-/// From one way's ticks to those of the next: a tick and its dots, and a gap.
+/// From the ticks of one way through the disk to those of the next: a tick, its dots, and a gap.
 const LANE: f32 = TICK + 9.0;
 
-/// Paints it; nothing over a coarse map, whose like it does not show, nor beside a surface.
+/// Paints the overlays of a side; nothing over a coarse draft, which they do not belong to, nor for a surface.
 pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
     if model.is_draft() || !model.is_planar() {
         return;
@@ -60,12 +61,12 @@ pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
     }
 }
 
-/// What the ticks and bars of a side mean.
+/// The legend of a side's ticks and bars: colors and names.
 pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static str)> {
     let overlay_state = model.overlay_state();
     let mut entries = Vec::new();
     if !model.is_planar() {
-        return entries; // both are of plane outlines
+        return entries; // both need plane outlines
     }
     let ways: Vec<DiskWay> = overlay_state.disk_comparison.all_found().map(|(way, _)| way).collect();
     if !ways.is_empty() {
@@ -87,23 +88,23 @@ pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static s
 struct Outline<'a> {
     samples: &'a BoundarySamples,
     view: &'a View,
-    /// Of what is drawn along it: 1, and less in a small viewport.
+    /// The scale of ticks and bars: 1, less in a small viewport.
     size: f32,
 }
 
 impl Outline<'_> {
-    /// The place at a fraction of arc length, and the direction out of the domain there.
+    /// The place at a fraction of arc length, and the outward unit normal there, on the screen.
     fn at(&self, fraction: f64) -> (Pos2, Vec2) {
         let point = self.samples.at_fraction(fraction);
         let edge = point.edge as usize;
         let [a, b] = [edge, (edge + 1) % self.samples.len()].map(|k| self.samples.points[k]);
         let along = (b - a).normalize_or_zero();
-        // Counter-clockwise, the outside is on the right; on the screen y points down.
+        // The outline is counter-clockwise: its outside is on the right. On the screen y points down.
         let out = Vec2::new(along.y as f32, along.x as f32);
         (self.view.to_screen(self.samples.position(point)), out)
     }
 
-    /// A line from `from` to `to` points outside the outline, in a viewport of full size.
+    /// A line along the normal, from `from` to `to` points outside the outline, times the scale.
     fn spoke(&self, painter: &Painter, fraction: f64, [from, to]: [f32; 2], mut stroke: Stroke) {
         let (place, out) = self.at(fraction);
         stroke.width *= self.size;
@@ -111,7 +112,7 @@ impl Outline<'_> {
     }
 }
 
-/// Ticks inwards: equal steps of ω on the mapped side.
+/// Ticks on the inside of the mapped side, at equal steps of ω.
 fn steps(painter: &Painter, outline: &Outline, disk: &DiskComparison, dark: bool) {
     let Some((_, found)) = disk.all_found().next() else { return };
     for mark in &found.marks {
@@ -119,7 +120,8 @@ fn steps(painter: &Painter, outline: &Outline, disk: &DiskComparison, dark: bool
     }
 }
 
-/// Ticks inwards: the images of these steps; outwards, in a lane for each way, their images through the disk.
+/// Ticks on the inside: the images of the mapped side's steps under riemap's map. Ticks on the outside, in a lane for
+/// each way: their images through the disk.
 fn comparisons(painter: &Painter, outline: &Outline, disk: &DiskComparison, dark: bool) {
     let lanes = disk.all_found().count();
     for (lane, (way, found)) in disk.all_found().enumerate() {
@@ -133,11 +135,11 @@ fn comparisons(painter: &Painter, outline: &Outline, disk: &DiskComparison, dark
     }
 }
 
-/// Where a way's ticks are drawn.
+/// The band outside the outline in which the ticks of one way through the disk are drawn.
 #[derive(Clone, Copy)]
 struct Lane {
     ink: Color32,
-    /// From where it begins, in points outside the outline.
+    /// Its distance from the outline, in points.
     base: f32,
     highest: f32,
 }
@@ -159,7 +161,7 @@ fn images(painter: &Painter, outline: &Outline, found: &Found, Lane { ink, base,
     }
 }
 
-/// A text on a ground of its own, within the viewport.
+/// A text on a filled background, moved into the viewport.
 fn label(painter: &Painter, center: Pos2, text: &str, ink: Color32) {
     let galley = painter.layout_no_wrap(text.into(), FontId::proportional(12.0), Color32::WHITE);
     let room = painter.clip_rect().shrink2(0.5 * galley.size() + vec2(10.0, 8.0));
@@ -168,7 +170,7 @@ fn label(painter: &Painter, center: Pos2, text: &str, ink: Color32) {
     painter.galley(place.min, galley, Color32::WHITE);
 }
 
-/// The marks' images through the disk, those together that can't be told apart on the screen: place and count.
+/// The marks' images through the disk, grouped where they are closer than [`SAME_PLACE`]: place and count.
 fn heaps(found: &Found) -> Vec<(f64, usize)> {
     let mut places: Vec<f64> = found.marks.iter().map(|mark| mark.through_disk).collect();
     places.sort_by(f64::total_cmp);
@@ -182,14 +184,14 @@ fn walks(painter: &Painter, outline: &Outline, walks: &Walks, dark: bool, text: 
     let count = recent.len();
     for (k, hit) in recent.enumerate() {
         let place = outline.view.to_screen(hit);
-        // the older the fainter
+        // older hits are fainter
         let strength = 0.15 + 0.75 * (k + 1) as f32 / count as f32;
         painter.circle_filled(place, 2.2 * outline.size, ink.gamma_multiply(strength));
     }
     path(painter, outline, walks, ink, text);
 }
 
-/// A bar for the hits of each bin, and a cap where the harmonic measure says that it will end.
+/// A bar for the share of hits of each bin, and a cap at its limit, the bin's harmonic measure.
 fn bars(painter: &Painter, outline: &Outline, bars: &[Bar], ink: Color32, text: Color32) {
     for bar in bars {
         let height = (BAR * bar.hits as f32).min(HIGHEST_BAR);
@@ -212,7 +214,7 @@ fn path(painter: &Painter, outline: &Outline, walks: &Walks, ink: Color32, text:
         let place = view.to_screen(circle.centre);
         let edge = view.to_screen(circle.centre + glam::DVec2::new(circle.radius, 0.0));
         let radius = place.distance(edge);
-        // light and dark: seen on every cell of a pattern
+        // a light and a dark stroke: visible on every cell of a pattern
         painter.circle_stroke(place, radius, Stroke::new(2.5, Color32::from_black_alpha(60)));
         painter.circle_stroke(place, radius, Stroke::new(1.0, text.gamma_multiply(0.5)));
     }

@@ -1,4 +1,4 @@
-//! The controls of the overlays: which polar grid, where the pattern lives, the way through the disk, random walks.
+//! The controls of polar grid and pattern side, of the comparison through the disk, and of the random walks.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::language::words;
@@ -36,10 +36,10 @@ const THROUGH_DISK_TOOLTIP: Words = key::through_disk_tooltip();
 
 const WALKS_TOOLTIP: Words = key::walks_tooltip();
 
-/// The deviation to expect by chance alone is this over √walks: the mean of Kolmogorov's distribution, √(π/2) ln 2.
+/// The mean of Kolmogorov's distribution, √(π/2) ln 2: over √walks it is the deviation expected by chance alone.
 const KOLMOGOROV_MEAN: f64 = 0.868_731;
 
-/// The texture's button for a kind: both polar grids have one.
+/// The kind whose button represents `texture`: both polar grids share one button.
 pub fn family(texture: TextureKind) -> TextureKind {
     match texture {
         TextureKind::Polar => TextureKind::Conformal,
@@ -47,7 +47,7 @@ pub fn family(texture: TextureKind) -> TextureKind {
     }
 }
 
-/// The pattern's scale, in words.
+/// The pattern's scale, in words: the number of rays or of cells across.
 pub fn scale(session: &Session) -> String {
     match session.texture() {
         TextureKind::Conformal => say(&key::rays(4.0 * (0.75 * session.texture_scale()).round())),
@@ -55,7 +55,7 @@ pub fn scale(session: &Session) -> String {
     }
 }
 
-/// Which polar grid, and where the pattern lives.
+/// The controls of the kind of polar grid and of the side on which the pattern is undistorted.
 pub fn pattern(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let session = model.session();
     if family(session.texture()) == TextureKind::Conformal
@@ -64,7 +64,7 @@ pub fn pattern(ui: &mut Ui, model: &Model, actions: &mut Actions) {
         actions.push(Action::Session(Command::SetTexture(kind)));
     }
     if session.texture() == TextureKind::Conformal {
-        // It lives in the disk.
+        // The conformal polar grid is defined in the disk, so there is no side to choose.
         problem(ui, model.shown_grid().error());
     } else if model.is_planar()
         && let Some(home) = segmented(ui, &HOMES, session.texture_side())
@@ -76,7 +76,7 @@ pub fn pattern(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 /// The groups "Through the disk" and "Random walks".
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     if !model.is_planar() {
-        return; // both are of plane outlines
+        return; // both need plane outlines
     }
     group_heading(ui, tr(key::through_disk()));
     let comparison = model.session().comparison();
@@ -92,7 +92,7 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     walks(ui, &model.overlay_state().walks, actions);
 }
 
-/// What the groups say is wrong.
+/// The errors that the controls show.
 pub fn errors(model: &Model) -> impl Iterator<Item = &Message> {
     let session = model.session();
     let grid = model.shown_grid().error().filter(|_| session.texture() == TextureKind::Conformal);
@@ -110,7 +110,7 @@ fn problem(ui: &mut Ui, error: Option<&Message>) {
     }
 }
 
-/// The way's colour and name, and what was found or went wrong.
+/// The color and name of a way through the disk, and the result or the error of its comparison.
 fn verdict(ui: &mut Ui, way: DiskWay, disk: &DiskComparison) {
     let palette = Palette::of(ui.visuals());
     let lines = disk.found(way).map(verdicts);
@@ -128,7 +128,7 @@ fn verdict(ui: &mut Ui, way: DiskWay, disk: &DiskComparison) {
     problem(ui, disk.error(way));
 }
 
-/// What the comparison says, a line each.
+/// The result of a comparison in words, one statement per line.
 pub fn verdicts(found: &Found) -> Vec<String> {
     let lost = |side: &Side| {
         let k = *side as usize;
@@ -156,7 +156,7 @@ pub fn verdicts(found: &Found) -> Vec<String> {
     lines
 }
 
-/// A part of a whole, with as many digits as are worth reading.
+/// A fraction in percent: two decimals below 1 %, one below 10 %, else none; "under 0.01 %" below that.
 pub fn percent(part: f64) -> String {
     match 100.0 * part {
         p if p < 0.01 => String::from(tr(key::under_a_hundredth_percent())),

@@ -1,4 +1,4 @@
-//! Comparisons and walks against what is known of the disk, the heart and the V.
+//! Comparisons and walks, checked against known results for the disk, the heart and the V-shape.
 
 use crate::app::overlays::paint::legend;
 use crate::app::plots::Plots;
@@ -39,7 +39,7 @@ fn compare(model: &mut Model, comparison: Comparison) {
     model.refresh(false);
 }
 
-/// Calls until nothing is left to do; how often, and the longest call in ms.
+/// Advances the overlays until nothing is left to do; returns the number of calls and the longest one in ms.
 fn settle(model: &mut Model) -> (u32, f64) {
     let (mut now, mut calls, mut longest) = (0.0, 0, 0.0_f64);
     loop {
@@ -76,8 +76,8 @@ fn on_the_disk_both_ways_agree_and_no_point_is_lost() {
     }
 }
 
-/// Section 1.2 on the paper's V, its interior point in one arm: 1000 samples, of which the
-/// precomputed map loses more than half, and the fresh one none that counts.
+/// Section 1.2 of the paper on its V-shape with 1000 samples and the interior point in one arm: the precomputed map
+/// collapses more than half of the samples, the fresh one agrees with riemap's map to 0.02 of the boundary's length.
 #[test]
 fn on_the_v_the_precomputed_map_collapses_and_the_fresh_one_does_not() {
     let mut model = model(Preset::VShape, Preset::Heart, 1000);
@@ -121,7 +121,7 @@ fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
     assert_eq!(model.advance_overlays(10.0), Some(0.0), "the coarse comparison is shown at once");
     let delay = model.advance_overlays(10.0).unwrap();
     assert!(delay > 0.0, "it does not wait");
-    // The side that did not move keeps what it has.
+    // the side that did not move keeps its measure
     assert_eq!(found(&model, DiskWay::Fresh).samples, [MOVING_SAMPLES, 500]);
     assert!(model.advance_overlays(10.0 + 0.5 * delay).is_some_and(|rest| rest > 0.0));
     model.advance_overlays(10.0 + delay + 1e-6);
@@ -180,7 +180,8 @@ fn one_way_of_both_can_be_left_out_and_comes_back_at_once() {
     assert_eq!(found(&model, DiskWay::Precomputed), &before, "its disk maps were kept");
 }
 
-/// The turkey with 1200 samples; 300 of them, evenly chosen, leave points beside the boundary out that all let in.
+/// The turkey with 1200 samples: the curve through every fourth of them excludes points near the boundary that the
+/// curve through all of them contains.
 #[test]
 fn a_point_that_few_samples_leave_out_is_asked_of_more_before_it_is_refused() {
     let mut model = model(Preset::Turkey, Preset::Disk, 1200);
@@ -217,7 +218,7 @@ fn a_point_that_few_samples_leave_out_is_asked_of_more_before_it_is_refused() {
 
 #[test]
 fn what_fails_is_said_and_the_map_stays() {
-    // 30 points of a spiral: the curve of geodesics through them strays from the outline.
+    // 40 samples of a spiral: the curve of geodesics through them strays from the outline.
     let mut model = model(Preset::Spiral, Preset::Disk, 40);
     compare(&mut model, Comparison::Fresh);
     let domain = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
@@ -238,7 +239,7 @@ fn what_fails_is_said_and_the_map_stays() {
     assert!(model.map().is_some() && model.overlay_state().disk_comparison.all_found().next().is_none());
 }
 
-/// A model with walks that have been going for a second at this speed.
+/// A model whose walks have run for one second at this speed.
 fn walked(speed: f64) -> Model {
     let mut model = model(Preset::Gingerbread, Preset::Heart, 300);
     model.act_on_walks(WalkAction::Speed(speed));
@@ -251,7 +252,7 @@ fn walked(speed: f64) -> Model {
 
 #[test]
 fn walks_are_counted_at_their_speed_and_follow_the_measure() {
-    // 25 walks a frame: never cut short by the clock
+    // 25 walks per frame: few enough that the time limit of a frame is never reached
     let model = walked(1500.0);
     let walks = &model.overlay_state().walks;
     let count = walks.count();
@@ -353,7 +354,7 @@ fn the_pattern_is_pushed_forward_or_pulled_back_either_way_the_map_goes() {
             let at_home = pattern::geometry(&model, home).unwrap();
             assert_eq!(at_home.positions, at_home.texture_coordinates);
             assert_eq!(pattern::moved(&model, home), None);
-            // Away from home, the triangles' corners lie on this side and look up the other one.
+            // Away from the pattern's side, the texture coordinates are points of the other side.
             let away = pattern::geometry(&model, home.other()).unwrap();
             assert_eq!(away.check(), Ok(()));
             let mapped = direction.mapped_side();
