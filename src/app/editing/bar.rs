@@ -1,4 +1,4 @@
-//! The small bar over the picture of an edited side: what can be done, and what went wrong.
+//! The toolbar over the picture of an edited side, and the message above it.
 
 use super::paint::RING;
 use super::{Change, Editor};
@@ -19,10 +19,10 @@ const GAP: f32 = 8.0;
 
 const HANDLES_TOOLTIP: Label = key::handles_tooltip();
 
-/// The height of a bar of one row, before it was laid out.
+/// The assumed height of the bar before its first layout: one row.
 const ONE_ROW: f32 = 52.0;
 
-/// How much of a picture's height the bar of a side takes, and the gap below it.
+/// The height of a side's bar and the gap below it, in points.
 pub fn room(ui: &Ui, side: Side) -> f32 {
     ui.memory(|memory| memory.area_rect(bar_id(side))).map_or(ONE_ROW, |area| area.height()) + GAP
 }
@@ -31,18 +31,18 @@ fn bar_id(side: Side) -> Id {
     Id::unique(("edit bar", side))
 }
 
-/// In a picture narrower than this, words are nearer to their buttons' edges, so that all fit into one row.
+/// In a picture narrower than this the buttons have less padding, so that all fit into one row.
 const WIDE_ROOM: f32 = 300.0;
 const NARROW_PADDING: f32 = 5.0;
 
-/// Between the bar and the message above it.
+/// The gap between the bar and the message above it.
 const BELOW_MESSAGE: f32 = 4.0;
-/// Free space above a message at the upper end: the title is there, and the buttons.
+/// Free space above a message at the picture's upper edge, for title and buttons.
 const BELOW_TITLE: f32 = 64.0;
-/// The height of a message of two lines, before it was laid out.
+/// The assumed height of a message before its first layout: two lines.
 const TWO_LINES: f32 = 56.0;
 
-/// Shows the bar of an edited side at the lower edge of `room`, which is free in its picture, and what is to be said.
+/// Shows the bar of an edited side at the lower edge of `room`, the free part of its picture, and the message above it.
 pub fn show(ui: &mut Ui, side: Side, view: &View, room: Rect, editor: &Editor, actions: &mut Actions) {
     if editor.side() != Some(side) {
         return;
@@ -58,8 +58,8 @@ fn widest(rect: Rect) -> f32 {
     (rect.width() - 12.0).min(460.0)
 }
 
-/// Shows a message with its lower edge at `bottom`; at the upper end of the picture, where it would hide the crossing
-/// that it is about.
+/// Shows a message with its lower edge at `bottom`, or at the upper edge of the picture if it would hide the crossing
+/// otherwise.
 fn show_message(
     ui: &Ui,
     side: Side,
@@ -84,7 +84,7 @@ fn show_message(
     });
 }
 
-/// Shows the buttons; returns where.
+/// Shows the buttons; returns the rectangle of the bar.
 fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Actions) -> Rect {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new()
@@ -117,7 +117,7 @@ fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Acti
     shown.response.rect
 }
 
-/// What the pens want from the person.
+/// The instruction for a pen.
 fn pen_words(pen: Pen) -> &'static str {
     match pen {
         Pen::Freehand => tr(key::draw_around_shape_go()),
@@ -137,7 +137,7 @@ fn drawing_buttons(ui: &mut Ui, height: f32, drawing: &Drawing, actions: &mut Ac
     button(ui, height, [key::cancel(), key::cancel_tooltip()], Some(EditAction::Leave), actions);
 }
 
-/// A button of the bar, by its label and its tooltip; without an action, or where that is locked, it is greyed.
+/// A button of the bar with label and tooltip; disabled without an action, and where its action is locked.
 fn button(ui: &mut Ui, height: f32, words: [Label; 2], action: Option<EditAction>, actions: &mut Actions) {
     let [label, tooltip] = words;
     let button = Button::new(tr(label)).min_size(vec2(0.0, height));

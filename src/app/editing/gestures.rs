@@ -1,7 +1,7 @@
-//! Gestures and keys over a picture whose outline is being drawn or reshaped.
+//! Gestures and keys over a picture whose outline is being reshaped or drawn.
 //!
-//! A press on a handle takes it in hand; one beside it moves the picture, a double-click on the
-//! boundary sets another handle there, a long press or a right click on a handle takes it away.
+//! Dragging a handle moves it, dragging elsewhere pans; a double-click on the boundary inserts a
+//! handle, a long press or a right click on a handle removes it.
 
 use super::{Change, Editor, Hold, Reshaping, pen};
 use crate::app::input::action::{Action, Actions, EditAction};
@@ -21,8 +21,8 @@ const NUDGE: f32 = 4.0;
 /// The same with Shift.
 const FINE_NUDGE: f32 = 0.5;
 
-/// Turns gestures over the picture of an edited side into steps and camera moves. The dots can be
-/// dragged as ever, where no handle is under the pointer.
+/// Turns gestures over the picture of an edited side into actions and camera moves. While reshaping, dots can
+/// still be dragged where no handle is under the pointer.
 pub fn interact(
     ui: &Ui,
     side: Side,
@@ -64,7 +64,7 @@ pub fn interact(
     editor.hovered = under;
 }
 
-/// The handle that a touch at `pointer` means.
+/// The handle nearest to `pointer`, if it is within [`GRAB_RADIUS`].
 fn handle_near(reshaping: &Reshaping, view: &View, pointer: Pos2) -> Option<usize> {
     let distances = reshaping.shape().handles().map(|at| view.to_screen(at).distance(pointer));
     let nearest = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -101,7 +101,8 @@ fn is_near_boundary(reshaping: &Reshaping, view: &View, pointer: Pos2) -> bool {
     shape.handle(handle).is_some_and(|at| view.to_screen(at).distance(pointer) <= BOUNDARY_REACH)
 }
 
-/// The handle follows the pointer from where it was grabbed; the pointer's way is relative, so that it does not jump.
+/// Moves the dragged handle by the pointer's displacement, so that it does not jump to the pointer; ends the drag on
+/// release, and removes the handle on a right click or a long press.
 fn drag(ui: &Ui, response: &Response, reshaping: &Reshaping, view: &View, handle: usize, actions: &mut Actions) {
     let (down, moved) = ui.input(|input| (input.pointer.primary_down(), input.pointer.delta()));
     if response.secondary_clicked() {
@@ -116,16 +117,18 @@ fn drag(ui: &Ui, response: &Response, reshaping: &Reshaping, view: &View, handle
     }
 }
 
-/// The point that lies `by` points on the screen beside `at`.
+/// The point of the plane at a displacement of `by`, in points on the screen, from `at`.
 fn shifted(view: &View, at: DVec2, by: Vec2) -> DVec2 {
     at + view.to_world(view.rect.center() + by) - view.to_world(view.rect.center())
 }
 
-/// E begins and ends to reshape, D, L and C begin to draw, Escape ends; while reshaping, the arrows move the selected handle, Delete takes it
-/// away, N goes to the next one and takes the keyboard from the control that has it. Not while a text is written.
+/// E starts and ends reshaping, D, L and C start drawing, Escape ends both; Enter closes a drawing of clicks, Backspace
+/// removes its last point. While reshaping, arrow keys move the selected handle, Delete or Backspace removes it, N
+/// selects the next one and Shift+N the one before, both removing the focus from a control. No key acts while a
+/// text field is focused.
 pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) {
     if ui.ctx().text_edit_focused() {
-        // the keys are the text's: it will not be heard that they are let go of
+        // the text field gets the keys, and their releases too: end the drag now
         let held = editor.side().and_then(|side| editor.reshaping(side)?.held_by(Hold::Keys));
         actions.extend(held.map(|_| Action::Edit(EditAction::Release)));
         return;
@@ -147,7 +150,7 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     if pressed(Key::Escape) {
         push(EditAction::Leave);
     }
-    // a stroke ends where the pen is lifted
+    // a freehand stroke is closed by the release of the pointer
     if editor.drawing(side).is_some_and(|drawing| drawing.pen() != Pen::Freehand) {
         for (key, action) in [(Key::Enter, EditAction::Close), (Key::Backspace, EditAction::TakeBack)] {
             if pressed(key) {
@@ -161,7 +164,7 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     if let Some(id) = focused.filter(|_| ui.input(|input| input.key_pressed(Key::N))) {
         ui.memory_mut(|memory| memory.surrender_focus(id));
     }
-    // with Shift first: without it the key would match too
+    // Shift first: the pattern without modifiers would match the shifted key too
     if ui.input_mut(|input| input.consume_key(Modifiers::SHIFT, Key::N)) {
         push(EditAction::Select(Some(reshaping.selected.map_or(0, |k| (k + count - 1) % count))));
     }
@@ -178,8 +181,8 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     hold_by_keys(ui, reshaping, &views[side as usize], focused.is_none(), actions);
 }
 
-/// Arrow keys have the selected handle in hand from the first press on until none of them is down. They take one
-/// only while they are `free`: no control has the keyboard.
+/// Arrow keys drag the selected handle, from the first press until none of them is down. A drag starts only if
+/// `free`: no control has the keyboard focus.
 fn hold_by_keys(ui: &Ui, reshaping: &Reshaping, view: &View, free: bool, actions: &mut Actions) {
     let mut push = |action| actions.push(Action::Edit(action));
     let held = reshaping.held_by(Hold::Keys);

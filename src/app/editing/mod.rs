@@ -1,8 +1,8 @@
-//! Outlines by hand, in the pictures: drawing one, reshaping one by its handles.
+//! Editing of outlines in the pictures: drawing, reshaping by handles, pasting.
 //!
-//! An [`Editor`] is a state without a screen: gestures, keys and buttons become [`EditAction`]s,
-//! [`Editor::act`] carries them out and tells the model what to prepare. What the person sees of it is
-//! in `paint` and `bar`, what the person does in `gestures`.
+//! An [`Editor`] does not depend on the screen: gestures, keys and buttons become [`EditAction`]s;
+//! [`Editor::act`] carries them out and requests outlines from the model. Painting is in
+//! `paint` and `bar`, input in `gestures`, `pen` and `paste`.
 
 mod bar;
 mod gestures;
@@ -33,22 +33,22 @@ enum Work {
     Drawing(Drawing),
 }
 
-/// What is edited, if anything.
+/// The outline that is being reshaped or drawn, if any, and the paste window.
 #[derive(Debug, Default)]
 pub struct Editor {
     work: Option<Work>,
-    /// Whether the view showed all of the outline before: it does again afterwards.
+    /// Whether the view was fitted before the editing; then it is fitted again afterwards.
     was_fitted: bool,
     /// The handle under the pointer.
     hovered: Option<usize>,
-    /// Why the last change was not made.
+    /// The reason why the last change was refused.
     refusal: Option<Message>,
-    /// The window for pasted text, while it is open.
+    /// The paste window, while it is open.
     paste: Option<Paste>,
 }
 
 impl Editor {
-    /// The outline of this side under the hand.
+    /// The reshaping of this side's outline, if it is being reshaped.
     pub fn reshaping(&self, side: Side) -> Option<&Reshaping> {
         match &self.work {
             Some(Work::Reshaping(reshaping)) if reshaping.side() == side => Some(reshaping),
@@ -56,12 +56,12 @@ impl Editor {
         }
     }
 
-    /// The side whose outline is under the hand.
+    /// The side whose outline is being reshaped.
     pub fn reshaped_side(&self) -> Option<Side> {
         Side::BOTH.into_iter().find(|&side| self.reshaping(side).is_some())
     }
 
-    /// What is drawn for this side.
+    /// The drawing for this side, if there is one.
     pub fn drawing(&self, side: Side) -> Option<&Drawing> {
         match &self.work {
             Some(Work::Drawing(drawing)) if drawing.side() == side => Some(drawing),
@@ -69,7 +69,7 @@ impl Editor {
         }
     }
 
-    /// The side that is edited.
+    /// The side whose outline is being reshaped or drawn.
     pub fn side(&self) -> Option<Side> {
         match self.work.as_ref()? {
             Work::Reshaping(reshaping) => Some(reshaping.side()),
@@ -77,7 +77,7 @@ impl Editor {
         }
     }
 
-    /// Where the outline in hand, or what was drawn, crosses itself, and what is said about it.
+    /// The place where the reshaped or drawn outline crosses itself, and the message about it.
     pub fn crossing(&self) -> Option<&Crossing> {
         match self.work.as_ref()? {
             Work::Reshaping(reshaping) => reshaping.crossing(),
@@ -85,26 +85,26 @@ impl Editor {
         }
     }
 
-    /// What is to be said about the outline in hand, or about a change that was not made.
+    /// The message about a crossing, or else about a refused change.
     pub fn message(&self) -> Option<&Message> {
         self.crossing().map(|crossing| &crossing.text).or(self.refusal.as_ref())
     }
 
-    /// What went wrong and is still said, in the window too. Where an outline in hand crosses itself it may be mended
-    /// yet: that is said when it is let go.
+    /// The errors that are shown, those of the paste window included. A crossing while reshaping is not among them: the
+    /// drag may still resolve it, and it is reported on release.
     pub fn errors(&self) -> impl Iterator<Item = &Message> {
         let drawn = self.crossing().filter(|_| self.reshaped_side().is_none()).map(|crossing| &crossing.text);
         drawn.or(self.refusal.as_ref()).into_iter().chain(self.paste.as_ref().and_then(Paste::error))
     }
 
-    /// Lets go without a word to the model: what was in hand is about to be replaced.
+    /// Ends the drag of a handle without a request to the model: its outline is about to be replaced.
     pub fn drop_handle(&mut self) {
         if let Some(Work::Reshaping(reshaping)) = &mut self.work {
             reshaping.drop_handle();
         }
     }
 
-    /// Takes in what became of the outline by other means; a surface in its place ends the editing.
+    /// Restarts from the side's outline if it was changed by other means; ends the editing if a surface replaced it.
     pub fn follow(&mut self, model: &mut Model, views: &mut [View; 2]) {
         let Some(Work::Reshaping(reshaping)) = &mut self.work else { return };
         let hidden = model.surface(reshaping.side()).is_some();
@@ -115,7 +115,7 @@ impl Editor {
         }
     }
 
-    /// Carries out a step.
+    /// Carries out an action; one that does not apply to the current state is ignored.
     pub fn act(&mut self, action: EditAction, model: &mut Model, views: &mut [View; 2]) {
         match action {
             EditAction::Toggle(side) if self.reshaping(side).is_some() => self.leave(model, views),
@@ -137,7 +137,7 @@ impl Editor {
             _ => match &self.work {
                 Some(Work::Reshaping(reshaping)) => {
                     if matches!(action, EditAction::Grab(..) | EditAction::Change(_)) {
-                        // while the outline changes, what is in hand stays under the pointer
+                        // the view must not refit while the outline changes: the handle stays under the pointer
                         views[reshaping.side() as usize].stay();
                     }
                     self.reshape(action, model);
@@ -148,7 +148,8 @@ impl Editor {
         }
     }
 
-    /// Text was pasted while no field had the keyboard: an outline for the source; what is none is shown in the window.
+    /// Reads a text that was pasted while no text field was focused, as an outline for the side of the paste window, or
+    /// else for the source. A text that is no outline is shown in the window with the error.
     pub fn take_text(&mut self, text: String, model: &mut Model, views: &mut [View; 2]) {
         let side = self.paste.as_ref().map_or(Side::Source, Paste::side);
         self.paste = Some(Paste::with(side, text));

@@ -1,4 +1,4 @@
-//! What lies over the picture of an edited side: the outline in hand, its handles, where it crosses itself.
+//! Painting over the picture of an edited side: the outline, its handles, the place where it crosses itself.
 
 use super::{Editor, Reshaping};
 use crate::app::theme::Palette;
@@ -7,16 +7,16 @@ use crate::conformal::Side;
 use crate::model::editing::{Crossing, Drawing, Pen};
 use egui::{CornerRadius, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2};
 
-/// Half the side of a handle's square, in points: at rest, and under the pointer or selected.
+/// Half the side of a handle's square, in points: small, and large while hovered, dragged or selected.
 const HALF: [f32; 2] = [4.0, 6.5];
 
 /// The radius of the ring around a crossing.
 pub(super) const RING: f32 = 16.0;
 
-/// How much of what is under a drawing is hidden by the sheet that it is drawn on.
+/// The opacity of the sheet that covers the picture below a drawing.
 const SHEET: f32 = 0.78;
 
-/// Covers the picture of a side that is drawn for with a sheet.
+/// Covers the picture with a sheet while an outline is drawn for its side.
 pub fn paint_sheet(ui: &Ui, side: Side, view: &View, editor: &Editor) {
     if editor.drawing(side).is_some() {
         let canvas = Palette::of(ui.visuals()).canvas;
@@ -24,7 +24,7 @@ pub fn paint_sheet(ui: &Ui, side: Side, view: &View, editor: &Editor) {
     }
 }
 
-/// Paints what is drawn, or the outline in hand and its handles.
+/// Paints the drawing, or the reshaped outline and its handles.
 pub fn paint(ui: &Ui, side: Side, view: &View, editor: &Editor) {
     if let Some(drawing) = editor.drawing(side) {
         paint_drawing(ui, view, drawing);
@@ -42,7 +42,7 @@ pub fn paint(ui: &Ui, side: Side, view: &View, editor: &Editor) {
     }
 }
 
-/// The place where the outline crosses itself.
+/// A ring around the place where the outline crosses itself.
 fn ring(painter: &Painter, palette: &Palette, view: &View, crossing: Option<&Crossing>) {
     if let Some(at) = crossing.and_then(|crossing| crossing.at) {
         let place = view.to_screen(at);
@@ -51,7 +51,7 @@ fn ring(painter: &Painter, palette: &Palette, view: &View, crossing: Option<&Cro
     }
 }
 
-/// A drawing on a sheet over the picture, with the edge that would close it.
+/// Paints a drawing, with the edge that would close it.
 fn paint_drawing(ui: &Ui, view: &View, drawing: &Drawing) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
@@ -70,7 +70,7 @@ fn paint_drawing(ui: &Ui, view: &View, drawing: &Drawing) {
     }
 }
 
-/// Whether a handle is large, and whether it is selected.
+/// Whether a handle is painted large, and whether it is selected.
 fn look(reshaping: &Reshaping, editor: &Editor, handle: usize) -> (bool, bool) {
     let selected = reshaping.selected == Some(handle);
     let in_hand = reshaping.grabbed() == Some(handle);

@@ -1,6 +1,7 @@
-//! Outlines from text: a small window to paste it into, and pasting anywhere.
+//! Outlines from text: the paste window, and pasting while no text field is focused.
 //!
-//! Any text that a file may be is read. One that is long is read at once and never put into the field.
+//! All text formats of outline files are read. A text longer than [`LONGEST_SHOWN`] is read at once and never shown in
+//! the field.
 
 use super::Editor;
 use crate::app::input::action::{Action, Actions, EditAction};
@@ -14,23 +15,23 @@ use egui::{
     Ui, Window, vec2,
 };
 
-/// What the text may be.
+/// The text that lists the supported formats.
 const KINDS: Words = key::paste_kinds();
 
-/// The most bytes of a text in the field, which lays out all of it whenever it changes: 1600 points with twelve digits.
-/// On a desktop that takes 0.3 ms for these, and for a megabyte 20 to 90 ms with every key.
+/// The most bytes of a text in the field: 1600 points with twelve digits. The field lays out the whole text after every
+/// change; on a desktop that takes 0.3 ms at this length, and 20 to 90 ms per key press for a megabyte.
 pub const LONGEST_SHOWN: usize = 50_000;
 
-/// The height of the field for the text: ten lines.
+/// The height of the text field, in points: ten lines.
 const FIELD: f32 = 150.0;
 
-/// The window's content.
+/// The state of the paste window.
 #[derive(Debug)]
 pub struct Paste {
     side: Side,
-    /// What is written in it.
+    /// The text in the field.
     text: String,
-    /// Why that is no outline.
+    /// The reason why the text is no outline.
     error: Option<Message>,
 }
 
@@ -45,23 +46,24 @@ impl Paste {
         Self { side, text, error: None }
     }
 
-    /// For which side.
+    /// The side that gets the outline.
     pub fn side(&self) -> Side {
         self.side
     }
 
-    /// What is written in the field.
+    /// The text in the field.
     #[cfg(test)]
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Why the text is no outline.
+    /// The reason why the text is no outline.
     pub fn error(&self) -> Option<&Message> {
         self.error.as_ref()
     }
 
-    /// The outline that is written in it; where there is none, the reason is kept, but no text that is too long to show.
+    /// Parses the text. On failure the error is kept for [`Self::error`], and a text longer than [`LONGEST_SHOWN`] is
+    /// cleared.
     pub fn take(&mut self) -> Option<(Side, Outline)> {
         let error = match parse(names::PASTED, self.text.as_bytes()) {
             Ok(outline) => return Some((self.side, outline)),
@@ -78,7 +80,8 @@ impl Paste {
     }
 }
 
-/// What was pasted in this frame, unless it is for a text that is being written, which only a short one can be.
+/// Takes the text that was pasted in this frame; `None` if it belongs to a focused text field. A text longer than
+/// [`LONGEST_SHOWN`] is taken even then.
 pub fn pasted(ui: &Ui) -> Option<String> {
     let writes = ui.ctx().text_edit_focused();
     let is_ours = |text: &str| if writes { text.len() > LONGEST_SHOWN } else { !text.trim().is_empty() };
@@ -114,7 +117,7 @@ pub fn show(context: &Context, editor: &mut Editor, actions: &mut Actions) {
 fn content(ui: &mut Ui, paste: &mut Paste, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     ui.add(Label::new(RichText::new(tr(KINDS)).small().color(palette.weak)).wrap());
-    // a field's own edge is the ground's colour on the light theme
+    // in the light theme the field's own edge has the color of the background
     let edge = Frame::new().stroke(Stroke::new(1.0, palette.border)).corner_radius(CornerRadius::same(ROUNDING));
     edge.show(ui, |ui| field(ui, paste, actions));
     if let Some(error) = &paste.error {

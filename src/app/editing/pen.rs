@@ -1,6 +1,6 @@
-//! Gestures of drawing: a stroke with the pointer down, or clicks.
+//! Gestures of drawing: a stroke with the pointer down (freehand), or clicks (lines, curve).
 //!
-//! A click on the first point closes, and so does a double-click.
+//! A click on the first point or a double-click closes the outline.
 
 use crate::app::input::action::{Action, Actions, EditAction};
 use crate::app::input::handles::GRAB_RADIUS;
@@ -10,10 +10,10 @@ use crate::app::viewport::view::View;
 use crate::model::editing::{Drawing, Pen};
 use egui::{CursorIcon, Event, PointerButton, Pos2, Response, Ui};
 
-/// A second click this near the first one, in points, is a double-click and means the end.
+/// A click this near the last point, in points, is a double-click and closes the outline.
 const SAME_PLACE: f32 = 6.0;
 
-/// Turns gestures over the picture of the side that is drawn for into steps and camera moves.
+/// Turns gestures over the picture that is drawn in into actions and camera moves.
 pub fn interact(ui: &Ui, response: &Response, view: &mut View, drawing: &Drawing, actions: &mut Actions) {
     let mut push = |action| actions.push(Action::Edit(action));
     let freehand = drawing.pen() == Pen::Freehand;
@@ -37,12 +37,12 @@ pub fn interact(ui: &Ui, response: &Response, view: &mut View, drawing: &Drawing
     }
 }
 
-/// The way of a stroke since the last frame, and its end. Frames may be slow and strokes quick: what egui says of a
-/// drag is not enough, for it says nothing of one whose moves and end fall into one frame.
+/// The points of a stroke since the last frame, and its end. They are read from the events, because egui reports no
+/// drag whose moves and release fall into one frame, as happens with slow frames and quick strokes.
 fn stroke(ui: &Ui, response: &Response, view: &View, drawing: &Drawing) -> Vec<EditAction> {
     let is_under_way = !drawing.points().is_empty() && drawing.crossing().is_none();
     let way = ui.input(|input| Way::of(&input.events, is_under_way));
-    // a press on something that lies over the picture is none on the picture
+    // a press on a widget over the picture does not begin a stroke
     let begins = way.begins && (response.is_pointer_button_down_on() || (way.ends && response.hovered()));
     let mut steps: Vec<_> = way.is_cancelled.then_some(EditAction::Clear).into_iter().collect();
     if !begins && (!is_under_way || way.is_cancelled) {
@@ -55,21 +55,21 @@ fn stroke(ui: &Ui, response: &Response, view: &View, drawing: &Drawing) -> Vec<E
     steps
 }
 
-/// Where a pressed pointer was.
+/// The pointer's path within a frame while it was pressed.
 #[derive(Debug, Default, PartialEq)]
 struct Way {
-    /// In their order.
+    /// The places, in order.
     places: Vec<Pos2>,
-    /// It was pressed there.
+    /// Whether the pointer was pressed in this frame.
     begins: bool,
-    /// It was let go of.
+    /// Whether the pointer was released in this frame.
     ends: bool,
-    /// The system has taken away the touch that was down; what follows is another one's.
+    /// Whether the system has cancelled the touch that was down; the places are those of a later touch.
     is_cancelled: bool,
 }
 
 impl Way {
-    /// From a frame's events; `is_down`: the pointer was pressed in an earlier one.
+    /// Reads the path from a frame's events; `is_down` is whether the pointer was pressed in an earlier frame.
     fn of(events: &[Event], mut is_down: bool) -> Self {
         let mut way = Self::default();
         for event in events {
@@ -116,7 +116,7 @@ mod tests {
         touches.take_in(&mut events);
         let way = Way::of(&events, true);
         assert_eq!(way, Way { places: vec![new], begins: true, ends: false, is_cancelled: true });
-        // another finger that is taken away has drawn nothing
+        // a cancelled touch that is not the pointer does not affect the stroke
         let mut palm = vec![Event::PointerMoved(new), touch(3, TouchPhase::Cancel, old)];
         touches.take_in(&mut palm);
         assert_eq!(Way::of(&palm, true), Way { places: vec![new], ..Way::default() });

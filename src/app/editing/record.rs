@@ -1,4 +1,4 @@
-//! The outline in hand as a plain record, for `window.riemap.stats()` and for tests.
+//! The edited outline as a plain record, for `window.riemap.stats()` and for tests.
 
 use super::Editor;
 use super::paste::Paste;
@@ -11,21 +11,21 @@ use serde::Serialize;
 /// An outline that is being drawn, reshaped or pasted.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EditingStats {
-    /// Whose.
+    /// The side of the outline.
     pub side: Side,
-    /// Where its handles are, or the points of what is drawn, in CSS pixels of the page.
+    /// The places of its handles, or of the points of a drawing, in CSS pixels of the page.
     pub handles: Vec<[f32; 2]>,
     /// Whether it is being drawn.
     pub draws: bool,
-    /// The handle that keys and buttons mean.
+    /// The handle that keys and buttons act on.
     pub selected: Option<usize>,
-    /// Where it crosses itself on the screen.
+    /// The place where it crosses itself, in CSS pixels of the page.
     pub crossing: Option<[f32; 2]>,
-    /// What is said about it.
+    /// The message about it, or about a pasted text that is no outline.
     pub message: Option<String>,
 }
 
-/// What is edited.
+/// The record of the editor; `None` while no outline is edited.
 pub fn stats(editor: &Editor, views: &[View; 2]) -> Option<EditingStats> {
     let pasting = editor.paste.as_ref();
     let side = editor.side().or_else(|| pasting.map(Paste::side))?;

@@ -1,4 +1,4 @@
-//! The editor on the screen: the whole app under a pointer and keys.
+//! The editor in the whole app, driven by pointer and keys.
 
 use super::*;
 use crate::app::RiemapApp;
@@ -11,7 +11,7 @@ use egui_kittest::kittest::Queryable;
 
 const SIDE: Side = Side::Source;
 
-/// Waits until the map of what is asked for is there.
+/// Waits until the map of the requested session is shown.
 fn settle(harness: &mut Harness<'_, RiemapApp>) -> Stats {
     harness.run_steps(2);
     for _ in 0..600 {
@@ -58,7 +58,7 @@ fn a_drag_in_the_picture_is_one_step_back() {
     assert!(harness.state().stats().editing.is_none());
 }
 
-/// As an arrow key that is held: it repeats in every frame, and many of them come while one map is prepared.
+/// A held arrow key repeats in every frame, and many repeats arrive while one map is prepared.
 #[test]
 fn a_handle_that_keys_hold_is_followed_coarsely_and_is_one_step_back() {
     let mut harness = ready_app([1200.0, 800.0]);
@@ -141,7 +141,7 @@ fn the_message_about_a_crossing_does_not_hide_it() {
     }
 }
 
-/// Puts a place of the source's picture under the middle of the first "Edit" button.
+/// Pans the source's picture so that `place` is under the center of the first "Edit" button.
 fn move_under_the_button(harness: &mut Harness<'_, RiemapApp>, place: egui::Pos2) -> egui::Pos2 {
     let button = harness.get_all_by_label("Edit").next().unwrap().rect().center();
     harness.state_mut().views[0].pan(button - place);
@@ -181,7 +181,7 @@ fn what_lies_under_a_button_is_not_taken_through_it() {
     harness.run_steps(2);
 }
 
-/// As where the processor draws and frames are slow: a stroke may take two of them, or one.
+/// With software rendering frames are slow: a stroke may fall into two frames, or into one.
 #[test]
 fn a_quick_stroke_is_an_outline_whatever_frames_it_falls_into() {
     let press = |pos, pressed| {

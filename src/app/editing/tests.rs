@@ -1,4 +1,4 @@
-//! What an editor asks of the model, step by step, without a screen.
+//! The editor and the model, action by action, without a screen.
 
 use super::*;
 use crate::conformal::PrepareSettings;
@@ -12,7 +12,7 @@ use crate::worker::{Request, Task, run};
 
 const SIDE: Side = Side::Source;
 
-/// Finer than what a hand gets to see.
+/// Settings that are finer than the coarse maps shown during a drag.
 const SETTINGS: PrepareSettings = PrepareSettings {
     sampling: Sampling::Uniform { count: 600, keep_corners: true },
     sizing: Sizing::Graded(0.3),
@@ -320,7 +320,7 @@ fn clicked_points_become_the_outline_when_they_are_closed() {
         bench.answer_all();
         assert!(bench.editor.side().is_none() && bench.model.is_ready());
         let polygon = SimplePolygon::try_from(bench.points()).unwrap();
-        // four points are few for a circle: its area would be 3.14
+        // the curve through four points is not quite a circle, whose area would be 3.14
         assert!((polygon.area() / area - 1.0).abs() < 0.01, "{pen:?}: {}", polygon.area());
     }
 }
