@@ -1,6 +1,6 @@
-//! Colours that mean different things are told apart by eyes that confuse some of them.
+//! Colors with different meanings remain distinguishable with color vision deficiencies.
 //!
-//! What such eyes see is simulated by the matrices for linear sRGB of Machado, Oliveira and Fernandes: "A
+//! The deficiencies are simulated by the matrices for linear sRGB of Machado, Oliveira and Fernandes: "A
 //! physiologically-based model for simulation of color vision deficiency", IEEE TVCG 2009, severity 1.
 
 use crate::app::plots::inks_of_plots;
@@ -24,14 +24,15 @@ const XYZ: [[f64; 3]; 3] = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], 
 /// The XYZ of white (D65).
 const WHITE: [f64; 3] = [0.950_47, 1.0, 1.088_83];
 
-/// Six times the least difference that is seen at all (2.3, Mahy et al. 1994): seen on lines of two pixels.
+/// The least difference required, six times the just noticeable one (2.3, Mahy et al. 1994): visible on lines two
+/// pixels wide.
 const DISTINCT: f64 = 14.0;
 
 fn times(matrix: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
     matrix.map(|row| row.iter().zip(v).map(|(a, b)| a * b).sum())
 }
 
-/// CIE L*a*b* of a colour as it is seen.
+/// CIE L*a*b* of a color after the simulation by the matrix `seen`.
 fn lab(colour: Color32, seen: &[[f64; 3]; 3]) -> [f64; 3] {
     let linear = |encoded: u8| {
         let encoded = f64::from(encoded) / 255.0;

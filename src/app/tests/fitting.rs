@@ -1,5 +1,4 @@
-//! What there is to press lies on the screen, beside and not over each other: on a desk, a tablet and a phone, in both
-//! languages.
+//! Layout: all controls are on the screen and do not overlap, on a desktop, a tablet and a phone, in both languages.
 
 use crate::app::input::action::{EditAction, ExploreAction, Report};
 use crate::app::tests::ready_app;
@@ -15,16 +14,16 @@ use egui_kittest::kittest::{NodeT, Queryable};
 const DESK: [f32; 2] = [1440.0, 900.0];
 const TABLET: [f32; 2] = [820.0, 1180.0];
 const PHONE: [f32; 2] = [390.0, 844.0];
-/// The lowest screen: a phone on its side.
+/// The lowest screen: a phone in landscape.
 const LYING_PHONE: [f32; 2] = [844.0, 390.0];
-/// A frame in another page.
+/// An iframe in another page.
 const FRAME: [f32; 2] = [480.0, 320.0];
-/// The height of the bar along the top.
+/// The height of the top bar.
 const BAR: f32 = 46.0;
 
 type Screen = Harness<'static, RiemapApp>;
 
-/// The app on a screen of this size, with fingers unless it is a desk's.
+/// The app on a screen of this size, with touch unless it is [`DESK`].
 fn screen(size: [f32; 2], language: Language) -> Screen {
     let mut screen = ready_app(size);
     screen.state_mut().has_fingers = size != DESK;
@@ -40,7 +39,7 @@ fn act(screen: &mut Screen, action: Action) {
     screen.run_steps(8);
 }
 
-/// The buttons whose places `is_there` picks, from left to right.
+/// The buttons whose rectangles satisfy `is_there`, from left to right.
 fn buttons(screen: &Screen, is_there: impl Fn(Rect) -> bool) -> Vec<(String, Rect)> {
     let nodes = screen.root().children_recursive().filter_map(|node| {
         let accessible = node.accesskit_node();
@@ -148,7 +147,7 @@ fn the_papers_figures_are_reached_on_a_phone() {
         if screen.state().session().domain(Side::Target).outline == disk {
             break;
         }
-        std::thread::sleep(std::time::Duration::from_millis(20)); // until its preparation is done
+        std::thread::sleep(std::time::Duration::from_millis(20)); // until the disk is prepared
     }
     assert_eq!(screen.state().session().domain(Side::Target).outline, disk, "Figure 6 is of the disk");
     assert!(screen.query_by_label("Close").is_none(), "the map takes the window's place");
@@ -165,7 +164,7 @@ fn a_tablet_has_one_plot_at_a_time_and_a_desk_all() {
     }
 }
 
-/// The edit bar of the target, whose triangles are coloured, lies between outline and legend.
+/// Checks that the edit bar of the target is between the outline and the legend of triangle colors.
 fn assert_bar_between(screen: &mut Screen, where_: &str) {
     act(screen, Action::Session(crate::session::Command::SetColouring(Colouring::Angle)));
     act(screen, Action::Edit(EditAction::Toggle(Side::Target)));
@@ -201,13 +200,13 @@ fn the_pictures_lie_side_by_side_in_what_lies_and_one_above_the_other_in_what_st
     for (size, stacked) in [(FRAME, false), (LYING_PHONE, false), (PHONE, true), (TABLET, true)] {
         let mut screen = screen(size, Language::English);
         screen.state_mut().sheet_open = true;
-        screen.run_steps(40); // it slides
+        screen.run_steps(40); // the sheet slides in
         let [source, target] = screen.state().views.each_ref().map(|view| view.rect);
         assert_eq!(source.bottom() <= target.top(), stacked, "{size:?}: {source:?} and {target:?}");
     }
 }
 
-/// A picture, as it is dropped.
+/// The offer to trace a dropped image.
 fn offer() -> Offer {
     let pixels = image::RgbaImage::from_pixel(20, 20, image::Rgba([9, 9, 9, 255]));
     Offer::new(Side::Source, &crate::model::files::Picture { name: "a.png".into(), pixels })
@@ -247,7 +246,7 @@ fn a_message_about_both_sides_covers_nothing_and_can_be_closed() {
 
 #[test]
 fn a_message_neither_turns_the_pictures_nor_comes_while_something_is_held() {
-    // nearly square without the panel
+    // the area of the pictures is nearly square
     let mut screen = screen([1080.0, 900.0], Language::English);
     let stacked = |screen: &Screen| {
         let [source, target] = screen.state().views.each_ref().map(|view| view.rect);

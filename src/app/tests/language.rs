@@ -1,4 +1,4 @@
-//! The whole screen in German: nothing on it is left in English.
+//! The whole screen in German: no text is left in English.
 
 use crate::app::input::action::EditAction;
 use crate::app::input::action::ExploreAction;
@@ -16,7 +16,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use std::collections::BTreeSet;
 
-/// The labels on the screen that are the English words of a key, and no German ones.
+/// The labels on the screen that are the English text of a key and not also the German text of one.
 fn left_in_english(harness: &Harness<'_, RiemapApp>) -> Vec<String> {
     let words = |language: Language| key::all_labels().map(|label| language.label(label)).collect::<BTreeSet<_>>();
     let (english, german) = (words(Language::English), words(Language::German));
@@ -32,7 +32,7 @@ fn check(harness: &mut Harness<'_, RiemapApp>, shown: &str) {
     assert_eq!(left_in_english(harness), Vec::<String>::new(), "{shown}");
 }
 
-/// Takes another session and waits for its map.
+/// Opens a session and waits for its map.
 fn open(harness: &mut Harness<'_, RiemapApp>, session: Session) {
     harness.state_mut().open_session(session);
     for _ in 0..600 {
@@ -88,7 +88,7 @@ fn the_whole_screen_speaks_german() {
     check(&mut harness, "a surface");
 }
 
-/// Drags a handle of the source's outline far across it, and lets it go.
+/// Drags a handle of the source's outline far across the outline, and releases it.
 fn cross(app: &mut RiemapApp) {
     let across = DVec2::splat(-40.0);
     for action in [

@@ -1,4 +1,4 @@
-//! Locked controls on the screen: nothing that a person does there changes them.
+//! Locked controls in the whole app: no user input changes them.
 
 use crate::app::input::action::EditAction;
 use crate::app::input::locks::{Control, Locks, guarded};

@@ -1,4 +1,4 @@
-//! The panels and the whole app, driven by clicks as a person would.
+//! The panels and the whole app, driven by clicks, drags and keys.
 
 mod colour_vision;
 mod fitting;
@@ -20,7 +20,7 @@ use crate::session::{Colouring, Command, Comparison, OutlineSpec, TextureKind};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
-/// A model with both domains prepared, coarsely.
+/// A model with both domains prepared at a coarse resolution.
 pub fn prepared_model() -> Model {
     let mut session = Session::default();
     let sampling = Sampling::Uniform { count: 120, keep_corners: false };
@@ -36,7 +36,7 @@ pub fn prepared_model() -> Model {
 }
 
 fn finish_preparations(model: &mut Model) {
-    // a side's outline waits for its worker until the surface is prepared
+    // a side's outline is requested only after its surface is prepared, so ask until no request is left
     while let requests @ [_, ..] = model.take_requests(f64::INFINITY).as_slice() {
         for (side, request) in requests {
             crate::worker::run(request, &mut |generation, response| model.accept(*side, generation, response));
@@ -45,7 +45,7 @@ fn finish_preparations(model: &mut Model) {
     model.refresh(false);
 }
 
-/// Runs a click on `label` in the side panel and returns what was asked for.
+/// Clicks on `label` in the side panel and returns the emitted actions.
 fn click_in_panel(model: &Model, label: &str) -> Actions {
     let mut actions = Actions::new();
     let mut harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
@@ -224,7 +224,7 @@ fn cauchy_green_images_are_filled_in_frame_by_frame() {
     assert_eq!(model.map().unwrap().images(), harmonic);
 }
 
-/// Whether there is an adapter; where there is none (said aloud), there is in CI.
+/// Whether there is a graphics adapter. Without one the skipped test is reported; in CI a missing adapter is a failure.
 pub fn has_adapter() -> bool {
     let found = crate::render::headless_device();
     if let Err(error) = &found {
@@ -284,7 +284,7 @@ fn the_mapped_point_goes_to_the_other_sides_point() {
         let stats = stats::collect(&model, ScreenFacts::default());
         let (image, expected) = (stats.image_of_mapped_point.unwrap(), stats.expected.unwrap());
         let error = glam::DVec2::from(image).distance(expected.into());
-        // With 120 samples and triangles that grow by 0.3 the triangle around x is about 0.1 across.
+        // with 120 samples and triangles that grow by 0.3 per distance, the triangle around x is about 0.1 across
         assert!(error < 0.05, "{direction:?}: f(x) = {image:?}, expected {expected:?}, error {error:e}");
     }
 }
@@ -336,7 +336,7 @@ pub fn ready_app(size: [f32; 2]) -> Harness<'static, RiemapApp> {
     }
     let stats = harness.state().stats();
     assert!(stats.ready, "{stats:?}");
-    // gestures and dots are read before a frame's update: they are there from the next one on
+    // gestures and dots are processed before a frame's update, so they see the map from the next frame on
     harness.step();
     harness
 }
@@ -416,7 +416,7 @@ fn pointing_at_a_boundary_marks_it_and_its_partner() {
     let map = harness.state().model.map().unwrap();
     let boundary =
         |side: Side, fraction| map.domain(side).unwrap().samples().position(map.side(side).at_fraction(fraction));
-    // Backward, the target's boundary vertex nearest to the mark goes to the source's mark.
+    // Backward, the target's boundary vertex nearest to its mark is mapped to the source's mark.
     let samples = map.domain(Side::Target).unwrap().samples();
     let image = map.images()[samples.at_fraction(target).edge as usize];
     let error = image.distance(boundary(Side::Source, source));
@@ -436,7 +436,7 @@ fn pointing_at_a_plot_marks_the_boundary() {
     harness.run_steps(3);
     let [_, target] = harness.state().stats().marked_boundary.unwrap();
     assert!(target > 0.05 && target < 0.6, "a third of the way along the axis: {target}");
-    // All three headers have the values at the mark in place of the sides' names.
+    // All three headers show the values at the mark instead of the sides' names.
     assert!(harness.query_by_label("source").is_none() && harness.query_by_label("target").is_none());
     harness.hover_at(egui::pos2(600.0, 20.0));
     harness.run_steps(3);

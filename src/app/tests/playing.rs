@@ -1,4 +1,4 @@
-//! Points in motion: they go around, stop where they are, and are one step back.
+//! Motion of the points: they follow their path, stop where they are, and the whole motion is one undo step.
 
 use crate::app::RiemapApp;
 use crate::app::tests::{prepared_model, ready_app};
@@ -11,7 +11,7 @@ use crate::surface::SurfacePreset;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 
-/// Frames of a twentieth of a second.
+/// Advances the player by `frames` frames of 0.05 s each, starting at time `from`; returns the time at the end.
 fn play_for(player: &mut Player, model: &mut Model, from: f64, frames: u32) -> f64 {
     for k in 1..=frames {
         for command in player.advance(model, from + f64::from(k) / 20.0) {
@@ -71,7 +71,7 @@ fn another_outline_ends_the_motion() {
     assert!(!player.is_playing());
 }
 
-/// A model whose frames are too short for its map.
+/// A model whose time per frame is too short to update its map.
 fn slow_model() -> Model {
     let mut model = prepared_model();
     model.update_ms = 0.0;
