@@ -64,7 +64,7 @@ struct Way {
     begins: bool,
     /// Whether the pointer was released in this frame.
     ends: bool,
-    /// Whether the system has cancelled the touch that was down; the places are those of a later touch.
+    /// Whether the system has canceled the touch that was down; the places are those of a later touch.
     is_cancelled: bool,
 }
 
@@ -116,7 +116,7 @@ mod tests {
         touches.take_in(&mut events);
         let way = Way::of(&events, true);
         assert_eq!(way, Way { places: vec![new], begins: true, ends: false, is_cancelled: true });
-        // a cancelled touch that is not the pointer does not affect the stroke
+        // a canceled touch that is not the pointer does not affect the stroke
         let mut palm = vec![Event::PointerMoved(new), touch(3, TouchPhase::Cancel, old)];
         touches.take_in(&mut palm);
         assert_eq!(Way::of(&palm, true), Way { places: vec![new], ..Way::default() });

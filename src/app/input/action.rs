@@ -85,7 +85,7 @@ pub enum EditAction {
     Point(DVec2),
     /// Remove the last point.
     TakeBack,
-    /// Remove all points: the stroke was cancelled.
+    /// Remove all points: the stroke was canceled.
     Clear,
     /// Close the drawn outline and use it.
     Close,

@@ -8,7 +8,7 @@
 //! | theme, language and zoom | `preferences`, `presentation` |
 //! | hit test and drag state of the four dots | `handles` |
 //! | keyboard focus, Tab and arrow keys | `keyboard`, `keyboard_navigation` |
-//! | cancelled touches | `touches` |
+//! | canceled touches | `touches` |
 
 pub mod action;
 pub mod address_options;

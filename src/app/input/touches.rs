@@ -11,13 +11,13 @@ pub struct Touches {
     first: Option<TouchId>,
 }
 
-/// Whether this event marks a cancelled touch: everything since its press must be discarded.
+/// Whether this event marks a canceled touch: everything since its press must be discarded.
 pub fn lets_go(event: &Event) -> bool {
     matches!(event, Event::PointerMoved(place) if place.x > 0.5 * AWAY.x)
 }
 
 impl Touches {
-    /// Adds a pointer release without a click after a cancelled touch: egui is not told that the pointer is up.
+    /// Adds a pointer release without a click after a canceled touch: egui is not told that the pointer is up.
     pub fn take_in(&mut self, events: &mut Vec<Event>) {
         for event in std::mem::take(events) {
             let Event::Touch { id, phase, pos, .. } = event else {
@@ -83,7 +83,7 @@ mod tests {
         let press = || vec![touch(1, Start), button(true)];
         assert_eq!(after(vec![press(), vec![touch(1, End), button(false)]]), (vec![true, false], true));
         assert_eq!(after(vec![press(), vec![touch(1, Cancel)]]), (vec![true, false], false));
-        // the next touch may begin in the same frame; a cancelled touch that is not the pointer releases nothing
+        // the next touch may begin in the same frame; a canceled touch that is not the pointer releases nothing
         let again = vec![touch(1, Cancel), touch(2, Start), button(true)];
         assert_eq!(after(vec![press(), again]), (vec![true, true], false));
         assert_eq!(after(vec![press(), vec![touch(2, Start)], vec![touch(2, Cancel)]]), (vec![true; 3], false));

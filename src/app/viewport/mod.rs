@@ -7,7 +7,7 @@
 //! | the viewport of a surface | `surface` |
 //! | dragging and painting the dots | `dots` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
-//! | the legend of triangle colours | `legend` |
+//! | the legend of triangle colors | `legend` |
 
 pub mod cells;
 pub mod dots;
