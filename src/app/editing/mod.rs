@@ -1,7 +1,7 @@
 //! Editing of outlines in the pictures: drawing, reshaping by handles, pasting.
 //!
-//! An [`Editor`] does not depend on the screen: gestures, keys and buttons become [`EditAction`]s;
-//! [`Editor::act`] carries them out and requests outlines from the model. Painting is in
+//! An [`Editor`] holds the state and can be driven without a screen: gestures, keys and buttons become
+//! [`EditAction`]s; [`Editor::act`] carries them out and requests outlines from the model. Painting is in
 //! `paint` and `bar`, input in `gestures`, `pen` and `paste`.
 
 mod bar;

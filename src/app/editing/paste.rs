@@ -62,7 +62,7 @@ impl Paste {
         self.error.as_ref()
     }
 
-    /// Parses the text. On failure the error is kept for [`Self::error`], and a text longer than [`LONGEST_SHOWN`] is
+    /// Parses the text. On failure the error is kept for [`Self::error()`], and a text longer than [`LONGEST_SHOWN`] is
     /// cleared.
     pub fn take(&mut self) -> Option<(Side, Outline)> {
         let error = match parse(names::PASTED, self.text.as_bytes()) {

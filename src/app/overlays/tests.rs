@@ -71,7 +71,7 @@ fn on_the_disk_both_ways_agree_and_no_point_is_lost() {
         assert_eq!((found.samples, found.collapsed, found.disordered), ([300; 2], [0; 2], [0; 2]));
         assert_eq!(found.directly_collapsed, [0; 2]);
         assert_eq!(found.marks.len(), MARKS as usize);
-        // The kernel's own error with 300 samples.
+        // the kernel's own discretization error with 300 samples
         assert!(found.difference < 2e-3, "{comparison:?}: {:e}", found.difference);
     }
 }

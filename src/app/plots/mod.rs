@@ -1,8 +1,8 @@
 //! The plots of Poisson kernel, harmonic measure and reparameterization over the arc length, updated with the map.
 //!
 //! They are shown in a dock below the viewports: three in a row, or one at a time in a dock narrower than 900 points;
-//! on a phone one at a time in the sheet. Pointing at a plot marks the boundary point and its image in both viewports;
-//! pointing at a boundary marks both in the plots.
+//! on a phone one at a time in the sheet. Pointing at a plot marks the boundary point and the corresponding one of the
+//! other side in both viewports; pointing at a boundary marks both in the plots.
 
 mod chart;
 mod convergence;
@@ -129,7 +129,7 @@ impl Plots {
         kept.curves()
     }
 
-    /// The marked boundary point and its image, as fractions of arc length of source and target.
+    /// The marked boundary point and the corresponding one, as fractions of arc length of source and target.
     pub fn marked(&self) -> Option<[f64; 2]> {
         let (curves, at) = (self.curves()?, self.marked_from_anchor()?);
         Some(Side::BOTH.map(|side| curves.fraction(side, at[side as usize])))

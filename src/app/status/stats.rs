@@ -113,7 +113,7 @@ pub struct Stats {
     pub plots: bool,
     /// The [`Self::generation`] of the map whose distortion is shown.
     pub measured_generation: u64,
-    /// The boundary point under the pointer and its image: fractions of arc length of source and target.
+    /// The boundary point under the pointer and the corresponding one: fractions of arc length of source and target.
     pub marked_boundary: Option<[f64; 2]>,
     /// The comparisons with maps through the disk.
     pub comparison: ComparisonsStats,
@@ -159,7 +159,7 @@ pub struct ScreenFacts {
     pub close: BTreeMap<&'static str, [f32; 2]>,
     /// The number of finished pictures and of all pictures of the export under way.
     pub export_count: Option<[u32; 2]>,
-    /// The boundary point under the pointer and its image.
+    /// The boundary point under the pointer and the corresponding one.
     pub marked_boundary: Option<[f64; 2]>,
     /// The distance of the plotted reparameterization from the exact one.
     pub exact_difference: Option<f64>,

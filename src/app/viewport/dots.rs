@@ -89,7 +89,7 @@ pub fn paint(ui: &Ui, painter: &Painter, handle: Handle, dot: Dot, handles: &Han
     }
 }
 
-/// Paints the mark of the boundary point under the pointer, or of its image.
+/// Paints the mark of the boundary point under the pointer, or of the corresponding one.
 pub fn paint_mark(ui: &Ui, painter: &Painter, side: Side, place: Pos2) {
     let place = place.round_to_pixels(ui.pixels_per_point());
     painter.circle_filled(place + vec2(0.0, 1.0), 8.0, Color32::from_black_alpha(70));

@@ -168,7 +168,7 @@ impl Exporter {
         response
     }
 
-    /// Stores the center of a control for [`Self::places`].
+    /// Stores the center of a control for [`Self::places()`].
     pub(super) fn note(&mut self, name: &'static str, response: &Response) {
         let place = response.rect.center();
         self.places.insert(name, [place.x, place.y]);
