@@ -100,7 +100,7 @@ mod tests {
     use egui::{Modifiers, TouchDeviceId, TouchId, TouchPhase, pos2};
 
     #[test]
-    fn what_a_cancelled_touch_has_drawn_is_forgotten_and_the_next_finger_draws() {
+    fn a_cancelled_touch_discards_its_stroke_and_the_next_touch_draws() {
         let [old, new] = [pos2(10.0, 20.0), pos2(60.0, 20.0)];
         let touch =
             |id, phase, pos| Event::Touch { device_id: TouchDeviceId(0), id: TouchId(id), phase, pos, force: None };

@@ -28,7 +28,7 @@ fn settle(harness: &mut Harness<'_, RiemapApp>) -> Stats {
 }
 
 #[test]
-fn a_drag_in_the_picture_is_one_step_back() {
+fn a_drag_in_the_picture_is_one_undo_step() {
     let mut harness = ready_app([1200.0, 800.0]);
     let before = harness.state().session().clone();
     harness.get_all_by_label("Edit").next().unwrap().click();
@@ -60,7 +60,7 @@ fn a_drag_in_the_picture_is_one_step_back() {
 
 /// A held arrow key repeats in every frame, and many repeats arrive while one map is prepared.
 #[test]
-fn a_handle_that_keys_hold_is_followed_coarsely_and_is_one_step_back() {
+fn a_handle_held_by_keys_is_followed_coarsely_and_is_one_undo_step() {
     let mut harness = ready_app([1200.0, 800.0]);
     let before = harness.state().session().clone();
     harness.get_all_by_label("Edit").next().unwrap().click();
@@ -79,7 +79,7 @@ fn a_handle_that_keys_hold_is_followed_coarsely_and_is_one_step_back() {
     assert_eq!(harness.state().stats().undo, 0);
     harness.key_up(egui::Key::ArrowRight);
     harness.step();
-    assert!(!harness.state().model.side(SIDE).is_in_hand(), "let go");
+    assert!(!harness.state().model.side(SIDE).is_in_hand(), "released");
     let after = settle(&mut harness);
     let [u, v] = after.editing.as_ref().unwrap().handles[handle];
     assert!((u - x - 20.0).abs() < 0.6 && (v - y).abs() < 0.6, "from {x}, {y} to {u}, {v}");
@@ -100,7 +100,7 @@ fn a_handle_that_keys_hold_is_followed_coarsely_and_is_one_step_back() {
 }
 
 #[test]
-fn a_long_text_that_is_pasted_into_the_field_does_not_get_there() {
+fn a_long_text_pasted_into_the_field_is_not_shown_in_it() {
     let mut harness = ready_app([1200.0, 800.0]);
     let app = harness.state_mut();
     app.editor.act(EditAction::OpenPaste(SIDE), &mut app.model, &mut app.views);
@@ -150,7 +150,7 @@ fn move_under_the_button(harness: &mut Harness<'_, RiemapApp>, place: egui::Pos2
 }
 
 #[test]
-fn what_lies_under_a_button_is_not_taken_through_it() {
+fn a_press_on_a_button_does_not_reach_the_picture_below() {
     let mut harness = ready_app([1200.0, 800.0]);
     let x1 = |harness: &Harness<'_, RiemapApp>| egui::Pos2::from(harness.state().stats().handles.x1.unwrap());
     let place = x1(&harness);
@@ -159,14 +159,14 @@ fn what_lies_under_a_button_is_not_taken_through_it() {
     let before = harness.state().session().clone();
     harness.drag_at(button);
     harness.step();
-    assert!(harness.state().handles.grip.is_none(), "no dot is in hand");
+    assert!(harness.state().handles.grip.is_none(), "no dot is dragged");
     harness.hover_at(button + vec2(0.0, 60.0));
     harness.run_steps(2);
-    assert!(x1(&harness).distance(button) < 1.0, "nor does the picture move");
+    assert!(x1(&harness).distance(button) < 1.0, "the picture does not move");
     harness.drop_at(button + vec2(0.0, 60.0));
     harness.run_steps(2);
     assert_eq!(*harness.state().session(), before);
-    assert!(harness.state().stats().editing.is_none(), "let go elsewhere: no click");
+    assert!(harness.state().stats().editing.is_none(), "released elsewhere: no click");
     harness.key_press(egui::Key::D);
     harness.run_steps(2);
     let open = harness.get_all_by_label("Fit").next().unwrap().rect().center();
@@ -214,7 +214,7 @@ fn a_quick_stroke_is_an_outline_whatever_frames_it_falls_into() {
 }
 
 #[test]
-fn a_stroke_whose_touch_is_cancelled_is_forgotten() {
+fn a_stroke_whose_touch_is_cancelled_is_discarded() {
     let mut harness = ready_app([1200.0, 800.0]);
     let middle = harness.state().views[0].rect.center();
     harness.hover_at(middle);
@@ -247,7 +247,7 @@ fn a_stroke_whose_touch_is_cancelled_is_forgotten() {
 }
 
 #[test]
-fn a_file_that_comes_while_a_handle_is_held_takes_its_outlines_place() {
+fn a_file_opened_during_a_drag_replaces_the_dragged_outline() {
     let mut harness = ready_app([1200.0, 800.0]);
     harness.get_all_by_label("Edit").next().unwrap().click();
     harness.run_steps(3);
@@ -271,7 +271,7 @@ fn a_file_that_comes_while_a_handle_is_held_takes_its_outlines_place() {
         matches!(&outline, OutlineSpec::Points { name, polygon } if name == "box" && polygon.vertices().len() == 4),
         "{outline:?}"
     );
-    assert_eq!(stats.editing.unwrap().handles.len(), 4, "its handles are those of the new one");
+    assert_eq!(stats.editing.unwrap().handles.len(), 4, "the handles are those of the new outline");
     assert_eq!(stats.undo, 1);
 }
 

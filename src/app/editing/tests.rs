@@ -87,7 +87,7 @@ fn settings_of(requests: &[(Side, Request)]) -> PrepareSettings {
 }
 
 #[test]
-fn while_a_handle_is_dragged_one_coarse_request_is_under_way_and_the_newest_is_next() {
+fn while_a_handle_is_dragged_one_coarse_request_is_in_flight_and_the_latest_is_next() {
     let mut bench = Bench::square();
     bench.act(EditAction::Grab(2, Hold::Pointer));
     bench.act(EditAction::Drag(DVec2::new(2.2, 2.1)));
@@ -96,27 +96,27 @@ fn while_a_handle_is_dragged_one_coarse_request_is_under_way_and_the_newest_is_n
     assert!(matches!(settings.sampling, Sampling::Adaptive { target: Some(m) } if m <= 500), "{settings:?}");
     for x in [2.3, 2.4, 2.5] {
         bench.act(EditAction::Drag(DVec2::new(x, 2.5)));
-        assert_eq!(bench.requests(), [], "one is under way");
-        assert_eq!(bench.model.next_due(), None, "and no frame is wasted on waiting for it");
+        assert_eq!(bench.requests(), [], "one request is in flight");
+        assert_eq!(bench.model.next_due(), None, "no frame is requested while waiting for it");
     }
     let generation = bench.model.generation();
     bench.answer(first);
     assert_eq!(bench.points()[2], DVec2::new(2.2, 2.1), "the map follows");
-    assert!(bench.model.generation() > generation && !bench.model.is_ready(), "but it is not what is to come");
-    assert_eq!(bench.model.session().domain(Side::Source).settings, SETTINGS, "the settings are those that were set");
+    assert!(bench.model.generation() > generation && !bench.model.is_ready(), "the coarse map is not the final one");
+    assert_eq!(bench.model.session().domain(Side::Source).settings, SETTINGS, "the session keeps its settings");
     let second = bench.requests();
     bench.answer(second);
-    assert_eq!(bench.points()[2], DVec2::new(2.5, 2.5), "those between are left out");
+    assert_eq!(bench.points()[2], DVec2::new(2.5, 2.5), "the requests in between are skipped");
     bench.act(EditAction::Release);
     let last = bench.requests();
-    assert_eq!(settings_of(&last), SETTINGS, "what is let go is prepared as it is to stay");
+    assert_eq!(settings_of(&last), SETTINGS, "the released outline is prepared at full resolution");
     bench.answer(last);
     assert!(bench.model.is_ready() && bench.requests().is_empty());
     assert_eq!(bench.points()[2], DVec2::new(2.5, 2.5));
 }
 
 #[test]
-fn a_handle_that_is_let_go_where_it_was_leaves_nothing_in_hand() {
+fn a_handle_released_where_it_was_grabbed_changes_nothing() {
     let mut bench = Bench::square();
     let before = bench.model.session().clone();
     bench.act(EditAction::Grab(1, Hold::Pointer));
@@ -146,7 +146,7 @@ fn while_the_outline_crosses_itself_the_last_good_one_stays_and_the_place_is_kno
         at.x.abs() < 1e-12 && (0.0..2.0).contains(&at.y) && crossing.text.english().contains("crosses itself"),
         "{crossing:?}"
     );
-    assert_eq!(bench.reshaping().shape().handle(2), Some(DVec2::new(-1.0, 1.0)), "what is in hand is drawn");
+    assert_eq!(bench.reshaping().shape().handle(2), Some(DVec2::new(-1.0, 1.0)), "the dragged outline is drawn");
     bench.act(EditAction::Drag(DVec2::new(1.2, 1.2)));
     assert!(bench.reshaping().crossing().is_none());
     bench.answer_all();
@@ -199,7 +199,7 @@ fn an_outline_turned_inside_out_is_taken_the_other_way_round() {
 }
 
 #[test]
-fn changes_at_once_are_prepared_as_they_are_to_stay() {
+fn changes_without_a_drag_are_prepared_at_full_resolution() {
     let mut bench = Bench::square();
     bench.act(EditAction::Change(Change::Insert(DVec2::new(1.0, -0.1))));
     assert_eq!(bench.reshaping().selected, Some(1));
@@ -224,7 +224,7 @@ fn changes_at_once_are_prepared_as_they_are_to_stay() {
 }
 
 #[test]
-fn the_last_handles_stay_and_it_is_said_why() {
+fn the_last_three_handles_cannot_be_removed_and_the_reason_is_given() {
     let mut bench = Bench::square();
     bench.act(EditAction::Change(Change::Remove(0)));
     bench.answer_all();
@@ -235,7 +235,7 @@ fn the_last_handles_stay_and_it_is_said_why() {
 }
 
 #[test]
-fn another_outline_is_taken_up_and_a_surface_ends_the_editing() {
+fn another_outline_is_followed_and_editing_moves_to_another_side() {
     let mut bench = Bench::square();
     bench.model.dispatch(Command::SetOutline { side: SIDE, outline: OutlineSpec::Preset(Preset::Star) }, 0.0);
     bench.answer_all();
@@ -258,7 +258,7 @@ fn the_view_rests_while_editing_and_fits_afterwards() {
     let mut bench = Bench::square();
     assert!(bench.views[0].is_fitted());
     bench.act(EditAction::Grab(0, Hold::Pointer));
-    assert!(!bench.views[0].is_fitted(), "what is in hand stays under the pointer");
+    assert!(!bench.views[0].is_fitted(), "the view does not refit during a drag");
     bench.act(EditAction::Toggle(SIDE));
     assert!(bench.views[0].is_fitted());
 }
@@ -276,7 +276,7 @@ fn a_link_carries_an_edited_preset() {
 }
 
 #[test]
-fn a_button_takes_the_handle_from_the_keys() {
+fn a_button_ends_the_drag_of_a_handle_by_keys() {
     let mut bench = Bench::square();
     bench.act(EditAction::Grab(2, Hold::Keys));
     bench.act(EditAction::Drag(DVec2::new(2.5, 2.5)));
@@ -287,7 +287,7 @@ fn a_button_takes_the_handle_from_the_keys() {
     bench.act(EditAction::Drag(DVec2::new(3.0, 3.0)));
     bench.act(EditAction::Release);
     bench.answer_all();
-    assert_eq!(bench.points().len(), 3, "what was removed does not come back");
+    assert_eq!(bench.points().len(), 3, "the removed handle does not come back");
 }
 
 fn pixel(bench: &mut Bench) {

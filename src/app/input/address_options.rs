@@ -126,7 +126,7 @@ mod tests {
     use crate::language::{say, set};
 
     #[test]
-    fn everything_can_be_asked_for_at_once() {
+    fn all_options_can_be_combined() {
         let pairs = [("embed", ""), ("lock", "outline,view"), ("present", ""), ("theme", "light"), ("lang", "de")];
         let options = AddressOptions::parse(pairs);
         assert!(options.embed && options.present && !options.bench && !options.webgl);
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_understood_is_reported_with_what_would_be() {
+    fn unknown_values_are_reported_with_the_known_ones() {
         let options = AddressOptions::parse([("lock", "outline,vieuw"), ("theme", "blue"), ("backend", "webgpu")]);
         assert!(options.locks.holds(Control::Outline) && options.theme.is_none() && !options.webgl);
         let user_errors: Vec<String> = options.user_errors.iter().map(Message::english).collect();
@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_is_not_understood_is_said_in_one_short_sentence_for_each_option() {
+    fn unknown_values_are_reported_in_one_short_sentence_per_option() {
         let names: Vec<String> = (0..30).map(|k| format!("{k:02}{}", "ü".repeat(1000))).collect();
         let (list, twice) = (names.join(","), [&*names[0], &*names[0]].join(","));
         let options = AddressOptions::parse([("lock", &*list), ("lock", "vieuw"), ("lock", &*twice)]);

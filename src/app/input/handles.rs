@@ -126,7 +126,7 @@ mod tests {
     const BOTH: [Option<Pos2>; 2] = [Some(pos2(100.0, 100.0)), Some(pos2(130.0, 100.0))];
 
     #[test]
-    fn the_nearer_dot_is_meant_where_the_areas_overlap() {
+    fn the_nearer_dot_is_hit_where_the_areas_overlap() {
         assert_eq!(hit(Side::Source, BOTH, pos2(112.0, 100.0)).unwrap().kind, HandleKind::Interior);
         assert_eq!(hit(Side::Source, BOTH, pos2(118.0, 100.0)).unwrap().kind, HandleKind::Boundary);
     }

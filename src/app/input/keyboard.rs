@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn tab_folds_for_a_pointer_and_walks_for_a_keyboard() {
+    fn tab_folds_the_panels_after_the_pointer_was_used_and_else_moves_the_focus() {
         let moved = || Event::PointerMoved(pos2(3.0, 4.0));
         let tab = || plain(Key::Tab);
         assert_eq!(after(vec![moved(), tab()]), (1, 0));
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn arrows_reach_the_dot_that_a_tab_just_before_them_has_led_to() {
+    fn arrow_keys_reach_the_dot_that_the_tab_before_them_has_focused() {
         let [tab, right] = [Key::Tab, Key::ArrowRight].map(plain);
         let moved: f32 = 20.0;
         for frames in [
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_of_one_frame_go_one_after_the_other() {
+    fn keys_of_one_frame_are_delivered_in_order() {
         let [tab, space, escape] = [Key::Tab, Key::Space, Key::Escape].map(plain);
         let mut screen = Screen::default();
         let all = [&tab, &space, &tab, &tab, &tab, &space, &escape, &tab, &tab];
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn a_held_key_walks_no_further_than_frames_can_follow() {
+    fn a_held_tab_moves_the_focus_at_most_once_per_frame() {
         let mut keyboard = Keyboard::default();
         let release = released(&plain(Key::Tab));
         let mut events = vec![plain(Key::Tab); 30];
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn what_waits_is_forgotten_with_the_window() {
+    fn delayed_keys_are_dropped_when_the_window_loses_focus() {
         let mut screen = Screen::default();
         let [tab, right] = [Key::Tab, Key::ArrowRight].map(plain);
         screen.run([vec![tab.clone(), tab, right, Event::WindowFocused(false)]]);

@@ -264,7 +264,7 @@ mod tests {
     use crate::session::{Command, SurfaceSpec, TextureKind};
 
     #[test]
-    fn names_are_read_and_what_is_none_is_reported() {
+    fn names_are_parsed_and_unknown_ones_are_reported() {
         let (locks, unknown) = Locks::parse("outline, view,,colour");
         assert!(locks.holds(Control::Outline) && locks.holds(Control::View) && !locks.holds(Control::Colours));
         assert_eq!(unknown, ["colour"]);

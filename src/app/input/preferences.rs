@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_kept_is_read_again_and_what_is_missing_is_the_systems() {
+    fn stored_preferences_are_read_back_and_missing_ones_are_the_defaults() {
         let chosen = Preferences { language: Some(Language::German), appearance: Appearance::Dark };
         let text = serde_json::to_string(&chosen).unwrap();
         assert_eq!(text, r#"{"language":"de","appearance":"dark"}"#);

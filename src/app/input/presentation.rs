@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn troubles_of_the_address_follow_the_first_message() {
+    fn errors_in_the_url_follow_the_first_message() {
         let options = AddressOptions::parse([("theme", "blue")]);
         let text = with_user_errors(Some("First.".into()), &options).map(|text| text.english()).unwrap_or_default();
         assert!(text.starts_with("First. The address says \"theme=blue\""), "{text}");

@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cancelled_touch_holds_nothing_any_more_and_clicks_nothing() {
+    fn a_cancelled_touch_releases_the_pointer_without_a_click() {
         use TouchPhase::{Cancel, End, Start};
         let press = || vec![touch(1, Start), button(true)];
         assert_eq!(after(vec![press(), vec![touch(1, End), button(false)]]), (vec![true, false], true));

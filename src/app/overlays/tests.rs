@@ -47,7 +47,7 @@ fn settle(model: &mut Model) -> (u32, f64) {
         let next = model.advance_overlays(now);
         longest = longest.max(start.elapsed().as_secs_f64() * 1e3);
         calls += 1;
-        assert!(calls < 10, "it never ends");
+        assert!(calls < 10, "the overlays are never complete");
         let Some(delay) = next else { return (calls, longest) };
         now += delay + 1e-6;
     }
@@ -120,7 +120,7 @@ fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
     model.refresh(false);
     assert_eq!(model.advance_overlays(10.0), Some(0.0), "the coarse comparison is shown at once");
     let delay = model.advance_overlays(10.0).unwrap();
-    assert!(delay > 0.0, "it does not wait");
+    assert!(delay > 0.0, "the full comparison is not delayed");
     // the side that did not move keeps its measure
     assert_eq!(found(&model, DiskWay::Fresh).samples, [MOVING_SAMPLES, 500]);
     assert!(model.advance_overlays(10.0 + 0.5 * delay).is_some_and(|rest| rest > 0.0));
@@ -183,7 +183,7 @@ fn one_way_of_both_can_be_left_out_and_comes_back_at_once() {
 /// The turkey with 1200 samples: the curve through every fourth of them excludes points near the boundary that the
 /// curve through all of them contains.
 #[test]
-fn a_point_that_few_samples_leave_out_is_asked_of_more_before_it_is_refused() {
+fn a_point_that_few_samples_exclude_is_refused_only_if_all_samples_exclude_it() {
     let mut model = model(Preset::Turkey, Preset::Disk, 1200);
     let domain = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
     let anchor = BoundaryPoint { edge: 0, fraction: 0.0 };
@@ -205,7 +205,7 @@ fn a_point_that_few_samples_leave_out_is_asked_of_more_before_it_is_refused() {
         assert_eq!(
             model.overlay_state().disk_comparison.error(DiskWay::Fresh),
             None,
-            "{point}, which all take as {:?}",
+            "{point}: all samples give {:?}",
             all.err()
         );
         let samples = found(&model, DiskWay::Fresh).samples;
@@ -217,7 +217,7 @@ fn a_point_that_few_samples_leave_out_is_asked_of_more_before_it_is_refused() {
 }
 
 #[test]
-fn what_fails_is_said_and_the_map_stays() {
+fn a_failed_comparison_is_reported_and_the_map_stays() {
     // 40 samples of a spiral: the curve of geodesics through them strays from the outline.
     let mut model = model(Preset::Spiral, Preset::Disk, 40);
     compare(&mut model, Comparison::Fresh);
@@ -307,7 +307,7 @@ fn another_start_begins_anew_and_a_pause_keeps_the_counts() {
     model.dispatch(Command::MoveInterior { side: Side::Target, point: point.into() }, 0.0);
     model.refresh(false);
     assert_eq!(model.advance_overlays(2.1), None);
-    assert_eq!(model.overlay_state().walks.count(), count, "x₂ is no start");
+    assert_eq!(model.overlay_state().walks.count(), count, "walks do not start at x₂");
     model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.3 }, 0.0);
     model.refresh(false);
     model.advance_overlays(2.2);

@@ -376,7 +376,7 @@ mod tests {
         let chart = Chart::of(kind, &curves, exact.then_some(&known), &overlays, true, false);
         let entries = chart.entries();
         for (k, entry) in entries.iter().enumerate() {
-            assert!(entries[..k].iter().all(|other| other.ink != entry.ink), "{} has another's ink", entry.name);
+            assert!(entries[..k].iter().all(|other| other.ink != entry.ink), "{} shares its color", entry.name);
         }
         entries.iter().map(|entry| entry.name).collect()
     }
@@ -387,7 +387,7 @@ mod tests {
         assert_eq!(names(Kind::Reparameterisation, true), ["this map", "exact", fresh, precomputed]);
         assert_eq!(names(Kind::Reparameterisation, false), ["this map", fresh, precomputed]);
         assert_eq!(names(Kind::Measure, true), ["exact", "random walks", fresh, precomputed]);
-        assert_eq!(names(Kind::Kernel, true), [""; 0], "there is none over the kernels");
+        assert_eq!(names(Kind::Kernel, true), [""; 0], "kernels have no overlays");
     }
 
     #[test]

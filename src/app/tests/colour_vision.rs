@@ -53,7 +53,7 @@ fn difference(a: Color32, b: Color32, seen: &[[f64; 3]; 3]) -> f64 {
 }
 
 #[test]
-fn colours_are_told_apart_by_eyes_that_confuse_some() {
+fn colors_remain_distinct_with_color_vision_deficiencies() {
     let dots = vec![INTERIOR_COLOUR, BOUNDARY_COLOUR];
     for group in inks_of_plots().into_iter().chain([dots]) {
         for (k, a) in group.iter().enumerate() {
@@ -68,7 +68,7 @@ fn colours_are_told_apart_by_eyes_that_confuse_some() {
 }
 
 #[test]
-fn the_colours_of_numbers_keep_their_order() {
+fn color_maps_keep_their_order_of_lightness() {
     let at = |map: ColourMap, t: f64| {
         let [r, g, b, _] = map.at(t).map(|component| (255.0 * component).round() as u8);
         Color32::from_rgb(r, g, b)
@@ -90,7 +90,7 @@ fn the_colours_of_numbers_keep_their_order() {
 }
 
 #[test]
-fn what_such_eyes_see_is_simulated() {
+fn the_simulation_confuses_red_and_green_and_keeps_white() {
     let (red, green) = (Color32::from_rgb(200, 60, 40), Color32::from_rgb(110, 110, 20));
     assert!(difference(red, green, &NORMAL) > 50.0);
     assert!(difference(red, green, &DEUTERANOPIA) < 20.0, "{}", difference(red, green, &DEUTERANOPIA));

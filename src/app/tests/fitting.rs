@@ -196,7 +196,7 @@ fn the_edit_bar_lies_below_the_outline_and_above_the_legend() {
 }
 
 #[test]
-fn the_pictures_lie_side_by_side_in_what_lies_and_one_above_the_other_in_what_stands() {
+fn the_pictures_are_side_by_side_in_landscape_and_stacked_in_portrait() {
     for (size, stacked) in [(FRAME, false), (LYING_PHONE, false), (PHONE, true), (TABLET, true)] {
         let mut screen = screen(size, Language::English);
         screen.state_mut().sheet_open = true;
@@ -245,7 +245,7 @@ fn a_message_about_both_sides_covers_nothing_and_can_be_closed() {
 }
 
 #[test]
-fn a_message_neither_turns_the_pictures_nor_comes_while_something_is_held() {
+fn a_message_does_not_change_the_stacking_and_waits_for_the_end_of_a_drag() {
     // the area of the pictures is nearly square
     let mut screen = screen([1080.0, 900.0], Language::English);
     let stacked = |screen: &Screen| {
@@ -308,7 +308,7 @@ fn messages_of_a_side_lie_over_its_dots() {
 }
 
 #[test]
-fn on_a_phone_on_its_side_tour_and_message_leave_the_pictures_room() {
+fn on_a_phone_in_landscape_tour_and_message_leave_the_pictures_room() {
     for size in [[667.0, 375.0], LYING_PHONE] {
         let mut screen = screen(size, Language::German);
         act(&mut screen, Action::Explore(ExploreAction::Tour(0)));
@@ -322,7 +322,7 @@ fn on_a_phone_on_its_side_tour_and_message_leave_the_pictures_room() {
         see(&screen, "Weiter");
         screen.state_mut().message = Some("The link could not be opened: it is none. ".repeat(3).into());
         screen.run_steps(4);
-        assert!(screen.query_by_label("Weiter").is_none(), "one after the other");
+        assert!(screen.query_by_label("Weiter").is_none(), "the message replaces the tour");
         see(&screen, "Diese Meldung schließen");
         act(&mut screen, Action::DismissMessage);
         see(&screen, "Weiter");

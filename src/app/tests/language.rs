@@ -102,7 +102,7 @@ fn cross(app: &mut RiemapApp) {
 }
 
 #[test]
-fn what_was_said_follows_the_language() {
+fn messages_on_the_screen_follow_a_change_of_language() {
     let mut harness = ready_app([1500.0, 1000.0]);
     language::set(Language::German);
     let app = harness.state_mut();

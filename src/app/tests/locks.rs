@@ -31,7 +31,7 @@ fn a_locked_control_is_grey_and_does_nothing() {
 }
 
 #[test]
-fn what_is_locked_is_refused_wherever_it_comes_from() {
+fn a_locked_action_is_refused_and_the_others_are_carried_out() {
     let mut harness = ready_app([1200.0, 800.0]);
     let context = harness.ctx.clone();
     Locks::default().with(Control::Pattern).install(&context);
@@ -44,11 +44,11 @@ fn what_is_locked_is_refused_wherever_it_comes_from() {
     ];
     app.carry_out(&context, actions);
     assert_eq!(app.session().texture(), before.texture());
-    assert_eq!(app.session().side(Side::Source).anchor, 0.25, "the rest goes on");
+    assert_eq!(app.session().side(Side::Source).anchor, 0.25, "actions that are not locked are carried out");
 }
 
 #[test]
-fn no_undo_brings_back_what_the_page_around_has_replaced_in_spite_of_a_lock() {
+fn undo_does_not_restore_a_session_that_the_page_has_replaced_despite_a_lock() {
     for (control, steps) in [(Control::Outline, 0), (Control::View, 1)] {
         let mut harness = ready_app([1200.0, 800.0]);
         harness.run_steps(2);
@@ -123,7 +123,7 @@ fn a_locked_panel_stays_folded() {
 }
 
 #[test]
-fn what_comes_by_a_key_or_from_the_clipboard_is_refused_with_a_reason_and_what_is_clicked_is_grey() {
+fn locked_keys_and_pastes_are_refused_with_a_reason_and_locked_buttons_are_gray() {
     let mut harness = ready_app([1200.0, 800.0]);
     let context = harness.ctx.clone();
     Locks::default().with(Control::Boundary).install(&context);

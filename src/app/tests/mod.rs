@@ -58,7 +58,7 @@ fn click_in_panel(model: &Model, label: &str) -> Actions {
 }
 
 #[test]
-fn the_map_is_there_once_both_sides_are() {
+fn the_map_exists_once_both_sides_are_prepared() {
     let model = prepared_model();
     assert!(model.is_ready() && model.generation() == 1);
     let quality = model.quality().unwrap();
@@ -72,7 +72,7 @@ fn forward_is_one_click_away() {
 }
 
 #[test]
-fn a_click_on_what_is_chosen_asks_for_nothing() {
+fn a_click_on_the_selected_choice_emits_no_action() {
     let model = prepared_model();
     assert_eq!(click_in_panel(&model, "Backward"), []);
 }
@@ -85,7 +85,7 @@ fn textures_are_chosen_by_name_and_the_image_asks_for_a_file_first() {
 }
 
 #[test]
-fn what_teaches_is_one_click_away() {
+fn comparisons_walks_and_polar_grids_are_one_click_away() {
     let mut model = prepared_model();
     for (label, action) in [
         ("In the target", Action::Session(Command::SetTextureSide(Side::Target))),

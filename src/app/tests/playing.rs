@@ -29,7 +29,7 @@ fn a_turn_ends_where_it_began_and_a_pause_leaves_the_points() {
     player.act(PlayAction::Period(2.0), &model);
     let begun = model.interior(Side::Source).unwrap();
     player.act(PlayAction::Along(Path::All), &model);
-    assert!(!player.is_playing(), "a choice alone moves nothing");
+    assert!(!player.is_playing(), "choosing a path does not start the motion");
     player.act(PlayAction::Toggle, &model);
     let half = play_for(&mut player, &mut model, 0.0, 21);
     let there = model.interior(Side::Source).unwrap();
@@ -95,14 +95,14 @@ fn another_motion_waits_for_a_slow_map_and_then_goes_on() {
     player.act(PlayAction::Along(Path::Boundary), &model);
     assert!(player.is_playing() && !player.is_moving());
     let there = model.interior(Side::Source);
-    assert_eq!(player.advance(&model, 0.2), [], "it waits");
+    assert_eq!(player.advance(&model, 0.2), [], "the new motion waits for the map");
     for _ in 0..100_000 {
         if model.is_ready() {
             break;
         }
         model.refresh(player.is_moving());
     }
-    assert!(model.is_ready(), "it never will be");
+    assert!(model.is_ready(), "the map never becomes ready");
     play_for(&mut player, &mut model, 100.0, 4);
     assert!(player.is_moving());
     assert_eq!(model.interior(Side::Source), there, "the old motion is over");
@@ -169,7 +169,7 @@ fn y1(harness: &Harness<'_, RiemapApp>) -> [f32; 2] {
 }
 
 #[test]
-fn space_plays_and_pauses_and_all_of_it_is_one_step() {
+fn space_plays_and_pauses_and_the_motion_is_one_undo_step() {
     let mut harness = ready_app([1200.0, 800.0]);
     harness.run_steps(3);
     let (start, session) = (y1(&harness), harness.state().session().clone());
@@ -189,7 +189,7 @@ fn space_plays_and_pauses_and_all_of_it_is_one_step() {
 }
 
 #[test]
-fn a_hand_at_a_dot_pauses() {
+fn dragging_a_dot_pauses_the_motion() {
     let mut harness = ready_app([1200.0, 800.0]);
     harness.key_press(Key::Space);
     harness.run_steps(4);

@@ -235,11 +235,11 @@ mod tests {
     }
 
     #[test]
-    fn the_fonts_have_every_sign_that_is_written() {
+    fn the_fonts_have_every_character_that_is_written() {
         // German letters, characters in `\u{…}` and in character literals, and the symbols of a Mac's keys
         let mut needed: BTreeSet<char> = "ÄÖÜäöüß„“–\u{2009}⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂…⌘⇧⌥⌃".chars().collect();
         all_quoted(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut needed);
-        assert!(needed.contains(&'ω') && needed.contains(&'→'), "the sources are looked at");
+        assert!(needed.contains(&'ω') && needed.contains(&'→'), "the source files are scanned");
         // the byte order mark is read from files and never written
         needed.remove(&'\u{feff}');
         let context = egui::Context::default();

@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn the_picture_has_the_images_that_the_map_will_have() {
+    fn the_gpu_evaluates_the_images_that_the_map_refines_to() {
         if !crate::app::tests::has_adapter() {
             return;
         }

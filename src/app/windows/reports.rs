@@ -272,9 +272,9 @@ mod tests {
         let first = reports.take_study();
         assert!(first.is_some() && reports.take_study().is_none(), "one at a time");
         reports.open(Report::Bench);
-        assert!(reports.take_study().is_none(), "the other window's row is still under way");
+        assert!(reports.take_study().is_none(), "the closed window's study is still in flight");
         reports.accept(first, Finding::Convergence(Vec::new()));
-        assert!(reports.convergence.is_empty(), "its answer is dropped");
+        assert!(reports.convergence.is_empty(), "the finding of the closed window is dropped");
         let second = reports.take_study();
         reports.accept(second, Finding::Failed("no".into()));
         assert_eq!(reports.failures.len(), 1);

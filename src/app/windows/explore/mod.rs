@@ -146,14 +146,14 @@ mod tests {
     }
 
     #[test]
-    fn who_keeps_the_tours_picture_keeps_it() {
+    fn leaving_the_tour_can_keep_its_session() {
         let mut explore = Explore::default();
         explore.act(ExploreAction::Tour(2), &Session::default(), false);
         assert_eq!(explore.act(ExploreAction::LeaveTour { keeps: true }, &Session::default(), false).session, None);
     }
 
     #[test]
-    fn what_is_opened_says_which_button_has_the_keyboard() {
+    fn an_opened_window_announces_the_focused_button() {
         for action in [ExploreAction::Gallery, ExploreAction::Shortcuts, ExploreAction::Tour(1)] {
             let mut harness = crate::app::tests::ready_app([1200.0, 800.0]);
             harness.run_steps(3);
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn on_a_phone_the_windows_are_closed_by_what_they_show() {
+    fn on_a_phone_the_windows_have_a_working_close_button() {
         for action in [ExploreAction::Gallery, ExploreAction::Shortcuts] {
             let mut harness = crate::app::tests::ready_app([390.0, 844.0]);
             harness.state_mut().explore.act(action, &Session::default(), false);

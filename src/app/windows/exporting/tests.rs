@@ -34,12 +34,12 @@ fn made(model: &Model, request: &ExportRequest) -> ReadyFile {
         match job.work((&device, &queue)).unwrap() {
             Progress::Done(file) => return file,
             Progress::GoesOn => {
-                assert!(job.progress() >= last, "it goes back from {last} to {}", job.progress());
+                assert!(job.progress() >= last, "the progress goes back from {last} to {}", job.progress());
                 last = job.progress();
             }
         }
     }
-    unreachable!("it never comes to an end")
+    unreachable!("the job never ends")
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn a_picture_is_that_of_the_command_line_and_the_model_stays() {
         .unwrap()
         .shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), &shot, None, None));
     assert_eq!(picture, expected.unwrap());
-    assert_eq!(picture.get_pixel(0, 0).0[3], 0, "no ground");
+    assert_eq!(picture.get_pixel(0, 0).0[3], 0, "the background is transparent");
     assert_eq!((model.session(), model.generation()), (&session, generation));
 }
 
@@ -79,13 +79,13 @@ fn an_animation_has_its_pictures_and_the_model_stays() {
         };
         let frames = frames.unwrap();
         assert_eq!(frames.len(), 4);
-        assert!(frames.windows(2).all(|pair| pair[0].buffer() != pair[1].buffer()), "{format:?}: something moves");
+        assert!(frames.windows(2).all(|pair| pair[0].buffer() != pair[1].buffer()), "{format:?}: equal frames");
     }
     assert_eq!(model.session(), &session);
 }
 
 #[test]
-fn what_is_given_up_is_gone_and_can_be_begun_again() {
+fn a_cancelled_export_is_dropped_and_can_be_restarted() {
     if !has_adapter() {
         return;
     }
@@ -102,7 +102,7 @@ fn what_is_given_up_is_gone_and_can_be_begun_again() {
 }
 
 #[test]
-fn animations_that_cannot_be_are_refused_in_words() {
+fn invalid_animations_are_refused_with_a_message() {
     if !has_adapter() {
         return;
     }
@@ -124,7 +124,7 @@ fn planar_maps_and_surfaces_have_their_own_formats() {
 
 /// This harness has no graphics device: the window reports the error, and nothing hangs.
 #[test]
-fn the_window_opens_by_key_says_what_is_wrong_and_closes() {
+fn the_window_opens_by_key_reports_errors_and_closes() {
     let mut harness = ready_app([1200.0, 800.0]);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
     harness.run_steps(4);
