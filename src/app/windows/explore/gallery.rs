@@ -20,7 +20,6 @@ use std::sync::LazyLock;
 
 /// An entry of the gallery.
 pub struct Piece {
-    /// The title.
     pub title: Label,
     /// A line about what there is to see.
     pub caption: Label,

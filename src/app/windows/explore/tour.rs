@@ -14,7 +14,6 @@ use std::sync::LazyLock;
 
 /// One step of the tour.
 pub struct Step {
-    /// The heading.
     pub title: Words,
     /// The sentences: what there is to see and to try.
     pub text: Words,

@@ -14,11 +14,8 @@ const MARGINS: f32 = 40.0;
 /// The kinds of windows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Window {
-    /// The gallery.
     Gallery,
-    /// The paper's figures.
     Figures,
-    /// The list of keys and gestures.
     Shortcuts,
 }
 
