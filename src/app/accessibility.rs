@@ -23,8 +23,8 @@ pub fn state(app: &RiemapApp) -> String {
     if !model.is_ready() {
         sentences.push(tr(key::being_prepared()).into());
     }
-    sentences.extend(app.explore.words().into_iter().flatten().map(String::from));
-    sentences.extend(app.notice.map(|(notice, _)| String::from(tr(notice))));
+    sentences.extend(app.windows.explore.words().into_iter().flatten().map(String::from));
+    sentences.extend(app.messages.notice.map(|notice| String::from(tr(notice.text))));
     sentences.extend(app.errors().iter().map(|error| say(&key::problem(error.clone()))));
     sentences.join(" ")
 }
@@ -89,20 +89,20 @@ mod tests {
         let mut harness = ready_app([1200.0, 800.0]);
         let context = harness.ctx.clone();
         let app = harness.state_mut();
-        assert_eq!(app.stats().errors, [""; 0]);
+        assert_eq!(app.stats().screen.errors, [""; 0]);
         app.carry_out(&context, vec![Action::PasteText(String::from("0,0 1,x")), Action::OpenExport]);
-        app.exporter.tell(Some(key::no_map().into()));
-        app.reports.open(Report::Convergence);
-        assert!(app.reports.take_study().is_some());
-        app.reports.accept(None, Finding::Failed(key::no_such_row().into()));
-        let errors = app.stats().errors;
+        app.windows.exporter.tell(Some(key::no_map().into()));
+        app.windows.reports.open(Report::Convergence);
+        assert!(app.windows.reports.take_study().is_some());
+        app.windows.reports.accept(None, Finding::Failed(key::no_such_row().into()));
+        let errors = app.stats().screen.errors;
         assert_eq!(errors.len(), 3, "{errors:?}");
         assert!(errors[0].contains('x'), "{errors:?}");
         for error in errors {
             assert!(state(app).contains(&format!("Problem: {error}")), "{}", state(app));
         }
         app.carry_out(&context, vec![Action::Edit(EditAction::ClosePaste)]);
-        assert_eq!(app.stats().errors.len(), 2);
+        assert_eq!(app.stats().screen.errors.len(), 2);
     }
 
     #[test]

@@ -1,5 +1,7 @@
-//! What the page around the app is told: the errors on the screen, each once.
+//! What the page around the app is told: the errors on the screen, each once; and what those who hear the screen are.
 
+use super::frame::REST_SECONDS;
+use super::input::preferences::Preferences;
 use super::{RiemapApp, accessibility, message_bar};
 use crate::language::Message;
 use crate::platform::{self, PageEvent};
@@ -8,6 +10,24 @@ use crate::platform::{self, PageEvent};
 #[derive(Debug, Default)]
 pub struct Announced {
     errors: Vec<Message>,
+    /// What there was to tell when the picture was described.
+    described: Option<News>,
+    /// How many times a control was said.
+    pub spoken: u64,
+}
+
+/// What a description of the screen depends on: the picture is described anew when any of it is another.
+#[derive(Debug, Clone, PartialEq)]
+struct News {
+    generation: u64,
+    is_ready: bool,
+    errors: Vec<Message>,
+    /// The step of the tour.
+    step: Option<usize>,
+    /// In which language, among others.
+    preferences: Preferences,
+    /// When the notice ends.
+    notice_until: Option<f64>,
 }
 
 impl Announced {
@@ -30,7 +50,34 @@ impl RiemapApp {
         let spoken = ui.output(|output| output.events.last().map(|event| accessibility::control(event.widget_info())));
         if let Some(spoken) = spoken {
             platform::say(&spoken);
-            self.spoken += 1;
+            self.announced.spoken += 1;
+        }
+    }
+
+    /// Tells those who hear the screen what is on it, whenever something else is and has come to rest.
+    pub(super) fn describe(&mut self, context: &egui::Context, now: f64) {
+        let rested = now - self.last_change;
+        if rested < REST_SECONDS {
+            // a drag collects no news
+            context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
+            return;
+        }
+        let news = self.news();
+        if self.announced.described.as_ref() == Some(&news) {
+            return;
+        }
+        platform::describe(&accessibility::state(self));
+        self.announced.described = Some(news);
+    }
+
+    fn news(&self) -> News {
+        News {
+            generation: self.model.generation(),
+            is_ready: self.model.is_ready(),
+            errors: self.errors(),
+            step: self.windows.explore.step(),
+            preferences: self.screen.preferences,
+            notice_until: self.messages.notice.map(|notice| notice.until),
         }
     }
 }

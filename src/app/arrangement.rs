@@ -69,7 +69,7 @@ impl Arrangement {
 
     /// Where messages have theirs: from below the title to above the edit bar.
     pub fn message_room(self, app: &RiemapApp, ui: &Ui, side: Side, title: f32) -> Rect {
-        let rect = app.views[side as usize].rect;
+        let rect = app.pictures.views[side].rect;
         let low = if app.editor.side() == Some(side) {
             self.edit_room(app, side, rect).bottom() - editing::bar_room(ui, side)
         } else {
@@ -80,7 +80,7 @@ impl Arrangement {
 
     /// The room that the legend of the colours takes at the lower edge of a picture.
     fn legend_height(self, app: &RiemapApp, side: Side, rect: Rect) -> f32 {
-        let is_there = side == LEGEND_SIDE && app.cells.scale().is_some();
+        let is_there = side == LEGEND_SIDE && app.pictures.cells.scale().is_some();
         if is_there { legend::height(rect, self.is_tight(rect)) } else { 0.0 }
     }
 }

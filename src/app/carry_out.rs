@@ -37,22 +37,22 @@ impl RiemapApp {
                 Action::OpenOutline(side) => self.pick_file(FilePurpose::Outline(side)),
                 Action::OpenTrace(side) => self.pick_file(FilePurpose::Trace(side)),
                 Action::TraceImage => self.trace_image(),
-                Action::DismissOffer => self.offer = None,
+                Action::DismissOffer => self.messages.offer = None,
                 Action::OpenImage => self.pick_file(FilePurpose::Image),
-                Action::Fit(side) if self.model.surface(side).is_some() => self.orbit.fit(),
-                Action::Fit(side) => self.views[side as usize].fit(),
+                Action::Fit(side) if self.model.surface(side).is_some() => self.pictures.orbits[side].fit(),
+                Action::Fit(side) => self.pictures.views[side].fit(),
                 Action::Edit(action) => self.edit(action),
                 Action::PasteText(text) => {
                     self.begin_change();
-                    self.editor.take_text(text, &mut self.model, &mut self.views);
+                    self.editor.take_text(text, &mut self.model, &mut self.pictures.views);
                 }
                 Action::QuickFix(side) => self.model.quick_fix(side),
                 Action::Dismiss(side) => self.model.dismiss(side),
-                Action::OpenReport(report) => self.reports.open(report),
+                Action::OpenReport(report) => self.windows.reports.open(report),
                 Action::DismissMessage => self.dismiss_message(),
-                Action::OpenExport => self.exporter.open(),
+                Action::OpenExport => self.windows.exporter.open(),
                 Action::SaveExport => self.save_export(context),
-                Action::CancelExport => self.exporter.cancel(),
+                Action::CancelExport => self.windows.exporter.cancel(),
                 Action::Play(action) => self.player.act(action, &self.model),
                 Action::Walks(action) => self.model.act_on_walks(action),
                 Action::Explore(action) => self.explore(action),
@@ -65,7 +65,7 @@ impl RiemapApp {
     }
 
     fn pick_file(&self, purpose: FilePurpose) {
-        platform::pick_file(purpose, tr(kind_of_file(purpose)), self.mailbox.clone());
+        platform::pick_file(purpose, tr(kind_of_file(purpose)), self.workers.mailbox.clone());
     }
 
     fn command(&mut self, command: Command, now: f64) {
@@ -89,7 +89,7 @@ impl RiemapApp {
             self.end_tour();
         }
         self.persistence.touch();
-        self.editor.act(action, &mut self.model, &mut self.views);
+        self.editor.act(action, &mut self.model, &mut self.pictures.views);
     }
 
     pub(super) fn explore(&mut self, action: ExploreAction) {
@@ -101,10 +101,10 @@ impl RiemapApp {
             other => other,
         };
         if matches!(action, ExploreAction::Tour(_)) {
-            self.editor.act(EditAction::Leave, &mut self.model, &mut self.views);
+            self.editor.act(EditAction::Leave, &mut self.model, &mut self.pictures.views);
         }
         let is_walking = self.model.overlay_state().walks.is_running();
-        let Consequences { session, walks } = self.explore.act(action, self.model.session(), is_walking);
+        let Consequences { session, walks } = self.windows.explore.act(action, self.model.session(), is_walking);
         if let Some(session) = session {
             self.show_session(session);
         }
@@ -121,12 +121,12 @@ impl RiemapApp {
     /// Closes the message. Which file a link waits for may have been hidden by another one: it is said until it has
     /// been closed itself.
     fn dismiss_message(&mut self) {
-        let closed = self.message.take();
-        self.message = closed.and_then(|closed| self.persistence.unread_after(&closed));
+        let closed = self.messages.common.take();
+        self.messages.common = closed.and_then(|closed| self.persistence.unread_after(&closed));
     }
 
     fn prefer(&mut self, context: &egui::Context, preferences: Preferences) {
-        self.preferences = preferences;
+        self.screen.preferences = preferences;
         preferences.apply(context);
         preferences.remember();
     }
@@ -134,6 +134,7 @@ impl RiemapApp {
     /// Folds the panels away or brings them back; a page around the app has none.
     pub(super) fn fold_panels(&mut self, context: &egui::Context) {
         let locked = Locks::of(context).holds(Control::Panels);
-        self.panels_open = if locked { self.panels_open } else { !self.panels_open && !self.options.embed };
+        self.screen.panels_open =
+            if locked { self.screen.panels_open } else { !self.screen.panels_open && !self.options.embed };
     }
 }

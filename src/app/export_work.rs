@@ -18,9 +18,9 @@ impl RiemapApp {
         let around = Surroundings {
             map: self.map_state(),
             on_surface: !self.model.is_planar(),
-            max_side: self.gpu.as_ref().map_or(0, Gpu::max_texture_side),
+            max_side: self.pictures.gpu.as_ref().map_or(0, Gpu::max_texture_side),
         };
-        self.exporter.show(context, around, actions);
+        self.windows.exporter.show(context, around, actions);
     }
 
     fn map_state(&self) -> MapState {
@@ -33,38 +33,40 @@ impl RiemapApp {
 
     /// Saves what is chosen, or begins to make it.
     pub(in crate::app) fn save_export(&mut self, context: &Context) {
-        let Some(request) = self.exporter.file_request() else { return self.begin_job(context) };
+        let Some(request) = self.windows.exporter.file_request() else { return self.begin_job(context) };
         if !scene::is_complete(&self.model) {
             return; // what is shown is not yet what would be written
         }
         match file(&self.model, request) {
             Some(Ok(file)) => {
-                self.exporter.tell(None);
-                platform::save_file(&file.name, file.bytes, self.mailbox.clone());
+                self.windows.exporter.tell(None);
+                platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone());
             }
-            Some(Err(reason)) => self.exporter.tell(Some(reason)),
+            Some(Err(reason)) => self.windows.exporter.tell(Some(reason)),
             None => {}
         }
     }
 
     fn begin_job(&mut self, context: &Context) {
-        let request = *self.exporter.request();
+        let request = *self.windows.exporter.request();
         let dark = context.theme() == egui::Theme::Dark;
         let camera = self.camera(request.shot(dark).aspect());
-        let scenery = Scenery { image: self.image.clone(), camera, dark };
-        let job = match &self.gpu {
+        let scenery = Scenery { image: self.pictures.image.as_ref().map(|image| image.pixels.clone()), camera, dark };
+        let job = match &self.pictures.gpu {
             Some(gpu) => Job::begin(&self.model, &request, scenery, gpu.device()),
             None => Err(key::no_graphics_device().into()),
         };
-        self.exporter.begin(job);
+        self.windows.exporter.begin(job);
         context.request_repaint();
     }
 
     /// The eye that sees the surface on the screen, in a viewport of this width over height.
     fn camera(&self, aspect: f64) -> Option<OrbitCamera> {
-        let scene = self.model.surface(self.model.side_of_surface()?)?.0.scene()?;
-        let mut camera = *self.orbit.camera()?;
-        if self.orbit.is_fitted() {
+        let side = self.model.side_of_surface()?;
+        let scene = self.model.surface(side)?.0.scene()?;
+        let orbit = &self.pictures.orbits[side];
+        let mut camera = *orbit.camera()?;
+        if orbit.is_fitted() {
             camera.fit(scene, aspect);
         }
         Some(camera)
@@ -72,13 +74,13 @@ impl RiemapApp {
 
     /// Goes on with what is being made, and saves it when it is there.
     pub(in crate::app) fn work_on_export(&mut self, context: &Context) {
-        if !self.exporter.is_busy() {
+        if !self.windows.exporter.is_busy() {
             return;
         }
         context.request_repaint();
-        let Some(gpu) = &self.gpu else { return };
-        if let Some(file) = self.exporter.work(gpu.device()) {
-            platform::save_file(&file.name, file.bytes, self.mailbox.clone());
+        let Some(gpu) = &self.pictures.gpu else { return };
+        if let Some(file) = self.windows.exporter.work(gpu.device()) {
+            platform::save_file(&file.name, file.bytes, self.workers.mailbox.clone());
         }
     }
 }

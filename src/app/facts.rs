@@ -2,9 +2,9 @@
 
 use super::{RiemapApp, editing};
 use crate::app::overlays;
-use crate::app::status::stats;
-use crate::app::status::stats::{HandlePositions, ScreenFacts, Stats};
+use crate::app::status::stats::{HandlePositions, PlotStats, ScreenStats, Stats, WindowStats};
 use crate::app::viewport::gpu::Gpu;
+use crate::app::windows::Windows;
 use crate::conformal::{Extension, Side};
 use crate::language::Message;
 use crate::model::Processor;
@@ -12,45 +12,55 @@ use crate::model::Processor;
 impl RiemapApp {
     /// The numbers on the screen.
     pub fn stats(&self) -> Stats {
-        let place = |side: Side, point: Option<glam::DVec2>| {
-            point.map(|point| self.views[side as usize].to_screen(point)).map(|place| self.css_pixels(place))
-        };
-        let in_space = |point: Option<glam::DVec3>| self.orbit.to_screen(point?).map(|place| self.css_pixels(place));
-        let [x2, y2] = match self.model.surface(Side::Target) {
-            Some(_) => [self.model.surface_point(Side::Target), self.model.surface_anchor(Side::Target)].map(in_space),
-            None => [self.model.interior(Side::Target), self.model.anchor(Side::Target)]
-                .map(|point| place(Side::Target, point)),
-        };
-        let handles = HandlePositions {
-            x1: place(Side::Source, self.model.interior(Side::Source)),
-            x2,
-            y1: place(Side::Source, self.model.anchor(Side::Source)),
-            y2,
-        };
-        let backend = self.gpu.as_ref().map(Gpu::backend).unwrap_or_default();
-        let screen = ScreenFacts {
-            backend,
-            handles,
+        let screen = ScreenStats {
+            backend: self.pictures.gpu.as_ref().map(Gpu::backend).unwrap_or_default(),
+            dark: self.screen.theme == egui::Theme::Dark,
             errors: self.errors().iter().map(Message::english).collect(),
             notes: self.notes().iter().map(Message::english).collect(),
+            spoken: self.announced.spoken,
             undo: self.persistence.history().undo_count(),
-            dark: self.theme == egui::Theme::Dark,
-            spoken: self.spoken,
             playing: self.player.is_playing(),
-            export: self.exporter.places().cloned(),
-            close: self.explore.close().map(|(name, place)| (name, self.css_pixels(place))).into_iter().collect(),
-            export_count: self.exporter.count(),
-            marked_boundary: self.plots.marked(),
-            exact_difference: self.plots.exact().map(|exact| exact.difference),
             cauchy_green: self.cauchy_green(),
-            editing: editing::stats(&self.editor, &self.views),
+            handles: self.handle_positions(),
+            editing: editing::stats(&self.editor, &self.pictures.views),
+            plots: PlotStats {
+                marked_boundary: self.plots.marked(),
+                exact_difference: self.plots.exact().map(|exact| exact.difference),
+            },
+            windows: self.window_stats(),
         };
-        stats::collect(&self.model, screen)
+        Stats::new(&self.model, screen)
+    }
+
+    fn window_stats(&self) -> WindowStats {
+        let Windows { explore, exporter, .. } = &self.windows;
+        WindowStats {
+            export: exporter.places().cloned(),
+            export_count: exporter.count(),
+            close: explore.close().map(|(name, place)| (name, self.css_pixels(place))).into_iter().collect(),
+        }
+    }
+
+    fn handle_positions(&self) -> HandlePositions {
+        let ([x1, y1], [x2, y2]) = (self.places_of_dots(Side::Source), self.places_of_dots(Side::Target));
+        HandlePositions { x1, x2, y1, y2 }
+    }
+
+    /// Where a side's interior point and its boundary point are.
+    fn places_of_dots(&self, side: Side) -> [Option<[f32; 2]>; 2] {
+        let places = if self.model.surface(side).is_some() {
+            let orbit = &self.pictures.orbits[side];
+            [self.model.surface_point(side), self.model.surface_anchor(side)].map(|point| orbit.to_screen(point?))
+        } else {
+            let view = &self.pictures.views[side];
+            [self.model.interior(side), self.model.anchor(side)].map(|point| Some(view.to_screen(point?)))
+        };
+        places.map(|place| place.map(|place| self.css_pixels(place)))
     }
 
     /// A place on the screen as the page measures it.
     fn css_pixels(&self, place: egui::Pos2) -> [f32; 2] {
-        [place.x * self.zoom, place.y * self.zoom]
+        [place.x * self.screen.zoom, place.y * self.screen.zoom]
     }
 
     /// All that is said to be wrong: beside the inputs, over the pictures, in the panel and in the windows.
@@ -60,9 +70,10 @@ impl RiemapApp {
             .flat_map(|side| self.model.user_errors(side))
             .map(|user_error| user_error.text.clone());
         let map = self.model.map_error().map(|(_, text)| text.clone());
-        let inputs = sides.chain(map).chain(self.message.clone());
+        let inputs = sides.chain(map).chain(self.messages.common.clone());
         let panel = overlays::panel::errors(&self.model).cloned();
-        let windows = self.editor.errors().chain(self.reports.errors()).cloned().chain(self.exporter.errors());
+        let windows =
+            self.editor.errors().chain(self.windows.reports.errors()).cloned().chain(self.windows.exporter.errors());
         inputs.chain(panel).chain(windows).collect()
     }
 
@@ -72,7 +83,7 @@ impl RiemapApp {
 
     /// Where the Cauchy–Green extension in the picture comes from, if it is asked for.
     pub(super) fn cauchy_green(&self) -> Option<Processor> {
-        let on_gpu = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
+        let on_gpu = self.pictures.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
         let asked = self.model.session().extension() == Extension::CauchyGreen;
         asked.then_some(if on_gpu { Processor::Gpu } else { Processor::Cpu })
     }

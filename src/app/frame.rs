@@ -5,7 +5,6 @@ use super::arrangement::Arrangement;
 use super::incoming::WORDS_FOLLOW_AFTER;
 use super::input::action::Actions;
 use super::{RiemapApp, layout, pictures};
-use crate::app::accessibility;
 use crate::app::viewport::gpu::Gpu;
 use crate::conformal::Side;
 use crate::language::key;
@@ -13,17 +12,17 @@ use crate::model::{Changes, Refines};
 use crate::platform;
 
 /// How long the map must rest before an expensive quality is computed, in seconds.
-const REST_SECONDS: f64 = 0.15;
+pub(super) const REST_SECONDS: f64 = 0.15;
 
 impl RiemapApp {
     /// Lays out the panels and takes in gestures and keys: what the person asks for, and how the screen is divided.
     pub(super) fn take_input(&mut self, ui: &mut egui::Ui, cpu_usage: Option<f32>) -> (Arrangement, Actions) {
         self.take_dropped(ui.ctx());
-        self.zoom = ui.ctx().zoom_factor();
-        self.theme = ui.ctx().theme();
+        self.screen.zoom = ui.ctx().zoom_factor();
+        self.screen.theme = ui.ctx().theme();
         let timings = self.model.shown().map(|map| map.timings).unwrap_or_default();
         let compute = timings.kernel + timings.matching + timings.extend;
-        self.meter.tick(ui.input(|input| input.unstable_dt), cpu_usage, compute);
+        self.screen.meter.tick(ui.input(|input| input.unstable_dt), cpu_usage, compute);
         let (arrangement, asked) = layout::show(self, ui);
         // what a hand moved comes before what a key or a panel asks: an undo takes it back, and not the other way round
         let mut actions = Actions::new();
@@ -40,11 +39,11 @@ impl RiemapApp {
     /// Sends what is due to the workers, updates the map, uploads.
     pub(super) fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
-        self.editor.follow(&mut self.model, &mut self.views);
-        if let Some(study) = self.reports.take_study() {
-            self.study_runner.begin(study);
+        self.editor.follow(&mut self.model, &mut self.pictures.views);
+        if let Some(study) = self.windows.reports.take_study() {
+            self.workers.study_runner.begin(study);
         }
-        let is_held = self.handles.grip.is_some();
+        let is_held = self.input.handles.grip.is_some();
         if is_held {
             self.player.pause();
         }
@@ -58,7 +57,7 @@ impl RiemapApp {
         }
         // after the map: what is in a hand is prepared anew as soon as the picture shows it, in the same frame
         for (side, request) in self.model.take_requests(now) {
-            self.preparer.request(side, request);
+            self.workers.preparer.request(side, request);
         }
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
@@ -73,8 +72,8 @@ impl RiemapApp {
                 self.model.surface_side(side).sort_at_rest();
             }
             if self.model.is_ready() {
-                self.preparer.warm();
-                self.gpu.iter().for_each(Gpu::warm);
+                self.workers.preparer.warm();
+                self.pictures.gpu.iter().for_each(Gpu::warm);
             }
         }
         if self.model.is_pending() {
@@ -96,7 +95,7 @@ impl RiemapApp {
         self.work_on_export(context);
         self.describe(context, now);
         self.keep(context);
-        self.cells.update(&self.model, self.gpu.as_ref(), context.pixels_per_point());
+        self.pictures.cells.update(&self.model, self.pictures.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
     }
 
@@ -104,7 +103,7 @@ impl RiemapApp {
     fn refit(&mut self, context: &egui::Context) {
         for side in Side::BOTH {
             if self.model.take_refit(side) {
-                self.views[side as usize].fit();
+                self.pictures.views[side].fit();
                 if self.model.surface(side).is_some() {
                     self.look_at_surface(side);
                 } else {
@@ -125,28 +124,12 @@ impl RiemapApp {
         }
     }
 
-    /// Tells those who hear the screen what is on it, whenever something else is and has come to rest.
-    fn describe(&mut self, context: &egui::Context, now: f64) {
-        let rested = now - self.last_change;
-        if rested < REST_SECONDS {
-            // a drag collects no news
-            context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
-            return;
-        }
-        let news = (self.model.generation(), self.model.is_ready(), self.errors(), self.explore.step());
-        let news = (news, self.preferences, self.notice.as_ref().map(|(_, until)| until.to_bits()));
-        if self.described.as_ref() == Some(&news) {
-            return;
-        }
-        platform::describe(&accessibility::state(self));
-        self.described = Some(news);
-    }
-
     /// Another surface is seen from where it shows the most.
     fn look_at_surface(&mut self, side: Side) {
+        let orbit = &mut self.pictures.orbits[side];
         let seen = self.model.surface(side);
-        if let Some(camera) = seen.and_then(|(surface, state)| surface.first_view(state, self.orbit.aspect())) {
-            self.orbit.look(camera);
+        if let Some(camera) = seen.and_then(|(surface, state)| surface.first_view(state, orbit.aspect())) {
+            orbit.look(camera);
         }
     }
 
@@ -154,12 +137,12 @@ impl RiemapApp {
     /// where the processor draws, it would keep the first from the screen.
     fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
         context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
-        if let Some(gpu) = &mut self.gpu
+        if let Some(gpu) = &mut self.pictures.gpu
             && !gpu.upload(&self.model, changes)
         {
-            self.message = Some(key::surface_too_large_to_show().into());
+            self.messages.common = Some(key::surface_too_large_to_show().into());
         }
-        let extended = self.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
+        let extended = self.pictures.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
         self.model.set_refines(if extended { Refines::AtRest } else { Refines::InRefresh });
     }
 }

@@ -5,6 +5,7 @@ use crate::app::input::locks::Control;
 use crate::app::input::presentation;
 use crate::app::panels::offer::Offer;
 use crate::app::viewport::gpu::Gpu;
+use crate::app::viewport::pictures::TextureImage;
 use crate::conformal::Side;
 use crate::language::{Message, key};
 use crate::model::editing::tracing;
@@ -22,7 +23,7 @@ impl RiemapApp {
     /// What happened since the last frame; the panels follow in another one, but for stages, of which they say
     /// nothing. That frame waits a little: where the processor draws, it would keep the pictures from the screen.
     pub(super) fn take_events(&mut self, context: &egui::Context) {
-        while let Ok(event) = self.events.try_recv() {
+        while let Ok(event) = self.workers.events.try_recv() {
             if !event.is_stage() {
                 context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
             }
@@ -35,7 +36,7 @@ impl RiemapApp {
                     }
                 }
                 Event::WorkerDied { side, reason } => self.model.worker_died(side, &reason),
-                Event::Found { study, finding } => self.reports.accept(study, finding),
+                Event::Found { study, finding } => self.windows.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
                 Event::Link(address) => {
                     if self.may(Control::Session) {
@@ -44,9 +45,9 @@ impl RiemapApp {
                         self.correct_address();
                     }
                 }
-                Event::GraphicsLost(reason) => self.message = Some(presentation::graphics_lost(&reason)),
+                Event::GraphicsLost(reason) => self.messages.common = Some(presentation::graphics_lost(&reason)),
                 Event::Image { purpose, name, pixels } => self.take_image(purpose, name, pixels),
-                Event::NotSaved { name, reason } => self.message = Some(key::not_saved(name, reason)),
+                Event::NotSaved { name, reason } => self.messages.common = Some(key::not_saved(name, reason)),
             }
         }
     }
@@ -56,18 +57,18 @@ impl RiemapApp {
         self.read_file(purpose, name, bytes);
         let requests = self.model.take_requests(f64::NEG_INFINITY);
         if requests.is_empty() {
-            self.mailbox.wake();
+            self.workers.mailbox.wake();
         } else {
             // a frame would show little that is new, and take the processor from the worker
-            self.mailbox.wake_for_stages();
+            self.workers.mailbox.wake_for_stages();
         }
         for (side, request) in requests {
-            self.preparer.request(side, request);
+            self.workers.preparer.request(side, request);
         }
     }
 
     fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
-        let limit = self.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
+        let limit = self.pictures.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
         let content = files::read(purpose, name, bytes);
         if !locked_by(&content, purpose).iter().all(|&control| self.may(control)) {
             return;
@@ -80,9 +81,9 @@ impl RiemapApp {
         }
         match content {
             Ok(Content::Image { name, bytes }) => {
-                self.message = None;
+                self.messages.common = None;
                 let limit = if matches!(purpose, FilePurpose::Trace(_)) { tracing::MAX_SIDE } else { limit };
-                platform::decode_image(purpose, name, bytes, limit, self.mailbox.clone());
+                platform::decode_image(purpose, name, bytes, limit, self.workers.mailbox.clone());
             }
             content => self.take(content),
         }
@@ -113,16 +114,16 @@ impl RiemapApp {
             (_, Ok(pixels)) => {
                 let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
                 let picture = Picture { name, pixels };
-                self.offer = Some(Offer::new(side, &picture));
+                self.messages.offer = Some(Offer::new(side, &picture));
                 self.use_image(picture);
             }
-            (_, Err(reason)) => self.message = Some(key::about(name, reason)),
+            (_, Err(reason)) => self.messages.common = Some(key::about(name, reason)),
         }
     }
 
     /// Traces the picture that has just become the texture.
     pub(super) fn trace_image(&mut self) {
-        if let Some(offer) = self.offer.take() {
+        if let Some(offer) = self.messages.offer.take() {
             self.persistence.touch();
             self.take(offer.accept());
         }
@@ -133,7 +134,7 @@ impl RiemapApp {
             Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
             Ok(Content::Image { .. }) => {} // is decoded first
             Ok(Content::Session(session)) => {
-                self.message = None;
+                self.messages.common = None;
                 self.open_session(*session);
             }
             Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(Side::Target, &name, bytes),
@@ -141,7 +142,7 @@ impl RiemapApp {
                 self.model.dismiss(side);
                 self.model.side_mut(side).error = Some(user_error);
             }
-            Err(FileError::Common(message)) => self.message = Some(message),
+            Err(FileError::Common(message)) => self.messages.common = Some(message),
         }
     }
 
@@ -156,29 +157,30 @@ impl RiemapApp {
 
     /// Says that a control is locked.
     pub(super) fn refuse(&mut self, control: Control) {
-        self.message = Some(key::address_keeps(control.name()));
+        self.messages.common = Some(key::address_keeps(control.name()));
     }
 
     pub(super) fn use_image(&mut self, picture: Picture) {
         let (width, height) = picture.pixels.dimensions();
-        let used = self.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(picture.pixels.as_raw(), width, height));
+        let used =
+            self.pictures.gpu.as_ref().map_or(Ok(()), |gpu| gpu.set_image(picture.pixels.as_raw(), width, height));
         match used {
             Ok(()) => {
-                self.image_name = Some(picture.name);
-                self.image = Some(Arc::new(picture.pixels));
+                let Picture { name, pixels } = picture;
+                self.pictures.image = Some(TextureImage { name, pixels: Arc::new(pixels) });
                 self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
             }
-            Err(error) => self.message = Some(key::about(picture.name, Message::from(&error))),
+            Err(error) => self.messages.common = Some(key::about(picture.name, Message::from(&error))),
         }
     }
 
     /// Reads the files that were dropped, for the side that they were dropped over.
     pub(super) fn take_dropped(&mut self, context: &egui::Context) {
         let place = platform::drop_position(context);
-        let over_target = place.is_some_and(|place| self.views[Side::Target as usize].rect.contains(place));
+        let over_target = place.is_some_and(|place| self.pictures.views[Side::Target].rect.contains(place));
         let side = if over_target { Side::Target } else { Side::Source };
-        for file in self.dropped.drain(..) {
-            platform::read_dropped(file, side, self.mailbox.clone());
+        for file in self.input.dropped.drain(..) {
+            platform::read_dropped(file, side, self.workers.mailbox.clone());
         }
     }
 }
@@ -255,17 +257,17 @@ mod tests {
         let context = harness.ctx.clone();
         let begin = |app: &mut RiemapApp| {
             app.carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
-            assert!(app.explore.is_touring());
+            assert!(app.windows.explore.is_touring());
         };
         let app = harness.state_mut();
         begin(app);
         app.take_file(FilePurpose::Outline(Side::Source), "bow.csv", Ok(b"0,0\n1,1\n1,0\n0,1\n".to_vec()));
-        assert!(app.explore.is_touring() && !app.errors().is_empty());
+        assert!(app.windows.explore.is_touring() && !app.errors().is_empty());
         app.open_session(Session::default());
-        assert!(!app.explore.is_touring());
+        assert!(!app.windows.explore.is_touring());
         begin(app);
         app.take_file(FilePurpose::Outline(Side::Source), "square.csv", Ok(b"0,0\n1,0\n1,1\n0,1\n".to_vec()));
-        assert!(!app.explore.is_touring());
+        assert!(!app.windows.explore.is_touring());
     }
 
     #[test]
@@ -276,7 +278,7 @@ mod tests {
         let mut take = |name: &str, bytes: Vec<u8>| {
             harness.state_mut().take_file(FilePurpose::Outline(Side::Target), name, Ok(bytes));
             step_until(&mut harness, |app| !app.model.surface_side(Side::Target).preparation.is_busy());
-            (harness.state().explore.is_touring(), harness.state().errors().len())
+            (harness.state().windows.explore.is_touring(), harness.state().errors().len())
         };
         assert_eq!(take("broken.obj", b"v 0 0 0\nf 1 2 3\n".to_vec()), (true, 1));
         assert_eq!(take("head.obj", surface_file()), (false, 0));
@@ -290,7 +292,7 @@ mod tests {
         app.carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
         app.carry_out(&context, vec![Action::Explore(ExploreAction::LeaveTour { keeps: false })]);
-        assert!(!app.explore.is_touring() && app.model.surface_side(Side::Target).preparation.is_busy());
+        assert!(!app.windows.explore.is_touring() && app.model.surface_side(Side::Target).preparation.is_busy());
         step_until(&mut harness, |app| app.surface_file().is_some());
     }
 
@@ -324,17 +326,17 @@ mod tests {
         let outline = crate::session::OutlineSpec::Points { name: "big".into(), polygon: points.try_into().unwrap() };
         session.apply(Command::SetOutline { side: Side::Source, outline });
         app.try_link(&crate::session::link::encode(&session).unwrap().fragment).unwrap();
-        let asked = app.message.clone();
+        let asked = app.messages.common.clone();
         assert!(asked.as_ref().is_some_and(|asked| asked.english().contains("\"big\"")));
         app.open_link("#s=1.nonsense");
-        assert_ne!(app.message, asked);
+        assert_ne!(app.messages.common, asked);
         app.carry_out(&context, vec![Action::DismissMessage]);
-        assert_eq!(app.message, asked);
+        assert_eq!(app.messages.common, asked);
         app.carry_out(&context, vec![Action::DismissMessage]);
-        assert_eq!(app.message, None);
+        assert_eq!(app.messages.common, None);
         app.open_link("#s=1.nonsense");
         app.carry_out(&context, vec![Action::DismissMessage]);
-        assert_eq!(app.message, None, "it has been closed");
+        assert_eq!(app.messages.common, None, "it has been closed");
     }
 
     #[test]
@@ -349,7 +351,7 @@ mod tests {
     #[test]
     fn after_what_has_come_in_the_panels_get_another_frame_and_stages_wait() {
         let mut harness = app_at_rest();
-        let mailbox = harness.state().mailbox.clone();
+        let mailbox = harness.state().workers.mailbox.clone();
         let mut asks_for_a_frame = |event| {
             let context = egui::Context::default();
             for _ in 0..3 {

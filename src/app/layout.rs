@@ -31,16 +31,16 @@ const SHEET_SHARE: f32 = 0.42;
 /// ask for. Changes nothing but what the screen alone knows.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
     let narrow = ui.available_width() < PHONE_WIDTH;
-    theme::suit_pointer(ui.ctx(), narrow || app.has_fingers || ui.input(egui::InputState::has_touch_screen));
+    theme::suit_pointer(ui.ctx(), narrow || app.screen.has_fingers || ui.input(egui::InputState::has_touch_screen));
     let mut actions = Actions::new();
     app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
     presentation::keys(ui, &mut actions);
-    editing::keys(ui, &app.editor, &app.views, &mut actions);
+    editing::keys(ui, &app.editor, &app.pictures.views, &mut actions);
     actions.extend(editing::pasted(ui).map(Action::PasteText));
     play_panel::keys(ui, &mut actions);
-    if app.panels_open {
+    if app.screen.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
             sheet(app, ui, &mut actions);
@@ -50,7 +50,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
     }
     if app.options.embed {
         // the page's link to the whole app lies there
-        let strip = if app.has_fingers { theme::FINGER_HEIGHT } else { LINK_STRIP };
+        let strip = if app.screen.has_fingers { theme::FINGER_HEIGHT } else { LINK_STRIP };
         let frame = Frame::new().fill(Palette::of(ui.visuals()).panel);
         Panel::bottom("link").exact_size(strip).resizable(false).frame(frame).show(ui, |_| {});
     }
@@ -58,8 +58,8 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
         dock(app, ui);
     }
     message_bar::begin(app, ui);
-    let yields = app.message_bar.has_message() || app.editor.side().is_some();
-    app.explore.show_tour(ui, yields, &mut actions);
+    let yields = app.messages.bar.has_message() || app.editor.side().is_some();
+    app.windows.explore.show_tour(ui, yields, &mut actions);
     let arrangement = Arrangement::new(ui, narrow);
     message_bar::show(app, ui, &mut actions);
     (arrangement, actions)
@@ -84,13 +84,13 @@ fn bar_frame(palette: &Palette) -> Frame {
 fn bars(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     Panel::top("top").exact_size(46.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
-        top_bar::show(ui, &app.model, &app.persistence, app.preferences, narrow, actions);
+        top_bar::show(ui, &app.model, &app.persistence, app.screen.preferences, narrow, actions);
     });
-    let (backend, adapter) = app.gpu.as_ref().map(|gpu| (gpu.backend(), gpu.adapter())).unwrap_or_default();
+    let (backend, adapter) = app.pictures.gpu.as_ref().map(|gpu| (gpu.backend(), gpu.adapter())).unwrap_or_default();
     let extension = app.cauchy_green().map(|processor| words::cauchy_green(processor, app.model.extension_progress()));
     let backend = extension.into_iter().chain([backend]).collect::<Vec<_>>().join(" · ");
     Panel::bottom("status").exact_size(26.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
-        status::show(ui, &app.model, &app.meter, &backend, &adapter, narrow);
+        status::show(ui, &app.model, &app.screen.meter, &backend, &adapter, narrow);
     });
 }
 
@@ -100,9 +100,13 @@ fn panel(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     Panel::left("controls").exact_size(PANEL_WIDTH).resizable(false).frame(frame).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             ui.set_max_width(ui.available_width() - SCROLL_BAR);
-            side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
+            side_panel::show(ui, &app.model, &app.player, image_name(app), actions);
         });
     });
+}
+
+fn image_name(app: &RiemapApp) -> Option<&str> {
+    app.pictures.image.as_ref().map(|image| image.name.as_str())
 }
 
 /// The plots below the viewports; they stay when the panels fold away.
@@ -117,12 +121,12 @@ fn dock(app: &mut RiemapApp, ui: &mut Ui) {
 
 fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
-    let open = ui.ctx().animate_bool(Id::unique("sheet open"), app.sheet_open);
+    let open = ui.ctx().animate_bool(Id::unique("sheet open"), app.screen.sheet_open);
     let height = SHEET_HANDLE + open * SHEET_SHARE * ui.ctx().content_rect().height();
     Panel::bottom("sheet").exact_size(height).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
         let plots = app.model.session().plots();
-        if let Some(asked) = sheet_tabs(ui, app.sheet_open, plots) {
-            app.sheet_open = !(app.sheet_open && asked == plots);
+        if let Some(asked) = sheet_tabs(ui, app.screen.sheet_open, plots) {
+            app.screen.sheet_open = !(app.screen.sheet_open && asked == plots);
             actions.push(Action::Session(Command::SetPlots(asked)));
         }
         if open > 0.0 && plots {
@@ -131,7 +135,7 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         } else if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
-                side_panel::show(ui, &app.model, &app.player, app.image_name.as_deref(), actions);
+                side_panel::show(ui, &app.model, &app.player, image_name(app), actions);
                 ui.add_space(10.0);
             });
         }

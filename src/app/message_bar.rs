@@ -3,6 +3,7 @@
 
 use crate::app::RiemapApp;
 use crate::app::input::action::{Action, Actions};
+use crate::app::messages::Notice;
 use crate::app::panels::offer;
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::{message_box, notice_box};
@@ -48,14 +49,15 @@ impl MessageBar {
 
 /// Decides what this frame shows of message and offer.
 pub fn begin(app: &mut RiemapApp, ui: &Ui) {
-    offer::expire(ui, &mut app.offer);
+    offer::expire(ui, &mut app.messages.offer);
     let held = ui.input(|input| input.pointer.any_down());
-    app.message_bar.take_in(app.message.as_ref(), app.offer.is_some(), held);
+    app.messages.bar.take_in(app.messages.common.as_ref(), app.messages.offer.is_some(), held);
 }
 
 /// Asks for another frame if there is more to show by now; where something is held, its release does.
 pub fn end(app: &RiemapApp, context: &Context) {
-    let has_changed = app.message_bar.message != app.message || app.message_bar.has_offer != app.offer.is_some();
+    let has_changed =
+        app.messages.bar.message != app.messages.common || app.messages.bar.has_offer != app.messages.offer.is_some();
     if has_changed && !context.input(|input| input.pointer.any_down()) {
         context.request_repaint();
     }
@@ -63,7 +65,7 @@ pub fn end(app: &RiemapApp, context: &Context) {
 
 /// Shows what was decided.
 pub fn show(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
-    let MessageBar { message, has_offer } = &app.message_bar;
+    let MessageBar { message, has_offer } = &app.messages.bar;
     if message.is_none() && !has_offer {
         return;
     }
@@ -87,7 +89,7 @@ pub fn show(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
 
 /// Shows what has gone well over the middle of the pictures, for a while.
 pub fn notice(app: &RiemapApp, ui: &mut Ui) {
-    let Some((text, until)) = app.notice else { return };
+    let Some(Notice { text, until }) = app.messages.notice else { return };
     let left = until - ui.input(|input| input.time);
     if left <= 0.0 {
         return;

@@ -21,112 +21,66 @@ pub mod language;
 mod layout;
 mod menus;
 mod message_bar;
+mod messages;
 mod overlays;
 mod panels;
 mod pictures;
 mod plots;
+mod screen;
 mod sessions;
 mod startup;
 mod status;
 mod theme;
 mod viewport;
 mod windows;
+mod workers;
 
 pub use host::start;
 pub use input::action::{Action, Actions};
 pub use startup::Startup;
 pub use status::stats::Stats;
 
-use crate::language::{Label, Message};
 use crate::model::motion::Player;
 use crate::model::persistence::Persistence;
 use crate::model::{Model, pattern};
-use crate::platform::{self, Event, Mailbox, Preparer, StudyRunner};
+use crate::platform;
 use crate::render::TextureStyle;
 use crate::session::Session;
 use announced::Announced;
 use editing::Editor;
-use image::RgbaImage;
+use input::Input;
 use input::action::Report;
 use input::address_options::AddressOptions;
-use input::handles::HandleState;
-use input::keyboard::Keyboard;
 use input::locks::Control;
-use input::preferences::Preferences;
 use input::presentation;
-use input::touches::Touches;
-use message_bar::MessageBar;
-use panels::offer::Offer;
+use messages::Messages;
 use plots::Plots;
-use status::FrameMeter;
-use std::sync::{Arc, mpsc};
-use viewport::cells::CellUploads;
+use screen::Screen;
 use viewport::gpu::Gpu;
-use viewport::surface::OrbitView;
-use viewport::view::View;
-use windows::explore::Explore;
-use windows::exporting::Exporter;
-use windows::reports::Reports;
+use viewport::pictures::Pictures;
+use windows::Windows;
+use workers::Workers;
 
 /// Below this width (in points) the controls become a sheet.
 pub const PHONE_WIDTH: f32 = 700.0;
 
-/// How long a notice is shown, in seconds: two words are read in one, once they have been seen.
-const NOTICE_SECONDS: f64 = 3.0;
-
-/// What those who hear the screen are told about: the map, whether it is there, messages, the tour; how; a notice.
-type News = ((u64, bool, Vec<Message>, Option<usize>), Preferences, Option<u64>);
-
 /// The app.
 pub struct RiemapApp {
     model: Model,
-    preparer: Preparer,
-    mailbox: Mailbox,
-    events: mpsc::Receiver<Event>,
-    /// Files that were dropped since the last frame.
-    dropped: Vec<egui::DroppedFileHandle>,
-    gpu: Option<Gpu>,
-    views: [View; 2],
-    /// How the surface is seen that may stand in the target's place.
-    orbit: OrbitView,
-    cells: CellUploads,
+    workers: Workers,
+    input: Input,
+    pictures: Pictures,
     plots: Plots,
-    handles: HandleState,
     editor: Editor,
-    meter: FrameMeter,
-    options: AddressOptions,
-    panels_open: bool,
-    sheet_open: bool,
-    keyboard: Keyboard,
-    touches: Touches,
-    /// How many times a control was said, and which theme is shown: for [`Stats`].
-    spoken: u64,
-    theme: egui::Theme,
-    has_fingers: bool,
-    /// What there was to tell when the picture was described.
-    described: Option<News>,
-    explore: Explore,
-    persistence: Persistence,
-    announced: Announced,
-    reports: Reports,
-    study_runner: StudyRunner,
     player: Player,
-    exporter: Exporter,
-    image_name: Option<String>,
-    /// The picture that can be traced now.
-    offer: Option<Offer>,
-    /// The texture of that name.
-    image: Option<Arc<RgbaImage>>,
-    /// What is wrong and belongs to neither side: an image, a file that was to be saved, a link, what is locked.
-    message: Option<Message>,
-    /// What is there to read below the pictures.
-    message_bar: MessageBar,
-    /// What has gone well and cannot be seen, and when it need not be said any more.
-    notice: Option<(Label, f64)>,
-    preferences: Preferences,
+    windows: Windows,
+    screen: Screen,
+    messages: Messages,
+    announced: Announced,
+    persistence: Persistence,
+    options: AddressOptions,
+    /// When the map last changed, in seconds.
     last_change: f64,
-    /// How much larger than usual everything is.
-    zoom: f32,
 }
 
 impl RiemapApp {
@@ -145,49 +99,25 @@ impl RiemapApp {
         }
         let mut persistence = Persistence::new(model.session().clone(), resumes);
         persistence.open_link(missing, platform::link());
-        let (mut reports, study_runner) = (Reports::default(), StudyRunner::new(mailbox.clone()));
+        let mut windows = Windows::default();
         if options.bench {
-            reports.open(Report::Bench);
+            windows.reports.open(Report::Bench);
         }
         Ok(Self {
             model,
-            preparer,
-            mailbox,
-            events,
-            dropped: Vec::new(),
-            gpu: creation.wgpu_render_state.clone().map(Gpu::new),
-            views: [View::default(), View::default()],
-            orbit: OrbitView::default(),
-            cells: CellUploads::default(),
+            workers: Workers::new(preparer, mailbox, events),
+            input: Input::default(),
+            pictures: Pictures { gpu: creation.wgpu_render_state.clone().map(Gpu::new), ..Pictures::default() },
             plots: Plots::default(),
-            handles: HandleState::default(),
             editor: Editor::default(),
-            meter: FrameMeter::default(),
-            panels_open: !options.embed,
-            sheet_open: false,
-            keyboard: Keyboard::default(),
-            touches: Touches::default(),
-            spoken: 0,
-            theme: egui::Theme::Dark,
-            has_fingers: platform::has_fingers(),
-            described: None,
-            explore: Explore::default(),
-            persistence,
-            announced: Announced::default(),
-            reports,
-            study_runner,
             player: Player::default(),
-            exporter: Exporter::default(),
-            image_name: None,
-            offer: None,
-            image: None,
-            message: presentation::with_user_errors(message, &options),
-            message_bar: MessageBar::default(),
+            windows,
+            screen: Screen::new(preferences, !options.embed, platform::has_fingers()),
+            messages: Messages { common: presentation::with_user_errors(message, &options), ..Messages::default() },
+            announced: Announced::default(),
+            persistence,
             options,
-            notice: None,
-            preferences,
             last_change: 0.0,
-            zoom: 1.0,
         })
     }
 
@@ -209,7 +139,7 @@ impl RiemapApp {
     }
 
     fn texture_style(&self, dark: bool) -> Option<TextureStyle> {
-        pattern::style(&self.model, self.image_name.is_some(), dark)
+        pattern::style(&self.model, self.pictures.image.is_some(), dark)
     }
 }
 
@@ -225,10 +155,10 @@ impl eframe::App for RiemapApp {
     }
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
-        self.touches.take_in(&mut input.events);
+        self.input.touches.take_in(&mut input.events);
         // egui would draw two frames for what stays in here
-        self.dropped.append(&mut input.dropped_files);
-        let folds = self.keyboard.take_in(context, input);
+        self.input.dropped.append(&mut input.dropped_files);
+        let folds = self.input.keyboard.take_in(context, input);
         if folds % 2 == 1 {
             self.fold_panels(context);
         }

@@ -20,14 +20,14 @@ pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, acti
     place_views(app, ui, arrangement);
     let mut pointed = None;
     for side in Side::BOTH {
-        let view = &mut app.views[side as usize];
+        let view = &mut app.pictures.views[side];
         let boundary = if app.editor.side() == Some(side) {
-            editing::interact(ui, side, &app.model, view, &mut app.editor, &mut app.handles, actions);
+            editing::interact(ui, side, &app.model, view, &mut app.editor, &mut app.input.handles, actions);
             None
         } else if scene_of(&app.model, side).is_some() {
-            surface::viewport::interact(ui, &app.model, &mut app.orbit, &mut app.handles, actions)
+            surface::viewport::interact(ui, &app.model, &mut app.pictures.orbits[side], &mut app.input.handles, actions)
         } else {
-            planar::interact(ui, side, &app.model, view, &mut app.handles, actions)
+            planar::interact(ui, side, &app.model, view, &mut app.input.handles, actions)
         };
         pointed = pointed.or(boundary.map(|fraction| (side, fraction)));
     }
@@ -45,9 +45,9 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement) {
     place_views(app, ui, arrangement);
     paint(app, ui, arrangement, &mut actions);
     message_bar::notice(app, ui);
-    app.reports.show(&context);
+    app.windows.reports.show(&context);
     editing::show_paste(&context, &mut app.editor, &mut actions);
-    app.explore.show(&context, &mut actions);
+    app.windows.explore.show(&context, &mut actions);
     app.show_exporter(&context, &mut actions);
     app.carry_out(&context, actions);
 }
@@ -58,10 +58,10 @@ fn place_views(app: &mut RiemapApp, ui: &Ui, arrangement: Arrangement) {
     for side in Side::BOTH {
         let rect = rects[side as usize];
         let margins = arrangement.margins(app, ui, side, rect);
-        let view = &mut app.views[side as usize];
+        let view = &mut app.pictures.views[side];
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
         if let Some(scene) = scene_of(&app.model, side) {
-            app.orbit.place(view.rect, ui.pixels_per_point(), scene);
+            app.pictures.orbits[side].place(view.rect, ui.pixels_per_point(), scene);
         }
     }
 }
@@ -73,17 +73,17 @@ fn scene_of(model: &Model, side: Side) -> Option<BoundingSphere> {
 
 fn paint(app: &RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {
     let dark = ui.visuals().dark_mode;
-    if let Some(gpu) = &app.gpu {
+    if let Some(gpu) = &app.pictures.gpu {
         gpu.set_stroke(dark, ui.pixels_per_point());
     }
-    let style = app.texture_style(dark).filter(|_| app.gpu.is_some());
+    let style = app.texture_style(dark).filter(|_| app.pictures.gpu.is_some());
     for side in Side::BOTH {
         paint_map(app, ui, side, style.as_ref());
         let title = paint_words(app, ui, side, arrangement, actions);
         paint_handles(app, ui, side);
         show_tools(app, ui, side, arrangement, title, actions);
     }
-    let a = app.views[0].rect;
+    let a = app.pictures.views.source.rect;
     let edge =
         if arrangement.stacked { [a.left_bottom(), a.right_bottom()] } else { [a.right_top(), a.right_bottom()] };
     ui.painter().line_segment(edge, Stroke::new(1.0, Palette::of(ui.visuals()).border));
@@ -95,13 +95,13 @@ fn is_solid(app: &RiemapApp, side: Side) -> bool {
 }
 
 fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>) {
-    let view = &app.views[side as usize];
+    let view = &app.pictures.views[side];
     let now = ui.input(|input| input.time);
-    let pace = app.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
+    let pace = app.pictures.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
     if is_solid(app, side) {
         // until its first map is there, the GPU may have another one
         let style = style.filter(|_| app.model.map().is_some());
-        surface::viewport::paint_surface(ui, &app.orbit, style, app.cells.style(), pace);
+        surface::viewport::paint_surface(ui, &app.pictures.orbits[side], style, app.pictures.cells.style(), pace);
     } else {
         planar::paint_mesh(ui, side, view, style, pace);
     }
@@ -110,17 +110,17 @@ fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>)
 
 /// Title, buttons and legends; returns how far down the title reaches.
 fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangement, actions: &mut Actions) -> f32 {
-    let view = &app.views[side as usize];
+    let view = &app.pictures.views[side];
     let tight = arrangement.is_tight(view.rect);
     let around = Surroundings {
-        has_room: !arrangement.narrow && header::has_room(ui, app.views[0].rect.width()),
+        has_room: !arrangement.narrow && header::has_room(ui, app.pictures.views.source.rect.width()),
         edited: app.editor.reshaped_side(),
-        folded: !app.panels_open,
+        folded: !app.screen.panels_open,
         embedded: app.options.embed,
     };
-    let is_fitted = if is_solid(app, side) { app.orbit.is_fitted() } else { view.is_fitted() };
+    let is_fitted = if is_solid(app, side) { app.pictures.orbits[side].is_fitted() } else { view.is_fitted() };
     let title = header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
-    let scale = app.cells.scale().filter(|_| side == LEGEND_SIDE);
+    let scale = app.pictures.cells.scale().filter(|_| side == LEGEND_SIDE);
     if !tight {
         let beside = scale.map_or(0.0, |_| legend::width(view.rect, tight));
         header::legend(ui, side, &app.model, view, beside);
@@ -134,29 +134,33 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
 
 /// The dots, what a plot points at, and what is edited.
 fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
-    let view = &app.views[side as usize];
+    let view = &app.pictures.views[side];
     let marked = app.plots.marked().map(|marked| marked[side as usize]);
     if app.editor.drawing(side).is_some() {
         // the dots are those of the outline under the sheet
     } else if is_solid(app, side) {
-        marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.orbit, at));
-        surface::viewport::paint_dots(ui, &app.model, &app.orbit, &app.handles);
+        marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.pictures.orbits[side], at));
+        surface::viewport::paint_dots(ui, &app.model, &app.pictures.orbits[side], &app.input.handles);
     } else {
         marked.inspect(|&at| planar::paint_boundary_mark(ui, side, &app.model, view, at));
-        planar::paint_dots(ui, side, &app.model, view, &app.handles);
+        planar::paint_dots(ui, side, &app.model, view, &app.input.handles);
     }
     editing::paint(ui, side, view, &app.editor);
-    if side == Side::Source && !app.handles.ever_dragged && app.model.shown().is_some() && app.editor.side().is_none() {
+    if side == Side::Source
+        && !app.input.handles.ever_dragged
+        && app.model.shown().is_some()
+        && app.editor.side().is_none()
+    {
         planar::paint_hint(ui, &app.model, view);
     }
 }
 
 /// What lies over all of a picture: messages from below its `title` on, the edit bar, frames and progress.
 fn show_tools(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangement, title: f32, actions: &mut Actions) {
-    let view = &app.views[side as usize];
+    let view = &app.pictures.views[side];
     header::messages(ui, side, &app.model, arrangement.message_room(app, ui, side, title), actions);
     editing::show_bar(ui, side, view, arrangement.edit_room(app, side, view.rect), &app.editor, actions);
-    planar::paint_focus(ui, side, view.rect, &app.handles);
+    planar::paint_focus(ui, side, view.rect, &app.input.handles);
     planar::paint_progress(ui, side, &app.model, view.rect);
     planar::paint_drop_target(ui, side, view.rect);
 }

@@ -1,6 +1,7 @@
 //! What the app does with whole sessions: steps, files, links, and keeping them.
 
-use super::{NOTICE_SECONDS, RiemapApp};
+use super::RiemapApp;
+use super::messages::Notice;
 use crate::language::{Message, key};
 use crate::model::persistence;
 use crate::model::persistence::Persistence;
@@ -20,19 +21,19 @@ impl RiemapApp {
     /// the caller to say.
     pub(super) fn show_session(&mut self, session: Session) {
         self.player.pause();
-        self.handles.release();
+        self.input.handles.release();
         self.editor.drop_handle();
         self.model.dispatch(Command::Open(Box::new(session)), 0.0);
-        self.mailbox.wake();
+        self.workers.mailbox.wake();
     }
 
     pub(super) fn save_session(&mut self) {
         match file::write(self.model.session()) {
             Ok(text) => {
                 let name = format!("map.{}", file::EXTENSION);
-                platform::save_file(&name, text.into_bytes(), self.mailbox.clone());
+                platform::save_file(&name, text.into_bytes(), self.workers.mailbox.clone());
             }
-            Err(error) => self.message = Some(key::session_not_saved(Message::from(&error))),
+            Err(error) => self.messages.common = Some(key::session_not_saved(Message::from(&error))),
         }
     }
 
@@ -40,11 +41,12 @@ impl RiemapApp {
         match link::encode(self.model.session()) {
             Ok(encoded) => {
                 context.copy_text(platform::address_with(&encoded.fragment));
-                self.message = persistence::link_report(self.model.session(), &encoded, self.persistence.missing());
-                let until = context.input(|input| input.time) + NOTICE_SECONDS;
-                self.notice = self.message.is_none().then_some((key::link_copied(), until));
+                self.messages.common =
+                    persistence::link_report(self.model.session(), &encoded, self.persistence.missing());
+                let notice = Notice::new(key::link_copied(), context.input(|input| input.time));
+                self.messages.notice = self.messages.common.is_none().then_some(notice);
             }
-            Err(error) => self.message = Some(key::no_link_to_session(Message::from(&error))),
+            Err(error) => self.messages.common = Some(key::no_link_to_session(Message::from(&error))),
         }
     }
 
@@ -56,7 +58,7 @@ impl RiemapApp {
     /// Shows what another link carries.
     pub(super) fn open_link(&mut self, address: &str) {
         if let Err(reason) = self.try_link(address) {
-            self.message = Some(key::link_not_opened(reason));
+            self.messages.common = Some(key::link_not_opened(reason));
             self.correct_address();
         }
     }
@@ -71,7 +73,7 @@ impl RiemapApp {
     /// The same; the error is why the link cannot be opened.
     pub fn try_link(&mut self, address: &str) -> Result<(), Message> {
         let decoded = link::decode(address).map_err(|error| Message::from(&error))?;
-        self.message = persistence::missing_text(&decoded.missing);
+        self.messages.common = persistence::missing_text(&decoded.missing);
         self.open_session(decoded.session);
         self.persistence.open_link(decoded.missing, platform::link());
         Ok(())
@@ -81,7 +83,7 @@ impl RiemapApp {
     pub(super) fn keep(&mut self, context: &egui::Context) {
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
         // the tour's pictures are not the person's: a reload brings the own one back
-        let passes = self.player.is_playing() || self.explore.is_touring();
+        let passes = self.player.is_playing() || self.windows.explore.is_touring();
         if held || passes || !self.model.is_ready() {
             return;
         }
@@ -100,7 +102,7 @@ impl RiemapApp {
         if let Some(Err(reason)) = settled.copy.map(|text| platform::remember(Kept::Session, &text))
             && let Some(message) = self.persistence.not_kept(reason)
         {
-            self.message = Some(message);
+            self.messages.common = Some(message);
             context.request_repaint();
         }
         if let Some(seconds) = settled.copy_due {

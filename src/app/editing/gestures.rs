@@ -10,7 +10,7 @@ use crate::app::input::keyboard_navigation::{ARROWS, arrow_keys};
 use crate::app::viewport::planar;
 use crate::app::viewport::planar::BOUNDARY_REACH;
 use crate::app::viewport::view::View;
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::geometry::DVec2;
 use crate::model::Model;
 use crate::model::editing::Pen;
@@ -126,7 +126,7 @@ fn shifted(view: &View, at: DVec2, by: Vec2) -> DVec2 {
 /// removes its last point. While reshaping, arrow keys move the selected handle, Delete or Backspace removes it, N
 /// selects the next one and Shift+N the one before, both removing the focus from a control. No key acts while a
 /// text field is focused.
-pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) {
+pub fn keys(ui: &Ui, editor: &Editor, views: &PerSide<View>, actions: &mut Actions) {
     if ui.ctx().text_edit_focused() {
         // the text field gets the keys, and their releases too: end the drag now
         let held = editor.side().and_then(|side| editor.reshaping(side)?.held_by(Hold::Keys));
@@ -136,7 +136,7 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
     let mut push = |action| actions.push(Action::Edit(action));
     let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     let pointer = ui.input(|input| input.pointer.latest_pos());
-    let over_target = pointer.is_some_and(|at| views[Side::Target as usize].rect.contains(at));
+    let over_target = pointer.is_some_and(|at| views[Side::Target].rect.contains(at));
     let meant = if over_target { Side::Target } else { Side::Source };
     if pressed(Key::E) {
         push(EditAction::Toggle(editor.reshaped_side().unwrap_or(meant)));
@@ -178,7 +178,7 @@ pub fn keys(ui: &Ui, editor: &Editor, views: &[View; 2], actions: &mut Actions) 
         push(EditAction::Change(Change::Remove(selected)));
         return;
     }
-    hold_by_keys(ui, reshaping, &views[side as usize], focused.is_none(), actions);
+    hold_by_keys(ui, reshaping, &views[side], focused.is_none(), actions);
 }
 
 /// Arrow keys drag the selected handle, from the first press until none of them is down. A drag starts only if

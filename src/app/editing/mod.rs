@@ -19,7 +19,7 @@ pub use record::{EditingStats, stats};
 
 use crate::app::input::action::EditAction;
 use crate::app::viewport::view::View;
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::language::{Message, key};
 use crate::model::editing::{Change, Crossing, Drawing, Hold, Reshaping};
 use crate::model::{Model, names};
@@ -105,7 +105,7 @@ impl Editor {
     }
 
     /// Restarts from the side's outline if it was changed by other means; ends the editing if a surface replaced it.
-    pub fn follow(&mut self, model: &mut Model, views: &mut [View; 2]) {
+    pub fn follow(&mut self, model: &mut Model, views: &mut PerSide<View>) {
         let Some(Work::Reshaping(reshaping)) = &mut self.work else { return };
         let hidden = model.surface(reshaping.side()).is_some();
         if hidden {
@@ -116,7 +116,7 @@ impl Editor {
     }
 
     /// Carries out an action; one that does not apply to the current state is ignored.
-    pub fn act(&mut self, action: EditAction, model: &mut Model, views: &mut [View; 2]) {
+    pub fn act(&mut self, action: EditAction, model: &mut Model, views: &mut PerSide<View>) {
         match action {
             EditAction::Toggle(side) if self.reshaping(side).is_some() => self.leave(model, views),
             EditAction::Toggle(side) => self.begin(side, model, views),
@@ -138,7 +138,7 @@ impl Editor {
                 Some(Work::Reshaping(reshaping)) => {
                     if matches!(action, EditAction::Grab(..) | EditAction::Change(_)) {
                         // the view must not refit while the outline changes: the handle stays under the pointer
-                        views[reshaping.side() as usize].stay();
+                        views[reshaping.side()].stay();
                     }
                     self.reshape(action, model);
                 }
@@ -150,13 +150,13 @@ impl Editor {
 
     /// Reads a text that was pasted while no text field was focused, as an outline for the side of the paste window, or
     /// else for the source. A text that is no outline is shown in the window with the error.
-    pub fn take_text(&mut self, text: String, model: &mut Model, views: &mut [View; 2]) {
+    pub fn take_text(&mut self, text: String, model: &mut Model, views: &mut PerSide<View>) {
         let side = self.paste.as_ref().map_or(Side::Source, Paste::side);
         self.paste = Some(Paste::with(side, text));
         self.act(EditAction::TakePasted, model, views);
     }
 
-    fn draw(&mut self, action: EditAction, model: &mut Model, views: &mut [View; 2]) {
+    fn draw(&mut self, action: EditAction, model: &mut Model, views: &mut PerSide<View>) {
         let Some(Work::Drawing(drawing)) = &mut self.work else { return };
         match action {
             EditAction::Point(point) => drawing.add(point),
@@ -165,7 +165,7 @@ impl Editor {
             EditAction::Dismiss => drawing.dismiss(),
             EditAction::Close => {
                 let side = drawing.side();
-                let view = &views[side as usize];
+                let view = &views[side];
                 let pixel = view.to_world(view.rect.min + vec2(1.0, 0.0)).distance(view.to_world(view.rect.min));
                 if let Some(polygon) = drawing.close(pixel) {
                     let outline = Outline { name: String::from(names::DRAWN), polygon, notes: Vec::new() };
@@ -197,21 +197,21 @@ impl Editor {
         }
     }
 
-    fn begin(&mut self, side: Side, model: &mut Model, views: &mut [View; 2]) {
+    fn begin(&mut self, side: Side, model: &mut Model, views: &mut PerSide<View>) {
         self.leave(model, views);
         if model.surface(side).is_some() {
             return;
         }
         let reshaping = Reshaping::new(side, model);
         self.work = Some(Work::Reshaping(Box::new(reshaping)));
-        self.was_fitted = views[side as usize].is_fitted();
+        self.was_fitted = views[side].is_fitted();
     }
 
-    fn leave(&mut self, model: &mut Model, views: &mut [View; 2]) {
+    fn leave(&mut self, model: &mut Model, views: &mut PerSide<View>) {
         if let Some(Work::Reshaping(mut reshaping)) = self.work.take() {
             reshaping.release(model);
             if self.was_fitted {
-                views[reshaping.side() as usize].fit();
+                views[reshaping.side()].fit();
             }
         }
         self.hovered = None;

@@ -3,7 +3,7 @@
 use super::Editor;
 use super::paste::Paste;
 use crate::app::viewport::view::View;
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::geometry::DVec2;
 use crate::language::Message;
 use serde::Serialize;
@@ -26,11 +26,11 @@ pub struct EditingStats {
 }
 
 /// The record of the editor; `None` while no outline is edited.
-pub fn stats(editor: &Editor, views: &[View; 2]) -> Option<EditingStats> {
+pub fn stats(editor: &Editor, views: &PerSide<View>) -> Option<EditingStats> {
     let pasting = editor.paste.as_ref();
     let side = editor.side().or_else(|| pasting.map(Paste::side))?;
     let place = |at: DVec2| {
-        let place = views[side as usize].to_screen(at);
+        let place = views[side].to_screen(at);
         [place.x, place.y]
     };
     Some(EditingStats {

@@ -23,7 +23,7 @@ const SETTINGS: PrepareSettings = PrepareSettings {
 struct Bench {
     model: Model,
     editor: Editor,
-    views: [View; 2],
+    views: PerSide<View>,
 }
 
 impl Bench {
@@ -256,11 +256,11 @@ fn another_outline_is_followed_and_editing_moves_to_another_side() {
 #[test]
 fn the_view_rests_while_editing_and_fits_afterwards() {
     let mut bench = Bench::square();
-    assert!(bench.views[0].is_fitted());
+    assert!(bench.views.source.is_fitted());
     bench.act(EditAction::Grab(0, Hold::Pointer));
-    assert!(!bench.views[0].is_fitted(), "the view does not refit during a drag");
+    assert!(!bench.views.source.is_fitted(), "the view does not refit during a drag");
     bench.act(EditAction::Toggle(SIDE));
-    assert!(bench.views[0].is_fitted());
+    assert!(bench.views.source.is_fitted());
 }
 
 #[test]
@@ -293,8 +293,8 @@ fn a_button_ends_the_drag_of_a_handle_by_keys() {
 fn pixel(bench: &mut Bench) {
     let rect = egui::Rect::from_min_size(egui::Pos2::ZERO, vec2(400.0, 400.0));
     let bounds = Some((DVec2::splat(-1.0), DVec2::splat(1.0)));
-    bench.views[0].fit();
-    bench.views[0].place(rect, 1.0, crate::app::viewport::view::DESK_MARGINS, bounds);
+    bench.views.source.fit();
+    bench.views.source.place(rect, 1.0, crate::app::viewport::view::DESK_MARGINS, bounds);
 }
 
 #[test]

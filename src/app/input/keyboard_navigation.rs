@@ -159,10 +159,10 @@ mod tests {
         harness.get_by_label("x₁, interior point of the source").focus();
         harness.run(); // until no frame is requested
         for step in 1..=3 {
-            let [x, _] = harness.state().stats().handles.x1.unwrap();
+            let [x, _] = harness.state().stats().screen.handles.x1.unwrap();
             harness.key_press(Key::ArrowRight);
             harness.run_steps(2);
-            let [u, _] = harness.state().stats().handles.x1.unwrap();
+            let [u, _] = harness.state().stats().screen.handles.x1.unwrap();
             assert!((u - x - 10.0).abs() < 0.1, "step {step}: from {x} to {u}");
         }
     }
@@ -177,14 +177,14 @@ mod tests {
     #[test]
     fn arrow_keys_move_a_dot_and_shift_makes_the_step_fine() {
         let mut harness = focused("x₁, interior point of the source");
-        let [x, y] = harness.state().stats().handles.x1.unwrap();
+        let [x, y] = harness.state().stats().screen.handles.x1.unwrap();
         harness.key_press(Key::ArrowRight);
         harness.run_steps(3);
-        let [u, v] = harness.state().stats().handles.x1.unwrap();
+        let [u, v] = harness.state().stats().screen.handles.x1.unwrap();
         assert!((u - x - 10.0).abs() < 0.1 && (v - y).abs() < 0.1, "from {x}, {y} to {u}, {v}");
         harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowUp);
         harness.run_steps(3);
-        let [s, t] = harness.state().stats().handles.x1.unwrap();
+        let [s, t] = harness.state().stats().screen.handles.x1.unwrap();
         assert!((s - u).abs() < 0.1 && (v - t - 1.0).abs() < 0.1, "from {u}, {v} to {s}, {t}");
     }
 
@@ -204,20 +204,20 @@ mod tests {
     #[test]
     fn a_viewport_that_has_the_keyboard_moves_zooms_and_fits() {
         let mut harness = focused("Picture of the source");
-        let start = harness.state().stats().handles.y1.unwrap();
+        let start = harness.state().stats().screen.handles.y1.unwrap();
         harness.key_press(Key::ArrowLeft);
         harness.run_steps(3);
-        let moved = harness.state().stats().handles.y1.unwrap();
+        let moved = harness.state().stats().screen.handles.y1.unwrap();
         assert!((moved[0] - start[0] - 40.0).abs() < 0.1, "the eye goes left: {start:?}, {moved:?}");
-        let before = harness.state().stats().handles;
+        let before = harness.state().stats().screen.handles;
         harness.key_press(Key::Plus);
         harness.run_steps(3);
-        let after = harness.state().stats().handles;
+        let after = harness.state().stats().screen.handles;
         let apart = |(x, y): (Option<[f32; 2]>, Option<[f32; 2]>)| (y.unwrap()[1] - x.unwrap()[1]).abs();
         let ratio = apart((after.x1, after.y1)) / apart((before.x1, before.y1));
         assert!((ratio - 1.25).abs() < 0.01, "zoomed by {ratio}");
         harness.key_press(Key::Num0);
         harness.run_steps(3);
-        assert_eq!(harness.state().stats().handles.y1.unwrap(), start);
+        assert_eq!(harness.state().stats().screen.handles.y1.unwrap(), start);
     }
 }

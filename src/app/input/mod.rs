@@ -19,3 +19,16 @@ pub mod locks;
 pub mod preferences;
 pub mod presentation;
 pub mod touches;
+
+/// What a hand holds and has used, from one frame to the next.
+#[derive(Default)]
+pub struct Input {
+    /// Files that were dropped since the last frame.
+    pub dropped: Vec<egui::DroppedFileHandle>,
+    /// Who gets the next key.
+    pub keyboard: keyboard::Keyboard,
+    /// Which finger is the pointer.
+    pub touches: touches::Touches,
+    /// The dots under the pointer, in a hand or with the keyboard.
+    pub handles: handles::HandleState,
+}

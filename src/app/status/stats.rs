@@ -55,77 +55,32 @@ pub struct ComparisonsStats {
     pub precomputed: Option<ComparisonStats>,
 }
 
-/// The state of the screen.
+/// What is prepared.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[allow(clippy::struct_excessive_bools, reason = "a record of what is on the screen")]
-pub struct Stats {
-    /// Whether the full-resolution map of the requested session is shown and nothing is being prepared.
+pub struct PreparationStats {
+    /// The full map of what is asked for is shown and nothing is being prepared.
     pub ready: bool,
-    /// "WebGPU", "WebGL2", or the desktop's graphics API.
-    pub backend: String,
-    /// How many times the map has changed.
-    pub generation: u64,
     /// Whether each side is being prepared.
     pub preparing: [bool; 2],
     /// The size of Ω₁.
     pub source: DomainSize,
     /// The size of Ω₂.
     pub target: DomainSize,
-    /// Area-weighted mean of the angle distortion Q.
-    pub q_mean: Option<f64>,
-    /// The largest Q.
-    pub q_max: Option<f64>,
-    /// Triangles that changed their orientation.
-    pub flipped: Option<u32>,
-    /// The times of the preparation's stages of both sides, in ms.
+    /// How long the stages of the preparation took, in ms.
     pub prepare_ms: [PrepareTimings; 2],
     /// The times of the surface's preparation, in ms; `None` where no surface is shown.
     pub surface_ms: Option<PrepareTimings>,
-    /// The times of the last update of the map, in ms.
+}
+
+/// The map that is shown.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MapStats {
+    /// How many times the map has changed.
+    pub generation: u64,
+    /// What the last update of the map took, in ms.
     pub frame_ms: FrameTimings,
-    /// The error messages on the screen.
-    pub errors: Vec<String>,
-    /// The notes on the screen.
-    pub notes: Vec<String>,
-    /// The number of undo steps.
-    pub undo: usize,
-    /// Whether the dark theme is shown.
-    pub dark: bool,
-    /// How many times a control was announced to screen readers.
-    pub spoken: u64,
-    /// Whether the motion of the points is running.
-    pub playing: bool,
-    /// The centers of the export window's controls by English label; `None` while it is closed.
-    pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
-    /// The centers of the close buttons of the open windows, by English name.
-    pub close: BTreeMap<&'static str, [f32; 2]>,
-    /// The number of finished pictures and of all pictures of the export under way.
-    pub export_count: Option<[u32; 2]>,
-    /// The coloring of the triangles.
-    pub colouring: Colouring,
-    /// The processor that evaluates the Cauchy–Green extension in the picture; `None` for the harmonic extension.
-    pub cauchy_green: Option<Processor>,
-    /// The progress of the map's own images from the harmonic to the requested extension, from 0 to 1.
+    /// How far the map's own images are those of the extension that is asked for, from 0 to 1.
     pub extension_progress: f64,
-    /// Whether the edges of the mapped mesh are drawn.
-    pub wireframe: bool,
-    /// Whether the plots are open.
-    pub plots: bool,
-    /// The [`Self::generation`] of the map whose distortion is shown.
-    pub measured_generation: u64,
-    /// The boundary point under the pointer and the corresponding one: fractions of arc length of source and target.
-    pub marked_boundary: Option<[f64; 2]>,
-    /// The comparisons with maps through the disk.
-    pub comparison: ComparisonsStats,
-    /// The largest distance of the plotted reparameterization from the exact one, as a fraction of the length; `None`
-    /// where the exact one is not known.
-    pub exact_difference: Option<f64>,
-    /// The number of random walks, and the largest deviation of their hits from the harmonic measure.
-    pub walks: (u64, Option<f64>),
-    /// The places of the dots.
-    pub handles: HandlePositions,
-    /// The outline that is being drawn, reshaped or pasted.
-    pub editing: Option<EditingStats>,
     /// The image of the mapped side's interior point under the piecewise linear map.
     pub image_of_mapped_point: Option<[f64; 2]>,
     /// The expected value of [`Self::image_of_mapped_point`]: the other side's interior point.
@@ -134,85 +89,162 @@ pub struct Stats {
     pub boundary_checksum: f64,
 }
 
-/// The part of [`Stats`] that the model does not know.
-#[derive(Debug, Clone, Default)]
-pub struct ScreenFacts {
-    /// The graphics API.
+/// The distortion that is shown.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct QualityStats {
+    /// The [`MapStats::generation`] of the map that it is of.
+    pub measured_generation: u64,
+    /// Area-weighted mean of the angle distortion Q.
+    pub q_mean: Option<f64>,
+    /// The largest Q.
+    pub q_max: Option<f64>,
+    /// Triangles that changed their orientation.
+    pub flipped: Option<u32>,
+}
+
+/// What is drawn of the map, and beside it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OverlayStats {
+    /// What the meshes are painted with.
+    pub colouring: Colouring,
+    /// Whether the mapped mesh's edges are drawn.
+    pub wireframe: bool,
+    /// Whether the plots are open.
+    pub plots: bool,
+    /// What the map is compared with.
+    pub comparison: ComparisonsStats,
+    /// How many random walks were counted, and the largest deviation of their hits from the harmonic measure.
+    pub walks: (u64, Option<f64>),
+}
+
+/// What the screen knows and the model does not.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct ScreenStats {
+    /// "WebGPU", "WebGL2", or what the desktop draws with.
     pub backend: String,
-    /// The places of the dots.
-    pub handles: HandlePositions,
+    /// Whether the dark theme is shown.
+    pub dark: bool,
     /// The error messages on the screen.
     pub errors: Vec<String>,
     /// The notes on the screen.
     pub notes: Vec<String>,
-    /// The number of undo steps.
-    pub undo: usize,
-    /// Whether the dark theme is shown.
-    pub dark: bool,
-    /// How many times a control was announced to screen readers.
+    /// How many times a control was said to those who hear the screen.
     pub spoken: u64,
-    /// Whether the motion of the points is running.
+    /// How many steps can be taken back.
+    pub undo: usize,
+    /// Whether points are in motion.
     pub playing: bool,
-    /// The centers of the export window's controls.
-    pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
-    /// The centers of the close buttons of the open windows.
-    pub close: BTreeMap<&'static str, [f32; 2]>,
-    /// The number of finished pictures and of all pictures of the export under way.
-    pub export_count: Option<[u32; 2]>,
-    /// The boundary point under the pointer and the corresponding one.
-    pub marked_boundary: Option<[f64; 2]>,
-    /// The distance of the plotted reparameterization from the exact one.
-    pub exact_difference: Option<f64>,
-    /// The processor that evaluates the Cauchy–Green extension.
+    /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
     pub cauchy_green: Option<Processor>,
-    /// The outline that is being drawn, reshaped or pasted.
+    /// Where the handles are.
+    pub handles: HandlePositions,
+    /// The outline that is being reshaped.
     pub editing: Option<EditingStats>,
+    /// The plots.
+    #[serde(flatten)]
+    pub plots: PlotStats,
+    /// The windows.
+    #[serde(flatten)]
+    pub windows: WindowStats,
 }
 
-/// Builds the record from the model and the screen.
-pub fn collect(model: &Model, screen: ScreenFacts) -> Stats {
-    let quality = model.quality();
-    let mapped = model.shown().map_or(model.session().direction().mapped_side(), |map| map.mapped_side());
-    Stats {
+/// What the plots show.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct PlotStats {
+    /// The boundary point under the pointer and its partner: fractions of arc length of source and target.
+    pub marked_boundary: Option<[f64; 2]>,
+    /// How far the reparameterisation in the plot is from the exact one, where that is known, as a part of the length.
+    pub exact_difference: Option<f64>,
+}
+
+/// The windows over the pictures.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct WindowStats {
+    /// Where the controls of the window of exports are, by name; `None` while it is closed.
+    pub export: Option<BTreeMap<&'static str, [f32; 2]>>,
+    /// How many pictures of how many are made, while they are.
+    pub export_count: Option<[u32; 2]>,
+    /// Where the windows that are open are closed, by name.
+    pub close: BTreeMap<&'static str, [f32; 2]>,
+}
+
+/// What is on the screen now. A page gets one object with the keys of all parts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stats {
+    /// What is prepared.
+    #[serde(flatten)]
+    pub preparation: PreparationStats,
+    /// The map.
+    #[serde(flatten)]
+    pub map: MapStats,
+    /// Its distortion.
+    #[serde(flatten)]
+    pub quality: QualityStats,
+    /// What is drawn of it.
+    #[serde(flatten)]
+    pub overlays: OverlayStats,
+    /// What the screen knows.
+    #[serde(flatten)]
+    pub screen: ScreenStats,
+}
+
+impl Stats {
+    /// Of what the model shows on a screen.
+    pub fn new(model: &Model, screen: ScreenStats) -> Self {
+        Self {
+            preparation: preparation(model),
+            map: map(model),
+            quality: quality(model),
+            overlays: overlays(model),
+            screen,
+        }
+    }
+}
+
+fn preparation(model: &Model) -> PreparationStats {
+    PreparationStats {
         ready: model.is_ready(),
-        backend: screen.backend,
-        generation: model.generation(),
         preparing: Side::BOTH.map(|side| model.is_preparing(side)),
         source: size(model, Side::Source),
         target: size(model, Side::Target),
+        prepare_ms: Side::BOTH.map(|side| model.side(side).prepared().map(|side| side.timings()).unwrap_or_default()),
+        surface_ms: model.map().filter(|map| map.mapped().is_surface()).map(|map| map.mapped().timings()),
+    }
+}
+
+fn map(model: &Model) -> MapStats {
+    let mapped = model.shown().map_or(model.session().direction().mapped_side(), |map| map.mapped_side());
+    MapStats {
+        generation: model.generation(),
+        frame_ms: model.shown().map(|map| map.timings).unwrap_or_default(),
+        extension_progress: model.extension_progress(),
+        image_of_mapped_point: image_of_point(model, mapped),
+        expected: model.interior(mapped.other()).map(|point| point.to_array()),
+        boundary_checksum: boundary_checksum(model),
+    }
+}
+
+fn quality(model: &Model) -> QualityStats {
+    let quality = model.quality();
+    QualityStats {
+        measured_generation: model.measured_generation(),
         q_mean: quality.map(|q| q.q_mean),
         q_max: quality.map(|q| q.q_max),
         flipped: quality.map(|q| q.flipped),
-        prepare_ms: Side::BOTH.map(|side| model.side(side).prepared().map(|side| side.timings()).unwrap_or_default()),
-        surface_ms: model.map().filter(|map| map.mapped().is_surface()).map(|map| map.mapped().timings()),
-        frame_ms: model.shown().map(|map| map.timings).unwrap_or_default(),
-        errors: screen.errors,
-        notes: screen.notes,
-        undo: screen.undo,
-        dark: screen.dark,
-        spoken: screen.spoken,
-        playing: screen.playing,
-        export: screen.export,
-        close: screen.close,
-        export_count: screen.export_count,
-        colouring: model.session().colouring(),
-        cauchy_green: screen.cauchy_green,
-        extension_progress: model.extension_progress(),
-        wireframe: model.session().wireframe(),
-        plots: model.session().plots(),
-        measured_generation: model.measured_generation(),
-        marked_boundary: screen.marked_boundary,
+    }
+}
+
+fn overlays(model: &Model) -> OverlayStats {
+    let (session, walks) = (model.session(), &model.overlay_state().walks);
+    OverlayStats {
+        colouring: session.colouring(),
+        wireframe: session.wireframe(),
+        plots: session.plots(),
         comparison: ComparisonsStats {
             fresh: comparison(model, DiskWay::Fresh),
             precomputed: comparison(model, DiskWay::Precomputed),
         },
-        exact_difference: screen.exact_difference,
-        walks: (model.overlay_state().walks.count(), model.overlay_state().walks.deviation()),
-        handles: screen.handles,
-        editing: screen.editing,
-        image_of_mapped_point: image_of_point(model, mapped),
-        expected: model.interior(mapped.other()).map(|point| point.to_array()),
-        boundary_checksum: boundary_checksum(model),
+        walks: (walks.count(), walks.deviation()),
     }
 }
 
@@ -244,4 +276,60 @@ fn boundary_checksum(model: &Model) -> f64 {
     let m = map.boundary_count;
     let weighted = |(k, image): (usize, &DVec2)| (k + 1) as f64 / m as f64 * (image.x + image.y);
     map.images.iter().take(m).enumerate().map(weighted).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::session::Session;
+
+    /// What pages read by these names.
+    const KEYS: [&str; 36] = [
+        "backend",
+        "boundary_checksum",
+        "cauchy_green",
+        "close",
+        "colouring",
+        "comparison",
+        "dark",
+        "editing",
+        "errors",
+        "exact_difference",
+        "expected",
+        "export",
+        "export_count",
+        "extension_progress",
+        "flipped",
+        "frame_ms",
+        "generation",
+        "handles",
+        "image_of_mapped_point",
+        "marked_boundary",
+        "measured_generation",
+        "notes",
+        "playing",
+        "plots",
+        "prepare_ms",
+        "preparing",
+        "q_max",
+        "q_mean",
+        "ready",
+        "source",
+        "spoken",
+        "surface_ms",
+        "target",
+        "undo",
+        "walks",
+        "wireframe",
+    ];
+
+    #[test]
+    fn a_page_gets_one_object_with_the_keys_of_all_parts() {
+        let stats = Stats::new(&Model::new(Session::default()), ScreenStats::default());
+        let object = serde_json::to_value(&stats).unwrap_or_default();
+        let mut keys: Vec<_> = object.as_object().into_iter().flatten().map(|(key, _)| key.as_str()).collect();
+        keys.sort_unstable();
+        assert_eq!(keys, KEYS);
+        assert!(object["plots"].is_boolean() && object["source"]["m"] == 0, "{object}");
+    }
 }

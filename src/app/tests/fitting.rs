@@ -1,6 +1,8 @@
 //! Layout: all controls are on the screen and do not overlap, on a desktop, a tablet and a phone, in both languages.
 
 use crate::app::input::action::{EditAction, ExploreAction, Report};
+use crate::app::input::preferences::Preferences;
+use crate::app::panels::offer::Offer;
 use crate::app::tests::ready_app;
 use crate::app::viewport::legend;
 use crate::app::*;
@@ -26,8 +28,8 @@ type Screen = Harness<'static, RiemapApp>;
 /// The app on a screen of this size, with touch unless it is [`DESK`].
 fn screen(size: [f32; 2], language: Language) -> Screen {
     let mut screen = ready_app(size);
-    screen.state_mut().has_fingers = size != DESK;
-    screen.state_mut().preferences = Preferences { language: Some(language), ..Preferences::fixed() };
+    screen.state_mut().screen.has_fingers = size != DESK;
+    screen.state_mut().screen.preferences = Preferences { language: Some(language), ..Preferences::fixed() };
     language::set(language);
     screen.run_steps(4);
     screen
@@ -81,7 +83,7 @@ fn the_buttons_over_a_picture_have_room_beside_its_title() {
     for language in [Language::English, Language::German] {
         for size in [DESK, TABLET, PHONE] {
             let screen = screen(size, language);
-            for view in &screen.state().views {
+            for (_, view) in screen.state().pictures.views.iter() {
                 let line = view.rect.with_max_y(view.rect.top() + 60.0);
                 let found = buttons(&screen, |rect| line.contains(rect.center()));
                 assert!(found.len() >= 2, "{found:?}");
@@ -169,7 +171,7 @@ fn assert_bar_between(screen: &mut Screen, where_: &str) {
     act(screen, Action::Session(crate::session::Command::SetColouring(Colouring::Angle)));
     act(screen, Action::Edit(EditAction::Toggle(Side::Target)));
     let app = screen.state();
-    let view = &app.views[Side::Target as usize];
+    let view = &app.pictures.views[Side::Target];
     let arrangement = arrangement::Arrangement { narrow: whole(screen).width() < PHONE_WIDTH, stacked: false };
     let legend = view.rect.bottom() - legend::height(view.rect, arrangement.is_tight(view.rect));
     let (low, _) = app.model.extent(Side::Target).unwrap();
@@ -199,9 +201,9 @@ fn the_edit_bar_lies_below_the_outline_and_above_the_legend() {
 fn the_pictures_are_side_by_side_in_landscape_and_stacked_in_portrait() {
     for (size, stacked) in [(FRAME, false), (LYING_PHONE, false), (PHONE, true), (TABLET, true)] {
         let mut screen = screen(size, Language::English);
-        screen.state_mut().sheet_open = true;
-        screen.run_steps(40); // the sheet slides in
-        let [source, target] = screen.state().views.each_ref().map(|view| view.rect);
+        screen.state_mut().screen.sheet_open = true;
+        screen.run_steps(40); // it slides
+        let [source, target] = screen.state().pictures.views.as_ref().map(|view| view.rect).into_array();
         assert_eq!(source.bottom() <= target.top(), stacked, "{size:?}: {source:?} and {target:?}");
     }
 }
@@ -214,7 +216,7 @@ fn offer() -> Offer {
 
 /// The lower edge of the pictures.
 fn foot(screen: &Screen) -> f32 {
-    screen.state().views.iter().map(|view| view.rect.bottom()).fold(0.0, f32::max)
+    screen.state().pictures.views.iter().map(|(_, view)| view.rect.bottom()).fold(0.0, f32::max)
 }
 
 #[test]
@@ -223,24 +225,24 @@ fn a_message_about_both_sides_covers_nothing_and_can_be_closed() {
         let mut screen = screen(size, Language::English);
         act(&mut screen, Action::Edit(EditAction::Toggle(Side::Source)));
         let before = foot(&screen);
-        screen.state_mut().message = Some("Not saved: there is no room. ".repeat(3).into());
-        screen.state_mut().offer = Some(offer());
+        screen.state_mut().messages.common = Some("Not saved: there is no room. ".repeat(3).into());
+        screen.state_mut().messages.offer = Some(offer());
         screen.run_steps(4);
         let below = Rect::everything_below(foot(&screen)).intersect(whole(&screen));
         for label in ["Trace it as outline", "No", "Close this message"] {
             let button = screen.get_by_label(label).rect();
             assert!(below.contains_rect(button), "{size:?}: {label} at {button:?} is not in {below:?}");
         }
-        screen.state_mut().message = Some("The link could not be opened: ".repeat(200).into());
+        screen.state_mut().messages.common = Some("The link could not be opened: ".repeat(200).into());
         screen.run_steps(4);
         let share = (before - foot(&screen)) / before;
         assert!((0.25..0.5).contains(&share), "{size:?}: a long message takes {share} of the height");
-        (screen.state_mut().message, screen.state_mut().offer) = (Some("Not saved.".into()), None);
+        (screen.state_mut().messages.common, screen.state_mut().messages.offer) = (Some("Not saved.".into()), None);
         screen.run_steps(4);
         assert!(before - foot(&screen) < 75.0, "{size:?}: a short one takes {}", before - foot(&screen));
         screen.get_by_label("Close this message").click();
         screen.run_steps(3);
-        assert!(screen.state().message.is_none() && foot(&screen) == before);
+        assert!(screen.state().messages.common.is_none() && foot(&screen) == before);
     }
 }
 
@@ -249,14 +251,14 @@ fn a_message_does_not_change_the_stacking_and_waits_for_the_end_of_a_drag() {
     // the area of the pictures is nearly square
     let mut screen = screen([1080.0, 900.0], Language::English);
     let stacked = |screen: &Screen| {
-        let [source, target] = screen.state().views.each_ref().map(|view| view.rect);
+        let [source, target] = screen.state().pictures.views.as_ref().map(|view| view.rect).into_array();
         source.bottom() <= target.top()
     };
     assert!(stacked(&screen));
-    let (before, place) = (foot(&screen), screen.state().stats().handles.x1.unwrap());
+    let (before, place) = (foot(&screen), screen.state().stats().screen.handles.x1.unwrap());
     screen.drag_at(place.into());
     screen.step();
-    screen.state_mut().message = Some("Not saved.".into());
+    screen.state_mut().messages.common = Some("Not saved.".into());
     screen.run_steps(3);
     assert_eq!(foot(&screen), before, "a dot is held");
     screen.drop_at(place.into());
@@ -297,7 +299,7 @@ fn messages_of_a_side_lie_over_its_dots() {
     screen.state_mut().model.side_mut(Side::Source).error =
         Some(crate::model::side::user_error::UserError::new(text.into()));
     screen.run_steps(4);
-    let source = egui::Pos2::from(screen.state().stats().handles.x1.unwrap());
+    let source = egui::Pos2::from(screen.state().stats().screen.handles.x1.unwrap());
     assert!(screen.get_by_label_contains("is none").rect().contains(source), "the dot is under the message");
     let place = |is: &dyn Fn(&egui::Shape) -> bool| {
         screen.output().shapes.iter().rposition(|clipped| is(&clipped.shape)).unwrap()
@@ -313,14 +315,14 @@ fn on_a_phone_in_landscape_tour_and_message_leave_the_pictures_room() {
         let mut screen = screen(size, Language::German);
         act(&mut screen, Action::Explore(ExploreAction::Tour(0)));
         let see = |screen: &Screen, button: &str| {
-            for view in &screen.state().views {
+            for (_, view) in screen.state().pictures.views.iter() {
                 assert!(view.rect.height() > 150.0, "{size:?}, {button}: {:?}", view.rect);
             }
             let rect = screen.get_by_label(button).rect();
             assert!(whole(screen).contains_rect(rect), "{size:?}: {button} at {rect:?}");
         };
         see(&screen, "Weiter");
-        screen.state_mut().message = Some("The link could not be opened: it is none. ".repeat(3).into());
+        screen.state_mut().messages.common = Some("The link could not be opened: it is none. ".repeat(3).into());
         screen.run_steps(4);
         assert!(screen.query_by_label("Weiter").is_none(), "the message replaces the tour");
         see(&screen, "Diese Meldung schließen");
@@ -334,13 +336,13 @@ fn a_narrow_picture_has_one_of_fit_and_swap_and_keeps_its_title() {
     let mut screen = screen(LYING_PHONE, Language::German);
     let there = |screen: &Screen| {
         ["Tauschen", "Einpassen"].map(|label| {
-            let view = screen.state().views[1].rect;
+            let view = screen.state().pictures.views.target.rect;
             buttons(screen, |rect| view.contains(rect.center())).iter().any(|(found, _)| found == label)
         })
     };
     assert_eq!(there(&screen), [true, false]);
-    let middle = screen.state().views[1].rect.center();
-    screen.state_mut().views[1].zoom(2.0, middle);
+    let middle = screen.state().pictures.views.target.rect.center();
+    screen.state_mut().pictures.views.target.zoom(2.0, middle);
     screen.run_steps(3);
     assert_eq!(there(&screen), [false, true]);
 }

@@ -3,6 +3,7 @@
 use crate::app::input::action::EditAction;
 use crate::app::input::action::ExploreAction;
 use crate::app::input::locks::Locks;
+use crate::app::input::preferences::Preferences;
 use crate::app::tests::ready_app;
 use crate::app::*;
 use crate::conformal::{Extension, Side};
@@ -37,12 +38,12 @@ fn open(harness: &mut Harness<'_, RiemapApp>, session: Session) {
     harness.state_mut().open_session(session);
     for _ in 0..600 {
         harness.step();
-        if harness.state().stats().ready {
+        if harness.state().stats().preparation.ready {
             break;
         }
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
-    assert!(harness.state().stats().ready);
+    assert!(harness.state().stats().preparation.ready);
 }
 
 #[test]
@@ -50,7 +51,7 @@ fn the_whole_screen_speaks_german() {
     language::set(Language::German);
     let mut harness = ready_app([1500.0, 1000.0]);
     let preferences = Preferences { language: Some(Language::German), ..Preferences::fixed() };
-    harness.state_mut().preferences = preferences;
+    harness.state_mut().screen.preferences = preferences;
     language::set(Language::German);
     check(&mut harness, "the first picture");
     for menu in ["Datei", "Quelle", "Ziel", "Figuren", "Hilfe"] {
@@ -97,7 +98,7 @@ fn cross(app: &mut RiemapApp) {
         EditAction::Drag(across),
         EditAction::Release,
     ] {
-        app.editor.act(action, &mut app.model, &mut app.views);
+        app.editor.act(action, &mut app.model, &mut app.pictures.views);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::app::input::action::EditAction;
 use crate::app::input::locks::{Control, Locks, guarded};
+use crate::app::panels::offer::Offer;
 use crate::app::tests::ready_app;
 use crate::app::*;
 use crate::conformal::Side;
@@ -59,7 +60,7 @@ fn undo_does_not_restore_a_session_that_the_page_has_replaced_despite_a_lock() {
         app.open_session(session);
         harness.run_steps(3);
         let stats = harness.state().stats();
-        assert_eq!((harness.state().session().texture_scale(), stats.undo), (21.0, steps), "{control:?}");
+        assert_eq!((harness.state().session().texture_scale(), stats.screen.undo), (21.0, steps), "{control:?}");
     }
 }
 
@@ -72,7 +73,11 @@ fn a_file_does_not_reset_locked_points() {
     app.take_file(FilePurpose::Outline(Side::Source), "square.csv", Ok(b"0,0\n1,0\n1,1\n0,1\n".to_vec()));
     harness.run_steps(3);
     let stats = harness.state().stats();
-    assert!(stats.ready && stats.errors.iter().any(|error| error.contains("interior")), "{:?}", stats.errors);
+    assert!(
+        stats.preparation.ready && stats.screen.errors.iter().any(|error| error.contains("interior")),
+        "{:?}",
+        stats.screen.errors
+    );
     assert_eq!(*harness.state().session(), before);
 }
 
@@ -106,7 +111,7 @@ fn a_file_that_could_be_repaired_is_not_offered_where_shapes_are_locked() {
         let quick_fix =
             app.model.side(Side::Source).error.as_ref().and_then(|user_error| user_error.quick_fix.as_ref());
         assert_eq!(quick_fix.is_some(), !locked);
-        assert_eq!(app.message.is_some(), locked);
+        assert_eq!(app.messages.common.is_some(), locked);
     }
 }
 
@@ -116,10 +121,10 @@ fn a_locked_panel_stays_folded() {
     let context = harness.ctx.clone();
     let app = harness.state_mut();
     app.fold_panels(&context);
-    assert!(!app.panels_open);
+    assert!(!app.screen.panels_open);
     Locks::default().with(Control::Panels).install(&context);
     app.fold_panels(&context);
-    assert!(!app.panels_open);
+    assert!(!app.screen.panels_open);
 }
 
 #[test]
@@ -129,12 +134,12 @@ fn locked_keys_and_pastes_are_refused_with_a_reason_and_locked_buttons_are_gray(
     Locks::default().with(Control::Boundary).install(&context);
     let pixels = image::RgbaImage::from_pixel(20, 20, image::Rgba([9, 9, 9, 255]));
     let app = harness.state_mut();
-    app.offer = Some(Offer::new(Side::Source, &crate::model::files::Picture { name: "a.png".into(), pixels }));
+    app.messages.offer = Some(Offer::new(Side::Source, &crate::model::files::Picture { name: "a.png".into(), pixels }));
     app.carry_out(&context, vec![Action::PasteText(String::from("M 0 0 L 4 0 L 1 3 Z"))]);
-    assert!(app.message.take().is_some_and(|message| message.english().contains("\"boundary\"")));
+    assert!(app.messages.common.take().is_some_and(|message| message.english().contains("\"boundary\"")));
     harness.key_press(egui::Key::D);
     harness.run_steps(3);
-    assert!(harness.state().editor.side().is_none() && harness.state().message.is_some());
+    assert!(harness.state().editor.side().is_none() && harness.state().messages.common.is_some());
     for label in ["Swap", "Trace it as outline"] {
         assert!(harness.get_by_label(label).accesskit_node().is_disabled(), "{label}");
     }
@@ -150,7 +155,7 @@ fn the_hint_is_under_a_dot_that_can_be_dragged() {
             egui::Shape::Text(text) if text.galley.text() == "drag a dot" => Some(text.visual_bounding_rect().center()),
             _ => None,
         });
-        let handles = harness.state().stats().handles;
+        let handles = harness.state().stats().screen.handles;
         (hint, [handles.x1, handles.y1].map(|place| egui::Pos2::from(place.unwrap())))
     };
     let interior = Locks::default().with(Control::Interior);

@@ -9,8 +9,7 @@ mod playing;
 use super::*;
 use crate::app::language::words;
 use crate::app::panels::side_panel;
-use crate::app::status::stats;
-use crate::app::status::stats::ScreenFacts;
+use crate::app::status::stats::ScreenStats;
 use crate::conformal::{Direction, Extension, PrepareSettings, Side};
 use crate::mesh::Sizing;
 use crate::model::Processor;
@@ -110,20 +109,20 @@ fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_
     harness.get_by_label("Both").click();
     harness.run_steps(30);
     let stats = harness.state().stats();
-    for compared in [stats.comparison.fresh.unwrap(), stats.comparison.precomputed.unwrap()] {
+    for compared in [stats.overlays.comparison.fresh.unwrap(), stats.overlays.comparison.precomputed.unwrap()] {
         assert!(compared.difference < 0.05 && compared.disordered == [0, 0], "{compared:?}");
     }
-    assert_eq!(stats.walks, (0, None));
+    assert_eq!(stats.overlays.walks, (0, None));
     harness.get_by_label("Start").click();
     harness.run_steps(200);
-    let (walks, deviation) = harness.state().stats().walks;
+    let (walks, deviation) = harness.state().stats().overlays.walks;
     assert!(walks > 0 && deviation.is_some(), "{walks} walks");
     assert!(harness.try_run().is_err(), "walks go on");
     harness.get_by_label("Pause").click();
     harness.run_steps(2);
-    let (paused, _) = harness.state().stats().walks;
+    let (paused, _) = harness.state().stats().overlays.walks;
     harness.try_run().unwrap();
-    assert_eq!(harness.state().stats().walks.0, paused);
+    assert_eq!(harness.state().stats().overlays.walks.0, paused);
 }
 
 #[test]
@@ -253,24 +252,30 @@ fn a_drag_shows_cauchy_green_at_once_and_refines_the_map_at_rest() {
             harness.state().stats()
         });
         let is_settled = |stats: &Stats| {
-            stats.ready && stats.extension_progress == 1.0 && stats.measured_generation == stats.generation
+            stats.preparation.ready
+                && stats.map.extension_progress == 1.0
+                && stats.quality.measured_generation == stats.map.generation
         };
         steps.find(is_settled).unwrap()
     };
     let before = settle(&mut harness);
-    assert_eq!(before.cauchy_green, Some(Processor::Gpu));
-    let [x, y] = before.handles.x1.unwrap();
+    assert_eq!(before.screen.cauchy_green, Some(Processor::Gpu));
+    let [x, y] = before.screen.handles.x1.unwrap();
     harness.drag_at(egui::pos2(x, y));
     harness.step();
     for step in 1..4 {
         harness.hover_at(egui::pos2(x + 4.0 * step as f32, y));
         harness.step();
         let stats = harness.state().stats();
-        assert_eq!((stats.cauchy_green, stats.extension_progress), (Some(Processor::Gpu), 0.0), "step {step}");
+        assert_eq!(
+            (stats.screen.cauchy_green, stats.map.extension_progress),
+            (Some(Processor::Gpu), 0.0),
+            "step {step}"
+        );
     }
     harness.drop_at(egui::pos2(x + 12.0, y));
     let after = settle(&mut harness);
-    assert!(after.generation > before.generation && after.q_mean != before.q_mean);
+    assert!(after.map.generation > before.map.generation && after.quality.q_mean != before.quality.q_mean);
     let words = words::cauchy_green(Processor::Gpu, 1.0);
     assert!(harness.query_by_label_contains(&words).is_some(), "{words} is not on the screen");
 }
@@ -281,8 +286,8 @@ fn the_mapped_point_goes_to_the_other_sides_point() {
         let mut model = prepared_model();
         model.dispatch(Command::SetDirection(direction), 0.0);
         model.refresh(false);
-        let stats = stats::collect(&model, ScreenFacts::default());
-        let (image, expected) = (stats.image_of_mapped_point.unwrap(), stats.expected.unwrap());
+        let stats = Stats::new(&model, ScreenStats::default());
+        let (image, expected) = (stats.map.image_of_mapped_point.unwrap(), stats.map.expected.unwrap());
         let error = glam::DVec2::from(image).distance(expected.into());
         // with 120 samples and triangles that grow by 0.3 per distance, the triangle around x is about 0.1 across
         assert!(error < 0.05, "{direction:?}: f(x) = {image:?}, expected {expected:?}, error {error:e}");
@@ -329,14 +334,14 @@ pub fn ready_app(size: [f32; 2]) -> Harness<'static, RiemapApp> {
         .build_eframe(|creation| RiemapApp::new(creation, Startup::start(Session::default())).unwrap());
     for _ in 0..600 {
         harness.step();
-        if harness.state().stats().ready {
+        if harness.state().stats().preparation.ready {
             break;
         }
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
     let stats = harness.state().stats();
-    assert!(stats.ready, "{stats:?}");
-    // gestures and dots are processed before a frame's update, so they see the map from the next frame on
+    assert!(stats.preparation.ready, "{stats:?}");
+    // gestures and dots are read before a frame's update: they are there from the next one on
     harness.step();
     harness
 }
@@ -371,10 +376,10 @@ fn distortions_belong_to_the_map_on_the_screen() {
 fn the_key_p_opens_the_plots_and_closes_them() {
     for size in [[1200.0, 800.0], [390.0, 844.0]] {
         let mut harness = ready_app(size);
-        assert!(!harness.state().stats().plots && harness.query_by_label("Harmonic measure").is_none());
+        assert!(!harness.state().stats().overlays.plots && harness.query_by_label("Harmonic measure").is_none());
         harness.key_press(egui::Key::P);
         harness.step();
-        assert!(harness.state().stats().plots);
+        assert!(harness.state().stats().overlays.plots);
         if size[0] > PHONE_WIDTH {
             for title in ["Poisson kernel", "Harmonic measure", "Reparameterisation"] {
                 harness.get_by_label(title);
@@ -382,7 +387,7 @@ fn the_key_p_opens_the_plots_and_closes_them() {
         }
         harness.key_press(egui::Key::P);
         harness.step();
-        assert!(!harness.state().stats().plots && harness.query_by_label("Harmonic measure").is_none());
+        assert!(!harness.state().stats().overlays.plots && harness.query_by_label("Harmonic measure").is_none());
     }
 }
 
@@ -398,19 +403,19 @@ fn on_a_phone_the_sheet_has_one_plot_at_a_time() {
     assert!(harness.query_by_label("Poisson kernel").is_none());
     harness.get_by_label("Controls").click();
     harness.run_steps(4);
-    assert!(harness.query_by_label("Harmonic measure").is_none() && !harness.state().stats().plots);
+    assert!(harness.query_by_label("Harmonic measure").is_none() && !harness.state().stats().overlays.plots);
 }
 
 #[test]
 fn pointing_at_a_boundary_marks_it_and_its_partner() {
     let mut harness = ready_app([1200.0, 800.0]);
-    assert_eq!(harness.state().stats().marked_boundary, None);
+    assert_eq!(harness.state().stats().screen.plots.marked_boundary, None);
     let app = harness.state();
     let samples = app.model.domain(Side::Source).unwrap().samples();
-    let place = app.views[Side::Source as usize].to_screen(samples.position(samples.at_fraction(0.31)));
+    let place = app.pictures.views[Side::Source].to_screen(samples.position(samples.at_fraction(0.31)));
     harness.hover_at(place);
     harness.run_steps(3);
-    let [source, target] = harness.state().stats().marked_boundary.unwrap();
+    let [source, target] = harness.state().stats().screen.plots.marked_boundary.unwrap();
     // A pixel is about 1/3000 of the outline's length.
     assert!((source - 0.31).abs() < 2e-3, "pointed at 0.31, marked {source}");
     let map = harness.state().model.map().unwrap();
@@ -423,7 +428,7 @@ fn pointing_at_a_boundary_marks_it_and_its_partner() {
     assert!(error < 0.03, "f⁻¹ of the partner is {error} away");
     harness.hover_at(egui::pos2(600.0, 20.0));
     harness.run_steps(3);
-    assert_eq!(harness.state().stats().marked_boundary, None);
+    assert_eq!(harness.state().stats().screen.plots.marked_boundary, None);
 }
 
 #[test]
@@ -434,13 +439,13 @@ fn pointing_at_a_plot_marks_the_boundary() {
     let title = harness.get_by_label("Reparameterisation").rect();
     harness.hover_at(title.center_bottom() + egui::vec2(60.0, 60.0));
     harness.run_steps(3);
-    let [_, target] = harness.state().stats().marked_boundary.unwrap();
+    let [_, target] = harness.state().stats().screen.plots.marked_boundary.unwrap();
     assert!(target > 0.05 && target < 0.6, "a third of the way along the axis: {target}");
     // All three headers show the values at the mark instead of the sides' names.
     assert!(harness.query_by_label("source").is_none() && harness.query_by_label("target").is_none());
     harness.hover_at(egui::pos2(600.0, 20.0));
     harness.run_steps(3);
-    assert_eq!(harness.state().stats().marked_boundary, None);
+    assert_eq!(harness.state().stats().screen.plots.marked_boundary, None);
     assert_eq!(harness.query_all_by_label("source").count(), 3);
 }
 
@@ -449,7 +454,7 @@ fn the_app_prepares_shows_and_answers_to_a_drag() {
     let mut harness = ready_app([1200.0, 800.0]);
     let before = harness.state().stats();
     harness.get_by_label("drag a dot · scroll to zoom · drop a file anywhere");
-    let [x, y] = before.handles.x1.unwrap();
+    let [x, y] = before.screen.handles.x1.unwrap();
     harness.drag_at(egui::pos2(x, y));
     harness.step();
     harness.hover_at(egui::pos2(x + 12.0, y + 9.0));
@@ -457,15 +462,15 @@ fn the_app_prepares_shows_and_answers_to_a_drag() {
     harness.drop_at(egui::pos2(x + 12.0, y + 9.0));
     harness.step();
     let after = harness.state().stats();
-    assert!(after.generation > before.generation);
-    let [u, v] = after.handles.x1.unwrap();
+    assert!(after.map.generation > before.map.generation);
+    let [u, v] = after.screen.handles.x1.unwrap();
     assert!((u - x - 12.0).abs() < 0.6 && (v - y - 9.0).abs() < 0.6, "from {x}, {y} to {u}, {v}");
 }
 
 #[test]
 fn on_a_phone_everything_that_is_pressed_is_as_large_as_a_fingertip() {
     let mut harness = ready_app([390.0, 844.0]);
-    harness.state_mut().sheet_open = true;
+    harness.state_mut().screen.sheet_open = true;
     harness.run_steps(20);
     let mut checked = 0;
     for node in harness.root().children_recursive() {

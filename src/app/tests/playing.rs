@@ -165,7 +165,7 @@ fn show_star(model: &mut Model) {
 }
 
 fn y1(harness: &Harness<'_, RiemapApp>) -> [f32; 2] {
-    harness.state().stats().handles.y1.unwrap()
+    harness.state().stats().screen.handles.y1.unwrap()
 }
 
 #[test]
@@ -176,13 +176,13 @@ fn space_plays_and_pauses_and_the_motion_is_one_undo_step() {
     harness.key_press(Key::Space);
     harness.run_steps(8);
     let stats = harness.state().stats();
-    assert!(stats.playing && stats.undo == 0 && y1(&harness) != start);
+    assert!(stats.screen.playing && stats.screen.undo == 0 && y1(&harness) != start);
     harness.key_press(Key::Space);
     harness.run_steps(6);
     let there = y1(&harness);
     harness.run_steps(4);
-    assert!(!harness.state().stats().playing && y1(&harness) == there);
-    assert_eq!(harness.state().stats().undo, 1);
+    assert!(!harness.state().stats().screen.playing && y1(&harness) == there);
+    assert_eq!(harness.state().stats().screen.undo, 1);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     harness.run_steps(6);
     assert_eq!(harness.state().session(), &session);
@@ -193,11 +193,11 @@ fn dragging_a_dot_pauses_the_motion() {
     let mut harness = ready_app([1200.0, 800.0]);
     harness.key_press(Key::Space);
     harness.run_steps(4);
-    assert!(harness.state().stats().playing);
-    let [x, y] = harness.state().stats().handles.x2.unwrap();
+    assert!(harness.state().stats().screen.playing);
+    let [x, y] = harness.state().stats().screen.handles.x2.unwrap();
     harness.drag_at(egui::pos2(x, y));
     harness.run_steps(2);
-    assert!(!harness.state().stats().playing);
+    assert!(!harness.state().stats().screen.playing);
     harness.drop_at(egui::pos2(x, y));
     harness.run_steps(2);
 }

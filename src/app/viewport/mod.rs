@@ -5,6 +5,7 @@
 //! | the camera of a planar viewport | `view` |
 //! | gestures and dots over a planar domain | `planar` |
 //! | the viewport of a surface | `surface` |
+//! | the state of both pictures | `pictures` |
 //! | dragging and painting the dots | `dots` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
 //! | the legend of triangle colors | `legend` |
@@ -14,6 +15,7 @@ pub mod dots;
 pub mod gpu;
 mod gpu_extension;
 pub mod legend;
+pub mod pictures;
 pub mod planar;
 pub mod surface;
 pub mod view;

@@ -3,3 +3,11 @@
 pub mod explore;
 pub mod exporting;
 pub mod reports;
+
+/// The windows, each open or closed.
+#[derive(Default)]
+pub struct Windows {
+    pub explore: explore::Explore,
+    pub exporter: exporting::Exporter,
+    pub reports: reports::Reports,
+}

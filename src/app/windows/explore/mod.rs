@@ -157,10 +157,10 @@ mod tests {
         for action in [ExploreAction::Gallery, ExploreAction::Shortcuts, ExploreAction::Tour(1)] {
             let mut harness = crate::app::tests::ready_app([1200.0, 800.0]);
             harness.run_steps(3);
-            let before = harness.state().stats().spoken;
+            let before = harness.state().stats().screen.spoken;
             harness.state_mut().explore(action);
             harness.run_steps(3);
-            assert_eq!(harness.state().stats().spoken, before + 1, "{action:?}");
+            assert_eq!(harness.state().stats().screen.spoken, before + 1, "{action:?}");
         }
     }
 
@@ -178,15 +178,15 @@ mod tests {
     fn on_a_phone_the_windows_have_a_working_close_button() {
         for action in [ExploreAction::Gallery, ExploreAction::Shortcuts] {
             let mut harness = crate::app::tests::ready_app([390.0, 844.0]);
-            harness.state_mut().explore.act(action, &Session::default(), false);
+            harness.state_mut().windows.explore.act(action, &Session::default(), false);
             harness.run_steps(6);
-            let close = harness.state().stats().close;
+            let close = harness.state().stats().screen.windows.close;
             let at = Pos2::from(*close.values().next().unwrap());
             harness.drag_at(at);
             harness.step();
             harness.drop_at(at);
             harness.run_steps(3);
-            assert!(harness.state().stats().close.is_empty(), "{action:?} is closed at {at}");
+            assert!(harness.state().stats().screen.windows.close.is_empty(), "{action:?} is closed at {at}");
         }
     }
 }

@@ -141,7 +141,7 @@ fn the_window_opens_by_key_reports_errors_and_closes() {
     assert!(harness.query_by_label("There is no graphics device to draw with.").is_some());
     harness.key_press(Key::Escape);
     harness.run_steps(3);
-    assert_eq!(harness.state().stats().export, None);
+    assert_eq!(harness.state().stats().screen.windows.export, None);
 }
 
 #[test]
@@ -151,9 +151,9 @@ fn on_a_phone_a_button_as_large_as_a_fingertip_closes_the_window() {
     harness.run_steps(4);
     let button = harness.get_by_label("Close").rect();
     assert!(button.width().min(button.height()) >= 39.9, "{button:?}");
-    let noted = harness.state().stats().export.unwrap()["Close"];
+    let noted = harness.state().stats().screen.windows.export.unwrap()["Close"];
     assert!(egui::Pos2::from(noted).distance(button.center()) < 0.5, "{noted:?}, {button:?}");
     harness.get_by_label("Close").click();
     harness.run_steps(3);
-    assert_eq!(harness.state().stats().export, None);
+    assert_eq!(harness.state().stats().screen.windows.export, None);
 }
