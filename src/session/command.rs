@@ -1,4 +1,4 @@
-//! The commands, what each touches, and how it changes the session: the only door to a change.
+//! [`Command`], the only way to change a [`Session`]: what each command touches and how it is applied.
 
 use super::{Colouring, Comparison, OutlineSpec, Session, SidePoints, SideState, SurfaceSpec, TextureKind, Touched};
 use crate::conformal::{Direction, Extension, InteriorPoint, PrepareSettings, Side};
@@ -8,12 +8,12 @@ use crate::geometry::DVec2;
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs, reason = "each variant without a comment sets what its name says")]
 pub enum Command {
-    /// Puts another outline on a side: the side's two points are the default ones again, and a surface goes.
+    /// Replaces the outline of a side. Its two points return to their defaults, and a surface there is removed.
     SetOutline {
         side: Side,
         outline: OutlineSpec,
     },
-    /// Puts another form of the outline in its place, with the points that go along. A surface stays.
+    /// Replaces the outline by an edited form of it, with the points carried along. A surface stays.
     ReshapeOutline {
         side: Side,
         outline: OutlineSpec,
@@ -24,34 +24,34 @@ pub enum Command {
         side: Side,
         settings: PrepareSettings,
     },
-    /// Moves the interior point of an outline, or of the surface; without a surface the latter changes nothing.
+    /// Moves the interior point of the outline or of the surface; without a surface the latter changes nothing.
     MoveInterior {
         side: Side,
         point: InteriorPoint,
     },
-    /// Moves the boundary point of what stands on the side to a fraction of the boundary's length.
+    /// Moves the boundary point of the side's surface, or else of its outline, to a fraction of the boundary's length.
     MoveAnchor {
         side: Side,
         fraction: f64,
     },
-    /// Puts both points, also of an outline that waits behind a surface.
+    /// Sets both points. Those of the outline can be set while a surface hides it.
     PlacePoints {
         side: Side,
         points: SidePoints,
     },
-    /// Puts a surface in the outline's place. One that is there already in another resolution or with other
-    /// settings keeps its points, but for an interior point whose triangles are others.
+    /// Shows a surface instead of the outline. If the side has the same surface at another resolution or with other
+    /// settings, the points stay; the interior point is reset if the triangles change.
     SetSurface {
         side: Side,
         surface: SurfaceSpec,
     },
-    /// Discretises the surface that is there in another way: other settings, or another number of boundary vertices of
-    /// one by formula. Another surface changes nothing.
+    /// Rediscretises the side's surface: other settings or, for a built-in surface, another number of boundary
+    /// vertices. A different surface changes nothing.
     RefineSurface {
         side: Side,
         surface: SurfaceSpec,
     },
-    /// Takes the surface away: the outline is there again.
+    /// Removes the surface; the outline is shown again.
     CloseSurface(Side),
     SetDirection(Direction),
     SetExtension(Extension),
@@ -64,12 +64,12 @@ pub enum Command {
     SetComparison(Comparison),
     /// Exchanges source and target.
     Swap,
-    /// Takes another session in place of this one.
+    /// Replaces the whole session.
     Open(Box<Session>),
 }
 
 impl Command {
-    /// What it may change. Points that go along with their own shape when that takes another form are not touched.
+    /// The parts that the command may change. Points carried along by a reshaped outline do not count as touched.
     pub fn touches(&self) -> Touched {
         match self {
             Self::SetOutline { .. } | Self::SetSurface { .. } => Touched::ANOTHER_SHAPE,
@@ -92,8 +92,8 @@ impl Command {
 }
 
 impl Session {
-    /// Carries out a command; returns what it touched: [`Command::touches`], or nothing where it was about a
-    /// surface that is not there.
+    /// Applies a command and returns what it touched: [`Command::touches`], or [`Touched::NOTHING`] if the command
+    /// needs a surface that the side does not have.
     pub fn apply(&mut self, command: Command) -> Touched {
         if !self.has_object_of(&command) {
             return Touched::NOTHING;
@@ -131,7 +131,7 @@ impl Session {
         touched
     }
 
-    /// Whether the surface that a command is about, if it is about one, is there.
+    /// Whether the surface that the command needs exists; true for commands that need none.
     fn has_object_of(&self, command: &Command) -> bool {
         match command {
             Command::MoveInterior { side, point: InteriorPoint::Surface(_) }

@@ -1,15 +1,15 @@
-//! Undo and redo: the sessions that a person has come to rest at, one after the other.
+//! Undo and redo: a list of settled sessions.
 //!
-//! What happens between two of them, a drag or the way of a slider, is one step.
+//! Whatever happens between two settled sessions, a drag or the movement of a slider, is one step.
 
 use super::Session;
 
-/// The most steps that are kept.
+/// The maximal number of undo steps kept.
 const MOST_STEPS: usize = 200;
-/// The most points of loaded outlines in all steps together: 32 MB.
+/// The maximal number of loaded outline points in all steps together: 32 MB.
 const MOST_POINTS: usize = 2_000_000;
 
-/// The present session and the way to it and back.
+/// The present session, the sessions before it, and the undone ones after it.
 #[derive(Debug, Clone)]
 pub struct History {
     now: Session,
@@ -18,13 +18,13 @@ pub struct History {
 }
 
 impl History {
-    /// Begins at `session`; there is nothing before it.
+    /// A history with `session` as its only entry.
     pub fn new(session: Session) -> Self {
         Self { now: session, past: Vec::new(), future: Vec::new() }
     }
 
-    /// Notes that the person has come to rest at `session`; whether that is another one than before.
-    /// A new step ends what could be redone.
+    /// Records a settled session as a new step; false if it equals the present one. A new step discards what could
+    /// be redone.
     pub fn settle(&mut self, session: &Session) -> bool {
         if *session == self.now {
             return false;
@@ -35,7 +35,7 @@ impl History {
         true
     }
 
-    /// Takes `session` for the present one: what a step led to. The way to it and on from it stays.
+    /// Replaces the present session by the result of an undo or redo, without adding a step.
     pub fn amend(&mut self, session: &Session) {
         if *session != self.now {
             self.now = session.clone();
@@ -54,24 +54,24 @@ impl History {
         Some(&self.now)
     }
 
-    /// One step forward again; `None` where nothing was undone.
+    /// One step forward; `None` if nothing is undone.
     pub fn redo(&mut self) -> Option<&Session> {
         let after = self.future.pop()?;
         self.past.push(std::mem::replace(&mut self.now, after));
         Some(&self.now)
     }
 
-    /// Whether there is a step back.
+    /// Whether there is a step to undo.
     pub fn can_undo(&self) -> bool {
         !self.past.is_empty()
     }
 
-    /// How many steps back there are.
+    /// The number of steps that can be undone.
     pub fn undo_count(&self) -> usize {
         self.past.len()
     }
 
-    /// Whether there is a step forward.
+    /// Whether there is a step to redo.
     pub fn can_redo(&self) -> bool {
         !self.future.is_empty()
     }
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(history.undo(), Some(&scaled(2.0)));
     }
 
-    /// The session that was gone back to does not come to rest as it was: its preparation failed, say.
+    /// A restored session may settle in another state, for example if its preparation fails.
     #[test]
     fn what_a_step_led_to_is_no_step_of_its_own() {
         let mut history = History::new(scaled(1.0));
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn large_outlines_do_not_fill_the_memory() {
         const LARGE: usize = MOST_POINTS / 20;
-        // a staircase from the diagonal's upper end down to its lower one, closed through the corner
+        // a staircase along the diagonal, closed through the corner
         let steps = (0..LARGE - 1).map(|k| DVec2::new(k.div_ceil(2) as f64, (k / 2) as f64));
         let points = steps.chain([DVec2::new(0.0, LARGE as f64)]).collect::<Vec<_>>();
         let polygon = crate::geometry::SimplePolygon::try_from(points).unwrap();

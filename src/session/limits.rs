@@ -1,7 +1,7 @@
-//! What the numbers of a session may be: what its controls allow.
+//! The ranges of a session's numbers: those of its controls.
 //!
-//! A session that comes from outside, by a link or a file, is checked against these before it is
-//! used: beyond them a preparation would take all the memory or for ever.
+//! A session from outside, from a link or a file, is checked against them before use: beyond them a
+//! preparation would take all memory or not end.
 
 use super::{DomainSpec, Session, SurfaceShape, SurfaceState};
 use crate::geometry::MAX_COORDINATE;
@@ -9,24 +9,23 @@ use crate::mesh::{BarycentricPoint, Sizing};
 use crate::outline::Sampling;
 use std::ops::RangeInclusive;
 
-/// Boundary samples that can be asked for: fewer than 30 make a polygon of any
-/// outline; 3200 are the most in the paper, and with uniform triangles in a
-/// round outline they already mean 800,000 vertices.
+/// Boundary samples: with fewer than 30 any outline becomes a polygon; 3200 is the largest number in the paper,
+/// and with uniform triangles in a round outline it already means 800,000 vertices.
 pub const SAMPLES: RangeInclusive<u32> = 30..=3200;
-/// Growth of the triangles per distance from the boundary.
+/// Growth of the triangle size per distance from the boundary.
 pub const GROWTH: RangeInclusive<f64> = 0.05..=0.5;
 /// Cells of the texture across its domain.
 pub const CELLS: RangeInclusive<f64> = 2.0..=64.0;
 /// Boundary vertices of a built-in surface; 4000 mean three million triangles.
 pub const SURFACE_BOUNDARY: RangeInclusive<u32> = 12..=4000;
 
-/// How far the weights of a point may be from the sum 1: many roundings, and no more than can be seen.
+/// Largest deviation of the sum of barycentric weights from 1: room for many roundings, too small to see.
 const WEIGHT_TOLERANCE: f64 = 1e-9;
 
-/// A number of a session.
+/// The numbers of a session that are checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Quantity {
-    /// The version.
+    /// The version of the format.
     #[error("the session's version")]
     Version,
     /// A coordinate of x₁ or x₂.
@@ -41,7 +40,7 @@ pub enum Quantity {
     /// m.
     #[error("the number of boundary samples")]
     Samples,
-    /// The growth of the triangles per distance from the boundary.
+    /// The growth of the triangle size per distance from the boundary.
     #[error("the growth of the triangles")]
     Growth,
     /// m of a built-in surface.
@@ -58,24 +57,24 @@ pub enum Quantity {
     SurfaceAnchor,
 }
 
-/// A number that a session may not have.
+/// A number outside its range.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{what} is {value}; it must be from {low} to {high}")]
 pub struct OutOfRange {
-    /// Which number.
+    /// The quantity.
     pub what: Quantity,
-    /// What it is.
+    /// Its value.
     pub value: f64,
-    /// The least that it may be.
+    /// The smallest allowed value.
     pub low: f64,
-    /// The largest that it may be.
+    /// The largest allowed value.
     pub high: f64,
 }
 
 impl Session {
-    /// Whether all numbers are finite and in the ranges of their controls.
+    /// Checks that all numbers are finite and in the ranges of their controls; returns the first that is not.
     pub fn check(&self) -> Result<(), OutOfRange> {
-        // sort by sort, so that of several wrong numbers the same one is told whatever the sides hold
+        // by quantity, so that which of several wrong numbers is reported does not depend on the kinds of sides
         let sides = || self.sides.iter().map(|(_, side)| side);
         sides().try_for_each(|side| check_domain(&side.domain))?;
         for value in sides().filter_map(|side| side.interior).flat_map(|point| point.to_array()) {
@@ -115,7 +114,7 @@ fn check_surface(state: &SurfaceState) -> Result<(), OutOfRange> {
     within(Quantity::SurfaceAnchor, state.anchor, &(0.0..=1.0))
 }
 
-/// Not-a-number is in no range.
+/// NaN is in no range.
 pub(super) fn within(what: Quantity, value: f64, range: &RangeInclusive<f64>) -> Result<(), OutOfRange> {
     let (low, high) = (*range.start(), *range.end());
     if range.contains(&value) { Ok(()) } else { Err(OutOfRange { what, value, low, high }) }

@@ -1,8 +1,8 @@
-//! Everything that a person can set, and the commands that set it.
+//! All settings of the app, and the commands that change them.
 //!
-//! A [`Session`] has two equal sides and what is drawn of the map between them. Its fields are read by
-//! accessors; [`Session::apply`] is the only door to a change, and says what it has [`Touched`].
-//! A session is small and plain: it is what links ([`link`]) and files ([`mod@file`]) carry.
+//! A [`Session`] holds two sides and the settings of the map and its display. Its fields are read by
+//! accessors; [`Session::apply`] is the only way to change it, and returns what was [`Touched`].
+//! A session is plain data: links ([`link`]) and files ([`mod@file`]) store it.
 
 mod command;
 #[cfg(feature = "io")]
@@ -31,7 +31,7 @@ use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
 
-/// The state of the app that a link or a file carries.
+/// The settings stored in a link or a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Session {
     sides: PerSide<SideState>,
@@ -46,9 +46,9 @@ pub struct Session {
     comparison: Comparison,
 }
 
-/// Boundary samples of the first map: enough for the checkerboard's lines to look smooth on a screen.
+/// Boundary samples of the default session: enough for the checkerboard's lines to look smooth on a screen.
 const DEFAULT_SAMPLES: u32 = 700;
-/// Growth of its triangles per distance from the boundary, for the same reason.
+/// Growth of the triangle size per distance from the boundary in the default session, for the same reason.
 const DEFAULT_GROWTH: f64 = 0.1;
 
 impl Default for Session {
@@ -75,12 +75,12 @@ impl Default for Session {
 }
 
 impl Session {
-    /// The default session with other commands carried out on it, in their order.
+    /// The default session with `commands` applied in order.
     pub fn with(commands: impl IntoIterator<Item = Command>) -> Self {
         Self::default().and(commands)
     }
 
-    /// This session with more commands carried out, in their order.
+    /// This session with `commands` applied in order.
     #[must_use]
     pub fn and(mut self, commands: impl IntoIterator<Item = Command>) -> Self {
         for command in commands {
@@ -89,7 +89,7 @@ impl Session {
         self
     }
 
-    /// This session's settings of the map and of what is drawn, over the sides of another one.
+    /// The map and display settings of this session with the sides of `other`.
     #[must_use]
     pub fn over_sides_of(&self, other: &Self) -> Self {
         Self { sides: other.sides.clone(), ..self.clone() }
@@ -105,27 +105,27 @@ impl Session {
         &self.sides[side]
     }
 
-    /// The outline of a side and how it is discretised, also while a surface stands in its place.
+    /// The outline of a side and how it is discretised, also while a surface hides it.
     pub fn domain(&self, side: Side) -> &DomainSpec {
         &self.sides[side].domain
     }
 
-    /// The surface that stands in the place of a side's outline.
+    /// The surface shown instead of a side's outline.
     pub fn surface(&self, side: Side) -> Option<&SurfaceState> {
         self.sides[side].surface.as_ref()
     }
 
-    /// Which mesh is mapped.
+    /// Which side's mesh is mapped.
     pub fn direction(&self) -> Direction {
         self.direction
     }
 
-    /// How the boundary map is extended into it.
+    /// How the boundary map is extended into the interior.
     pub fn extension(&self) -> Extension {
         self.extension
     }
 
-    /// The pattern.
+    /// The texture's pattern.
     pub fn texture(&self) -> TextureKind {
         self.texture
     }
@@ -135,17 +135,17 @@ impl Session {
         self.texture_scale
     }
 
-    /// Where the pattern lives: it is pushed forward from the source or pulled back from the target.
+    /// The side on which the pattern is defined: it is pushed forward from the source or pulled back from the target.
     pub fn texture_side(&self) -> Side {
         self.texture_side
     }
 
-    /// What the meshes are painted with.
+    /// What the triangles are colored by.
     pub fn colouring(&self) -> Colouring {
         self.colouring
     }
 
-    /// Whether the mapped mesh's edges are drawn, on both sides.
+    /// Whether the edges of the mapped mesh are drawn, on both sides.
     pub fn wireframe(&self) -> bool {
         self.wireframe
     }
@@ -155,17 +155,17 @@ impl Session {
         self.plots
     }
 
-    /// What the map is compared with.
+    /// The methods that the map is compared with.
     pub fn comparison(&self) -> Comparison {
         self.comparison
     }
 
-    /// How many points of loaded outlines it holds.
+    /// The number of points of its loaded outlines.
     pub fn loaded_points(&self) -> usize {
         self.sides.iter().map(|(_, side)| side.domain.outline.loaded_points()).sum()
     }
 
-    /// The constraints between two outlines, with their poles where no interior point is set.
+    /// The constraints between the two outlines. `poles` replace interior points that are not set.
     pub fn constraints(&self, poles: [DVec2; 2]) -> Constraints {
         let [source, target] = Side::BOTH.map(|side| {
             let SideState { interior, anchor, .. } = &self.sides[side];
@@ -174,7 +174,7 @@ impl Session {
         Constraints::new(source, target)
     }
 
-    /// How the map is made from the constraints.
+    /// The settings from which the map is computed.
     pub fn map_settings(&self) -> MapSettings {
         MapSettings { direction: self.direction, extension: self.extension }
     }

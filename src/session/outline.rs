@@ -1,21 +1,21 @@
-//! An outline in the session: a built-in one by its name, or a loaded one with its proof.
+//! An outline in a session: a preset, or a loaded polygon that is known to be simple.
 
 use crate::conformal::PrepareSettings;
 use crate::geometry::SimplePolygon;
 use crate::outline::{Outline, Preset};
 use serde::{Serialize, Serializer};
 
-/// Where a domain's outline comes from. Written as JSON it holds a loaded outline's points; `file` reads it.
+/// Where a domain's outline comes from. As JSON a loaded outline is its points; `file` reads it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum OutlineSpec {
     /// A built-in outline.
     Preset(Preset),
-    /// A loaded one.
+    /// A loaded outline.
     Points {
         /// Its name.
         name: String,
-        /// The outline, checked where it was read.
+        /// The polygon, checked when it was read.
         #[serde(rename = "points", serialize_with = "vertices")]
         polygon: SimplePolygon,
     },
@@ -30,7 +30,7 @@ impl OutlineSpec {
         }
     }
 
-    /// How many points a loaded one has; 0 for a preset.
+    /// The number of points of a loaded outline; 0 for a preset.
     pub fn loaded_points(&self) -> usize {
         match self {
             Self::Preset(_) => 0,
@@ -40,7 +40,7 @@ impl OutlineSpec {
 }
 
 impl From<Outline> for OutlineSpec {
-    /// Without the reader's notes.
+    /// Drops the reader's notes.
     fn from(Outline { name, polygon, .. }: Outline) -> Self {
         Self::Points { name, polygon }
     }
@@ -50,7 +50,7 @@ fn vertices<S: Serializer>(polygon: &SimplePolygon, serializer: S) -> Result<S::
     polygon.vertices().serialize(serializer)
 }
 
-/// An outline and how its inside is discretised.
+/// An outline and how its interior is discretised.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DomainSpec {
     /// The outline.

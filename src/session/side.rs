@@ -1,4 +1,4 @@
-//! One side of the session: its outline, the surface that may stand in the outline's place, and the points of each.
+//! One side of a session: its outline, the surface shown instead of it, if any, and the two points of each.
 
 use super::{DomainSpec, OutlineSpec, SurfaceSpec, SurfaceState};
 use crate::conformal::{InteriorPoint, PrepareSettings};
@@ -7,7 +7,7 @@ use crate::mesh::BarycentricPoint;
 
 /// The two points of an outline, or those of a surface.
 ///
-/// `interior` is `None` until it is set: the pole of inaccessibility of an outline, the vertex of a
+/// `interior` is `None` until set; the default is an outline's pole of inaccessibility, or the vertex of a
 /// surface that is farthest from its boundary. `anchor` is a fraction of the boundary's length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(missing_docs, reason = "explained above")]
@@ -25,21 +25,21 @@ impl SidePoints {
     }
 }
 
-/// One side. While a surface stands there, the outline waits behind it with its own points.
+/// One side. A surface hides the outline, which keeps its own points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SideState {
     /// The outline and how it is discretised.
     pub domain: DomainSpec,
-    /// The outline's interior point `x`; `None` until it is set: the pole of inaccessibility.
+    /// The outline's interior point `x`; `None` until set, with the pole of inaccessibility as default.
     pub interior: Option<DVec2>,
     /// The outline's boundary point `y`, as a fraction of arc length.
     pub anchor: f64,
-    /// The surface in the outline's place.
+    /// The surface shown instead of the outline.
     pub surface: Option<SurfaceState>,
 }
 
 impl SideState {
-    /// An outline without a surface, with the default points.
+    /// A side with an outline, no surface, and the default points.
     pub(super) fn new(outline: OutlineSpec, settings: PrepareSettings) -> Self {
         Self { domain: DomainSpec { outline, settings }, interior: None, anchor: 0.0, surface: None }
     }
@@ -49,13 +49,13 @@ impl SideState {
         SidePoints::Outline { interior: self.interior, anchor: self.anchor }
     }
 
-    /// The points of what stands here: of the surface, else of the outline.
+    /// The points of the surface, or without one of the outline.
     pub fn points(&self) -> SidePoints {
         self.surface.as_ref().map_or_else(|| self.outline_points(), SurfaceState::points)
     }
 
-    /// Puts both points; those of a surface only where one stands. An anchor that is not finite stays
-    /// as it was, any other is taken modulo 1.
+    /// Sets both points; those of a surface only if the side has one. An anchor that is not finite is ignored, any
+    /// other is taken modulo 1.
     pub(super) fn place(&mut self, points: SidePoints) {
         match (points, &mut self.surface) {
             (SidePoints::Outline { interior, anchor }, _) => {
@@ -70,7 +70,7 @@ impl SideState {
         }
     }
 
-    /// Moves the interior point of what `point` is a point of, if that is there.
+    /// Moves the outline's or the surface's interior point; ignored for a surface that the side does not have.
     pub(super) fn move_interior(&mut self, point: InteriorPoint) {
         match (point, &mut self.surface) {
             (InteriorPoint::Plane(point), _) => self.interior = Some(point),
@@ -79,13 +79,13 @@ impl SideState {
         }
     }
 
-    /// Moves the boundary point of what stands here: of the surface, else of the outline.
+    /// Moves the boundary point of the surface, or without one of the outline.
     pub(super) fn move_anchor(&mut self, fraction: f64) {
         place_anchor(self.surface.as_mut().map_or(&mut self.anchor, |surface| &mut surface.anchor), fraction);
     }
 
-    /// Puts a surface in the outline's place. The same surface in another resolution keeps its points, but
-    /// for an interior point of triangles that are others.
+    /// Shows a surface instead of the outline. The same surface at another resolution keeps its points, except an
+    /// interior point in triangles that no longer exist.
     pub(super) fn set_surface(&mut self, spec: SurfaceSpec) {
         let old = self.surface.take().filter(|old| old.spec.shape.is_like(&spec.shape));
         let mut new = SurfaceState::new(spec);

@@ -1,22 +1,22 @@
-//! A surface in the session: what it is, and where its two points are.
+//! A surface in a session: its source, its settings and its two points.
 
 use super::SidePoints;
 use crate::conformal::SurfaceSettings;
 use crate::mesh::BarycentricPoint;
 use crate::surface::SurfacePreset;
 
-/// Which surface.
+/// Where a surface comes from.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SurfaceShape {
-    /// A built-in one.
+    /// A built-in surface.
     Preset {
-        /// Which one.
+        /// Its name.
         preset: SurfacePreset,
-        /// About how many boundary vertices.
+        /// The approximate number of boundary vertices.
         boundary: u32,
     },
-    /// One from a file. Its triangles are too many for a session: they stay in the file.
+    /// A surface from a file. Its triangles are too many for a session and stay in the file.
     File {
         /// The file's name.
         name: String,
@@ -24,7 +24,7 @@ pub enum SurfaceShape {
 }
 
 impl SurfaceShape {
-    /// Whether the other is the same but for its resolution.
+    /// Whether the two differ at most in their resolution.
     pub fn is_like(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Preset { preset, .. }, Self::Preset { preset: other, .. }) => preset == other,
@@ -47,9 +47,9 @@ impl Default for SurfaceShape {
 /// A surface and how it is prepared.
 #[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub struct SurfaceSpec {
-    /// Which one.
+    /// Where it comes from.
     pub shape: SurfaceShape,
-    /// Whether the repairs that are safe are made.
+    /// Whether the safe repairs are made.
     #[serde(default)]
     pub repair: bool,
     /// How it is discretised.
@@ -58,7 +58,7 @@ pub struct SurfaceSpec {
 }
 
 impl SurfaceSpec {
-    /// Whether the other is the same surface, in whatever resolution and with whatever settings.
+    /// Whether the two are the same surface, at any resolution and with any settings.
     pub fn is_like(&self, other: &Self) -> bool {
         self.repair == other.repair && self.shape.is_like(&other.shape)
     }
@@ -69,7 +69,7 @@ impl SurfaceSpec {
 pub struct SurfaceState {
     /// The surface.
     pub spec: SurfaceSpec,
-    /// The interior point `x`; `None` until it is set: the vertex farthest from the boundary.
+    /// The interior point `x`; `None` until set, with the vertex farthest from the boundary as default.
     #[serde(default)]
     pub point: Option<BarycentricPoint>,
     /// The boundary point `y`, as a fraction of the length of the boundary loop.

@@ -1,4 +1,4 @@
-//! What the commands do to a session.
+//! The effect of every command on a session.
 
 use super::*;
 use crate::conformal::InteriorPoint;
@@ -148,7 +148,7 @@ fn what_is_about_a_surface_that_is_not_there_touches_nothing() {
     }
 }
 
-/// Every command once, each of which changes the session that it comes to.
+/// Every kind of command once, each changing the session it is applied to.
 fn commands() -> Vec<Command> {
     let side = Side::Source;
     let point = BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] };

@@ -1,23 +1,23 @@
-//! What is drawn of the map and beside it: pattern, colours, comparisons.
+//! The display settings of a map: pattern, colors, comparisons.
 
-/// The pattern drawn on one side and carried by the map.
+/// The pattern drawn on one side and carried to the other by the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TextureKind {
-    /// A checkerboard with a vertical change of hue.
+    /// A checkerboard whose hue changes vertically.
     #[default]
     Checker,
-    /// Lines.
+    /// A square grid of lines.
     Grid,
     /// Circles and rays about the interior point.
     Polar,
-    /// The same in the disk: level sets of Green's function and of harmonic measure.
+    /// Circles and rays of the disk, carried by the disk map: level sets of Green's function and of harmonic measure.
     Conformal,
-    /// The user's own image.
+    /// A loaded image.
     Image,
 }
 
-/// What the meshes are painted with.
+/// What the triangles are colored by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Colouring {
@@ -30,37 +30,37 @@ pub enum Colouring {
     Area,
 }
 
-/// The ways that are shown beside the map: through the disk (sections 1.2 and 5.2).
+/// The methods compared with the map: those through the disk (sections 1.2 and 5.2 of the paper).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Comparison {
-    /// None.
+    /// No comparison.
     #[default]
     Off,
-    /// Disk maps made for the present interior points.
+    /// Disk maps computed for the current interior points.
     Fresh,
-    /// Disk maps made for the poles of inaccessibility, then Möbius.
+    /// Disk maps computed once for the poles of inaccessibility, then composed with Möbius transformations.
     Precomputed,
-    /// Both of these.
+    /// Both methods.
     Both,
 }
 
-/// A way through the disk.
+/// A method that maps through the disk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DiskWay {
-    /// As [`Comparison::Fresh`].
+    /// See [`Comparison::Fresh`].
     Fresh,
-    /// As [`Comparison::Precomputed`].
+    /// See [`Comparison::Precomputed`].
     Precomputed,
 }
 
 impl DiskWay {
-    /// Both, in the order in which they are listed.
+    /// Both methods, in the order of the list in the app.
     pub const ALL: [Self; 2] = [Self::Fresh, Self::Precomputed];
 }
 
 impl Comparison {
-    /// Whether it shows this way.
+    /// Whether the comparison includes this method.
     pub fn shows(self, way: DiskWay) -> bool {
         match self {
             Self::Off => false,

@@ -1,16 +1,16 @@
-//! Sessions as files: `.riemap`, the JSON of a session with the marker `"riemap"` and the number of its format.
+//! Session files (`.riemap`): a session as JSON with the marker `"riemap"` and the number of its format.
 //!
-//! Everything is in it but for images and the triangles of surfaces from files. Numbers and outlines
-//! come back bit for bit. A file from before a setting was there reads with that setting's default;
-//! fields that are not known are skipped.
+//! A file holds everything except images and the triangles of surfaces that come from files. Numbers and outlines
+//! are read back bit for bit. A missing field gets its default, so that files older than a setting can be read;
+//! unknown fields are skipped.
 //!
 //! | format | holds | module |
 //! |---|---|---|
-//! | 1 | a surface on the target's side at most | `version1` |
+//! | 1 | at most a surface on the target's side | `version1` |
 //! | 2 | a surface on either side, or on both | `version2` |
 //!
 //! The oldest format that holds the session is written, so that older programs and the scripts of pages that
-//! embed the app read all that they can; both are read for ever.
+//! embed the app can read as many files as possible. Both formats will always be readable.
 
 mod version1;
 mod version2;
@@ -23,59 +23,59 @@ use serde::{Deserialize, Serialize};
 use version1::Version1;
 use version2::Version2;
 
-/// What the names of such files end with, after a dot.
+/// The extension of session files, without the dot.
 pub const EXTENSION: &str = "riemap";
 
 /// The newest format that is written and read.
 pub const NEWEST: u32 = 2;
 
-/// The largest file that is read: two outlines of the most points that one may have take 40 MB.
+/// The largest file that is read: two outlines with the maximal number of points take 40 MB.
 pub const MAX_BYTES: usize = 64 << 20;
 
-/// Why a file is not written or read.
+/// Why a session cannot be written or a file cannot be read.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FileError {
-    /// More than [`MAX_BYTES`].
+    /// It has more than [`MAX_BYTES`].
     #[error("the file is too large for a session: {} MiB are the most", MAX_BYTES >> 20)]
     TooLarge,
-    /// It is no JSON, or not a session's.
+    /// It is not JSON, or not the JSON of a session.
     #[error("the file is no session of riemap: {0}")]
     Malformed(String),
     /// It is JSON without the marker.
     #[error("the file is no session of riemap: there is no \"riemap\": {NEWEST} in it")]
     NoSession,
-    /// It is of another version.
+    /// It is of a format that this program does not know.
     #[error("the file is of format {found}, made by a newer riemap; this one reads format {NEWEST}")]
     Version {
-        /// Its version.
+        /// The number of its format.
         found: u32,
     },
-    /// A number is not finite, or beyond what its control allows.
+    /// A number is not finite or outside the range of its control.
     #[error("the session cannot be used: {0}")]
     OutOfRange(#[from] OutOfRange),
     /// An outline is not a simple polygon.
     #[error("the session's outline of the {side} cannot be used: {reason}")]
     Outline {
-        /// Whose it is.
+        /// The side with the outline.
         side: Side,
-        /// What is wrong with it.
+        /// What is wrong with the outline.
         reason: PolygonError,
     },
 }
 
-/// What is looked at first.
+/// The field that marks a file and says its format; parsed first.
 #[derive(Deserialize)]
 struct Marker {
     riemap: Option<u32>,
 }
 
-/// The same of an object without a marker.
+/// The field that says the format of an object without a marker.
 #[derive(Deserialize)]
 struct Unmarked {
     version: u32,
 }
 
-/// A format's form of a session. A number in `riemap` marks a file.
+/// A session in one of the formats. A number in `riemap` marks a file.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Written<'a> {
@@ -94,28 +94,28 @@ impl<'a> Written<'a> {
     }
 }
 
-/// The file of a session. Errors: numbers that the session's controls do not allow.
+/// The file of a session. Errors: a number outside the range of its control.
 pub fn write(session: &Session) -> Result<String, FileError> {
     let written = Written::new(session, true)?;
     serde_json::to_string_pretty(&written).map(|text| text + "\n").map_err(|error| malformed(&error))
 }
 
-/// As [`write()`], on one line: half of the time and of the length where an outline has many points.
+/// As [`write()`], on one line: half the time and length if an outline has many points.
 pub fn write_compact(session: &Session) -> Result<String, FileError> {
     serde_json::to_string(&Written::new(session, true)?).map_err(|error| malformed(&error))
 }
 
-/// The JSON of a session for a page's script: that of a file without its marker.
+/// A session as JSON for a page's script: a file without its marker.
 pub fn write_object(session: &Session) -> Result<String, FileError> {
     serde_json::to_string(&Written::new(session, false)?).map_err(|error| malformed(&error))
 }
 
-/// The session of a file. Its numbers are in their ranges, its outlines simple polygons.
+/// Reads a file. The session's numbers are in their ranges and its outlines are simple polygons.
 pub fn read(bytes: &[u8]) -> Result<Session, FileError> {
     if bytes.len() > MAX_BYTES {
         return Err(FileError::TooLarge);
     }
-    // Read as text, like everything else: the readers for bytes would be as large once more.
+    // As text, since serde_json's reader for bytes would add as much code again to the program.
     let text = std::str::from_utf8(bytes).map_err(|error| FileError::Malformed(error.to_string()))?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     match parsed::<Marker>(text)?.riemap {
@@ -125,7 +125,7 @@ pub fn read(bytes: &[u8]) -> Result<Session, FileError> {
     }
 }
 
-/// The session of an object as [`write_object`] makes it, with the same guarantees as [`read`].
+/// Reads an object written by [`write_object`], with the guarantees of [`read`].
 pub fn read_object(text: &str) -> Result<Session, FileError> {
     match parsed::<Unmarked>(text)?.version {
         2 => read_format(2, text),
@@ -151,7 +151,7 @@ fn malformed(error: &serde_json::Error) -> FileError {
     FileError::Malformed(error.to_string())
 }
 
-/// An outline that has not been checked yet.
+/// An outline whose polygon is not checked yet.
 #[derive(Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum OutlineForm {

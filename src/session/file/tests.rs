@@ -1,11 +1,11 @@
-//! What files hold, in both formats, and what is refused.
+//! Both formats are read back as written; damaged files are refused.
 
 use super::*;
 use crate::mesh::BarycentricPoint;
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec};
 use serde_json::{Value, json};
 
-/// A session of format 1.
+/// A session that format 1 holds.
 fn drawn() -> Session {
     let points = [(0.1, 0.2), (1.0 / 3.0, 1e-12), (0.7, 0.9)].map(DVec2::from).to_vec();
     let polygon = SimplePolygon::try_from(points).unwrap();
@@ -17,7 +17,7 @@ fn drawn() -> Session {
     ])
 }
 
-/// One of format 2: a surface on both sides.
+/// A session that needs format 2: surfaces on both sides.
 fn solid() -> Session {
     let shape = SurfaceShape::File { name: "cow.obj".into() };
     let point = BarycentricPoint { triangle: 7, weights: [0.25, 0.25, 0.5] };
@@ -56,7 +56,7 @@ fn what_is_written_is_read_bit_for_bit_in_the_oldest_format_that_holds_it() {
     }
 }
 
-/// A file of format 1 as it was written before there was a second one. It must never change.
+/// A file of format 1 from before format 2 existed. It must never change.
 const GOLDEN: &str = include_str!("golden_version1.riemap");
 
 #[test]

@@ -1,4 +1,4 @@
-//! Format 1 of files, frozen: a session whose only surface, if there is one, stands on the target's side.
+//! File format 1, frozen: a session with at most one surface, on the target's side.
 
 use super::{FileError, OutlineForm};
 use crate::conformal::{Direction, Extension, PerSide, PrepareSettings, Side};
@@ -7,12 +7,12 @@ use crate::session::limits::{Quantity, within};
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
 use serde::{Deserialize, Serialize};
 
-/// Whether the format holds the session.
+/// Whether the format can hold the session.
 pub(super) fn holds(session: &Session) -> bool {
     session.surface(Side::Source).is_none()
 }
 
-/// A session as it is written.
+/// A session as written.
 #[derive(Serialize)]
 pub(super) struct Written<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -27,7 +27,7 @@ pub(super) struct Written<'a> {
     surface: Option<&'a SurfaceState>,
 }
 
-/// How the map is made and what is drawn of it, in every format.
+/// The settings of the map and of its display, the same in every format.
 #[derive(Serialize)]
 pub(super) struct Drawn {
     direction: Direction,
@@ -43,7 +43,7 @@ pub(super) struct Drawn {
 
 impl Drawn {
     pub fn of(session: &Session) -> Self {
-        // By name, so that a field that a session gets is not forgotten here.
+        // Destructured, so that the compiler reports a new field that is not handled here.
         let &Session {
             sides: _,
             direction,
@@ -76,7 +76,7 @@ impl<'a> Written<'a> {
     }
 }
 
-/// A session as it is read.
+/// A session as read.
 #[derive(Deserialize)]
 pub(super) struct Version1 {
     version: u32,

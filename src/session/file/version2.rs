@@ -1,5 +1,5 @@
-//! Format 2 of files: each side has its outline, its points, and a surface or none. What later versions of the
-//! program add is a field with a default; readers skip the fields that they do not know.
+//! File format 2: each side has its outline, its points, and optionally a surface. Later versions of the program may
+//! add fields with a default; readers skip unknown fields.
 
 use super::version1::Drawn;
 use super::{FileError, OutlineForm};
@@ -9,7 +9,7 @@ use crate::session::limits::{Quantity, within};
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
 use serde::{Deserialize, Serialize};
 
-/// A session as it is written.
+/// A session as written.
 #[derive(Serialize)]
 pub(super) struct Written<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -41,7 +41,7 @@ impl<'a> Written<'a> {
     }
 }
 
-/// A session as it is read.
+/// A session as read.
 #[derive(Deserialize)]
 pub(super) struct Version2 {
     version: u32,

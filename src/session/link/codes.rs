@@ -1,16 +1,16 @@
-//! The numbers that stand for choices in a link. They never change; a new choice gets the next number.
+//! The numbers that encode enum values in a link. They never change; a new value gets the next number.
 
 use super::{Choice, LinkError};
 use crate::conformal::{Direction, Extension, KernelMode, Side};
 use crate::laplace::SolverKind;
 use crate::session::{Colouring, Comparison, TextureKind};
 
-/// A choice with a number.
+/// An enum whose values have numbers.
 pub(super) trait Coded: Sized {
-    /// Its number.
+    /// The number of the value.
     fn code(self) -> u8;
 
-    /// The choice of a number. Errors: [`LinkError::Unknown`].
+    /// The value of a number. Errors: [`LinkError::Unknown`].
     fn of(code: u8) -> Result<Self, LinkError>;
 }
 

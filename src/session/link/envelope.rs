@@ -1,10 +1,10 @@
-//! From bytes to the text of a link and back: deflate with a checksum (RFC 1951 within RFC 1950), then
-//! base 64 for URLs (RFC 4648, section 5) without padding.
+//! The text encoding of a link: deflate with a checksum (RFC 1951 in RFC 1950), then base 64 for URLs
+//! (RFC 4648, section 5) without padding.
 //!
-//! The checksum takes 8 characters. Without it, 2 % of the links with a wrong character meant another session.
+//! The checksum takes 8 characters. Without it, 2 % of the links with a wrong character decoded to another session.
 //!
-//! Guarantees: unpacking takes time and memory in proportion to the limits here, whatever it is
-//! given. Not guaranteed: that packing gives the same text in every version of the program.
+//! Guarantees: unpacking any input takes time and memory in proportion to the limits here.
+//! Not guaranteed: that packing gives the same text in every version of the program.
 
 use super::{LinkError, MAX_LENGTH};
 use base64::Engine as _;
@@ -12,19 +12,19 @@ use base64::prelude::BASE64_URL_SAFE_NO_PAD;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
 
-/// The most bytes before deflating: a hundred thousand bytes never come from a link that can be sent, and
-/// the steps of 16,000 points need half of this.
+/// The largest input of deflate: no link short enough to be sent needs 100,000 bytes, and the steps of 16,000 points
+/// need half of this limit.
 pub(super) const MAX_BYTES: usize = 64 << 10;
 
-/// The best of deflate's levels that searches for a bounded time.
+/// Deflate's highest level whose search time is bounded.
 const LEVEL: u8 = 9;
 
-/// The text of `bytes`; `None` for more than [`MAX_BYTES`].
+/// Encodes `bytes`; `None` if there are more than [`MAX_BYTES`].
 pub(super) fn pack(bytes: &[u8]) -> Option<String> {
     (bytes.len() <= MAX_BYTES).then(|| BASE64_URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(bytes, LEVEL)))
 }
 
-/// The bytes of a text. Errors: too long, not base 64, not deflated, or more than [`MAX_BYTES`].
+/// Decodes a text. Errors: too long, not base 64, not deflated, or more than [`MAX_BYTES`].
 pub(super) fn unpack(text: &str) -> Result<Vec<u8>, LinkError> {
     if text.len() > MAX_LENGTH {
         return Err(LinkError::TooLong { length: text.len() });
@@ -49,8 +49,8 @@ mod tests {
         assert_eq!(pack(&vec![0; MAX_BYTES + 1]), None);
     }
 
-    /// Both of the characters that RFC 4648 has for URLs; RFC 1950's header, RFC 1951's empty block of fixed
-    /// codes, and the checksum 1 of nothing.
+    /// Both special characters of RFC 4648's alphabet for URLs; RFC 1950's header, RFC 1951's empty block of fixed
+    /// codes, and the checksum of no bytes, 1.
     #[test]
     fn the_standards_are_kept() {
         assert_eq!(BASE64_URL_SAFE_NO_PAD.encode([0xfb, 0xff, 0xbf]), "-_-_");

@@ -1,20 +1,20 @@
 //! Links: a session as the fragment of an address, `s=1.` or `s=2.` and a payload that needs no escaping.
 //!
-//! | what | file |
+//! | content | file |
 //! |---|---|
-//! | what version 1 holds, for ever | `version1` |
-//! | what version 2 holds: surfaces on either side, and what comes later | `version2` |
-//! | the numbers of choices | `codes` |
+//! | version 1, frozen | `version1` |
+//! | version 2: surfaces on either side, and later additions | `version2` |
+//! | the numbers of enum values | `codes` |
 //! | outlines in 16 bits | `quantised` |
 //! | deflate and base 64 | `envelope` |
 //!
-//! Guarantees: [`decode`] gives a session that [`Session::check`] accepts, with simple polygons, or
-//! says why not; it does not panic, and allocates less than 8 MiB in all, whatever it is
-//! given. Decoding what [`encode`] gave is the session again, but for the outlines' rounding to 16
-//! bits and the ends of long names; a second time nothing changes. Links of both versions open for ever.
+//! Guarantees: for any input, [`decode`] returns a session that [`Session::check`] accepts, with simple
+//! polygons, or an error; it does not panic and allocates less than 8 MiB in all. Decoding the result of
+//! [`encode`] gives the same session, except that outlines are rounded to 16 bits and long names are
+//! cut; encoding and decoding again changes nothing more. Links of both versions will always open.
 //!
-//! The oldest version that holds the session is written: a link is opened by whatever riemap its reader has, which
-//! may be an older one that works without a network.
+//! The oldest version that holds the session is written, since the recipient's riemap may be an older one, for
+//! example one installed for use without a network.
 
 mod codes;
 mod envelope;
@@ -30,20 +30,20 @@ use serde::de::DeserializeOwned;
 use version1::{STAND_IN, Version1, WiredOutline, short_name};
 use version2::Version2;
 
-/// The most characters of a fragment: what address bars, messengers and QR codes' readers still take.
+/// The maximal length of a fragment that address bars, messengers and readers of QR codes still accept.
 pub const MAX_LENGTH: usize = 8 << 10;
 
-/// The name of the state among the parts of a fragment.
+/// The prefix of the state among the parts of a fragment.
 const KEY: &str = "s=";
 /// The newest version that is written and read.
 pub const NEWEST: &str = "2";
 
-/// A link, and what it does not hold.
+/// A link, and what it could not hold.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Encoded {
-    /// What comes after the address and `#`.
+    /// The part of the address after `#`.
     pub fragment: String,
-    /// Outlines that have to travel as a file; everything else is in the fragment.
+    /// Outlines that must be sent as files; the fragment holds everything else.
     pub left_out: Vec<LeftOut>,
 }
 
@@ -51,11 +51,11 @@ pub struct Encoded {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("the {side}'s outline \"{name}\" is not in the link: {reason}. It travels as a file")]
 pub struct LeftOut {
-    /// Whose it is.
+    /// Its side.
     pub side: Side,
     /// Its name.
     pub name: String,
-    /// Why.
+    /// Why the link does not hold it.
     pub reason: NotCarried,
 }
 
@@ -65,52 +65,52 @@ pub enum NotCarried {
     /// It has too many points.
     #[error("its {points} points take more than {MAX_LENGTH} characters")]
     TooLong {
-        /// The points that are left after quantisation.
+        /// The number of points after quantisation.
         points: usize,
     },
-    /// Rounded to 16 bits it is not a simple polygon any more.
+    /// Rounded to 16 bits it is no longer a simple polygon.
     #[error("it is finer than a link can tell ({0})")]
     NotSimple(PolygonError),
-    /// Rounding it twice is not the same as rounding it once.
+    /// Rounding it twice gives another result than rounding it once.
     #[error("it lies too far from the origin for its size")]
     Inexact,
 }
 
-/// What a link holds.
+/// The content of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decoded {
-    /// The session; a disk stands in for each outline that is missing.
+    /// The session, with a disk in place of each missing outline.
     pub session: Session,
-    /// The outlines that travel as files.
+    /// The outlines that must be loaded from files.
     pub missing: Vec<MissingOutline>,
 }
 
-/// An outline that a link only names, and where its points are.
+/// An outline that a link only names, and the points to set once it is loaded.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MissingOutline {
-    /// Whose it is.
+    /// Its side.
     pub side: Side,
     /// Its name.
     pub name: String,
-    /// Where the interior point is, once the outline is there.
+    /// The interior point to set.
     pub interior: Option<DVec2>,
-    /// Where the boundary point is, as a fraction of arc length.
+    /// The boundary point to set, as a fraction of arc length.
     pub anchor: f64,
 }
 
 impl MissingOutline {
-    /// Whether `outline` has the name that the link gives, whose end may have been cut off.
+    /// Whether `outline` has the link's name, which may have been cut.
     pub fn is_named(&self, outline: &OutlineSpec) -> bool {
         matches!(outline, OutlineSpec::Points { name, .. } if short_name(name) == self.name)
     }
 
-    /// Whether `outline` is the disk that [`Decoded`] has in the place of a missing one.
+    /// Whether `outline` is the disk that [`Decoded`] puts in place of a missing outline.
     pub fn is_stand_in(outline: &OutlineSpec) -> bool {
         *outline == OutlineSpec::Preset(STAND_IN)
     }
 }
 
-/// What a link chooses by a name or a number.
+/// The kinds of things that a link encodes by a name or a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Choice {
     /// The direction.
@@ -128,16 +128,16 @@ pub enum Choice {
     /// The solver.
     #[error("solver")]
     Solver,
-    /// What the meshes are painted with.
+    /// What the triangles are colored by.
     #[error("colouring")]
     Colouring,
     /// The texture.
     #[error("texture")]
     Texture,
-    /// What the map is compared with.
+    /// The comparison.
     #[error("comparison")]
     Comparison,
-    /// A field of a later version.
+    /// A section from a later version.
     #[error("setting")]
     Setting,
     /// A built-in outline.
@@ -148,54 +148,54 @@ pub enum Choice {
     Surface,
 }
 
-/// Why a link is not opened.
+/// Why a link cannot be opened.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LinkError {
     /// There is no `s=` in it.
     #[error("this is not a link to a session: there is no #s=… in it")]
     NoSession,
-    /// It is longer than any that is made.
+    /// It is longer than [`MAX_LENGTH`].
     #[error("the link is too long: {length} characters where {MAX_LENGTH} are the most")]
     TooLong {
-        /// Its length.
+        /// Its length in characters.
         length: usize,
     },
-    /// It is of another version of the format.
+    /// It is of a format that this program does not know.
     #[error("the link is of format {found}, made by a newer riemap; this one opens format {NEWEST}")]
     Version {
-        /// Its version, or the beginning of what stands in its place.
+        /// Its format, or the beginning of what is written there instead.
         found: String,
     },
     /// It was cut off or changed on its way.
     #[error("the link is damaged: it was cut off or changed on its way")]
     Damaged,
-    /// It unpacks to more than a session can be.
+    /// It unpacks to more than a session can contain.
     #[error("the link holds more than a session can be")]
     TooMuch,
-    /// It means something that is not known here.
+    /// It contains a name or number that this program does not know.
     #[error("the link asks for the {what} \"{name}\", which this version of riemap does not know")]
     Unknown {
-        /// What kind of thing.
+        /// The kind of thing.
         what: Choice,
-        /// Its name or number.
+        /// The name or number.
         name: String,
     },
-    /// A number is not finite, or beyond what its control allows.
+    /// A number is not finite or outside the range of its control.
     #[error("the link cannot be used: {0}")]
     OutOfRange(#[from] OutOfRange),
     /// An outline is not a simple polygon.
     #[error("the link's outline of the {side} cannot be used: {reason}")]
     Outline {
-        /// Whose it is.
+        /// The side with the outline.
         side: Side,
-        /// What is wrong with it.
+        /// What is wrong with the outline.
         reason: PolygonError,
     },
 }
 
-/// The link of a session. Outlines that do not fit are left out, the longest first.
+/// Encodes a session. Outlines that do not fit are left out, the longest first.
 ///
-/// Errors: numbers that the session's controls do not allow.
+/// Errors: a number outside the range of its control.
 pub fn encode(session: &Session) -> Result<Encoded, OutOfRange> {
     session.check()?;
     let mut outlines = PerSide::from_fn(|side| prepared(&session.domain(side).outline));
@@ -211,7 +211,7 @@ pub fn encode(session: &Session) -> Result<Encoded, OutOfRange> {
     }
 }
 
-/// The session of a link: a whole address, its fragment with or without `#`, or one part of that.
+/// Decodes a link: a whole address, its fragment with or without `#`, or one part of the fragment.
 pub fn decode(link: &str) -> Result<Decoded, LinkError> {
     let state = state_of(link).ok_or(LinkError::NoSession)?;
     if state.len() > MAX_LENGTH {
@@ -228,7 +228,7 @@ pub fn decode(link: &str) -> Result<Decoded, LinkError> {
     Ok(decoded)
 }
 
-/// What all of `bytes` mean in postcard's encoding.
+/// Decodes all of `bytes` from postcard's encoding; bytes left over are an error.
 fn whole<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, LinkError> {
     match postcard::take_from_bytes(bytes) {
         Ok((value, [])) => Ok(value),
@@ -242,19 +242,19 @@ fn unknown_version(version: &str) -> LinkError {
     if is_number { LinkError::Version { found } } else { LinkError::Damaged }
 }
 
-/// Whether a text is meant as a link: whether it has the part that [`decode`] reads.
+/// Whether a text contains the part that [`decode`] reads.
 pub fn is_link(text: &str) -> bool {
     state_of(text).is_some()
 }
 
-/// What follows `s=` in the fragment, which is the whole text if there is no `#`.
+/// The text after `s=` in the fragment; without `#` the whole text is the fragment.
 fn state_of(link: &str) -> Option<&str> {
     let link = link.trim();
     let fragment = link.split_once('#').map_or(link, |(_, fragment)| fragment);
     fragment.split('&').find_map(|part| part.strip_prefix(KEY))
 }
 
-/// An outline on its way into a link.
+/// An outline, quantised before it is written into a link.
 enum Prepared {
     Preset(String),
     Points { name: String, points: Quantised },
@@ -288,7 +288,7 @@ impl Prepared {
     }
 }
 
-/// The fragment, if it is not too long; without points it never is.
+/// The fragment, or `None` if it is too long; without points it never is.
 fn fragment(session: &Session, outlines: &PerSide<Prepared>) -> Option<String> {
     let wired = outlines.as_ref().map(Prepared::wired);
     let (version, bytes) = if version2::is_needed(session) {

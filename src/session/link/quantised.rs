@@ -1,12 +1,12 @@
-//! Outlines in few bits: 16 for a coordinate, over the bounding box, as differences.
+//! Outlines in few bits: 16 per coordinate, relative to the bounding box, as differences.
 //!
 //! A point is `low + (high − low) q / 65535` with integers `q`, so that an outline 2000 pixels high
-//! moves by a sixtieth of a pixel at most. What is written are the steps from point to point, or,
-//! where that is shorter (smooth outlines), the changes of the steps; both modulo 2¹⁶, so that any
-//! list of steps means a list of points.
+//! moves by at most a sixtieth of a pixel. Stored are the steps from point to point, or, where that is
+//! shorter (smooth outlines), the changes of the steps; both modulo 2¹⁶, so that any list of steps
+//! decodes to a list of points.
 //!
-//! Guarantees: what [`Quantised::of`] gives is a simple polygon again, with the same box, and
-//! quantising that changes nothing. Points that come to lie on their predecessor are dropped.
+//! Guarantees: the result of [`Quantised::of`] is a simple polygon with the same bounding box, and
+//! quantising it again changes nothing. Points that round to their predecessor are dropped.
 
 use super::envelope::{self, MAX_BYTES};
 use super::{MAX_LENGTH, NotCarried};
@@ -15,10 +15,10 @@ use crate::geometry::{Bounds, DVec2, PolygonError, SimplePolygon};
 /// The largest `q`.
 const LAST: f64 = u16::MAX as f64;
 
-/// The least that a point takes before deflating: a byte for each of its two steps.
+/// The smallest size of a point before deflating: a byte for each of its two steps.
 const LEAST_BYTES: usize = 2;
-/// How many characters shorter the steps may get when they are deflated with the rest of a session: more
-/// than that rest takes itself without outlines. Were it more, an outline that just fits would travel as a file.
+/// A bound on how many characters the steps can get shorter when they are deflated together with the rest of a
+/// session: more than the rest alone takes. If they got shorter by more, an outline that just fits would be left out.
 const SLACK: usize = 512;
 
 /// A quantised outline, as it is written.
@@ -26,7 +26,7 @@ const SLACK: usize = 512;
 pub(super) struct Quantised {
     low: [f64; 2],
     high: [f64; 2],
-    /// Whether `steps` are the changes of the steps.
+    /// Whether `steps` holds the changes of the steps.
     smooth: bool,
     steps: Vec<(i16, i16)>,
 }
@@ -34,8 +34,8 @@ pub(super) struct Quantised {
 type Cell = [u16; 2];
 
 impl Quantised {
-    /// The outline through `points`. Errors: no link is long enough for it, or on the grid it is not a
-    /// simple polygon any more. The length comes first: it is known sooner.
+    /// Quantises a polygon. Errors: it is too long for any link, or after rounding it is no longer a simple polygon.
+    /// The length is checked first, because that is cheaper.
     pub fn of(points: &[DVec2]) -> Result<Self, NotCarried> {
         if let Some(index) = points.iter().position(|p| !p.is_finite()) {
             return Err(NotCarried::NotSimple(PolygonError::NotFinite { index, at: points[index] }));
@@ -61,12 +61,12 @@ impl Quantised {
         Ok(Self { low: bounds.min.to_array(), high: bounds.max.to_array(), smooth, steps })
     }
 
-    /// How many points it has.
+    /// The number of points.
     pub fn len(&self) -> usize {
         self.steps.len()
     }
 
-    /// Its points; they may be anything, but for not-a-number where the box has finite corners.
+    /// The points, not checked in any way; none is NaN if the corners of the box are finite.
     pub fn points(&self) -> Vec<DVec2> {
         let bounds = Bounds { min: self.low.into(), max: self.high.into() };
         let (mut step, mut at): (Cell, Cell) = ([0; 2], [0; 2]);
@@ -84,7 +84,7 @@ fn sum(a: Cell, b: Cell) -> Cell {
     [0, 1].map(|k| a[k].wrapping_add(b[k]))
 }
 
-/// The nearest cells, without those that repeat their predecessor, cyclically.
+/// The nearest grid points, without cyclic repetitions.
 fn cells(points: &[DVec2], bounds: Bounds) -> Vec<Cell> {
     let scaled = |p: &DVec2| {
         let q = (LAST * ((*p - bounds.min) / bounds.size())).round();
@@ -98,7 +98,7 @@ fn cells(points: &[DVec2], bounds: Bounds) -> Vec<Cell> {
     cells
 }
 
-/// The corners of the box exactly.
+/// The position of a grid point; exact at the corners of the box.
 fn place(cell: Cell, bounds: Bounds) -> DVec2 {
     let q = DVec2::new(f64::from(cell[0]), f64::from(cell[1]));
     let inner = bounds.min + bounds.size() * (q / LAST);
@@ -117,7 +117,7 @@ fn differences(cells: &[Cell], smooth: bool) -> Vec<(i16, i16)> {
     written.collect()
 }
 
-/// The bytes that they take as postcard's variable-length integers: 7 bits each.
+/// The number of bytes of the steps as postcard's variable-length integers, 7 bits each.
 fn length(steps: &[(i16, i16)]) -> usize {
     let of = |step: i16| match step {
         -64..64 => 1,
@@ -127,7 +127,7 @@ fn length(steps: &[(i16, i16)]) -> usize {
     steps.iter().map(|&(dx, dy)| of(dx) + of(dy)).sum()
 }
 
-/// Whether the steps alone are not too long for a link already.
+/// False if the steps alone are already too long for a link.
 fn may_fit(steps: &[(i16, i16)]) -> bool {
     let packed = postcard::to_allocvec(steps).ok().and_then(|bytes| envelope::pack(&bytes));
     packed.is_some_and(|text| text.len() <= MAX_LENGTH + SLACK)
@@ -166,7 +166,7 @@ mod tests {
         }
     }
 
-    /// A slit a millionth of the box wide closes on the grid.
+    /// A slit as wide as a millionth of the box closes on the grid.
     #[test]
     fn an_outline_that_the_grid_closes_is_refused() {
         let slit = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.000_001, 3.0), (2.0, 1.0), (2.0, 3.0), (0.0, 3.0)];
@@ -189,7 +189,7 @@ mod tests {
         assert_eq!(found, [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)].map(DVec2::from));
     }
 
-    /// At 10¹² the numbers lie 1.2e-4 apart, the grid's lines 1.5e-5.
+    /// At 10¹² the spacing of the floating-point numbers is 1.2e-4, that of the grid 1.5e-5.
     #[test]
     fn where_the_numbers_are_coarser_than_the_grid_nothing_moves() {
         let house = [(0.0, 0.0), (1.0, 0.0), (1.0, 0.625), (0.5, 1.0), (0.0, 0.625)];
@@ -197,7 +197,7 @@ mod tests {
         assert_eq!(Quantised::of(&points).unwrap().points(), points);
     }
 
-    /// A staircase of `n` steps deflates to nothing: only its number of points is too large.
+    /// A staircase of `n` steps deflates to almost nothing: only its number of points is too large.
     #[test]
     fn too_many_points_are_refused_by_their_number() {
         let staircase = |n: u32| -> Vec<DVec2> {
@@ -205,7 +205,7 @@ mod tests {
             steps.chain([DVec2::new(0.0, f64::from(n / 2))]).collect()
         };
         let limit = (MAX_BYTES / LEAST_BYTES) as u32;
-        // their number, the first and the last step take a few bytes more
+        // the number of points, the first and the last step take a few more bytes
         assert!(Quantised::of(&staircase(limit - 8)).is_ok());
         let found = Quantised::of(&staircase(limit));
         assert_eq!(found, Err(NotCarried::TooLong { points: limit as usize + 1 }));

@@ -1,4 +1,4 @@
-//! Golden links, sizes, what does not fit, what is refused.
+//! Golden links, sizes, outlines that do not fit, links that are refused.
 
 use super::*;
 use crate::conformal::{Direction, Extension, KernelMode, PrepareSettings};
@@ -13,7 +13,7 @@ fn round_trip(session: &Session) -> Decoded {
     decode(&encode(session).unwrap().fragment).unwrap()
 }
 
-/// Another value than the default's everywhere.
+/// A session that differs from the default in every field.
 fn everything() -> Session {
     let settings = [
         PrepareSettings {
@@ -58,7 +58,7 @@ fn everything() -> Session {
     session
 }
 
-/// A house, with corners on the 16-bit grid of its box: it comes back as it is.
+/// A house with corners on the 16-bit grid of its box: quantising does not change it.
 fn house() -> Session {
     let corners = [(0.0, 0.0), (65535.0, 0.0), (65535.0, 40000.0), (32768.0, 65535.0), (0.0, 40000.0)];
     let outline = OutlineSpec::Points { name: "Häuschen".into(), polygon: polygon(corners.map(DVec2::from).to_vec()) };
@@ -76,7 +76,7 @@ fn cow() -> SurfaceSpec {
     SurfaceSpec { shape: SurfaceShape::File { name: "cow.obj".into() }, ..SurfaceSpec::default() }
 }
 
-/// Surfaces on both sides.
+/// A session with surfaces on both sides.
 fn solids() -> Session {
     everything().and([
         Command::SetSurface { side: Side::Source, surface: cow() },
@@ -88,7 +88,7 @@ fn solids() -> Session {
     ])
 }
 
-/// A surface on the source's side alone.
+/// A session with a surface on the source's side only.
 fn on_source() -> Session {
     solids().and([Command::CloseSurface(Side::Target)])
 }
@@ -97,7 +97,7 @@ fn set_outline(session: &mut Session, side: Side, outline: OutlineSpec) {
     session.sides[side].domain.outline = outline;
 }
 
-/// Links of version 1 as they were sent. These strings must never change.
+/// Links of version 1 that have been sent. These strings must never change.
 const GOLDEN_DEFAULT: &str =
     "s=1.eNplyLENQBEURuH_Fqq3xNuEVYgbNIoby7CJxHAioeFUXw6-kHJgccLWg4aiVlddA1CRrZT7PtHBbzYmH3YRpA";
 const GOLDEN_EVERYTHING: &str = "s=1.eNpVzT0Kg0AQBeD3kkJILpJmzzC5QMocYCArBlYRBBsPpwdQsNHawsJjqCsqfkwxf_AQ5CaLNLWcAoLEI9bUWeOshgDhtXK0lXy9rjxu-6KpPQm9XsD79vJ688al8NTkH6szkdVfsWSBnzNgNch1HgUzi8Uk-Q";
@@ -129,7 +129,7 @@ fn golden_links_of_version_1_open_for_ever() {
     }
 }
 
-/// Links of version 2 as they are sent. These strings must never change.
+/// Links of version 2 that have been sent. These strings must never change.
 const GOLDEN_SOLIDS: &str = "s=2.eNpVjk0OAUEUhKuIdMJFbJojPBewdICHngzpMZNIWDicOQCJDbG0sHAM042W-fKS91dJFczObnOtHF-GINEvtPLOeqcZQEQuksZaZpHrMf1-h_MpIlnkJmD3IxlO2GFTGOhmVai3udPlofECp3-DwEPa-1NCpDHNotyPyvk6pGCvra2__Z76G6HXLDc";
 const GOLDEN_ON_SOURCE: &str = "s=2.eNo9jFEKQEAURd8lTVmJHyzh2YQFDI0kohTLYwGUH_Lp0zJkppnzc1_v3g6JKR5rOSi8AgRQ2MmhVXGrZEUE0hzszpVzzbm4zj72TcOV5mKCbyZRBg_w6NenEGU_J33R_EYEZvGwtZu8XX4GriLP";
 
@@ -140,7 +140,7 @@ fn golden_links_of_version_2_open_for_ever() {
     }
 }
 
-/// What older programs can open they are given.
+/// So that older programs open every link that they can.
 #[test]
 fn the_oldest_version_that_holds_a_session_is_written() {
     for (session, version) in [
@@ -155,7 +155,7 @@ fn the_oldest_version_that_holds_a_session_is_written() {
     }
 }
 
-/// The link of [`solids`] with one more section.
+/// Decodes the link of [`solids`] with one more section.
 fn with_section(section: version2::Section) -> Result<Decoded, LinkError> {
     let session = solids();
     let wired = PerSide::from_fn(|side| prepared(&session.domain(side).outline).wired());
@@ -171,11 +171,11 @@ fn a_section_from_a_newer_program_is_skipped_where_it_says_so_and_else_named() {
         with_section(section(999, false)),
         Err(LinkError::Unknown { what: Choice::Setting, name: "999".into() })
     );
-    // and a second one of a number that is known is no link that was ever made
+    // a second section with a known number was never written by any version
     assert_eq!(with_section(section(1, true)), Err(LinkError::Damaged));
 }
 
-/// 20,000 points on a circle that is rough by a hundredth.
+/// Points on a circle with radial noise of a hundredth.
 fn rough(count: u32) -> OutlineSpec {
     let point = |k: u32| {
         let noise = f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
@@ -292,7 +292,7 @@ fn a_link_is_found_in_an_address_among_other_parts() {
     }
 }
 
-/// The link of a session whose wire form was tampered with.
+/// The link of a session after changes to its encoded form.
 fn tampered(
     change: impl FnOnce(&mut Session),
     outlines: impl FnOnce(&mut PerSide<Prepared>),
@@ -339,7 +339,7 @@ fn what_is_not_known_here_is_named() {
 #[test]
 fn crossing_outlines_and_bad_names_are_refused() {
     let crossed = |outlines: &mut PerSide<Prepared>| {
-        // (0, 0), (1, 1), (1, 0), (0, 1), in steps modulo 2¹⁶
+        // the points (0, 0), (1, 1), (1, 0), (0, 1) as steps modulo 2¹⁶
         let steps = [[0, 0], [-1, -1], [0, 1], [1, -1]];
         let bow_tie = serde_json::json!({ "low": [0.0, 0.0], "high": [1.0, 1.0], "smooth": false, "steps": steps });
         let points = serde_json::from_value(bow_tie).unwrap();
@@ -368,7 +368,7 @@ fn a_damaged_link_says_that_it_is() {
             }
         }
     }
-    // a link of one version is none of the other
+    // the versions are not interchangeable
     let fragment = encode(&on_source()).unwrap().fragment;
     assert_eq!(decode(&fragment.replace("s=2.", "s=1.")), Err(LinkError::Damaged));
     let fragment = encode(&house()).unwrap().fragment;

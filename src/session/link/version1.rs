@@ -1,12 +1,12 @@
-//! What a link of version 1 holds, in postcard's encoding: field after field, without names.
+//! The content of a link of version 1 in postcard's encoding: the values of the fields in order, without names.
 //!
-//! Frozen: a field that moves, comes or goes would make every link of version 1 mean something
-//! else. What a [`Session`] got later travels in the sections of `version2`;
-//! these links mean its default. Built-in outlines and surfaces go by their names,
-//! other choices by the numbers of `codes`, so that new ones can be added.
+//! Frozen: a field that is moved, added or removed would change the meaning of every link of version 1.
+//! Later settings of a [`Session`] are stored in the sections of `version2`; for links of version 1 they
+//! have their defaults. Presets are stored by name and other enum values by the numbers of `codes`, so
+//! that values can be added.
 //!
-//! Interior points, anchors and weights are f64: they are a few of all bytes, the session that
-//! comes back is equal to the one that went, and in a crowded domain the map depends on every digit.
+//! Interior points, anchors and weights are f64: they are a small part of the bytes, the decoded
+//! session equals the encoded one, and in a crowded domain the map depends on every digit.
 
 use super::codes::Coded;
 use super::quantised::Quantised;
@@ -18,10 +18,10 @@ use crate::outline::{Preset, Sampling};
 use crate::session::{DomainSpec, OutlineSpec, Session, SideState, SurfaceShape, SurfaceSpec, SurfaceState};
 use serde::{Deserialize, Serialize};
 
-/// The outline that stands in for one that the link does not hold.
+/// The outline used in place of one that the link does not hold.
 pub(super) const STAND_IN: Preset = Preset::Disk;
 
-/// The characters of a name.
+/// The maximal number of characters of a name.
 const MAX_NAME: usize = 48;
 
 /// A session.
@@ -43,7 +43,7 @@ pub(super) struct Version1 {
     later: Vec<Later>,
 }
 
-/// A setting that version 1 did not have when it was frozen; there is none.
+/// A place for settings added after the format was frozen; always empty.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Later {
     code: u16,
@@ -59,14 +59,14 @@ struct Domain {
     solver: u8,
 }
 
-/// An outline. Here and below, the order of the variants is the format.
+/// An outline. Here and below, the order of the variants is part of the format.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) enum WiredOutline {
-    /// By its name.
+    /// A preset, by name.
     Preset(String),
-    /// With its points.
+    /// A loaded outline with its points.
     Points { name: String, points: Quantised },
-    /// It travels as a file.
+    /// An outline that must be loaded from a file.
     File { name: String },
 }
 
@@ -100,9 +100,9 @@ enum Shape {
 }
 
 impl Version1 {
-    /// Everything of `session` but for its outlines, which are given, and a surface on the source's side.
+    /// `session` with `outlines` in place of its own, and without a surface on the source's side.
     pub fn new(session: &Session, outlines: PerSide<WiredOutline>) -> Self {
-        // By name, so that a field that a session gets is not forgotten here.
+        // Destructured, so that the compiler reports a new field that is not handled here.
         let Session {
             sides: PerSide { source, target },
             direction,
@@ -137,7 +137,7 @@ impl Version1 {
         }
     }
 
-    /// The session. Its numbers are not checked yet, its outlines are.
+    /// The session. Its outlines are checked, its numbers are not.
     pub fn session(self) -> Result<Decoded, LinkError> {
         if let Some(later) = self.later.first() {
             return Err(LinkError::Unknown { what: Choice::Setting, name: later.code.to_string() });
@@ -250,12 +250,12 @@ impl Surface {
     }
 }
 
-/// The beginning of a name, without what a terminal or a page could take for a command.
+/// The first [`MAX_NAME`] characters of a name, without control characters, which a terminal or page could execute.
 pub(super) fn short_name(name: &str) -> String {
     name.chars().filter(|c| !c.is_control()).take(MAX_NAME).collect()
 }
 
-/// A name as [`short_name`] makes them.
+/// Accepts only names that [`short_name`] leaves unchanged.
 fn checked_name(name: String) -> Result<String, LinkError> {
     if short_name(&name) == name { Ok(name) } else { Err(LinkError::Damaged) }
 }

@@ -1,9 +1,9 @@
-//! What a link of version 2 holds: what one of version 1 does, and a list of sections.
+//! The content of a link of version 2: that of version 1 and a list of sections.
 //!
-//! A section has a number, its length and its bytes, so that a reader that does not know the number finds
-//! the next one. Each says whether it may be skipped: a link with an unknown section that may
-//! not is refused, since it would mean another map. What a [`Session`] gets later is another section;
-//! none of them moves or changes its bytes once links with it have been sent.
+//! A section has a number, its length and its bytes, so that a reader that does not know the number can
+//! skip to the next one. Each says whether it may be skipped: a link with an unknown section that may not
+//! be skipped is refused, since its map would be wrong. Later settings of a [`Session`] become new sections;
+//! the encoding of a section never changes once links with it have been sent.
 //!
 //! | number | content | may be skipped |
 //! |---|---|---|
@@ -32,13 +32,13 @@ pub(super) struct Section {
     pub content: Vec<u8>,
 }
 
-/// Whether the session has something that only this version holds.
+/// Whether the session has something that only version 2 holds.
 pub(super) fn is_needed(session: &Session) -> bool {
     session.surface(Side::Source).is_some()
 }
 
 impl Version2 {
-    /// Everything of `session` but for its outlines, which are given; `None`: it cannot be written.
+    /// `session` with `outlines` in place of its own; `None` if it cannot be written.
     pub fn new(session: &Session, outlines: PerSide<WiredOutline>) -> Option<Self> {
         let mut sections = Vec::new();
         if let Some(surface) = session.surface(Side::Source) {
@@ -48,7 +48,7 @@ impl Version2 {
         Some(Self { first: Version1::new(session, outlines), sections })
     }
 
-    /// The session. Its numbers are not checked yet, its outlines are.
+    /// The session. Its outlines are checked, its numbers are not.
     pub fn session(self) -> Result<Decoded, LinkError> {
         let mut decoded = self.first.session()?;
         for Section { number, may_be_skipped, content } in &self.sections {
@@ -67,7 +67,7 @@ impl Version2 {
         Ok(decoded)
     }
 
-    /// The same with one more section.
+    /// This link with one more section.
     #[cfg(test)]
     pub fn and(mut self, section: Section) -> Self {
         self.sections.push(section);
