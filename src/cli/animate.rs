@@ -1,4 +1,4 @@
-//! `riemap animate`: a loop through the family of maps, beginning at a session, as an animated PNG or GIF.
+//! `riemap animate`: a loop through the maps between two domains, starting at a session, as an animated PNG or GIF.
 
 use super::CliError;
 use super::arguments::{AnimateArguments, PathArgument, SideArgument, ThemeArgument};
@@ -10,7 +10,7 @@ use crate::family::{Loop, Path};
 use crate::model::scene::{Offscreen, Shot};
 use crate::render::{Film, FilmFormat, FilmSettings, Studio};
 
-/// Makes the animation.
+/// Renders the animation and writes it.
 pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
     check_paths(std::slice::from_ref(&arguments.out))?;
     let settings = settings(arguments)?;
@@ -50,7 +50,7 @@ fn path(argument: PathArgument) -> Path {
     }
 }
 
-/// An animation under way.
+/// An animation being rendered.
 struct Making<'a> {
     film: Film,
     frames: u32,

@@ -1,4 +1,4 @@
-//! What can be said on the command line, and its translation into the core's types.
+//! The arguments of the command line, and their conversion to the core's types.
 
 use super::CliError;
 use super::side::{SideAnchor, SidePoint};
@@ -195,7 +195,7 @@ pub enum SideArgument {
 }
 
 impl SideArgument {
-    /// The one side that is meant.
+    /// The side, or `None` for both.
     pub fn side(self) -> Option<Side> {
         match self {
             Self::Both => None,
@@ -331,7 +331,7 @@ pub enum SamplingArgument {
     Adaptive,
 }
 
-/// `X,Y`.
+/// A point in the plane, `X,Y`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point(pub DVec2);
 
@@ -351,7 +351,7 @@ impl FromStr for Point {
 /// A boundary point: `X,Y` or `@S`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Anchor {
-    /// The boundary point nearest to this.
+    /// The boundary point nearest to this point.
     Nearest(DVec2),
     /// At this fraction of the arc length from the outline's first point.
     Fraction(f64),
@@ -370,7 +370,7 @@ impl FromStr for Anchor {
 }
 
 impl Anchor {
-    /// The fraction of the outline's arc length that is meant.
+    /// The fraction of the outline's arc length.
     pub fn fraction(self, domain: &MeshedDomain) -> f64 {
         match self {
             Self::Nearest(x) => domain.samples().fraction_at(domain.samples().nearest(x)),
@@ -398,7 +398,7 @@ impl FromStr for SizingArgument {
     }
 }
 
-/// The number of a figure that can be made.
+/// The number of a figure that riemap can reproduce.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FigureNumber(pub Figure);
 
@@ -413,7 +413,7 @@ impl FromStr for FigureNumber {
     }
 }
 
-/// `WxH` in pixels.
+/// A size in pixels, `WxH`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Size(pub [u32; 2]);
 
@@ -433,12 +433,12 @@ impl FromStr for Size {
 pub struct NamedOutline {
     /// The outline.
     pub outline: Outline,
-    /// The paper's number of samples, for presets that it uses.
+    /// The paper's number of samples, for presets used in the paper.
     paper_samples: Option<u32>,
 }
 
 impl NamedOutline {
-    /// Says on stderr what was accepted but should be known.
+    /// Prints the reader's notes to stderr.
     pub fn say_notes(&self, name: &str) {
         for note in &self.outline.notes {
             eprintln!("riemap: {name}: {note}");
@@ -446,7 +446,7 @@ impl NamedOutline {
     }
 }
 
-/// The bytes of a file, up to one more than the `most` that a reader takes.
+/// Reads at most `most` + 1 bytes of a file; the reader rejects a file with more than `most`.
 pub fn read_file(name: &str, most: usize) -> Result<Vec<u8>, CliError> {
     let mut bytes = Vec::new();
     let read = std::fs::File::open(name).and_then(|file| file.take(most as u64 + 1).read_to_end(&mut bytes));
@@ -454,7 +454,7 @@ pub fn read_file(name: &str, most: usize) -> Result<Vec<u8>, CliError> {
     Ok(bytes)
 }
 
-/// Reads `preset:NAME` or a file; with `repair`, what meets itself in a vertex is cut off, and said.
+/// Reads `preset:NAME` or a file. With `repair`, parts where it meets itself in a vertex are cut off and noted.
 pub fn read_outline(name: &str, repair: bool) -> Result<NamedOutline, CliError> {
     if let Some(preset) = name.strip_prefix("preset:") {
         let preset = Preset::from_str(preset).map_err(|error| CliError::Input(error.to_string()))?;
@@ -467,7 +467,7 @@ pub fn read_outline(name: &str, repair: bool) -> Result<NamedOutline, CliError> 
 }
 
 impl Discretisation {
-    /// The settings for one outline; `samples` overrides the shared number.
+    /// The settings for one outline; `samples` overrides the number that both sides share.
     pub fn settings(&self, outline: &NamedOutline, samples: Option<u32>) -> PrepareSettings {
         let samples = samples.or(self.samples);
         let sampling = match self.sampling {
@@ -485,7 +485,7 @@ impl Discretisation {
         }
     }
 
-    /// How kernels are computed.
+    /// The kernel mode that the argument means.
     pub fn kernel_mode(&self) -> KernelMode {
         match self.kernel {
             KernelArgument::Adjoint => KernelMode::Adjoint,
@@ -493,7 +493,7 @@ impl Discretisation {
         }
     }
 
-    /// The solver that is wanted.
+    /// The solver that the argument means.
     pub fn solver_kind(&self) -> SolverKind {
         match self.solver {
             SolverArgument::Direct => SolverKind::Direct,

@@ -1,4 +1,4 @@
-//! `riemap bench`: Tables 1 and 2 of the paper, measured here, beside the paper's numbers.
+//! `riemap bench`: measures Tables 1 and 2 of the paper and prints the times beside the paper's.
 
 use super::CliError;
 use super::arguments::BenchArguments;
@@ -11,10 +11,10 @@ use crate::figures::{
 };
 use std::fmt::Write as _;
 
-/// Runs per row, of which the median is taken; the paper doesn't say how many it took.
+/// Runs per row; their median is reported. The paper does not state its number of runs.
 const RUNS: usize = 5;
 
-/// What is measured on.
+/// The machine the times are measured on.
 #[derive(serde::Serialize)]
 struct Machine {
     cpu: Option<String>,
@@ -43,13 +43,13 @@ impl Machine {
     }
 }
 
-/// The first processor's name in the format of Linux.
+/// The name of the first processor in Linux's `/proc/cpuinfo`.
 fn model_name(cpuinfo: &str) -> Option<String> {
     let line = cpuinfo.lines().find(|line| line.starts_with("model name"))?;
     Some(line.split_once(':')?.1.trim().to_owned())
 }
 
-/// A measured row with the paper's.
+/// A measured row and the paper's.
 #[derive(serde::Serialize)]
 struct Measured<T, P> {
     setting: BenchSetting,
@@ -58,7 +58,7 @@ struct Measured<T, P> {
     paper: P,
 }
 
-/// A row of Table 1 with the time of the table of Ψ, where it was measured.
+/// A row of Table 1, and the time for the table of Ψ if it was measured.
 #[derive(serde::Serialize)]
 struct Prepared {
     #[serde(flatten)]
@@ -84,7 +84,7 @@ pub fn run(arguments: &BenchArguments) -> Result<(), CliError> {
     let progress = Progress::new("measuring");
     for (k, &row) in rows.iter().enumerate() {
         progress.enter(format!("measuring, row {} of {}", k + 1, rows.len()));
-        // the tables of Ψ take seconds each and riemap does not need them: once is enough
+        // the tables of Ψ take seconds each and riemap does not use them: one run is enough
         let runs = if matches!(row, BenchRow::PsiTable { .. }) { 1 } else { runs };
         if arguments.quick && matches!(row, BenchRow::PsiTable { .. }) {
             continue;

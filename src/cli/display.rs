@@ -1,9 +1,9 @@
-//! Commands need no display, and say nothing of one.
+//! Suppresses messages about a missing display: the commands need none.
 //!
 //! Mesa's Vulkan layer "device select" connects to Wayland to learn which device the desktop uses. Without
 //! a desktop (containers, services, ssh) libwayland reports on stderr that `XDG_RUNTIME_DIR` is not set, once for each
-//! list of adapters. It needs that folder only to complete the name of a socket: where `WAYLAND_DISPLAY` is an absolute
-//! path, the connection fails without a word.
+//! list of adapters. It needs that folder only to complete a relative socket name: if `WAYLAND_DISPLAY` is an absolute
+//! path, the connection fails silently.
 
 use std::env;
 use std::ffi::OsStr;
@@ -11,12 +11,12 @@ use std::os::unix::process::CommandExt as _;
 use std::path::Path;
 use std::process::Command;
 
-/// An absolute path at which no Wayland server can be.
+/// An absolute path that is never a Wayland socket.
 const NO_DISPLAY: &str = "/dev/null";
 
-/// Goes on in a process whose environment names a display, so that libwayland does not complain about a missing
-/// one: the same process with the same arguments, started anew, as changing the environment of a running one is
-/// unsafe. Returns where that is not necessary, or is not possible; then the complaints remain, and nothing else.
+/// Restarts the process with an environment that names a display, so that libwayland does not complain about a
+/// missing one. The restart (same process, same arguments) is used because changing the environment of a running
+/// process is unsafe. Returns if no restart is necessary, or if it fails; then only the messages remain.
 pub fn name_one() {
     let [folder, display, socket] = ["XDG_RUNTIME_DIR", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].map(env::var_os);
     if socket.is_some() || is_complete(folder.as_deref(), display.as_deref()) {
@@ -26,11 +26,11 @@ pub fn name_one() {
     let mut arguments = env::args_os();
     let mut command = Command::new(&program);
     command.arg0(arguments.next().unwrap_or_else(|| program.into_os_string()));
-    // It returns only when it fails.
+    // `exec` returns only if it fails.
     let _error = command.args(arguments).env("WAYLAND_DISPLAY", NO_DISPLAY).exec();
 }
 
-/// Whether libwayland finds an absolute path to look for a server at.
+/// Whether libwayland gets an absolute path to a server from these variables.
 fn is_complete(folder: Option<&OsStr>, display: Option<&OsStr>) -> bool {
     [folder, display].into_iter().flatten().any(|path| Path::new(path).is_absolute())
 }

@@ -1,4 +1,4 @@
-//! `riemap flatten`: prepares a surface and an outline, parameterizes the surface over it, writes it.
+//! `riemap flatten`: parameterizes a surface over an outline and writes it with texture coordinates.
 
 use super::arguments::{NamedOutline, read_outline};
 use super::flatten_arguments::{FlattenArguments, UvArgument, read};
@@ -18,12 +18,12 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Milliseconds by stage.
+/// Durations of the stages in milliseconds.
 #[derive(Debug, Clone, Copy, Default, serde::Serialize)]
 struct Timings {
-    /// The surface's file.
+    /// Reading the surface's file.
     read: f64,
-    /// Its connectivity, and repairs.
+    /// Checking and repairing its connectivity.
     check: f64,
     surface: PrepareTimings,
     outline: PrepareTimings,
@@ -45,7 +45,7 @@ struct Summary {
     timing_ms: Timings,
 }
 
-/// A point of the surface, by its triangle, counted once the file's faces are cut, and the weights of its corners there.
+/// A point of the surface: a triangle, counted after polygons are cut into triangles, and barycentric weights.
 #[derive(Debug, serde::Serialize)]
 struct Point {
     triangle: u32,
@@ -53,10 +53,10 @@ struct Point {
     position: [f64; 3],
 }
 
-/// What a file is to be.
+/// The formats of the output files.
 #[derive(Debug, Clone, Copy)]
 enum Format {
-    /// The surface or its layout.
+    /// The surface or its layout in the plane.
     Surface(FileFormat),
     /// A PNG of surface and outline.
     Picture,
@@ -71,7 +71,7 @@ fn format_of(path: &Path) -> Result<Format, CliError> {
     })
 }
 
-/// Computes the parameterization and writes what is asked for.
+/// Computes the parameterization and writes the requested files.
 pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| format_of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
@@ -115,7 +115,7 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     ))
 }
 
-/// A surface over an outline.
+/// A surface mapped over an outline.
 struct Parameterized {
     map: ConformalMap,
     constraints: Constraints,
@@ -125,7 +125,7 @@ struct Parameterized {
     y2: f64,
 }
 
-/// The map, and what it took but for the reading.
+/// Computes the map, and the durations of all stages except reading.
 fn compute(
     arguments: &FlattenArguments,
     surface: &Surface,
@@ -154,13 +154,13 @@ fn compute(
     Ok((Parameterized { map, constraints, sides, x2, y2 }, Timings { frame, ..timings }))
 }
 
-/// What is mapped, prepared.
+/// Both prepared sides.
 struct Sides {
     source: Arc<PreparedSide>,
     surface: Arc<PreparedSide>,
     domain: Arc<MeshedDomain>,
     meshed: Arc<MeshedSurface>,
-    /// The solver that was asked for.
+    /// The requested solver, which may differ from the one used.
     solver: SolverKind,
 }
 
@@ -198,12 +198,12 @@ fn no_surface() -> CliError {
     CliError::Input(String::from("an outline is flat already"))
 }
 
-/// An error of the file that has this name.
+/// An error about the file `name`.
 fn about(name: &str, error: &impl std::fmt::Display) -> CliError {
     CliError::Input(format!("{name}: {error}"))
 }
 
-/// An error of the map in the words of this subcommand, whose source is the outline.
+/// A map's error in the terms of this subcommand, whose source is the outline.
 fn refused(error: &MapError, arguments: &FlattenArguments) -> CliError {
     CliError::Input(match error {
         MapError::PointOutside { x, y, .. } => {
@@ -245,7 +245,7 @@ fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms:
     }
 }
 
-/// What `work` gives, and how many milliseconds it took.
+/// The result of `work` and its duration in milliseconds.
 fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let start = Instant::now();
     let result = work();

@@ -1,4 +1,4 @@
-//! What can be said to `riemap flatten`, and its translation into the core's types.
+//! The arguments of `riemap flatten`, and their conversion to the core's types.
 
 use super::CliError;
 use super::arguments::{Anchor, Discretisation, Point, Size, read_file};
@@ -67,15 +67,15 @@ pub enum UvArgument {
 /// A point of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SurfacePoint {
-    /// A vertex of the file.
+    /// A vertex, by its number in the file.
     Vertex(u32),
-    /// A triangle of the file, and weights of its corners.
+    /// A triangle, by its number in the file, and barycentric weights.
     InTriangle(u32, [f64; 3]),
-    /// The nearest point.
+    /// The point of the surface nearest to this one.
     Nearest(DVec3),
 }
 
-/// Three finite numbers between commas.
+/// Parses three finite numbers separated by commas.
 fn three(text: &str) -> Option<[f64; 3]> {
     let mut parts = text.split(',').map(|part| part.trim().parse::<f64>().ok().filter(|value| value.is_finite()));
     let numbers = [parts.next()??, parts.next()??, parts.next()??];
@@ -101,7 +101,7 @@ impl FromStr for SurfacePoint {
 }
 
 impl SurfacePoint {
-    /// The point of the prepared surface that is meant; `given` is what it was made from.
+    /// Finds the point on the prepared surface; `given` is the surface as it was read.
     pub fn locate(self, option: &str, given: &Surface, surface: &MeshedSurface) -> Result<BarycentricPoint, CliError> {
         let whole = surface.surface();
         match self {
@@ -124,7 +124,7 @@ impl SurfacePoint {
     }
 }
 
-/// Why there is no vertex of this number to be found.
+/// The message for a vertex number that is out of range.
 fn no_vertex(given: &Surface, vertex: u32) -> String {
     match given.vertices.len() {
         count if (vertex as usize) < count => format!("vertex {vertex} was dropped by the repair"),
@@ -132,7 +132,7 @@ fn no_vertex(given: &Surface, vertex: u32) -> String {
     }
 }
 
-/// Why there is no triangle of this number to be found.
+/// The message for a triangle number that is out of range.
 fn no_triangle(given: &Surface, triangle: u32) -> String {
     let count = given.triangles.len();
     if (triangle as usize) < count {
@@ -151,11 +151,11 @@ fn no_triangle(given: &Surface, triangle: u32) -> String {
 /// A point of a surface's boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SurfaceAnchor {
-    /// A vertex of the file.
+    /// A vertex, by its number in the file.
     Vertex(u32),
-    /// The nearest point.
+    /// The boundary point nearest to this one.
     Nearest(DVec3),
-    /// At this fraction of the loop's length, from its vertex of least index on.
+    /// At this fraction of the boundary loop's length, counted from its vertex of least index.
     Fraction(f64),
 }
 
@@ -176,7 +176,7 @@ impl FromStr for SurfaceAnchor {
 }
 
 impl SurfaceAnchor {
-    /// The fraction of the boundary's length that is meant.
+    /// The fraction of the boundary's length.
     pub fn fraction(self, option: &str, surface: &MeshedSurface) -> Result<f64, CliError> {
         match self {
             Self::Fraction(s) => Ok(s.rem_euclid(1.0)),
@@ -191,7 +191,7 @@ impl SurfaceAnchor {
     }
 }
 
-/// The preset that a name means, if it means one.
+/// The preset with this name, `preset:NAME[:M]`, if there is one.
 pub fn preset(name: &str) -> Option<SurfacePreset> {
     let name = name.strip_prefix("preset:")?;
     SurfacePreset::from_str(name.split_once(':').map_or(name, |(preset, _)| preset)).ok()

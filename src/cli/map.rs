@@ -1,4 +1,4 @@
-//! `riemap map`: prepares both sides, computes the map, writes it.
+//! `riemap map`: computes the map between two sides and writes it.
 
 use super::CliError;
 use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments};
@@ -11,10 +11,10 @@ use crate::conformal::{ConformalMap, Constraints, Direction, Extension, MapError
 use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
 use std::sync::Arc;
 
-/// Cells of the drawn patterns across the source's larger side.
+/// Squares of the drawn grid across the source's larger side.
 const GRID_CELLS: f64 = 12.0;
 
-/// Computes the map and writes what is asked for.
+/// Computes the map and writes the requested files.
 pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
@@ -70,7 +70,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
             anchor: ("--target-anchor", arguments.target_anchor),
         },
     ];
-    // what is wrong with either side is said before the first one is prepared
+    // report errors in either side's arguments before preparing the first one
     asked.iter().try_for_each(Asked::check)?;
     if asked.iter().all(|side| is_surface(side.name)) && arguments.discretisation.samples.is_some() {
         let text = "--samples is for outlines: both sides are surfaces, which have their own boundary vertices";
@@ -132,7 +132,7 @@ fn refused(error: &MapError, [source, target]: &[Asked<'_>; 2]) -> CliError {
     CliError::Input(if is_surface(side.name) { format!("{}: {error}", side.title) } else { error.to_string() })
 }
 
-/// A map with its constraints, ready to be drawn.
+/// A map with its constraints, as needed for drawing.
 struct Scene<'a> {
     map: &'a ConformalMap,
     constraints: Constraints,
@@ -150,7 +150,7 @@ impl Scene<'_> {
         }
     }
 
-    /// What lies in the plane, with a square grid of the source, of the one outline or of the disk.
+    /// The planar parts of the map as SVG, with a square grid on the source, on the only outline, or on the disk.
     fn drawing(&self) -> String {
         let parts = parts(self.map, &self.constraints);
         let grid = parts.first().map(|part| {

@@ -44,8 +44,8 @@ pub enum CliError {
     },
 }
 
-/// For a program's first line, before a subcommand that may draw: where graphics libraries would report a missing
-/// display on stderr, the program is started anew in the same process, with the same arguments.
+/// To be called first in a program, before a subcommand that may draw: restarts the program (same process, same
+/// arguments) if graphics libraries would otherwise report a missing display on stderr.
 pub fn silence_display(command: &Subcommand) {
     #[cfg(all(unix, not(target_vendor = "apple")))]
     if !matches!(command, Subcommand::Link(_) | Subcommand::Prepare(_) | Subcommand::Bench(_)) {
@@ -55,7 +55,7 @@ pub fn silence_display(command: &Subcommand) {
     let _ = command;
 }
 
-/// Carries out a subcommand and reports.
+/// Runs a subcommand; prints its error, if any, and returns the exit status.
 pub fn run(command: &Subcommand) -> ExitCode {
     let result = match command {
         Subcommand::Map(arguments) => map::run(arguments),

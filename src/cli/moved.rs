@@ -1,4 +1,4 @@
-//! What is said of a session's points that its domains do not have: the picture is made with others, as in the app.
+//! Notes about points of a session that lie outside of their domains: the picture uses other points, as the app does.
 
 use super::output::triangles;
 use crate::conformal::Side;
@@ -7,11 +7,11 @@ use crate::mesh::BarycentricPoint;
 use crate::model::scene::Offscreen;
 use crate::session::Session;
 
-/// A point that moves by less than this part of its coordinates was where it stands: one at the distance that the app
-/// keeps from the outline is moved by rounding, 1e-16; a step that can be seen is 1e-3.
+/// Relative shift below which a point counts as not moved. The app keeps points at a distance from the outline; a point
+/// at exactly that distance is moved by rounding, 1e-16. A visible step is 1e-3.
 const ROUNDING: f64 = 1e-9;
 
-/// Says on stderr which points of `wanted` the still has others for.
+/// Reports on stderr which points of `wanted` the picture replaces.
 pub fn say_moved(wanted: &Session, offscreen: &Offscreen) {
     let used = offscreen.session();
     for side in Side::BOTH.into_iter().filter(|&side| used.surface(side).is_none()) {

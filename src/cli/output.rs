@@ -1,4 +1,4 @@
-//! Writing files whole or not at all.
+//! Output: text on the terminal, and files that are written completely or not at all.
 
 use super::CliError;
 use crate::conformal::PreparedSide;
@@ -7,12 +7,12 @@ use crate::laplace::{Solver, SolverKind};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-/// "1 triangle", "960 triangles".
+/// For example "1 triangle", "960 triangles".
 pub fn triangles(count: usize) -> String {
     counted!(count, "1 triangle", "{count} triangles")
 }
 
-/// "1 edge flipped", "7 edges flipped".
+/// For example "1 edge flipped", "7 edges flipped".
 pub fn edges_flipped(count: usize) -> String {
     counted!(count, "1 edge flipped", "{count} edges flipped")
 }
@@ -29,7 +29,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// By the file's extension.
+    /// The format of a file's extension.
     pub fn of(path: &Path) -> Result<Self, CliError> {
         let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
         match extension.as_str() {
@@ -46,7 +46,7 @@ impl Format {
     }
 }
 
-/// Refuses to write twice to one place, or onto a folder.
+/// Rejects folders, and paths that are given twice.
 pub fn check_paths(paths: &[PathBuf]) -> Result<(), CliError> {
     for (k, path) in paths.iter().enumerate() {
         if paths[..k].contains(path) {
@@ -59,7 +59,7 @@ pub fn check_paths(paths: &[PathBuf]) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Prints to stdout. A reader that has gone away (`| head`) is no error.
+/// Prints to stdout. A closed pipe (`| head`) is not an error.
 pub fn print(text: &str) -> Result<(), CliError> {
     match writeln!(std::io::stdout().lock(), "{text}") {
         Err(source) if source.kind() != std::io::ErrorKind::BrokenPipe => {
@@ -69,15 +69,15 @@ pub fn print(text: &str) -> Result<(), CliError> {
     }
 }
 
-/// Says on stderr that a mesh is coarser than it should be.
+/// Warns on stderr if the mesh refinement was not completed.
 pub fn warn_if_coarse(name: &str, side: &PreparedSide) {
     if side.domain().is_some_and(|domain| !domain.refinement().complete) {
         eprintln!("riemap: {name}: the mesh was not refined to the end; some angles are below 20°");
     }
 }
 
-/// Writes all files, each first under a temporary name beside its place. If one
-/// cannot be written, none of the others appears.
+/// Writes all files, each first under a temporary name in the same folder, then renames them. If one cannot be
+/// written, none of the others appears.
 pub fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), CliError> {
     let mut written: Vec<PathBuf> = Vec::new();
     let result = files.iter().try_for_each(|(path, bytes)| {
@@ -92,7 +92,7 @@ pub fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), CliError> {
     });
     if result.is_err() {
         for temporary in &written {
-            let _ = std::fs::remove_file(temporary); // best effort: it may never have existed
+            let _ = std::fs::remove_file(temporary); // best effort: it may not exist
         }
     }
     result
@@ -108,7 +108,7 @@ fn temporary_name(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// Says on stderr if the domain has another solver than the one that was asked for.
+/// Reports on stderr if the domain uses another solver than the requested one.
 pub fn say_solver(name: &str, wanted: SolverKind, solver: &Solver) {
     if solver.kind() != wanted {
         eprintln!("riemap: {name}: the Cholesky factor does not fit into memory: solved iteratively, more slowly");

@@ -1,4 +1,4 @@
-//! The map as a picture: source and target side by side, drawn by wgpu on any adapter.
+//! A picture of the map: source and target side by side, drawn by wgpu on any adapter.
 
 use super::CliError;
 use crate::export::Panel;
@@ -25,12 +25,12 @@ pub fn png(panels: &[Panel<'_>; 2], cells: f64, size: [u32; 2]) -> Result<Vec<u8
     encode(&picture.map_err(|error| failed(&error))?)
 }
 
-/// What the renderer says.
+/// An error of the renderer.
 pub fn failed(error: &RenderError) -> CliError {
     CliError::Input(error.to_string())
 }
 
-/// An image as a PNG file.
+/// Encodes an image as PNG.
 pub fn encode(picture: &RgbaImage) -> Result<Vec<u8>, CliError> {
     let mut bytes = Cursor::new(Vec::new());
     picture

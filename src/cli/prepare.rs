@@ -1,4 +1,4 @@
-//! `riemap prepare`: counts and timings of one domain.
+//! `riemap prepare`: vertex counts and durations of the preparation of one domain.
 
 use super::CliError;
 use super::arguments::{PrepareArguments, read_outline};

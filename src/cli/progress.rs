@@ -1,7 +1,7 @@
-//! What a command is busy with, on stderr.
+//! Progress messages on stderr, for commands that take long.
 //!
-//! As everything on stderr, whole lines that begin with "riemap:". A command that is soon done says nothing; one that
-//! is not says every two seconds how far it is with what it does, or for how long it has run.
+//! Each is a whole line that begins with "riemap:". Every two seconds a line says what part of the current work is
+//! done, or for how long the command has run. A command that ends before that prints nothing.
 
 use crate::conformal::Stage;
 use std::io::Write;
@@ -9,10 +9,10 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// From the beginning to the first line, and from line to line.
+/// The time before the first line, and between lines.
 const PAUSE: Duration = Duration::from_secs(2);
 
-/// What is being done, said by a thread of its own until this is dropped.
+/// Prints progress lines from a thread of its own until it is dropped.
 #[derive(Debug)]
 pub struct Progress {
     shared: Arc<Shared>,
@@ -28,15 +28,15 @@ struct Shared {
 #[derive(Debug)]
 struct Work {
     words: String,
-    /// When the command began.
+    /// When the command started.
     since: Instant,
-    /// How much of it is done, where that is known.
+    /// The fraction that is done, if known.
     done: Option<f64>,
     is_over: bool,
 }
 
 impl Progress {
-    /// Of a command that begins with what `words` name.
+    /// Starts reporting; `words` names the current work.
     pub fn new(words: impl Into<String>) -> Self {
         Self::to(std::io::stderr(), PAUSE, words)
     }
@@ -45,29 +45,29 @@ impl Progress {
         let work = Work { words: words.into(), since: Instant::now(), done: None, is_over: false };
         let shared = Arc::new(Shared { work: Mutex::new(work), over: Condvar::new() });
         let spoken = Arc::clone(&shared);
-        // without a thread to be had, the command is silent
+        // if no thread can be started, nothing is printed
         let speaker = std::thread::Builder::new().spawn(move || spoken.speak(out, pause)).ok();
         Self { shared, speaker }
     }
 
-    /// Something else begins.
+    /// Starts the next piece of work.
     pub fn enter(&self, words: impl Into<String>) {
         let mut work = self.shared.work();
         (work.words, work.done) = (words.into(), None);
     }
 
-    /// Takes in the fraction that is done.
+    /// Sets the fraction that is done.
     pub fn report(&self, done: f64) {
         self.shared.work().done = Some(done);
     }
 
-    /// Takes in the stages of the preparation of what has this name.
+    /// A callback for the preparation of the side called `name` that enters each stage.
     pub fn preparing(&self, name: &str) -> impl FnMut(Stage) {
         move |stage| self.enter(format!("{name}: {}", stage_words(stage)))
     }
 }
 
-/// What is done in a stage.
+/// The words for a stage.
 fn stage_words(stage: Stage) -> String {
     let words = match stage {
         Stage::Read => "reading the surface",
@@ -86,7 +86,7 @@ impl Drop for Progress {
         self.shared.work().is_over = true;
         self.shared.over.notify_all();
         if let Some(speaker) = self.speaker.take() {
-            let _ = speaker.join(); // a speaker that has panicked has nothing more to say
+            let _ = speaker.join(); // if the thread has panicked, there is nothing left to print
         }
     }
 }
@@ -96,7 +96,7 @@ impl Shared {
         self.work.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Until the work is over or nobody reads any more.
+    /// Prints lines until the work is over or writing fails.
     fn speak(&self, mut out: impl Write, pause: Duration) {
         while let Some(line) = self.next_line(pause) {
             if writeln!(out, "{line}").is_err() {
@@ -105,8 +105,8 @@ impl Shared {
         }
     }
 
-    /// What is to be said after one pause or several; `None` when the work is over. Nothing is held on return, so
-    /// that nobody waits for a slow reader.
+    /// Waits for one or more pauses and returns the next line; `None` when the work is over. The lock is released on
+    /// return, so that slow output blocks nobody.
     fn next_line(&self, pause: Duration) -> Option<String> {
         let mut work = self.work();
         loop {
@@ -152,7 +152,7 @@ mod tests {
         assert_eq!(line(12.3).as_deref(), Some("riemap: a.obj: factoring, 12 s so far"));
     }
 
-    /// What was written, or errors where there is nobody to read it.
+    /// A fake output: the written bytes, or `None` for one whose writes fail.
     #[derive(Clone)]
     struct Reader(Option<Arc<Mutex<Vec<u8>>>>);
 

@@ -1,4 +1,4 @@
-//! `riemap render`: what the app shows of a session as a picture or another file; `riemap link`: its link.
+//! `riemap render`: a session as a picture, as the app shows it, or as another file; `riemap link`: a session's link.
 
 use super::CliError;
 use super::arguments::{
@@ -18,7 +18,7 @@ use crate::session::{Command, Session, SurfaceShape, SurfaceSpec, TextureKind, f
 use crate::surface::{MAX_BYTES, names_format};
 use std::path::Path;
 
-/// Draws a session.
+/// Renders a session and writes the file.
 pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
     check_paths(std::slice::from_ref(&arguments.out))?;
     let format = Format::of(&arguments.out)?;
@@ -39,7 +39,7 @@ pub fn run(arguments: &RenderArguments) -> Result<(), CliError> {
     write_all(&[(arguments.out.clone(), bytes)])
 }
 
-/// By the ending of the file.
+/// The format, by the file's extension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
     Picture,
@@ -66,7 +66,7 @@ fn shot(arguments: &RenderArguments) -> Shot {
     }
 }
 
-/// The session that is named, brought to rest.
+/// Loads the session that the arguments name and computes its map.
 pub fn offscreen(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> Result<Offscreen, CliError> {
     let mut session = with_files(open(&arguments.link)?, arguments)?;
     let surface = surface_file(&mut session, arguments)?;
@@ -100,7 +100,7 @@ pub fn link(arguments: &LinkArguments) -> Result<(), CliError> {
     print(&encoded.fragment)
 }
 
-/// A link's session or a file's.
+/// Opens a link or a session's file.
 fn open(link: &str) -> Result<Decoded, CliError> {
     if is_link(link) {
         return decode(link).map_err(|error| CliError::Input(error.to_string()));
@@ -110,7 +110,7 @@ fn open(link: &str) -> Result<Decoded, CliError> {
     Ok(Decoded { session, missing: Vec::new() })
 }
 
-/// Puts in the outlines that a link only names.
+/// Loads the outlines that the link only names.
 fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session, CliError> {
     let Decoded { mut session, mut missing } = decoded;
     for (side, name) in Side::BOTH.into_iter().zip([&arguments.source, &arguments.target]) {
@@ -120,15 +120,15 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
         };
         let MissingOutline { interior, anchor, .. } = missing.remove(place);
         let outline = read_outline(name, false)?.outline;
-        // the surface that may stand before it stays
+        // not SetOutline: a surface that hides the outline must stay
         session.apply(Command::ReshapeOutline { side, outline: outline.into(), interior, anchor });
     }
     refuse_missing(&missing)?;
     Ok(session)
 }
 
-/// The bytes of the surface's file. Its name says the format and stands in errors; where it names no format, the one
-/// that the session knows does.
+/// Reads the surface's file. Its name determines the format and appears in errors; if it has no known extension, the
+/// file name stored in the session is used instead.
 fn surface_file(session: &mut Session, arguments: &SessionArguments) -> Result<Option<Vec<u8>>, CliError> {
     let Some(name) = &arguments.surface else { return Ok(None) };
     let side = Side::Target;

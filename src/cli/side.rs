@@ -1,4 +1,4 @@
-//! A side of a map as it is named on the command line, an outline or a surface: read, prepared, with its points.
+//! A side given on the command line, an outline or a surface: reading, preparing and locating its points.
 
 use super::CliError;
 use super::arguments::{Anchor, Discretisation, NamedOutline, Point, read_outline};
@@ -16,16 +16,16 @@ use std::sync::Arc;
 /// An interior point of a side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SidePoint {
-    /// Of an outline.
+    /// A point inside an outline.
     Plane(Point),
-    /// Of a surface.
+    /// A point of a surface.
     Surface(SurfacePoint),
 }
 
 impl FromStr for SidePoint {
     type Err = String;
 
-    /// Two numbers are a place in the plane; all else that a surface's point may be is that.
+    /// Two numbers are a point in the plane; anything else is parsed as a point of a surface.
     fn from_str(text: &str) -> Result<Self, String> {
         let planar = text.parse().map(Self::Plane);
         planar.or_else(|_: String| text.parse().map(Self::Surface)).map_err(|_: String| {
@@ -41,9 +41,9 @@ impl FromStr for SidePoint {
 pub enum SideAnchor {
     /// At this fraction of the boundary's length.
     Fraction(f64),
-    /// Of an outline.
+    /// A boundary point of an outline.
     Plane(Anchor),
-    /// Of a surface.
+    /// A boundary point of a surface.
     Surface(SurfaceAnchor),
 }
 
@@ -63,7 +63,7 @@ impl FromStr for SideAnchor {
     }
 }
 
-/// What a side is, as it was read.
+/// A side as it was read.
 pub enum Given {
     /// An outline.
     Outline(NamedOutline),
@@ -71,29 +71,29 @@ pub enum Given {
     Surface(Surface),
 }
 
-/// A side, prepared.
+/// A prepared side with its name.
 pub struct NamedSide {
     title: String,
     given: Given,
     pub prepared: Arc<PreparedSide>,
 }
 
-/// How sides are read and prepared.
+/// The options for reading and preparing sides.
 #[derive(Debug, Clone, Copy)]
 pub struct Reading<'a> {
-    /// Whether to repair what can be.
+    /// Whether to make the safe repairs.
     pub repair: bool,
-    /// Whether a surface's edges are flipped.
+    /// Whether a surface's edges are flipped to be Delaunay.
     pub intrinsic_delaunay: bool,
     pub discretisation: &'a Discretisation,
 }
 
-/// Whether a name means a surface: a preset, or a file by its ending.
+/// Whether a name means a surface: a surface preset, or a file with a surface format's extension.
 pub fn is_surface(name: &str) -> bool {
     preset(name).is_some() || (!name.starts_with("preset:") && names_format(name))
 }
 
-/// What is asked of a side: the options of its points, and what they say.
+/// The arguments about one side. Each point comes with the name of its option, for error messages.
 #[derive(Debug, Clone, Copy)]
 pub struct Asked<'a> {
     /// The file or preset.
@@ -109,7 +109,7 @@ pub struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    /// Checks that all of it is of the side's kind.
+    /// Checks that the arguments fit the side's kind, outline or surface.
     pub fn check(&self) -> Result<(), CliError> {
         let is_surface = is_surface(self.title);
         let (point_option, point) = self.point;
@@ -156,7 +156,7 @@ pub fn read(name: &str, repair: bool) -> Result<Given, CliError> {
 }
 
 impl NamedSide {
-    /// Prepares a side that was read.
+    /// Prepares a side.
     pub fn prepare(
         Asked { title, samples, .. }: &Asked<'_>,
         given: Given,
@@ -186,13 +186,13 @@ impl NamedSide {
         matches!(self.given, Given::Surface(_))
     }
 
-    /// Its interior point, or the default one, and the fraction of the boundary's length at its boundary point.
+    /// Its interior point, or the default one, and its boundary point as a fraction of the boundary's length.
     pub fn constraint(&self, asked: &Asked<'_>) -> Result<(InteriorPoint, f64), CliError> {
         let ((point_option, point), (anchor_option, anchor)) = (asked.point, asked.anchor);
         Ok((self.point(point_option, point)?, self.anchor(anchor_option, anchor)?))
     }
 
-    /// The interior point that an `option` says, or the default one.
+    /// The interior point given by `option`, or the default one.
     fn point(&self, option: &str, point: Option<SidePoint>) -> Result<InteriorPoint, CliError> {
         match (point, self.prepared.geometry(), &self.given) {
             (None, ..) => Ok(self.prepared.default_point()),
@@ -204,7 +204,7 @@ impl NamedSide {
         }
     }
 
-    /// The fraction of the boundary's length that an `option` says.
+    /// The fraction of the boundary's length given by `option`.
     fn anchor(&self, option: &str, anchor: SideAnchor) -> Result<f64, CliError> {
         match (anchor, self.prepared.geometry()) {
             (SideAnchor::Fraction(s), _) => Ok(s.rem_euclid(1.0)),
@@ -216,7 +216,7 @@ impl NamedSide {
         }
     }
 
-    /// Says on stderr what was done to what was read, and how it was prepared.
+    /// Reports on stderr what was changed while reading and how the side was prepared.
     pub fn say_notes(&self, discretisation: &Discretisation) {
         match &self.given {
             Given::Outline(outline) => outline.say_notes(&self.title),

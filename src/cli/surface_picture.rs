@@ -1,5 +1,5 @@
-//! A parameterized surface as a picture: the textured surface, and right of it the plane, with the same texture
-//! and the surface's edges as they lie there.
+//! A picture of a parameterized surface: the textured surface beside the plane, which shows the same texture and
+//! the surface's edges.
 
 use super::CliError;
 use super::flatten_arguments::preset;
@@ -20,8 +20,8 @@ const CELLS: f64 = 16.0;
 /// Free space around surface and outline, as a part of a half's smaller side.
 const MARGIN: f64 = 0.06;
 
-/// A PNG of `size` pixels of the map of a surface into the plane; the surface is `right` of that, or left. A preset, by
-/// its name, is seen from its own side.
+/// Draws the map of a surface into the plane as PNG; the surface is on the right if `right`. A preset, identified by
+/// its name, is seen from its own direction.
 pub fn png(
     name: &str,
     map: &ConformalMap,
@@ -44,7 +44,7 @@ pub fn png(
         handles: planar_places(domain, x1, anchors[plane]),
     };
     let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds: panel.bounds(), pole: x1, dark: true };
-    // strokes and handles grow with the picture
+    // strokes and handles scale with the picture
     let scale = size[1].min(size[0]) as f32 / 900.0;
     let wire =
         CellStyle { map: None, wire: Some(StrokeStyle::wire(false, scale)), marks: false, pixels_per_point: scale };
@@ -61,15 +61,15 @@ pub fn png(
     encode(&drawn(&[PlanarPart { panel, cells: Some(layout) }], &solid, &look(style, scale), size)?)
 }
 
-/// A PNG of `size` pixels of the map between two surfaces, side by side: the texture lies in the disk, so that points
-/// that are mapped to each other have one colour.
+/// Draws the map between two surfaces side by side as PNG. The texture is defined on the disk, so that corresponding
+/// points have the same color.
 pub fn png_of_two(
     names: PerSide<&str>,
     map: &ConformalMap,
     constraints: &Constraints,
     size: [u32; 2],
 ) -> Result<Vec<u8>, CliError> {
-    // of an odd width, the right half has the middle column
+    // if the width is odd, the right half gets the middle column
     let left = size[0] / 2;
     let scale = size[1].min(left) as f32 / 900.0;
     let bounds = TextureStyle::DISK;
@@ -116,7 +116,7 @@ fn drawn(
     picture.map_err(|error| failed(&error))
 }
 
-/// Sees all of a surface, a preset from its own side.
+/// A camera that shows the whole surface, for a preset from its own direction.
 pub fn camera(preset: Option<SurfacePreset>, surface: &MeshedSurface, aspect: f64) -> OrbitCamera {
     let mesh = surface.mesh();
     let mut camera = match preset.map(SurfacePreset::view) {
@@ -127,12 +127,12 @@ pub fn camera(preset: Option<SurfacePreset>, surface: &MeshedSurface, aspect: f6
     camera
 }
 
-/// Where the two points are on the surface.
+/// The positions of the two points on the surface.
 pub fn places(surface: &MeshedSurface, point: BarycentricPoint, anchor: BoundaryPoint) -> [DVec3; 2] {
     [surface.position(point), surface.boundary_position(anchor)]
 }
 
-/// Where the two points are in the plane.
+/// The positions of the two points in the plane.
 pub fn planar_places(domain: &MeshedDomain, point: DVec2, anchor: BoundaryPoint) -> [DVec2; 2] {
     [point, domain.samples().position(anchor)]
 }

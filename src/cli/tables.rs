@@ -1,4 +1,4 @@
-//! The numbers of a map as JSON, and its summary.
+//! A map's numbers as JSON, with a summary.
 
 use crate::conformal::{ConformalMap, FrameTimings, Places, PrepareTimings, PreparedSide, Quality, Side};
 
@@ -14,13 +14,13 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Of this side's mesh.
+    /// The sizes of this side's mesh.
     pub fn of(side: &PreparedSide) -> Self {
         Self { m: side.boundary_count() as u32, n: side.interior_count(), triangles: side.triangles().len() }
     }
 }
 
-/// Milliseconds by stage; the preparation of both sides is added.
+/// Durations of the stages in milliseconds; the preparations of both sides are added up.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct MapTimings {
     #[serde(flatten)]
@@ -29,19 +29,19 @@ pub struct MapTimings {
     frame: FrameTimings,
 }
 
-/// What `--json` prints, and the end of a .json file.
+/// The summary printed by `--json`, also written at the end of a .json file.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Summary {
     /// Angle distortion of the mapped mesh.
     pub quality: Quality,
-    /// Where the time went.
+    /// The durations of the stages.
     pub timing_ms: MapTimings,
-    /// The mapped mesh.
+    /// The sizes of the mapped mesh.
     pub counts: Counts,
 }
 
 impl Summary {
-    /// Of this map.
+    /// The summary of this map.
     pub fn of(map: &ConformalMap) -> Self {
         let [a, b] = Side::BOTH.map(|side| map.side(side).timings());
         let prepare = PrepareTimings {
@@ -74,14 +74,14 @@ struct MapDocument<'a> {
     vertices: Places<'a>,
     triangles: &'a [[u32; 3]],
     images: Places<'a>,
-    /// For each vertex of a mapped surface its number in the file, or 2³² − 1 where a repair has added it.
+    /// For each vertex of a mapped surface its index in the file, or 2³² − 1 if a repair has added it.
     #[serde(skip_serializing_if = "Option::is_none")]
     vertex_origins: Option<&'a [u32]>,
     #[serde(flatten)]
     summary: Summary,
 }
 
-/// The first `count` places.
+/// The first `count` positions.
 fn first(places: Places<'_>, count: usize) -> Places<'_> {
     match places {
         Places::Plane(places) => Places::Plane(&places[..count]),
@@ -89,7 +89,7 @@ fn first(places: Places<'_>, count: usize) -> Places<'_> {
     }
 }
 
-/// The boundary samples of the mapped side with their images: x, y, u, v; of surfaces with a third coordinate.
+/// The boundary samples of the mapped side with their images: x, y, u, v; on surfaces with a third coordinate.
 fn boundary_map(map: &ConformalMap) -> Vec<Vec<f64>> {
     let coordinates = |places: Places<'_>, k: usize| match places {
         Places::Plane(places) => places[k].to_array().to_vec(),

@@ -1,4 +1,4 @@
-//! Figures 12 and 15: the V-shape to the blob, four maps and their convergence.
+//! Figures 12 and 15: four maps from the V-shape to the blob, and their convergence.
 
 use super::plot::{Axis, Curve, Legend, Plot};
 use super::raster::{ANCHOR, PANEL_PX, POINT, Raster, RasterPanel, STRAY};
@@ -16,7 +16,7 @@ use crate::geometry::DVec2;
 const PANEL: f64 = 236.0;
 const LEFT: f64 = 24.0;
 
-/// The stroke of a method, in all plots.
+/// The stroke of a method, the same in all plots.
 fn stroke(method: Method) -> Stroke {
     match method {
         Method::Exact => Stroke::solid(colour::BLUE, 4.0),
@@ -55,7 +55,7 @@ fn finding(study: &CrowdingStudy, map: &BoundaryMap, stray: DVec2) -> String {
     format!("{title}: error max {max:.2e}, mean {mean:.2e}; the image of x₁ is {off:.1e} from x₂; {lost} in the disk")
 }
 
-/// The V, and the blob under each map.
+/// The panels: the V, then the blob under each map.
 fn rasterise(
     study: &CrowdingStudy,
     scene: &crate::figures::Scene,
@@ -83,7 +83,7 @@ fn rasterise(
     Raster::new()?.row(&panels, None)
 }
 
-/// Nearer than this to x₂ the image of x₁ is hidden behind it: 3 pixels of the blob's extent of 8.
+/// Within this distance of x₂ the image of x₁ is hidden by its dot: 3 pixels, of a blob whose extent is 8.
 const VISIBLE: f64 = 8.0 * 3.0 / PANEL_PX as f64;
 
 fn label_panels(page: &mut Page, study: &CrowdingStudy, strays: &[DVec2]) {
@@ -109,13 +109,13 @@ fn label_panels(page: &mut Page, study: &CrowdingStudy, strays: &[DVec2]) {
     }
 }
 
-/// How many samples are visibly mapped elsewhere than to y₂.
+/// The number of samples whose images differ visibly from y₂.
 fn moved(map: &BoundaryMap) -> usize {
     let end = map.images.first().copied().unwrap_or_default();
     map.images.iter().filter(|w| w.distance(end) > VISIBLE).count()
 }
 
-/// r over t; the exact curve widest, so that it shows under the others.
+/// The plot of r over t; the exact curve is the widest, so that it shows under the others.
 fn reparameterisations(study: &CrowdingStudy) -> Plot {
     let t = study.arc_lengths();
     let length = study.maps[0].reparameterisation.iter().copied().fold(0.0, f64::max);
@@ -136,7 +136,7 @@ fn reparameterisations(study: &CrowdingStudy) -> Plot {
     }
 }
 
-/// |f − f̃| over t. Errors below rounding are left out.
+/// The plot of |f − f̃| over t, without errors below rounding.
 fn errors(study: &CrowdingStudy) -> Plot {
     const LEAST: f64 = 1e-6;
     let t = study.arc_lengths();
@@ -177,7 +177,7 @@ pub fn figure_15(detail: Detail) -> Result<Drawing, CliError> {
     Ok(Drawing { svg: page.finish(), png: None, table: ConvergenceStudy::table(&rows), findings: findings.to_vec() })
 }
 
-/// The four curves with their names.
+/// The four error curves with their names.
 fn series(study: &ConvergenceStudy) -> [(Method, SecondMap, String); 4] {
     let sampled = format!("m₂ = {}", study.target_samples());
     let name = |method: &str, second: &str| format!("{method}, {second}");
@@ -206,7 +206,7 @@ fn convergence(
     value: fn(&ConvergenceRow) -> f64,
 ) -> Plot {
     let curve = |(method, second, name): (Method, SecondMap, String)| Curve {
-        // against the sampled blob the error levels off: it has no order
+        // against the sampled blob the error levels off, so that it has no order
         name: match second {
             SecondMap::Exact => format!("{name}: order {}", order(rows, method, second, value)),
             SecondMap::Sampled => name,

@@ -1,4 +1,4 @@
-//! Figure 6: mesh, Poisson kernel and harmonic measure, a row for each m.
+//! Figure 6: a row for each m with mesh, Poisson kernel and harmonic measure.
 
 use super::Drawing;
 use super::plot::{Axis, Curve, Legend, Plot, Window};
@@ -15,7 +15,7 @@ const FINE: usize = 400;
 const ROW: f64 = 260.0;
 const TOP: f64 = 50.0;
 
-/// Draws it.
+/// Draws the figure.
 pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
     let scenes = Figure::DiskKernel.scenes(detail);
     let studies = scenes.iter().map(DiskKernelStudy::new).collect::<Result<Vec<_>, _>>()?;

@@ -1,4 +1,4 @@
-//! Figure 9: every triangle and its image coloured by Q, for rising m₁.
+//! Figure 9: every triangle and its image, colored by Q, for increasing m₁.
 
 use super::Drawing;
 use super::pictures::{LEFT, PANEL, Sheet, Shown, maps};
@@ -12,19 +12,19 @@ use crate::geometry::DVec2;
 use crate::render::{ColourMap, Pattern, TextureStyle, flipped_colour};
 use image::{Rgba, RgbaImage};
 
-/// Q from 1 to here has a colour of its own, as in the app: 1.5 is an angle of 90° seen as 67°.
+/// Upper end of the color scale of Q, as in the app: at Q = 1.5 an angle of 90° appears as 67°.
 const TOP_Q: f64 = 1.5;
 
-/// Colours in the texture: the map, then collapsed and flipped triangles.
+/// Colors in the texture: the color map, then one for collapsed and one for flipped triangles.
 const COLOURS: u32 = 256;
 const FLIPPED: u32 = COLOURS - 1;
 const COLLAPSED: u32 = COLOURS - 2;
-/// The last colour of the map.
+/// The index of the color map's last color.
 const LAST: u32 = COLOURS - 3;
-/// The images of these triangles are points up to rounding.
+/// Collapsed triangles: their images are points up to rounding.
 const COLLAPSED_COLOUR: [f32; 4] = [0.78, 0.78, 0.78, 1.0];
 
-/// Draws it.
+/// Draws the figure.
 pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
     let maps = maps(Figure::Distortion, detail)?;
     let raster = Raster::new()?;
@@ -46,7 +46,7 @@ pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
     Ok(sheet.finish(&maps))
 }
 
-/// The colours from Q = 1 to `top_q`, with ticks.
+/// Draws the color scale from Q = 1 to `top_q`, with ticks.
 pub fn legend(page: &mut Page, top: f64, columns: usize, top_q: f64) {
     const STEPS: u32 = 100;
     let width = 0.5 * PANEL * columns as f64;
@@ -54,7 +54,7 @@ pub fn legend(page: &mut Page, top: f64, columns: usize, top_q: f64) {
     for k in 0..STEPS {
         let part = f64::from(k) / f64::from(STEPS);
         let corner = DVec2::new(left + part * width, top);
-        // each over the rest of the one before, so that no seams show
+        // each rectangle reaches to the right end and is covered by the next, so that no seams show
         page.fill(corner, DVec2::new((1.0 - part) * width, 14.0), &rgb(ColourMap::Cividis.at(part)));
     }
     for k in 0..=5 {
@@ -72,7 +72,7 @@ pub fn legend(page: &mut Page, top: f64, columns: usize, top_q: f64) {
     }
 }
 
-/// Two decimals, or one where that is all.
+/// A tick's label: two decimals, or one if the second is 0.
 fn tick(q: f64) -> String {
     let text = format!("{q:.2}");
     text.strip_suffix('0').map(str::to_owned).unwrap_or(text)
@@ -83,7 +83,7 @@ fn rgb(colour: [f32; 4]) -> String {
     format!("rgb({r},{g},{b})")
 }
 
-/// A texture with a colour for each place along x.
+/// A texture whose columns are the colors.
 pub fn palette() -> RgbaImage {
     let bytes = |colour: [f32; 4]| Rgba(colour.map(|c| (255.0 * c).round() as u8));
     // square, so that it is not stretched
@@ -94,7 +94,7 @@ pub fn palette() -> RgbaImage {
     })
 }
 
-/// Where a triangle finds its colour, at the middle of a column.
+/// The texture coordinate of a triangle's color, in the middle of its column.
 fn place(triangle: &TriangleDistortion, top_q: f64) -> DVec2 {
     let column = match triangle {
         TriangleDistortion { flipped: true, .. } => FLIPPED,
@@ -104,7 +104,7 @@ fn place(triangle: &TriangleDistortion, top_q: f64) -> DVec2 {
     DVec2::new((f64::from(column) + 0.5) / f64::from(COLOURS), 0.5)
 }
 
-/// A mesh whose triangles have corners of their own, so that each has one colour.
+/// A mesh whose triangles do not share corners, so that each has a single color.
 pub struct Coloured<'a> {
     positions: Vec<DVec2>,
     coordinates: Vec<DVec2>,
@@ -113,7 +113,7 @@ pub struct Coloured<'a> {
 }
 
 impl<'a> Coloured<'a> {
-    /// The mapped mesh (the source's), or its image in the target.
+    /// The mapped mesh (the source's) or its image in the target, by `side`.
     fn new(shown: &'a Shown, side: Side) -> Self {
         let mesh = shown.domains[shown.map.mapped_side()].mesh();
         let vertices = if side == Side::Source { mesh.vertices.as_slice() } else { shown.map.images() };
@@ -121,7 +121,7 @@ impl<'a> Coloured<'a> {
         Self::of(vertices, &mesh.triangles, &shown.triangles, boundary, TOP_Q)
     }
 
-    /// A mesh with the distortion of each triangle; the last colour is that of `top_q`.
+    /// A mesh and the distortion of each triangle; distortions from `top_q` on have the last color.
     pub fn of(
         vertices: &[DVec2],
         triangles: &[[u32; 3]],
@@ -138,7 +138,7 @@ impl<'a> Coloured<'a> {
         }
     }
 
-    /// As it is drawn, with the texture of [`palette`].
+    /// The mesh as a panel, textured with [`palette`].
     pub fn panel(&self) -> RasterPanel<'_> {
         let style = TextureStyle {
             pattern: Pattern::Image,

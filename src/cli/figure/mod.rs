@@ -1,7 +1,7 @@
-//! `riemap figure N`: makes a figure of the paper anew, as a drawing and a table.
+//! `riemap figure N`: reproduces a figure of the paper as a drawing and a table.
 //!
-//! Plots are SVG; figures that show textured meshes or surfaces also come as PNG, the bare pictures,
-//! which the SVG embeds between its labels. The numbers come from `figures`.
+//! Plots are SVG. Figures with textured meshes or surfaces are also written as PNG without labels;
+//! the SVG embeds these pictures between its labels. The numbers come from `figures`.
 
 mod crowding;
 mod disk_kernel;
@@ -23,10 +23,10 @@ use std::path::{Path, PathBuf};
 /// A figure, ready to be written.
 struct Drawing {
     svg: String,
-    /// Of figures with textured meshes.
+    /// Only for figures with textured meshes.
     png: Option<Vec<u8>>,
     table: Table,
-    /// What was found, for the terminal.
+    /// The results printed to the terminal.
     findings: Vec<String>,
 }
 
@@ -44,7 +44,7 @@ enum Format {
     Csv,
 }
 
-/// Computes, draws and writes the figure; prints what was chosen and found.
+/// Computes, draws and writes the figure; prints the choices made where the paper is silent, and the results.
 pub fn run(arguments: &FigureArguments) -> Result<(), CliError> {
     let figure = arguments.number.0;
     let outputs = outputs(figure, &arguments.out)?;
@@ -97,7 +97,7 @@ fn draw(figure: Figure, detail: Detail) -> Result<Drawing, CliError> {
     }
 }
 
-/// The formats that a figure comes in.
+/// The formats available for a figure.
 fn formats(figure: Figure) -> &'static [Format] {
     match figure {
         Figure::DiskKernel | Figure::Moebius | Figure::Convergence => &[Format::Svg, Format::Csv],
@@ -105,12 +105,12 @@ fn formats(figure: Figure) -> &'static [Format] {
     }
 }
 
-/// A path without an extension, or one that is a folder.
+/// A path counts as a folder if it is one or has no extension.
 fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.extension().is_none()
 }
 
-/// What is to be written where.
+/// The files to write, with their formats.
 fn outputs(figure: Figure, out: &[PathBuf]) -> Result<Vec<(PathBuf, Format)>, CliError> {
     let current = [PathBuf::from(".")];
     let mut outputs = Vec::new();

@@ -1,4 +1,4 @@
-//! Figure 7: a row for each m: the grid G₁, the reparameterisation, f̃(G₁) and f̂(G₁) over G₂.
+//! Figure 7: a row for each m with the grid G₁, the reparameterization, f̃(G₁) and f̂(G₁) over G₂.
 
 use super::Drawing;
 use super::plot::{Axis, Curve, Legend, Plot, Window};
@@ -13,7 +13,7 @@ const FINE: u32 = 8;
 /// Samples of the exact curves.
 const CURVE: u32 = 400;
 
-/// Points of the polygon are moved inside by this part: rounded to the outside, Cauchy's integral is 0.
+/// Points of the polygon are moved inward by this part: if rounding put one outside, Cauchy's integral would be 0.
 const INSET: f64 = 1e-6;
 
 const DISK: f64 = 230.0;
@@ -22,7 +22,7 @@ const TOP: f64 = 76.0;
 /// Left ends of the columns.
 const COLUMNS: [f64; 4] = [24.0, 345.0, 660.0, 920.0];
 
-/// Draws it.
+/// Draws the figure.
 pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
     let scenes = Figure::Moebius.scenes(detail);
     let studies = scenes.iter().map(MoebiusStudy::new).collect::<Result<Vec<_>, _>>()?;
@@ -54,7 +54,7 @@ pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
 }
 
 fn disk_window(left: f64, top: f64) -> Window {
-    // a little wider than the disk, into which f̂ does not map exactly
+    // a little larger than the disk, since f̂ maps slightly outside of it
     let corners = [DVec2::splat(-1.03), DVec2::splat(1.03)];
     Window::fitting(&corners, DVec2::new(left, top), DVec2::splat(DISK))
 }
@@ -128,7 +128,7 @@ fn draw_image(page: &mut Page, study: &MoebiusStudy, left: f64, top: f64, map: &
     page.dot(window.place(DVec2::X), 5.5, colour::MAGENTA);
 }
 
-/// The image of the polygon, edge by edge.
+/// The image of the polygon's boundary, edge by edge.
 fn mapped_boundary<'a>(
     study: &'a MoebiusStudy,
     map: &'a dyn Fn(DVec2) -> Option<DVec2>,

@@ -1,4 +1,4 @@
-//! Figures 8 and 10, textured meshes with labels, and what Figure 9 shares with them.
+//! Figures 8 and 10 (textured meshes with labels), and the parts that Figure 9 shares with them.
 
 use super::Drawing;
 use super::raster::{ANCHOR, POINT, Raster, RasterPanel, stacked};
@@ -13,26 +13,26 @@ use crate::session::{DomainSpec, Session, TextureKind};
 use image::RgbaImage;
 use std::sync::Arc;
 
-/// Side of a panel on the page.
+/// Side length of a panel on the page.
 pub const PANEL: f64 = 236.0;
 pub const LEFT: f64 = 24.0;
 const TOP: f64 = 66.0;
-/// From one row of panels to the next, with the note under a panel.
+/// Distance from row to row: a panel and the note under it.
 const ROW: f64 = PANEL + 56.0;
 
-/// The session's texture on the source with this outline.
+/// The session's texture on a source with this outline.
 pub fn style(session: &Session, outline: &[DVec2], pole: DVec2) -> TextureStyle {
     let Bounds { min: low, max: high } = Bounds::of(outline.iter().copied());
     let pattern = match session.texture() {
         TextureKind::Checker | TextureKind::Image => Pattern::Checker,
         TextureKind::Grid => Pattern::Grid,
-        // no figure asks for the conformal grid, which would need disk coordinates
+        // no figure uses the conformal grid, which would need disk coordinates
         TextureKind::Polar | TextureKind::Conformal => Pattern::Polar,
     };
     TextureStyle { pattern, cells: session.texture_scale(), bounds: (low, high), pole, dark: false }
 }
 
-/// The map of a scene, complete, with its distortion.
+/// The map of a scene, fully computed, with its distortion.
 pub struct Shown {
     pub label: String,
     pub session: Session,
@@ -42,7 +42,7 @@ pub struct Shown {
     pub triangles: Vec<TriangleDistortion>,
 }
 
-/// The maps of a figure; every domain is prepared once.
+/// The maps of a figure; each domain is prepared only once.
 pub fn maps(figure: Figure, detail: Detail) -> Result<Vec<Shown>, FigureError> {
     let mut prepared: Vec<(DomainSpec, Arc<_>)> = Vec::new();
     let mut domain = |spec: &DomainSpec| -> Result<Arc<_>, FigureError> {
@@ -65,14 +65,14 @@ pub fn maps(figure: Figure, detail: Detail) -> Result<Vec<Shown>, FigureError> {
 }
 
 impl Shown {
-    /// Source and target, textured.
+    /// The panels of source and target with the texture.
     fn textured(&self) -> Result<[RasterPanel<'_>; 2], FigureError> {
         let panels = panels(&self.map, &self.constraints).ok_or(FigureError::NoDomain)?;
         let style = style(&self.session, panels[0].boundary, panels[0].handles[0]);
         Ok(panels.map(|panel| textured(&panel, style)))
     }
 
-    /// Q_avg without the flattened triangles, and their share.
+    /// The mean of Q without the flattened triangles, and their share of the area, as text.
     pub fn note(&self) -> String {
         match resolved_mean(&self.triangles) {
             (mean, 0.0) => format!("Q_avg = {mean:.4}"),
@@ -80,7 +80,7 @@ impl Shown {
         }
     }
 
-    /// Its row in the table.
+    /// The row of the table.
     pub fn row(&self) -> Vec<Cell> {
         let mut row = vec![self.label.replace(',', "").as_str().into()];
         for side in Side::BOTH {
@@ -106,12 +106,12 @@ fn textured<'a>(panel: &Panel<'a>, style: TextureStyle) -> RasterPanel<'a> {
     }
 }
 
-/// Triangles with a larger Q are flattened: where crowding is finer than the samples a whole part of
-/// the domain goes to one edge of the other outline, and Q is 10² to 10⁹ there. The coarsest resolved corners have 5.
+/// Triangles with a larger Q count as flattened: where crowding is finer than the samples, a whole part of the domain
+/// is mapped to one edge of the other outline, with Q from 10² to 10⁹. The coarsest resolved corners have Q = 5.
 const FLATTENED: f64 = 10.0;
 
-/// The area-weighted mean of Q without flattened triangles, and the share of the area that they
-/// and the collapsed ones have.
+/// The area-weighted mean of Q without flattened triangles, and the share of the area in flattened and collapsed
+/// triangles.
 fn resolved_mean(triangles: &[TriangleDistortion]) -> (f64, f64) {
     let (mut weighted, mut resolved, mut total) = (0.0, 0.0, 0.0);
     for triangle in triangles {
@@ -146,14 +146,14 @@ pub fn table(maps: &[Shown]) -> Table {
     table
 }
 
-/// Rows of pictures on a page with room for labels, and the bare pictures as PNG.
+/// A page of labeled rows of pictures, and the same pictures without labels as PNG.
 pub struct Sheet {
     pub page: Page,
     pub png: Vec<u8>,
 }
 
 impl Sheet {
-    /// `extra` pixels are left free below.
+    /// A sheet with these rows and `extra` free pixels below them.
     pub fn new(title: &str, rows: &[RgbaImage], columns: usize, extra: f64) -> Result<Self, CliError> {
         let width = PANEL * columns as f64;
         let mut page = Page::new(2.0 * LEFT + width, TOP + ROW * rows.len() as f64 + extra);
@@ -172,12 +172,12 @@ impl Sheet {
         self.page.text(at + DVec2::new(0.0, PANEL + 25.0), Anchor::Middle, SMALL, colour::GREY, note);
     }
 
-    /// The bottom of the last row.
+    /// The y coordinate of the last row's lower end.
     pub fn bottom(rows: usize) -> f64 {
         TOP + ROW * rows as f64
     }
 
-    /// The drawing.
+    /// The finished drawing with its table.
     pub fn finish(self, maps: &[Shown]) -> Drawing {
         let finding = |shown: &Shown| format!("{}: {}", shown.label, shown.note());
         let findings = maps.iter().map(finding).collect();

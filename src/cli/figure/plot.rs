@@ -1,9 +1,9 @@
 //! Plots: a frame with ticks and labels, curves, a legend; linear or logarithmic axes.
 //!
-//! Not by `plotters`: its axes, series and legend would take the place of this file, not of `svg`, since the figures
-//! put embedded pictures and domains of equal scales beside their plots; text is measured with fonts of the system
-//! (fontconfig and freetype to build against) or with one shipped along, and a file would depend on which. The
-//! window's plots are `egui_plot`'s.
+//! Why not `plotters`: its axes, series and legend would replace this file, but not `svg`, since the figures
+//! put embedded pictures and domains of equal scales beside their plots. It measures text with the system's fonts
+//! (which needs fontconfig and freetype to build) or with a bundled font, and its output would depend on the choice.
+//! The app's plots are `egui_plot`'s.
 
 use super::svg::{Anchor, LABEL, Page, SMALL, Stroke, colour};
 use crate::geometry::{Bounds, DVec2};
@@ -18,11 +18,11 @@ pub struct Axis {
     ticks: Vec<(f64, String)>,
 }
 
-/// About this many ticks fit on an axis.
+/// The approximate number of ticks on an axis.
 const TICKS: f64 = 5.0;
 
 impl Axis {
-    /// From `low` to `high`, with ticks at multiples of 1, 2 or 5 times a power of ten.
+    /// An axis from `low` to `high`, with ticks at multiples of 1, 2 or 5 times a power of ten.
     pub fn linear(label: &str, low: f64, high: f64) -> Self {
         let rough = (high - low) / TICKS;
         let power = 10_f64.powf(rough.log10().floor());
@@ -34,7 +34,7 @@ impl Axis {
         Self { label: label.to_owned(), low, high, logarithmic: false, ticks }
     }
 
-    /// Multiples of π/2 from 0 to 2π.
+    /// An axis from 0 to 2π with ticks at multiples of π/2.
     pub fn turn(label: &str) -> Self {
         let names = ["0", "π/2", "π", "3π/2", "2π"];
         let ticks = names.iter().zip(0..).map(|(n, k)| (std::f64::consts::FRAC_PI_2 * f64::from(k), (*n).to_owned()));
@@ -42,7 +42,7 @@ impl Axis {
         Self { label: label.to_owned(), low: 0.0, high, logarithmic: false, ticks: ticks.collect() }
     }
 
-    /// Logarithmic around positive `values`, with ticks at powers of ten, every one to four of them.
+    /// A logarithmic axis around positive `values`, with ticks at every power of ten, or at every second to fourth.
     pub fn logarithmic(label: &str, values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = values
             .into_iter()
@@ -56,7 +56,7 @@ impl Axis {
         Self { label: label.to_owned(), low, high, logarithmic: true, ticks }
     }
 
-    /// Logarithmic with ticks at these values, the first and the last of which end it.
+    /// A logarithmic axis with ticks at `values`, from the smallest to the largest of them.
     pub fn logarithmic_at(label: &str, values: &[u32]) -> Self {
         let (low, high) = (values.iter().min().copied().unwrap_or(1), values.iter().max().copied().unwrap_or(10));
         let ticks = values.iter().map(|&v| (f64::from(v), v.to_string())).collect();
@@ -64,7 +64,7 @@ impl Axis {
         Self { label: label.to_owned(), low, high, logarithmic: true, ticks }
     }
 
-    /// From 0 to 1 along the axis.
+    /// The position of a value along the axis, from 0 to 1.
     fn place(&self, value: f64) -> f64 {
         if self.logarithmic {
             (value / self.low).ln() / (self.high / self.low).ln()
@@ -91,15 +91,15 @@ fn power_of_ten(k: i32) -> String {
 
 /// A curve.
 pub struct Curve {
-    /// In the legend; empty: not there.
+    /// The name in the legend; a curve with an empty name is not listed.
     pub name: String,
     pub points: Vec<DVec2>,
     pub stroke: Stroke,
-    /// Whether its points are marked.
+    /// Whether the points are marked by dots.
     pub dots: bool,
 }
 
-/// The corner of the legend.
+/// The corner where the legend is drawn.
 #[derive(Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the names say it")]
 pub enum Legend {
@@ -122,7 +122,7 @@ pub struct Plot {
 }
 
 impl Plot {
-    /// Draws it.
+    /// Draws the plot.
     pub fn draw(&self, page: &mut Page) {
         self.draw_axes(page);
         page.clipped(self.corner - DVec2::splat(3.0), self.size + DVec2::splat(6.0), |page| {
@@ -135,7 +135,7 @@ impl Plot {
         }
     }
 
-    /// The point of the page that shows `p`.
+    /// The point of the page that represents `p`.
     fn place(&self, p: DVec2) -> DVec2 {
         self.corner + self.size * DVec2::new(self.x.place(p.x), 1.0 - self.y.place(p.y))
     }
@@ -193,7 +193,7 @@ impl Plot {
     }
 }
 
-/// A rectangle of the page that shows a part of the plane, y up, undistorted.
+/// A rectangle of the page that shows a part of the plane at equal scales, y up.
 #[derive(Clone, Copy)]
 pub struct Window {
     middle: DVec2,
@@ -202,14 +202,14 @@ pub struct Window {
 }
 
 impl Window {
-    /// Fits the bounding box of `points` into the rectangle.
+    /// A window that fits the bounding box of `points` into the rectangle.
     pub fn fitting(points: &[DVec2], corner: DVec2, size: DVec2) -> Self {
         let Bounds { min: low, max: high } = Bounds::of(points.iter().copied());
         let extent = (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
         Self { middle: 0.5 * (low + high), page_middle: corner + 0.5 * size, scale: (size / extent).min_element() }
     }
 
-    /// The point of the page that shows `p`.
+    /// The point of the page that represents `p`.
     pub fn place(&self, p: DVec2) -> DVec2 {
         self.page_middle + self.scale * (p - self.middle) * DVec2::new(1.0, -1.0)
     }

@@ -1,4 +1,4 @@
-//! Rows of textured meshes and surfaces, drawn by wgpu on white.
+//! Rows of textured meshes and surfaces, drawn by wgpu on a white background.
 
 use crate::cli::CliError;
 use crate::geometry::{Bounds, DVec2};
@@ -11,17 +11,17 @@ use image::RgbaImage;
 /// Side of a square panel in pixels.
 pub const PANEL_PX: u32 = 480;
 
-/// Free space in a panel, as a part of its side.
+/// Free space around a panel's content, as a part of the panel's side.
 const MARGIN: f64 = 0.04;
 
-/// Okabe–Ito: green for x, magenta for y, yellow where x₁ went instead.
+/// Okabe–Ito colors: green for x, magenta for y, yellow for the image of x₁ where it differs from x₂.
 pub const POINT: [f32; 4] = [0.0, 0.62, 0.45, 1.0];
 pub const ANCHOR: [f32; 4] = [0.84, 0.235, 0.65, 1.0];
 pub const STRAY: [f32; 4] = [0.941, 0.894, 0.259, 1.0];
 
-/// A textured mesh to be drawn.
+/// A textured mesh to draw.
 pub struct RasterPanel<'a> {
-    /// Where the vertices are drawn.
+    /// The positions of the vertices.
     pub positions: &'a [DVec2],
     /// Their texture coordinates.
     pub coordinates: &'a [DVec2],
@@ -29,26 +29,26 @@ pub struct RasterPanel<'a> {
     pub triangles: &'a [[u32; 3]],
     /// The outline; the panel is fitted to it.
     pub boundary: &'a [DVec2],
-    /// Marked points.
+    /// The marked points and their colors.
     pub marks: Vec<(DVec2, [f32; 4])>,
     /// The texture.
     pub style: TextureStyle,
 }
 
-/// A graphics device.
+/// A graphics device for drawing panels.
 pub struct Raster {
     device: wgpu::Device,
     queue: wgpu::Queue,
 }
 
 impl Raster {
-    /// Any adapter's.
+    /// Opens a device on any adapter.
     pub fn new() -> Result<Self, CliError> {
         let (device, queue, _) = headless_device().map_err(|error| CliError::Input(error.to_string()))?;
         Ok(Self { device, queue })
     }
 
-    /// The panels side by side; `image` is the texture of `Pattern::Image`.
+    /// Draws the panels side by side; `image` is the texture of `Pattern::Image`.
     pub fn row(&self, panels: &[RasterPanel<'_>], image: Option<&RgbaImage>) -> Result<RgbaImage, CliError> {
         let handles: Vec<Vec<Handle>> = panels.iter().map(RasterPanel::handles).collect();
         let viewports: Vec<SceneViewport<'_>> =
@@ -60,7 +60,7 @@ impl Raster {
 }
 
 impl Raster {
-    /// Surfaces side by side.
+    /// Draws surfaces side by side.
     pub fn surfaces(&self, surfaces: &[SceneSurface<'_>]) -> Result<RgbaImage, CliError> {
         let mut row = RgbaImage::new(PANEL_PX * surfaces.len() as u32, PANEL_PX);
         let scene = SceneDescription { viewports: &[], background: [1.0; 4], image: None, margin_px: 0.0 };
@@ -102,7 +102,7 @@ impl RasterPanel<'_> {
     }
 }
 
-/// The rows below one another.
+/// The rows stacked from top to bottom.
 pub fn stacked(rows: &[RgbaImage]) -> RgbaImage {
     let width = rows.iter().map(RgbaImage::width).max().unwrap_or(1);
     let height = rows.iter().map(RgbaImage::height).sum::<u32>().max(1);

@@ -1,4 +1,4 @@
-//! Figures 14, 16 and 17: planar domains above, the surface with their texture, or the colours of Q, below.
+//! Figures 14, 16 and 17: planar domains above, the surface with their texture or colored by Q below.
 
 use super::Drawing;
 use super::distortion::{Coloured, legend, palette};
@@ -19,18 +19,18 @@ use crate::render::{
 use crate::session::{Colouring, SurfaceShape};
 use crate::surface::SurfacePreset;
 
-/// Radius of a handle, and the ratio of panel pixels to points that strokes are drawn for.
+/// Radius of a handle, and the number of panel pixels per point, by which strokes are scaled.
 const HANDLE_PX: f32 = 8.0;
 const PIXELS_PER_POINT: f32 = 1.2;
 
-/// Q from 1 to here has a colour of its own. On riemap's head and on the paper's cow the means are 1.05 to 1.06, the
+/// Upper end of the color scale of Q. On riemap's head and on the paper's cow the means are 1.05 to 1.06, the
 /// largest values 1.24 to 1.40.
 const TOP_Q: f64 = 1.25;
 
-/// Room for the legend of Q.
+/// Height of the legend of Q.
 const LEGEND: f64 = 60.0;
 
-/// Draws one of them, with the surface of this name in the place of its own.
+/// Draws one of these figures, with the surface called `name` instead of its own.
 pub fn draw(figure: Figure, detail: Detail, name: Option<&str>) -> Result<Drawing, CliError> {
     let given = name.map(read).transpose()?;
     let studies = SurfaceStudy::all(figure, detail, given.as_ref()).map_err(|error| about(name, &error))?;
@@ -82,7 +82,7 @@ fn findings(name: Option<&str>, shown: &[Shown<'_>]) -> Vec<String> {
     surface.into_iter().chain(maps).collect()
 }
 
-/// A study as it is drawn.
+/// A study prepared for drawing.
 struct Shown<'a> {
     study: &'a SurfaceStudy,
     triangles: Vec<TriangleDistortion>,
@@ -107,7 +107,7 @@ impl<'a> Shown<'a> {
         Self { study, triangles, codes, camera, handles }
     }
 
-    /// Whether it shows Q in the place of a texture.
+    /// Whether it is colored by Q instead of textured.
     fn is_coloured(&self) -> bool {
         self.study.session.colouring() == Colouring::Angle
     }
@@ -145,7 +145,7 @@ impl<'a> Shown<'a> {
         &self.study.source.0.samples().points
     }
 
-    /// The domain with its texture.
+    /// The panel of the textured domain.
     fn textured(&self) -> RasterPanel<'_> {
         let mesh = self.study.source.0.mesh();
         RasterPanel {
@@ -158,7 +158,7 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// The surface's triangles as they lie in the domain.
+    /// The surface's triangles in the plane, colored by Q.
     fn coloured(&self) -> Coloured<'a> {
         let map = &self.study.map;
         Coloured::of(map.images(), self.study.map.mapped().triangles(), &self.triangles, self.outline(), TOP_Q)
@@ -182,7 +182,7 @@ fn planar_row(raster: &Raster, shown: &[Shown<'_>]) -> Result<image::RgbaImage, 
     raster.row(&panels.collect::<Vec<_>>(), Some(&palette()))
 }
 
-/// The colour of a triangle on the surface, as in the plane.
+/// The color of a triangle on the surface, the same as in the plane.
 fn code(triangle: &TriangleDistortion) -> CellCode {
     match triangle {
         TriangleDistortion { flipped: true, .. } => CellCode::FLIPPED,

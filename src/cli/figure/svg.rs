@@ -1,17 +1,17 @@
-//! A small writer of SVG pages: lines, text, embedded pictures; coordinates in pixels, y down.
+//! A small writer of SVG pages: lines, text, embedded pictures. Coordinates are pixels, y down.
 
 use crate::geometry::DVec2;
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use std::fmt::Write as _;
 
-/// A page under construction.
+/// A page being written.
 pub struct Page {
     body: String,
     size: DVec2,
 }
 
-/// Where a text stands relative to its point.
+/// The position of a text relative to its point.
 #[derive(Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "as in SVG")]
 pub enum Anchor {
@@ -20,7 +20,7 @@ pub enum Anchor {
     End,
 }
 
-/// How a line is drawn.
+/// The style of a line.
 #[derive(Clone, Copy)]
 pub struct Stroke {
     pub colour: &'static str,
@@ -58,14 +58,14 @@ pub const LABEL: f64 = 13.0;
 pub const SMALL: f64 = 11.5;
 
 impl Page {
-    /// A white page of this size.
+    /// An empty white page.
     pub fn new(width: f64, height: f64) -> Self {
         let mut page = Self { body: String::new(), size: DVec2::new(width, height) };
         let _ = writeln!(page.body, "<rect width=\"{width}\" height=\"{height}\" fill=\"white\"/>");
         page
     }
 
-    /// A polyline through `points`; points that are not finite are left out.
+    /// A polyline through `points`; points that are not finite are skipped.
     pub fn line(&mut self, points: impl IntoIterator<Item = DVec2>, stroke: Stroke) {
         let _ = write!(self.body, "<path {} d=\"", stroke.attributes());
         let mut command = 'M';
@@ -76,7 +76,7 @@ impl Page {
         self.body.push_str("\"/>\n");
     }
 
-    /// Many separate segments in one path.
+    /// Separate segments in one path.
     pub fn segments(&mut self, segments: impl IntoIterator<Item = [DVec2; 2]>, stroke: Stroke) {
         let _ = write!(self.body, "<path {} d=\"", stroke.attributes());
         for [a, b] in segments {
@@ -106,7 +106,7 @@ impl Page {
         self.write_text(at, anchor, size, colour, text, "");
     }
 
-    /// A text that reads upwards.
+    /// A text rotated by 90°, reading upward.
     pub fn vertical_text(&mut self, at: DVec2, size: f64, colour: &str, text: &str) {
         let turn = format!(" transform=\"rotate(-90 {:.2} {:.2})\"", at.x, at.y);
         self.write_text(at, Anchor::Middle, size, colour, text, &turn);
@@ -138,7 +138,7 @@ impl Page {
         self.body.push_str("\"/>\n");
     }
 
-    /// What is drawn by `draw` is cut off at a rectangle.
+    /// Clips everything that `draw` draws to a rectangle.
     pub fn clipped(&mut self, corner: DVec2, size: DVec2, draw: impl FnOnce(&mut Self)) {
         let id = self.body.len(); // unique within the page
         let _ = writeln!(
@@ -150,7 +150,7 @@ impl Page {
         self.body.push_str("</g>\n");
     }
 
-    /// The document.
+    /// The SVG document.
     pub fn finish(self) -> String {
         let DVec2 { x, y } = self.size;
         format!(
