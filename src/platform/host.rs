@@ -1,67 +1,67 @@
-//! What the platform asks of the app that it starts: how it begins, what it says when nothing can be drawn, and what
+//! The interface of the app that the platform starts: its start, its failure messages, and what
 //! the page around it may read and set.
 
 use super::Mailbox;
 use crate::model::files::FilePurpose;
 use crate::session::Session;
 
-/// Why nothing is drawn, or not any more. Put into words by [`Host::failure_words`].
+/// Why nothing can be drawn. [`Host::failure_words`] gives the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Failure {
     /// There is no page to draw in.
     NoPage,
     /// The page has no canvas.
     NoCanvas,
-    /// The browser offers neither WebGPU nor WebGL 2; with what it says of that.
+    /// The browser offers neither WebGPU nor WebGL 2; with the browser's reason.
     NoGraphics(String),
     /// The graphics device was lost.
     GraphicsLost,
-    /// The app panicked; with where and why.
+    /// The app panicked; with the place and the message.
     Stopped(String),
-    /// The desktop's window could not be opened, and why.
+    /// The window could not be opened; with the reason.
     NoWindow(String),
 }
 
 /// An app that the platform can start.
 pub trait Host: eframe::App + Sized + 'static {
-    /// What is made before there is a screen: it runs while the graphics start.
+    /// State created before there is a screen, while the graphics start.
     type Startup: 'static;
-    /// The record that `riemap.stats()` gives.
+    /// The record returned by `riemap.stats()`.
     type Stats: serde::Serialize;
 
-    /// Begins what needs no screen.
+    /// Begins the work that needs no screen.
     fn startup() -> Self::Startup;
 
-    /// Where events for the app are posted.
+    /// The mailbox for the app's events.
     fn mailbox(startup: &Self::Startup) -> Mailbox;
 
-    /// The app on a screen.
+    /// Creates the app once the graphics are ready.
     fn open(
         creation: &eframe::CreationContext<'_>,
         startup: Self::Startup,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>>;
 
-    /// Whether WebGPU is to be left out.
+    /// Whether WebGPU is not to be used.
     fn avoids_webgpu() -> bool;
 
-    /// A failure in the language of the screen.
+    /// The text of a failure, in the app's language.
     fn failure_words(failure: &Failure) -> String;
 
-    /// Takes in a file between two frames.
+    /// Loads a file, between two frames.
     fn take_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>);
 
-    /// The numbers on the screen.
+    /// The numbers shown in the status line and panels.
     fn stats(&self) -> Self::Stats;
 
-    /// The session that is shown.
+    /// The current session.
     fn session(&self) -> &Session;
 
-    /// The fragment of an address that opens this session; `None` where none carries all of it.
+    /// The fragment of a link to this session; `None` if no link holds all of it.
     fn link(&self) -> Option<String>;
 
-    /// Shows another session.
+    /// Replaces the session.
     fn open_session(&mut self, session: Session);
 
-    /// Opens a link or its fragment. Errors: why it is refused, in words.
+    /// Opens a link or its fragment. Errors: the reason of the rejection, as text.
     fn open_link(&mut self, link: &str) -> Result<(), String>;
 }

@@ -1,11 +1,11 @@
-//! What differs between the web and the desktop: start-up, workers, dialogs, dropped files.
+//! Everything that differs between web and desktop: start-up, workers, dialogs, dropped files.
 //!
 //! The only room with `cfg(target_arch)`. `web` and `native` offer the same
 //! names: [`start`], [`Preparer`], [`StudyRunner`], [`pick_file`], [`read_dropped`], [`decode_image`], [`save_file`],
 //! [`drop_position`], [`address_query`], [`link`], [`show_link`], [`address_with`], [`remember`], [`remembered`],
-//! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`], [`has_full_screen`], [`toggle_full_screen`], [`tell_page`],
-//! [`watch_graphics`]. What happens outside of a frame arrives as an [`Event`] in the app's mailbox, in order, and
-//! wakes the app; only files, on the web, are handed to the app itself, between two frames.
+//! [`languages`], [`say_language`], [`say`], [`describe`], [`has_fingers`], [`has_full_screen`],
+//! [`toggle_full_screen`], [`tell_page`], [`watch_graphics`]. Whatever happens between frames arrives in order as an
+//! [`Event`] in the app's mailbox and wakes the app; only files, on the web, are passed to the app directly.
 
 #[cfg(target_arch = "wasm32")]
 mod web;
@@ -39,97 +39,97 @@ use crate::model::files::FilePurpose;
 use crate::worker::{Finding, Response, Study};
 use std::sync::{Arc, OnceLock, mpsc};
 
-/// What is kept from one time to the next.
+/// What is stored from one run to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kept {
     /// The session.
     Session,
-    /// What the person prefers.
+    /// The user's preferences.
     Preferences,
 }
 
-/// Something that happened outside of a frame.
+/// Something that happened between frames.
 #[derive(Debug)]
 pub enum Event {
-    /// A worker answered.
+    /// A worker responded.
     Worker {
-        /// About which side.
+        /// The side that it prepares.
         side: Side,
-        /// Of the request that it answers.
+        /// The generation of the request.
         generation: u64,
-        /// The answer.
+        /// The response.
         response: Response,
     },
-    /// A worker stopped without an answer; it is started again with the next request.
+    /// A worker stopped without a response; it is restarted with the next request.
     WorkerDied {
-        /// The side that it was to prepare.
+        /// The side that it prepared.
         side: Side,
-        /// What is known about it.
+        /// The reason, as far as it is known.
         reason: Message,
     },
     /// A row of a study is done.
     Found {
-        /// Which one; `None`: whichever is under way.
+        /// The study; `None` means the one that is running.
         study: Option<Study>,
-        /// What came out.
+        /// The result.
         finding: Finding,
     },
-    /// The page's address has another fragment.
+    /// The fragment of the page's address has changed.
     Link(String),
-    /// Nothing can be drawn any more, and why.
+    /// The graphics device was lost; with the reason.
     GraphicsLost(String),
     /// An image was decoded, or could not be.
     Image {
-        /// What it is meant to be.
+        /// What the image is for.
         purpose: FilePurpose,
         /// The file's name.
         name: String,
-        /// Straight RGBA, 8 bits each, no larger than was asked for; or why there is none.
+        /// RGBA, alpha not premultiplied, 8 bits per channel, no larger than requested; or the reason of the failure.
         pixels: Result<image::RgbaImage, Message>,
     },
     /// A file could not be written.
     NotSaved {
-        /// Its name.
+        /// The file's name.
         name: String,
-        /// Why.
+        /// The reason.
         reason: Message,
     },
     /// A file was read, or could not be.
     File {
-        /// What it is meant to be.
+        /// What the file is for.
         purpose: FilePurpose,
-        /// Its name, without folders.
+        /// The file's name, without folders.
         name: String,
-        /// Its content, or why there is none.
+        /// The content, or the reason of the failure.
         bytes: Result<Vec<u8>, String>,
     },
 }
 
 impl Event {
-    /// Whether a preparation has only come to its next stage.
+    /// Whether the event only reports the next stage of a preparation.
     pub fn is_stage(&self) -> bool {
         matches!(self, Self::Worker { response: Response::Progress(_), .. })
     }
 }
 
-/// What the page around the app is told of.
+/// The events that the page around the app receives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PageEvent {
-    /// The app takes requests.
+    /// The app accepts requests.
     Ready,
-    /// The session has changed and come to rest.
+    /// The session has changed and settled.
     Session,
-    /// An error is shown, with these words.
+    /// An error message is shown, with this text.
     Error,
 }
 
-/// The delay, in seconds, that asks for one more frame: without one egui draws two.
+/// The delay in seconds with which one more frame is requested: without a delay egui draws two.
 pub const ONE_FRAME: f32 = 0.001;
 
-/// How long a stage of a preparation waits to be shown, in seconds.
+/// The delay in seconds after which the stage of a preparation is shown.
 pub const STAGES_SHOWN_AFTER: f32 = 0.3;
 
-/// Where events are posted.
+/// The sending end of the app's event queue; posting wakes the app.
 #[derive(Clone)]
 pub struct Mailbox {
     sender: mpsc::Sender<Event>,
@@ -137,19 +137,19 @@ pub struct Mailbox {
 }
 
 impl Mailbox {
-    /// A mailbox and its reading end.
+    /// A mailbox and its receiving end.
     pub fn new() -> (Self, mpsc::Receiver<Event>) {
         let (sender, receiver) = mpsc::channel();
         (Self { sender, context: Arc::default() }, receiver)
     }
 
-    /// From now on posting wakes `context`; what came earlier waits in the mailbox.
+    /// Makes posting wake `context`; earlier events wait in the mailbox.
     pub fn attach(&self, context: &egui::Context) {
         self.context.get_or_init(|| context.clone());
     }
 
-    /// Posts `event`. When the app is gone, nobody is left to read it. A stage of a preparation waits for the next
-    /// frame, or for a while: most preparations end before anyone could read how far they are.
+    /// Posts `event`; ignored if the app has ended. A stage of a preparation does not request a frame at once: most
+    /// preparations end before anyone could read it.
     pub fn post(&self, event: Event) {
         let is_stage = event.is_stage();
         if self.sender.send(event).is_err() {
@@ -162,14 +162,14 @@ impl Mailbox {
         }
     }
 
-    /// Asks for a frame.
+    /// Requests a frame.
     pub fn wake(&self) {
         if let Some(context) = self.context.get() {
             context.request_repaint_after_secs(ONE_FRAME);
         }
     }
 
-    /// Asks for a frame that shows how far a preparation is, should it take so long.
+    /// Requests a frame that shows the stage, in case the preparation takes that long.
     pub fn wake_for_stages(&self) {
         if let Some(context) = self.context.get() {
             context.request_repaint_after_secs(STAGES_SHOWN_AFTER);
@@ -177,7 +177,7 @@ impl Mailbox {
     }
 }
 
-/// What is drawn with, in the words of the status line.
+/// The name of the graphics backend in the status line.
 pub fn backend_name(backend: wgpu::Backend) -> String {
     let name = match backend {
         wgpu::Backend::BrowserWebGpu => "WebGPU",

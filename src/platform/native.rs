@@ -1,7 +1,7 @@
-//! The desktop: a window, a thread per preparation, the system's dialogs.
+//! The desktop: a window, a thread for each preparation, the system's dialogs.
 //!
-//! A thread cannot be stopped from outside: a superseded preparation runs on
-//! and its answers are dropped as stale. A panic in it is reported, not passed on.
+//! A thread cannot be stopped from outside: a superseded preparation runs to its end and its responses are
+//! dropped as stale. A panic in a thread is reported as an event and does not reach the app.
 
 use super::{Event, Failure, Host, Kept, Mailbox, PageEvent};
 use crate::conformal::Side;
@@ -13,7 +13,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::thread;
 
-/// Opens the window and runs the app until it is closed.
+/// Opens the window and runs the app until the window is closed.
 pub fn start<H: Host>() -> Result<(), String> {
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default().with_inner_size([1440.0, 900.0]).with_min_inner_size([360.0, 480.0]),
@@ -32,16 +32,16 @@ pub struct Preparer {
 }
 
 impl Preparer {
-    /// Answers go to `mailbox`.
+    /// A preparer whose responses are posted to `mailbox`.
     pub fn new(mailbox: Mailbox) -> Self {
         Self { mailbox }
     }
 
-    /// A thread needs no warming.
+    /// Does nothing: threads need no rehearsal.
     #[allow(clippy::unused_self, reason = "in the browser there are workers")]
     pub fn warm(&mut self) {}
 
-    /// Starts to carry out `request`.
+    /// Starts a thread for `request`.
     pub fn request(&mut self, side: Side, request: Request) {
         let mailbox = self.mailbox.clone();
         let work = move || {
@@ -62,12 +62,12 @@ pub struct StudyRunner {
 }
 
 impl StudyRunner {
-    /// Findings go to `mailbox`.
+    /// A runner whose findings are posted to `mailbox`.
     pub fn new(mailbox: Mailbox) -> Self {
         Self { mailbox }
     }
 
-    /// Begins a study.
+    /// Starts a thread for `study`.
     pub fn begin(&mut self, study: Study) {
         let mailbox = self.mailbox.clone();
         let found = move |finding| Event::Found { study: Some(study), finding };
@@ -84,29 +84,29 @@ impl StudyRunner {
     }
 }
 
-/// A window has no address.
+/// Empty: a window has no address.
 pub fn address_query() -> Vec<[String; 2]> {
     Vec::new()
 }
 
-/// Every window can fill the screen.
+/// Always true.
 pub fn has_full_screen() -> bool {
     true
 }
 
-/// Fills the screen, or no longer.
+/// Switches between full screen and window.
 pub fn toggle_full_screen(context: &egui::Context) {
     let is_full = context.input(|input| input.viewport().fullscreen).unwrap_or(false);
     context.send_viewport_cmd(egui::ViewportCommand::Fullscreen(!is_full));
 }
 
-/// There is no page around a window.
+/// Does nothing: there is no page around a window.
 pub fn tell_page(_event: PageEvent, _detail: &str) {}
 
-/// Posts it when the device is lost; on the terminal too, since the window may show nothing any more.
+/// Posts an event when the device is lost, and prints the reason to stderr, since the window may show nothing any more.
 pub fn watch_graphics(device: &wgpu::Device, mailbox: Mailbox) {
     device.set_device_lost_callback(move |reason, message| {
-        // At the end of the program the device is given back.
+        // at the end of the program the device is destroyed, which is not an error
         if reason != wgpu::DeviceLostReason::Destroyed {
             eprintln!("riemap: the graphics device was lost: {message}");
             mailbox.post(Event::GraphicsLost(message));
@@ -114,7 +114,7 @@ pub fn watch_graphics(device: &wgpu::Device, mailbox: Mailbox) {
     });
 }
 
-/// Lets the person choose a file of the kind that `label` names; its content is posted to `mailbox`.
+/// Opens the file dialog, whose filter is called `label`; the content of the chosen file is posted to `mailbox`.
 pub fn pick_file(purpose: FilePurpose, label: &str, mailbox: Mailbox) {
     let dialog = rfd::AsyncFileDialog::new().add_filter(label, &endings(purpose)).pick_file();
     thread::spawn(move || {
@@ -125,7 +125,7 @@ pub fn pick_file(purpose: FilePurpose, label: &str, mailbox: Mailbox) {
     });
 }
 
-/// Lets the person choose where a file goes, and writes it there.
+/// Opens the save dialog and writes the file. An error is posted to `mailbox`.
 pub fn save_file(name: &str, bytes: Vec<u8>, mailbox: Mailbox) {
     let dialog = rfd::AsyncFileDialog::new().set_file_name(name).save_file();
     thread::spawn(move || {
@@ -145,32 +145,32 @@ pub fn read_dropped(file: egui::DroppedFileHandle, side: Side, mailbox: Mailbox)
     });
 }
 
-/// Where the pointer is while a file is dragged over the window.
+/// The position of the pointer while a file is dragged over the window.
 pub fn drop_position(context: &egui::Context) -> Option<egui::Pos2> {
     context.input(|input| input.pointer.latest_pos())
 }
 
-/// A window has no address; `riemap LINK` is no command.
+/// `None`: a window has no address, and `riemap LINK` is not a command.
 pub fn link() -> Option<String> {
     None
 }
 
-/// A window has no address.
+/// Does nothing: a window has no address.
 pub fn show_link(_fragment: &str) {}
 
-/// The address of the web app with this fragment; on the desktop the fragment alone, which `riemap render` takes.
+/// The address of the web app with this fragment; on the desktop only the fragment, which `riemap render` accepts.
 pub fn address_with(fragment: &str) -> String {
     format!("#{fragment}")
 }
 
-/// Keeps a text for [`remembered`], or says why not.
+/// Stores a text for [`remembered`]. Errors: the reason why it cannot be written.
 pub fn remember(what: Kept, text: &str) -> Result<(), Message> {
     let path = kept_at(what).ok_or(key::no_folder())?;
     let written = path.parent().map_or(Ok(()), std::fs::create_dir_all).and_then(|()| std::fs::write(&path, text));
     written.map_err(|error| key::about(path.display().to_string(), error.to_string()))
 }
 
-/// What was kept last.
+/// The text that was stored last.
 pub fn remembered(what: Kept) -> Option<String> {
     std::fs::read_to_string(kept_at(what)?).ok()
 }
@@ -184,21 +184,21 @@ fn kept_at(what: Kept) -> Option<PathBuf> {
     Some(folders.data_dir().join("riemap").join(name))
 }
 
-/// The tags of the languages that the person reads, the dearest first.
+/// The tags of the user's languages, the preferred one first.
 pub fn languages() -> Vec<String> {
     sys_locale::get_locales().collect()
 }
 
-/// The system's accessibility interface reads the widgets themselves.
+/// Does nothing: the system's accessibility interface reads the widgets.
 pub fn say(_text: &str) {}
 
-/// As [`say`].
+/// Does nothing, as [`say`].
 pub fn describe(_text: &str) {}
 
-/// Whether the screen is touched, before it was: not known to a window.
+/// Whether the screen is touched, before its first touch: unknown on the desktop, hence false.
 pub fn has_fingers() -> bool {
     false
 }
 
-/// A window's language is known to the system.
+/// Does nothing: a window need not declare its language.
 pub fn say_language(_code: &str) {}

@@ -1,4 +1,4 @@
-//! Images on the desktop: decoded by the crate `image`, on a thread.
+//! Images on the desktop, decoded by the crate `image` on a thread.
 
 use super::{Event, Mailbox};
 use crate::language::{Message, key};
@@ -7,7 +7,7 @@ use image::imageops::thumbnail;
 use image::{ImageBuffer, Rgba, RgbaImage};
 use std::thread;
 
-/// Decodes a PNG or JPEG, made smaller until no side is longer than `max_side`, and posts it to `mailbox`.
+/// Decodes a PNG or JPEG, scaled down until no side is longer than `max_side`, and posts it to `mailbox`.
 pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
     thread::spawn(move || mailbox.post(Event::Image { purpose, name, pixels: decode(&bytes, max_side) }));
 }
@@ -23,7 +23,7 @@ fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, Message> {
     Ok(smaller(&decoded, width, height))
 }
 
-/// Colours are averaged by how opaque they are: what cannot be seen has none.
+/// Averages colors weighted by opacity, so that invisible pixels do not contribute.
 fn smaller(picture: &RgbaImage, width: u32, height: u32) -> RgbaImage {
     if picture.pixels().all(|pixel| pixel.0[3] == 255) {
         return thumbnail(picture, width, height);

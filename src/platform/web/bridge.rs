@@ -1,10 +1,10 @@
-//! `window.riemap`: the numbers on the screen, for tests and for pages that embed the app.
+//! `window.riemap`: an interface to the app for tests and for pages that embed it.
 //!
 //! * `riemap.stats()` → [`Host::Stats`] as an object,
 //! * `riemap.session()` → the session as an object,
-//! * `riemap.link()` → the fragment of an address that opens this session, or `null` where none carries all of its outlines,
-//! * `riemap.open_session(object)` → `null`, or why the object is no session that can be used; the map follows
-//!   when its domains are prepared,
+//! * `riemap.link()` → the fragment of an address that opens this session, or `null` if no link holds all its outlines,
+//! * `riemap.open_session(object)` → `null`, or why the object is not a valid session; the map is updated
+//!   once its domains are prepared,
 //! * `riemap.open_link(text)` → the same for a link or its fragment,
 //! * `riemap.load_outline("source" | "target", file_name, text)` → `true` if the side is known,
 //! * `riemap.load_file("source" | "target", file_name, bytes)` → the same, for any file that can be dropped.
@@ -22,7 +22,7 @@ use serde::Serialize;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::Closure;
 
-/// Puts the object into the page.
+/// Adds the object to the page's window.
 pub fn install<H: Host>(runner: &WebRunner) {
     let object = Object::new();
     let app = runner.clone();
@@ -88,11 +88,11 @@ fn session_to_js(session: &Session) -> JsValue {
     js_sys::JSON::parse(&text).unwrap_or(JsValue::UNDEFINED)
 }
 
-/// A session that can be opened, or why it cannot. What is not JSON reads as nothing, and is refused.
+/// Parses a session, or says why it is invalid. A value without JSON form is read as empty text and rejected.
 fn session_of(value: &JsValue) -> Result<Session, String> {
     let text = js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string());
     file::read_object(&text.unwrap_or_default()).map_err(|error| match error {
-        FileError::Malformed(reason) => reason, // there is no file
+        FileError::Malformed(reason) => reason, // without the prefix, which speaks of a file
         other => other.to_string(),
     })
 }
@@ -106,6 +106,6 @@ fn side_named(name: &str) -> Option<Side> {
 }
 
 fn put(object: &Object, key: &str, value: &JsValue) {
-    // Setting a property of a plain object or of the window does not fail.
+    // setting a property of a plain object or of the window does not fail
     let _ = Reflect::set(object, &key.into(), value);
 }

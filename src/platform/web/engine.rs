@@ -1,4 +1,4 @@
-//! The worker's side: requests in, answers out, one at a time.
+//! The worker's side: receives requests and posts responses, one request at a time.
 
 use super::messages;
 use crate::worker;
@@ -6,12 +6,12 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
-/// Answers every request that is posted to this worker, until it is terminated.
+/// Responds to every request posted to this worker until it is terminated.
 pub fn listen(scope: &DedicatedWorkerGlobalScope) {
     std::panic::set_hook(Box::new(|info| {
         console_error_panic_hook::hook(info);
         if let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {
-            // The page also hears of the trap that follows, but not of its cause.
+            // the page also gets an error event for the trap that follows, but without the cause
             let _ = scope.post_message(&messages::encode_death(&info.to_string()));
         }
     }));
@@ -26,7 +26,7 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
             }
             if messages::is_rehearsal(&event.data()) {
                 worker::run(&worker::rehearsal(), &mut |generation, response| {
-                    // the way of the answer is rehearsed too
+                    // encoding the response is part of the rehearsal
                     messages::encode_response(generation, response);
                 });
                 return;
@@ -38,7 +38,7 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
             worker::run(&request, &mut |generation, response| {
                 let (message, transfer) = messages::encode_response(generation, response);
                 if let Err(error) = scope.post_message_with_transfer(&message, &transfer) {
-                    // Thrown out of the message handler it reaches the page as the worker's error.
+                    // thrown out of the message handler, the error reaches the page as the worker's error event
                     wasm_bindgen::throw_val(error);
                 }
             });

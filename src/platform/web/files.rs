@@ -1,4 +1,4 @@
-//! Files from the dialog and from drag and drop, and to the downloads.
+//! Files from the dialog and from drag and drop, and downloads.
 
 use super::page;
 use crate::conformal::Side;
@@ -16,10 +16,10 @@ thread_local! {
     static LAST_DRAG: Cell<Option<egui::Pos2>> = const { Cell::new(None) };
 }
 
-/// Lets the person choose a file, and hands it to the app. The browser has no place for the label of its kind.
+/// Opens the file dialog and passes the chosen file to the app. The browser's dialog shows no label.
 ///
-/// The browser opens its dialog only within seconds of a click or a key press. The input is not part of the page, so
-/// it needs no style, which the page's policy would refuse.
+/// The browser opens its dialog only within seconds of a click or a key press. The input element is not added to the
+/// page, so that it needs no style, which the page's content security policy would forbid.
 pub fn pick_file(purpose: FilePurpose, _label: &str, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
         match picked(purpose).await {
@@ -30,7 +30,7 @@ pub fn pick_file(purpose: FilePurpose, _label: &str, mailbox: Mailbox) {
     });
 }
 
-/// The file that is chosen, or `None` where the dialog is cancelled.
+/// The chosen file, or `None` if the dialog is cancelled.
 async fn picked(purpose: FilePurpose) -> Result<Option<File>, Message> {
     let document = web_sys::window().and_then(|window| window.document()).ok_or(key::no_page())?;
     let input = document.create_element("input")?.dyn_into::<HtmlInputElement>().map_err(JsValue::from)?;
@@ -46,13 +46,13 @@ async fn picked(purpose: FilePurpose) -> Result<Option<File>, Message> {
     Ok(input.files().and_then(|files| files.get(0)))
 }
 
-/// The bytes of a chosen file, or why it cannot be read.
+/// The bytes of a file, or the reason why it cannot be read.
 async fn content(file: &File) -> Result<Vec<u8>, String> {
     let bytes = JsFuture::from(file.array_buffer()).await.map_err(|error| super::worker_handle::describe(&error))?;
     Ok(Uint8Array::new(&bytes).to_vec())
 }
 
-/// Gives a file to the browser's downloads.
+/// Downloads a file.
 #[allow(clippy::needless_pass_by_value, reason = "on the desktop they go into a thread")]
 pub fn save_file(name: &str, bytes: Vec<u8>, mailbox: Mailbox) {
     if let Err(error) = download(name, &bytes) {
@@ -60,7 +60,7 @@ pub fn save_file(name: &str, bytes: Vec<u8>, mailbox: Mailbox) {
     }
 }
 
-/// By a link to the bytes that is followed at once.
+/// Follows a temporary link to the bytes.
 fn download(name: &str, bytes: &[u8]) -> Result<(), Message> {
     let document = web_sys::window().and_then(|window| window.document()).ok_or(key::no_page())?;
     let parts = Array::of1(&Uint8Array::from(bytes));
@@ -72,7 +72,7 @@ fn download(name: &str, bytes: &[u8]) -> Result<(), Message> {
     Ok(Url::revoke_object_url(&address)?)
 }
 
-/// Reads a dropped file and hands it to the app.
+/// Reads a dropped file and passes it to the app.
 pub fn read_dropped(file: egui::DroppedFileHandle, side: Side, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
         let name = file.path().to_string_lossy().into_owned();
@@ -81,22 +81,22 @@ pub fn read_dropped(file: egui::DroppedFileHandle, side: Side, mailbox: Mailbox)
     });
 }
 
-/// Where the pointer is while a file is dragged over the page.
+/// The position of the pointer while a file is dragged over the page.
 ///
-/// The browser sends no pointer events during such a drag; [`follow_drags`] notes its drag events.
+/// The browser sends no pointer events during such a drag; [`follow_drags`] records its drag events.
 pub fn drop_position(context: &egui::Context) -> Option<egui::Pos2> {
     LAST_DRAG.get().map(|place| place / context.zoom_factor())
 }
 
-/// Notes where files are dragged.
+/// Records the positions of dragged files.
 pub fn follow_drags(document: &web_sys::Document) {
     let note = Closure::<dyn FnMut(DragEvent)>::new(|event: DragEvent| {
         LAST_DRAG.set(Some(egui::pos2(event.client_x() as f32, event.client_y() as f32)));
-        // Outside of the canvas the browser would open the file in place of the page.
+        // outside of the canvas the browser would open the file instead of the page
         event.prevent_default();
     });
     for name in ["dragover", "drop"] {
-        // In the capturing phase: the canvas stops these events from going up.
+        // in the capturing phase, since the canvas stops the propagation of these events
         let _ = document.add_event_listener_with_callback_and_bool(name, note.as_ref().unchecked_ref(), true);
     }
     note.forget();

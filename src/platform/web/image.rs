@@ -1,4 +1,4 @@
-//! Images in the browser: decoded by itself, which has a decoder already.
+//! Images in the browser, decoded by the browser itself.
 
 use crate::language::{Message, key};
 use crate::model::files::FilePurpose;
@@ -9,7 +9,7 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, ImageBitmap, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 
-/// Decodes a PNG or JPEG, made smaller until no side is longer than `max_side`, and posts it to `mailbox`.
+/// Decodes a PNG or JPEG, scaled down until no side is longer than `max_side`, and posts it to `mailbox`.
 pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side: u32, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
         let pixels = decode(&bytes, max_side).await.map_err(key::no_image);
@@ -17,7 +17,7 @@ pub fn decode_image(purpose: FilePurpose, name: String, bytes: Vec<u8>, max_side
     });
 }
 
-/// By drawing it on a canvas that nobody sees.
+/// Decodes an image by drawing it on a hidden canvas.
 async fn decode(bytes: &[u8], max_side: u32) -> Result<RgbaImage, Message> {
     let parts = Array::of1(&Uint8Array::from(bytes));
     let blob = Blob::new_with_u8_array_sequence(&parts)?;

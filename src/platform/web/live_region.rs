@@ -1,16 +1,16 @@
-//! Sentences beside the canvas, for those who hear the page.
+//! Text beside the canvas for screen readers.
 
-/// The control that has the keyboard: read out at once.
+/// Describes the control with the keyboard focus; read out at once.
 pub fn say(text: &str) {
     put("spoken", text);
 }
 
-/// The state of the picture: read out when nothing else is, and whenever a person asks for it.
+/// Describes the state of the picture; read out when nothing else is, and whenever the user asks for it.
 pub fn describe(text: &str) {
     put("state", text);
 }
 
-/// Only a change is an event to a screen reader: what is said twice gets a space that is not heard.
+/// A screen reader notices only changes, so a repeated text gets a silent space.
 fn put(id: &str, text: &str) {
     let Some(element) = web_sys::window().and_then(|window| window.document()?.get_element_by_id(id)) else { return };
     let is_there = element.text_content().as_deref() == Some(text);

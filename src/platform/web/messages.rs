@@ -1,9 +1,9 @@
-//! Requests and answers as JavaScript values: flat arrays, transferred, not copied.
+//! Requests and responses as JavaScript values: flat arrays, which are transferred instead of copied.
 //!
-//! A request is `{ generation, settings }` with `points`, or with `repair` and one of `preset` and
-//! `name` and `bytes`; an answer `{ generation }` with one of `stage`, `failed`, or `floats`, `indices`
-//! `text` and `notes`; `{ rehearsal }` is answered by nothing; a study is `{ study }`, what it found `{ study, finding }`;
-//! a panic's last word is `{ died }`. Small enums travel as JSON text in the form that serde gives them.
+//! A request is `{ generation, settings }` with `points`, or with `repair` and either `preset` or
+//! `name` and `bytes`; a response `{ generation }` with `stage`, `failed`, or `floats`, `indices`,
+//! `text` and `notes`; `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
+//! a panic is reported by `{ died }`. Small enums are JSON text in serde's form.
 
 use crate::conformal::{FlatBuffers, PreparedSide};
 use crate::geometry::{DVec2, SimplePolygon};
@@ -14,7 +14,7 @@ use serde::de::DeserializeOwned;
 use std::sync::Arc;
 use wasm_bindgen::{JsCast, JsValue};
 
-/// What a worker is sent.
+/// Encodes a request to a worker.
 pub fn encode_request(request: &Request) -> JsValue {
     let number = ("generation", JsValue::from(request.generation.to_string()));
     match &request.task {
@@ -35,12 +35,12 @@ pub fn encode_request(request: &Request) -> JsValue {
     }
 }
 
-/// What it reads; `None` if it is not what [`encode_request`] makes.
+/// Decodes a request; `None` if [`encode_request`] did not make it.
 pub fn decode_request(message: &JsValue) -> Option<Request> {
     let task = if let Some(points) = get(message, "points") {
         let flat = Float64Array::from(points).to_vec();
         let points: Vec<DVec2> = flat.chunks_exact(2).map(DVec2::from_slice).collect();
-        // checked where it was read: these are the vertices of a simple polygon
+        // known to be simple: the page sends the vertices of a `SimplePolygon`
         Task::Outline { polygon: SimplePolygon::known_simple(points), settings: parsed(message, "settings")? }
     } else {
         let repair = get(message, "repair")?.as_bool()?;
@@ -57,7 +57,7 @@ fn decode_source(message: &JsValue) -> Option<SurfaceSource> {
     Some(SurfaceSource::File { name: get(message, "name")?.as_string()?, bytes: Arc::new(bytes) })
 }
 
-/// What a worker answers, and the buffers that go over with it.
+/// Encodes a response, and lists the buffers to transfer with it.
 pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) {
     let transfer = Array::new();
     let number = ("generation", JsValue::from(generation.to_string()));
@@ -73,7 +73,7 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
     (message, transfer)
 }
 
-/// Each array is freed as soon as it is copied: a large surface is there once and a half, not twice.
+/// Each array is freed as soon as it is copied, so that a large surface takes 1.5 times its memory, not twice.
 fn encode_buffers(buffers: FlatBuffers, transfer: &Array) -> [(&'static str, JsValue); 3] {
     let (floats, indices) = (Array::new(), Array::new());
     for values in buffers.floats {
@@ -99,47 +99,47 @@ fn decode_buffers(message: &JsValue) -> Option<FlatBuffers> {
     })
 }
 
-/// What a worker is sent while nobody waits for it.
+/// Encodes a rehearsal, sent to an idle worker.
 pub fn encode_rehearsal() -> JsValue {
     object(&[("rehearsal", true.into())])
 }
 
-/// Whether it reads that.
+/// Whether the message is a rehearsal.
 pub fn is_rehearsal(message: &JsValue) -> bool {
     get(message, "rehearsal").is_some()
 }
 
-/// What the worker of studies is sent.
+/// Encodes a study for its worker.
 pub fn encode_study(study: Study) -> JsValue {
     object(&[("study", json(&study))])
 }
 
-/// What it reads; `None` if it is not what [`encode_study`] makes.
+/// Decodes a study; `None` if [`encode_study`] did not make it.
 pub fn decode_study(message: &JsValue) -> Option<Study> {
     parsed(message, "study")
 }
 
-/// What it answers.
+/// Encodes the finding of a study.
 pub fn encode_finding(study: Study, finding: &Finding) -> JsValue {
     object(&[("study", json(&study)), ("finding", json(finding))])
 }
 
-/// What the page reads; `None` if it is not what [`encode_finding`] makes.
+/// Decodes a finding; `None` if [`encode_finding`] did not make it.
 pub fn decode_finding(message: &JsValue) -> Option<(Study, Finding)> {
     Some((decode_study(message)?, parsed(message, "finding")?))
 }
 
-/// What a worker says when it panics.
+/// Encodes the report of a panic.
 pub fn encode_death(reason: &str) -> JsValue {
     object(&[("died", reason.into())])
 }
 
-/// Why the worker died, if this message says so.
+/// The reason of a panic; `None` for other messages.
 pub fn decode_death(message: &JsValue) -> Option<String> {
     get(message, "died")?.as_string()
 }
 
-/// What the page reads; `None` if it is not what [`encode_response`] makes.
+/// Decodes a response; `None` if [`encode_response`] did not make it.
 pub fn decode_response(message: &JsValue) -> Option<(u64, Response)> {
     let generation = generation_of(message)?;
     let response = if let Some(stage) = parsed(message, "stage") {
@@ -161,7 +161,7 @@ fn get(message: &JsValue, key: &str) -> Option<JsValue> {
     Reflect::get(message, &key.into()).ok().filter(|value| !value.is_undefined())
 }
 
-/// Plain data: it always has a form as text.
+/// The value as JSON text; plain data can always be serialized.
 fn json(value: &impl Serialize) -> JsValue {
     serde_json::to_string(value).unwrap_or_default().into()
 }
@@ -173,7 +173,7 @@ fn parsed<T: DeserializeOwned>(message: &JsValue, key: &str) -> Option<T> {
 fn object(fields: &[(&str, JsValue)]) -> JsValue {
     let object = Object::new();
     for (key, value) in fields {
-        // Setting a plain property of a fresh object does not fail.
+        // setting a plain property of a new object does not fail
         let _ = Reflect::set(&object, &(*key).into(), value);
     }
     object.into()

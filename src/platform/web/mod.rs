@@ -1,7 +1,7 @@
 //! The browser: one wasm binary for the page and its workers.
 //!
-//! [`start`] looks at where it runs. In the page it starts the app in the
-//! canvas and puts `window.riemap` there; in a worker it listens for requests.
+//! [`start`] detects where it runs. In the page it starts the app in the canvas and installs
+//! `window.riemap`; in a worker it listens for requests.
 
 mod address;
 mod bridge;
@@ -30,9 +30,9 @@ use super::Host;
 use wasm_bindgen::JsCast;
 use web_sys::DedicatedWorkerGlobalScope;
 
-/// Starts what belongs here: the app in a page, the engine in a worker.
+/// Starts the app in a page, or the engine in a worker.
 ///
-/// Returns at once; what goes wrong later is shown in the page.
+/// Returns at once; later errors are shown in the page.
 #[allow(clippy::unnecessary_wraps, reason = "the desktop's start can fail")]
 pub fn start<H: Host>() -> Result<(), String> {
     match js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() {

@@ -1,4 +1,4 @@
-//! The page: canvas, loading indicator, messages when nothing can be drawn.
+//! The page: canvas, loading indicator, failure messages.
 
 use super::{address, bridge, files, keys};
 use crate::model::files::FilePurpose;
@@ -9,10 +9,10 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use web_sys::{Document, HtmlCanvasElement};
 
-/// Gives a file to the running app; what it cannot take now comes back.
+/// Passes a file to the running app; returns it if the app cannot take it now.
 type TakeFile = fn(&WebRunner, FilePurpose, FileBytes) -> Option<FileBytes>;
 
-/// A file's name and its content, or why there is none.
+/// A file's name, and its content or the reason why it cannot be read.
 type FileBytes = (String, Result<Vec<u8>, String>);
 
 /// The app that runs in the page.
@@ -22,12 +22,12 @@ struct Running {
     take_file: TakeFile,
 }
 
-/// A failure in the language of the screen.
+/// Words for a failure in the app's language.
 type FailureWords = fn(&Failure) -> String;
 
 thread_local! {
     static RUNNING: RefCell<Option<Running>> = const { RefCell::new(None) };
-    /// [`Host::failure_words`] of the app that is started.
+    /// [`Host::failure_words`] of the app.
     static FAILURE_WORDS: Cell<Option<FailureWords>> = const { Cell::new(None) };
 }
 
@@ -82,7 +82,7 @@ fn take_file<H: Host>(runner: &WebRunner, purpose: FilePurpose, (name, bytes): F
     }
 }
 
-/// Hands a file that was read to the app: between two frames, or by `mailbox` where it cannot be had.
+/// Passes a file to the app between two frames, or through `mailbox` if the app is not available now.
 pub fn hand_over(purpose: FilePurpose, name: String, bytes: Result<Vec<u8>, String>, mailbox: &Mailbox) {
     let left = match RUNNING.with_borrow(Clone::clone) {
         Some(Running { runner, take_file, .. }) => take_file(&runner, purpose, (name, bytes)),
@@ -93,7 +93,7 @@ pub fn hand_over(purpose: FilePurpose, name: String, bytes: Result<Vec<u8>, Stri
     }
 }
 
-/// `?backend=webgl` leaves WebGPU out, for comparison and for tests.
+/// `?backend=webgl` disables WebGPU, for comparison and for tests.
 fn web_options(avoids_webgpu: bool) -> eframe::WebOptions {
     let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
     if avoids_webgpu {
@@ -101,13 +101,13 @@ fn web_options(avoids_webgpu: bool) -> eframe::WebOptions {
     }
     eframe::WebOptions {
         wgpu_options: egui_wgpu::WgpuConfiguration { wgpu_setup: setup.into(), ..Default::default() },
-        // nothing here shades so gently that it would show
+        // no gradient is fine enough to need it
         dithering: false,
         ..Default::default()
     }
 }
 
-/// The names and values of the page's address, decoded, in their order.
+/// The decoded names and values of the address's query, in order.
 pub fn address_query() -> Vec<[String; 2]> {
     let pairs = || {
         let query = web_sys::window()?.location().search().ok()?;
@@ -118,7 +118,7 @@ pub fn address_query() -> Vec<[String; 2]> {
     pairs().unwrap_or_default()
 }
 
-/// Ends the app when the device is lost: WebGPU says so itself, of WebGL the canvas does.
+/// Ends the app when the device is lost: WebGPU calls back, for WebGL the canvas gets an event.
 pub fn watch_graphics(device: &wgpu::Device, _mailbox: Mailbox) {
     device.set_device_lost_callback(|_reason, message| {
         log::error!("the graphics device was lost: {message}");
@@ -128,12 +128,12 @@ pub fn watch_graphics(device: &wgpu::Device, _mailbox: Mailbox) {
 
 fn watch_canvas(canvas: &HtmlCanvasElement) {
     let lost = Closure::<dyn FnMut()>::new(lose_graphics);
-    // Listening for a named event does not fail.
+    // listening to a named event does not fail
     let _ = canvas.add_event_listener_with_callback("webglcontextlost", lost.as_ref().unchecked_ref());
     lost.forget();
 }
 
-/// A touch that is taken away lets go in a frame that nobody else asks for.
+/// Requests a frame when a touch is cancelled: the drag ends in that frame, and nothing else requests one.
 fn wake_when_cancelled(canvas: &HtmlCanvasElement, mailbox: Mailbox) {
     let cancelled = Closure::<dyn FnMut(web_sys::Event)>::new(move |event: web_sys::Event| {
         spare_prevention(&event);
@@ -143,18 +143,18 @@ fn wake_when_cancelled(canvas: &HtmlCanvasElement, mailbox: Mailbox) {
     cancelled.forget();
 }
 
-/// Makes `preventDefault` of an event that cannot be prevented do what `stopPropagation` does. The browser reports
-/// each attempt to prevent it on the console, and eframe, which listens after this, makes one for each `touchcancel`.
+/// Makes `preventDefault` of an event that cannot be prevented act as `stopPropagation`. Otherwise the browser logs a
+/// warning for each call, and eframe, whose listener comes later, calls it for each `touchcancel`.
 fn spare_prevention(event: &web_sys::Event) {
     if !event.cancelable()
         && let Ok(stop) = js_sys::Reflect::get(event, &"stopPropagation".into())
     {
-        // A property of an object of the browser's own: it can be set.
+        // a property of a browser object can be set
         let _ = js_sys::Reflect::set(event, &"preventDefault".into(), &stop);
     }
 }
 
-/// Stops drawing and says why. A frame may be under way: what it uses is given back after it.
+/// Stops drawing and shows the reason. A frame may be in progress, so the app is destroyed after it.
 fn lose_graphics() {
     show_failure(&Failure::GraphicsLost);
     wasm_bindgen_futures::spawn_local(async {
@@ -164,7 +164,7 @@ fn lose_graphics() {
     });
 }
 
-/// Puts a failure's words in the place of the picture; the first one's, which is the cause of those that follow.
+/// Shows a failure instead of the picture. Only the first one, since later failures follow from it.
 fn show_failure(failure: &Failure) {
     let (Some(document), Some(words)) = (document(), FAILURE_WORDS.get()) else { return };
     if let Some(loading) = document.get_element_by_id("loading") {

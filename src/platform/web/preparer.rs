@@ -1,8 +1,7 @@
-//! The page's side of the workers that prepare, one for each side.
+//! The page's side of the preparation workers, one for each side of the map.
 //!
-//! A request to a busy worker supersedes what it is doing: the worker is
-//! terminated and another one takes its place (the module is compiled already).
-//! A worker that dies is reported and replaced with the next request.
+//! A request to a busy worker supersedes the running one: the worker is terminated and replaced by a
+//! new one (the module is already compiled). A worker that dies is reported, and replaced with the next request.
 
 use super::messages;
 use super::worker_handle::{Heard, State, WorkerHandle};
@@ -19,7 +18,7 @@ pub struct Preparer {
 }
 
 impl Preparer {
-    /// Answers go to `mailbox`. The workers start at once, to be ready for the first request.
+    /// A preparer whose responses are posted to `mailbox`. The workers start at once, before the first request.
     pub fn new(mailbox: Mailbox) -> Self {
         let mut preparer = Self { mailbox, workers: PerSide::default(), is_warm: false };
         for side in Side::BOTH {
@@ -28,7 +27,7 @@ impl Preparer {
         preparer
     }
 
-    /// Starts to carry out `request`, in place of what the side's worker may be doing.
+    /// Starts `request`; a request that the side's worker is working on is superseded.
     #[allow(clippy::needless_pass_by_value, reason = "on the desktop it goes into a thread")]
     pub fn request(&mut self, side: Side, request: Request) {
         let Some(worker) = self.ensure_idle(side) else { return };
@@ -37,7 +36,7 @@ impl Preparer {
         }
     }
 
-    /// Lets the target's worker, which has nothing to do, rehearse a surface, now that there is time for it.
+    /// Sends a rehearsal of a surface to the target's worker, once; to be called when the app has nothing else to do.
     pub fn warm(&mut self) {
         if !std::mem::replace(&mut self.is_warm, true)
             && let Some(worker) = self.ensure_idle(Side::Target)

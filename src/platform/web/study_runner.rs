@@ -1,4 +1,4 @@
-//! The page's side of the worker for studies; it starts with the first one.
+//! The page's side of the study worker, which starts with the first study.
 
 use super::messages;
 use super::worker_handle::{Heard, State, WorkerHandle};
@@ -12,12 +12,12 @@ pub struct StudyRunner {
 }
 
 impl StudyRunner {
-    /// Findings go to `mailbox`.
+    /// A runner whose findings are posted to `mailbox`.
     pub fn new(mailbox: Mailbox) -> Self {
         Self { mailbox, worker: None }
     }
 
-    /// Begins a study, in place of one that is under way.
+    /// Starts a study; one that is running is superseded.
     pub fn begin(&mut self, study: Study) {
         if self.worker.as_ref().is_none_or(|worker| worker.state() != State::Idle) {
             let read = |message: &_| {

@@ -1,4 +1,4 @@
-//! A web worker as the page holds it: started with the page's module, listened to, terminated with its handle.
+//! The page's handle of a web worker, which runs the page's module and is terminated when the handle is dropped.
 
 use super::messages;
 use crate::language::{Message, key};
@@ -17,26 +17,26 @@ extern "C" {
     static GLUE_URL: String;
 }
 
-/// What a worker is doing.
+/// The state of a worker.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum State {
-    /// Nothing.
+    /// Waiting for a request.
     Idle,
-    /// Something.
+    /// Working on a request.
     Busy,
-    /// It stopped; the handle is of no more use.
+    /// Stopped; the handle can no longer be used.
     Dead,
 }
 
-/// What a message of a worker means.
+/// A decoded message of a worker.
 pub struct Heard {
-    /// For the app.
+    /// The event for the app.
     pub event: Event,
-    /// Whether the worker goes on with the same request.
+    /// Whether the worker is still working on the same request.
     pub goes_on: bool,
 }
 
-/// A running worker.
+/// A handle of a running worker.
 pub struct WorkerHandle {
     worker: Worker,
     state: Rc<Cell<State>>,
@@ -45,7 +45,7 @@ pub struct WorkerHandle {
 }
 
 impl WorkerHandle {
-    /// Starts a worker. `read` understands its messages, `died` says that it stopped; both end in `mailbox`.
+    /// Starts a worker. `read` decodes its messages, `died` makes an event when it stops; both go to `mailbox`.
     pub fn start(
         mailbox: &Mailbox,
         read: impl Fn(&JsValue) -> Option<Heard> + 'static,
@@ -64,17 +64,17 @@ impl WorkerHandle {
         Ok(Self { worker, state, _on_message: on_message, _on_error: on_error })
     }
 
-    /// What it is doing.
+    /// The state of the worker.
     pub fn state(&self) -> State {
         self.state.get()
     }
 
-    /// Lets it rehearse. That a rehearsal could not begin is no loss.
+    /// Sends a rehearsal. A failure is ignored: the next request would only be slower.
     pub fn rehearse(&self) {
         let _ = self.worker.post_message(&messages::encode_rehearsal());
     }
 
-    /// Gives it something to do. The error is why it could not be told.
+    /// Sends a request. The error is the reason why the message could not be posted.
     pub fn post(&self, message: &JsValue) -> Result<(), String> {
         self.state.set(State::Busy);
         self.worker.post_message(message).map_err(|error| {
@@ -132,14 +132,14 @@ fn bootstrap() -> Result<JsValue, JsValue> {
     Ok(message.into())
 }
 
-/// What the browser says of an error.
+/// The browser's description of an error.
 impl From<JsValue> for Message {
     fn from(error: JsValue) -> Self {
         describe(&error).into()
     }
 }
 
-/// What JavaScript says of an error, or riemap itself by a text.
+/// The message of a JavaScript error, or the text that riemap threw itself.
 pub fn describe(error: &JsValue) -> String {
     let message = error.dyn_ref::<js_sys::Error>().map(|error| String::from(error.message()));
     message.or_else(|| error.as_string()).unwrap_or_else(|| format!("{error:?}"))
