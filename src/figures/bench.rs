@@ -1,8 +1,8 @@
-//! Tables 1 and 2: the paper's times, and how to measure ours.
+//! Tables 1 and 2: the paper's times, and the measurement of ours.
 //!
-//! A [`BenchRow`] is measured on the calling thread, so that a worker can do it
-//! between two messages. Times are medians; everything here runs on one thread. The
-//! outlines other than the V-shape and the blob are riemap's own of these names.
+//! A [`BenchRow`] is measured on the calling thread, so that a worker can measure one between two
+//! messages. Times are medians; everything runs on one thread. The outlines other than the V-shape
+//! and the blob are riemap's own drawings of what the paper's names say.
 
 use super::scenes::{crowding_constraints, uniform};
 use super::{Figure, FigureError, planar};
@@ -16,7 +16,7 @@ use crate::zipper::DiskMap;
 use std::sync::Arc;
 use web_time::Instant;
 
-/// What the paper measured on (section 4).
+/// The machine of the paper's measurements (section 4).
 pub const PAPER_MACHINE: &str = "MacBook Air, Apple M3 (8 cores), 24 GB; C++, SC Toolbox in MATLAB";
 
 /// A row of the paper's Table 1; times in seconds.
@@ -31,7 +31,7 @@ pub struct PaperPreparation {
     pub psi_s: f64,
     pub bff_s: f64,
     pub zipper_s: f64,
-    /// Roughly; `None`: not within 12 hours.
+    /// Approximate; `None` means more than 12 hours.
     pub sc_toolbox_s: Option<f64>,
 }
 
@@ -83,7 +83,7 @@ pub enum BenchSetting {
 }
 
 impl BenchSetting {
-    /// Both.
+    /// Both settings.
     pub const ALL: [Self; 2] = [Self::Paper, Self::Default];
 
     fn settings(self, preset: Preset) -> PrepareSettings {
@@ -100,11 +100,11 @@ pub enum BenchRow {
     Preparation {
         /// `0 … 5`.
         index: usize,
-        /// Under these settings.
+        /// The discretisation.
         setting: BenchSetting,
     },
-    /// The table of Ψ of row `index` of [`TABLE_1`], which riemap does not need, under the
-    /// paper's settings: up to 1 GB, seconds.
+    /// The table of Ψ of row `index` of [`TABLE_1`] with the paper's settings. riemap does not need it; it takes up to
+    /// 1 GB and several seconds.
     PsiTable {
         /// `0 … 5`.
         index: usize,
@@ -113,12 +113,12 @@ pub enum BenchRow {
     Frame {
         /// `0 … 2`.
         index: usize,
-        /// Under these settings.
+        /// The discretisation.
         setting: BenchSetting,
     },
 }
 
-/// Our row of Table 1; times in seconds.
+/// A measured row of Table 1; times in seconds.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Preparation {
     /// Boundary samples.
@@ -129,31 +129,31 @@ pub struct Preparation {
     pub triangles: usize,
     /// Sampling and meshing.
     pub triangulation_s: f64,
-    /// Assembling, ordering and factoring: with this, ψ at any x is one solve.
+    /// Assembling, ordering and factoring; after these, ψ at any x takes one solve.
     pub factorisation_s: f64,
     /// The geodesic algorithm on the same samples, for one interior point.
     pub zipper_s: f64,
 }
 
-/// Our row of Table 2; times in milliseconds.
+/// A measured row of Table 2; times in milliseconds.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Frame {
     /// Boundary samples of source and target.
     pub m: [u32; 2],
-    /// Triangles of the source, which is mapped.
+    /// Triangles of the source, whose mesh is mapped.
     pub triangles: usize,
-    /// When x₁ moves.
+    /// The times while x₁ moves.
     pub source: FrameTimes,
-    /// When x₂ moves.
+    /// The times while x₂ moves.
     pub target: FrameTimes,
 }
 
-/// The stages of a frame.
+/// The durations of the stages of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct FrameTimes {
-    /// Point location, ψ, measure and matching.
+    /// Point location, ψ, harmonic measure and matching.
     pub matching_ms: f64,
-    /// The images of the source's vertices.
+    /// Computing the images of the source's vertices.
     pub extension_ms: f64,
 }
 
@@ -161,22 +161,22 @@ pub struct FrameTimes {
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measurement {
-    /// Of Table 1.
+    /// A row of Table 1.
     Preparation(Preparation),
-    /// Of Table 2.
+    /// A row of Table 2.
     Frame(Frame),
     /// The column Ψ of Table 1.
     PsiTable {
-        /// Seconds, with the factorisation; `None` where the table would take too much memory.
+        /// Seconds, including the factorization; `None` if the table would take too much memory.
         psi_s: Option<f64>,
     },
 }
 
-/// Frames per run: a single one is too short to be timed well.
+/// Frames per run: a single frame is too short to be timed well.
 const FRAMES_PER_RUN: usize = 5;
 
 impl BenchRow {
-    /// All rows, as in the tables, with the paper's settings first and the tables of Ψ last.
+    /// All rows in the order of the tables: first with the paper's settings, the tables of Ψ last.
     pub fn all() -> Vec<Self> {
         let rows = |setting: BenchSetting| {
             let preparations = (0..TABLE_1.len()).map(move |index| Self::Preparation { index, setting });
@@ -186,7 +186,7 @@ impl BenchRow {
         BenchSetting::ALL.into_iter().flat_map(rows).chain(tables).collect()
     }
 
-    /// Measures it `runs` times (at least once); medians. `None` for an index beyond the table.
+    /// Measures the row `runs` times (at least once) and returns medians. `None` for an index beyond the table.
     pub fn measure(self, runs: usize) -> Result<Option<Measurement>, FigureError> {
         Ok(match self {
             Self::Preparation { index, setting } => match TABLE_1.get(index) {
@@ -265,10 +265,10 @@ fn frame(row: &PaperFrame, setting: BenchSetting, frames: usize) -> Result<Frame
     Ok(Frame { m, triangles, source: source?, target: target? })
 }
 
-/// A step of a drag, relative to the domain's extent.
+/// The size of a drag step relative to the domain's extent.
 const DRAG_STEP: f64 = 1e-3;
 
-/// The medians while one interior point moves to and fro.
+/// The median durations while one interior point moves back and forth.
 fn drag(map: &mut ConformalMap, still: Constraints, side: Side, frames: usize) -> Result<FrameTimes, FigureError> {
     let domain = planar(map.side(side))?;
     let Bounds { min: low, max: high } = Bounds::of(domain.samples().points.iter().copied());
@@ -286,7 +286,7 @@ fn drag(map: &mut ConformalMap, still: Constraints, side: Side, frames: usize) -
     Ok(FrameTimes { matching_ms: median(matching), extension_ms: median(extension) })
 }
 
-/// The middle value; 0 of none.
+/// The median; 0 if there are no values.
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)

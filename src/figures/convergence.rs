@@ -1,8 +1,8 @@
-//! Figure 15: the error of the V-shape's boundary map for rising m.
+//! Figure 15: the error of the V-shape's boundary map for increasing m.
 //!
-//! E_max and E_mean of section 5.2, for riemap and for the geodesic algorithm, with two
-//! second maps: the exact one, so that only the V's measure is off, and the blob sampled
-//! at m₂ points, whose polygon and measure add an error that does not fall with m.
+//! E_max and E_mean of section 5.2, for riemap and for the geodesic algorithm, each with two
+//! second maps: the exact one, so that only the V's measure has an error, and the blob sampled
+//! at m₂ points, whose polygon and measure add an error that does not decrease with m.
 
 use super::crowding::{V_PERIOD, exact_measures, on_exact_v};
 use super::scenes::{crowding_constraints, crowding_points, uniform};
@@ -14,7 +14,7 @@ use crate::outline::{BoundaryPoint, Preset};
 use crate::zipper::{DiskComparison, DiskMeasure};
 use std::sync::Arc;
 
-/// What the V's harmonic measure is matched to.
+/// The map from the disk to the blob with which the V's harmonic measure is composed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SecondMap {
@@ -25,7 +25,7 @@ pub enum SecondMap {
 }
 
 impl SecondMap {
-    /// As in a table.
+    /// The name in a table.
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
@@ -49,10 +49,10 @@ pub struct ConvergenceRow {
     pub mean: f64,
 }
 
-/// What all resolutions share.
+/// The data shared by all resolutions.
 #[derive(Debug)]
 pub struct ConvergenceStudy {
-    /// The numbers of samples, rising.
+    /// The numbers of samples, increasing.
     pub resolutions: Vec<u32>,
     blob: Arc<PreparedSide>,
     blob_domain: Arc<MeshedDomain>,
@@ -63,7 +63,7 @@ pub struct ConvergenceStudy {
 const START: BoundaryPoint = BoundaryPoint { edge: 0, fraction: 0.0 };
 
 impl ConvergenceStudy {
-    /// m = 250 … 4000 against m₂ = 1000, or a quarter of these.
+    /// The study with m = 250 … 4000 and m₂ = 1000, or a quarter of these numbers.
     pub fn new(detail: Detail) -> Result<Self, FigureError> {
         let polygon = Preset::Blob.outline().polygon;
         let blob = Arc::new(prepare(&polygon, &uniform(detail.samples(1000)), &mut |_| ())?);
@@ -108,7 +108,7 @@ impl ConvergenceStudy {
         Ok(self.compare(Method::FreshZipper, &points, &measures, matched.points()))
     }
 
-    /// The errors, at these points of the exact V, of images by `measures` and the exact second map, and of the `matched` ones.
+    /// The errors at `points` of the exact V with the two second maps: the exact one after `measures`, and `matched`.
     fn compare(
         &self,
         method: Method,
@@ -128,7 +128,7 @@ impl ConvergenceStudy {
         ]
     }
 
-    /// One row each.
+    /// A table with a line for each of `rows`.
     pub fn table(rows: &[ConvergenceRow]) -> Table {
         let mut table = Table::new(&["m", "method", "second_map", "max_error", "mean_error"]);
         for row in rows {
@@ -139,8 +139,8 @@ impl ConvergenceStudy {
     }
 }
 
-/// The p of `error ≈ C m^−p` by least squares in the logarithms; `None` for fewer than two
-/// resolutions, or an error of 0.
+/// The order p in `error ≈ C m^−p`, by least squares in the logarithms; `None` for fewer than two
+/// resolutions, or if an error is 0.
 pub fn fitted_order(points: &[(u32, f64)]) -> Option<f64> {
     let logs: Vec<(f64, f64)> = points.iter().map(|&(m, error)| (f64::from(m).ln(), error.ln())).collect();
     let count = logs.len() as f64;

@@ -1,8 +1,8 @@
-//! Figure 12: the V-shape to the blob by harmonic measure, through the disk, and exactly.
+//! Figure 12: maps from the V-shape to the blob by harmonic measure, through the disk, and in closed form.
 //!
-//! All ways map the same boundary samples and are extended harmonically into the same
-//! mesh, so that they differ by the boundary map alone. The truth is the composition of the
-//! closed forms: the blob's point with the V's harmonic measure.
+//! All methods map the same boundary samples, and their maps are extended harmonically into the same
+//! mesh, so that only the boundary maps differ. The reference is the composition of the closed forms:
+//! the blob's point with the V's harmonic measure.
 
 use super::{ArcLength, FigureError, Scene, Table, planar, prepare_spec};
 use crate::conformal::{ConformalMap, Direction, ExtensionScratch, MeshedDomain, PerSide, Side, harmonic_extension};
@@ -13,11 +13,11 @@ use crate::outline::{BoundaryPoint, BoundarySamples};
 use crate::zipper::{DiskComparison, DiskMap, DiskMeasure};
 use std::sync::Arc;
 
-/// A way to the boundary map.
+/// A method to compute the boundary map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
-    /// The closed forms.
+    /// The closed forms, used as the reference.
     Exact,
     /// Matching harmonic measure, as riemap does.
     HarmonicMeasure,
@@ -28,10 +28,10 @@ pub enum Method {
 }
 
 impl Method {
-    /// All, the truth first.
+    /// All methods, the reference first.
     pub const ALL: [Self; 4] = [Self::Exact, Self::HarmonicMeasure, Self::FreshZipper, Self::PrecomputedZipper];
 
-    /// As in a table.
+    /// The name in a table.
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
@@ -41,7 +41,7 @@ impl Method {
         }
     }
 
-    /// For people.
+    /// The name shown to users.
     pub fn title(self) -> &'static str {
         match self {
             Self::Exact => "exact",
@@ -52,10 +52,10 @@ impl Method {
     }
 }
 
-/// What one way makes of the V's boundary samples.
+/// The images of the V's boundary samples under one method.
 #[derive(Debug, Clone)]
 pub struct BoundaryMap {
-    /// Which way.
+    /// The method.
     pub method: Method,
     /// The images of the boundary samples.
     pub images: Vec<DVec2>,
@@ -63,19 +63,19 @@ pub struct BoundaryMap {
     pub reparameterisation: Vec<f64>,
     /// |f(v_k) − f̃(v_k)|.
     pub errors: Vec<f64>,
-    /// How many samples the disk can't tell from the one before; 0 where no disk is used.
+    /// How many samples coincide with the previous one in double precision on the disk; 0 if no disk is used.
     pub collapsed: usize,
 }
 
 impl BoundaryMap {
-    /// E_max and E_mean of section 5.2.
+    /// E_max and E_mean (section 5.2 of the paper).
     pub fn max_and_mean_error(&self) -> (f64, f64) {
         let sum: f64 = self.errors.iter().sum();
         (self.errors.iter().copied().fold(0.0, f64::max), sum / self.errors.len() as f64)
     }
 }
 
-/// The V-shape, the blob, and the four ways between them.
+/// The V-shape, the blob, and the maps of the four methods.
 #[derive(Debug)]
 pub struct CrowdingStudy {
     /// riemap's map, with both prepared domains.
@@ -84,21 +84,21 @@ pub struct CrowdingStudy {
     pub domains: PerSide<Arc<MeshedDomain>>,
     /// x₁ and x₂.
     pub points: PerSide<DVec2>,
-    /// By [`Method::ALL`].
+    /// The maps in the order of [`Method::ALL`].
     pub maps: [BoundaryMap; 4],
 }
 
-/// The centre of the V: g(−i) = 0 (section 1.2).
+/// The center of the V: g(−i) = 0 (section 1.2).
 const V_CENTRE: DVec2 = DVec2::new(0.0, -1.0);
 
-/// The exact harmonic measures at `x` of points on the exact V; with them the blob's map is known.
+/// The exact harmonic measures at `x` of points on the exact V, from which the blob's exact map follows.
 pub(super) fn exact_measures(points: &[DVec2], x: DVec2) -> Vec<f64> {
     points.iter().map(|&y| vshape::harmonic_measure(x, y)).collect()
 }
 
-/// The points of the exact V nearest to samples of its outline, which is a fine polygon: the
-/// closed form of the measure holds on the curve alone, and at the samples themselves it
-/// would take r back by up to 9e-5 from one to the next.
+/// The points of the exact V nearest to samples of its outline, which is a fine polygon. The closed form of the
+/// measure holds only on the curve: evaluated at the samples themselves, r would decrease by up to 9e-5 from one
+/// sample to the next.
 pub(super) fn on_exact_v(samples: &BoundarySamples) -> Vec<DVec2> {
     let arc = ArcLength::new(vshape::boundary, V_PERIOD);
     let foot = |(&p, s): (&DVec2, &f64)| {
@@ -110,20 +110,20 @@ pub(super) fn on_exact_v(samples: &BoundarySamples) -> Vec<DVec2> {
         }
         vshape::boundary(t)
     };
-    // the anchor is on the curve, and stays at measure 0
+    // the anchor lies on the curve and keeps measure 0
     let first = samples.points.first().copied();
     first.into_iter().chain(samples.points.iter().zip(&samples.fractions).skip(1).map(foot)).collect()
 }
 
 /// The parameter of [`vshape::boundary`] runs from 0 to 4.
 pub(super) const V_PERIOD: f64 = 4.0;
-/// Arc lengths start within 1e-5; a step squares the error.
+/// The initial arc lengths are within 1e-5; each Newton step squares the error.
 const NEWTON_STEPS: usize = 3;
 const TANGENT_STEP: f64 = 1e-6;
 
 impl CrowdingStudy {
-    /// Of a scene from the V-shape to the blob with x₂ = g⁻¹(0), y₁ = 1 + i and y₂ = g⁻¹(1),
-    /// for which the truth is known.
+    /// The study of a scene from the V-shape to the blob with x₂ = g⁻¹(0), y₁ = 1 + i and y₂ = g⁻¹(1),
+    /// for which the exact map is known.
     pub fn new(scene: &Scene) -> Result<Self, FigureError> {
         let [source, target] = Side::BOTH.map(|side| prepare_spec(scene.session.domain(side)));
         let (source, target) = (source?, target?);
@@ -144,7 +144,7 @@ impl CrowdingStudy {
         Ok(images)
     }
 
-    /// Where extended `images` put x₁; it should be x₂. Infinite if x₁ is not in the mesh.
+    /// The image of x₁ under extended `images`, ideally x₂. Infinite if x₁ is not in the mesh.
     pub fn image_of_point(&self, images: &[DVec2]) -> DVec2 {
         let mesh = self.domains.source.mesh();
         locate(mesh, self.points.source, 0).map_or(DVec2::INFINITY, |found| {
@@ -160,7 +160,7 @@ impl CrowdingStudy {
         samples.fractions.iter().map(|s| s * total).collect()
     }
 
-    /// One row per boundary sample.
+    /// A table with a row for each boundary sample.
     pub fn table(&self) -> Table {
         let mut table = Table::new(&[
             "k",
@@ -186,7 +186,7 @@ impl CrowdingStudy {
     }
 }
 
-/// What the four ways have in common.
+/// The inputs that all methods share.
 struct Boundaries<'a> {
     map: &'a ConformalMap,
     domains: &'a PerSide<Arc<MeshedDomain>>,

@@ -1,4 +1,4 @@
-//! Figure 6: Poisson kernel and harmonic measure of the disk against their closed forms.
+//! Figure 6: Poisson kernel and harmonic measure of the disk, compared with their closed forms.
 
 use super::{FigureError, Scene, Table, planar, prepare_spec};
 use crate::conformal::{HarmonicMeasure, KernelScratch, MapError, MeshedDomain, Side, poisson_kernel};
@@ -17,12 +17,12 @@ pub struct DiskKernelStudy {
     pub point: DVec2,
     /// ψ_k, k = 0 … m−1.
     pub kernel: Vec<f64>,
-    /// ω̃, from y.
+    /// ω̃, measured from y.
     pub measure: HarmonicMeasure,
 }
 
 impl DiskKernelStudy {
-    /// Of the source of a scene.
+    /// The study of a scene's source.
     pub fn new(scene: &Scene) -> Result<Self, FigureError> {
         let side = prepare_spec(scene.session.domain(Side::Source))?;
         let domain = planar(&side)?;
@@ -36,7 +36,7 @@ impl DiskKernelStudy {
         Ok(Self { domain, point, kernel, measure })
     }
 
-    /// The angle of vertex `k`: its arc length on the inscribed polygon, stretched to the circle.
+    /// The angle of vertex `k`: its arc length on the inscribed polygon, scaled to the circle.
     pub fn angle(&self, k: usize) -> f64 {
         TAU * k as f64 / self.kernel.len() as f64
     }
@@ -51,7 +51,7 @@ impl DiskKernelStudy {
         disk::harmonic_measure(complex(self.point), t)
     }
 
-    /// One row per boundary vertex of every study.
+    /// A table with a row for each boundary vertex of each study.
     pub fn table(studies: &[Self]) -> Table {
         let mut table =
             Table::new(&["m", "n", "k", "t", "kernel", "kernel_exact", "measure", "measure_exact", "measure_error"]);

@@ -1,9 +1,9 @@
-//! The paper's figures and tables, on demand: what they show and its numbers, without drawing.
+//! The contents and numbers of the paper's figures and tables, computed on demand; nothing is drawn here.
 //!
 //! A [`Figure`] has [scenes](Figure::scenes), sessions that the app can open, and
-//! [choices](Figure::choices), what the paper's text leaves open and how it is
-//! settled here. The studies compute the numbers behind the plots; whoever draws them
-//! is elsewhere (`cli`). [`BenchRow`] measures one row of Table 1 or 2.
+//! [choices](Figure::choices), the details that the paper leaves open with the values used here.
+//! The studies compute the numbers behind the plots; `cli` draws them. [`BenchRow`] measures one row
+//! of Table 1 or 2.
 //!
 //! | file | what | paper |
 //! |---|---|---|
@@ -11,8 +11,8 @@
 //! | `surface_scenes` | the same with surfaces | captions of Figures 14, 16, 17 |
 //! | `disk_kernel` | kernel and measure on the disk | Figure 6 |
 //! | `moebius` | a Möbius map, both extensions | Figure 7 |
-//! | `crowding` | V-shape → blob by four ways | Figure 12 |
-//! | `convergence` | the same for rising m | Figure 15 |
+//! | `crowding` | V-shape → blob by four methods | Figure 12 |
+//! | `convergence` | the same for increasing m | Figure 15 |
 //! | `surfaces` | surfaces over planar domains | Figures 14, 16, 17 |
 //! | `bench` | times of this machine beside the paper's | Tables 1 and 2 |
 
@@ -46,7 +46,7 @@ use crate::surface::{SurfacePreset, TopologyError};
 use crate::zipper::ZipperError;
 use std::sync::Arc;
 
-/// A figure of the paper that can be made anew.
+/// A figure of the paper that can be reproduced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Figure {
@@ -56,7 +56,7 @@ pub enum Figure {
     Moebius,
     /// Figure 8: the four ways to map the hand to the blob.
     Options,
-    /// Figure 9: angle distortion for rising resolution.
+    /// Figure 9: angle distortion for increasing resolution.
     Distortion,
     /// Figure 10: the gingerbread man reshaped.
     Reshaping,
@@ -72,19 +72,19 @@ pub enum Figure {
     Face,
 }
 
-/// How much of the paper's resolution is used.
+/// The resolution of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Detail {
-    /// As many samples as the paper.
+    /// The paper's numbers of samples.
     #[default]
     Paper,
-    /// A quarter of them.
+    /// A quarter of the paper's numbers.
     Quick,
 }
 
 impl Detail {
-    /// The number of samples in place of the paper's.
+    /// The number of samples to use for the paper's number.
     pub fn samples(self, paper: u32) -> u32 {
         match self {
             Self::Paper => paper,
@@ -99,31 +99,31 @@ pub enum FigureError {
     /// A domain could not be prepared.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
-    /// There is no map.
+    /// A map could not be computed.
     #[error(transparent)]
     Map(#[from] MapError),
-    /// There is no map through the disk.
+    /// The map through the disk could not be computed.
     #[error(transparent)]
     Zipper(#[from] ZipperError),
-    /// An iterative solver did not converge; scenes ask for none.
+    /// An iterative solver did not converge; the scenes do not use one.
     #[error(transparent)]
     NotConverged(#[from] NotConverged),
-    /// A surface is no disk.
+    /// A surface is not a topological disk.
     #[error(transparent)]
     Topology(#[from] TopologyError),
-    /// A surface is asked for where there is none.
+    /// A surface was given for a figure without surfaces.
     #[error("the figure shows no surface")]
     NoSurface,
-    /// A surface stands where an outline is asked for.
+    /// A side is a surface where an outline is expected.
     #[error("the figure shows outlines, and one of its sides is a surface")]
     NoDomain,
-    /// A session's outline is no valid one.
+    /// An outline is not a simple polygon.
     #[error("the outline of a scene is not a simple polygon")]
     Outline,
 }
 
 impl Figure {
-    /// All of them, by number.
+    /// All figures, by number.
     pub const ALL: [Self; 10] = [
         Self::DiskKernel,
         Self::Moebius,
@@ -158,7 +158,7 @@ impl Figure {
         Self::ALL.into_iter().find(|figure| figure.number() == number)
     }
 
-    /// What it shows.
+    /// A short title.
     pub fn title(self) -> &'static str {
         match self {
             Self::DiskKernel => "Poisson kernel and harmonic measure on the disk",
@@ -174,7 +174,7 @@ impl Figure {
         }
     }
 
-    /// riemap's surface in the place of the paper's, where its mesh belongs to others; another may be given.
+    /// riemap's surface for a figure whose mesh in the paper cannot be distributed; another one may be given.
     pub fn stand_in(self) -> Option<SurfacePreset> {
         match self {
             Self::Head => Some(SurfacePreset::AnimalHead),
@@ -183,7 +183,7 @@ impl Figure {
         }
     }
 
-    /// What the paper's text leaves open and how it is settled here.
+    /// The details that the paper leaves open, with the values used here.
     pub fn choices(self) -> &'static [&'static str] {
         match self {
             Self::DiskKernel => &[
@@ -241,7 +241,7 @@ impl Figure {
     }
 }
 
-/// The planar domain of a side.
+/// The planar domain of a side. Errors: [`FigureError::NoDomain`] for a surface.
 pub fn planar(side: &PreparedSide) -> Result<Arc<MeshedDomain>, FigureError> {
     side.domain().map(Arc::clone).ok_or(FigureError::NoDomain)
 }

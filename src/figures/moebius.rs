@@ -1,8 +1,8 @@
-//! Figure 7: a Möbius map of the disk by both extensions, against its closed form.
+//! Figure 7: a Möbius map of the disk by both extensions, compared with its closed form.
 //!
-//! The polar grid G about 0 is carried to G₁ = g₁(G) about x₁ and G₂ = g₂(G) about x₂; the exact
+//! The polar grid G about 0 is mapped to G₁ = g₁(G) about x₁ and G₂ = g₂(G) about x₂; the exact
 //! map takes G₁ to G₂ (section 3.2). f̃ is piecewise linear on the mesh, equation (14); f̂ is
-//! Cauchy's integral over the polygon, equation (15), at any point.
+//! Cauchy's integral over the polygon, equation (15), and can be evaluated at any point.
 
 use super::{Cell, FigureError, Scene, Table, planar, prepare_spec};
 use crate::conformal::{BoundaryValues, ConformalMap, Contour, Direction, MeshedDomain, PerSide, Side};
@@ -11,12 +11,12 @@ use crate::geometry::DVec2;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Circles of the grid, with the centre: radii j/10.
+/// Circles of the grid, with radii j/10; j = 0 is the center.
 pub const GRID_CIRCLES: u32 = 10;
-/// Its rays.
+/// Rays of the grid.
 pub const GRID_RAYS: u32 = 24;
 
-/// The map of one row of the figure.
+/// The map in one row of the figure.
 #[derive(Debug)]
 pub struct MoebiusStudy {
     /// riemap's map, forward and harmonic.
@@ -31,13 +31,13 @@ fn source_grid(z: Complex) -> Complex {
     (Complex::new(3.0, 1.0) + Complex::new(3.0, -4.0) * z) / (Complex::new(5.0, 0.0) + Complex::new(1.0, -3.0) * z)
 }
 
-/// The point of G₁ on the circle of radius `j`/10 at the ray `k` of 24; both may lie between nodes.
+/// The point of G₁ on circle `j` (radius j/10) and ray `k` of 24; both can be fractional.
 pub fn grid_point(j: f64, k: f64) -> DVec2 {
     point(source_grid((j / f64::from(GRID_CIRCLES)) * Complex::cis(TAU * k / f64::from(GRID_RAYS))))
 }
 
 impl MoebiusStudy {
-    /// Of a scene from the disk to itself with the constraints of the caption.
+    /// The study of a scene from the disk to itself with the constraints of the figure's caption.
     pub fn new(scene: &Scene) -> Result<Self, FigureError> {
         let [source, target] = Side::BOTH.map(|side| prepare_spec(scene.session.domain(side)));
         let domains = [source?, target?];
@@ -70,12 +70,12 @@ impl MoebiusStudy {
         self.map.image_of(x)
     }
 
-    /// f̂(x), on the boundary its limit from inside.
+    /// f̂(x); on the boundary its limit from inside.
     pub fn cauchy_green(&self, x: DVec2) -> DVec2 {
         self.contour.evaluate(x, &self.images)
     }
 
-    /// t_k, stretched to the circle.
+    /// t_k, scaled to the circle.
     pub fn parameter(&self, k: usize) -> f64 {
         TAU * k as f64 / self.samples().len() as f64
     }
@@ -91,17 +91,17 @@ impl MoebiusStudy {
             return TAU;
         }
         let angle = disk::figure_7(Complex::cis(t)).arg().rem_euclid(TAU);
-        // a rounding error below the anchor is the anchor
+        // a rounding error below the anchor counts as the anchor
         if TAU - angle < 1e-12 { 0.0 } else { angle }
     }
 
-    /// The nodes of G₁ with their place in the grid; the centre once.
+    /// The nodes of G₁ with their circle and ray; the center occurs once.
     pub fn nodes() -> impl Iterator<Item = (u32, u32, DVec2)> {
         let rays = |j: u32| (0..if j == 0 { 1 } else { GRID_RAYS }).map(move |k| (j, k));
         (0..GRID_CIRCLES).flat_map(rays).map(|(j, k)| (j, k, grid_point(f64::from(j), f64::from(k))))
     }
 
-    /// The mean distances of f̃(G₁) and f̂(G₁) from G₂ over the nodes.
+    /// The mean distances of f̃(G₁) and f̂(G₁) from G₂, over the nodes.
     pub fn mean_grid_errors(&self) -> [f64; 2] {
         let mut sums = [0.0; 2];
         let mut count = 0.0;

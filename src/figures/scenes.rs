@@ -7,23 +7,23 @@ use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
 use crate::session::{Colouring, Command, Comparison, OutlineSpec, Session, SidePoints, TextureKind};
 
-/// One map of a figure.
+/// The settings of one map in a figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    /// What tells it from the figure's other scenes.
+    /// The label that distinguishes it from the figure's other scenes.
     pub label: SceneLabel,
-    /// The map.
+    /// The sides, the constraints and the display.
     pub session: Session,
 }
 
-/// What tells a scene from the figure's other ones.
+/// The property that distinguishes a scene from the figure's other scenes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SceneLabel {
     /// m, the boundary samples of both sides.
     Samples(u32),
-    /// m₁, those of the source.
+    /// m₁, the boundary samples of the source.
     SourceSamples(u32),
-    /// x₁, the distance of the source's point from the disk's centre.
+    /// |x₁|, the distance of the source's point from the disk's center.
     Radius(f64),
     /// How the map is computed.
     Way(Direction, Extension),
@@ -31,7 +31,7 @@ pub enum SceneLabel {
     Outline(Preset),
     /// The V-shape to the blob.
     VShapeToBlob,
-    /// Six equidistant points go to the corners of an L.
+    /// Six equidistant points are mapped to the corners of an L.
     SixthsToCorners,
     /// x₁ lies in an arm of the L.
     InArm,
@@ -62,21 +62,21 @@ impl std::fmt::Display for SceneLabel {
     }
 }
 
-/// m of the rows of Figures 6 and 7.
+/// m in the rows of Figures 6 and 7.
 const DISK_SAMPLES: [u32; 3] = [25, 50, 100];
 
 /// m₁ of Figure 9.
 const DISTORTION_SAMPLES: [u32; 4] = [400, 800, 1600, 3200];
 
-/// y₂ of Figure 9. At 0 the leaf's stem goes into a notch of the cinquefoil, for which m₂ = 1000 is
-/// too coarse: it is flattened for every m₁ (Q_avg 1.11 at 3200). At 0.1 the leaf's tip goes there
-/// (1.08). Here both are beside a notch (1.02).
+/// y₂ of Figure 9. At 0 the leaf's stem is mapped into a notch of the cinquefoil, for which m₂ = 1000 is
+/// too coarse: it is flattened for every m₁ (Q_avg 1.11 at 3200). At 0.1 the leaf's tip is mapped there
+/// (1.08). At this value both lie beside a notch (1.02).
 const DISTORTION_ANCHOR: f64 = 0.04;
 
 /// m₁ and m₂ of Figure 8: low and high.
 const OPTION_SAMPLES: [[u32; 2]; 2] = [[300, 200], [1800, 1200]];
 
-/// The targets of Figure 10 and their samples: the paper's where it says so, else 1000.
+/// The targets of Figure 10 and their samples: the paper's numbers where it states them, else 1000.
 const RESHAPED: [Preset; 4] = [Preset::Disk, Preset::Square, Preset::Heart, Preset::Turkey];
 const RESHAPED_SAMPLES: [u32; 2] = [500, 1000];
 
@@ -98,14 +98,14 @@ pub(super) fn crowding_points() -> PerSide<DVec2> {
     )
 }
 
-/// With y₁ and y₂ at the outlines' first points.
+/// The constraints of Figure 12, with y₁ and y₂ at the first points of the outlines.
 pub(super) fn crowding_constraints() -> Constraints {
     let PerSide { source, target } = crowding_points();
     Constraints::new((source, 0.0), (target, 0.0))
 }
 
 impl Figure {
-    /// The maps that the figure shows, in its order.
+    /// The maps of the figure, in its order.
     pub fn scenes(self, detail: Detail) -> Vec<Scene> {
         match self {
             Self::DiskKernel | Self::Moebius => DISK_SAMPLES.map(disk).to_vec(),
@@ -129,7 +129,7 @@ fn session(presets: [Preset; 2], samples: [u32; 2], direction: Direction) -> Ses
     Session::with(Side::BOTH.into_iter().flat_map(side)).and([Command::SetDirection(direction)])
 }
 
-/// Moves all four points.
+/// Commands that set all four points.
 fn points(points: PerSide<DVec2>, anchors: PerSide<f64>) -> [Command; 2] {
     Side::BOTH.map(|side| {
         let (interior, anchor) = (Some(points[side]), anchors[side]);

@@ -11,7 +11,7 @@ use crate::surface::SurfacePreset;
 /// m of the hemisphere in Figure 14.
 const HEMISPHERE_SAMPLES: u32 = 900;
 
-/// m of riemap's own head and face: about as many triangles (30,000) as the paper's.
+/// m of riemap's head and face: gives about as many triangles (30,000) as the paper's meshes.
 const SURFACE_SAMPLES: u32 = 375;
 
 /// Samples of the planar domains.
@@ -20,14 +20,14 @@ const OUTLINE_SAMPLES: u32 = 1000;
 /// The arm's width of the L of [`l_of_six_points`], relative to its side: √3 − 1.
 const L_ARM: f64 = 0.732_050_807_568_877_3;
 
-/// x₁ in it, on the diagonal: 1/√3.
+/// x₁ in that L, on the diagonal: both coordinates are 1/√3.
 const L_CENTRE: f64 = 0.577_350_269_189_625_8;
 
 /// |x₁| of Figure 16.
 const RADII: [f64; 3] = [0.0, 0.4, 0.8];
 
-/// The outlines of Figure 17, their tops, and the squares of the checkerboard across them: where the face's middle takes
-/// little of the outline, finer ones.
+/// The outlines of Figure 17, the arc-length fractions of their tops, and the squares of the checkerboard across them:
+/// finer ones where the middle of the face covers little of the outline.
 const FACE_OUTLINES: [(Preset, f64, f64); 4] = [
     (Preset::Disk, 0.25, 24.0),
     (Preset::Gingerbread, 0.0, 36.0),
@@ -35,29 +35,29 @@ const FACE_OUTLINES: [(Preset, f64, f64); 4] = [
     (Preset::MapleLeaf, 0.0, 36.0),
 ];
 
-/// y₂ on riemap's face, an ellipse's loop from its right end on: the top.
+/// y₂ on riemap's face, whose boundary is an ellipse that starts at its right end: the top.
 const FACE_TOP: f64 = 0.25;
 
-/// Squares of the checkerboard across the Ls.
+/// Squares of the checkerboard across an L.
 const L_SQUARES: f64 = 16.0;
 
-/// An L in a rectangle from the origin, its arms as wide as the concave corner `inner` is far from the axes; from
-/// that corner on, counter-clockwise.
+/// An L in a rectangle with one corner at the origin; `inner` is its concave corner, whose distances from the axes are
+/// the widths of the arms. Counter-clockwise from that corner.
 fn l_shape(size: DVec2, inner: DVec2) -> Vec<DVec2> {
     let at = DVec2::new;
     vec![inner, at(inner.x, size.y), at(0.0, size.y), DVec2::ZERO, at(size.x, 0.0), at(size.x, inner.y)]
 }
 
-/// The L to whose corners the disk's sixth roots of unity go, the first to the concave one.
+/// The L whose corners are the images of the disk's sixth roots of unity, the concave corner that of 1.
 ///
-/// By Schwarz and Christoffel f′(z) = (1 − z)/√(1 − z⁶) but for a factor. With the integrals P and R of 1/√(1 − r⁶) and
-/// r/√(1 − r⁶) over (0, 1), the diagonal is f(1) − f(−1) = 2P long, and 0 goes to P + R before
-/// the outer corner. As lengths of sides are integrals over arcs, side : arm : notch is 1 : √3 − 1 : 2 − √3.
+/// By Schwarz and Christoffel f′(z) = (1 − z)/√(1 − z⁶) up to a factor. With the integrals P and R of 1/√(1 − r⁶) and
+/// r/√(1 − r⁶) over (0, 1), the diagonal f(1) − f(−1) has length 2P, and f(0) is at distance P + R from the outer
+/// corner. The sides' lengths are integrals over arcs, which gives side : arm : notch = 1 : √3 − 1 : 2 − √3.
 fn l_of_six_points() -> Vec<DVec2> {
     l_shape(DVec2::ONE, DVec2::splat(L_ARM))
 }
 
-/// A riemap surface on the target's side with y₂ at `anchor`, the outline on the source's.
+/// A built-in surface on the target's side with y₂ at `anchor`, and the outline on the source's side.
 fn over(outline: OutlineSpec, detail: Detail, preset: SurfacePreset, boundary: u32, anchor: f64) -> Session {
     let mut settings = uniform(detail.samples(OUTLINE_SAMPLES));
     if let Sampling::Uniform { keep_corners, .. } = &mut settings.sampling {
@@ -76,9 +76,9 @@ fn source_point(point: DVec2) -> Command {
     Command::MoveInterior { side: Side::Source, point: point.into() }
 }
 
-/// Figure 14.
+/// The scenes of Figure 14.
 pub(super) fn l_shapes(detail: Detail) -> Vec<Scene> {
-    // so that a sixth of the loop is at a vertex
+    // a multiple of 6, so that each sixth of the loop ends at a vertex
     let boundary = detail.samples(HEMISPHERE_SAMPLES) / 6 * 6;
     let scene = |label: SceneLabel, points: Vec<DVec2>, interior: Option<DVec2>| {
         let outline = OutlineSpec::Points { name: String::from("L"), polygon: SimplePolygon::known_simple(points) };
@@ -96,7 +96,7 @@ pub(super) fn l_shapes(detail: Detail) -> Vec<Scene> {
     ]
 }
 
-/// Figure 16.
+/// The scenes of Figure 16.
 pub(super) fn heads(detail: Detail) -> Vec<Scene> {
     let boundary = detail.samples(SURFACE_SAMPLES);
     let scene = |radius: f64| {
@@ -107,7 +107,7 @@ pub(super) fn heads(detail: Detail) -> Vec<Scene> {
     RADII.map(scene).to_vec()
 }
 
-/// Figure 17.
+/// The scenes of Figure 17.
 pub(super) fn faces(detail: Detail) -> Vec<Scene> {
     let boundary = detail.samples(SURFACE_SAMPLES);
     let scene = |(preset, top, texture_scale): (Preset, f64, f64)| {
@@ -126,7 +126,7 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    /// ∫ g over (a, b) by the midpoint rule in the angle of which both ends' roots become smooth.
+    /// ∫ g over (a, b) by the midpoint rule in an angle that makes square-root singularities at both ends smooth.
     fn integral(g: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
         let steps = 2000;
         let term = |k: i32| {

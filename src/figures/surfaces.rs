@@ -1,6 +1,6 @@
 //! Figures 14, 16 and 17: a surface over several planar domains, or with several constraints (section 5.3).
 //!
-//! The scenes of a figure share one surface, which is prepared once: riemap's own, or a given one in its place.
+//! The scenes of a figure share one surface, which is prepared once: riemap's own, or a given one instead.
 
 use super::{Cell, Detail, Figure, FigureError, Scene, Table, planar, prepare_spec};
 use crate::conformal::{
@@ -16,9 +16,9 @@ use std::sync::Arc;
 /// The parameterization of one scene.
 #[derive(Debug)]
 pub struct SurfaceStudy {
-    /// The scene's.
+    /// The label of the scene.
     pub label: String,
-    /// The scene's; a given surface is not in it.
+    /// The session of the scene, without a given surface.
     pub session: Session,
     /// The map.
     pub map: ConformalMap,
@@ -31,11 +31,11 @@ pub struct SurfaceStudy {
 }
 
 impl SurfaceStudy {
-    /// All scenes of a figure, with the `given` surface in place of their own.
+    /// Computes all scenes of a figure, with the `given` surface instead of their own if there is one.
     ///
-    /// x₂ is the hemisphere's pole, else the vertex farthest from the boundary where the session sets none. A given surface has y up and z to
-    /// the front: y₂ is the highest vertex of its loop, and x₂ of a face the foremost one inside. Errors: [`FigureError::NoSurface`] for a planar figure; what is
-    /// wrong with the surface.
+    /// Where the session does not set x₂, it is the hemisphere's pole, or the vertex farthest from the boundary. A
+    /// given surface is expected with y up and z to the front: y₂ is the highest vertex of its loop, and on a face x₂
+    /// is the foremost inner vertex. Errors: [`FigureError::NoSurface`] for a planar figure; an unsuitable surface.
     pub fn all(figure: Figure, detail: Detail, given: Option<&Surface>) -> Result<Vec<Self>, FigureError> {
         let scenes = figure.scenes(detail);
         let first = scenes.first().and_then(|scene| scene.session.surface(Side::Target));
@@ -72,7 +72,7 @@ impl SurfaceStudy {
         scenes.into_iter().map(study).collect()
     }
 
-    /// Counts, constraints and quality, a row for each scene.
+    /// A table of counts, constraints and quality with a row for each scene.
     pub fn table(studies: &[Self]) -> Table {
         let mut table = Table::new(&[
             "scene",
@@ -118,7 +118,7 @@ fn prepared(surface: &Surface, settings: SurfaceSettings) -> Result<Arc<Prepared
     Ok(Arc::new(prepare_surface(mesh, settings, &mut |_| ())?))
 }
 
-/// A scene's own surface; scenes have presets.
+/// The prepared surface of a scene, which is a preset.
 fn own(state: &SurfaceState) -> Result<Arc<PreparedSide>, FigureError> {
     match state.spec.shape {
         SurfaceShape::Preset { preset, boundary } => {
@@ -128,14 +128,14 @@ fn own(state: &SurfaceState) -> Result<Arc<PreparedSide>, FigureError> {
     }
 }
 
-/// Where the loop is highest, y up.
+/// The fraction of the loop's length at its highest vertex, y up.
 fn top(surface: &MeshedSurface) -> f64 {
     let on_loop = surface.mesh().vertices.iter().zip(surface.fractions());
     on_loop.max_by(|(a, _), (b, _)| a.y.total_cmp(&b.y)).map_or(0.0, |(_, fraction)| *fraction)
 }
 
-/// The vertex inside the surface with the largest z: the tip of a nose, where the farthest vertex
-/// from the boundary may lie in a nostril.
+/// The inner vertex with the largest z: on a face the tip of the nose, whereas the vertex farthest from the
+/// boundary may lie in a nostril.
 fn foremost(surface: &MeshedSurface) -> Option<BarycentricPoint> {
     let mesh = surface.mesh();
     let inside = mesh.boundary_count..mesh.vertices.len() as u32;
@@ -150,7 +150,7 @@ mod tests {
     use crate::geometry::DVec2;
     use crate::surface::SurfacePreset;
 
-    /// Boundary first flattening finds this L from the six points; here it is the other way round.
+    /// Boundary first flattening computes this L from the six points; here the six points are computed from the L.
     #[test]
     fn six_equidistant_points_of_the_hemisphere_go_to_the_corners_of_the_first_l() {
         let studies = SurfaceStudy::all(Figure::LShapes, Detail::Paper, None).unwrap();
@@ -168,12 +168,12 @@ mod tests {
             let errors = measures.map(|measure| (measure - sixths).abs());
             let distance = first.map.images()[k * m / 6].distance(corner);
             println!("corner {k}: measures {errors:?} from {k}/6, image {distance:.1e} from the corner");
-            // the kernels' own errors: 1.6e-4 on the L's 1000 samples, 2e-6 on the hemisphere's 900
+            // measured errors of the kernels: 1.6e-4 with the L's 1000 samples, 2e-6 with the hemisphere's 900
             assert!(errors[0] < 4e-4 && errors[1] < 1e-5, "corner {k}: {errors:?}");
-            // f is a root at a convex corner, and the square root of that error is 0.013
+            // at a convex corner f behaves as a square root, and the square root of that error is 0.013
             assert!(distance < 0.02, "corner {k}: off by {distance:e}");
         }
-        // elsewhere, sixths do not go to corners
+        // for the other L, sixths of the loop are not mapped to corners
         assert!(studies[1].map.images()[m / 6].distance(corners[1]) > 0.05);
         let top = studies[0].surface.0.mesh().vertices.iter().zip(first.map.images());
         let (_, image) = top.max_by(|a, b| a.0.z.total_cmp(&b.0.z)).unwrap();

@@ -1,17 +1,17 @@
-//! Numbers in named columns, as CSV.
+//! Tables of numbers with named columns, written as CSV.
 
 use std::fmt;
 
-/// A field of a [`Table`].
+/// A cell of a [`Table`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
-    /// A number; written so that it reads back exactly.
+    /// A number, written with enough digits to be read back exactly.
     Number(f64),
     /// A count or an index.
     Count(u64),
     /// A word without commas, quotes and line breaks.
     Word(String),
-    /// What does not apply.
+    /// Not applicable.
     Empty,
 }
 
@@ -42,7 +42,7 @@ impl From<&str> for Cell {
 impl fmt::Display for Cell {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            // an exponent where the digits would otherwise be zeros
+            // with an exponent if the decimal form would be mostly zeros
             Self::Number(value) if *value != 0.0 && value.abs() < 1e-4 => write!(f, "{value:e}"),
             Self::Number(value) => write!(f, "{value}"),
             Self::Count(count) => write!(f, "{count}"),
@@ -52,22 +52,22 @@ impl fmt::Display for Cell {
     }
 }
 
-/// Rows under named columns.
+/// Rows of cells under named columns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
-    /// The names.
+    /// The names of the columns.
     pub columns: &'static [&'static str],
     /// The rows, each as long as `columns`.
     pub rows: Vec<Vec<Cell>>,
 }
 
 impl Table {
-    /// An empty table.
+    /// A table without rows.
     pub fn new(columns: &'static [&'static str]) -> Self {
         Self { columns, rows: Vec::new() }
     }
 
-    /// Comma-separated, the names first.
+    /// The table as comma-separated values; the first line holds the names.
     pub fn csv(&self) -> String {
         let mut text = self.columns.join(",");
         text.push('\n');
