@@ -1,8 +1,8 @@
-//! A planar map as vector graphics: outlines, the lines of a pattern, mesh edges, and the points that are mapped to each other.
+//! A planar map as SVG: outlines, the lines of a pattern, mesh edges, and the points of the constraints.
 //!
-//! The domains lie side by side, each in a group of its own with the classes `outline`, `mesh`,
+//! The domains lie side by side, each in its own group, whose elements have the classes `outline`, `mesh`,
 //! `lines`, `interior` and `boundary`. The first closed path is the first domain's outline, so that the
-//! drawing can be opened as one.
+//! drawing can be loaded as an outline.
 
 use super::polylines::Line;
 use super::ruling::{FAMILIES, Ruling};
@@ -11,22 +11,22 @@ use crate::geometry::{Bounds, DVec2};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// What one half of the drawing shows.
+/// One domain of the drawing.
 #[derive(Debug, Clone, Copy)]
 pub struct Panel<'a> {
     /// Where the vertices are drawn.
     pub positions: &'a [DVec2],
-    /// Where they look the pattern up.
+    /// The pattern's coordinates of the vertices.
     pub coordinates: &'a [DVec2],
     /// The triangles.
     pub triangles: &'a [[u32; 3]],
     /// The outline.
     pub boundary: &'a [DVec2],
-    /// The interior and the boundary handle.
+    /// The interior and the boundary point.
     pub handles: [DVec2; 2],
 }
 
-/// Source and target as drawn: the target carries source coordinates. `None` where one of them is a surface.
+/// The panels of source and target; the target has source coordinates. `None` if one of them is a surface.
 pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<[Panel<'a>; 2]> {
     let [source, target] = [map.domain(Side::Source)?, map.domain(Side::Target)?];
     let handles = |side: Side, domain: &MeshedDomain| -> Option<[DVec2; 2]> {
@@ -55,8 +55,8 @@ pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<[P
     ])
 }
 
-/// What of a map is drawn in the plane: both outlines; with one surface the other side, with the surface's mesh as it lies
-/// there; between two surfaces both meshes as they lie in the unit disk. Empty before the map's first update.
+/// The planar parts of a map: both outlines; with one surface the outline and the surface's mesh as mapped into it;
+/// between two surfaces both meshes as mapped into the unit disk. Empty before the map's first update.
 pub fn parts<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Vec<Part<'a>> {
     if map.images().is_empty() {
         return Vec::new();
@@ -95,28 +95,28 @@ fn part_with_surface<'a>(map: &'a ConformalMap, constraints: &Constraints, side:
 const PANEL: f64 = 480.0;
 const MARGIN: f64 = 16.0;
 
-/// The lines of the two families, the outline, the edges of the mesh.
+/// The colors of the pattern's two families of lines, and of the outline.
 const LINE_COLOURS: [&str; FAMILIES] = ["#b5532a", "#2a6f97"];
 const OUTLINE_COLOUR: &str = "#1b1b1f";
 const MESH_COLOUR: &str = "#8b8f97";
-/// The interior and the boundary point.
+/// The colors of the interior and the boundary point.
 const POINT_COLOURS: [&str; 2] = ["#009e73", "#d63ca6"];
 
-/// A mesh whose edges are drawn: places and triangles.
+/// A mesh whose edges are drawn: positions and triangles.
 pub type Wire<'a> = (&'a [DVec2], &'a [[u32; 3]]);
 
-/// A part of a drawing.
+/// A domain of the drawing with its settings.
 #[derive(Debug, Clone, Copy)]
 pub struct Part<'a> {
     /// The domain.
     pub side: Side,
     /// What is drawn of it.
     pub panel: Panel<'a>,
-    /// Edges, where they are shown.
+    /// The mesh whose edges are drawn, if any.
     pub wire: Option<Wire<'a>>,
 }
 
-/// An SVG document with the parts side by side, from left to right, with the lines of `ruling` if there is one.
+/// An SVG document with the parts from left to right, and the lines of `ruling` if there is one.
 pub fn svg(parts: &[Part<'_>], ruling: Option<Ruling>) -> String {
     let width = PANEL * parts.len() as f64;
     let mut text = format!(
@@ -134,7 +134,7 @@ pub fn svg(parts: &[Part<'_>], ruling: Option<Ruling>) -> String {
     text
 }
 
-/// From a domain to its place in the drawing, where y runs downwards.
+/// The transformation from a domain to the drawing, where y points down.
 #[derive(Clone, Copy)]
 struct Placement {
     middle: DVec2,
@@ -202,7 +202,7 @@ impl Part<'_> {
     }
 }
 
-/// One path for each line: they can be taken one by one.
+/// Writes each line as a path of its own, so that lines can be selected one by one.
 fn draw_lines(text: &mut String, placement: Placement, colour: &str, lines: &[Line]) {
     let _ = writeln!(text, "<g class=\"lines\" stroke=\"{colour}\" stroke-width=\"0.8\">");
     for line in lines {
@@ -213,7 +213,7 @@ fn draw_lines(text: &mut String, placement: Placement, colour: &str, lines: &[Li
     text.push_str("</g>\n");
 }
 
-/// The edges between two triangles, once each; the others are the outline.
+/// The edges shared by two triangles, each once; the remaining ones form the outline.
 fn inner_edges(triangles: &[[u32; 3]]) -> impl Iterator<Item = (u32, u32)> {
     let directed = triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
     let all: BTreeSet<_> = directed.collect();

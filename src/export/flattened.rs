@@ -1,7 +1,7 @@
-//! A parameterized surface as OBJ, PLY, GLB, CSV, and its layout as SVG.
+//! A parameterized surface as OBJ, PLY, GLB or CSV, and its layout as SVG.
 //!
-//! Vertices are those of the file, all of them and in its order; triangles too, but for
-//! those that a repair has dropped. What fills a hole is left out.
+//! The vertices are those of the surface's file, all of them and in its order, and so are the triangles,
+//! except those that a repair has dropped. Triangles that fill a hole are omitted.
 
 use super::FileFormat;
 use crate::conformal::ConformalMap;
@@ -9,7 +9,7 @@ use crate::geometry::{DVec2, DVec3};
 use crate::surface::{ADDED, Surface};
 use std::fmt::Write as _;
 
-/// How texture coordinates come from places in the outline: `(place − origin) · scale`.
+/// The transformation from positions in the outline to texture coordinates: `(position − origin) · scale`.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Placement {
     origin: DVec2,
@@ -22,12 +22,12 @@ pub struct Flattened<'a> {
     triangles: Vec<[u32; 3]>,
     /// `None` for vertices that a repair has dropped.
     coordinates: Vec<Option<DVec2>>,
-    /// How they were moved and scaled.
+    /// The transformation of the texture coordinates.
     pub placement: Placement,
 }
 
 impl<'a> Flattened<'a> {
-    /// The surface as it was read, with its images in the unit box or where they are; `None` where no surface is mapped.
+    /// The surface as it was read, with images scaled into the unit box if `unit`; `None` if the map has no surface.
     pub fn new(surface: &'a Surface, map: &ConformalMap, unit: bool) -> Option<Self> {
         let images = map.texture_coordinates();
         let placement = if unit { unit_box(&images) } else { Placement { origin: DVec2::ZERO, scale: 1.0 } };
@@ -42,7 +42,7 @@ impl<'a> Flattened<'a> {
         })
     }
 
-    /// The bytes of a file.
+    /// The surface in a file format.
     pub fn encode(&self, format: FileFormat) -> Vec<u8> {
         match format {
             FileFormat::Obj => self.obj().into_bytes(),
@@ -53,7 +53,7 @@ impl<'a> Flattened<'a> {
         }
     }
 
-    /// Positions with coordinates; (0, 0) where there are none: no triangle has such a vertex.
+    /// Positions and coordinates; (0, 0) for vertices without coordinates, which are in no triangle.
     fn rows(&self) -> impl Iterator<Item = (DVec3, DVec2)> {
         let coordinates = self.coordinates.iter().map(|uv| uv.unwrap_or_default());
         self.vertices.iter().copied().zip(coordinates)
@@ -91,7 +91,7 @@ impl<'a> Flattened<'a> {
         text
     }
 
-    /// A line for each vertex; empty coordinates where a repair has dropped it.
+    /// A row for each vertex; the coordinates are empty if a repair has dropped it.
     fn csv(&self) -> String {
         let mut text = String::from("x,y,z,u,v\n");
         for (p, uv) in self.vertices.iter().zip(&self.coordinates) {
@@ -101,9 +101,9 @@ impl<'a> Flattened<'a> {
         text
     }
 
-    /// One mesh in f32, as glTF has it; its v runs downwards: 1 − v.
-    /// Vertices are f32: where that would round away the surface's shape, they are those about its middle, of unit
-    /// size, and the node says where and how large it is.
+    /// One mesh in f32, as glTF requires; the second texture coordinate is 1 − v, since glTF's points down.
+    /// If f32 would lose the surface's shape, the vertices are stored relative to its center and scaled to unit size,
+    /// and the node holds the transformation.
     fn glb(&self) -> Vec<u8> {
         let (count, corners) = (self.vertices.len(), 3 * self.triangles.len());
         let mut buffer = Vec::with_capacity(20 * count + 4 * corners);
@@ -153,8 +153,8 @@ impl<'a> Flattened<'a> {
         bytes
     }
 
-    /// Where a GLB's f32 have their origin, and their unit: those of the world, unless the triangles are so far from its
-    /// origin, so large or so small, that they would not carry their shape.
+    /// The origin and unit of a GLB's f32 coordinates: those of the file, unless the triangles are so far from its
+    /// origin, so large or so small that f32 would lose their shape.
     fn frame(&self) -> (DVec3, f64) {
         const FARTHEST: f64 = 16.0;
         const SIZES: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
@@ -171,7 +171,7 @@ impl<'a> Flattened<'a> {
         (middle, extent)
     }
 
-    /// The edges of the layout, 1000 units across, v upwards.
+    /// The edges of the layout, 1000 units wide, v up.
     fn svg(&self) -> String {
         const ACROSS: f64 = 1000.0;
         let Placement { origin, scale } = unit_box(&self.coordinates);
@@ -193,7 +193,7 @@ impl<'a> Flattened<'a> {
     }
 }
 
-/// Takes the bounding box of the coordinates to [0, 1]², its larger side to a whole side.
+/// Maps the bounding box of the coordinates into [0, 1]², its larger side onto a whole side.
 fn unit_box(coordinates: &[Option<DVec2>]) -> Placement {
     let (low, high) = coordinates
         .iter()

@@ -1,6 +1,6 @@
-//! What maps can be written as, besides pictures.
+//! The file formats of maps, other than pictures.
 
-/// A kind of file.
+/// A file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileFormat {
     /// Vector graphics: outlines, lines of the pattern and edges of a planar map; the edges of a surface's layout.
@@ -16,12 +16,12 @@ pub enum FileFormat {
 }
 
 impl FileFormat {
-    /// Those of a surface with texture coordinates: all of them.
+    /// The formats of a surface with texture coordinates: all.
     pub const SURFACE: [Self; 5] = [Self::Obj, Self::Ply, Self::Glb, Self::Csv, Self::Svg];
-    /// Those of a planar map.
+    /// The formats of a planar map.
     pub const PLANAR: [Self; 3] = [Self::Svg, Self::Csv, Self::Obj];
 
-    /// The extension of its files.
+    /// The file extension, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Svg => "svg",
@@ -32,7 +32,7 @@ impl FileFormat {
         }
     }
 
-    /// By a file's extension, in either case.
+    /// The format with this extension, in upper or lower case.
     pub fn from_extension(extension: &str) -> Option<Self> {
         Self::SURFACE.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
     }

@@ -1,7 +1,7 @@
-//! What leaves riemap as files, for the command line and the app alike. Pure: bytes out of maps.
+//! Export of maps to files, for the command line and the app. Pure: turns maps into bytes, without I/O.
 //!
-//! Surfaces with texture coordinates: file `flattened`. Maps between any two sides: files `numbers` (tables and meshes)
-//! and `drawing` (vector graphics of what lies in the plane, with the lines of file `ruling`).
+//! `flattened`: surfaces with texture coordinates. `numbers`: tables and meshes of maps between any two sides.
+//! `drawing`: vector graphics of the planar parts of a map, with the pattern lines of `ruling`.
 
 mod drawing;
 mod flattened;

@@ -4,11 +4,11 @@ use crate::conformal::{ConformalMap, Direction, Places, Side};
 use crate::outline::BoundaryPoint;
 use std::fmt::Write as _;
 
-/// The boundary correspondence: pairs of points of the two boundaries that are mapped to each other.
+/// The boundary correspondence: pairs of boundary points that are mapped to each other.
 ///
-/// One line for each boundary vertex of the mapped side, counter-clockwise from the anchor y: s₁ and s₂, the shares of
-/// the boundaries' lengths from their first points; both places, in the plane or in space; the harmonic measure ω̃ from
-/// the anchor, which is the same on both sides. ω̃ never decreases; s₁ and s₂ neither, but for one step from 1 to 0.
+/// One row for each boundary vertex of the mapped side, counter-clockwise from the anchor y: s₁ and s₂, the fractions
+/// of the boundaries' lengths from their first points; both positions, in the plane or in space; the harmonic measure
+/// ω̃ from the anchor, equal on both sides. ω̃ never decreases; neither do s₁ and s₂, except for one step from 1 to 0.
 pub fn boundary_csv(map: &ConformalMap) -> String {
     let mapped = map.mapped_side();
     let measure = map.measure(mapped);
@@ -41,8 +41,8 @@ fn axes(in_space: bool) -> &'static [&'static str] {
 
 /// The mapped mesh, with a `vt` for each `v`, not scaled.
 ///
-/// Between outlines and between surfaces `v` lies on the target and `vt` on the source; with one surface `v` lies on
-/// that and `vt` in the plane. The vertices are in the order of the mesh: boundary first.
+/// Between outlines and between surfaces, `v` lies on the target and `vt` on the source; with one surface `v` lies on
+/// the surface and `vt` in the plane. The vertices are in the order of the mesh: boundary first.
 pub fn mapped_obj(map: &ConformalMap) -> String {
     let (own, images) = (map.mapped().vertices(), map.image_places());
     let (positions, coordinates, comment) = match (own, images, map.direction()) {
@@ -59,7 +59,7 @@ pub fn mapped_obj(map: &ConformalMap) -> String {
     text
 }
 
-/// A line for each place; those in the plane end with `flat`.
+/// Writes a line for each position; planar positions are completed by `flat`.
 fn put(text: &mut String, keyword: &str, places: Places<'_>, flat: &str) {
     match places {
         Places::Plane(places) => {

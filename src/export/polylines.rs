@@ -1,11 +1,11 @@
-//! Segments joined to lines, by the names of their ends.
+//! Joins segments to polylines by the keys of their ends.
 //!
-//! In the order in which the segments came: the same segments give the same lines.
+//! Deterministic: lines depend only on the segments and their order.
 
 use crate::geometry::DVec2;
 use std::collections::HashMap;
 
-/// A line of the pattern on the mesh.
+/// A polyline on the mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     /// Its points; a closed line does not repeat the first.
@@ -14,10 +14,10 @@ pub struct Line {
     pub is_closed: bool,
 }
 
-/// Where segments meet: a line's name, and an edge.
+/// The key of a segment's end: the number of the line and the mesh edge that the end lies on.
 pub type Joint = (i64, [u64; 4]);
 
-/// Segments, found again by their ends.
+/// Segments, indexed by their ends.
 #[derive(Debug, Default)]
 pub struct Polylines {
     segments: Vec<[(Joint, DVec2); 2]>,
@@ -25,7 +25,7 @@ pub struct Polylines {
 }
 
 impl Polylines {
-    /// Adds a segment: its ends, by name and by place.
+    /// Adds a segment; each end has a key and a position.
     pub fn add(&mut self, ends: [(Joint, DVec2); 2]) {
         for (joint, _) in ends {
             self.at.entry(joint).or_default().push(self.segments.len());
@@ -33,7 +33,7 @@ impl Polylines {
         self.segments.push(ends);
     }
 
-    /// Joins the segments: first those lines that have ends, then the closed ones.
+    /// Joins the segments: first the lines with free ends, then the closed ones.
     pub fn lines(&self) -> Vec<Line> {
         let mut used = vec![false; self.segments.len()];
         let mut lines = Vec::new();
@@ -48,7 +48,7 @@ impl Polylines {
         lines
     }
 
-    /// The line that begins with an end of segment `k`.
+    /// Follows the line that starts at one end of segment `k`.
     fn follow(&self, k: usize, end: usize, used: &mut [bool]) -> Line {
         let start = self.segments[k][end].0;
         let mut points = vec![self.segments[k][end].1];

@@ -1,40 +1,40 @@
 //! The lines of a pattern on a mesh: level sets of two functions of the pattern's coordinates.
 //!
-//! On a triangle the map is affine, so a straight line of the pattern is a straight segment there
-//! (marching triangles). Circles and rays are level sets of functions that are not linear: triangles are
-//! cut into smaller ones first, until a piece turns by little. Segments that share an end
-//! are joined; a line that comes back to its beginning is closed.
+//! The map is affine on a triangle, so that a straight line of the pattern is a straight segment there
+//! (marching triangles). Circles and rays are level sets of nonlinear functions: triangles are first
+//! subdivided until a line bends only a little within a piece. Segments with a common end
+//! are joined; a line that returns to its start is closed.
 
 use super::polylines::{Line, Polylines};
 use crate::geometry::DVec2;
 use std::f64::consts::TAU;
 
-/// Which lines, by the coordinates that a vertex looks the pattern up with.
+/// The families of lines, in the pattern's coordinates of the vertices.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Ruling {
     /// x and y at whole multiples of `spacing` from `origin`.
     Squares {
-        /// Where two lines cross.
+        /// A crossing of two lines.
         origin: DVec2,
         /// The side of a square.
         spacing: f64,
     },
-    /// Circles about `pole` at whole multiples of `spacing`; rays as on polar graph paper: 6, doubled at
-    /// the radii 1, 2, 4, … times `spacing`.
+    /// Circles about `pole` at whole multiples of `spacing`; 6 rays, as on polar graph paper, whose number is doubled
+    /// at the radii 1, 2, 4, … times `spacing`.
     Polar {
         /// The centre.
         pole: DVec2,
-        /// From circle to circle.
+        /// The distance between circles.
         spacing: f64,
     },
-    /// In the unit disk: so many rays, and circles at the same steps of −ln of the radius.
+    /// In the unit disk: rays, and circles with the same step in −ln of the radius.
     Conformal {
         /// The number of rays, a multiple of 4.
         rays: u32,
     },
 }
 
-/// A function's value at a corner, the same to the bit in all triangles, and a whole number that is added in this one.
+/// A function's value at a corner: `value`, bit-identical in all triangles, plus the whole number `added` for this one.
 #[derive(Debug, Clone, Copy)]
 struct Value {
     value: f64,
@@ -46,7 +46,7 @@ impl Value {
         self.value + self.added
     }
 
-    /// Without rounding: neighbours agree on which side of a line their common corner is.
+    /// Computed without rounding, so that neighbors agree on which side of a line their common corner lies.
     fn is_below(&self, level: f64) -> bool {
         self.value < level - self.added
     }
@@ -55,27 +55,28 @@ impl Value {
 /// The two families of a ruling: x and y, or circles and rays.
 pub const FAMILIES: usize = 2;
 
-/// The corners of a triangle: the pattern's coordinates, and the places.
+/// The corners of a triangle, each with its pattern coordinates and its position.
 type Corners = [(DVec2, DVec2); 3];
 
-/// Rays of polar graph paper are doubled so many times at most.
+/// The maximal number of doublings of the rays.
 const DOUBLINGS: u32 = 6;
-/// Rays nearest to the pole.
+/// The number of rays nearest to the pole.
 const FEWEST_RAYS: u32 = 6;
-/// More lines than this through one triangle cannot be told apart: a collapsed or huge image has them.
+/// The maximal number of lines through a triangle: more could not be told apart. Collapsed and huge images have more.
 const MOST_LEVELS: usize = 64;
-/// A piece of a triangle is not longer than this in cells: a circle of one cell's radius then has 30 corners.
+/// The maximal length of a piece in cells: a circle with the radius of one cell then has 30 corners.
 const PIECE: f64 = 0.2;
-/// How far from the centre the circles of a conformal pattern are still round.
+/// The radius down to which the circles of a conformal pattern stay round.
 const WITHIN: f64 = 0.15;
-/// The most pieces along an edge, and on the whole mesh.
+/// The maximal number of pieces along an edge, and of triangles after subdivision.
 const MOST_PIECES: usize = 8;
 const MOST_TRIANGLES: usize = 2_000_000;
-/// Cells of a conformal pattern that are smaller than this part of the disk's radius are left out: the lines run together.
+/// Cells of a conformal pattern smaller than this part of the disk's radius are omitted: the lines would run together.
 const FINEST_CELL: f64 = 0.01;
 
 impl Ruling {
-    /// The lines of one family (0 or 1) on a mesh whose vertices lie at `positions` and look the pattern up at `coordinates`.
+    /// The lines of one family (0 or 1) on a mesh, given the `positions` and the pattern's `coordinates` of its
+    /// vertices.
     pub fn lines(self, family: usize, positions: &[DVec2], coordinates: &[DVec2], triangles: &[[u32; 3]]) -> Vec<Line> {
         let mut joints = Polylines::default();
         let pieces = self.pieces(coordinates, triangles);
@@ -86,7 +87,7 @@ impl Ruling {
         joints.lines()
     }
 
-    /// Into how many pieces the edges of triangles are cut, all alike: neighbours meet.
+    /// The number of pieces of each edge, the same for all triangles, so that neighbors fit together.
     fn pieces(self, coordinates: &[DVec2], triangles: &[[u32; 3]]) -> usize {
         let cell = match self {
             Self::Squares { .. } => return 1,
@@ -99,7 +100,7 @@ impl Ruling {
         ((longest / (PIECE * cell)).ceil() as usize).clamp(1, MOST_PIECES.min(affordable.max(1)))
     }
 
-    /// Adds the segments on which the family's function is a whole number.
+    /// Adds the segments on which the family's function is an integer.
     fn cross(self, family: usize, piece: &Corners, joints: &mut Polylines) {
         let Some(values) = self.values(family, piece.map(|corner| corner.0)) else { return };
         let low = values.iter().map(Value::whole).fold(f64::INFINITY, f64::min);
@@ -116,8 +117,8 @@ impl Ruling {
         }
     }
 
-    /// The family's function at the corners of a triangle, in lines; angles without a jump between them.
-    /// `None` where the triangle holds the centre.
+    /// The family's function at the corners of a triangle, in units of lines; angles are made continuous.
+    /// `None` if the triangle contains the center.
     fn values(self, family: usize, corners: [DVec2; 3]) -> Option<[Value; 3]> {
         let plain = |value| Value { value, added: 0.0 };
         match self {
@@ -132,8 +133,8 @@ impl Ruling {
         }
     }
 
-    /// Whether a line is drawn at a place: rays end where they come too near to each other, and the circle of
-    /// radius 1 is the boundary, which has a stroke of its own.
+    /// Whether a line is drawn at a point: rays end where they come too close to each other, and the circle of
+    /// radius 1 is the boundary, which is drawn separately.
     fn shows(self, family: usize, level: i64, at: DVec2) -> bool {
         match (self, family) {
             (Self::Polar { pole, spacing }, 1) => {
@@ -149,7 +150,7 @@ impl Ruling {
         }
     }
 
-    /// A line's name: rays whose angles differ by whole turns are one.
+    /// The number of a line; rays whose angles differ by whole turns have the same number.
     fn name(self, family: usize, level: i64) -> i64 {
         match (self, family) {
             (Self::Polar { .. }, 1) => level.rem_euclid(i64::from(FEWEST_RAYS << DOUBLINGS)),
@@ -159,7 +160,7 @@ impl Ruling {
     }
 }
 
-/// The angles of three places about the origin in shares of a turn times `rays`; `None` if they surround it.
+/// The angles of three points about the origin, with `rays` for a full turn; `None` if their triangle contains it.
 fn angles(places: [DVec2; 3], rays: u32) -> Option<[Value; 3]> {
     let [a, b, c] = places;
     let turns = [a.perp_dot(b), b.perp_dot(c), c.perp_dot(a)];
@@ -168,11 +169,11 @@ fn angles(places: [DVec2; 3], rays: u32) -> Option<[Value; 3]> {
     }
     let whole = f64::from(rays);
     let values = places.map(|p| p.to_angle() / TAU * whole);
-    // from corner to corner it is less than half a turn
+    // the difference between two corners is less than half a turn
     Some(values.map(|value| Value { value, added: -((value - values[0]) / whole).round() * whole }))
 }
 
-/// Cuts a triangle into `n²` ones; a corner is its pattern's coordinates and its place.
+/// Subdivides a triangle into `n²` pieces.
 fn for_pieces(corners: &Corners, n: usize, emit: &mut dyn FnMut(&Corners)) {
     if n == 1 {
         return emit(corners);
@@ -188,8 +189,8 @@ fn for_pieces(corners: &Corners, n: usize, emit: &mut dyn FnMut(&Corners)) {
     }
 }
 
-/// A point of a triangle by whole weights that sum to `n`. The corners are taken in the order of their
-/// places, whatever the triangle: a point of a shared edge is the same, to the bit, from both sides.
+/// The point of a triangle with integer weights that sum to `n`. The corners are sorted by position, so that a
+/// point of a shared edge is bit-identical in both triangles.
 fn blend(corners: &Corners, weights: [usize; 3], n: usize) -> (DVec2, DVec2) {
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| compare(corners[i].1, corners[j].1));
@@ -204,16 +205,16 @@ fn compare(p: DVec2, q: DVec2) -> std::cmp::Ordering {
     p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))
 }
 
-/// Where a line leaves a piece of a triangle.
+/// The point where a line leaves a piece of a triangle.
 #[derive(Clone, Copy)]
 struct End {
-    /// The edge, by its ends to the bit: the place itself may differ by rounding between its two sides.
+    /// The edge, by the bits of its ends: the computed position may differ by rounding between its two sides.
     edge: [u64; 4],
     coordinate: DVec2,
     place: DVec2,
 }
 
-/// Where the linear function with these values at the corners equals `level`.
+/// The segment on which the linear function with these corner values equals `level`.
 fn crossing(values: &[Value; 3], corners: &Corners, level: f64) -> Option<[End; 2]> {
     let mut ends = Vec::with_capacity(2);
     for i in 0..3 {

@@ -1,4 +1,4 @@
-//! A drawing has the outlines, the pattern and the mesh of the map, at their places.
+//! A drawing contains the outlines, the pattern and the mesh of the map at the right positions.
 
 use super::*;
 use crate::conformal::{MapSettings, PrepareSettings, prepare};
@@ -18,7 +18,7 @@ fn squares(panel: &Panel<'_>, cells: f64) -> Ruling {
     Ruling::Squares { origin: 0.5 * (low + high), spacing: (high - low).max_element() / cells }
 }
 
-/// Moved to the middle, scaled to height 1, turned upright if y runs downwards.
+/// Centered and scaled to height 1, flipped if y points down.
 fn normalised(points: &[DVec2]) -> Vec<DVec2> {
     let Bounds { min, max } = Bounds::of(points.iter().copied());
     points.iter().map(|&p| (p - 0.5 * (min + max)) / (max - min).y).collect()
@@ -37,7 +37,7 @@ fn a_drawing_opens_as_the_outline_that_it_shows() {
         assert_eq!(drawn.len(), given.len());
         let farthest = given.iter().map(|p| drawn.iter().map(|q| p.distance(*q)).fold(f64::INFINITY, f64::min));
         let farthest = farthest.fold(0.0, f64::max);
-        // three digits after the point in a drawing of 450 units, and single precision
+        // three decimals in a drawing of 450 units, and single precision
         assert!(farthest < 1e-5, "{side}: {farthest:e}");
         assert_eq!(back.name, side.to_string());
     }
@@ -69,7 +69,7 @@ fn lines_of_the_source_are_straight_whole_and_where_they_should_be() {
     let Ruling::Squares { origin, spacing } = squares(&panel, 10.0) else { unreachable!() };
     for family in 0..FAMILIES {
         let lines = squares(&panel, 10.0).lines(family, panel.positions, panel.coordinates, panel.triangles);
-        // a star meets a line in at most three pieces
+        // a line meets a star in at most three pieces
         assert!((9..=27).contains(&lines.len()), "{} lines", lines.len());
         for line in lines {
             let level = (line.points[0] - origin)[family] / spacing;
@@ -79,7 +79,7 @@ fn lines_of_the_source_are_straight_whole_and_where_they_should_be() {
     }
 }
 
-/// About the centre of a disk circles close, rays run from where they begin to the boundary.
+/// About the center of a disk, circles are closed and rays reach from their start to the boundary.
 #[test]
 fn circles_close_and_rays_reach_the_boundary() {
     let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();

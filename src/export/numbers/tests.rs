@@ -1,4 +1,4 @@
-//! The tables and meshes that are written hold the map, and are read again.
+//! The written tables and meshes contain the map, and can be read back.
 
 use super::*;
 use crate::conformal::{Constraints, PreparedSide, SurfaceSettings, prepare, prepare_surface};
@@ -13,7 +13,7 @@ fn domain(preset: Preset, count: u32) -> Arc<PreparedSide> {
     Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
 }
 
-/// The anchors lie inside edges, and far from the first points.
+/// A map whose anchors lie inside edges, far from the first points.
 fn map(direction: Direction) -> ConformalMap {
     let (source, target) = (domain(Preset::Heart, 120), domain(Preset::Square, 90));
     let constraints = Constraints::new((source.default_point(), 0.413), (target.default_point(), 0.777));
@@ -24,7 +24,7 @@ fn rows(text: &str) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect()
 }
 
-/// How often a share of arc length falls, and whether it is ever outside of [0, 1].
+/// The number of decreases in a column of arc-length fractions, which must lie in [0, 1].
 fn falls(column: &[f64]) -> usize {
     assert!(column.iter().all(|s| (0.0..=1.0).contains(s)));
     column.windows(2).filter(|pair| pair[1] < pair[0]).count()
