@@ -1,5 +1,5 @@
-//! Real errors, made by what a person may open: in English they say what their own text says, in German no English is
-//! left, and no number is lost.
+//! Real errors, produced from user input: the English message equals the error's own text; the German message contains
+//! no English words and the same numbers.
 
 use super::{Language, Message, key};
 use crate::conformal::{PrepareSettings, Side};
@@ -10,7 +10,7 @@ use crate::surface::{SurfaceMesh, read_surface};
 use serde_json::json;
 use std::fmt::Display;
 
-/// Words that no German sentence has.
+/// English words that no German sentence contains.
 const ENGLISH: [&str; 24] = [
     "the", "is", "are", "of", "with", "and", "not", "this", "has", "be", "it", "its", "to", "must", "there", "where",
     "than", "that", "from", "point", "line", "outline", "surface", "side",
@@ -23,7 +23,7 @@ fn numbers(text: &str) -> Vec<&str> {
     numbers
 }
 
-/// What is left without names in quotes and, of others' words, without what stands in brackets.
+/// The text without quoted names and, if the cause is from another source, without the parts in brackets.
 fn own_words(text: &str, is_cause_foreign: bool) -> String {
     let mut words = String::new();
     let (mut quoted, mut bracketed) = (false, 0);
@@ -49,7 +49,7 @@ fn check(message: &Message, is_cause_foreign: bool) {
     assert_eq!(numbers(&german), numbers(&english), "{german}");
 }
 
-/// The message of an error, which says in English what the error's own text says.
+/// The message of an error; checks that in English it equals the error's own text.
 fn message<E: Display>(error: &E) -> Message
 where
     for<'a> Message: From<&'a E>,
@@ -59,7 +59,7 @@ where
     message
 }
 
-/// German but for the words of others in brackets.
+/// Checks that the German message has no English words except for the cause in brackets.
 fn german_but_for_the_cause<E: Display>(error: &E)
 where
     for<'a> Message: From<&'a E>,
@@ -220,7 +220,7 @@ fn surfaces_that_are_no_disks() {
             repaired.repairs.iter().for_each(german);
         }
     }
-    // a strip of 7 × 3 squares without three of them: four boundary loops
+    // a strip of 7 × 3 squares with three squares missing: four boundary loops
     let vertices = (0..32).map(|k| format!("v {} {} 0\n", k % 8, k / 8)).collect::<Vec<_>>().concat();
     let kept = (0..21).map(|k| (k % 7, k / 7)).filter(|place| ![(1, 1), (3, 1), (5, 1)].contains(place));
     let corners = |(x, y): (usize, usize)| [0, 1, 9, 8].map(|corner| 8 * y + x + corner + 1);
@@ -304,7 +304,7 @@ fn what_cannot_be_computed_or_exported() {
     }
 }
 
-/// What is said of one thing and of several.
+/// Messages in singular and plural.
 #[test]
 fn counts_of_one() {
     use crate::conformal::MapNote;

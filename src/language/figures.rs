@@ -1,10 +1,10 @@
-//! The paper's figures: their titles, what is settled in them, and what tells their scenes apart.
+//! The paper's figures: titles, choices where the paper is silent, and labels of scenes.
 
 use super::{Label, Message, key, preset};
 use crate::conformal::{Direction, Extension};
 use crate::figures::{Figure, Method, SceneLabel};
 
-/// What a figure shows.
+/// A figure's title.
 pub fn title(figure: Figure) -> Label {
     match figure {
         Figure::DiskKernel => key::poisson_kernel_harmonic_measure_disk(),
@@ -20,7 +20,7 @@ pub fn title(figure: Figure) -> Label {
     }
 }
 
-/// What the paper's text leaves open in a figure and how it is settled here.
+/// The choices made where the paper leaves a detail of the figure open.
 pub fn choices(figure: Figure) -> Vec<Label> {
     match figure {
         Figure::DiskKernel => vec![key::settled_disk_kernel_places(), key::settled_disk_kernel_phi()],
@@ -59,7 +59,7 @@ pub fn choices(figure: Figure) -> Vec<Label> {
     }
 }
 
-/// A way to map the V-shape to the blob.
+/// The name of a method to map the V-shape to the blob.
 pub fn method(method: Method) -> Label {
     match method {
         Method::Exact => key::exact(),

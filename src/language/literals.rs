@@ -1,19 +1,19 @@
-//! The texts in the sources of the program, for tests: where they stand, and in which code.
+//! Finds the string literals in the program's sources and the code around them; for tests.
 
 use std::path::Path;
 
-/// A text between quotation marks, outside of comments and tests.
+/// A string literal outside of comments and tests.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Literal {
-    /// The file, from `src` on.
+    /// The path of the file, starting with `src`.
     pub file: String,
-    /// The code before it since the last `;`, `{` or `}`, other texts left out.
+    /// The code between the last `;`, `{` or `}` and the literal, without other literals.
     pub before: String,
-    /// The text, its escapes resolved.
+    /// The value of the literal, with escapes resolved.
     pub text: String,
 }
 
-/// All texts of the program, file by file.
+/// All literals of the program, file by file.
 pub fn literals() -> Vec<Literal> {
     let mut found = Vec::new();
     read_folder(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), "src", &mut found);
@@ -27,7 +27,7 @@ fn read_folder(folder: &Path, name: &str, found: &mut Vec<Literal>) {
         let own = path.file_name().unwrap().to_str().unwrap();
         let file = format!("{name}/{own}");
         if path.is_dir() && own.ends_with("tests") {
-            // what tests say is not shown
+            // texts in tests are never shown
         } else if path.is_dir() {
             read_folder(&path, &file, found);
         } else if path.extension().is_some_and(|extension| extension == "rs")
@@ -40,7 +40,7 @@ fn read_folder(folder: &Path, name: &str, found: &mut Vec<Literal>) {
     }
 }
 
-/// The modules of tests stand at the end of a file.
+/// The source without its test modules, which are at the end of a file.
 fn without_tests(source: &str) -> &str {
     let is_module = |at: &usize| {
         let mut lines = source[*at..].lines().skip(1).skip_while(|line| line.starts_with("#["));
@@ -72,7 +72,7 @@ fn read_source(source: &str, file: &str, found: &mut Vec<Literal>) {
     }
 }
 
-/// `"…"` at the beginning, resolved, and what follows it.
+/// Parses a literal `"…"` at the start; returns its value and the rest.
 fn text(rest: &str) -> Option<(String, &str)> {
     let mut rest = rest.strip_prefix('"')?;
     let mut text = String::new();
@@ -87,7 +87,7 @@ fn text(rest: &str) -> Option<(String, &str)> {
     }
 }
 
-/// What stands after a backslash.
+/// Parses what follows a backslash.
 fn escape<'a>(rest: &'a str, text: &mut String) -> Option<&'a str> {
     if let Some(code) = rest.strip_prefix("u{") {
         let (digits, after) = code.split_once('}')?;
@@ -107,7 +107,7 @@ fn escape<'a>(rest: &'a str, text: &mut String) -> Option<&'a str> {
     Some(&rest[letter.len_utf8()..])
 }
 
-/// `r"…"` or `r#"…"#` at the beginning, and what follows it.
+/// Parses a raw literal `r"…"` or `r#"…"#` at the start; returns its value and the rest.
 fn raw_text<'a>(rest: &'a str, before: &str) -> Option<(String, &'a str)> {
     let after = rest.strip_prefix('r').filter(|_| !before.ends_with(|c: char| c.is_alphanumeric() || c == '_'))?;
     let hashes = after.len() - after.trim_start_matches('#').len();
@@ -115,7 +115,7 @@ fn raw_text<'a>(rest: &'a str, before: &str) -> Option<(String, &'a str)> {
     Some((text.into(), after))
 }
 
-/// What follows `'x'` or `'\n'` at the beginning; a lifetime is none.
+/// The rest after a character literal `'x'` or `'\n'` at the start; `None` for a lifetime.
 fn character(rest: &str) -> Option<&str> {
     let inner = rest.strip_prefix('\'')?;
     let length = match inner.strip_prefix('\\') {

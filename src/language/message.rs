@@ -1,24 +1,24 @@
-//! Labels and messages: keys, and what is said with them.
+//! Labels and messages: keys of texts, and the arguments of messages.
 
 use std::borrow::Cow;
 
-/// The key of words without arguments.
+/// The key of a text without arguments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Label(&'static str);
 
 impl Label {
-    /// The functions of [`super::key`] make labels, and nothing else does.
+    /// Only the functions of [`super::key`] may make labels.
     pub(super) const fn new(key: &'static str) -> Self {
         Self(key)
     }
 
-    /// The key, as in the files of words.
+    /// The key as written in the `.ftl` files.
     pub const fn key(self) -> &'static str {
         self.0
     }
 }
 
-/// A key with its arguments. It has a form as text, in which it crosses from a worker.
+/// The key of a text and its arguments. Serializable, since workers send messages.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Message {
     key: Cow<'static, str>,
@@ -26,13 +26,13 @@ pub struct Message {
 }
 
 impl Message {
-    /// The functions of [`super::key`] and labels make messages, and nothing else does.
+    /// Only the functions of [`super::key`] and labels may make messages.
     pub(super) fn new(key: &'static str, arguments: Vec<(&'static str, Value)>) -> Self {
         let arguments = arguments.into_iter().map(|(name, value)| (name.into(), value)).collect();
         Self { key: key.into(), arguments }
     }
 
-    /// The key, as in the files of words.
+    /// The key as written in the `.ftl` files.
     pub fn key(&self) -> &str {
         &self.key
     }
@@ -42,13 +42,13 @@ impl Message {
         self.arguments.iter().map(|(name, value)| (name.as_ref(), value))
     }
 
-    /// Whether it is `other`, or `other` is a part of it.
+    /// Whether `other` is this message or one of its arguments, at any depth.
     pub fn mentions(&self, other: &Self) -> bool {
         let within = |value: &Value| matches!(value, Value::Message(part) if part.mentions(other));
         self == other || self.arguments.iter().any(|(_, value)| within(value))
     }
 
-    /// Several as one, joined by `join`; `None` if there are none.
+    /// Joins several messages by `join`; `None` if there are none.
     pub fn joined(all: impl IntoIterator<Item = Self>, join: impl Fn(Self, Self) -> Self) -> Option<Self> {
         all.into_iter().reduce(join)
     }
@@ -60,28 +60,28 @@ impl From<Label> for Message {
     }
 }
 
-/// Words of others, such as the system's: the same in all languages.
+/// Text from elsewhere, such as the operating system; the same in all languages.
 impl From<&str> for Message {
     fn from(text: &str) -> Self {
         super::key::verbatim(text)
     }
 }
 
-/// Words of others, such as the system's: the same in all languages.
+/// Text from elsewhere, such as the operating system; the same in all languages.
 impl From<String> for Message {
     fn from(text: String) -> Self {
         super::key::verbatim(text)
     }
 }
 
-/// What stands in a message.
+/// An argument of a message.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Value {
-    /// A name, a number with its digits, or words of others.
+    /// A name, a formatted number, or text from elsewhere.
     Text(Cow<'static, str>),
-    /// A whole number, of which the words may depend.
+    /// A count, on which the form of the words may depend.
     Count(i64),
-    /// What has words of its own.
+    /// A message that is translated itself.
     Message(Message),
 }
 

@@ -1,14 +1,14 @@
-//! What is said to a person: values, and their words in each language.
+//! Texts shown to users: keys with arguments, and their translations.
 //!
-//! An error, a note or a message is a [`Message`]: a key with arguments. A [`Label`] is a key without any. The keys
-//! are functions of [`key`], so that one that does not exist, or lacks an argument, does not compile. The errors of the
-//! rooms below become messages in `errors`; the rooms above convert their own.
+//! An error, a note or a message is a [`Message`]: a key with arguments. A [`Label`] is a key without arguments. The
+//! keys are functions of [`key`], so that an unknown key or a missing argument is a compile error. Errors of
+//! the rooms below are converted to messages in `errors`; the rooms above convert their own.
 //!
-//! The words stand in `en` and `de`, in the format of Project Fluent (`.ftl`), and are found by [`tr`] and [`say`] when
-//! something is shown. Nothing that is put into words is taken apart again. Texts of others, such as the
-//! system's, are arguments. Tests go through all keys in all languages.
+//! The translations are in `en` and `de`, in the format of Project Fluent (`.ftl`). [`tr`] and [`say`] look them up
+//! when a text is shown; a translated text is never parsed. Texts from elsewhere, such as the
+//! operating system, are arguments. Tests look up all keys in all languages.
 //!
-//! Without the feature `app` there are the values alone: the worker's answers carry them.
+//! Without the feature `app` only the values exist: workers send them in their responses.
 
 mod errors;
 mod figures;

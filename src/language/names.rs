@@ -5,7 +5,7 @@ use crate::conformal::Side;
 use crate::outline::Preset;
 use crate::surface::SurfacePreset;
 
-/// "source", "target" inside of a sentence.
+/// The name within a sentence: "source", "target".
 impl From<Side> for Label {
     fn from(side: Side) -> Self {
         match side {
@@ -21,7 +21,7 @@ impl From<Side> for Value {
     }
 }
 
-/// "Source", "Target".
+/// The name as a heading: "Source", "Target".
 pub fn side_heading(side: Side) -> Label {
     match side {
         Side::Source => key::source_heading(),

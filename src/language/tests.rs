@@ -1,4 +1,4 @@
-//! Every key has words in every language, and the code has no others.
+//! Every key is translated in every language, and the code contains no other texts for users.
 
 use super::key::{all_labels, all_messages};
 use super::literals::{Literal, literals};
@@ -10,7 +10,7 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The variables of each key in the files of a language, as they stand there.
+/// The variables that the files of a language use for each key.
 fn variables(language: Language) -> BTreeMap<&'static str, BTreeSet<&'static str>> {
     let mut found: BTreeMap<_, BTreeSet<_>> = BTreeMap::new();
     let mut key = "";
@@ -71,7 +71,7 @@ fn all_words_can_be_said() {
     }
 }
 
-/// Code whose texts are not shown: they are for developers, or name things.
+/// Code whose literals are not shown to users: they are for developers, or are identifiers.
 const NOT_SHOWN: [&str; 11] = [
     "assert",
     "log::",
@@ -86,10 +86,10 @@ const NOT_SHOWN: [&str; 11] = [
     "#[error(",
 ];
 
-/// The same, where it is the last of the code.
+/// Code directly before literals that are not shown to users.
 const NOT_SHOWN_BY: [&str; 5] = [".split(", "== ", "reason = ", "name: String::from(", ".with("];
 
-/// Whether a text has words of a language, rather than a name or a format.
+/// Whether a literal contains words of a language, as opposed to an identifier or a format.
 fn is_prose(text: &str) -> bool {
     let is_word = |word: &str| {
         let word = word.trim_matches(|letter: char| letter.is_ascii_punctuation() && letter != '{' && letter != '}');
@@ -104,7 +104,7 @@ fn is_prose(text: &str) -> bool {
 fn no_words_stand_in_the_code_of_the_screen() {
     let is_of_screen = |literal: &Literal| {
         let rooms = ["src/app/", "src/model/", "src/platform/", "src/worker/"];
-        // the names that shapes have in sessions
+        // the names that sessions store for shapes
         rooms.iter().any(|room| literal.file.starts_with(room)) && literal.file != "src/model/names.rs"
     };
     let is_shown = |Literal { before, text, .. }: &Literal| {

@@ -1,4 +1,4 @@
-//! Messages in words: the files of words, read once, and the language of the screen.
+//! Translations: the `.ftl` files, parsed once, and the current language.
 
 use super::{Label, Message, Value, key};
 use fluent_bundle::concurrent::FluentBundle;
@@ -8,7 +8,7 @@ use std::cell::Cell;
 use std::sync::OnceLock;
 use unic_langid::LanguageIdentifier;
 
-/// A language that the screen speaks.
+/// A language of the app.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub enum Language {
     /// English.
@@ -21,10 +21,10 @@ pub enum Language {
 }
 
 impl Language {
-    /// All of them, as they are listed in the menu.
+    /// All languages, in the order of the menu.
     pub const ALL: [Self; 2] = [Self::English, Self::German];
 
-    /// Its own name for itself.
+    /// The language's name in the language itself.
     pub fn own_name(self) -> Label {
         match self {
             Self::English => key::english(),
@@ -40,18 +40,18 @@ impl Language {
         }
     }
 
-    /// The language of a tag such as `de-AT` or `en_US.UTF-8`, if it is one of these.
+    /// The language of a tag such as `de-AT` or `en_US.UTF-8`; `None` if the app does not have it.
     pub fn of_tag(tag: &str) -> Option<Self> {
         let code = tag.split(['-', '_', '.']).next().unwrap_or_default();
         Self::ALL.into_iter().find(|language| language.code().eq_ignore_ascii_case(code))
     }
 
-    /// The first of a person's languages that the screen speaks; English if it speaks none of them.
+    /// The first of the user's languages that the app has; English if it has none of them.
     pub fn of_preferences(tags: impl IntoIterator<Item = String>) -> Self {
         tags.into_iter().find_map(|tag| Self::of_tag(&tag)).unwrap_or_default()
     }
 
-    /// Its files of words.
+    /// The contents of its `.ftl` files.
     pub(super) fn files(self) -> [&'static str; 2] {
         match self {
             Self::English => [include_str!("en/labels.ftl"), include_str!("en/messages.ftl")],
@@ -59,17 +59,17 @@ impl Language {
         }
     }
 
-    /// The words of a label in this language.
+    /// The text of a label in this language.
     pub fn label(self, label: Label) -> &'static str {
         let words = |language: Self| language.look_up(label.key(), None, &mut Vec::new());
         match words(self).or_else(|| words(Self::English)) {
             Some(Cow::Borrowed(words)) => words,
-            // a test looks all labels up
+            // cannot happen: a test looks up all labels
             Some(Cow::Owned(_)) | None => label.key(),
         }
     }
 
-    /// A message in words of this language.
+    /// The text of a message in this language.
     pub fn message(self, message: &Message) -> String {
         let mut arguments = FluentArgs::new();
         for (name, value) in message.arguments() {
@@ -80,12 +80,12 @@ impl Language {
             };
             arguments.set(name, value);
         }
-        // a test looks all messages up
+        // a test looks up all messages
         let words = |language: Self| language.look_up(message.key(), Some(&arguments), &mut Vec::new());
         words(self).or_else(|| words(Self::English)).map_or_else(|| message.key().to_owned(), Cow::into_owned)
     }
 
-    /// The words of a key; what is wrong with them is added to `errors`.
+    /// The text of a key, `None` if there is none; errors in it are added to `errors`.
     pub(super) fn look_up(
         self,
         key: &str,
@@ -107,11 +107,11 @@ impl Language {
         words.get_or_init(|| self.read())
     }
 
-    /// The files are part of the program: that they are well formed, and have each key once, is tested.
+    /// Parses the files. Tests check that they are well formed and have each key once.
     fn read(self) -> Words {
         let identifier: LanguageIdentifier = self.code().parse().unwrap_or_default();
         let mut words = FluentBundle::new_concurrent(vec![identifier]);
-        // names are not of another direction of writing here
+        // all languages here are written from left to right, so that names need no isolation marks
         words.set_use_isolating(false);
         for file in self.files() {
             words.add_resource_overriding(FluentResource::try_new(file.to_owned()).unwrap_or_else(|(file, _)| file));
@@ -123,45 +123,45 @@ impl Language {
 type Words = FluentBundle<FluentResource>;
 
 impl Label {
-    /// In English, whatever the language of the screen: for pages around the app, and for names that they ask for.
+    /// The English text, whatever the current language: for the page's scripts, and names they use.
     pub fn english(self) -> &'static str {
         Language::English.label(self)
     }
 }
 
 impl Message {
-    /// In English, whatever the language of the screen: for pages around the app, and for the command line.
+    /// The English text, whatever the current language: for the page's scripts and the command line.
     pub fn english(&self) -> String {
         Language::English.message(self)
     }
 }
 
 thread_local! {
-    /// The screen is drawn by one thread, and each test by its own.
+    /// Per thread: the app draws on one thread, and each test has its own.
     static CURRENT: Cell<Language> = const { Cell::new(Language::English) };
 }
 
-/// The language that the screen speaks.
+/// The current language.
 pub fn current() -> Language {
     CURRENT.get()
 }
 
-/// From now on the screen speaks `language`.
+/// Sets the current language.
 pub fn set(language: Language) {
     CURRENT.set(language);
 }
 
-/// A label in the language of the screen.
+/// The text of a label in the current language.
 pub fn tr(label: Label) -> &'static str {
     current().label(label)
 }
 
-/// A message in the language of the screen.
+/// The text of a message in the current language.
 pub fn say(message: &Message) -> String {
     current().message(message)
 }
 
-/// A number with `digits` after the decimal point or comma, for the ear: to a German one a point groups thousands.
+/// A number with `digits` decimals for screen readers, with a decimal comma in German, where a point groups thousands.
 pub fn number(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");
     match current() {

@@ -1,4 +1,4 @@
-//! Why there is no map, and what is to be known of one.
+//! Messages for errors of the map, and for its notes.
 
 use crate::conformal::{MapError, MapNote, PrepareError, TableError, WalkError};
 use crate::figures::FigureError;

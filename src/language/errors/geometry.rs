@@ -1,4 +1,4 @@
-//! What is wrong with points and drawings.
+//! Messages for invalid points, polygons and drawings.
 
 use crate::drawing::DrawingError;
 use crate::geometry::{MAX_COORDINATE, MAX_POINTS, MIN_EXTENT, PolygonError};

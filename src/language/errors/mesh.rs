@@ -1,4 +1,4 @@
-//! Why a boundary is not sampled, not meshed, or its Laplacian not factored.
+//! Messages for errors in sampling and meshing a boundary, and in factoring its Laplacian.
 
 use crate::language::{Message, key};
 use crate::laplace::{LaplaceError, NotConverged};

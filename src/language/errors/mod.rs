@@ -1,4 +1,4 @@
-//! The errors and notes of the rooms below as messages: each variant has a key, which a new one needs too.
+//! Converts the errors and notes of the rooms below to messages. Each variant has a key; a new variant needs one too.
 
 mod conformal;
 mod geometry;

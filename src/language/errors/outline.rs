@@ -1,4 +1,4 @@
-//! Why a file is no outline, and what was done to one.
+//! Messages for files that are not outlines, and for changes made while reading one.
 
 use crate::language::{Label, Message, Value, key};
 use crate::outline::{GeoJsonFault, JsonFault, JsonKind, MAX_BYTES, OutlineError, OutlineNote, PointFault, SvgFault};

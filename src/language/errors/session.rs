@@ -1,4 +1,4 @@
-//! Why a session is not opened, saved or put into a link.
+//! Messages for sessions that cannot be opened, saved or put into a link.
 
 use crate::language::{Label, Message, key};
 use crate::session::file::{self, FileError};

@@ -1,4 +1,4 @@
-//! What keeps a surface from being a disk, and how one was repaired.
+//! Messages for surfaces that are not disks, and for repairs.
 
 use crate::language::{Message, Value, key};
 use crate::surface::{LISTED, LoopReport, MAX_COORDINATE, MIN_EXTENT, RepairNote, TopologyError};
@@ -67,7 +67,7 @@ impl From<&LoopReport> for Message {
     }
 }
 
-/// The first of `all`, with commas between them.
+/// The first items of `all`, separated by commas; an ellipsis stands for the rest.
 fn listed<T>(all: &[T], words: impl Fn(&T) -> Message) -> Value {
     let more = (all.len() > LISTED).then(|| Message::from("…"));
     let shown = all.iter().take(LISTED).map(words).chain(more);

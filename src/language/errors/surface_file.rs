@@ -1,4 +1,4 @@
-//! Why a file is no surface, where in it, and what was done to one.
+//! Messages for files that are not surfaces, with the place of the error, and for changes made while reading one.
 
 use crate::language::{Message, key};
 use crate::surface::{
@@ -61,7 +61,7 @@ impl From<Item> for Message {
     fn from(item: Item) -> Self {
         let label = match item {
             Item::Chunk { length } => return key::item_chunk(length),
-            Item::Mesh(_) | Item::Keyword(_) => return item.to_string().into(), // a name of the format
+            Item::Mesh(_) | Item::Keyword(_) => return item.to_string().into(), // a name that the file format defines
             Item::Element { index, count } => return key::item_element(index, count),
             Item::Corner { index, count } => return key::item_corner(index, count),
             Item::VertexProperty(name) => return key::item_vertex_property(name),

@@ -1,4 +1,4 @@
-//! What stands on the screen: the words of controls, menus, windows and tooltips.
+//! The keys of labels: the texts of controls, menus, windows and tooltips.
 
 use super::{Label, Message, Value};
 

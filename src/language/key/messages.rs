@@ -1,4 +1,4 @@
-//! Errors, notes and messages, and the parts that they are made of.
+//! The keys of errors, notes and messages, and of their parts.
 
 use super::{Label, Message, Value};
 

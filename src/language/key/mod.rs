@@ -1,8 +1,8 @@
-//! The keys of all words, as functions: of labels without arguments, of messages with them.
+//! The keys of all texts as functions: labels without arguments, messages with arguments.
 //!
-//! A key is the name of its function. Its words stand under the same name in the files of each language.
+//! A key is the name of its function; the `.ftl` files of each language use the same name.
 
-/// Functions that make labels, and the list of them.
+/// Defines a function for each label, and the list of all.
 macro_rules! keys_of_labels {
     ($($key:ident),* $(,)?) => {
         $(
@@ -18,7 +18,7 @@ macro_rules! keys_of_labels {
     };
 }
 
-/// Functions that make messages from their arguments, and the list of their names.
+/// Defines a function for each message with its arguments, and the list of all names.
 macro_rules! keys_of_messages {
     ($($key:ident($($argument:ident),+));* $(;)?) => {
         $(
