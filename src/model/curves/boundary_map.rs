@@ -1,14 +1,15 @@
-//! What the curves are made of: two boundary loops with their measures, matched; in the plane or around a surface.
+//! The input of the curves: two boundary loops with their measures and the matching between them, for outlines and
+//! surfaces.
 
 use crate::conformal::{ConformalMap, HarmonicMeasure, PreparedSide, Side};
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
-/// A closed boundary by its arc length.
+/// A closed boundary, parameterized by arc length.
 #[derive(Debug, Clone, Copy)]
 pub struct Loop<'a> {
     /// The lengths of its edges.
     pub edge_lengths: &'a [f64],
-    /// Where its vertices lie, as fractions of the whole length.
+    /// The positions of its vertices as fractions of its length.
     pub fractions: &'a [f64],
 }
 
@@ -24,18 +25,18 @@ impl<'a> From<&'a PreparedSide> for Loop<'a> {
     }
 }
 
-/// A map's boundaries, by source and target.
+/// The boundary map, with data indexed by source and target.
 #[derive(Debug, Clone, Copy)]
 pub struct BoundaryMap<'a> {
     /// The side whose vertices are mapped.
     pub mapped: Side,
     /// The loops.
     pub loops: [Loop<'a>; 2],
-    /// ψ at their vertices.
+    /// ψ at the vertices.
     pub kernels: [&'a [f64]; 2],
-    /// ω̃ along them.
+    /// ω̃ along the loops.
     pub measures: [&'a HarmonicMeasure; 2],
-    /// Where the mapped vertices go.
+    /// The images of the mapped vertices.
     pub images: &'a [BoundaryPoint],
 }
 

@@ -1,30 +1,30 @@
-//! The exact curves under the map's own, where the map is known in closed form.
+//! Exact curves for maps known in closed form, drawn under the map's own curves.
 
 use crate::closed_form::ExactMap;
 use crate::conformal::{Constraints, Side};
 use crate::model::curves::{Curve, Curves};
 use crate::outline::Preset;
 
-/// Places of each boundary at which the exact curves are computed: with 160 a pixel of a plot is missed nowhere by the
-/// presets' curves.
+/// The number of points on each boundary at which exact curves are computed. With 160, the presets' polylines are
+/// nowhere off by a pixel of the plot.
 const PLACES: usize = 160;
 
-/// Exact measures and reparameterisation of the map that some [`Curves`] are of.
+/// Exact measures and reparameterization of the map that some [`Curves`] belong to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExactCurves {
     /// ω of source and target.
     pub measure: [Curve; 2],
-    /// r from the mapped side.
+    /// r, starting from the mapped side.
     pub reparameterisation: Curve,
-    /// The largest distance of r̃ from r at these places, as a part of the other boundary's length.
+    /// The largest distance of r̃ from r at these points, as a part of the other boundary's length.
     pub difference: f64,
 }
 
 impl ExactCurves {
-    /// The curves of `exact` beside these of the same map.
+    /// The exact curves of the same map as `curves`.
     ///
-    /// Their places are samples of both sides, which are dense where their side is curved: so r is as fine
-    /// where it is steep as where it is flat.
+    /// They are evaluated at samples of both sides, which are dense where their side is curved, so that r is
+    /// resolved well both where it is steep and where it is flat.
     pub fn new(exact: &ExactMap, curves: &Curves) -> Self {
         let places = Side::BOTH.map(|side| thinned(&curves.measure[side as usize]));
         let measure = Side::BOTH.map(|side| {
@@ -42,7 +42,7 @@ impl ExactCurves {
     }
 }
 
-/// What exact curves are made of: the outlines, where they are presets, the constraints, and the map's own curves.
+/// The inputs of exact curves: the preset outlines, the constraints, and the map's own curves.
 #[derive(Debug, PartialEq)]
 struct Parts {
     presets: Option<[Preset; 2]>,
@@ -50,8 +50,8 @@ struct Parts {
     curves: Curves,
 }
 
-/// The exact curves of the last map, made anew only when what they are made of has changed: a map's extension alone
-/// may be refined, and a surface's has none.
+/// The exact curves of the last map, recomputed only if their inputs change: refining a map's extension does not
+/// change them, and maps of surfaces have none.
 #[derive(Debug, Default)]
 pub struct KeptExact {
     parts: Option<Parts>,
@@ -59,7 +59,7 @@ pub struct KeptExact {
 }
 
 impl KeptExact {
-    /// Renews them; whether anything was computed. No presets: the map is not known.
+    /// Updates the curves; returns whether anything was computed. Without presets the map is not known in closed form.
     pub fn update(&mut self, presets: Option<[Preset; 2]>, constraints: Constraints, curves: &Curves) -> bool {
         let is_same =
             |parts: &Parts| parts.presets == presets && parts.constraints == constraints && parts.curves == *curves;
@@ -72,13 +72,13 @@ impl KeptExact {
         true
     }
 
-    /// The curves; `None` where the map is not known in closed form.
+    /// The curves; `None` if the map is not known in closed form.
     pub fn curves(&self) -> Option<&ExactCurves> {
         self.exact.as_ref()
     }
 }
 
-/// A curve through these points of a non-decreasing function, each known up to rounding.
+/// A curve through points of a non-decreasing function with rounding errors.
 fn curve(mut points: Vec<[f64; 2]>) -> Curve {
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let mut highest = 0.0_f64;
@@ -89,7 +89,7 @@ fn curve(mut points: Vec<[f64; 2]>) -> Curve {
     Curve { name: String::from("exact"), points }
 }
 
-/// The arc lengths of some of a curve's points, the ends among them.
+/// The arc lengths of some of a curve's points, including its ends.
 fn thinned(curve: &Curve) -> Vec<f64> {
     let last = curve.points.len() - 1;
     let count = last.min(PLACES);

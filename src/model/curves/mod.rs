@@ -1,9 +1,8 @@
-//! The curves of the plots: Poisson kernel, harmonic measure, reparameterisation.
+//! The curves of the plots: Poisson kernel, harmonic measure, reparameterization.
 //!
-//! Everything is over the arc length from the anchor, as a part of the whole
-//! boundary's length, as in the paper's Figure 6; so the kernel is ψ·ℓ, which is
-//! 1 for the uniform measure and has the integral 1. Curves are polylines through
-//! the boundary vertices. No egui in here.
+//! The abscissa is the arc length from the anchor divided by the boundary's length, as in
+//! the paper's Figure 6; the kernel is therefore ψ·ℓ, which is 1 for the uniform measure and has
+//! the integral 1. Curves are polylines through the boundary vertices. Independent of egui.
 
 mod boundary_map;
 mod exact;
@@ -17,7 +16,7 @@ use crate::outline::{BoundaryPoint, BoundarySamples};
 /// A named polyline with increasing x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// What it is called in the legend.
+    /// The name in the legend.
     pub name: String,
     /// `[x, y]`, x not decreasing.
     pub points: Vec<[f64; 2]>,
@@ -29,24 +28,24 @@ impl Curve {
         interpolate(&self.points, x, |p| p[0], |p| p[1])
     }
 
-    /// The x at which a curve that does not decrease has the value `y`; the first where it is flat.
+    /// The x at which a non-decreasing curve has the value `y`; the smallest one where it is flat.
     pub fn inverse_at(&self, y: f64) -> f64 {
         interpolate(&self.points, y, |p| p[1], |p| p[0])
     }
 }
 
-/// A boundary's samples and where it is cut open: its anchor, as a fraction of arc length.
+/// A boundary's samples, and the anchor at which it is cut open, as a fraction of arc length.
 pub type Cut<'a> = (&'a BoundarySamples, f64);
 
 impl Curve {
-    /// ω̃ over the arc length from the anchor, of values at the m vertices after it.
+    /// ω̃ over the arc length from the anchor, given the values at the m vertices after it.
     pub fn measure((samples, anchor): Cut, from_anchor: &[f64]) -> Self {
         let ordinates = std::iter::once(0.0).chain(from_anchor.iter().copied()).chain(std::iter::once(1.0));
         let points = Anchored::new(samples.into(), anchor).abscissae().zip(ordinates).map(|(x, y)| [x, y]).collect();
         Self { name: String::from("measure"), points }
     }
 
-    /// r̃ from `mapped` to `other`, of the images of the vertices.
+    /// r̃ from `mapped` to `other`, given the images of the vertices.
     pub fn reparameterisation(mapped: Cut, other: Cut, images: &[BoundaryPoint]) -> Self {
         let [mapped, other] = [mapped, other].map(|(samples, anchor)| Anchored::new(samples.into(), anchor));
         let ordinates = reparameterisation(&mapped, &other, images);
@@ -63,19 +62,19 @@ fn interpolate(points: &[[f64; 2]], at: f64, from: impl Fn(&[f64; 2]) -> f64, to
     let (Some(b), Some(a)) = (points.get(next), next.checked_sub(1).map(|k| &points[k])) else {
         return points.get(next).or(points.last()).map_or(0.0, to);
     };
-    // from(a) < at ≤ from(b)
+    // here from(a) < at ≤ from(b)
     let part = (at - from(a)) / (from(b) - from(a));
     to(a) + part * (to(b) - to(a))
 }
 
-/// What the three plots show.
+/// The curves of the three plots.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curves {
     /// ψ·ℓ of source and target.
     pub kernel: [Curve; 2],
     /// ω̃ of source and target.
     pub measure: [Curve; 2],
-    /// r̃, the arc length on the other side over that on the mapped side.
+    /// r̃: arc length on the other side over arc length on the mapped side.
     pub reparameterisation: Curve,
     /// The side that r̃ starts from.
     pub mapped: Side,
@@ -84,7 +83,7 @@ pub struct Curves {
 }
 
 impl Curves {
-    /// The curves of a map, whose anchors are at these fractions of arc length.
+    /// The curves of a map with these anchors, given as fractions of arc length.
     pub fn new<'a>(map: impl Into<BoundaryMap<'a>>, anchors: [f64; 2]) -> Self {
         let BoundaryMap { mapped, loops, kernels, measures, images } = map.into();
         let anchored = Side::BOTH.map(|side| Anchored::new(loops[side as usize], anchors[side as usize]));
@@ -100,12 +99,12 @@ impl Curves {
         Self { kernel, measure, reparameterisation, mapped, anchors: anchored.map(|side| side.origin) }
     }
 
-    /// Where the point at `x` of one side goes on the other: the same harmonic measure.
+    /// The point of the other side with the same harmonic measure as the point at `x`.
     pub fn partner(&self, side: Side, x: f64) -> f64 {
         self.measure[side.other() as usize].inverse_at(self.measure[side as usize].at(x))
     }
 
-    /// From a fraction of the outline's arc length to the part of it from the anchor.
+    /// Converts a fraction of the outline's arc length to the abscissa from the anchor.
     pub fn along(&self, side: Side, fraction: f64) -> f64 {
         (fraction - self.anchors[side as usize]).rem_euclid(1.0)
     }
@@ -116,7 +115,7 @@ impl Curves {
     }
 }
 
-/// A boundary cut open at its anchor; knots as in [`crate::conformal::HarmonicMeasure`].
+/// A boundary cut open at its anchor; its knots are those of [`crate::conformal::HarmonicMeasure`].
 struct Anchored<'a> {
     around: Loop<'a>,
     anchor: BoundaryPoint,
@@ -130,7 +129,7 @@ impl<'a> Anchored<'a> {
         Self { around, anchor, origin: anchor.fraction_in(around.fractions) }
     }
 
-    /// The vertices from the anchor on, m of them; the last one is the anchor itself where that is a vertex.
+    /// The m vertices after the anchor; the last one is the anchor itself if that is a vertex.
     fn vertices(&self) -> impl Iterator<Item = usize> {
         let (first, m) = (self.anchor.edge as usize, self.around.fractions.len());
         (1..=m).map(move |j| (first + j) % m)
@@ -140,7 +139,7 @@ impl<'a> Anchored<'a> {
         self.anchor.fraction == 0.0 && self.anchor.edge as usize == k
     }
 
-    /// The arc length of the m + 2 knots: anchor, vertices, anchor again.
+    /// The arc lengths of the m + 2 knots: the anchor, the vertices, the anchor again.
     fn abscissae(&self) -> impl Iterator<Item = f64> {
         let place = |k: usize| {
             if self.is_vertex(k) { 1.0 } else { (self.around.fractions[k] - self.origin).rem_euclid(1.0) }
@@ -158,13 +157,13 @@ impl<'a> Anchored<'a> {
     }
 }
 
-/// r̃ at the knots of `mapped`: the arc length of the vertices' images from the other anchor.
+/// r̃ at the knots of `mapped`: the arc lengths of the vertices' images from the other anchor.
 fn reparameterisation(mapped: &Anchored, other: &Anchored, images: &[BoundaryPoint]) -> Vec<f64> {
     let mut result = vec![0.0];
     let mut so_far = 0.0_f64;
     for k in mapped.vertices() {
         let behind = images[k].fraction_in(other.around.fractions) - other.origin;
-        // An image beside the anchor may lie on either side of it, by rounding or because ω̃ is flat.
+        // an image next to the anchor may lie on either side of it, by rounding or because ω̃ is flat
         let place = if mapped.is_vertex(k) { 1.0 } else { behind.rem_euclid(1.0) };
         let place = if so_far > 0.5 && place < so_far - 0.5 { 1.0 } else { place };
         let place = if so_far == 0.0 && place > 1.0 - 1e-12 { 0.0 } else { place };
@@ -175,8 +174,8 @@ fn reparameterisation(mapped: &Anchored, other: &Anchored, images: &[BoundaryPoi
     result
 }
 
-/// At most four points in each of `columns` equal parts of [0, 1]: the first, the lowest, the
-/// highest and the last one. Drawn that many pixels wide, the curve looks the same.
+/// Reduces a curve to at most four points in each of `columns` equal parts of [0, 1]: the first, the lowest, the
+/// highest and the last. Drawn that many pixels wide, the curve looks the same.
 pub fn decimate(points: &[[f64; 2]], columns: usize) -> Vec<[f64; 2]> {
     if points.len() <= 4 * columns {
         return points.to_vec();

@@ -1,4 +1,4 @@
-//! The curves against closed forms on the disk.
+//! The curves compared with closed forms on the disk.
 
 use crate::closed_form::ExactMap;
 use crate::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, PreparedSide, prepare};
@@ -27,7 +27,7 @@ fn curves(points: [DVec2; 2], anchors: [f64; 2], direction: Direction) -> Curves
 
 const X: DVec2 = DVec2::new(0.6, 0.2);
 
-/// The disk's size in [`Preset::Disk`]: the mean distance of its samples from its centre, and that centre.
+/// The disk of [`Preset::Disk`]: its center, and the mean distance of its samples from it.
 fn frame(domain: &PreparedSide) -> (DVec2, f64) {
     let points = &domain.domain().unwrap().samples().points;
     let center = points.iter().sum::<DVec2>() / points.len() as f64;
@@ -42,7 +42,7 @@ fn the_kernel_of_the_disk_has_its_closed_form_over_the_arc_length() {
         for &[x, y] in &curves.kernel[0].points {
             let on_circle = DVec2::from_angle(TAU * (x + anchor));
             let exact = (1.0 - X.length_squared()) / on_circle.distance_squared(X);
-            // The peak is 5; 400 samples resolve it to a few parts in a thousand.
+            // the peak is 5; 400 samples resolve it to a few thousandths
             assert!((y - exact).abs() < 0.03, "anchor {anchor}, x {x}: {y} for {exact}");
         }
         for &[x, y] in &curves.kernel[1].points {
@@ -78,7 +78,7 @@ fn from_the_centre_the_reparameterisation_is_the_harmonic_measure() {
     let r = &curves.reparameterisation;
     for k in 0..=50 {
         let x = f64::from(k) / 50.0;
-        // ω of the centre is the arc length, to the mesh's error.
+        // ω from the center is the arc length, up to the mesh's error
         let error = (r.at(x) - curves.measure[0].at(x)).abs();
         assert!(error < 2e-3, "at {x}: {error:e}");
     }
@@ -98,7 +98,7 @@ fn partners_have_the_same_measure_and_are_mutual() {
     }
 }
 
-/// Both ways round, with the anchors anywhere: from the centre r is the measure, else a Möbius map.
+/// In both directions, with any anchors: from the center r is the measure, from other points a Möbius map.
 #[test]
 fn the_exact_curves_lie_under_the_maps_own() {
     let points = [X, DVec2::new(-0.2, 0.4)];
@@ -107,7 +107,7 @@ fn the_exact_curves_lie_under_the_maps_own() {
         let constraints = Constraints::new((points[0], anchors[0]), (points[1], anchors[1]));
         let map = ExactMap::between([Preset::Disk; 2], &constraints).unwrap();
         let exact = ExactCurves::new(&map, &curves);
-        // the kernel's own error with 400 samples
+        // the kernel's error with 400 samples
         assert!(exact.difference < 2e-3, "{:e}", exact.difference);
         for (own, exact) in [
             (&curves.measure[0], &exact.measure[0]),
@@ -122,7 +122,7 @@ fn the_exact_curves_lie_under_the_maps_own() {
             for k in 0..=300 {
                 let x = f64::from(k) / 300.0;
                 let error = (own.at(x) - exact.at(x)).abs();
-                // and what a polyline of 320 points is off by
+                // plus the error of a polyline with 320 points
                 assert!(error < 3e-3, "{} at {x}: {error:e}", own.name);
             }
         }

@@ -1,6 +1,6 @@
-//! An outline that is being drawn: freehand in one stroke, or point by point.
+//! An outline being drawn: freehand in one stroke, or point by point.
 //!
-//! No egui in here. The old outline and its map stay until the new one is closed and is one.
+//! Independent of egui. The old outline and its map stay until the new one is closed and valid.
 
 use crate::conformal::Side;
 use crate::drawing::{DrawingError, closed_curve, freehand};
@@ -8,10 +8,10 @@ use crate::geometry::{DVec2, SimplePolygon};
 use crate::language::Message;
 use crate::model::editing::Crossing;
 
-/// What it is drawn with.
+/// How an outline is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pen {
-    /// The pointer's own way.
+    /// One stroke along the pointer's path.
     Freehand,
     /// Straight edges between clicked points.
     Lines,
@@ -19,44 +19,44 @@ pub enum Pen {
     Curve,
 }
 
-/// An outline on its way.
+/// An outline being drawn.
 #[derive(Debug)]
 pub struct Drawing {
     side: Side,
     pen: Pen,
-    /// The stroke, or the clicked points.
+    /// The points of the stroke, or the clicked points.
     points: Vec<DVec2>,
-    /// Why what was closed is no outline.
+    /// Why the closed chain is not a valid outline.
     crossing: Option<Crossing>,
 }
 
 impl Drawing {
-    /// Begins with nothing.
+    /// An empty drawing.
     pub fn new(side: Side, pen: Pen) -> Self {
         Self { side, pen, points: Vec::new(), crossing: None }
     }
 
-    /// For which side.
+    /// The side that it is drawn for.
     pub fn side(&self) -> Side {
         self.side
     }
 
-    /// What it is drawn with.
+    /// How it is drawn.
     pub fn pen(&self) -> Pen {
         self.pen
     }
 
-    /// The stroke, or the clicked points.
+    /// The points of the stroke, or the clicked points.
     pub fn points(&self) -> &[DVec2] {
         &self.points
     }
 
-    /// Why what was closed is no outline.
+    /// Why the closed chain is not a valid outline.
     pub fn crossing(&self) -> Option<&Crossing> {
         self.crossing.as_ref()
     }
 
-    /// One more point; after a stroke that was no outline, the first one of another.
+    /// Adds a point. After an invalid freehand stroke it is the first point of a new one.
     pub fn add(&mut self, point: DVec2) {
         if self.crossing.take().is_some() && self.pen == Pen::Freehand {
             self.points.clear();
@@ -66,19 +66,19 @@ impl Drawing {
         }
     }
 
-    /// Takes the last point back.
+    /// Removes the last point.
     pub fn take_back(&mut self) {
         self.points.pop();
         self.crossing = None;
     }
 
-    /// Begins anew.
+    /// Removes all points.
     pub fn clear(&mut self) {
         self.points.clear();
         self.crossing = None;
     }
 
-    /// The closed chain that is meant; with `more`, as if that point were clicked next.
+    /// The closed chain as it would be now; with `more`, as if that point were clicked next.
     pub fn chain(&self, more: Option<DVec2>) -> Vec<DVec2> {
         let points: Vec<DVec2> = self.points.iter().copied().chain(more).collect();
         match self.pen {
@@ -87,7 +87,7 @@ impl Drawing {
         }
     }
 
-    /// The message has been read: clicked points stay, a stroke that was no outline goes.
+    /// To be called when the message is dismissed: clicked points stay, an invalid stroke is removed.
     pub fn dismiss(&mut self) {
         self.crossing = None;
         if self.pen == Pen::Freehand {
@@ -95,8 +95,8 @@ impl Drawing {
         }
     }
 
-    /// The finished outline. `pixel`: the size of a pixel, the exactness of a hand. What is none stays
-    /// as it is drawn, and [`Self::crossing`] says why.
+    /// The finished outline. `pixel` is the size of a pixel, the accuracy of a hand. An invalid outline stays
+    /// as drawn, and [`Self::crossing`] says why.
     pub fn close(&mut self, pixel: f64) -> Option<SimplePolygon> {
         match self.polygon(pixel) {
             Ok(polygon) => Some(polygon),
@@ -122,5 +122,5 @@ impl Drawing {
     }
 }
 
-/// How far a stroke is off what is meant, in pixels: a mouse shakes by one, and a finger by two.
+/// The accuracy of a stroke in pixels: a mouse deviates by one, a finger by two.
 const HAND: f64 = 1.5;

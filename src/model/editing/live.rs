@@ -1,4 +1,4 @@
-//! How an outline is prepared while it is being reshaped: coarsely, and so in every frame.
+//! The coarse settings with which an outline is prepared in every frame while it is reshaped.
 
 use crate::conformal::{KernelMode, PrepareSettings};
 use crate::geometry::DVec2;
@@ -6,24 +6,24 @@ use crate::laplace::SolverKind;
 use crate::mesh::Sizing;
 use crate::outline::Sampling;
 
-/// Few enough for 7 ms of preparation on a desktop and 12 in a browser, enough to look like the map that comes.
+/// Few enough for 7 ms of preparation on a desktop and 12 ms in a browser, enough to resemble the final map.
 const SAMPLES: u32 = 400;
-/// As coarse as the eye allows: at 0.1 there are twice as many triangles.
+/// As coarse as looks acceptable: 0.1 gives twice as many triangles.
 const GROWTH: f64 = 0.2;
 
-/// How a hand has reshaped an outline.
+/// The points of an outline that was reshaped, and whether it still is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reshaped {
-    /// The side's interior point; where it is not inside any more, the nearest place there serves.
+    /// The side's interior point; if it is no longer inside, the nearest point inside is used.
     pub interior: Option<DVec2>,
-    /// Its boundary point, a fraction of the new outline's length.
+    /// The side's boundary point, as a fraction of the new outline's length.
     pub anchor: f64,
-    /// Whether the hand still has it.
+    /// Whether the drag is still going on.
     pub in_hand: bool,
 }
 
 impl Reshaped {
-    /// How to prepare an outline that is meant to be prepared as `wanted`.
+    /// The settings to use for an outline whose requested settings are `wanted`.
     pub fn settings(reshaped: Option<Self>, wanted: PrepareSettings) -> PrepareSettings {
         if reshaped.is_none_or(|reshaped| !reshaped.in_hand) {
             return wanted;

@@ -1,10 +1,10 @@
-//! Outlines that are made or changed by hand: state and geometry, without the pointer.
+//! Outlines drawn or changed by hand: state and geometry, independent of the pointer.
 //!
-//! | what | file |
+//! | content | file |
 //! |---|---|
-//! | an outline that is being drawn | `drawing` |
-//! | how an outline is prepared while it is being reshaped | `live` |
-//! | an outline that is being reshaped | `reshaping` |
+//! | an outline being drawn | `drawing` |
+//! | the settings with which an outline is prepared while it is reshaped | `live` |
+//! | an outline being reshaped | `reshaping` |
 //! | the outline of the largest shape in a picture | `tracing` |
 
 mod drawing;

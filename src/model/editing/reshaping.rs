@@ -1,7 +1,7 @@
-//! An outline that is being reshaped: what is in hand, what was good last, where it crosses itself.
+//! An outline being reshaped: the handle being dragged, the last valid outline, and the place of a self-crossing.
 //!
-//! No egui in here. Every change is a whole new outline for the model; what the boundary point and
-//! the interior point were at the beginning of a drag they are again at its end, if the outline allows it.
+//! Independent of egui. Every change sends a whole new outline to the model. At the end of a drag the boundary point
+//! and the interior point are the same as at its beginning, if the outline allows it.
 
 use crate::conformal::Side;
 use crate::drawing::{DrawingError, Shape, carried_fraction};
@@ -11,48 +11,48 @@ use crate::model::editing::live::Reshaped;
 use crate::model::{Model, names};
 use crate::session::OutlineSpec;
 
-/// What has a handle in hand.
+/// The input that drags a handle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Hold {
     /// The pointer.
     Pointer,
-    /// Arrow keys that are down.
+    /// Arrow keys that are held down.
     Keys,
 }
 
-/// A handle in hand.
+/// A handle being dragged.
 #[derive(Debug)]
 struct Grip {
-    /// What was good when it was grabbed.
+    /// The valid outline when the drag began.
     from: Form,
     handle: usize,
     hold: Hold,
 }
 
-/// A change of the outline.
+/// A change other than a drag.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change {
-    /// A handle more, on the boundary near a place.
+    /// Inserts a handle on the boundary near a point.
     Insert(DVec2),
-    /// A handle less.
+    /// Removes a handle.
     Remove(usize),
-    /// Corners become round.
+    /// Rounds the corners.
     Smooth,
-    /// The mirror image.
+    /// Mirrors the outline.
     Mirror,
 }
 
-/// Why the outline in hand is none.
+/// Why the outline being edited is invalid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Crossing {
-    /// Where in the plane.
+    /// The place in the plane.
     pub at: Option<DVec2>,
-    /// What is wrong.
+    /// The message.
     pub text: Message,
 }
 
 impl Crossing {
-    /// What is wrong with `chain`, its place in no more digits than can be seen.
+    /// Describes what is wrong with `chain`, with coordinates rounded to visible digits.
     pub fn of(error: &PolygonError, chain: &[DVec2]) -> Self {
         let size = Bounds::of(chain.iter().copied()).size().max_element();
         let digits = (3.0 - size.log10().floor()).clamp(0.0, 12.0);
@@ -75,26 +75,26 @@ struct Form {
     anchor: f64,
 }
 
-/// The outline of one side under the hand.
+/// The editing state of one side's outline.
 #[derive(Debug)]
 pub struct Reshaping {
     side: Side,
-    /// What it is called from its first change on.
+    /// The name of the outline after its first change.
     name: String,
-    /// The outline that the model was asked for last.
+    /// The outline last sent to the model.
     sent: OutlineSpec,
-    /// The last good form.
+    /// The last valid outline.
     good: Form,
     grip: Option<Grip>,
-    /// What is drawn: the good one, or one that crosses itself.
+    /// The shape drawn: the last valid one, or one that crosses itself.
     shape: Shape,
     crossing: Option<Crossing>,
-    /// The handle that keys and buttons mean.
+    /// The handle to which keys and buttons apply.
     pub selected: Option<usize>,
 }
 
 impl Reshaping {
-    /// Takes up the outline of a side.
+    /// Starts editing the outline of a side.
     pub fn new(side: Side, model: &Model) -> Self {
         let sent = model.side(side).wanted().outline.clone();
         let good = form(side, &sent, model);
@@ -102,33 +102,33 @@ impl Reshaping {
         Self { side, name, sent, good, grip: None, shape, crossing: None, selected: None }
     }
 
-    /// Whose outline it is.
+    /// The side whose outline is edited.
     pub fn side(&self) -> Side {
         self.side
     }
 
-    /// The outline in hand.
+    /// The shape being edited.
     pub fn shape(&self) -> &Shape {
         &self.shape
     }
 
-    /// Why it is none, if it is none.
+    /// Why the shape is invalid, if it is.
     pub fn crossing(&self) -> Option<&Crossing> {
         self.crossing.as_ref()
     }
 
-    /// The handle in hand.
+    /// The handle being dragged.
     pub fn grabbed(&self) -> Option<usize> {
         self.grip.as_ref().map(|grip| grip.handle)
     }
 
-    /// The handle in hand, if that is what `hold` has.
+    /// The handle being dragged by `hold`.
     pub fn held_by(&self, hold: Hold) -> Option<usize> {
         self.grip.as_ref().filter(|grip| grip.hold == hold).map(|grip| grip.handle)
     }
 
-    /// Takes up the side's outline anew if it has become another one by other means; a handle of the old one that was
-    /// in hand is let go.
+    /// Starts again if the side's outline was replaced by other means; a drag of a handle of the old outline
+    /// ends.
     pub fn follow(&mut self, model: &Model) {
         if !self.is_replaced(model) {
             return;
@@ -143,13 +143,13 @@ impl Reshaping {
         self.selected = None;
     }
 
-    /// Whether another outline than that in hand is wanted: not one that failed on the way of a hand.
+    /// Whether the model's requested outline was replaced by other means, and not reset because a dragged one failed.
     fn is_replaced(&self, model: &Model) -> bool {
         let side = model.side(self.side);
         side.wanted().outline != self.sent && !(self.grip.is_some() && side.is_in_hand())
     }
 
-    /// Takes a handle in hand; what was in another one is let go.
+    /// Starts dragging a handle; another drag is ended first.
     pub fn grab(&mut self, handle: usize, hold: Hold, model: &mut Model) {
         self.release(model);
         self.selected = Some(handle);
@@ -157,14 +157,14 @@ impl Reshaping {
         self.grip = Some(Grip { from: self.good.clone(), handle, hold });
     }
 
-    /// Lets go without a word to the model: what it has been told stays.
+    /// Ends the drag without telling the model, which keeps the last outline sent.
     pub fn drop_handle(&mut self) {
         self.grip = None;
         self.shape = self.good.shape.clone();
         self.crossing = None;
     }
 
-    /// Moves the handle in hand; the model follows coarsely while the outline is one.
+    /// Moves the dragged handle. While the outline is valid, the model follows with a coarse mesh.
     pub fn drag(&mut self, to: DVec2, model: &mut Model) {
         let Some(Grip { from, handle, .. }) = self.grip.as_ref().filter(|_| !self.is_replaced(model)) else { return };
         let (from, shape) = (from.clone(), from.shape.moved(*handle, to));
@@ -174,7 +174,7 @@ impl Reshaping {
         }
     }
 
-    /// Lets the handle go. Where the outline crossed itself, the last good one stays; returns whether it did.
+    /// Ends the drag. If the outline crosses itself, it returns to the last valid one; returns whether it did.
     pub fn release(&mut self, model: &mut Model) -> bool {
         if self.grip.take().is_none() {
             return false;
@@ -187,7 +187,7 @@ impl Reshaping {
         crossed
     }
 
-    /// Makes a change at once; a handle in hand is let go first. Errors: why it was not made.
+    /// Applies a change; a drag is ended first. Errors: why the change is impossible.
     pub fn change(&mut self, change: Change, model: &mut Model) -> Result<(), DrawingError> {
         self.release(model);
         self.remember_points(model);
@@ -227,7 +227,7 @@ impl Reshaping {
         Ok(())
     }
 
-    /// The form with another shape; `None` and a crossing if that is no outline.
+    /// `from` with another shape; `None`, and a crossing, if that shape is not a valid outline.
     fn tried(&mut self, from: &Form, shape: Shape) -> Option<Form> {
         self.shape = shape.clone();
         match formed(from, shape) {
@@ -242,7 +242,8 @@ impl Reshaping {
         }
     }
 
-    /// The points may have been moved since the last change; while that is prepared, they are its own.
+    /// Updates the points, which may have been moved since the last change. Does nothing while that change is being
+    /// prepared.
     fn remember_points(&mut self, model: &Model) {
         if model.side(self.side).is_busy() {
             return;
@@ -254,13 +255,13 @@ impl Reshaping {
 
     fn send(&mut self, model: &mut Model, in_hand: bool) {
         let Form { interior, mut anchor, .. } = self.good;
-        // the outline was found to be one when it became the good one
+        // cannot fail: the shape was checked when it became the last valid one
         let Ok(polygon) = self.good.shape.polygon() else { return };
         if polygon.was_clockwise() {
             anchor = (1.0 - anchor).rem_euclid(1.0);
         }
         if polygon.was_clockwise() && !in_hand {
-            // turned inside out: from now on the other way round
+            // turned inside out: from now on the shape has the opposite orientation
             self.shape = Shape::new(&polygon);
             self.good.anchor = carried_fraction(polygon.vertices(), self.shape.vertices(), anchor);
             self.good.shape = self.shape.clone();
@@ -271,7 +272,7 @@ impl Reshaping {
     }
 }
 
-/// An outline of a side with the points that the side has.
+/// The outline of a side with the side's points.
 fn form(side: Side, outline: &OutlineSpec, model: &Model) -> Form {
     let polygon = outline.polygon();
     let shape = Shape::new(&polygon);
@@ -279,7 +280,7 @@ fn form(side: Side, outline: &OutlineSpec, model: &Model) -> Form {
     Form { shape, interior: model.interior(side), anchor }
 }
 
-/// The form with another shape, the boundary point on the same part of it. Errors: the shape is no outline.
+/// `from` with another shape and the boundary point on the same part of it. Errors: the shape is not a valid outline.
 fn formed(from: &Form, shape: Shape) -> Result<Form, PolygonError> {
     shape.polygon()?;
     let anchor = carried_fraction(from.shape.vertices(), shape.vertices(), from.anchor);

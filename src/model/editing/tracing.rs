@@ -1,8 +1,8 @@
 //! The outline of the largest shape in a picture.
 //!
-//! Where the picture has transparent parts the shape is what is not; else it is what differs in
-//! brightness from the picture's edge, beyond Otsu's threshold. Marching squares (crate `contour`) with
-//! linear interpolation give rings to a fraction of a pixel; of these the one of largest area is simplified and rounded.
+//! In a picture with transparent parts the shape is the opaque part; otherwise it is the part whose brightness differs
+//! from that of the picture's edge, separated by Otsu's threshold. Marching squares (crate `contour`) with
+//! linear interpolation give rings with subpixel accuracy; the ring of largest area is simplified and rounded.
 
 use crate::drawing::{curve_with_corners, simplified_ring};
 use crate::geometry::{DVec2, PolygonError, SimplePolygon};
@@ -12,35 +12,36 @@ use crate::outline::{Outline, OutlineNote};
 use contour::ContourBuilder;
 use image::RgbaImage;
 
-/// A picture is made smaller before it is traced: finer than this, edges show the noise of the camera.
+/// Larger pictures are scaled down before tracing: at a finer resolution edges show the camera's noise.
 pub const MAX_SIDE: u32 = 1024;
 
-/// A shape takes at least this part of the picture: smaller ones are specks.
+/// The smallest part of the picture that counts as a shape; smaller ones are specks.
 const LEAST_SHARE: f64 = 1e-3;
 
-/// How far the outline may be from the ring, in pixels: the stairs of a picture without grey edges are half a pixel high.
+/// The largest distance of the outline from the ring in pixels: the steps of a picture without antialiasing are half a
+/// pixel high.
 const TOLERANCE: f64 = 0.75;
 
-/// How far the chords of the rounded outline may be from it, in pixels: the curve turns with every stair,
-/// and would have a thousand points to say so.
+/// The largest distance of the polygon from the rounded outline in pixels. The curve turns with every step of the ring,
+/// so that a smaller distance would need a thousand points.
 const INVISIBLE: f64 = 0.1;
 
-/// The most points that the outline goes through; a ring that needs more is followed more coarsely.
+/// The maximal number of points that the outline goes through; a ring that needs more is approximated more coarsely.
 const MOST_POINTS: usize = 300;
 
-/// Values that differ by less than this (of 1) are one colour: 5 of 255 steps.
+/// Values that differ by less than this (of 1) count as one color: 5 of 255 steps.
 const LEAST_CONTRAST: f64 = 0.02;
 
 /// Why a picture has no outline.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TraceError {
-    /// Nothing differs from anything.
+    /// All pixels have one color.
     #[error("the whole picture has one colour: there is no shape to trace")]
     OneColour,
-    /// Only specks.
+    /// There are only specks.
     #[error("no shape was found in the picture: the largest one takes less than a thousandth of it")]
     NoShape,
-    /// The ring is no outline.
+    /// The ring is not a valid outline.
     #[error(transparent)]
     Outline(#[from] PolygonError),
 }
@@ -55,7 +56,7 @@ impl From<&TraceError> for Message {
     }
 }
 
-/// The outline of the largest shape, in pixels, y upwards.
+/// The outline of the largest shape, in pixels, y up.
 pub fn trace(name: &str, picture: &RgbaImage) -> Result<Outline, TraceError> {
     let (values, threshold) = strengths(picture)?;
     let mut rings = rings(&values, picture.dimensions(), threshold);
@@ -68,13 +69,13 @@ pub fn trace(name: &str, picture: &RgbaImage) -> Result<Outline, TraceError> {
     Ok(Outline { name, polygon: simplified(&ring)?, notes })
 }
 
-/// How much each pixel is of the shape, from 0 to 1, and from which value on it belongs to it.
+/// For each pixel how strongly it belongs to the shape, from 0 to 1, and the threshold from which it does.
 fn strengths(picture: &RgbaImage) -> Result<(Vec<f64>, f64), TraceError> {
     let alpha: Vec<f64> = picture.pixels().map(|pixel| f64::from(pixel[3]) / 255.0).collect();
     if contrast(&alpha) > 0.5 {
         return Ok((alpha, 0.5));
     }
-    // Rec. 709
+    // the luminance of Rec. 709
     let brightness =
         |[r, g, b, _]: [u8; 4]| (0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b)) / 255.0;
     let mut values: Vec<f64> = picture.pixels().map(|pixel| brightness(pixel.0)).collect();
@@ -96,7 +97,7 @@ fn contrast(values: &[f64]) -> f64 {
     high - low
 }
 
-/// Whether most of the pixels along the picture's edge are brighter than `threshold`.
+/// Whether most of the pixels at the picture's edge are brighter than `threshold`.
 fn is_bright_at_the_edge(values: &[f64], width: usize, threshold: f64) -> bool {
     let rows = values.chunks_exact(width.max(1));
     let last = rows.len().saturating_sub(1);
@@ -111,8 +112,8 @@ fn is_bright_at_the_edge(values: &[f64], width: usize, threshold: f64) -> bool {
     2 * bright > all
 }
 
-/// Otsu's threshold (1979): the one that makes the variance between the two classes largest. Where an
-/// empty part of the histogram lies between them, its middle.
+/// Otsu's threshold (1979), which maximizes the variance between the two classes. If there is an empty
+/// part of the histogram between them, the threshold is its middle.
 fn otsu(values: &[f64]) -> f64 {
     let mut histogram = [0.0; 256];
     for value in values {
@@ -140,7 +141,7 @@ fn otsu(values: &[f64]) -> f64 {
     (0.5 * (best.1[0] + best.1[1]) as f64 + 0.5) / 255.0
 }
 
-/// The closed lines at `threshold`, y upwards; the picture lies in a frame of nothing, so that all are closed.
+/// The level lines at `threshold`, y up. The picture is framed by zeros, so that all lines are closed.
 fn rings(values: &[f64], (width, height): (u32, u32), threshold: f64) -> Vec<Vec<DVec2>> {
     let (w, h) = (width as usize, height as usize);
     let mut framed = vec![0.0; (w + 2) * (h + 2)];
@@ -148,7 +149,7 @@ fn rings(values: &[f64], (width, height): (u32, u32), threshold: f64) -> Vec<Vec
         let start = (row + 1) * (w + 2) + 1;
         framed[start..start + w].copy_from_slice(line);
     }
-    // the frame has as many values as the builder is told
+    // the frame has exactly the size given to the builder
     let lines = ContourBuilder::new(w + 2, h + 2, true).lines(&framed, &[threshold]).unwrap_or_default();
     let places = lines.iter().flat_map(contour::Line::geometry).map(|ring| ring.coords().map(|p| (p.x, p.y)));
     places.map(|ring| closed(&ring.collect::<Vec<_>>(), f64::from(height))).collect()
@@ -156,7 +157,7 @@ fn rings(values: &[f64], (width, height): (u32, u32), threshold: f64) -> Vec<Vec
 
 /// A ring without its repeated last point.
 fn closed(ring: &[(f64, f64)], height: f64) -> Vec<DVec2> {
-    // the frame shifts by one; the builder puts pixel k at k + ½
+    // the frame shifts by one; the builder places pixel k at k + ½
     let mut points: Vec<DVec2> = ring.iter().map(|&(x, y)| DVec2::new(x - 1.0, height - (y - 1.0))).collect();
     points.dedup();
     if points.len() > 1 && points.first() == points.last() {
@@ -171,7 +172,8 @@ fn area(ring: &[DVec2]) -> f64 {
     0.5 * ring.iter().zip(next).map(|(&a, &b)| (a - origin).perp_dot(b - origin)).sum::<f64>().abs()
 }
 
-/// The outline of a ring: a curve with corners through few of its points; where that crosses itself, the ring's own.
+/// The outline of a ring: a curve with corners through few of its points, or the ring itself if the curve crosses
+/// itself.
 fn simplified(ring: &[DVec2]) -> Result<SimplePolygon, PolygonError> {
     let mut tolerance = TOLERANCE;
     let mut points = at(ring, &simplified_ring(ring, tolerance));
@@ -198,7 +200,7 @@ mod tests {
     const WHITE: Rgba<u8> = Rgba([255, 255, 255, 255]);
     const INK: Rgba<u8> = Rgba([30, 40, 60, 255]);
 
-    /// A picture of what is `inside`, 200 by 160 with three pixels to the unit, without grey edges.
+    /// A picture of the set `inside`, 200 by 160 pixels with three pixels per unit, without antialiasing.
     fn picture(colours: [Rgba<u8>; 2], inside: impl Fn(f64, f64) -> bool) -> RgbaImage {
         let place = |pixel: u32| (f64::from(pixel) + 0.5) / 3.0;
         RgbaImage::from_fn(600, 480, |x, y| colours[usize::from(inside(place(x), place(y)))])

@@ -1,12 +1,12 @@
-//! Closed ways through the family of maps, from the points of a model.
+//! Loops through the family of maps, started at the points of a model.
 
 use crate::conformal::{PerSide, Side};
 use crate::family::{Loop, Path, Place, Start};
 use crate::model::Model;
 use crate::session::Command;
 
-/// The loop along `path` that begins at the model's points; `None` while its map is not complete, and where nothing
-/// would move.
+/// The loop along `path` that starts at the model's points; `None` if the map is not complete, or if no point would
+/// move.
 pub fn begin(model: &Model, path: Path) -> Option<Loop> {
     if !model.is_ready() {
         return None;
@@ -16,7 +16,7 @@ pub fn begin(model: &Model, path: Path) -> Option<Loop> {
     Loop::new(path, &Start { sides: sides.both()?, measure: map.measure(Side::Source) })
 }
 
-/// What brings a session's points to a place.
+/// The commands that move a session's points to a place on the loop.
 pub fn commands(place: Place) -> impl Iterator<Item = Command> {
     let moved = move |side: Side| {
         let point = place.interior[side as usize]?;

@@ -1,10 +1,10 @@
-//! The picture set in motion: its points go along a loop through the family of maps until they are paused.
+//! Animation: the points of a session move along a loop through the family of maps until they are paused.
 //!
-//! Nothing plays by itself. A pause leaves the points where they are, and playing on from there goes on along
-//! the same loop. All of it is one change of the session: it comes to rest when it is paused.
+//! Nothing starts by itself. After a pause the points stay where they are, and playing again continues on
+//! the same loop. The whole motion is one change of the session, which settles when it is paused.
 //!
-//! A way begins at a complete map. Where another motion is chosen while the map is behind the points, they stand
-//! still until it is there; where outlines or the surface become others meanwhile, the motion ends.
+//! A loop starts at a complete map. If another path is chosen while the map lags behind the points, they wait
+//! until it has caught up; if an outline or a surface is replaced meanwhile, the motion ends.
 
 pub mod looping;
 
@@ -14,37 +14,37 @@ use crate::model::Model;
 use crate::session::Command;
 use std::sync::Arc;
 
-/// How long a turn takes, in seconds.
+/// The allowed durations of a turn, in seconds.
 pub const PERIODS: std::ops::RangeInclusive<f64> = 2.0..=60.0;
-/// Slow enough for the eye to follow a line, fast enough not to wait for the end.
+/// The default duration of a turn: slow enough to follow a line by eye, fast enough not to wait for the end.
 const PERIOD: f64 = 12.0;
-/// A pause between frames is taken for at most this long, in seconds.
+/// Longer pauses between frames count as this many seconds.
 const LONGEST_FRAME: f64 = 0.1;
 
-/// What a person does to the motion.
+/// A user's change of the motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PlayAction {
     /// Play, or pause.
     Toggle,
-    /// Move other points.
+    /// Choose which points move.
     Along(Path),
-    /// Seconds for a turn.
+    /// Set the seconds per turn.
     Period(f64),
 }
 
-/// The motion.
+/// The state of the motion.
 #[derive(Debug)]
 pub struct Player {
     path: Path,
     period: f64,
     is_playing: bool,
-    /// The way that was gone last, as long as the points are where it left them.
+    /// The last loop, kept while the points are where it left them.
     run: Option<Run>,
-    /// What the map that is waited for is made from.
+    /// The prepared sides of the map that the motion is waiting for.
     awaited: Option<Scene>,
 }
 
-/// A way, and where on it.
+/// A loop and the position on it.
 #[derive(Debug)]
 struct Run {
     way: Loop,
@@ -54,7 +54,7 @@ struct Run {
     scene: Scene,
 }
 
-/// The prepared sides that a way leads through.
+/// The prepared sides that a loop belongs to.
 #[derive(Debug, Clone)]
 struct Scene {
     sides: [Option<Arc<PreparedSide>>; 2],
@@ -67,27 +67,27 @@ impl Default for Player {
 }
 
 impl Player {
-    /// Which points move.
+    /// The points that move.
     pub fn path(&self) -> Path {
         self.path
     }
 
-    /// Seconds for a turn.
+    /// Seconds per turn.
     pub fn period(&self) -> f64 {
         self.period
     }
 
-    /// Whether they do, or will as soon as the map is there.
+    /// Whether the points move, or will move once the map is complete.
     pub fn is_playing(&self) -> bool {
         self.is_playing
     }
 
-    /// Whether they do now.
+    /// Whether the points are moving now.
     pub fn is_moving(&self) -> bool {
         self.is_playing && self.awaited.is_none()
     }
 
-    /// Lets the points stay where they are.
+    /// Stops the points where they are.
     pub fn pause(&mut self) {
         (self.is_playing, self.awaited) = (false, None);
         if let Some(run) = &mut self.run {
@@ -95,7 +95,7 @@ impl Player {
         }
     }
 
-    /// Does what is asked for. Where nothing can move, nothing plays.
+    /// Applies an action. If no point can move, playing does not start.
     pub fn act(&mut self, action: PlayAction, model: &Model) {
         match action {
             PlayAction::Toggle if self.is_playing => self.pause(),
@@ -117,7 +117,7 @@ impl Player {
         self.is_playing = self.run.is_some();
     }
 
-    /// Plays on as soon as the awaited map is there; no more where it will be that of another scene.
+    /// Continues once the awaited map is complete; pauses if a side has been replaced.
     fn go_on_when_ready(&mut self, model: &Model) {
         let Some(scene) = &self.awaited else { return };
         if !scene.is_of(model) {
@@ -128,11 +128,11 @@ impl Player {
         }
     }
 
-    /// The moves of a frame at the time `now`, in seconds. Where the scene is another one by now, it ends.
+    /// The commands of the frame at the time `now`, in seconds. The motion ends if a side has been replaced.
     pub fn advance(&mut self, model: &Model, now: f64) -> Vec<Command> {
         self.go_on_when_ready(model);
         if self.run.as_ref().is_some_and(|run| !run.scene.is_of(model)) {
-            // nor is what was prepared for a scene that is gone kept for a way that is paused
+            // also drop a paused loop, so that it does not keep the old sides alive
             (self.is_playing, self.run) = (false, None);
         }
         let Some(run) = self.run.as_mut().filter(|_| self.is_playing) else { return Vec::new() };
@@ -148,7 +148,7 @@ impl Run {
         Self { way, t: 0.0, at: None, scene: Scene::of(model) }
     }
 
-    /// Whether the model's points are where the way has left them.
+    /// Whether the model's points are where the loop has left them.
     fn is_at(&self, model: &Model) -> bool {
         let Place { interior, anchor } = self.way.at(self.t);
         let session = model.session();
@@ -166,7 +166,7 @@ impl Scene {
         Self { sides: Side::BOTH.map(|side| model.prepared(side).cloned()) }
     }
 
-    /// Whether the same still stands on the model's sides.
+    /// Whether the model still has the same prepared sides.
     fn is_of(&self, model: &Model) -> bool {
         let now = Self::of(model);
         self.sides.iter().zip(&now.sides).all(|(ours, there)| is_same(ours.as_ref(), there.as_ref()))

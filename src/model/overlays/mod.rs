@@ -1,7 +1,6 @@
-//! The overlays: the way through the disk beside the map, random walks beside the measure, the grid of the disk.
+//! Overlays: the map through the disk, random walks for the harmonic measure, and the disk's grid.
 //!
-//! Work is dosed: whatever is asked here takes a fraction of a frame, and
-//! the answer says when to ask again.
+//! Each call does work for a fraction of a frame and returns when to call again.
 
 pub mod disk_comparison;
 pub mod overlay;
@@ -16,14 +15,14 @@ use overlay::Overlays;
 use std::sync::Arc;
 use walks::Walks;
 
-/// The map on the screen and what it is made from.
+/// The map on the screen and its inputs.
 #[derive(Debug, Clone, Copy)]
 pub struct Situation<'a> {
     /// The map.
     pub map: &'a ConformalMap,
     /// Its domains.
     pub domains: [&'a Arc<MeshedDomain>; 2],
-    /// Counts the map's changes.
+    /// The generation of the map, increased with every change.
     pub generation: u64,
     /// x₁, x₂.
     pub points: [DVec2; 2],
@@ -38,7 +37,7 @@ impl Situation<'_> {
     }
 }
 
-/// The state of all of it.
+/// The state of all overlays.
 #[derive(Debug, Default)]
 pub struct OverlayState {
     /// The way through the disk.
@@ -51,16 +50,16 @@ pub struct OverlayState {
 }
 
 impl OverlayState {
-    /// Brings everything up to date at the time `now` (seconds); in how many seconds to come back, if at all.
+    /// Updates all overlays at the time `now` in seconds; returns the seconds until the next call is needed, if any.
     pub fn advance(&mut self, situation: &Situation, comparison: Comparison, now: f64) -> Option<f64> {
         let compared = self.disk_comparison.advance(situation, comparison, now);
         let walked = self.walks.advance(situation, now);
-        // The panel and the plots were laid out before.
+        // this frame's panel and plots have already been laid out, so another one is needed
         let renewed = self.overlays.update(&self.disk_comparison, &self.walks).then_some(0.0);
         [compared, walked, renewed].into_iter().flatten().reduce(f64::min)
     }
 
-    /// What the plots draw over the map's own curves.
+    /// The curves drawn over the map's own.
     pub fn overlays(&self) -> &Overlays {
         &self.overlays
     }

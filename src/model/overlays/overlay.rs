@@ -1,4 +1,4 @@
-//! Curves that the plots draw over the map's own, by name.
+//! Curves of overlays, drawn in the plots over the map's own.
 
 use crate::language::{Label, key};
 use crate::model::curves::Curve;
@@ -6,17 +6,17 @@ use crate::model::overlays::disk_comparison::DiskComparison;
 use crate::model::overlays::walks::Walks;
 use crate::session::DiskWay;
 
-/// Whose curve it is: decides the colour.
+/// The source of a curve, which determines its color.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// A way through the disk.
+    /// A method through the disk.
     Disk(DiskWay),
     /// Random walks.
     Walks,
 }
 
 impl Origin {
-    /// Its English name in a plot's legend and in the panel.
+    /// Its name in a plot's legend and in the panel.
     pub fn name(self) -> Label {
         match self {
             Self::Disk(DiskWay::Fresh) => key::through_disk_fresh(),
@@ -25,7 +25,7 @@ impl Origin {
         }
     }
 
-    /// Its English name where there is little room.
+    /// Its short name.
     pub fn short_name(self) -> Label {
         match self {
             Self::Disk(DiskWay::Fresh) => key::disk_fresh(),
@@ -34,13 +34,13 @@ impl Origin {
         }
     }
 
-    /// Whether its lines are dashed. A fresh disk map agrees with this map where all goes well: both are to be seen then.
+    /// Whether its lines are dashed: a fresh disk map ideally coincides with this map, and both must be visible.
     pub fn is_dashed(self) -> bool {
         self == Self::Disk(DiskWay::Fresh)
     }
 }
 
-/// One curve.
+/// A curve and its source.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overlay {
     /// Whose.
@@ -49,19 +49,19 @@ pub struct Overlay {
     pub curve: Curve,
 }
 
-/// All of them, by plot, from the lowest to the topmost.
+/// All curves of overlays by plot, from bottom to top.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Overlays {
-    /// Over the harmonic measure.
+    /// Drawn over the harmonic measure.
     pub measure: Vec<Overlay>,
-    /// Over the reparameterisation.
+    /// Drawn over the reparameterization.
     pub reparameterisation: Vec<Overlay>,
-    /// What they were made from.
+    /// The versions of the disk comparison and of the walks that the curves come from.
     versions: [u64; 2],
 }
 
 impl Overlays {
-    /// Renews them when the disk's or the walks' have changed; whether they have.
+    /// Updates the curves if the disk comparison or the walks have changed; returns whether they have.
     pub fn update(&mut self, disk: &DiskComparison, walks: &Walks) -> bool {
         let versions = [disk.version(), walks.version()];
         if self.versions == versions {

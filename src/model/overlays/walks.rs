@@ -1,9 +1,9 @@
-//! Random walks from x₁, counted where they hit: harmonic measure as Kakutani saw it (1944).
+//! Random walks from x₁, counted where they hit the boundary: harmonic measure after Kakutani (1944).
 //!
-//! A walk takes 1/speed seconds: it is made when it begins and unfolds until it is
-//! counted. Fast walks go in batches, for a part of a frame at most; what does not fit
-//! is left out, so the page stays smooth and the speed is an upper bound. The seed is
-//! fixed: the same start gives the same walks.
+//! A walk takes 1/speed seconds: it is computed when it starts and drawn step by step until it is counted.
+//! Fast walks are computed in batches, for at most a part of a frame; the rest is skipped, so that the
+//! page stays responsive and the speed is an upper bound. The seed is fixed: the same start gives the
+//! same walks.
 
 use crate::conformal::{HitCounts, MeshedDomain, Side, WalkCircle, WalkStep, Walker};
 use crate::geometry::DVec2;
@@ -15,38 +15,38 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use web_time::Instant;
 
-/// Walks per second.
+/// The allowed numbers of walks per second.
 pub const SPEEDS: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
-/// Up to this speed a walk is seen on its way.
+/// The largest speed at which single walks are drawn.
 const SEEN_SPEED: f64 = 30.0;
 
-/// Parts of the boundary in which hits are counted, of equal length.
+/// The number of parts of equal length into which the boundary is divided for counting hits.
 pub const BINS: usize = 120;
 
-/// What a frame spends on walking.
+/// The time for walks in a frame, in milliseconds.
 const FRAME_MS: f64 = 8.0;
-/// Walks between two looks at the clock: 0.3 ms at 5 to 10 µs a walk.
+/// The number of walks between two checks of the clock: 0.3 ms at 5 to 10 µs per walk.
 const BATCH: u32 = 32;
-/// A pause between frames is taken for at most this long, in seconds.
+/// Longer pauses between frames count as this many seconds.
 const LONGEST_FRAME: f64 = 0.1;
 
-/// The latest hits, which are marked on the boundary.
+/// The number of latest hits marked on the boundary.
 const MARKED_HITS: usize = 250;
 
 const SEED: u64 = 1944;
 
-/// What a person does to the walks.
+/// A user's change of the walks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WalkAction {
     /// Start or pause.
     Toggle,
-    /// Walks per second.
+    /// Set the number of walks per second.
     Speed(f64),
-    /// Forget all hits.
+    /// Discard all hits.
     Clear,
 }
 
-/// A walk that unfolds.
+/// A walk that is being drawn.
 #[derive(Debug)]
 struct Walk {
     circles: Vec<WalkCircle>,
@@ -54,7 +54,7 @@ struct Walk {
     place: DVec2,
 }
 
-/// Walks from one point of one domain.
+/// The walks from one point of one domain.
 #[derive(Debug)]
 struct Start {
     domain: Arc<MeshedDomain>,
@@ -66,22 +66,22 @@ struct Start {
 }
 
 impl Start {
-    /// The share of the hits from the anchor to the beginning of each bin, and to the end of the last one.
+    /// The share of hits between the anchor and the start of each bin, and the end of the last one.
     fn shares(&self) -> impl Iterator<Item = f64> + '_ {
         let total = self.counts.total() as f64;
-        // whole numbers are added exactly
+        // sums of integers are exact
         running_sum(self.counts.counts().iter().map(|&count| count as f64)).map(move |sum| sum / total)
     }
 }
 
-/// The walks' state.
+/// The state of the walks.
 #[derive(Debug)]
 pub struct Walks {
     running: bool,
     per_second: f64,
     start: Option<Start>,
     recent: VecDeque<DVec2>,
-    /// Walks that are due; its fraction is how far the present one has come.
+    /// The number of walks that are due; its fractional part is the progress of the current walk.
     due: f64,
     last_time: Option<f64>,
     error: Option<Message>,
@@ -103,19 +103,19 @@ impl Default for Walks {
     }
 }
 
-/// One bin of the boundary.
+/// The counts of one bin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bar {
-    /// Its middle: a fraction of arc length.
+    /// The middle of the bin as a fraction of arc length.
     pub at: f64,
-    /// The share of the hits, and the harmonic measure, over the largest measure of a bin.
+    /// The share of hits, relative to the largest harmonic measure of a bin.
     pub hits: f64,
-    /// See `hits`.
+    /// The harmonic measure, relative to the largest one of a bin.
     pub expected: f64,
 }
 
 impl Walks {
-    /// Does what was asked for.
+    /// Applies an action.
     pub fn act(&mut self, action: WalkAction) {
         match action {
             WalkAction::Toggle => self.running = !self.running,
@@ -132,7 +132,7 @@ impl Walks {
         self.version += 1;
     }
 
-    /// Walks on; in how many seconds to come back, if at all.
+    /// Advances the walks; returns the seconds until the next call is needed, if any.
     pub fn advance(&mut self, situation: &Situation, now: f64) -> Option<f64> {
         let (point, anchor) = (situation.points[0], situation.anchors[0]);
         let domain = situation.domains[0];
@@ -170,7 +170,7 @@ impl Walks {
         }
     }
 
-    /// Ends the walks that are due and begins the next one.
+    /// Ends the walks that are due and starts the next one.
     fn walk(&mut self) {
         let Some(start) = &mut self.start else { return };
         let clock = Instant::now();
@@ -193,7 +193,7 @@ impl Walks {
         start.walk.get_or_insert_with(|| unfolded(&mut start.walker, samples));
     }
 
-    /// Whether walks are under way.
+    /// Whether walks are running.
     pub fn is_running(&self) -> bool {
         self.running
     }
@@ -203,36 +203,36 @@ impl Walks {
         self.per_second
     }
 
-    /// Why there are no walks.
+    /// The reason why there are no walks.
     pub fn error(&self) -> Option<&Message> {
         self.error.as_ref()
     }
 
-    /// Counts up with every hit.
+    /// Increases with every hit.
     pub fn version(&self) -> u64 {
         self.version
     }
 
-    /// How many walks have ended.
+    /// The number of completed walks.
     pub fn count(&self) -> u64 {
         self.start.as_ref().map_or(0, |start| start.counts.total())
     }
 
-    /// The circles of the present walk so far, and the hit once it is there; empty where walks are too fast to be seen.
+    /// The circles of the current walk so far, and its hit once reached; empty if walks are too fast to be drawn.
     pub fn path(&self) -> (&[WalkCircle], Option<DVec2>) {
         let seen = self.start.as_ref().and_then(|start| start.walk.as_ref());
         let Some(walk) = seen.filter(|_| self.per_second <= SEEN_SPEED) else { return (&[], None) };
-        // the last quarter of the time shows the whole walk
+        // during the last quarter of its time the whole walk is shown
         let shown = (self.due / 0.75 * walk.circles.len() as f64) as usize + 1;
         (&walk.circles[..shown.min(walk.circles.len())], (shown > walk.circles.len()).then_some(walk.place))
     }
 
-    /// The latest hits, the oldest first.
+    /// The latest hits, oldest first.
     pub fn recent(&self) -> impl ExactSizeIterator<Item = DVec2> + '_ {
         self.recent.iter().copied()
     }
 
-    /// The bins with their hits; empty before the first hit.
+    /// The bins with their counts; empty before the first hit.
     pub fn bars(&self) -> Vec<Bar> {
         let Some(start) = self.start.as_ref().filter(|start| start.counts.total() > 0) else { return Vec::new() };
         let (counts, expected) = (start.counts.counts(), start.counts.expected());
@@ -246,7 +246,7 @@ impl Walks {
         (0..BINS).map(bar).collect()
     }
 
-    /// The share of the hits from y₁ to each bin's end, over the arc length.
+    /// The share of hits from y₁ to each bin's end, over the arc length.
     pub fn cumulative(&self) -> Option<Curve> {
         let start = self.start.as_ref().filter(|start| start.counts.total() > 0)?;
         let shares = start.shares().enumerate();
@@ -254,7 +254,7 @@ impl Walks {
         Some(Curve { name: String::from("random walks"), points })
     }
 
-    /// The largest distance between the shares of hits and the harmonic measure, over all bins' ends.
+    /// The largest difference between the shares of hits and the harmonic measure at the ends of the bins.
     pub fn deviation(&self) -> Option<f64> {
         let start = self.start.as_ref().filter(|start| start.counts.total() > 0)?;
         let expected = running_sum(start.counts.expected().iter().copied());
@@ -262,7 +262,7 @@ impl Walks {
     }
 }
 
-/// 0 and the sums of the first 1, 2, … values.
+/// 0 and the partial sums of the values.
 fn running_sum(values: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
     let sums = values.scan(0.0, |sum, value| {
         *sum += value;
@@ -271,7 +271,7 @@ fn running_sum(values: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
     std::iter::once(0.0).chain(sums)
 }
 
-/// A whole walk, from its start.
+/// Computes a whole walk from its start.
 fn unfolded(walker: &mut Walker, samples: &BoundarySamples) -> Walk {
     let mut circles = vec![walker.circle()];
     loop {

@@ -1,4 +1,4 @@
-//! Where the app begins: at its address, at what was kept, or at the default.
+//! The session with which the app starts: from its address, from the stored copy, or the default.
 
 use crate::language::{Message, key};
 use crate::session::link::{self, Decoded, MissingOutline};
@@ -11,14 +11,14 @@ pub struct Start {
     pub session: Session,
     /// The outlines that its link only names.
     pub missing: Vec<MissingOutline>,
-    /// What went wrong.
+    /// The errors of the link and the copy.
     pub message: Option<Message>,
 }
 
-/// The session to start with: that of the link in the `address`, else the one that was `kept`, else the default.
+/// The session to start with: that of the link in the `address`, else the stored copy `kept`, else the default.
 ///
-/// After a reload the address is that of the kept session, which has what a link may have to leave out.
-/// What the links mean is compared: their text may be another one in another version.
+/// If the link in the address is that of the copy, as after a reload, the copy is used, since it also holds what
+/// a link may leave out. The decoded links are compared, because another version may encode the same link differently.
 pub fn first_session(address: Option<&str>, kept: Option<&str>) -> Start {
     let (kept, user_error) = match kept.map(|text| file::read(text.as_bytes())) {
         Some(Ok(kept)) => (Some(kept), None),
@@ -46,12 +46,12 @@ pub fn first_session(address: Option<&str>, kept: Option<&str>) -> Start {
     Start { session, missing, message: Message::joined(messages, key::sentence_and) }
 }
 
-/// Whether the link of `session` means what was `opened`.
+/// Whether the link of `session` decodes to `opened`.
 fn is_link_of(opened: &Decoded, session: &Session) -> bool {
     link::encode(session).is_ok_and(|encoded| link::decode(&encoded.fragment).as_ref() == Ok(opened))
 }
 
-/// What a link says that it does not carry.
+/// The message about outlines that a link does not hold.
 pub fn missing_text(missing: &[MissingOutline]) -> Option<Message> {
     let each = missing.iter().map(|missing| key::link_misses_outline(missing.side, &missing.name));
     Message::joined(each, key::both_sentences)
@@ -81,7 +81,7 @@ mod tests {
         assert!(damaged.message.unwrap().english().contains("could not be opened"));
     }
 
-    /// Points that 16 bits cannot tell come from the copy, whoever packed the link.
+    /// Points that coincide after rounding to 16 bits are restored from the copy.
     #[test]
     fn a_reload_brings_back_what_the_link_rounds() {
         let points = [(0.1, 0.2), (1.0 / 3.0, 1e-12), (0.7, 0.9), (0.333, 0.77)].map(crate::geometry::DVec2::from);

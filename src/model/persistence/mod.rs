@@ -1,11 +1,10 @@
-//! What outlives a frame: the steps that can be undone, the address that carries the session, the
-//! copy that the next start finds.
+//! Persistence of the session: undo steps, the address that carries the session, and the copy for the next start.
 //!
-//! All of them take in the session when it has come to rest: nothing is held, nothing is being prepared.
-//! Nothing in here touches the address or the copy: what is to be done with them is the answer.
+//! All of them follow the session when it has settled: nothing is held, nothing is being prepared.
+//! Nothing here writes to the address or stores the copy; the results say what to write.
 //!
-//! * What a step led to is no step of its own, even if it does not come to rest as it was.
-//! * To open a link or the app changes the address, but not the copy; a change by the person does.
+//! * The result of an undo or redo is not a new history entry, even if it settles in another state.
+//! * Opening a link or starting the app changes the address but not the copy; a user's change does both.
 //! * While an outline is missing that the opened link only names, the address stays that link.
 
 mod first;
@@ -20,51 +19,51 @@ use crate::session::link::MissingOutline;
 use crate::session::{Command, History, Session, SidePoints};
 use public::Public;
 
-/// What is to be done when a session has come to rest.
+/// What to do after a session has settled.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Settled {
-    /// The points of outlines that a link only named, and that are there now.
+    /// Commands that set the points of outlines that were missing and have been loaded.
     pub moves: Vec<Command>,
-    /// What the address shows from now on.
+    /// The new fragment of the address.
     pub address: Option<String>,
-    /// The copy for the next start.
+    /// The copy to store for the next start.
     pub copy: Option<String>,
-    /// In how many seconds the copy is due.
+    /// The seconds until a copy is due.
     pub copy_due: Option<f64>,
 }
 
-/// What will come to rest next.
+/// The origin of the session that will settle next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Coming {
-    /// What the person has changed.
+    /// A user's change.
     Change,
-    /// What a step led to.
+    /// An undo or redo.
     Step,
-    /// What a link or the last time has left.
+    /// A link, or the start of the app.
     Opened,
-    /// What a link has left, with the points of an outline that was missing.
+    /// A link, with the points of an outline that was missing.
     Completed,
 }
 
-/// The persistence of sessions.
+/// The undo history, the missing outlines of a link, and the state of address and copy.
 #[derive(Debug)]
 pub struct Persistence {
     history: History,
-    /// No session has come to rest yet.
+    /// Whether no session has settled yet.
     is_new: bool,
     coming: Coming,
     /// The outlines that the opened link only names.
     missing: Vec<MissingOutline>,
-    /// Whether the person has read which they are.
+    /// Whether the user has been told which they are.
     are_known: bool,
-    /// Whether address and copy wait for them.
+    /// Whether address and copy are not updated until they are loaded.
     waits: bool,
-    /// The address and the kept copy, if they follow.
+    /// The state of address and copy; `None` if they do not follow the session.
     public: Option<Public>,
 }
 
 impl Persistence {
-    /// Begins at `session`; `is_public`: the address and the copy for the next start follow it.
+    /// Starts with `session`; `is_public`: the address and the copy for the next start follow it.
     pub fn new(session: Session, is_public: bool) -> Self {
         Self {
             history: History::new(session),
@@ -82,20 +81,20 @@ impl Persistence {
         &self.history
     }
 
-    /// The outlines that the opened link only names, for which a disk stands in.
+    /// The outlines that the opened link only names; a disk is shown instead of each.
     pub fn missing(&self) -> &[MissingOutline] {
         &self.missing
     }
 
-    /// The message about them that is still to be read after another one, which has been.
+    /// The message about missing outlines, unless `message`, which has been read, has included it.
     pub fn unread_after(&mut self, message: &Message) -> Option<Message> {
         let text = missing_text(&self.missing)?;
         self.are_known |= message.mentions(&text);
         (!self.are_known).then_some(text)
     }
 
-    /// The session before. `at_rest`: the present one, or nothing while something is being prepared:
-    /// then a change is under way that is no step yet, and going back leaves it out.
+    /// The previous session. `at_rest` is the present one, or `None` while something is being prepared: a change in
+    /// progress is not yet a step, and undoing discards it.
     pub fn undo(&mut self, at_rest: Option<&Session>) -> Option<Session> {
         if self.is_new && at_rest.is_none() {
             return None;
@@ -106,7 +105,7 @@ impl Persistence {
         self.began_step(before)
     }
 
-    /// The session after; there is none while a change is under way.
+    /// The next session; `None` while a change is in progress.
     pub fn redo(&mut self, at_rest: Option<&Session>) -> Option<Session> {
         if at_rest.is_none() && self.coming != Coming::Step {
             return None;
@@ -116,7 +115,7 @@ impl Persistence {
         self.began_step(after)
     }
 
-    /// Takes in what has not been yet; a link that was not there before the step is left.
+    /// Records the session if it is not yet recorded. A link still being opened is abandoned.
     fn leave_link(&mut self, at_rest: Option<&Session>) {
         match at_rest {
             Some(session) => self.take_in(session),
@@ -135,17 +134,17 @@ impl Persistence {
         session
     }
 
-    /// The person changes something: what comes to rest next is a step of its own.
+    /// To be called when the user changes something: the next settled session is a new step.
     pub fn touch(&mut self) {
         self.coming = Coming::Change;
     }
 
-    /// What comes to rest next is where the history begins: there is no way back behind it.
+    /// Makes the next settled session the start of the history: undo cannot go before it.
     pub fn begin_anew(&mut self) {
         (self.is_new, self.coming) = (true, Coming::Change);
     }
 
-    /// A link is being opened that only names the `missing` outlines; `address`: what the address shows.
+    /// To be called when a link that only names the `missing` outlines is opened; `address` is the fragment shown.
     pub fn open_link(&mut self, missing: Vec<MissingOutline>, address: Option<String>) {
         self.coming = Coming::Opened;
         self.waits = !missing.is_empty();
@@ -156,12 +155,12 @@ impl Persistence {
         }
     }
 
-    /// What stands in the address was refused: what is to stand there again, at once.
+    /// The fragment to restore, at once, after the one in the address was refused.
     pub fn correct_address(&mut self) -> Option<String> {
         self.public.as_mut()?.correct_address()
     }
 
-    /// Takes in a session that has come to rest, at a time in seconds; the first one is where the history begins.
+    /// Records a settled session at a time in seconds; the first one is the start of the history.
     pub fn settle(&mut self, session: &Session, now: f64) -> Settled {
         let moves = self.moves_in(session);
         if !moves.is_empty() {
@@ -174,12 +173,12 @@ impl Persistence {
         }
     }
 
-    /// What to say about a copy that could not be kept: once is enough.
+    /// The message about a copy that could not be stored; only the first time.
     pub fn not_kept(&mut self, reason: Message) -> Option<Message> {
         self.public.as_mut()?.not_kept(reason)
     }
 
-    /// What gives the outlines their points that are there now and were missing.
+    /// The commands that set the points of missing outlines that have been loaded.
     fn moves_in(&mut self, session: &Session) -> Vec<Command> {
         let mut moves = Vec::new();
         self.missing.retain(|missing| {

@@ -1,19 +1,19 @@
-//! What follows the session outside of the app: the address, and the copy for the next start.
+//! The address and the stored copy, which follow the session.
 
 use crate::language::{Message, key};
 use crate::model::persistence::Settled;
 use crate::session::{Session, file, link};
 
-/// From this many points on a session is large: its copy is made at most once in [`COPY_SECONDS`].
-/// 20,000 points take 2 ms to write on a desktop, and several times that in a browser, which also has to store them.
+/// Sessions with more points are large and copied at most once in [`COPY_SECONDS`].
+/// 20,000 points take 2 ms to write on a desktop, and several times as long in a browser, which also has to store them.
 pub const LARGE_POINTS: usize = 20_000;
-/// How often a large session is copied, in seconds: what a crash costs at most.
+/// The time between copies of a large session, in seconds: the most work that a crash can lose.
 pub const COPY_SECONDS: f64 = 5.0;
 
-/// What is owed to the address and to the copy.
+/// The updates of address and copy that are pending.
 #[derive(Debug, Default)]
 pub struct Public {
-    /// What the address shows, or a link that was opened and waits: unless a person has written something else there.
+    /// The fragment last written, or that of an opened link that is kept; the user may have edited the address since.
     address: Option<String>,
     owes_address: bool,
     owes_copy: bool,
@@ -22,29 +22,29 @@ pub struct Public {
 }
 
 impl Public {
-    /// The session has changed; `by_person`: the copy follows too.
+    /// Notes that the session has changed; after a change `by_person` the copy is updated too.
     pub fn note_change(&mut self, by_person: bool) {
         self.owes_address = true;
         self.owes_copy |= by_person;
     }
 
-    /// The address shows `link`, and goes on to.
+    /// Keeps `link` in the address.
     pub fn stay_at(&mut self, link: Option<String>) {
         self.address = link;
         self.owes_address = false;
     }
 
-    /// The address shows something that was refused: what it showed before; if nothing, it will follow the session.
+    /// The fragment to restore after an edited one was refused; if there is none, the address follows the session.
     pub fn correct_address(&mut self) -> Option<String> {
         self.owes_address |= self.address.is_none();
         self.address.clone()
     }
 
-    /// Pays what is owed, at a time in seconds.
+    /// Carries out pending updates at a time in seconds.
     pub fn pay(&mut self, session: &Session, now: f64) -> Settled {
         let mut settled = Settled::default();
         if std::mem::take(&mut self.owes_address) {
-            // Copy link says why there is none.
+            // if there is no link, the command "Copy link" reports why
             settled.address = link::encode(session).ok().map(|encoded| encoded.fragment);
             self.address.clone_from(&settled.address);
         }
@@ -63,7 +63,7 @@ impl Public {
         settled
     }
 
-    /// What to say about a copy that could not be kept: once is enough.
+    /// The message about a copy that could not be stored; only the first time.
     pub fn not_kept(&mut self, reason: Message) -> Option<Message> {
         let is_news = !std::mem::replace(&mut self.has_complained, true);
         is_news.then(|| key::session_not_kept(reason))

@@ -1,11 +1,11 @@
-//! What a link of a session holds, for its sender: all of it, or what is not in it.
+//! Reports to the sender of a link what it does not hold.
 
 use crate::conformal::Side;
 use crate::language::{Message, key};
 use crate::session::link::{self, Encoded, MissingOutline};
 use crate::session::{Session, SurfaceShape, TextureKind};
 
-/// What the `encoded` link of `session` does not carry, or `None`; `missing`: the outlines that a disk stands in for.
+/// What the `encoded` link of `session` does not hold, if anything; `missing`: outlines that were never loaded.
 pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutline]) -> Option<Message> {
     let outlines = encoded.left_out.iter().map(Message::from);
     let missing = missing.iter().map(|outline| key::disk_stands_in(outline.side, &outline.name));
@@ -19,7 +19,7 @@ pub fn link_report(session: &Session, encoded: &Encoded, missing: &[MissingOutli
     Message::joined(all, key::both_clauses).map(key::link_copied_but)
 }
 
-/// The link of `session`, if all of its outlines are in it, and no disk stands in for one of the `missing`.
+/// The link of `session` if it holds all outlines and none is `missing`.
 pub fn whole_link(session: &Session, missing: &[MissingOutline]) -> Option<String> {
     let is_whole = |left_out: &[_]| left_out.is_empty() && missing.is_empty();
     let encoded = link::encode(session).ok().filter(|encoded| is_whole(&encoded.left_out))?;

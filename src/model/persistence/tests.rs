@@ -1,4 +1,4 @@
-//! Steps whose outcome is another one, links that are only opened, outlines that come later.
+//! Steps that settle in another state, links that are only opened, outlines that are loaded later.
 
 use crate::conformal::Side;
 use crate::geometry::DVec2;
@@ -19,7 +19,7 @@ fn changed(session: &Session, command: Command) -> Session {
     session
 }
 
-/// A persistence that has settled at the scales one after the other.
+/// A persistence in which sessions with these texture scales have settled in order.
 fn persistence(scales: &[f64]) -> Persistence {
     let mut persistence = Persistence::new(Session::default(), true);
     for &scale in scales {
@@ -87,7 +87,7 @@ fn the_copy_follows_changes_and_not_what_is_merely_opened() {
     assert_eq!(private.settle(&scaled(3.0), 0.0), Settled::default());
 }
 
-/// The first map takes seconds to prepare: what is set meanwhile is kept.
+/// Preparing the first map takes seconds; what is set meanwhile must be stored.
 #[test]
 fn a_change_before_the_first_rest_is_copied() {
     let mut persistence = Persistence::new(scaled(2.0), true);
@@ -132,13 +132,13 @@ fn a_failing_store_is_complained_of_once() {
 
 fn circle(name: &str, count: u32) -> OutlineSpec {
     let angle = |k: u32| std::f64::consts::TAU * f64::from(k) / f64::from(count);
-    // rough, so that no link can hold it
+    // with noise, so that no link can hold it
     let radius = |k: u32| 1.0 + 1e-2 * f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
     let points: Vec<DVec2> = (0..count).map(|k| DVec2::from_angle(angle(k)) * radius(k)).collect();
     OutlineSpec::Points { name: name.into(), polygon: points.try_into().unwrap() }
 }
 
-/// A session whose source is too long for a link, and what its link holds.
+/// A session whose source is too long for a link, and the decoded link.
 fn with_missing() -> (Session, Decoded) {
     let mut session = Session::default();
     let side = Side::Source;

@@ -1,4 +1,4 @@
-//! What a comparison finds: both ways' measures, reparameterisations and images, and how far they are apart.
+//! The result of a comparison: measures, reparameterizations and images of both methods, and their difference.
 
 use crate::conformal::Side;
 use crate::language::{Message, key};
@@ -7,51 +7,51 @@ use crate::model::overlays::Situation;
 use crate::outline::BoundarySamples;
 use crate::zipper::{DiskComparison, DiskMeasure, ZipperError};
 
-/// How many points are shown on both maps, at equal steps of harmonic measure.
+/// The number of points shown on both maps, at equal steps of harmonic measure.
 pub const MARKS: u32 = 60;
 
-/// A point of the mapped boundary and where the two ways take it: fractions of arc length.
+/// A point of the mapped boundary and its images under the two methods, as fractions of arc length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mark {
     /// On the mapped side.
     pub from: f64,
-    /// On the other side, by riemap's map.
+    /// Its image by riemap's map.
     pub direct: f64,
-    /// On the other side, through the disk.
+    /// Its image through the disk.
     pub through_disk: f64,
 }
 
-/// One comparison.
+/// The result of one comparison.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
-    /// ω̃ of source and target as the disk has it, over the arc length from the anchor.
+    /// ω̃ of source and target by the disk maps, over the arc length from the anchor.
     pub measures: [Curve; 2],
     /// r̃ through the disk.
     pub reparameterisation: Curve,
     /// [`MARKS`] points at equal steps of riemap's harmonic measure.
     pub marks: Vec<Mark>,
-    /// Where each vertex goes through the disk: fractions of the other side's arc length.
+    /// The image of each vertex through the disk, as fractions of the other side's arc length.
     pub images: Vec<f64>,
     /// Boundary samples of source and target.
     pub samples: [usize; 2],
-    /// How many of them can't be told from the one before.
+    /// How many of them coincide with the previous one in f64.
     pub collapsed: [usize; 2],
-    /// How many came out before the one before.
+    /// How many of them lie before the previous one.
     pub disordered: [usize; 2],
-    /// How many of riemap's own samples have no harmonic measure in f64 between them and the one before.
+    /// How many of riemap's own samples have the same harmonic measure in f64 as the previous one.
     pub directly_collapsed: [usize; 2],
-    /// The largest distance between the two images of a mark, as a part of the other boundary's length: at most ½.
+    /// The largest distance between the two images of a mark, as a part of the other boundary's length; at most ½.
     pub difference: f64,
 }
 
-/// A side's measure as the disk has it, or why there is none.
+/// A side's measure by the disk map, or the error.
 #[derive(Debug)]
 pub(super) struct Measured {
     pub samples: BoundarySamples,
     pub measure: Result<DiskMeasure, ZipperError>,
 }
 
-/// Compares the map with the one through the disk by these measures of source and target.
+/// Compares the map with the one through the disk, given the disk's measures of source and target.
 pub(super) fn compare(situation: &Situation, sides: [&Measured; 2]) -> Result<Found, Message> {
     let measure = |side: Side| {
         let failed = |error: &ZipperError| key::through_disk_fails(side, Message::from(error));
@@ -80,7 +80,7 @@ pub(super) fn compare(situation: &Situation, sides: [&Measured; 2]) -> Result<Fo
 
 fn directly_collapsed(situation: &Situation, side: Side) -> usize {
     let measure = situation.map.measure(side);
-    // where the anchor is a vertex, the last two knots are the same point
+    // if the anchor is a vertex, the last two knots are the same point
     let doubled = usize::from(measure.anchor().fraction == 0.0);
     measure.at_knots().windows(2).filter(|pair| pair[0] == pair[1]).count() - doubled
 }
@@ -100,7 +100,7 @@ fn marks(situation: &Situation, through_disk: &Curve) -> Vec<Mark> {
     (0..MARKS).map(mark).collect()
 }
 
-/// The distance along the boundary, the shorter way.
+/// The distance along the boundary in the shorter direction.
 fn around(a: f64, b: f64) -> f64 {
     let d = (a - b).abs();
     d.min(1.0 - d)

@@ -1,6 +1,7 @@
-//! Disk maps for the present interior points: of few samples while something moves, of many when it rests.
+//! Disk maps for the current interior points: from few samples while something moves, from many at rest.
 //!
-//! Where the curve through the samples leaves a point out, twice as many are taken: up to the cap at once, beyond
+//! If the curve through the samples excludes the interior point, the samples are doubled: up to the cap at once,
+//! beyond it only at rest, one map per call. Until this is settled, the previous result stays.
 //! it when nothing moves, one map per call. Until all are, what was found before stays and nothing is said.
 
 use crate::conformal::{MeshedDomain, Side};
@@ -11,10 +12,10 @@ use crate::model::overlays::disk_comparison::{MOVING_SAMPLES, RESTING_SAMPLES, S
 use crate::zipper::DiskMeasure;
 use std::sync::Arc;
 
-/// How long nothing must have moved before the large maps are made, in seconds.
+/// How long nothing must have moved before large maps are computed, in seconds.
 const REST_SECONDS: f64 = 0.15;
 
-/// A side's measure, with what it was made from.
+/// A side's measure and its inputs.
 #[derive(Debug)]
 struct Known {
     domain: Arc<MeshedDomain>,
@@ -24,16 +25,16 @@ struct Known {
 }
 
 impl Known {
-    /// Whether more of the domain's samples may let the point in.
+    /// Whether more of the domain's samples could include the interior point.
     fn is_undecided(&self) -> bool {
         is_refused(&self.measured.measure) && self.measured.samples.len() < self.domain.samples().len()
     }
 }
 
-/// The state of this way.
+/// The state of this method.
 #[derive(Debug, Default)]
 pub(super) struct Fresh {
-    /// The generation of the map that was last looked at.
+    /// The generation of the last map that was compared.
     seen: Option<u64>,
     changed_at: f64,
     known: [Option<Known>; 2],
@@ -46,7 +47,8 @@ impl Fresh {
         (self.seen, self.known) = (None, [None, None]);
     }
 
-    /// As [`crate::model::overlays::disk_comparison::DiskComparison::advance`]; large maps are made only if they may be.
+    /// As [`crate::model::overlays::disk_comparison::DiskComparison::advance`]; large maps are computed only if
+    /// `large`.
     pub(super) fn advance(&mut self, situation: &Situation, now: f64, large: bool) -> Option<f64> {
         if self.seen.replace(situation.generation) != Some(situation.generation) {
             self.changed_at = now;
@@ -65,7 +67,7 @@ impl Fresh {
         Some(0.0)
     }
 
-    /// The measure of the present points.
+    /// The measure of the current points, if it is known.
     fn present(&self, situation: &Situation, side: Side) -> Option<&Known> {
         let k = side as usize;
         self.known[k].as_ref().filter(|known| {
@@ -74,7 +76,7 @@ impl Fresh {
         })
     }
 
-    /// How many samples are to be taken at rest, if they were not.
+    /// The number of samples to use at rest, if the measure has fewer.
     fn lacks(&self, situation: &Situation, side: Side) -> Option<usize> {
         let (present, all) = (self.present(situation, side), situation.domains[side as usize].samples().len());
         let there = present.map_or(0, |known| known.measured.samples.len());

@@ -1,12 +1,12 @@
-//! The map through the disk beside riemap's own, on the same boundaries (sections 1.2 and 5.2), in one way or in both.
+//! Compares the map with the map through the disk on the same boundaries (sections 1.2 and 5.2), by one or two methods.
 //!
-//! *Fresh* maps cost O(m²) each: while something moves they are made of few samples,
-//! and when it rests, one side per call, of the domain's own samples as far as the cap
-//! allows. *Precomputed* ones are made once per domain, for its pole. Never more than one
-//! large disk map per call. What fails is said; riemap's map does not care.
+//! *Fresh* disk maps cost O(m²) each: while something moves they use few samples, and at rest
+//! the domain's own samples up to the cap, one side per call. *Precomputed* ones are
+//! computed once per domain, for its pole. At most one large disk map is computed per call. Errors
+//! are reported and do not affect riemap's map.
 //!
-//! A curve through few samples may leave out a point that the domain has: it is drawn through
-//! twice as many then, up to all, before anything is said.
+//! A curve through few samples may exclude a point that the domain contains; the number of samples is then
+//! doubled, up to all of them, before an error is reported.
 
 pub mod found;
 mod fresh;
@@ -23,12 +23,12 @@ use crate::zipper::ZipperError;
 use fresh::Fresh;
 use precomputed::Precomputed;
 
-/// Samples of a fresh map while something moves: 2 to 3 ms for each side, natively.
+/// Samples of a fresh map while something moves: 2 to 3 ms per side, natively.
 pub const MOVING_SAMPLES: usize = 300;
-/// And at rest, and of a precomputed map: 15 to 20 ms for each side.
+/// Samples of a fresh map at rest, and of a precomputed map: 15 to 20 ms per side.
 pub const RESTING_SAMPLES: usize = 800;
 
-/// The comparisons' state.
+/// The state of the comparisons.
 #[derive(Debug, Default)]
 pub struct DiskComparison {
     fresh: Fresh,
@@ -36,22 +36,22 @@ pub struct DiskComparison {
 }
 
 impl DiskComparison {
-    /// What was found by one way; `None` while there is nothing to show.
+    /// The result of one method; `None` while there is none.
     pub fn found(&self, way: DiskWay) -> Option<&Found> {
         self.shown(way).found.as_ref()?.as_ref().ok()
     }
 
-    /// Why nothing was found.
+    /// The error of one method.
     pub fn error(&self, way: DiskWay) -> Option<&Message> {
         self.shown(way).found.as_ref()?.as_ref().err()
     }
 
-    /// What was found, by way.
+    /// The results, by method.
     pub fn all_found(&self) -> impl DoubleEndedIterator<Item = (DiskWay, &Found)> {
         DiskWay::ALL.into_iter().filter_map(|way| Some((way, self.found(way)?)))
     }
 
-    /// Counts up with every change of what is shown.
+    /// Increases with every change of the results.
     pub fn version(&self) -> u64 {
         self.fresh.shown.version + self.precomputed.shown.version
     }
@@ -63,7 +63,7 @@ impl DiskComparison {
         }
     }
 
-    /// Brings the comparisons up to date; in how many seconds to come back, if at all.
+    /// Updates the comparisons; returns the seconds until the next call is needed, if any.
     pub fn advance(&mut self, situation: &Situation, comparison: Comparison, now: f64) -> Option<f64> {
         let precomputed = if comparison.shows(DiskWay::Precomputed) {
             self.precomputed.advance(situation)
@@ -72,7 +72,7 @@ impl DiskComparison {
             None
         };
         let fresh = if comparison.shows(DiskWay::Fresh) {
-            // what has more to do has just made a large map
+            // if the other method has more to do, it has just computed a large map
             self.fresh.advance(situation, now, precomputed.is_none())
         } else {
             self.fresh.clear();
@@ -82,7 +82,7 @@ impl DiskComparison {
     }
 }
 
-/// What is to be seen of one way.
+/// The result of one method, as shown.
 #[derive(Debug, Default)]
 struct Shown {
     found: Option<Result<Found, Message>>,
@@ -101,12 +101,12 @@ impl Shown {
     }
 }
 
-/// Whether the curve through the samples leaves the point out.
+/// Whether the curve through the samples excludes the interior point.
 fn is_refused<T>(result: &Result<T, ZipperError>) -> bool {
     matches!(result, Err(ZipperError::PointOutside { .. }))
 }
 
-/// At most `most` of the samples, evenly chosen: denser where they were.
+/// At most `most` of the samples, evenly spaced in the list, so that they stay denser where they were.
 pub fn thinned(samples: &BoundarySamples, most: usize) -> BoundarySamples {
     let m = samples.len();
     if m <= most {

@@ -1,4 +1,4 @@
-//! Disk maps of the domains' poles, made once per domain; moving a point is then a Möbius map.
+//! Disk maps of the domains' poles, computed once per domain; moving a point then needs only a Möbius map.
 
 use crate::conformal::{MeshedDomain, Side};
 use crate::model::overlays::Situation;
@@ -16,23 +16,23 @@ struct Known {
     map: Result<DiskMap, ZipperError>,
 }
 
-/// The state of this way.
+/// The state of this method.
 #[derive(Debug, Default)]
 pub(super) struct Precomputed {
-    /// The generation of the map that was last compared.
+    /// The generation of the last map that was compared.
     seen: Option<u64>,
     known: [Option<Known>; 2],
     pub(super) shown: Shown,
 }
 
 impl Precomputed {
-    /// Shows nothing. The disk maps are kept.
+    /// Removes the result; the disk maps are kept.
     pub(super) fn clear(&mut self) {
         self.shown.clear();
         self.seen = None;
     }
 
-    /// With both disk maps there, Möbius; else makes one of them, and is to be called again.
+    /// Compares if both disk maps exist; otherwise computes one of them and asks to be called again.
     pub(super) fn advance(&mut self, situation: &Situation) -> Option<f64> {
         let missing = Side::BOTH.into_iter().find_map(|side| Some((side, self.lacks(situation, side)?)));
         if let Some((side, most)) = missing {
@@ -50,7 +50,7 @@ impl Precomputed {
         None
     }
 
-    /// How many samples are to be taken for a side's map, if there is none or it leaves the pole out.
+    /// The number of samples for a side's disk map if there is none or it excludes the pole; `None` if it is usable.
     fn lacks(&self, situation: &Situation, side: Side) -> Option<usize> {
         let domain = situation.domains[side as usize];
         match self.known[side as usize].as_ref().filter(|known| Arc::ptr_eq(&known.domain, domain)) {
