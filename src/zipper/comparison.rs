@@ -1,11 +1,11 @@
 //! Matching two domains through the disk, in both variants of sections 1.2 and 5.2.
 //!
-//! *Fresh*: g is computed anew for the interior point x, so that φ is a rotation.
+//! *Fresh*: g is computed for the interior point x, so that φ is a rotation.
 //! *Precomputed*: g was computed once for another point; φ moves a = g(x) to 0. On a
 //! crowded domain a and the boundary's images round to the same few points of the circle, and
-//! what φ makes of them is noise. Nothing is mended here: what is lost is counted.
+//! their images under φ are noise. No correction is attempted; the lost points are counted.
 //!
-//! Between boundary points the angle is taken to be linear along the edge:
+//! Between boundary points the angle is assumed to be linear along the edge:
 //! an error of second order in the samples' distance.
 
 use super::disk_map::LiftedAngles;
@@ -15,13 +15,13 @@ use crate::geometry::DVec2;
 use crate::outline::BoundaryPoint;
 use std::f64::consts::TAU;
 
-/// A step back by less than this is taken for rounding; by more, for a step forward by nearly
-/// the whole circle. Where nothing crowds rounding gives 1e-14; an edge takes more
-/// than 1 − 2e-7 of the measure only where x all but touches it. Collapsed images can be off by any
-/// angle, and then count as either.
+/// A decrease by less than this counts as rounding; by more, as an increase by nearly
+/// the whole circle. Without crowding, rounding gives 1e-14, and an edge has more
+/// than 1 − 2e-7 of the measure only if x almost touches it. Collapsed images can be off by any
+/// angle, and may count as either.
 const STEP_BACK: f64 = 1e-6;
 
-/// The harmonic measure of a boundary as the disk has it, from an anchor y counter-clockwise.
+/// The harmonic measure of a boundary by a disk map, counter-clockwise from an anchor y.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiskMeasure {
     anchor: BoundaryPoint,
@@ -33,7 +33,7 @@ pub struct DiskMeasure {
 }
 
 impl DiskMeasure {
-    /// By a map made for `x`: one run of the geodesic algorithm over `points`, O(m²).
+    /// By a disk map computed for `x`: one run of the geodesic algorithm over `points`, O(m²).
     pub fn fresh(points: &[DVec2], x: DVec2, y: BoundaryPoint) -> Result<Self, ZipperError> {
         let map = DiskMap::new(points, x)?;
         let (collapsed, disordered) = (map.collapsed(), map.disordered());
@@ -41,7 +41,7 @@ impl DiskMeasure {
         Ok(Self::from_angles(&angles, Complex::ZERO, y))
     }
 
-    /// By a `map` made for another point, then the Möbius map that takes a = g(x) to 0. O(m).
+    /// By a `map` computed for another point, followed by the Möbius map that takes a = g(x) to 0. O(m).
     pub fn precomputed(map: &DiskMap, x: DVec2, y: BoundaryPoint) -> Result<Self, ZipperError> {
         let image = map.map(x).ok_or(ZipperError::PointOutside { x: x.x, y: x.y })?;
         Ok(Self::from_angles(&moved_angles(map.angles(), image), image, y))
@@ -69,7 +69,7 @@ impl DiskMeasure {
         self.from_anchor.len()
     }
 
-    /// ω from the anchor to boundary vertex `k < m`, in `[0, 1]`; 0 where the anchor is.
+    /// ω from the anchor to boundary vertex `k < m`, in `[0, 1]`; 0 at the anchor.
     pub fn at_vertex(&self, k: usize) -> f64 {
         let m = self.vertex_count();
         let j = (k + m - self.anchor.edge as usize - 1) % m;
@@ -86,17 +86,17 @@ impl DiskMeasure {
         self.anchor
     }
 
-    /// a = g(x) under the map used: 0 for a fresh one; |a| next to or at 1 tells of crowding.
+    /// a = g(x) under the map used: 0 for a fresh one; |a| close to 1 indicates crowding.
     pub fn image(&self) -> Complex {
         self.image
     }
 
-    /// How many vertices can't be told from the one before.
+    /// How many vertices have the same measure as the previous one.
     pub fn collapsed(&self) -> usize {
         self.collapsed
     }
 
-    /// How many vertices came out before the one before; they were moved up to it.
+    /// How many vertices came before the previous one; they were moved to it.
     pub fn disordered(&self) -> usize {
         self.disordered
     }
@@ -104,7 +104,7 @@ impl DiskMeasure {
 
 /// The arguments of φ(e^{iθ}) for φ(z) = (z − a)/(1 − āz), counted from φ(1).
 ///
-/// arg φ(e^{iθ}) = 2 arg(e^{iθ} − a) − θ, which is a number even where a is e^{iθ}.
+/// arg φ(e^{iθ}) = 2 arg(e^{iθ} − a) − θ, which is a number even if a = e^{iθ}.
 fn moved_angles(angles: &[f64], a: Complex) -> LiftedAngles {
     let argument = |theta: f64| 2.0 * (Complex::cis(theta) - a).arg() - theta;
     let mut before = argument(0.0);
@@ -119,7 +119,7 @@ fn moved_angles(angles: &[f64], a: Complex) -> LiftedAngles {
     LiftedAngles::new(moved.collect())
 }
 
-/// Two domains matched through the disk. There is one point for each vertex of the mapped boundary.
+/// Two domains matched through the disk, with one image for each vertex of the mapped boundary.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiskComparison {
     mapped: DiskMeasure,
@@ -128,9 +128,9 @@ pub struct DiskComparison {
 }
 
 impl DiskComparison {
-    /// Matches equal measures; both run from their anchors. O(m + m').
+    /// Matches equal measures, both counted from their anchors. O(m + m').
     ///
-    /// Where the other measure is flat, as in collapsed parts, the last of the points
+    /// Where the other measure is constant, as in collapsed parts, the last of the points
     /// with that measure is taken.
     pub fn new(mapped: DiskMeasure, other: DiskMeasure) -> Self {
         let m = mapped.vertex_count();
@@ -153,12 +153,12 @@ impl DiskComparison {
         &self.mapped
     }
 
-    /// The measure of the boundary that it is mapped to.
+    /// The measure of the other boundary.
     pub fn other(&self) -> &DiskMeasure {
         &self.other
     }
 
-    /// Where each vertex of the mapped boundary goes on the other one, by vertex.
+    /// The images on the other boundary, by vertex of the mapped one.
     pub fn points(&self) -> &[BoundaryPoint] {
         &self.points
     }

@@ -1,8 +1,8 @@
 //! A domain's conformal map to the unit disk, by the geodesic algorithm.
 //!
 //! The map is exact (up to rounding) for the inside of a smooth curve through the
-//! boundary points, made of hyperbolic geodesics; that curve converges to the
-//! boundary, to second order or better. Cost O(m²) time and O(m) memory. Deterministic; never NaN.
+//! boundary points, composed of hyperbolic geodesics; that curve converges to the
+//! boundary, to second order or better. Cost O(m²) time and O(m) memory. Deterministic; the result is never NaN.
 
 use super::ZipperError;
 use super::geodesic::{Closing, FirstArc, Geodesic, LinePoint, NoGeodesic};
@@ -10,7 +10,7 @@ use crate::exact::{Complex, complex};
 use crate::geometry::DVec2;
 use std::f64::consts::TAU;
 
-/// Angles that differ by no more than this coincide: one rounding of an angle near 2π.
+/// Angles that differ by at most this coincide: one rounding error of an angle near 2π.
 pub(super) const RESOLUTION: f64 = 1e-15;
 
 /// The conformal map g of a domain to the unit disk with g(x) = 0 and g(v₀) = 1.
@@ -19,7 +19,7 @@ pub struct DiskMap {
     first: FirstArc,
     geodesics: Vec<Geodesic>,
     closing: Closing,
-    /// e^{−iθ} that takes the image of `v_0` to 1.
+    /// e^{−iθ}, which rotates the image of `v_0` to 1.
     rotation: Complex,
     angles: LiftedAngles,
 }
@@ -27,16 +27,16 @@ pub struct DiskMap {
 /// Arguments of successive points of the circle, made non-decreasing.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LiftedAngles {
-    /// In `[0, 2π]`, from 0.
+    /// In `[0, 2π]`, starting at 0.
     pub values: Vec<f64>,
-    /// How many equal the one before, up to rounding.
+    /// How many equal the previous one, up to rounding.
     pub collapsed: usize,
-    /// How many were less than the one before, by more than rounding.
+    /// How many were less than the previous one, by more than rounding.
     pub disordered: usize,
 }
 
 impl LiftedAngles {
-    /// From arguments that should run from 0 to at most 2π.
+    /// From arguments that should increase from 0 to at most 2π.
     pub fn new(mut values: Vec<f64>) -> Self {
         let (mut collapsed, mut disordered) = (0, 0);
         let (mut before, mut highest) = (0.0, 0.0_f64);
@@ -51,7 +51,7 @@ impl LiftedAngles {
         Self { values, collapsed, disordered }
     }
 
-    /// The same points from the one at `index` (mod m), and the angle at which that one was.
+    /// The same points counted from the one at `index` (mod m), and that point's old angle.
     fn counted_from(mut self, index: usize) -> (Self, f64) {
         let m = self.values.len();
         let index = index % m;
@@ -67,9 +67,9 @@ impl LiftedAngles {
 
 impl DiskMap {
     /// The map for the inside of the curve through `points` (counter-clockwise, `m` of
-    /// them, no two neighbours equal), with `x` going to 0.
+    /// them, no two neighbors equal), with `x` mapped to 0.
     ///
-    /// A boundary point that can't be told from its neighbours as seen from `x` is left out of the
+    /// A boundary point that cannot be distinguished from its neighbors as seen from `x` is left out of the
     /// curve and counted in [`Self::collapsed`]; its harmonic measure is of the order of 1e-13 or less.
     pub fn new(points: &[DVec2], x: DVec2) -> Result<Self, ZipperError> {
         check(points)?;
@@ -108,19 +108,19 @@ impl DiskMap {
         &self.angles.values
     }
 
-    /// How many boundary points have the argument of the one before, up to 1e-15.
+    /// How many boundary points have the argument of the previous one, up to 1e-15.
     pub fn collapsed(&self) -> usize {
         self.angles.collapsed
     }
 
-    /// How many boundary points came out before the one before; they were moved up to it.
+    /// How many boundary points came before the previous one; they were moved to it.
     pub fn disordered(&self) -> usize {
         self.angles.disordered
     }
 
-    /// g(z) for a point inside; `None` where it is not finite.
+    /// g(z) for a point inside; `None` if the result is not finite.
     ///
-    /// Where the domain crowds |g(z)| may round to 1; a point outside the curve has |g(z)| > 1. Cost O(m).
+    /// Where the domain is crowded |g(z)| may round to 1; a point outside the curve has |g(z)| > 1. Cost O(m).
     pub fn map(&self, z: DVec2) -> Option<Complex> {
         let start = self.first.map(complex(z));
         let end = self.geodesics.iter().fold(start, |z, geodesic| geodesic.map(z));
@@ -129,9 +129,9 @@ impl DiskMap {
     }
 }
 
-/// The first of the three successive points at which the boundary turns least. The first
-/// map draws a circle's arc through them, and the last one closes the curve there: on
-/// the paper's V with 1000 samples the largest error is 20 times greater if that is the tip.
+/// The first of the three successive points at which the boundary turns least. The first map
+/// draws a circular arc through them, and the last one closes the curve there: on the paper's V
+/// with 1000 samples the largest error is 20 times greater if the curve starts at the tip.
 fn straightest_start(points: &[DVec2]) -> usize {
     let m = points.len();
     let turn = |k: usize| {

@@ -1,6 +1,6 @@
-//! Why a boundary has no map to the disk.
+//! The errors of the geodesic algorithm.
 
-/// Why the geodesic algorithm could not map a domain. Crowding is no error: see
+/// Why the geodesic algorithm could not map a domain. Crowding is not an error: see
 /// [`super::DiskMap::collapsed`].
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -8,29 +8,29 @@ pub enum ZipperError {
     /// Fewer than three boundary points.
     #[error("at least 3 boundary points are needed, not {count}")]
     TooFewPoints {
-        /// How many there are.
+        /// The number of points.
         count: usize,
     },
     /// A boundary point is not finite.
     #[error("boundary point {index} is not finite")]
     NotFinite {
-        /// Which one.
+        /// Its index.
         index: usize,
     },
-    /// A boundary point repeats the one before it.
+    /// A boundary point equals the previous one.
     #[error("boundary point {index} repeats the one before it")]
     Repeated {
-        /// Which one.
+        /// Its index.
         index: usize,
     },
     /// The interior point is not to the left of the curve that the algorithm draws
-    /// through the boundary points. That curve is made of hyperbolic geodesics: on a
-    /// coarse boundary it strays from the polygon.
+    /// through the boundary points. That curve consists of hyperbolic geodesics and may deviate
+    /// from the polygon if the boundary is coarse.
     #[error("the point ({x}, {y}) is not inside the curve through the boundary points")]
     PointOutside {
-        /// Its position.
+        /// Its x coordinate.
         x: f64,
-        /// Its position.
+        /// Its y coordinate.
         y: f64,
     },
 }

@@ -8,25 +8,25 @@
 //! geodesic from 0 to the image ζ of z₀ closes the curve: w = z/(1 − z/ζ) makes it a
 //! straight line, and −w² takes the part to its left to H.
 //!
-//! The first arc is here the circle's through three points z₀, z₁, z₂, for which the map is
-//! i√(−T(z)/T(z₁)), T(z) = (z − z₂)/(z − z₀): then a circle is mapped exactly.
+//! Here the first arc is that of the circle through three points z₀, z₁, z₂, for which the map is
+//! i√(−T(z)/T(z₁)), T(z) = (z − z₂)/(z − z₀), so that a circle is mapped exactly.
 //!
-//! Only f_a up to a Möbius map of H matters, and the one taken here does not cancel: with
+//! Only f_a up to a Möbius map of H matters. The one used here avoids cancellation: with
 //! S² = (z − a)(z − ā), the root on the side of z, and ρ = (re a/|a|)²,
 //!
 //! f(z) = (|a|/im a) S (S + z) / (S + (1 − 2ρ) z + re a),
 //!
 //! which is f_a/(1 + f_a im a/(|a| b)), keeps ∞ and is nearly the identity far from a small arc
-//! (f_a moves everything there to −b). Then the interior point is brought back to i, the tip
-//! staying at 0. So harmonic measure from x is always an angle, arctan t/π, that
-//! shrinks as the curve grows: crowding costs digits only of what x hardly sees.
+//! (f_a moves everything there to −b). Then the interior point is moved back to i, with the tip
+//! fixed at 0. Harmonic measure from x is therefore always an angle, arctan t/π, which
+//! shrinks as the curve grows: crowding loses digits only of parts with little harmonic measure from x.
 
 use crate::exact::{Complex, sqrt};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Below this, im a/|a| is rounding error. A point that is seen at such an angle has a
-/// harmonic measure of that order. Rounding: 1e-14 after 400 maps of a circle; signal: a
-/// spike as thin as 1e-6 of the samples' distance, about 1e-6.
+/// If im a/|a| is smaller, it is rounding error. A point at such an angle has a
+/// harmonic measure of that order. Rounding: 1e-14 after 400 maps of a circle; signal: about 1e-6 for a
+/// spike with a width of 1e-6 of the samples' distance.
 const FLAT: f64 = 1e-13;
 
 /// Squares of smaller numbers underflow.
@@ -42,7 +42,7 @@ pub(super) struct LinePoint {
 impl LinePoint {
     pub const TIP: Self = Self { x: 0.0, y: 1.0 };
 
-    /// The point x/y, with x and y brought to the order of 1.
+    /// The point x/y, with x and y scaled to the order of 1.
     fn new(x: f64, y: f64) -> Self {
         let scale = 1.0 / (x.abs() + y.abs());
         Self { x: scale * x, y: scale * y }
@@ -57,7 +57,7 @@ struct Recentre {
 }
 
 impl Recentre {
-    /// `None` where ξ is not in H.
+    /// `None` if ξ is not in H.
     fn at(xi: Complex) -> Option<Self> {
         let squared = xi.re * xi.re + xi.im * xi.im;
         let recentre = Self { scale: xi.im / squared, shift: xi.re / squared };
@@ -85,7 +85,7 @@ pub(super) struct FirstArc {
 }
 
 impl FirstArc {
-    /// `None` where x lies on the arc, or two of the points coincide.
+    /// `None` if x lies on the arc, or two of the points coincide.
     pub fn new([from, middle, to]: [Complex; 3], x: Complex) -> Option<Self> {
         let factor = -((middle - from) / (middle - to));
         let plain = Self { from, to, factor, recentre: Recentre { scale: 1.0, shift: 0.0 } };
@@ -98,13 +98,13 @@ impl FirstArc {
         self.recentre.quotient(Complex::I * root, Complex::ONE)
     }
 
-    /// The images of z₀, z₁ and z₂ seen from the left; before x is brought to i they are ∞, −1 and 0.
+    /// The images of the left sides of z₀, z₁ and z₂; before x is moved to i they are ∞, −1 and 0.
     pub fn line(&self) -> [LinePoint; 3] {
         [self.recentre.line(1.0, 0.0), self.recentre.line(-1.0, 1.0), LinePoint::TIP]
     }
 }
 
-/// f for one point, followed by the return of x to i.
+/// f for one point, followed by the map that moves x back to i.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Geodesic {
     a: Complex,
@@ -115,7 +115,7 @@ pub(super) struct Geodesic {
     recentre: Recentre,
 }
 
-/// What stands against removing the geodesic to a point.
+/// Why the geodesic to a point cannot be removed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum NoGeodesic {
     /// The point coincides with the real line or with the tip, up to rounding.
@@ -144,14 +144,14 @@ impl Geodesic {
         self.recentre.quotient(n, d)
     }
 
-    /// f(z) as a fraction. The root S is the one with re(S z̄) ≥ 0, so S + z does not cancel.
+    /// f(z) as numerator and denominator. The root S is the one with re(S z̄) ≥ 0, so that S + z does not cancel.
     fn fraction(&self, z: Complex) -> (Complex, Complex) {
         let root = sqrt((z - self.a) * (z - self.a.conj()));
         let root = if root.re * z.re + root.im * z.im >= 0.0 { root } else { -root };
         (self.stretch * (root * (root + z)), root + self.tilt * z + Complex::from(self.a.re))
     }
 
-    /// The image of a point of the real line; of 0, the one to the left of the geodesic.
+    /// The image of a point of the real line; for 0, the image of the left side of the geodesic.
     pub fn map_line(&self, t: LinePoint) -> LinePoint {
         let (re, im) = (t.x - self.a.re * t.y, self.a.im * t.y);
         let side = if t.x == 0.0 { -t.y } else { t.x };
@@ -161,10 +161,9 @@ impl Geodesic {
     }
 }
 
-/// The last map, of H less the geodesic from 0 to ζ > 0, to the disk; i goes to 0 and ζ to 1.
+/// The last map, from H minus the geodesic from 0 to ζ > 0 to the disk; i is mapped to 0 and ζ to 1.
 ///
-/// With v = −w², (v − v_i)/(v − v̄_i), written out so that it does not cancel
-/// where ζ is small, is
+/// With v = −w², it is (v − v_i)/(v − v̄_i), expanded to a form that does not cancel for small ζ:
 /// (z − i)(ζz + i(ζ − 2z))(ζ + i)² / ((z + i)(ζz − i(ζ − 2z))(ζ − i)²).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Closing {
@@ -172,7 +171,7 @@ pub(super) struct Closing {
 }
 
 impl Closing {
-    /// `None` where i is not to the left of the geodesic from 0 to ζ, that is unless 0 < ζ < ∞.
+    /// `None` if i is not to the left of the geodesic from 0 to ζ, that is unless 0 < ζ < ∞.
     pub fn new(zeta: LinePoint) -> Option<Self> {
         let value = zeta.x / zeta.y;
         (value > 0.0 && value.is_finite()).then_some(Self { zeta: Complex::from(value) })
@@ -193,7 +192,7 @@ impl Closing {
         let last = self.zeta + Complex::I;
         let half = Complex::new(t.x, -t.y) * Complex::new(zeta * t.x, zeta * t.y - 2.0 * t.x) * (last * last);
         let half = half.arg();
-        // the half angle runs from 0 to π, where rounding may turn it to −π
+        // the half angle is in [0, π], where rounding may turn π to −π
         2.0 * if half < -FRAC_PI_2 { half + TAU } else { half }
     }
 }
