@@ -1,10 +1,10 @@
-//! The arc length of a closed curve that is given by a formula.
+//! The arc length of a closed curve given by a formula.
 
 use crate::geometry::DVec2;
 
-/// Chords per curve. On the paper's V and blob their length is that of the curve up to 1e-9.
+/// Chords per curve. On the paper's V and blob their total length is accurate to 1e-9.
 const CHORDS: usize = 1 << 17;
-/// The same for [`ArcLength::coarse`], up to 1e-7: made in milliseconds.
+/// Chords for [`ArcLength::coarse`], accurate to 1e-7; takes milliseconds.
 const COARSE_CHORDS: usize = 1 << 14;
 
 /// Arc length from parameter 0, tabulated at equal steps of the parameter.
@@ -15,12 +15,12 @@ pub struct ArcLength {
 }
 
 impl ArcLength {
-    /// Of the closed curve with this period.
+    /// The arc length of the closed curve with this period.
     pub fn new(curve: impl Fn(f64) -> DVec2, period: f64) -> Self {
         Self::of_chords(curve, period, CHORDS)
     }
 
-    /// As [`Self::new`], of an eighth of the chords: 1e-7 of the length is more than enough for a plot.
+    /// As [`Self::new`] with an eighth of the chords: an error of 1e-7 of the length is invisible in a plot.
     pub fn coarse(curve: impl Fn(f64) -> DVec2, period: f64) -> Self {
         Self::of_chords(curve, period, COARSE_CHORDS)
     }
@@ -64,7 +64,7 @@ impl ArcLength {
         (k as f64 + rest) * self.step
     }
 
-    /// `count` parameters at equal distances along the curve, from 0.
+    /// `count` parameters at equal distances along the curve, starting at 0.
     pub fn uniform_parameters(&self, count: u32) -> Vec<f64> {
         (0..count).map(|k| self.parameter(self.total() * f64::from(k) / f64::from(count))).collect()
     }

@@ -1,18 +1,18 @@
-//! Where a non-decreasing function crosses zero: false position, kept between bounds.
+//! The zero crossing of a non-decreasing function, by false position within a bracket.
 //!
-//! Anderson and Björck (1973): a secant of the bracket; where one end stays twice, its value is scaled down by
-//! what the other end's has fallen by, so that both ends come near. Order 1.7 for a smooth function.
-//! Where the bracket is not halved by three steps it is bisected: so a step, a flat piece or rounding takes four times
-//! the steps of a bisection at most.
+//! Anderson and Björck (1973): a secant of the bracket; if one end is kept twice, its value is scaled down by the
+//! factor by which the other end's value has decreased, so that both ends converge. Order 1.7 for a smooth function.
+//! If three steps do not halve the bracket, it is bisected, so that for functions with steps, flat parts or rounding
+//! errors the cost is at most four times that of bisection.
 
 /// The point at which `excess` goes from ≤ 0 to > 0, with an error of at most half the `tolerance`.
 ///
-/// `bracket` are two places and `excess` there, ≤ 0 at the first, > 0 at the second. Where it is not so, or
-/// `excess` is not monotone, the result is some place between them.
+/// `bracket` holds two arguments and the values of `excess` there, ≤ 0 at the first and > 0 at the second. Otherwise,
+/// or if `excess` is not monotone, the result is some point between the two.
 pub fn crossing(excess: impl Fn(f64) -> f64, bracket: [(f64, f64); 2], tolerance: f64) -> f64 {
     let [(mut low, mut below), (mut high, mut above)] = bracket;
     let mut widths = [f64::INFINITY; 3];
-    // which end came last
+    // which end was replaced last
     let mut came_low = None;
     while high - low > tolerance {
         let width = high - low;
@@ -20,12 +20,12 @@ pub fn crossing(excess: impl Fn(f64) -> f64, bracket: [(f64, f64); 2], tolerance
         let place = if width > 0.5 * widths[0] || part.is_nan() {
             low + 0.5 * width
         } else {
-            // not nearer to an end than what ends the search: so the far end comes near too
+            // keep a distance from the ends, so that the other end converges too
             (low + part * width).clamp(low + 0.5 * tolerance, high - 0.5 * tolerance)
         };
         widths = [widths[1], widths[2], width];
         if place <= low || place >= high {
-            break; // neighbouring numbers
+            break; // adjacent floating-point numbers
         }
         let value = excess(place);
         if value <= 0.0 {
@@ -39,7 +39,7 @@ pub fn crossing(excess: impl Fn(f64) -> f64, bracket: [(f64, f64); 2], tolerance
     0.5 * (low + high)
 }
 
-/// The factor of the value at the end that stays, in (0, 1].
+/// The factor for the value at the end that is kept, in (0, 1].
 fn scale(value: f64, before: f64) -> f64 {
     let scale = 1.0 - value / before;
     if scale > 0.0 { scale } else { 0.5 }
@@ -50,7 +50,7 @@ mod tests {
     use super::*;
     use std::cell::Cell;
 
-    /// The crossing between 0 and 1 of a function, and how often it was asked.
+    /// The crossing between 0 and 1 of a function, and the number of evaluations.
     fn counted(excess: impl Fn(f64) -> f64) -> (f64, u32) {
         let calls = Cell::new(0);
         let ends = [(0.0, excess(0.0)), (1.0, excess(1.0))];
@@ -79,7 +79,7 @@ mod tests {
 
     #[test]
     fn roots_steps_and_flat_pieces_are_found_as_surely_as_by_bisection() {
-        // a bisection takes 40 calls
+        // bisection takes 40 evaluations
         let check = |name: &str, root: f64, excess: &dyn Fn(f64) -> f64| {
             let (found, calls) = counted(excess);
             println!("{name}: {found}, {calls} calls");

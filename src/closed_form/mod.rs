@@ -1,18 +1,18 @@
-//! Which maps between presets are known in closed form, and their boundary correspondence.
+//! The maps between presets that are known in closed form, with their boundary correspondence.
 //!
-//! By harmonic measure a map is known where both measures are. They are, at any interior
-//! point and from any boundary point, for four presets; so all sixteen maps between these are known.
+//! A map is known by harmonic measure if both measures are. They are known from any interior
+//! point and any boundary point for four presets, so that all sixteen maps between these are known.
 //!
 //! | preset | harmonic measure | source |
 //! |---|---|---|
 //! | disk | (2θ − t)/2π | section 3.1 of the paper |
 //! | square | the disk's, through the lemniscate sine | [`exact::square`](crate::exact::square) |
 //! | blob | the disk's, through g by Newton's method | section 5.2 |
-//! | V-shape | in the strip, where nothing crowds | section 1.2 |
+//! | V-shape | in the strip coordinate, where nothing is crowded | section 1.2 |
 //!
-//! Of the other presets none has an elementary map, and a loaded outline has none, even where its points are a
-//! preset's. The presets are polygons along the curves: a fraction of the polygon's arc length is taken for the same
-//! fraction of the curve's, which is wrong by 1e-5 at most (the V and the blob).
+//! No other preset has an elementary map. A loaded outline has none, even if its points are
+//! a preset's. The presets are polygons along the curves: a fraction of the polygon's arc length is taken as the same
+//! fraction of the curve's, with an error of at most 1e-5 (the V and the blob).
 
 mod arc_length;
 mod crossing;
@@ -26,21 +26,21 @@ use crate::geometry::DVec2;
 use crate::outline::Preset;
 use crate::session::{OutlineSpec, Session};
 
-/// The exact map between two presets under constraints, on their boundaries.
+/// The boundary values of the exact map between two presets under constraints.
 ///
-/// Places are arc lengths from the anchor as fractions of the whole, in `[0, 1]`.
+/// Boundary points are given by their arc lengths from the anchor as fractions of the whole, in `[0, 1]`.
 #[derive(Debug, Clone)]
 pub struct ExactMap {
     sides: [Anchored; 2],
 }
 
 impl ExactMap {
-    /// The map of a session whose domains have these poles; `None` where it is not known. See [`Self::between`].
+    /// The map of a session whose domains have these poles; `None` if it is not known. See [`Self::between`].
     pub fn of_session(session: &Session, poles: [DVec2; 2]) -> Option<Self> {
         Self::between(Self::presets(session)?, &session.constraints(poles))
     }
 
-    /// The presets of a session's outlines; `None` where one is loaded.
+    /// The presets of a session's outlines; `None` if one is loaded.
     pub fn presets(session: &Session) -> Option<[Preset; 2]> {
         let preset = |outline: &OutlineSpec| match outline {
             OutlineSpec::Preset(preset) => Some(*preset),
@@ -50,8 +50,8 @@ impl ExactMap {
         Some([source?, target?])
     }
 
-    /// The map from one preset to another; `None` where it is not known in closed form, an
-    /// interior point is not inside its curve, or an anchor is not finite. Cost: about 1000 measures a side.
+    /// The map from one preset to another; `None` if it is not known in closed form, an
+    /// interior point is not inside its curve, or an anchor is not finite. Cost: about 1000 evaluations per side.
     pub fn between(presets: [Preset; 2], constraints: &Constraints) -> Option<Self> {
         let anchored = |side: Side| {
             let measure = ExactMeasure::new(presets[side as usize], constraints.points[side].in_plane()?)?;
@@ -60,12 +60,12 @@ impl ExactMap {
         Some(Self { sides: [anchored(Side::Source)?, anchored(Side::Target)?] })
     }
 
-    /// ω of a side at the place `x`: 0 at 0, 1 at 1, non-decreasing up to rounding.
+    /// ω of a side at `x`: 0 at 0, 1 at 1, non-decreasing up to rounding.
     pub fn measure(&self, side: Side, x: f64) -> f64 {
         self.sides[side as usize].at(x)
     }
 
-    /// r: where the place `x` of one side goes on the other; 0 at 0, 1 at 1, non-decreasing up to rounding.
+    /// r: the image on the other side of the point at `x`; 0 at 0, 1 at 1, non-decreasing up to rounding.
     pub fn reparameterisation(&self, from: Side, x: f64) -> f64 {
         match x {
             x if x <= 0.0 => 0.0,

@@ -1,4 +1,4 @@
-//! The closed forms against each other, a Fourier series, Möbius maps, and riemap's own map.
+//! The closed forms compared with each other, a Fourier series, Möbius maps, and riemap's own map.
 
 use super::*;
 use crate::conformal::{ConformalMap, Direction, PrepareSettings, PreparedSide, Side, prepare};
@@ -11,13 +11,13 @@ use std::sync::Arc;
 
 const KNOWN: [Preset; 4] = [Preset::Disk, Preset::Square, Preset::Blob, Preset::VShape];
 
-/// Points inside: near the middle, and in a corner, a lobe, an arm.
+/// Two interior points: one near the middle, one in a corner, a lobe or an arm.
 fn points(preset: Preset) -> [DVec2; 2] {
     match preset {
         Preset::Disk => [DVec2::new(0.1, -0.2), DVec2::new(-0.55, 0.6)],
         Preset::Square => [DVec2::new(0.0, 0.1), DVec2::new(0.7, -0.6)],
         Preset::Blob => [DVec2::new(2.7, 2.5), DVec2::new(4.6, 2.2)],
-        // on its middle line, y = 2x² − 1
+        // on the V's middle line, y = 2x² − 1
         _ => [DVec2::new(0.0, -1.0), DVec2::new(0.3, -0.82)],
     }
 }
@@ -38,7 +38,8 @@ fn measures_rise_from_zero_to_one_and_are_inverted() {
                 let omega = measure.at(s);
                 assert!(omega >= before - 1e-15, "{preset} at {s}: {omega} after {before}");
                 before = omega;
-                // Back to the point, or to one with the same measure up to rounding: what the inverse is off by, times the kernel.
+                // back to the point, or to one with the same measure up to rounding: the inverse's error times the
+                // kernel
                 let error = (measure.at(measure.inverse_at(omega)) - omega).abs();
                 assert!(error < 1e-10, "{preset} at {s}: {error:e}");
             }
@@ -46,8 +47,8 @@ fn measures_rise_from_zero_to_one_and_are_inverted() {
     }
 }
 
-/// The middle of the square's side is seen as in textbooks: by separation of variables, the measure of the
-/// top side of [0, π]² is Σ over odd n of (4/nπ) sin nx sinh ny / sinh nπ.
+/// Separation of variables: from x + iy in [0, π]², the measure of the top side
+/// is Σ over odd n of (4/nπ) sin nx sinh ny / sinh nπ.
 #[test]
 fn the_top_side_of_the_square_has_the_measure_of_its_fourier_series() {
     for x in [DVec2::new(0.2, 0.3), DVec2::new(-0.7, -0.1), DVec2::new(0.0, 0.0), DVec2::new(0.5, -0.6)] {
@@ -58,9 +59,9 @@ fn the_top_side_of_the_square_has_the_measure_of_its_fourier_series() {
         };
         let series: f64 = (0..40).map(|k| term(f64::from(2 * k + 1))).sum();
         let measure = ExactMeasure::new(Preset::Square, x).unwrap();
-        // its left half is the first eighth of the outline, its right half the last
+        // the left half of the top side is the first eighth of the outline, the right half the last
         let top = measure.at(0.125) + (1.0 - measure.at(0.875));
-        // the argument of g has a root's singularity at the corners, where rounding is 1e-8 of it
+        // the argument of g has a square-root singularity at the corners, where rounding becomes 1e-8
         assert!((top - series).abs() < 1e-7, "{x}: {top} for {series}");
     }
     let centre = ExactMeasure::new(Preset::Square, DVec2::ZERO).unwrap();
@@ -92,10 +93,10 @@ fn there_and_back_is_the_identity_under_any_constraints() {
                 assert!(error < 1e-10, "{source} → {target}, {from} at {x}: measures differ by {error:e}");
                 let risen = map.measure(from, x + 1e-3) - map.measure(from, x - 1e-3);
                 if risen < 1e-6 {
-                    continue; // in the V's arms, where points have no measure between them
+                    continue; // in the V's arms, where the measures of different points are equal in f64
                 }
                 let back = map.reparameterisation(from.other(), there);
-                // 1e-10 of the measure, over a kernel of 5e-4
+                // 1e-10 of the measure, divided by a kernel of 5e-4
                 assert!((back - x).abs() < 1e-6, "{source} → {target}, {from} at {x}: {there}, {back}");
             }
         }
@@ -129,7 +130,7 @@ fn prepared(preset: Preset) -> Arc<PreparedSide> {
     Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
 }
 
-/// riemap's map, with 1000 adaptive samples a side, against the closed forms.
+/// riemap's map with 1000 adaptive samples per side, compared with the closed forms.
 #[test]
 fn the_harmonic_map_is_the_exact_one_up_to_its_discretisation() {
     let domains = KNOWN.map(prepared);
@@ -150,9 +151,9 @@ fn the_harmonic_map_is_the_exact_one_up_to_its_discretisation() {
                 in_measure = in_measure.max(distance.min(1.0 - distance));
             }
             println!("{source} → {target}: {largest:.1e} of the length, {in_measure:.1e} of the measure");
-            // the kernels' own error: at most 2.5e-3, with the V on both sides
+            // the error of the kernels: at most 2.5e-3, with the V on both sides
             assert!(in_measure < 4e-3, "{source} → {target}: {in_measure:.2e} of the measure");
-            // in the V's arms any length has that measure
+            // in the V's arms points at any distance have measures this close
             let bounded = target != Preset::VShape;
             assert!(!bounded || largest < 4e-3, "{source} → {target}: {largest:.2e} of the length");
         }
