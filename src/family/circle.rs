@@ -1,9 +1,9 @@
 //! A circle inside a domain, through a given point.
 //!
 //! Let d(c) be the distance of c from the boundary. Along a ray p + r u the function d(p + r u) − k r with k > 1
-//! falls strictly, because d changes by at most r; where it is zero, the circle of radius r about p + r u passes
-//! through p and keeps the distance (k − 1) r from the boundary. Up to there d is positive: the
-//! centre is inside. Of several directions the one with the largest circle is taken.
+//! decreases strictly, because d changes by at most r; at its zero, the circle of radius r about p + r u passes
+//! through p and keeps the distance (k − 1) r from the boundary. Up to there d is positive, so that the
+//! center is inside. Of several directions the one with the largest circle is chosen.
 
 use crate::geometry::DVec2;
 use crate::outline::BoundarySamples;
@@ -11,23 +11,24 @@ use std::f64::consts::TAU;
 
 /// k: the circle keeps a quarter of its radius from the boundary.
 const CLEARANCE: f64 = 1.25;
-/// Directions that are tried. Those of a wide place differ little; in a channel two of sixteen lie along it.
+/// The number of directions. In wide places they give similar circles; in a channel two of sixteen lie along it.
 const DIRECTIONS: u32 = 16;
-/// Steps of the bisection: the radius is found to a thousandth of the way.
+/// Steps of the bisection, which gives the radius to a thousandth of the interval.
 const STEPS: u32 = 10;
 
-/// A circle that is gone around once, counter-clockwise or clockwise.
+/// A circle traversed once, counter-clockwise or clockwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {
-    /// Its centre.
+    /// The center.
     pub centre: DVec2,
-    /// From the centre to where it begins: as long as the radius.
+    /// The vector from the center to the start; its length is the radius.
     pub arm: DVec2,
     turns: f64,
 }
 
 impl Circle {
-    /// The largest found circle through the interior point `point`. Its radius is 0 where the point lies on the boundary. Cost O(m).
+    /// The largest circle found through the interior point `point`; radius 0 if the point lies on the boundary. Cost
+    /// O(m).
     pub fn through(point: DVec2, samples: &BoundarySamples) -> Self {
         let distance = |c: DVec2| samples.position(samples.nearest(c)).distance(c);
         let room = distance(point);
@@ -36,11 +37,11 @@ impl Circle {
         for k in 0..DIRECTIONS {
             let direction = DVec2::from_angle(TAU * f64::from(k) / f64::from(DIRECTIONS));
             let fits = |r: f64| distance(point + r * direction) >= CLEARANCE * r;
-            // a direction that has no more room than the best one is not worth a search
+            // skip a direction that has no more room than the best one so far
             if !fits(1.001 * best) {
                 continue;
             }
-            // d(p + r u) ≤ d(p) + r: no larger circle fits
+            // d(p + r u) ≤ d(p) + r, so that no larger circle fits
             let radius = largest(fits, room / (CLEARANCE - 1.0));
             if radius > best {
                 (best, centre) = (radius, point + radius * direction);
@@ -55,7 +56,7 @@ impl Circle {
         Self { turns: -self.turns, ..self }
     }
 
-    /// The point at time `t`; at 0 and 1 where it begins.
+    /// The point at time `t`; at 0 and 1 the start.
     pub fn at(&self, t: f64) -> DVec2 {
         if t == 0.0 {
             return self.centre + self.arm;
@@ -64,7 +65,7 @@ impl Circle {
     }
 }
 
-/// The end of the interval from 0 in which `fits` holds, below `limit`.
+/// The upper end of the interval from 0 in which `fits` holds, at most `limit`.
 fn largest(fits: impl Fn(f64) -> bool, limit: f64) -> f64 {
     let (mut low, mut high) = (0.0, limit);
     for _ in 0..STEPS {

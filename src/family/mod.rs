@@ -1,10 +1,10 @@
-//! Closed ways through the family of conformal maps between two sides.
+//! Closed paths in the family of conformal maps between two sides.
 //!
 //! The maps of one side onto another have three degrees of freedom: two for the interior point, one for
-//! the boundary point. A [`Loop`] begins and ends at given points. An interior point goes around a
-//! circle (file `circle`); the boundary point turns once so that equal times are equal
-//! harmonic measures: in the disk that is a rotation at constant speed, while equal arc lengths would
-//! rush through what crowding has made small, and stand still where it is large.
+//! the boundary point. A [`Loop`] starts and ends at given points. An interior point moves around a
+//! circle (file `circle`); the boundary point moves once around the boundary, at constant speed in
+//! harmonic measure, which in the disk is a rotation at constant speed. At constant speed in arc length
+//! the picture would change fast in crowded parts and hardly at all elsewhere.
 
 mod circle;
 
@@ -14,22 +14,22 @@ use crate::conformal::{HarmonicMeasure, InteriorPoint, PerSide, PreparedSide};
 use crate::geometry::DVec2;
 use std::sync::Arc;
 
-/// Which of the points move.
+/// The points that move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Path {
-    /// x₁ goes around a circle in the source.
+    /// x₁ moves around a circle in the source.
     SourcePoint,
-    /// x₂ goes around a circle in the target.
+    /// x₂ moves around a circle in the target.
     TargetPoint,
-    /// y₁ turns around the source.
+    /// y₁ moves around the source's boundary.
     #[default]
     Boundary,
-    /// x₁ and y₁ as above, and x₂ the other way around; a point of a surface stays.
+    /// x₁ and y₁ as above, and x₂ in the opposite direction; an interior point of a surface does not move.
     All,
 }
 
 impl Path {
-    /// All of them.
+    /// All paths.
     pub const ALL: [Self; 4] = [Self::SourcePoint, Self::TargetPoint, Self::Boundary, Self::All];
 
     fn moves_source_point(self) -> bool {
@@ -45,16 +45,16 @@ impl Path {
     }
 }
 
-/// Where a loop begins: the map that is there.
+/// The map at which a loop starts.
 #[derive(Debug, Clone, Copy)]
 pub struct Start<'a> {
-    /// The sides, and x₁ and x₂ in them.
+    /// The sides with x₁ and x₂.
     pub sides: PerSide<(&'a Arc<PreparedSide>, InteriorPoint)>,
-    /// The harmonic measure of the source from y₁, seen from x₁.
+    /// The harmonic measure of the source from x₁, counted from y₁.
     pub measure: &'a HarmonicMeasure,
 }
 
-/// Points on a loop; `None` for those that do not move.
+/// A position on a loop; `None` for points that do not move.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Place {
     /// x₁, x₂.
@@ -63,7 +63,7 @@ pub struct Place {
     pub anchor: Option<f64>,
 }
 
-/// A closed way through the family.
+/// A closed path in the family.
 #[derive(Debug, Clone)]
 pub struct Loop {
     circles: [Option<Circle>; 2],
@@ -78,7 +78,7 @@ struct Turn {
 }
 
 impl Loop {
-    /// The loop along `path` from `start`. `None` where nothing would move: a point of a surface alone.
+    /// The loop along `path` from `start`; `None` if no point would move, as with a surface's interior point only.
     pub fn new(path: Path, start: &Start<'_>) -> Option<Self> {
         let circle = |(side, point): (&Arc<PreparedSide>, InteriorPoint)| {
             Some(Circle::through(point.in_plane()?, side.domain()?.samples()))
@@ -92,7 +92,7 @@ impl Loop {
         (source.is_some() || target.is_some() || turn.is_some()).then_some(Self { circles: [source, target], turn })
     }
 
-    /// The points at time `t`, of which only the fraction counts: at 0 they are where the loop begins.
+    /// The points at time `t` modulo 1; at 0 they are at the start.
     pub fn at(&self, t: f64) -> Place {
         let t = t.rem_euclid(1.0);
         let interior = self.circles.map(|circle| circle.map(|circle| circle.at(t)));

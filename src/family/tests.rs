@@ -1,4 +1,4 @@
-//! The loops stay inside, close, and go evenly.
+//! The loops stay inside the domains, close, and have constant speed.
 
 use super::*;
 use crate::conformal::{
@@ -42,7 +42,7 @@ fn loops_begin_and_end_at_the_points_that_are_there() {
     }
 }
 
-/// Wherever the point is, in every preset: the map is defined all along the circle.
+/// For points anywhere in every preset, so that the map is defined along the whole circle.
 #[test]
 fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
     for preset in Preset::ALL {
@@ -88,7 +88,7 @@ fn the_largest_circle_through_the_centre_of_a_disk_is_known() {
     assert!((radius - 4.0 / 9.0).abs() < 0.01, "{radius}");
 }
 
-/// Seen from the centre of a disk, harmonic measure is the angle.
+/// From the center of a disk, harmonic measure is the angle.
 #[test]
 fn the_boundary_point_of_a_disk_turns_at_constant_speed() {
     let (map, constraints) = map([Preset::Disk, Preset::Square]);
@@ -108,7 +108,7 @@ fn the_boundary_point_of_a_disk_turns_at_constant_speed() {
     }
 }
 
-/// Turning y₁ by the measure t turns the disk by 2πt: half a turn there and half a turn on is the same map.
+/// Turning y₁ by the measure t rotates the disk by 2πt: after half a loop the map is rotated by half a turn.
 #[test]
 fn halfway_around_the_disk_the_map_is_turned_by_half_a_turn() {
     let (map, constraints) = map([Preset::Disk, Preset::Disk]);
