@@ -35,13 +35,13 @@ fn derivative(z: Complex) -> Complex {
     0.1 * (2.0 * z + Complex::ONE) + rational - (1.0 / 6.0) * (Complex::new(3.0, -5.0) * wave) + logarithm
 }
 
-/// Where Newton's method starts: the nearest of the images of a centre, of four circles and of 64 rays.
-/// From each of 2000 places spread over the disk up to |z| = 0.9999 it then arrives, without fail.
+/// Newton's method starts at the nearest of the images of the center and of points on four circles and 64 rays.
+/// With these starts it converged for each of 2000 points spread over the disk up to |z| = 0.9999.
 const START_RADII: [f64; 4] = [0.3, 0.6, 0.85, 0.97];
 const START_RAYS: u32 = 64;
-/// Five steps are enough, but right at the boundary.
+/// Five steps are enough except close to the boundary.
 const NEWTON_STEPS: u32 = 60;
-/// |g⁻¹(z) − w| that is taken for 0; |g⁻¹′| lies between 0.07 and 12, the blob's size is 8.
+/// The value of |g⁻¹(z) − w| that counts as 0; |g⁻¹′| lies between 0.07 and 12, the blob's size is 8.
 const RESIDUAL: f64 = 1e-13;
 
 /// g(w), the inverse of [`from_disk`], for `w` inside the blob; `None` outside. By Newton's method.
@@ -56,7 +56,7 @@ pub fn to_disk(w: Complex) -> Option<Complex> {
         if now.norm() <= RESIDUAL {
             break;
         }
-        // the function is known in the closed disk alone
+        // the function is known only in the closed disk
         while (z - step).norm() > 1.0 || residual(z - step).norm() > now.norm() {
             step = 0.5 * step;
             if step.norm() < f64::EPSILON {
@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn the_given_points_of_the_disk_go_to_the_given_points_of_the_blob() {
-        // 60-digit values, rounded.
+        // 60-digit values, rounded
         let one = from_disk(Complex::ONE) - Complex::new(1.019_500_793_516_213_7, 2.829_540_689_356_530_3);
         let zero = from_disk(Complex::ZERO) - Complex::new(2.677_813_229_026_218, 2.466_851_711_366_240_7);
         assert!(one.norm() < 1e-15, "{one:?}");

@@ -1,6 +1,6 @@
-//! Complex numbers are [`num_complex`]'s; here stands what the closed forms need besides.
+//! Complex numbers of [`num_complex`], and the functions that the closed forms need in addition.
 //!
-//! [`sqrt`] and [`arg_sinh`] replace `Complex::sqrt`, which goes through the argument and loses digits near the
+//! [`sqrt`] and [`arg_sinh`] replace `Complex::sqrt`, which computes the argument and loses digits near the
 //! negative axis, and `z.sinh().arg()`, which overflows.
 
 use glam::DVec2;
@@ -25,7 +25,7 @@ pub fn sqrt(z: Complex) -> Complex {
     if z == Complex::ZERO {
         return z;
     }
-    // The larger of the two halves is computed without cancellation.
+    // the larger of the two parts is computed without cancellation
     let larger = (0.5 * (z.norm() + z.re.abs())).sqrt();
     let smaller = 0.5 * z.im / larger;
     if z.re >= 0.0 { Complex::new(larger, smaller) } else { Complex::new(smaller.abs(), larger.copysign(z.im)) }
@@ -65,7 +65,7 @@ mod tests {
 
     #[test]
     fn the_argument_of_sinh_does_not_overflow() {
-        // far to the right sinh z is e^z/2, far to the left −e^{−z}/2
+        // sinh z ≈ e^z/2 for large positive real parts, −e^{−z}/2 for large negative ones
         assert!((arg_sinh(Complex::new(800.0, 0.3)) - 0.3).abs() < 1e-15);
         assert!((arg_sinh(Complex::new(-800.0, 0.3)) - (std::f64::consts::PI - 0.3)).abs() < 1e-15);
         assert!(Complex::new(800.0, 0.3).sinh().re.is_infinite());

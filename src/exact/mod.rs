@@ -1,4 +1,4 @@
-//! Closed forms used as truth.
+//! Closed forms used as reference solutions.
 
 pub mod blob;
 mod complex;

@@ -15,7 +15,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
 /// K(k) at k² = ½.
 const QUARTER_PERIOD: f64 = 1.854_074_677_301_371_9;
 
-/// Steps of the arithmetic-geometric mean of 1 and √½: c₄ is 3e-12, c₅ 1e-24.
+/// Steps of the arithmetic-geometric mean of 1 and √½; c₄ is 3e-12, c₅ is 1e-24.
 const STEPS: usize = 5;
 
 /// Jacobi's sn, cn and dn of `u` at k² = ½.
@@ -49,11 +49,11 @@ pub fn to_disk(z: Complex) -> Complex {
     eighth.conj() * sine
 }
 
-/// The argument in `[0, 2π]` of g at the boundary point that the part `s` in `[0, 1]` of the perimeter
-/// separates from 1, counter-clockwise.
+/// The argument in `[0, 2π]` of g at the boundary point at the fraction `s` in `[0, 1]` of the perimeter,
+/// counter-clockwise from 1.
 ///
-/// At the argument φ from the middle of a side, |dz/dφ| is 1/√(2 cos 2φ) but for a factor; √2 sin φ is then
-/// sn of the arc length from that middle, in which a half side is K.
+/// At the argument φ from the middle of a side, |dz/dφ| is 1/√(2 cos 2φ) up to a factor; √2 sin φ is therefore
+/// sn of the arc length from that middle, scaled so that half a side is K.
 pub fn boundary_angle(s: f64) -> f64 {
     let side = (4.0 * s).round();
     let [sn, ..] = jacobi(2.0 * QUARTER_PERIOD * (4.0 * s - side));

@@ -37,7 +37,7 @@ fn from_half_plane(u: Complex) -> Complex {
 
 /// g(z), the conformal map of the V onto the unit disk.
 ///
-/// In the tips the result is only known to lie next to the circle; use
+/// In the tips the result is only known to lie close to the circle; use
 /// [`harmonic_measure`] there.
 pub fn to_disk(z: Complex) -> Complex {
     (1.0 / (1.0 - epsilon())) * strip(z).tanh()
@@ -51,7 +51,7 @@ pub fn to_disk(z: Complex) -> Complex {
 pub fn boundary(t: f64) -> DVec2 {
     let t = t.rem_euclid(4.0);
     let half_length = half_length();
-    // The distance along the quarter, from its tip.
+    // the distance from the quarter's tip
     let from_tip = if t <= 2.0 { t.min(2.0 - t) } else { (t - 2.0).min(4.0 - t) };
     let d = from_tip * from_tip * half_length;
     let r = 1.0 - epsilon();
@@ -82,7 +82,7 @@ pub fn harmonic_measure(x: DVec2, y: DVec2) -> f64 {
     let tip = Complex::from(half_length());
     let turn = |end: f64, start: f64| {
         let turn = (end - start).rem_euclid(TAU);
-        // A rounding error below the start is the start, not a full turn.
+        // a rounding error below the start counts as the start, not as a full turn
         if TAU - turn < 1e-13 { 0.0 } else { turn }
     };
     let around_x = turn(arg_sinh(to - from), arg_sinh(tip - from));
@@ -129,7 +129,7 @@ mod tests {
             let y = boundary(f64::from(k) / 100.0);
             let angle = to_disk(complex(y)).arg().rem_euclid(TAU) / TAU;
             let omega = harmonic_measure(center, y);
-            // The angle is next to 0 or 1 on the whole right arm, where either may round.
+            // on the whole right arm the angle is close to 0 or 1, and may round to either
             let error = (omega - angle + 0.5).rem_euclid(1.0) - 0.5;
             assert!(error.abs() < 1e-14, "t = {k}/100: {omega} against {angle}");
         }
