@@ -1,11 +1,11 @@
-//! A boundary point keeps its place while the outline changes under it.
+//! Carries a boundary point along when the outline changes.
 
 use crate::geometry::DVec2;
 
-/// The fraction of the length of the closed chain `new` for the point at `fraction` of `old`.
+/// The fraction of the length of the closed chain `new` that corresponds to `fraction` of `old`.
 ///
-/// Where both have as many vertices, they are the same ones in other places: the point stays at
-/// the same part of the same edge. Else it goes to the nearest point of `new`.
+/// If both have the same number of vertices, the vertices correspond to each other, and the point stays at
+/// the same part of the same edge. Otherwise it is moved to the nearest point of `new`.
 pub fn carried_fraction(old: &[DVec2], new: &[DVec2], fraction: f64) -> f64 {
     let (edge, part) = place(old, fraction);
     if old.len() == new.len() {

@@ -1,13 +1,13 @@
 //! Smooth closed curves through given points.
 //!
-//! Centripetal Catmull–Rom splines (Yuksel, Schaefer and Keyser 2011): unlike the uniform
-//! ones, they make no loops and no cusps inside a piece, however uneven the points are.
+//! Centripetal Catmull–Rom splines (Yuksel, Schaefer and Keyser 2011): unlike uniform
+//! ones, they have no loops and no cusps inside a piece, however unevenly the points are spaced.
 
 use super::hermite;
 use crate::geometry::DVec2;
 
-/// A turn of a simplified chain by more than this (60°) is meant as a corner: on a circle of
-/// a finger's width the turns are below 50°, at the tips of a hastily drawn star above 90°.
+/// A larger turn (60°) of a simplified chain counts as a corner: on a circle as large as a
+/// finger is wide the turns are below 50°, at the tips of a quickly drawn star above 90°.
 const CORNER: f64 = std::f64::consts::FRAC_PI_3;
 
 /// The [`closed_curve`] through the `points` of a simplified chain, with corners where they turn sharply.
@@ -19,8 +19,8 @@ pub fn curve_with_corners(points: &[DVec2]) -> Vec<DVec2> {
     })
 }
 
-/// The closed curve through `points` as a dense polygon; at those that are `corners` it may turn sharply.
-/// Fewer than three points, or repeated neighbours, are given back as they are but for the repetition.
+/// The closed curve through `points` as a dense polygon; at points that are `corners` it may turn sharply.
+/// Repeated neighbors are removed; fewer than three points are returned unchanged otherwise.
 pub fn closed_curve(points: &[DVec2], corners: impl Fn(usize) -> bool) -> Vec<DVec2> {
     let mut distinct: Vec<(DVec2, bool)> = Vec::with_capacity(points.len());
     for (k, &point) in points.iter().enumerate() {
@@ -49,7 +49,7 @@ pub fn closed_curve(points: &[DVec2], corners: impl Fn(usize) -> bool) -> Vec<DV
 }
 
 /// The derivatives at both ends of the piece from `a` to `b` over the unit interval: those of the
-/// parabolas through three points each, whose parameters differ by the roots of the distances.
+/// parabolas through three points each, whose parameters differ by the square roots of the distances.
 fn derivatives(p: DVec2, a: DVec2, b: DVec2, q: DVec2) -> [DVec2; 2] {
     let [before, here, after] = [p.distance(a), a.distance(b), b.distance(q)].map(f64::sqrt);
     [

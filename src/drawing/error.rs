@@ -1,9 +1,9 @@
-//! Why a drawing is no outline, or a handle cannot go.
+//! The errors of drawing and reshaping.
 
 use crate::counted::counted;
 use crate::geometry::PolygonError;
 
-/// Why a drawing is no outline, or a change of one was not made.
+/// Why a drawing is not an outline, or a change of an outline is impossible.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
@@ -17,16 +17,16 @@ pub enum DrawingError {
         "an outline needs at least 3 points; {count} are set"
     ))]
     TooFewPoints {
-        /// How many there are.
+        /// The number of points.
         count: usize,
     },
-    /// A handle cannot go, because no outline would be left.
+    /// The handle cannot be removed, because too few would be left.
     #[error("an outline keeps at least {least} handles: this one cannot go")]
     LastHandles {
-        /// How many stay.
+        /// The smallest number of handles.
         least: usize,
     },
-    /// What was drawn is no simple polygon.
+    /// The drawing is not a simple polygon.
     #[error(transparent)]
     Outline(#[from] PolygonError),
 }

@@ -1,20 +1,21 @@
-//! A freehand stroke becomes a smooth closed outline with the corners that it has.
+//! Turns a freehand stroke into a smooth closed outline with corners.
 //!
-//! The tails beyond a crossing near the ends, or beyond where the end passes the beginning, are cut off; of the rest, Douglas and Peucker's
-//! points are joined by a centripetal Catmull–Rom spline that may turn sharply where the stroke does.
+//! If the ends cross, or the end runs past the beginning, the parts beyond are cut off. The rest is simplified by
+//! Douglas and Peucker's algorithm and joined by a centripetal Catmull–Rom spline, with corners where the stroke turns
+//! sharply.
 
 use super::{DrawingError, curve_with_corners, simplified};
 use crate::geometry::{DVec2, Side, side};
 
-/// The part of a stroke, from either end, in which a crossing is an overshoot.
+/// The part of a stroke, from either end, in which a crossing counts as an overshoot.
 const TAIL: f64 = 0.25;
 
-/// A stroke whose box is less wide and high than so many tolerances is a dot.
+/// A stroke whose bounding box is smaller than this many tolerances in both directions is a dot.
 const LEAST_SIZE: f64 = 8.0;
 
-/// The outline that a stroke means. `tolerance`: how far off its points may be, a pixel or two.
+/// The outline of a stroke. `tolerance`: how inaccurate its points may be, one or two pixels.
 ///
-/// The result may cross itself where the stroke does, other than near its ends. Errors:
+/// The result crosses itself if the stroke does so other than near its ends. Errors:
 /// the stroke is no larger than a few tolerances.
 pub fn freehand(stroke: &[DVec2], tolerance: f64) -> Result<Vec<DVec2>, DrawingError> {
     let rough: Vec<DVec2> = simplified(stroke, 0.5 * tolerance).into_iter().map(|k| stroke[k]).collect();
@@ -33,10 +34,10 @@ pub fn freehand(stroke: &[DVec2], tolerance: f64) -> Result<Vec<DVec2>, DrawingE
     Ok(curve_with_corners(&points))
 }
 
-/// The chain between the crossings of its beginning with its end; without one, all of it.
+/// The part of the chain between the crossings of its beginning and its end; all of it if there are none.
 fn without_tails(chain: &[DVec2]) -> Vec<DVec2> {
     let mut chain = chain.to_vec();
-    // ends that run along each other cross more than once
+    // ends that run along each other may cross more than once
     while let Some((at, i, j)) = first_crossing_of_ends(&chain) {
         chain = [&[at], &chain[i + 1..=j]].concat();
     }
@@ -44,11 +45,11 @@ fn without_tails(chain: &[DVec2]) -> Vec<DVec2> {
     chain
 }
 
-/// Where the stroke passes the beginning, it is nearer to it than its end by this factor; else the end has not run
-/// past it. An overshoot of a twelfth of a circle has 0.2, an L, a V or half a circle 0.7 and more.
+/// The end has run past the beginning if the stroke comes nearer to the beginning than its end, by this factor. An
+/// overshoot of a twelfth of a circle has 0.2; an L, a V or half a circle has 0.7 or more.
 const PASSES: f64 = 0.6;
 
-/// An end that runs past the beginning without crossing it is cut off where it passes nearest to it.
+/// Cuts off an end that runs past the beginning without crossing it, at the point nearest to the beginning.
 fn end_near_beginning(chain: &mut Vec<DVec2>) {
     let lengths: Vec<f64> = chain.windows(2).map(|w| w[0].distance(w[1])).collect();
     let tails = edges_within(lengths.iter().rev(), TAIL * lengths.iter().sum::<f64>());
@@ -67,7 +68,7 @@ fn end_near_beginning(chain: &mut Vec<DVec2>) {
     }
 }
 
-/// The first crossing of an edge near the beginning with one near the end: where, and the edges.
+/// The first crossing of an edge near the beginning with one near the end: the point and the edges.
 fn first_crossing_of_ends(chain: &[DVec2]) -> Option<(DVec2, usize, usize)> {
     let lengths: Vec<f64> = chain.windows(2).map(|w| w[0].distance(w[1])).collect();
     let reach = TAIL * lengths.iter().sum::<f64>();
@@ -83,7 +84,7 @@ fn first_crossing_of_ends(chain: &[DVec2]) -> Option<(DVec2, usize, usize)> {
     None
 }
 
-/// How many of the first edges begin within `reach`.
+/// The number of leading edges that begin within the distance `reach`.
 fn edges_within<'a>(lengths: impl Iterator<Item = &'a f64>, reach: f64) -> usize {
     let mut sum = 0.0;
     let begins_within = |length: &&f64| {
@@ -94,7 +95,7 @@ fn edges_within<'a>(lengths: impl Iterator<Item = &'a f64>, reach: f64) -> usize
     lengths.take_while(begins_within).count()
 }
 
-/// Where two segments cross properly.
+/// The point where two segments cross properly.
 fn crossing([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> Option<DVec2> {
     let apart =
         |p, q, r, s| matches!((side(p, q, r), side(p, q, s)), (Side::Left, Side::Right) | (Side::Right, Side::Left));

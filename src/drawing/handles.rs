@@ -1,25 +1,25 @@
-//! Which vertices of an outline are handles: few enough to be grabbed, enough to reshape it by.
+//! Chooses the vertices of an outline that are handles: few enough to be grabbed, enough to reshape it.
 
 use super::simplify::simplified_ring;
 use crate::geometry::{Bounds, DVec2};
 
-/// An outline with so few vertices has a handle at each of them: it is a polygon that someone has set.
+/// An outline with at most this many vertices has a handle at each: it is a polygon drawn point by point.
 const ALL_OF: usize = 30;
 
-/// The most handles that are made: 60 of them are 15 pixels apart in a viewport's smallest outline.
+/// The maximal number of handles: 60 are 15 pixels apart in the smallest outline of a viewport.
 const MOST: usize = 60;
 
-/// How far the chain of the handles may be from the outline, as a part of its size.
+/// The initial tolerance between the polygon of the handles and the outline, as a part of its size.
 /// At 0.01 a circle has 16 handles, and a bump of a tenth of its radius still looks round; at 0.004 it has 32.
 const FIRST_TOLERANCE: f64 = 0.01;
 
-/// What the tolerance grows by until there are no more than [`MOST`].
+/// The factor by which the tolerance grows until there are at most [`MOST`] handles.
 const GROWTH: f64 = 1.25;
 
-/// A turn by more than this at a vertex (20°) is a corner: dense polygons of curves turn by 0.1 at most.
+/// A larger turn (20°) at a vertex is a corner: dense polygons of curves turn by at most 0.1.
 const SHARP: f64 = 0.35;
 
-/// The indices of the vertices that are handles, ascending.
+/// The indices of the handles' vertices, ascending.
 pub(super) fn handles(vertices: &[DVec2]) -> Vec<usize> {
     if vertices.len() <= ALL_OF {
         return (0..vertices.len()).collect();
@@ -27,7 +27,7 @@ pub(super) fn handles(vertices: &[DVec2]) -> Vec<usize> {
     let mut tolerance = FIRST_TOLERANCE * Bounds::of(vertices.iter().copied()).size().max_element();
     loop {
         let kept = simplified_ring(vertices, tolerance);
-        // a tolerance that is not positive and finite grows no more
+        // a tolerance that is not positive and finite would never grow
         if kept.len() <= MOST || !(tolerance > 0.0 && tolerance.is_finite()) {
             return kept;
         }

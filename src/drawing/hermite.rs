@@ -1,16 +1,16 @@
-//! Cubic Hermite pieces, cut into chords.
+//! Cubic Hermite pieces, divided into chords.
 
 use crate::geometry::DVec2;
 
-/// The turn from chord to chord, in radians: that of the curves in files.
+/// The turn from chord to chord, in radians; the same as for curves in files.
 const TURN: f64 = 0.04;
 
-/// The largest number of chords for one piece.
+/// The maximal number of chords for one piece.
 const MAX_CHORDS: f64 = 64.0;
 
 /// The inner points of the cubic from `a` to `b` with these derivatives over the unit interval.
 ///
-/// At an end without one the piece is not bent (its second derivative is 0); without both it is straight,
+/// At an end without a derivative the second derivative is 0; without both the piece is straight
 /// and has no inner points.
 pub(super) fn inner_points(a: DVec2, b: DVec2, derivatives: [Option<DVec2>; 2]) -> Vec<DVec2> {
     let free = |other: DVec2| 0.5 * (3.0 * (b - a) - other);

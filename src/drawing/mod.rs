@@ -1,8 +1,8 @@
-//! Outlines by hand: drawn with the pointer, reshaped by a few handles.
+//! Outlines drawn by hand or reshaped by handles.
 //!
-//! Everything here is a pure function on lists of vertices in the plane. What comes out
-//! is not yet an outline: [`crate::geometry::SimplePolygon`] says whether it is one, and
-//! where it crosses itself if it is none.
+//! Pure functions on lists of vertices in the plane. Their results need not be valid outlines:
+//! [`crate::geometry::SimplePolygon`] checks whether they are, and reports
+//! where they cross themselves.
 
 mod carry;
 mod curve;

@@ -1,8 +1,8 @@
-//! An outline under the hand: its vertices, and the few of them that are handles.
+//! An outline being reshaped: its vertices, some of which are handles.
 //!
-//! A handle that moves takes the boundary between its neighbours with it, by a weight that
-//! falls from 1 to 0 along arc length. Where the boundary is smooth the weight has slope 0, so
-//! that it stays smooth; between corners it is linear, so that straight edges stay straight.
+//! Moving a handle moves the boundary between its neighbors by a weight that decreases from 1 to 0 along
+//! arc length. Where the boundary is smooth the weight has slope 0, so that it stays smooth; next to corners it is
+//! linear, so that straight edges stay straight.
 
 use super::carry::nearest;
 use super::handles::{handles, is_sharp};
@@ -11,26 +11,26 @@ use super::smooth::smoothed;
 use super::{DrawingError, hermite};
 use crate::geometry::{Bounds, DVec2, PolygonError, SimplePolygon};
 
-/// Fewer handles than a triangle has cannot hold an outline.
+/// The smallest number of handles, those of a triangle.
 const LEAST_HANDLES: usize = 3;
 
-/// An outline with more vertices is thinned: they cost 1 ms for a thousand with every move of a handle.
+/// An outline with more vertices is thinned: a thousand vertices cost 1 ms for every move of a handle.
 const DENSE: usize = 500;
 
-/// By how much, as a part of the size: a thirtieth of a pixel in a picture of a thousand.
+/// The tolerance of thinning, as a part of the size: a thirtieth of a pixel in a picture a thousand pixels wide.
 const INVISIBLE: f64 = 3e-5;
 
 /// A closed chain of vertices, some of them handles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shape {
     vertices: Vec<DVec2>,
-    /// Indices of vertices, ascending.
+    /// Indices of the handles' vertices, ascending.
     handles: Vec<usize>,
 }
 
 impl Shape {
-    /// Chooses handles: all vertices of a polygon that has few, else those that the outline is known by.
-    /// Of very many vertices those are left out that nobody could see; the first one stays.
+    /// Chooses the handles: all vertices of a polygon that has few, otherwise the most significant ones.
+    /// If there are very many vertices, those without visible effect are removed; the first one stays.
     pub fn new(polygon: &SimplePolygon) -> Self {
         let vertices = polygon.vertices();
         if vertices.len() <= DENSE {
@@ -38,7 +38,7 @@ impl Shape {
         }
         let kept = simplified_ring(vertices, INVISIBLE * polygon.bounds().size().max_element());
         let thinned = Self::of(kept.into_iter().map(|k| vertices[k]).collect());
-        // in a channel narrower than that the sides could meet
+        // in a channel narrower than the tolerance the thinned sides could meet
         if thinned.polygon().is_ok() { thinned } else { Self::of(vertices.to_vec()) }
     }
 
@@ -51,28 +51,28 @@ impl Shape {
         &self.vertices
     }
 
-    /// How many handles there are.
+    /// The number of handles.
     pub fn handle_count(&self) -> usize {
         self.handles.len()
     }
 
-    /// The places of the handles, in order.
+    /// The positions of the handles, in order.
     pub fn handles(&self) -> impl ExactSizeIterator<Item = DVec2> + '_ {
         self.handles.iter().map(|&k| self.vertices[k])
     }
 
-    /// The place of a handle.
+    /// The position of a handle.
     pub fn handle(&self, handle: usize) -> Option<DVec2> {
         self.handles.get(handle).map(|&k| self.vertices[k])
     }
 
-    /// The outline, counter-clockwise. Errors: what is wrong with it, by vertices.
+    /// The outline, counter-clockwise. Errors: why the vertices do not form a simple polygon.
     pub fn polygon(&self) -> Result<SimplePolygon, PolygonError> {
         SimplePolygon::try_from(self.vertices.clone())
     }
 
-    /// The shape with a handle at `to`; the boundary up to its neighbours follows. A handle that
-    /// does not exist moves nothing.
+    /// The shape with a handle moved to `to`; the boundary up to its neighbors follows. A handle that
+    /// does not exist changes nothing.
     #[must_use]
     pub fn moved(&self, handle: usize, to: DVec2) -> Self {
         let mut moved = self.clone();
@@ -105,19 +105,19 @@ impl Shape {
         between.into_iter().map(|(k, at)| (k, weight(at / s, ends))).collect()
     }
 
-    /// The vertex of the neighbouring handle.
+    /// The vertex of the neighboring handle.
     fn neighbour(&self, handle: usize, forward: bool) -> usize {
         let count = self.handles.len();
         self.handles[(handle + if forward { 1 } else { count - 1 }) % count]
     }
 
-    /// The shape with one more handle, at the boundary point nearest to `at`, and which one that is.
-    /// Where there is a handle already, it is that one.
+    /// The shape with one more handle, at the boundary point nearest to `at`, and that handle's number.
+    /// If there is already a handle at that point, its number is returned.
     pub fn inserted(&self, at: DVec2) -> (Self, usize) {
         let mut shape = self.clone();
         let (edge, part) = nearest(&self.vertices, at);
         let next = (edge + 1) % self.vertices.len();
-        // an end of the edge is a vertex already
+        // at an end of the edge there already is a vertex
         let vertex = match part {
             0.0 => edge,
             1.0 => next,
@@ -137,8 +137,8 @@ impl Shape {
         (shape, handle)
     }
 
-    /// The shape without a handle: between its neighbours runs the plainest curve that goes on from
-    /// what is smooth there; between two corners that is a straight edge.
+    /// The shape without a handle: its neighbors are joined by a cubic that continues
+    /// the boundary where it is smooth; between two corners that is a straight edge.
     pub fn removed(&self, handle: usize) -> Result<Self, DrawingError> {
         if self.handles.len() <= LEAST_HANDLES || handle >= self.handles.len() {
             return Err(DrawingError::LastHandles { least: LEAST_HANDLES });
@@ -149,7 +149,7 @@ impl Shape {
         let along = |k: usize, l: usize| a.distance(b) * (self.vertices[l] - self.vertices[k]).normalize_or_zero();
         let start = (!is_sharp(&self.vertices, from)).then(|| along((from + n - 1) % n, from));
         let end = (!is_sharp(&self.vertices, to)).then(|| along(to, (to + 1) % n));
-        // from `to` round to `from`, then the new curve
+        // from `to` around to `from`, then the new curve
         let mut kept = vec![to];
         while kept.last() != Some(&from) {
             kept.push((kept[kept.len() - 1] + 1) % n);
@@ -164,14 +164,14 @@ impl Shape {
         Ok(shape)
     }
 
-    /// Rounds what is sharp: the coordinates spread along the boundary as heat does, by 1 % of its
-    /// length; the area stays. The handles are chosen anew.
+    /// Smooths the shape by a heat flow of the coordinates over 1 % of its length,
+    /// preserving the area. The handles are chosen again.
     #[must_use]
     pub fn smoothed(&self) -> Self {
         Self::of(smoothed(&self.vertices))
     }
 
-    /// The mirror image about the vertical line through the middle, in the opposite order of vertices:
+    /// The mirror image about the vertical line through the middle, with the vertices in reverse order;
     /// the first one stays first.
     #[must_use]
     pub fn mirrored(&self) -> Self {
@@ -184,12 +184,12 @@ impl Shape {
         Self { vertices, handles }
     }
 
-    /// The vertical line through the middle of the box around the shape.
+    /// The vertical line through the middle of the bounding box.
     pub fn axis(&self) -> Axis {
         Axis { x: Bounds::of(self.vertices.iter().copied()).center().x }
     }
 
-    /// Turns the numbering so that the first vertex is the one nearest to `start`.
+    /// Rotates the numbering so that the first vertex is the one nearest to `start`.
     fn begin_near(&mut self, start: DVec2) {
         let distance = |k: &usize| self.vertices[*k].distance_squared(start);
         let n = self.vertices.len();
@@ -213,7 +213,7 @@ impl Axis {
     }
 }
 
-/// Falls from 1 at `t = 0` to 0 at 1, with slope 0 at the ends that are not sharp.
+/// A weight that decreases from 1 at `t = 0` to 0 at 1, with slope 0 at ends that are not sharp.
 fn weight(t: f64, sharp: [bool; 2]) -> f64 {
     match sharp {
         [true, true] => 1.0 - t,

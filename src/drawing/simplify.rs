@@ -1,9 +1,9 @@
-//! Douglas and Peucker's simplification: the fewest points (nearly) that stay near a chain.
+//! Douglas and Peucker's simplification: a small subset of points that stays close to a chain.
 
 use crate::geometry::DVec2;
 
-/// Which points of an open chain remain: its ends, and those that keep every other one within
-/// `tolerance` of the chain of the remaining ones. Ascending indices; cost O(n²) at worst, O(n log n) mostly.
+/// The points of an open chain that remain: its ends, and those needed to keep every other one within
+/// `tolerance` of the remaining chain. Ascending indices; cost O(n²) at worst, usually O(n log n).
 pub fn simplified(chain: &[DVec2], tolerance: f64) -> Vec<usize> {
     let Some(last) = chain.len().checked_sub(1) else { return Vec::new() };
     let mut kept = vec![0, last];
@@ -23,7 +23,7 @@ pub fn simplified(chain: &[DVec2], tolerance: f64) -> Vec<usize> {
 
 /// As [`simplified`], for a closed chain; at least three points remain of a chain that is not flat.
 ///
-/// It is cut at the first point and the one farthest from it; a corner at the cut stays a corner, and
+/// The chain is cut at the first point and the one farthest from it; a corner at the cut stays a corner, and
 /// the first point remains even on a smooth piece.
 pub fn simplified_ring(ring: &[DVec2], tolerance: f64) -> Vec<usize> {
     let Some(&first) = ring.first() else { return Vec::new() };
@@ -46,7 +46,7 @@ pub fn simplified_ring(ring: &[DVec2], tolerance: f64) -> Vec<usize> {
     kept
 }
 
-/// The point strictly between two of a chain that is farthest from their segment, and how far.
+/// The point strictly between two of a chain that is farthest from their segment, and its distance.
 fn farthest(chain: &[DVec2], from: usize, to: usize) -> Option<(f64, usize)> {
     let (a, d) = (chain[from], chain[to] - chain[from]);
     let distance = |k: usize| {

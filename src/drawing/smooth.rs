@@ -1,16 +1,16 @@
-//! Smoothing: the outline, uniformly sampled, under a discrete heat flow of its coordinates.
+//! Smoothing: a discrete heat flow of the coordinates of the uniformly sampled outline.
 
 use crate::geometry::DVec2;
 
-/// Points of the smoothed outline: at 400 a circle's polygon turns by 0.016 from edge to edge.
+/// Points of the smoothed outline: with 400 the polygon of a circle turns by 0.016 from edge to edge.
 const POINTS: usize = 400;
 
-/// Passes of the kernel (¼, ½, ¼): a Gauss kernel of standard deviation √(passes/2) samples, here 1 % of the length.
+/// Passes of the kernel (¼, ½, ¼): a Gaussian of standard deviation √(passes/2) samples, here 1 % of the length.
 const PASSES: usize = 32;
 
-/// The outline with its coordinates, as functions of arc length, convolved with a Gauss kernel of
-/// 1 % of the length, and scaled about its centroid so that the area stays. A straight edge's middle and a
-/// circle do not change; corners become round. It may cross itself where the outline is very narrow.
+/// The outline with its coordinates, as functions of arc length, convolved with a Gaussian of
+/// 1 % of the length, and scaled about its centroid to preserve the area. A circle and the middle of a straight edge
+/// do not change; corners become round. The result may cross itself where the outline is very narrow.
 pub(super) fn smoothed(vertices: &[DVec2]) -> Vec<DVec2> {
     let (area, _) = area_and_centroid(vertices);
     let mut points = resampled(vertices, POINTS);
@@ -28,7 +28,7 @@ pub(super) fn smoothed(vertices: &[DVec2]) -> Vec<DVec2> {
     points
 }
 
-/// `count` points equally spaced in arc length, from the first vertex on.
+/// `count` points equally spaced in arc length, starting at the first vertex.
 fn resampled(vertices: &[DVec2], count: usize) -> Vec<DVec2> {
     let n = vertices.len();
     let lengths: Vec<f64> = (0..n).map(|k| vertices[k].distance(vertices[(k + 1) % n])).collect();

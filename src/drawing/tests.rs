@@ -1,4 +1,4 @@
-//! What drawing and reshaping do, exactly where that is known, by properties elsewhere.
+//! Drawing and reshaping: exact results where they are known, properties elsewhere.
 
 use super::*;
 use crate::geometry::{DVec2, PolygonError, SimplePolygon};
@@ -28,7 +28,7 @@ fn area(vertices: &[DVec2]) -> f64 {
     SimplePolygon::try_from(vertices.to_vec()).unwrap().area()
 }
 
-/// The greatest turn from edge to edge.
+/// The largest turn from edge to edge.
 fn sharpest(vertices: &[DVec2]) -> f64 {
     let n = vertices.len();
     let turn = |k: usize| (vertices[(k + 1) % n] - vertices[k]).angle_to(vertices[(k + 2) % n] - vertices[(k + 1) % n]);
@@ -161,7 +161,7 @@ fn a_boundary_point_stays_on_its_edge_while_another_vertex_moves() {
     let carried = carried_fraction(old.vertices(), new.vertices(), 0.125);
     let length = new.polygon().unwrap().perimeter();
     assert!((carried * length - 1.0).abs() < 1e-14, "{carried} of {length}");
-    // with other vertices the nearest point serves
+    // with other vertices the nearest point is taken
     let (more, _) = old.inserted(DVec2::new(1.5, 0.0));
     assert!((carried_fraction(old.vertices(), more.vertices(), 0.125) - 0.125).abs() < 1e-15);
     let without = old.removed(2).unwrap();
@@ -185,7 +185,7 @@ fn a_curve_goes_through_its_points_and_is_nearly_a_circle_on_one() {
     let curve = closed_curve(&points, |_| false);
     assert!(points.iter().all(|p| curve.contains(p)));
     let worst = curve.iter().map(|p| (p.length() - 1.0).abs()).fold(0.0, f64::max);
-    // the spline's derivative at the points is 2 sin 45° = 1.414 over a chord of 0.765 ∶ 1 % off at most
+    // the spline's derivative at the points is 2 sin 45° = 1.414 over a chord of 0.765: at most 1 % off
     assert!(worst < 0.02 && sharpest(&curve) < 0.1, "{worst}, {}", sharpest(&curve));
     let corners = closed_curve(&points, |_| true);
     assert_eq!(corners, points, "between corners nothing is bent");
@@ -194,7 +194,7 @@ fn a_curve_goes_through_its_points_and_is_nearly_a_circle_on_one() {
     assert_eq!(closed_curve(&repeated, |_| false), curve);
 }
 
-/// A hand's circle: 200 points, shaking by half a pixel.
+/// A circle drawn by hand: 200 points with noise of half a pixel.
 fn shaky(turns: f64) -> Vec<DVec2> {
     let count = 200;
     let radius = |k: i32| 100.0 + 0.5 * f64::from(7 * k % 5 - 2) / 2.0;
@@ -209,7 +209,7 @@ fn a_shaky_circle_becomes_a_smooth_one_also_when_its_ends_miss_each_other() {
             // the end crosses the beginning
             stroke.iter_mut().enumerate().for_each(|(k, p)| p.x += 0.02 * (k as f64 - 100.0));
         } else if turns > 1.0 {
-            // the end runs past the beginning outside of it
+            // the end runs past the beginning, outside of it
             let n = stroke.len() as f64;
             stroke.iter_mut().enumerate().for_each(|(k, p)| *p *= 0.96 + 0.1 * k as f64 / n);
         }
