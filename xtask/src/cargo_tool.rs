@@ -1,4 +1,4 @@
-//! Programs that cargo installs: found by their exact version, installed once.
+//! Programs installed by cargo: identified by their exact version, installed once.
 //!
 //! They go into the project's folder in the user's cache and not into the cargo
 //! home: they have only the features that are used here. Each version of each
@@ -14,22 +14,22 @@ use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Set by a caller (or by cargo itself) for this repository's own builds; a
-/// tool is built without them.
+/// Set by a caller (or by cargo itself) for builds of this repository; removed when a tool
+/// is built.
 const OUR_BUILD_SETTINGS: [&str; 5] =
     ["CARGO_TARGET_DIR", "CARGO_BUILD_TARGET", "CARGO_ENCODED_RUSTFLAGS", "RUSTFLAGS", "RUSTDOCFLAGS"];
 
-/// Fat LTO in one codegen unit, which trunk and cargo-deny ask for, takes
-/// several times as long to build and saves nothing that one can notice.
+/// Overrides for fat LTO in one codegen unit, which trunk and cargo-deny request: it takes
+/// several times as long to build without a noticeable gain.
 const QUICK_RELEASE: [(&str, &str); 2] =
     [("CARGO_PROFILE_RELEASE_LTO", "off"), ("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")];
 
-/// How much a tool is optimised: what one waits for is its compilation.
+/// How much a tool is optimized. The time that matters is that of its compilation.
 #[derive(Clone, Copy)]
 pub enum Optimization {
-    /// Not at all, for a tool that copies files and starts other programs.
+    /// Not at all: for a tool that copies files and starts other programs.
     None,
-    /// A little, for a tool that works on megabytes.
+    /// A little: for a tool that processes megabytes.
     Basic,
 }
 
@@ -42,9 +42,9 @@ impl Optimization {
     }
 }
 
-/// Where a program comes from.
+/// The origin of a program.
 pub enum Source {
-    /// A package of the registry, with further arguments of `cargo install`.
+    /// A package of the registry, with additional arguments for `cargo install`.
     Registry { package: &'static str, arguments: &'static [&'static str] },
     /// This project's own package xtask, with the feature of the program's name; `source` is the program's file.
     Xtask { source: &'static str },
@@ -54,18 +54,18 @@ pub enum Source {
 pub struct CargoTool {
     /// The program's name.
     pub program: &'static str,
-    /// The one version that is right.
+    /// The required version.
     pub version: String,
-    /// Where it comes from.
+    /// Where to install it from.
     pub source: Source,
     /// How it is compiled.
     pub optimization: Optimization,
-    /// What it is for, to say why one waits.
+    /// What it is used for, printed while it is installed.
     pub purpose: &'static str,
 }
 
 impl CargoTool {
-    /// The folder that holds this version of the program, after installing it if need be.
+    /// The folder that contains this version of the program; installs it if necessary.
     pub fn ensure(&self, places: &Places) -> Result<PathBuf, Failure> {
         let root = self.root(places)?;
         let programs = [self.program_in(&root), self.program_in(&places.cargo_home), find_on_path(self.program)];

@@ -1,5 +1,5 @@
-//! The checks that need no run of the program: the table of rooms, formatting, clippy and the
-//! documentation, natively and for the web, and the dependencies' licences.
+//! The checks that do not run the program: the table of rooms, formatting, clippy and
+//! documentation, natively and for the web, and the licenses of dependencies.
 
 use crate::cargo_tool::{CargoTool, Optimization, Source, path_with};
 use crate::places::Places;
@@ -9,13 +9,13 @@ use crate::rust::{WEB_TARGET, ensure_component, ensure_web_target};
 use crate::shell::{Failure, run, say};
 use std::process::Command;
 
-/// The newest cargo-deny that was tried; it needs rustc 1.88.
+/// The newest cargo-deny that has been tested; it needs rustc 1.88.
 const CARGO_DENY_VERSION: &str = "0.20.2";
 
 /// The parts of cargo-deny's check that need no network.
 const DENY_OFFLINE: [&str; 3] = ["bans", "licenses", "sources"];
 
-/// Every lint. The order lets later steps reuse what earlier ones compiled.
+/// Runs all checks. Their order lets later steps reuse the compilation of earlier ones.
 pub fn everything(places: &Places) -> Result<(), Failure> {
     ensure_component("rustfmt", "fmt")?;
     ensure_component("clippy", "clippy")?;
@@ -51,7 +51,7 @@ fn cargo(places: &Places, arguments: &[&str]) -> Command {
     command
 }
 
-/// Checks licences, duplicates and sources; advisories too, where their database can be had.
+/// Checks licenses, duplicates and sources; also advisories, if their database is available.
 fn deny(places: &Places) -> Result<(), Failure> {
     let tool = CargoTool {
         program: "cargo-deny",

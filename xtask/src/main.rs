@@ -1,8 +1,7 @@
 //! The project's commands: `cargo xtask serve | dist | test | lint`.
 //!
-//! Each command installs what it lacks, names each step before it runs, and
-//! ends with status 1 and the failing step's name when one fails (2 for a
-//! wrong call). Only `serve` keeps running.
+//! Each command installs what it needs and announces each step before it runs. After a failure it ends with
+//! status 1 and the name of the failed step (2 for wrong usage). Only `serve` keeps running.
 
 mod cargo_tool;
 mod lint;

@@ -1,4 +1,4 @@
-//! What comes from npm: playwright-core for the browser tests, at the versions of their lock file.
+//! The npm package playwright-core for the browser tests, in the version of their lock file.
 
 use crate::places::Places;
 use crate::shell::{Failure, ask, run};
@@ -10,7 +10,7 @@ use std::time::SystemTime;
 
 const OLDEST_NODE: u32 = 20;
 
-/// Makes sure that Node can run the browser tests: playwright-core is there, as locked.
+/// Installs playwright-core in the locked version if necessary, and checks Node.
 pub fn ensure_test_packages(places: &Places) -> Result<(), Failure> {
     let folder = places.browser_tests();
     ensure_node()?;
@@ -36,7 +36,7 @@ fn ensure_node() -> Result<(), Failure> {
     ))
 }
 
-/// The 20 of "v20.11.1".
+/// The major version: 20 for "v20.11.1".
 fn major(version: &str) -> Option<u32> {
     version.strip_prefix('v')?.split('.').next()?.parse().ok()
 }

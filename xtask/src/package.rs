@@ -1,6 +1,6 @@
-//! What trunk has built becomes a folder for any host: the program without its names, everything that
-//! belongs to one build in a folder with a name of its own, the service worker that keeps it for use
-//! without a network, and no more to download than a person waits for.
+//! Packages trunk's output as a folder for any host: the program without its names section, all files of
+//! one build in a folder named after its version, the service worker that stores them for offline
+//! use, and the size of the download.
 
 use crate::shell::{Failure, say};
 use std::fs;
@@ -8,20 +8,20 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
-/// The folder of one build, as trunk leaves it; its final name goes on with the version.
+/// The folder of a build as written by trunk; the version is appended later.
 const APP: &str = "app";
 /// The compiled program in it.
 const PROGRAM: &str = "riemap_bg.wasm";
-/// The same, packed. The ending is none that a host knows and unpacks on the way.
+/// The compressed program. No host knows this extension, so that none decompresses the file.
 const PACKED_PROGRAM: &str = "riemap_bg.wasm.packed";
-/// Rounds of the packing: 15 of them save 0.1 % more than one.
+/// Iterations of the compression: 15 save 0.1 % more than one.
 const ITERATIONS: NonZeroU64 = NonZeroU64::MIN;
 const PAGE: &str = "index.html";
 const SERVICE_WORKER: &str = "service-worker.js";
 
-/// The strongest compression.
+/// The compression level by which downloads are estimated, the highest.
 const LEVEL: u8 = 9;
-/// The header and the trailer of a gzip file.
+/// The size of the header and the trailer of a gzip file.
 const GZIP_FRAME: usize = 18;
 
 /// A built folder.
@@ -30,7 +30,7 @@ pub struct Package<'a> {
 }
 
 impl<'a> Package<'a> {
-    /// What trunk has left in `folder`.
+    /// The package of trunk's output in `folder`.
     pub fn new(folder: &'a Path) -> Self {
         Self { folder }
     }
@@ -40,14 +40,14 @@ impl<'a> Package<'a> {
         self.folder.join(APP).join(PROGRAM)
     }
 
-    /// Removes the names of the program's functions: a tenth of it, and nobody reads them here.
+    /// Removes the program's function names, a tenth of its size.
     fn strip(&self) -> Result<(), Failure> {
         let program = self.program();
         let stripped = without_names(&read(&program)?).ok_or_else(|| failure(&program, "it is no WebAssembly"))?;
         write(&program, stripped)
     }
 
-    /// Packs the program here: by 4 % better than hosts do on their way, and also for those that do not at all.
+    /// Compresses the program: 4 % smaller than the hosts' own compression, and some hosts do not compress.
     fn pack(&self) -> Result<usize, Failure> {
         let program = self.program();
         let options = zopfli::Options { iteration_count: ITERATIONS, ..zopfli::Options::default() };
@@ -60,8 +60,8 @@ impl<'a> Package<'a> {
         Ok(length)
     }
 
-    /// Strips and packs the program, gives the build its version and the service worker its list, and weighs the
-    /// whole: what the first visit downloads.
+    /// Strips and compresses the program, names the build after its version, writes the service worker's list of files,
+    /// and returns the size of the first visit's download.
     pub fn finish(&self, service_worker: &Path) -> Result<usize, Failure> {
         self.strip()?;
         let program = self.pack()?;
@@ -77,7 +77,7 @@ impl<'a> Package<'a> {
         self.weigh(&version)
     }
 
-    /// Of all that was built, by names and contents.
+    /// A hash of the names and contents of all files.
     fn digest(&self) -> Result<u64, Failure> {
         let mut hasher = DefaultHasher::new();
         for name in self.files()? {
@@ -88,14 +88,14 @@ impl<'a> Package<'a> {
     }
 
     fn write_service_worker(&self, source: &Path, version: &str) -> Result<(), Failure> {
-        // the page is asked for by the address of its folder
+        // the page is requested by the address of its folder
         let files = self.files()?.into_iter().map(|name| if name == PAGE { String::new() } else { name });
         let list: Vec<String> = files.map(|name| format!("  {name:?},\n")).collect();
         let head = format!("const VERSION = {version:?};\nconst FILES = [\n{}];\n\n", list.concat());
         write(&self.folder.join(SERVICE_WORKER), head + &text_of(source)?)
     }
 
-    /// The files' names with `/` between folders, in order.
+    /// The sorted paths of the files, with `/` between folders.
     fn files(&self) -> Result<Vec<String>, Failure> {
         let mut names = Vec::new();
         self.collect("", &mut names)?;
@@ -117,7 +117,7 @@ impl<'a> Package<'a> {
         Ok(())
     }
 
-    /// Says how much the first visit downloads.
+    /// Prints and returns the size of the first visit's download.
     fn weigh(&self, version: &str) -> Result<usize, Failure> {
         let mut whole = 0;
         for name in self.files()?.iter().filter(|name| *name == PAGE || name.starts_with(version)) {
@@ -135,7 +135,7 @@ impl<'a> Package<'a> {
     }
 }
 
-/// The module without its sections `name` and `producers`; `None` if it is no module.
+/// The module without its sections `name` and `producers`; `None` if the bytes are not a module.
 fn without_names(module: &[u8]) -> Option<Vec<u8>> {
     const HEADER: usize = 8;
     const CUSTOM: u8 = 0;
@@ -154,7 +154,7 @@ fn without_names(module: &[u8]) -> Option<Vec<u8>> {
     Some(kept)
 }
 
-/// An unsigned number of seven bits a byte, the lowest first, and what follows it.
+/// Decodes an unsigned LEB128 number; returns it and the remaining bytes.
 fn leb128(bytes: &[u8]) -> Option<(usize, &[u8])> {
     let mut number = 0;
     for (k, &byte) in bytes.iter().take(5).enumerate() {

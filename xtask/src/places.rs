@@ -1,4 +1,4 @@
-//! Where things are: the repository, the user's cargo home, and the project's
+//! Paths: the repository, the user's cargo home, and the project's
 //! folder in the user's cache, the only place outside the repository that
 //! these commands write to.
 
@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 pub struct Places {
     /// The root of the repository.
     pub root: PathBuf,
-    /// Where the user's own `cargo install` puts programs (they go to its `bin/`).
+    /// The folder of the user's own `cargo install` (programs are in its `bin/`).
     pub cargo_home: PathBuf,
     /// `riemap/` in the user's cache.
     pub cache: PathBuf,
@@ -40,7 +40,7 @@ impl Places {
         self.root.join("tests").join("browser")
     }
 
-    /// Outlines and meshes for tests that may not be copied into the repository; many clones have none.
+    /// Outlines and meshes for tests that may not be copied into the repository; missing in many clones.
     pub fn shared_data(&self) -> PathBuf {
         self.root.join("..").join("shared").join("data")
     }

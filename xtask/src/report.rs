@@ -1,10 +1,10 @@
-//! Runs the steps of a long command one after the other, goes on after a
-//! failure so that one run shows everything, and sums up at the end.
+//! Runs the steps of a long command in sequence, continues after a
+//! failure so that one run shows all of them, and prints a summary.
 
 use crate::shell::Failure;
 use std::time::{Duration, Instant};
 
-/// What became of each step, in order.
+/// The outcomes of the steps, in order.
 #[derive(Default)]
 pub struct Report {
     steps: Vec<Step>,
@@ -17,14 +17,14 @@ struct Step {
     took: Duration,
 }
 
-/// What need not run everywhere, and why it did not here.
+/// Tests that were skipped for an acceptable reason.
 struct LeftOut {
     reason: String,
     names: Vec<String>,
 }
 
 impl Report {
-    /// Runs a step and notes how it ended; true if it passed.
+    /// Runs a step and records its outcome; returns whether it passed.
     pub fn step(&mut self, name: &str, work: impl FnOnce() -> Result<(), Failure>) -> bool {
         let start = Instant::now();
         let outcome = work();
@@ -33,17 +33,17 @@ impl Report {
         passed
     }
 
-    /// Notes that a step could not run because of an earlier one. That is a failure too.
+    /// Records a step that could not run because of an earlier failure. It counts as a failure.
     pub fn not_run(&mut self, name: &str, reason: &str) {
         self.step(name, || Err(Failure::new("not run", reason)));
     }
 
-    /// Notes what did not run for a reason that is no failure; the summary names it.
+    /// Records tests that were skipped for an acceptable reason; the summary lists them.
     pub fn left_out(&mut self, reason: &str, names: Vec<String>) {
         self.left_out.push(LeftOut { reason: reason.to_owned(), names });
     }
 
-    /// Prints one line for each step, and what was left out; a failure names all the steps that failed.
+    /// Prints one line for each step, and the skipped tests. The error names all failed steps.
     pub fn finish(self, command: &str) -> Result<(), Failure> {
         eprintln!("\nxtask: {command}: summary");
         for step in &self.steps {

@@ -1,8 +1,8 @@
-//! The table of rooms: which folder of `src` may use which, and the check that the code keeps to it.
+//! The table of rooms: which folder of `src` may use which other ones, and the check that the code complies.
 //!
-//! Read are the paths `crate::room` and, inside of `src/app`, `crate::app::room` and `super::room`, wherever they
-//! stand in code, in `use` lines or elsewhere. Comments and tests are not read: a test may use every room. A row
-//! names only rooms of rows above it, so that no circle can be written into the table.
+//! The check reads the paths `crate::room` and, inside of `src/app`, `crate::app::room` and `super::room`, wherever
+//! they appear in code, in `use` lines or elsewhere. It ignores comments and tests: a test may use every room. A row
+//! names only rooms of rows above it, so that the table cannot contain a cycle.
 
 use crate::places::Places;
 use crate::shell::Failure;
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A room and the rooms that it may use; each is of a row above.
+/// A room and the rooms that it may use, all from rows above.
 type Row = (&'static str, &'static [&'static str]);
 
 /// The rooms of `src`: folders and single files.
@@ -116,7 +116,7 @@ const ROOMS: &[Row] = &[
     ),
 ];
 
-/// The rooms of `src/app`. Its own files stand above all of them.
+/// The rooms of `src/app`. The files directly in that folder may use all of them.
 const APP_ROOMS: &[Row] = &[
     ("language", &[]),
     ("theme", &["language"]),
@@ -131,13 +131,13 @@ const APP_ROOMS: &[Row] = &[
     ("windows", &["language", "theme", "input", "plots", "panels", "menus"]),
 ];
 
-/// The most files of a folder of `src/app`.
+/// The maximal number of files in a folder of `src/app`.
 const MOST_FILES: usize = 20;
 
-/// What the model knows nothing of.
+/// The crates that the model may not use.
 const NOT_IN_MODEL: [&str; 4] = ["egui", "eframe", "egui_wgpu", "wgpu"];
 
-/// Fails with every arrow that the tables do not have.
+/// Fails and lists every use that the tables do not allow.
 pub fn check(places: &Places) -> Result<(), Failure> {
     let src = places.root.join("src");
     let mut wrong = Vec::new();
@@ -157,7 +157,7 @@ pub fn check(places: &Places) -> Result<(), Failure> {
     if wrong.is_empty() { Ok(()) } else { Err(Failure::new("rooms", format!("\n  {}", wrong.join("\n  ")))) }
 }
 
-/// What is wrong with a file of these path's parts.
+/// The violations in a file, given the parts of its path.
 fn wrong_arrows(names: &[&str], code: &str) -> Vec<String> {
     let mut wrong = Vec::new();
     let Some(&room) = names.first() else { return wrong };
@@ -180,7 +180,7 @@ fn wrong_arrows(names: &[&str], code: &str) -> Vec<String> {
             return wrong;
         };
         let mut used = named_after(code, "crate::app::");
-        // so many steps up lie between this file and the app
+        // the number of folders between this file and the app
         let steps = names.len() - 1 - usize::from(names.last() == Some(&"mod"));
         used.extend(named_after(code, &"super::".repeat(steps)));
         wrong.extend(
@@ -205,12 +205,12 @@ fn others<'a>(
         .filter(move |name| *name != room && !allowed.contains(&name.as_str()))
 }
 
-/// The names that follow `prefix` in code, in braces too: of `crate::{a::B, c}` both `a` and `c`.
+/// The names that follow `prefix` in code, also in braces: for `crate::{a::B, c}` both `a` and `c`.
 fn named_after(code: &str, prefix: &str) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for (at, _) in code.match_indices(prefix) {
         if code[..at].ends_with(|before: char| before.is_alphanumeric() || before == '_' || before == ':') {
-            continue; // a longer path
+            continue; // part of a longer path
         }
         let rest = &code[at + prefix.len()..];
         match rest.strip_prefix('{') {
@@ -249,14 +249,14 @@ fn words(code: &str) -> BTreeSet<&str> {
     code.split(|character: char| !(character.is_alphanumeric() || character == '_')).collect()
 }
 
-/// A file's code without comments of whole lines, up to its tests.
+/// The code of a file up to its tests, without whole-line comments.
 fn code_of(text: &str) -> String {
     let is_of_tests = |line: &&str| line.starts_with("mod tests {") || line.starts_with("pub(crate) mod tests {");
     let code = text.lines().take_while(|line| !is_of_tests(line)).filter(|line| !line.trim_start().starts_with("//"));
     code.collect::<Vec<_>>().join("\n")
 }
 
-/// The folders of the app with more files than a reader keeps in mind.
+/// The folders of the app that contain too many files.
 fn crowded(folder: &Path) -> Result<Vec<String>, Failure> {
     let (mut crowded, mut count) = (Vec::new(), 0);
     for entry in entries(folder)? {
@@ -284,7 +284,7 @@ fn rust_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
-/// What is in a folder, by name.
+/// The entries of a folder, sorted by name.
 fn entries(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let failed = |error: std::io::Error| Failure::new(folder.display().to_string(), error.to_string());
     let mut paths = Vec::new();

@@ -1,5 +1,5 @@
-//! What the Rust toolchain must have: the web target, rustfmt and clippy.
-//! rustup adds what is missing; without rustup it must be there already.
+//! The parts of the Rust toolchain: the web target, rustfmt and clippy.
+//! rustup installs missing ones; without rustup a missing one is an error.
 
 use crate::places::Places;
 use crate::shell::{Failure, ask, find_on_path, run};
@@ -9,7 +9,7 @@ use std::process::Command;
 
 pub const WEB_TARGET: &str = "wasm32-unknown-unknown";
 
-/// Makes sure that the toolchain in use can build for the web.
+/// Installs the web target if necessary.
 pub fn ensure_web_target() -> Result<(), Failure> {
     let step = "adding the web target";
     let library = ask("rustc", &["--print", "target-libdir", "--target", WEB_TARGET]);
@@ -19,7 +19,7 @@ pub fn ensure_web_target() -> Result<(), Failure> {
     rustup(step, &["target", "add", WEB_TARGET])
 }
 
-/// Makes sure that a cargo subcommand which is a part of the toolchain is there.
+/// Installs a component with a cargo subcommand if necessary.
 pub fn ensure_component(component: &str, subcommand: &str) -> Result<(), Failure> {
     if ask("cargo", &[subcommand, "--version"]).is_some() {
         return Ok(());

@@ -1,5 +1,5 @@
-//! Runs other programs: one line says what is run and why, a failure names
-//! the step. Output goes straight to the terminal, so nothing is held back.
+//! Runs other programs. A line announces what is run and why, and a failure names
+//! the step. Output goes straight to the terminal.
 
 use std::ffi::OsStr;
 use std::fmt;
@@ -25,7 +25,7 @@ impl fmt::Display for Failure {
     }
 }
 
-/// Says one line, on stderr: stdout belongs to the programs that are run.
+/// Prints one line to stderr; stdout is for the programs that are run.
 pub fn say(message: impl fmt::Display) {
     eprintln!("xtask: {message}");
 }
@@ -41,7 +41,7 @@ pub fn run(step: &str, command: &mut Command) -> Result<(), Failure> {
     }
 }
 
-/// Runs `command` to its end as [`run`] does: its standard output.
+/// Runs `command` to its end as [`run`] does, and returns its standard output.
 pub fn output_of(step: &str, command: &mut Command) -> Result<String, Failure> {
     let line = command_line(command);
     say(format_args!("{step}: {line}"));

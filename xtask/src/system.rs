@@ -1,7 +1,6 @@
-//! What the tests need from the system: the Vulkan loader with lavapipe (a
-//! GPU in software, the same on every machine) and Chromium. On Debian and
-//! Ubuntu apt brings them when it may run without a password; otherwise the
-//! failure is the exact line to type.
+//! System packages for the tests: the Vulkan loader with lavapipe (a software GPU, the same
+//! on every machine) and Chromium. On Debian and Ubuntu they are installed with apt if that needs no password;
+//! otherwise the error shows the command to run.
 
 use crate::shell::{Failure, ask, find_on_path, run};
 use std::env;
@@ -16,7 +15,7 @@ const CHROME_FOR_UBUNTU: &str = "on Ubuntu, where apt has no Chromium but the sn
     wget https://dl.google.com/linux/direct/google-chrome-stable_current_amd64.deb && \
     sudo apt-get install --yes ./google-chrome-stable_current_amd64.deb";
 
-/// Lavapipe's driver description, for `VK_ICD_FILENAMES`.
+/// The path of lavapipe's driver description, for `VK_ICD_FILENAMES`.
 pub fn ensure_lavapipe() -> Result<PathBuf, Failure> {
     if let Some(driver) = lavapipe() {
         return Ok(driver);
@@ -25,7 +24,7 @@ pub fn ensure_lavapipe() -> Result<PathBuf, Failure> {
     lavapipe().ok_or_else(|| Failure::new("installing lavapipe", "its driver is not where Debian and Ubuntu put it"))
 }
 
-/// The Chromium or Chrome to test with: `CHROMIUM`, else the first on `PATH`.
+/// The Chromium or Chrome used for tests: `CHROMIUM`, or the first one on `PATH`.
 pub fn ensure_chromium() -> Result<PathBuf, Failure> {
     if let Some(chromium) = chromium() {
         return Ok(chromium);
@@ -38,7 +37,7 @@ pub fn ensure_chromium() -> Result<PathBuf, Failure> {
     chromium().ok_or_else(|| Failure::new(step, "apt installed it, but it does not start"))
 }
 
-/// Makes sure that a program of the Debian package `package` is on `PATH`.
+/// Installs the Debian package `package` unless `program` is on `PATH`.
 pub fn ensure_program(program: &str, package: &str) -> Result<PathBuf, Failure> {
     if let Some(found) = find_on_path(program) {
         return Ok(found);
@@ -76,7 +75,7 @@ fn apt_install(step: &str, packages: &[&str]) -> Result<(), Failure> {
     let Some(prefix) = privilege() else {
         return Err(Failure::new(step, format!("needs a password, or there is no apt; please run: {by_hand}")));
     };
-    // A fresh system has no package lists, and old ones name files that are gone.
+    // a new system has no package lists, and outdated ones name files that no longer exist
     let mut update = prefix.to_vec();
     update.extend(["apt-get", "update", "--quiet"]);
     run(step, &mut words(&update))?;
@@ -86,7 +85,7 @@ fn apt_install(step: &str, packages: &[&str]) -> Result<(), Failure> {
     run(step, words(&line).env("DEBIAN_FRONTEND", "noninteractive"))
 }
 
-/// The words to put before `apt-get`, if it may run without asking.
+/// The command that must precede `apt-get`, if it works without a password.
 fn privilege() -> Option<&'static [&'static str]> {
     find_on_path("apt-get")?;
     if ask("id", &["-u"])?.trim() == "0" {

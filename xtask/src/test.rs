@@ -1,4 +1,4 @@
-//! Every test: the crate's own natively (images on lavapipe), then the release
+//! All tests: those of the crate natively (images on lavapipe), then those of the release
 //! web app in Chromium, with WebGPU and with WebGL2.
 
 use crate::node::ensure_test_packages;
@@ -9,15 +9,15 @@ use crate::system::{ensure_chromium, ensure_lavapipe};
 use crate::web;
 use std::process::Command;
 
-/// What runs the tests that read `../shared/data`: by the name of the modules in which they stand (see
+/// The arguments for running the tests that read `../shared/data`, selected by the name of their modules (see
 /// `tests/support/data.rs`).
 const ON_SHARED_DATA: [&str; 4] = ["--tests", "--", "--ignored", "shared_data::"];
 
-/// Runs everything, whatever fails, and sums up.
+/// Runs all tests, continues after failures, and prints a summary.
 pub fn everything(places: &Places) -> Result<(), Failure> {
     let mut report = Report::default();
     report.step("cargo test", || run("cargo test", &mut cargo_test(places, &[])?));
-    // the tool is no program of the workspace's default features
+    // the tool is not part of the workspace's default features
     report.step("wasm-bindgen's tests", || run("wasm-bindgen's tests", &mut wasm_bindgen_tests(places)));
     on_shared_data(places, &mut report);
     if report.step("the web app (release)", || web::dist(places)) {
@@ -28,7 +28,7 @@ pub fn everything(places: &Places) -> Result<(), Failure> {
     report.finish("test")
 }
 
-/// Runs the tests that read `../shared/data`, or has the report name them where it is absent.
+/// Runs the tests that read `../shared/data`; without that folder, lists them in the report.
 fn on_shared_data(places: &Places, report: &mut Report) {
     const STEP: &str = "cargo test, on ../shared/data";
     if places.shared_data().is_dir() {
@@ -44,7 +44,7 @@ fn on_shared_data(places: &Places, report: &mut Report) {
     report.left_out("../shared/data is absent", names);
 }
 
-/// The names in what the test programs list, of which every line reads `name: test`.
+/// The names of tests in the list printed by test programs, whose lines read `name: test`.
 fn listed(output: &str) -> Vec<String> {
     output.lines().filter_map(|line| line.strip_suffix(": test")).map(str::to_owned).collect()
 }
@@ -54,7 +54,7 @@ fn cargo_test(places: &Places, arguments: &[&str]) -> Result<Command, Failure> {
     command.args(["test", "--workspace", "--locked"]).args(arguments).current_dir(&places.root);
     if cfg!(target_os = "linux") {
         let driver = ensure_lavapipe()?;
-        // The old name and the new one; each loader reads the one it knows.
+        // the old and the new name of the variable; each loader reads one of them
         command.env("VK_ICD_FILENAMES", &driver).env("VK_DRIVER_FILES", &driver).env("WGPU_BACKEND", "vulkan");
     } else {
         say("images are drawn by this machine's GPU: lavapipe is set up on Linux only");
@@ -72,7 +72,7 @@ fn browser(places: &Places) -> Result<(), Failure> {
     let chromium = ensure_chromium()?;
     ensure_test_packages(places)?;
     let mut command = Command::new("node");
-    // every file whose name ends in ".test.mjs", one after the other
+    // every file whose name ends in ".test.mjs", in sequence
     command.args(["--test", "--test-reporter=spec", "--test-concurrency=1"]);
     command.current_dir(places.browser_tests());
     command.env("CHROMIUM", chromium).env("RIEMAP_DIST", places.dist());

@@ -1,7 +1,7 @@
-//! `wasm-bindgen` as trunk calls it: writes a compiled program and the JavaScript around it for a page.
+//! `wasm-bindgen` as called by trunk: writes a compiled program for a page, and its JavaScript.
 //!
-//! It takes `--target=web --out-dir=FOLDER --out-name=NAME FILE` and `--no-typescript`, in any order, and
-//! `--version`. Everything else is refused, so that an option of trunk's that is not known here cannot be lost.
+//! Accepts `--target=web --out-dir=FOLDER --out-name=NAME FILE` and `--no-typescript`, in any order, and
+//! `--version`. Everything else is an error, so that an option of trunk's that is unknown here is not ignored.
 
 use std::process::ExitCode;
 use wasm_bindgen_cli_support::Bindgen;
@@ -25,7 +25,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What is to be written.
+/// The parsed arguments.
 #[derive(Debug, PartialEq)]
 struct Call<'a> {
     program: &'a str,
@@ -56,7 +56,7 @@ impl<'a> Call<'a> {
     fn generate(&self) -> Result<(), String> {
         let mut bindgen = Bindgen::new();
         bindgen.web(true).map_err(|error| format!("{error:#}"))?;
-        // As the published program does without further options.
+        // as the published program does without further options
         bindgen.omit_default_module_path(false);
         bindgen.input_path(self.program).out_name(self.name).typescript(false);
         bindgen.generate(self.folder).map_err(|error| format!("{}: {error:#}", self.program))

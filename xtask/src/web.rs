@@ -1,4 +1,4 @@
-//! The web app: trunk compiles it, runs wasm-bindgen and writes `dist/`, or serves it.
+//! The web app: trunk compiles it, runs wasm-bindgen, and writes or serves `dist/`.
 
 use crate::cargo_tool::{CargoTool, Optimization, Source, path_with};
 use crate::package::Package;
@@ -12,7 +12,7 @@ const TRUNK_VERSION: &str = "0.21.14";
 
 const DEFAULT_PORT: u16 = 8080;
 
-/// What `serve` is asked for.
+/// The options of `serve`.
 #[derive(Debug, PartialEq)]
 pub struct ServeOptions {
     port: u16,
@@ -37,7 +37,7 @@ impl ServeOptions {
     }
 }
 
-/// Builds the app with the profile `serve` and serves it until it is interrupted; after a change it is built anew.
+/// Builds the app with the profile `serve` and serves it until interrupted; rebuilds it after changes.
 pub fn serve(places: &Places, options: &ServeOptions) -> Result<(), Failure> {
     let mut trunk = trunk(places, "serve")?;
     trunk.args(["--port", &options.port.to_string()]);
@@ -48,13 +48,13 @@ pub fn serve(places: &Places, options: &ServeOptions) -> Result<(), Failure> {
     run("serving the web app", &mut trunk)
 }
 
-/// The most that the first visit may download, in bytes.
+/// The maximal download of the first visit, in bytes.
 const MOST_TO_DOWNLOAD: usize = 2_600_000;
 
-/// Builds the release app into `dist/`, ready for any host. Too large a download is a failure.
+/// Builds the release app into `dist/`, ready for any host. Fails if the download is too large.
 ///
-/// wasm-opt is left out: after the whole program was optimised for size (the profile `web`) it takes
-/// minutes for 0.6 % less to download (measured, -Oz).
+/// wasm-opt is not used: after the program was optimized for size (the profile `web`) it takes
+/// minutes and saves 0.6 % of the download (measured, -Oz).
 pub fn dist(places: &Places) -> Result<(), Failure> {
     run("building the web app", trunk(places, "build")?.arg("--release"))?;
     let (folder, web) = (places.dist(), places.root.join("web"));
@@ -66,8 +66,8 @@ pub fn dist(places: &Places) -> Result<(), Failure> {
     Ok(())
 }
 
-/// `trunk <subcommand>` with every tool that it needs on its `PATH`. The page names the profiles of cargo: `web` for a
-/// release, else `serve`.
+/// `trunk <subcommand>` with all tools that it needs on its `PATH`. The page names the cargo profiles: `web` for a
+/// release, otherwise `serve`.
 fn trunk(places: &Places, subcommand: &str) -> Result<Command, Failure> {
     ensure_web_target()?;
     let bindgen = wasm_bindgen(locked_version(places, "wasm-bindgen")?).ensure(places)?;
@@ -75,12 +75,12 @@ fn trunk(places: &Places, subcommand: &str) -> Result<Command, Failure> {
     let mut command = Command::new(program_in(&trunk, "trunk"));
     command.env("PATH", path_with(&[trunk, bindgen])?).current_dir(&places.root);
     command.args([subcommand, "--locked", "--skip-version-check"]);
-    // trunk reads NO_COLOR as a boolean and stops at the customary `NO_COLOR=1`.
+    // trunk reads NO_COLOR as a boolean and fails for the usual `NO_COLOR=1`
     command.env_remove("NO_COLOR");
     Ok(command)
 }
 
-/// Without its default features, which download tools and look for newer versions of itself, it needs no TLS.
+/// trunk without its default features, which download tools and check for updates; so it needs no TLS.
 fn trunk_itself() -> CargoTool {
     CargoTool {
         program: "trunk",
@@ -91,7 +91,7 @@ fn trunk_itself() -> CargoTool {
     }
 }
 
-/// The published program takes twice as long to compile: it brings what runs tests in browsers.
+/// Built from xtask: the published program takes twice as long to compile, since it includes a test runner.
 fn wasm_bindgen(version: String) -> CargoTool {
     CargoTool {
         program: "wasm-bindgen",
