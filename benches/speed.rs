@@ -1,7 +1,7 @@
-//! Preparation and frame times, one thread, for the paper's settings and the defaults;
-//! Cauchy–Green per term (vertex × sample), as many threads as `RAYON_NUM_THREADS` says.
+//! Preparation and frame times on one thread, with the paper's settings and with the defaults;
+//! Cauchy–Green time per term (vertex × sample) on `RAYON_NUM_THREADS` threads.
 //!
-//! `cargo bench` prints a criterion figure per preset and setting; the targets are
+//! `cargo bench` prints criterion's results for each preset and setting; the targets are
 //! in the README's table.
 
 #![allow(missing_docs, clippy::unwrap_used, reason = "a benchmark")]
@@ -70,7 +70,7 @@ fn frame(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Elements are terms: a thread that maps 1 Gelem/s takes 1 ns a term.
+/// Elements are terms: a thread with 1 Gelem/s takes 1 ns per term.
 fn cauchy_green(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("cauchy-green");
     group.sample_size(10);
