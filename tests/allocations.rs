@@ -1,4 +1,4 @@
-//! Nothing is allocated from the second frame of a drag on: every point, on either side, reuses what there is.
+//! From the second frame of a drag on nothing is allocated: every point, on either side, reuses existing buffers.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -19,7 +19,7 @@ use support::domains::domain;
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
-/// One test only: the allocator is shared by all threads of the program.
+/// A single test, because all threads of the program share the allocator.
 #[test]
 fn a_drag_allocates_nothing_after_its_first_frames() {
     between_outlines();

@@ -1,4 +1,4 @@
-//! The command line as a person meets it: outputs, exit status, one clear line on bad input.
+//! The command line: outputs, exit status, and one clear line for bad input.
 
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
@@ -82,7 +82,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-/// The same document, other images: also of the boundary, where f̂ does not interpolate.
+/// The same document with other images, also of the boundary, where f̂ does not interpolate.
 #[test]
 fn cauchy_green_extension_maps_the_boundary_too() {
     let folder = folder("cauchy-green");

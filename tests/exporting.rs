@@ -1,4 +1,4 @@
-//! What leaves riemap as files: `riemap render` in every format, checked by reading the files back.
+//! Exported files: `riemap render` in every format, checked by reading the files back.
 
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
@@ -24,7 +24,7 @@ fn surface_session() -> Session {
     session
 }
 
-/// Runs a command that writes `name`, and reads what it wrote.
+/// Runs a command that writes `name`, and reads the file.
 fn written(folder: &Path, name: &str, arguments: &[&str]) -> Vec<u8> {
     let out = folder.join(name).display().to_string();
     succeeds(&[arguments, &["--out", &out]].concat());

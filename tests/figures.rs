@@ -1,4 +1,4 @@
-//! `riemap figure` and `riemap bench`: the numbers that they write, against closed forms and the paper.
+//! `riemap figure` and `riemap bench`: their numbers compared with closed forms and the paper.
 
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
@@ -11,7 +11,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use support::program::{self, folder, names, succeeds};
 
-/// A table as it was written.
+/// A table as written by the program.
 struct Csv {
     columns: Vec<String>,
     rows: Vec<Vec<String>>,
@@ -35,7 +35,7 @@ impl Csv {
         self.word(row, column).parse().unwrap()
     }
 
-    /// The rows in which a column has this word.
+    /// The rows with `word` in a column.
     fn with<'a>(&'a self, column: &'a str, word: &'a str) -> impl Iterator<Item = &'a Vec<String>> {
         self.rows.iter().filter(move |row| self.word(row, column) == word)
     }
@@ -45,12 +45,12 @@ impl Csv {
     }
 }
 
-/// Makes a figure with few samples; its files are there, and nothing else.
+/// Makes a figure with few samples; checks that exactly these files are written.
 fn quick(number: u32, files: &[&str]) -> (PathBuf, Csv) {
     made(&format!("figure-{number}"), number, &["--quick"], files)
 }
 
-/// Makes a figure in a folder of this name.
+/// Makes a figure in a folder called `name`.
 fn made(name: &str, number: u32, options: &[&str], files: &[&str]) -> (PathBuf, Csv) {
     let folder = folder(name);
     let number_word = number.to_string();
@@ -170,7 +170,7 @@ fn figure_12_is_exact_but_through_the_precomputed_disk() {
     let (direct, fresh, precomputed) =
         (mean("error_riemap"), mean("error_zipper_fresh"), mean("error_zipper_precomputed"));
     println!("mean errors: riemap {direct:.2e}, Zipper fresh {fresh:.2e}, precomputed {precomputed:.2e}");
-    // the bound of the truth tables (tests/truth.rs); Zipper: twice what was measured
+    // the bound of the truth tables (tests/truth.rs); for the geodesic algorithm twice the measured error
     assert!(direct < 2e-3 && fresh < 1.1e-2, "{direct:e}, {fresh:e}");
     assert!(precomputed > 0.5, "the disk does not crowd: {precomputed:e}");
     for column in ["r_exact", "r_riemap", "r_zipper_fresh", "r_zipper_precomputed"] {
@@ -198,21 +198,21 @@ fn figure_15_converges_by_both_methods() {
         let (max, mean) = (error(m, "riemap", "sampled", "max_error"), error(m, "riemap", "sampled", "mean_error"));
         assert!(max <= largest && mean <= 2e-3, "m = {m}: max {max:e}, mean {mean:e}");
     }
-    // with the exact second map both go on converging; four times as many samples, at least 5 times the accuracy
+    // with the exact second map both keep converging: four times as many samples, at least 5 times the accuracy
     for method in ["riemap", "zipper-fresh"] {
         for column in ["max_error", "mean_error"] {
             let errors = [250, 1000, 4000].map(|m| error(m, method, "exact", column));
             assert!(errors.windows(2).all(|w| w[1] < 0.2 * w[0]), "{method}, {column}: {errors:?}");
         }
     }
-    // known for the Zipper program on the same points: max 2.0e-2, 3.4e-3, 5.5e-4, 9.4e-5; twice that
+    // errors of the Zipper program on the same points: max 2.0e-2, 3.4e-3, 5.5e-4, 9.4e-5; the bounds are twice these
     for (m, bound) in [(250, 4e-2), (500, 7e-3), (1000, 1.1e-3), (2000, 2e-4)] {
         let max = error(m, "zipper-fresh", "exact", "max_error");
         assert!(max < bound, "m = {m}: {max:e}");
     }
 }
 
-/// The share of a picture's pixels, and of those of its second row, that are not white.
+/// The share of pixels that are not white, in the whole picture and in its second row of panels.
 fn inked(folder: &Path, number: u32, columns: u32) -> [f64; 2] {
     let picture = image::open(folder.join(format!("figure-{number}.png"))).unwrap().to_rgb8();
     assert_eq!((picture.width(), picture.height()), (columns * 480, 2 * 480));
@@ -232,11 +232,11 @@ fn figure_14_maps_the_hemisphere_to_four_ls() {
     assert_eq!(csv.rows.len(), 4);
     for row in &csv.rows {
         assert_eq!(csv.number(row, "m2"), 222.0);
-        // an L is not convex: a triangle at the concave corner may flip (Radó, Kneser and Choquet do not apply)
+        // an L is not convex, so that a triangle at the concave corner may flip (Radó, Kneser and Choquet do not apply)
         assert!(csv.number(row, "flipped") <= 2.0 && csv.number(row, "collapsed") == 0.0, "{row:?}");
         let q = csv.number(row, "q_mean");
         assert!((1.0..1.05).contains(&q), "{q}");
-        // the farthest vertex from the rim is at the pole, up to a triangle
+        // the vertex farthest from the rim is the pole, up to the size of a triangle
         assert!(csv.number(row, "x2_z") > 0.99);
     }
     let inked = inked(&folder, 14, 4);
@@ -251,7 +251,7 @@ fn figures_16_and_17_stand_on_riemaps_own_surfaces() {
         for row in &csv.rows {
             assert_eq!(csv.number(row, "m2"), 93.0, "a quarter of 375");
             assert_eq!(csv.number(row, "flipped"), 0.0, "{row:?}");
-            // 1500 triangles, sixteen times fewer than at full resolution, where it is below 1.06
+            // 1500 triangles, a sixteenth of the full resolution, at which the value is below 1.06
             assert!(csv.number(row, "q_mean") > 1.0 && csv.number(row, "q_mean") < 1.25, "{row:?}");
         }
         let inked = inked(&folder, number, columns);
@@ -259,7 +259,7 @@ fn figures_16_and_17_stand_on_riemaps_own_surfaces() {
     }
 }
 
-/// On the paper's own meshes.
+/// Figures with the paper's own meshes.
 mod shared_data {
     use super::made;
     use super::support::data::shared;
@@ -280,10 +280,10 @@ mod shared_data {
             }
             let q = |row: usize| csv.number(&csv.rows[row], "q_mean");
             if number == 16 {
-                // section 5.3: it grows only marginally as the point comes nearer to the boundary
+                // section 5.3: it grows only slightly as the point approaches the boundary
                 assert!(q(0) < q(1) && q(1) < q(2) && q(2) < q(0) + 0.01, "{} {} {}", q(0), q(1), q(2));
             }
-            // the first scene of both: the nose in the disk's centre; no worse in the third decimal
+            // the first scene of both has the nose at the disk's center; no worse in the third decimal
             assert!(q(0) <= least + 5e-4, "{file}: {}", q(0));
         }
     }
@@ -354,7 +354,7 @@ fn bench_has_every_row_of_the_papers_tables() {
     assert!(TABLE_1.iter().all(|row| row.triangles == row.m + 2 * row.n - 2));
 }
 
-/// A worker's answers survive the way to the page.
+/// A worker's measurements are not changed on their way to the page.
 #[test]
 fn measured_rows_survive_json() {
     for row in [

@@ -22,7 +22,7 @@ fn fails(arguments: &[&str], status: i32) -> String {
     program::fails(&flatten(arguments), status, &[])
 }
 
-/// A 4×4 grid with a bump, its vertices in scrambled order, with a loose vertex in front.
+/// A 4×4 grid with a bump; its vertices are in scrambled order, after an unused one.
 fn grid() -> String {
     let number = |i: usize, j: usize| (7 * (5 * j + i)) % 25 + 2;
     let mut vertices = vec!["v 9 9 9\n".to_owned(); 26];
@@ -54,14 +54,14 @@ fn every_format_keeps_the_file_s_vertices_and_reads_back() {
     assert_eq!(summary["counts"]["m"], 16);
     assert_eq!(summary["counts"]["n"], 9);
     assert_eq!(summary["repairs"][0], "1 vertex in no triangle was dropped");
-    // 9 interior vertices; the corners of the square go to a circle
+    // 9 interior vertices; the corners of the square are mapped to a circle
     assert!(summary["quality"]["q_mean"].as_f64().unwrap() < 2.0, "{}", summary["quality"]);
     assert!(summary["timing_ms"]["surface"]["factor"].as_f64().is_some());
     for path in &out[..2] {
         let written = read_surface(path, &std::fs::read(path).unwrap()).unwrap();
         assert_eq!((&written.vertices, &written.triangles), (&given.vertices, &given.triangles), "{path}");
     }
-    // GLB is f32, and welded in the order of its faces: compare the corners' places
+    // GLB is f32 and its vertices are welded in the order of the faces: compare the positions of corners
     let written = read_surface("uv.glb", &std::fs::read(&out[2]).unwrap()).unwrap();
     assert_eq!(written.vertices.len(), given.vertices.len());
     let text = |k: usize| std::fs::read_to_string(&out[k]).unwrap();
@@ -89,7 +89,7 @@ fn a_picture_has_the_size_that_is_asked_for_and_shows_surface_and_layout() {
     assert!(output.status.success(), "{stderr}");
     let picture = image::open(&out).unwrap().to_rgba8();
     assert_eq!(picture.dimensions(), (320, 160));
-    // something other than the ground in the middle of both halves, and the ground in the corners
+    // the middle of both halves differs from the background, which the corners show
     let ground = *picture.get_pixel(0, 0);
     assert_ne!(picture.get_pixel(80, 80), &ground);
     assert_ne!(picture.get_pixel(240, 80), &ground);
@@ -102,14 +102,14 @@ fn points_are_named_in_three_ways() {
     let surface = file(&folder, "grid.obj", &grid().replacen("v 9 9 9", "v 0 0 0", 1));
     let base = [&*surface, "preset:square", "--repair", "--samples", "80", "--json"];
     let with = |more: &[&str]| json(&[&base, more].concat());
-    // (2, 2) is number (7·12) % 25 + 2 = 11 in the file, from 1
+    // (2, 2) has the number (7·12) % 25 + 2 = 11 in the file, counted from 1
     let by_vertex = with(&["--surface-point", "10"]);
     assert_eq!(by_vertex["surface_point"]["position"], serde_json::json!([2.0, 2.0, 1.0]));
     assert_eq!(with(&["--surface-point", "2,2,1.5"])["quality"], by_vertex["quality"]);
     let inside = with(&["--surface-point", "3:1,2,1"]);
     assert_eq!(inside["surface_point"]["weights"], serde_json::json!([0.25, 0.5, 0.25]));
     assert_eq!(inside["surface_point"]["triangle"], 3);
-    // (4, 0) is number 7·4 % 25 + 2 = 5
+    // (4, 0) has the number 7·4 % 25 + 2 = 5
     let anchored = with(&["--surface-anchor", "4"]);
     assert_eq!(with(&["--surface-anchor", "4.3,-1,0"])["surface_anchor"], anchored["surface_anchor"]);
     let far = |place: &str| with(&["--surface-anchor", place])["surface_anchor"].clone();
@@ -169,7 +169,7 @@ fn errors_name_their_cause() {
 #[test]
 fn weights_belong_to_the_corners_of_the_file_though_a_repair_turns_the_triangle() {
     let folder = folder("turned-corners");
-    // a fan whose third triangle (0, 3, 4) has the other orientation
+    // a fan whose third triangle (0, 3, 4) has the opposite orientation
     let text = "v 0 0 0\nv 1 0 0\nv 0.5 1 0\nv -0.5 1 0\nv -1 0 0\nv -0.5 -1 0\nv 0.5 -1 0\n\
                 f 1 2 3\nf 1 3 4\nf 1 5 4\nf 1 5 6\nf 1 6 7\nf 1 7 2\n";
     let surface = file(&folder, "fan.obj", text);

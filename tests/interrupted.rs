@@ -1,4 +1,4 @@
-//! A map that is computed in pieces is the map that is computed at once, to the bit, and is never seen half done.
+//! A map computed in pieces is bit-identical to the map computed at once, and no intermediate state is visible.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -35,13 +35,13 @@ fn constraints(source: &PreparedSide, target: &PreparedSide, t: f64) -> Constrai
     )
 }
 
-/// All that a map says.
+/// Everything that a map exposes.
 fn seen(map: &ConformalMap) -> impl PartialEq + std::fmt::Debug + use<> {
     let sides = Side::BOTH.map(|side| (map.kernel(side).to_vec(), map.measure(side).clone()));
     (sides, map.correspondence().clone(), map.images().to_vec(), map.direction(), map.extension())
 }
 
-/// Advances by the smallest steps; asserts that nothing is seen before the last one. How many there were.
+/// Advances by the smallest steps and asserts that nothing changes before the last one. Returns the number of steps.
 fn step_by_step(map: &mut ConformalMap, constraints: &Constraints, settings: MapSettings) -> usize {
     let (before, mut steps) = (seen(map), 1);
     while !map.advance(constraints, settings, Deadline::in_ms(0.0)).unwrap() {
@@ -81,7 +81,7 @@ fn other_constraints_start_over_and_bad_ones_change_nothing() {
         let at = |t: f64| constraints(&source, &target, t);
         let mut map = ConformalMap::new(Arc::clone(&source), Arc::clone(&target), &at(0.0), settings).unwrap();
         let first = seen(&map);
-        // left after 1, 2, … steps: in the kernels, in the extension
+        // abandoned after 1, 2, … steps: in the kernels, in the extension
         for left in 1..8 {
             for _ in 0..left {
                 map.advance(&at(1.0), settings, Deadline::in_ms(0.0)).unwrap();

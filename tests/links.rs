@@ -1,5 +1,5 @@
-//! Links carry sessions: whatever a person can set comes back, and nothing that can be written into an address
-//! bar panics, hangs, or takes much memory.
+//! Links carry sessions: every setting is restored, and no text that can be written into an address
+//! bar causes a panic, a hang, or large memory use.
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
@@ -25,7 +25,7 @@ use support::random::runner;
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
-/// The allocator counts for all threads: one test at a time.
+/// Lets one test run at a time, since the allocator counts for all threads.
 fn alone() -> MutexGuard<'static, ()> {
     static LOCK: Mutex<()> = Mutex::new(());
     LOCK.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
@@ -94,7 +94,7 @@ fn surface() -> impl Strategy<Value = (SurfaceSpec, SidePoints)> {
     )
 }
 
-/// The commands that make a side: an outline with its points, and a surface or none.
+/// The commands that set up a side: an outline with its points, and optionally a surface.
 fn side(side: Side) -> impl Strategy<Value = Vec<Command>> {
     let point = prop::option::of((-1e9..1e9, -1.0..1.0).prop_map(DVec2::from));
     (domain(), point, 0.0..1.0, prop::option::of(surface())).prop_map(move |(domain, interior, anchor, surface)| {
@@ -133,11 +133,11 @@ fn session() -> impl Strategy<Value = Session> {
     })
 }
 
-/// Every point of `points` has one of `found` within half a step of 16 bits, and rounding.
+/// Whether every point of `points` has one of `found` within half a step of the 16-bit grid, plus rounding.
 fn is_quantised(points: &[DVec2], found: &[DVec2]) -> bool {
     let bounds = Bounds::of(points.iter().copied());
     let step = bounds.size() / 65535.0;
-    // the coordinates' own rounding matters where they are far from the origin
+    // the coordinates' own rounding matters far from the origin
     let half = 0.5 * step + 4.0 * f64::EPSILON * bounds.min.abs().max(bounds.max.abs());
     points.iter().all(|p| found.iter().any(|q| (*p - *q).abs().cmple(half).all()))
 }
@@ -204,8 +204,8 @@ fn a_file_holds_a_session_bit_for_bit() {
         .unwrap();
 }
 
-/// What `decode` may allocate, all in all: 64 KiB unpacked, up to a mebibyte of room for either outline's steps
-/// as long as it says that there are so many, and the points with what their check needs.
+/// The maximal total allocation of `decode`: 64 KiB unpacked, up to a mebibyte reserved for the steps of either outline
+/// because of the number that it claims to have, and the points with the memory of their check.
 const MOST_BYTES: usize = 8 << 20;
 
 fn opens_or_says_why(link: &str) -> Result<bool, TestCaseError> {
@@ -230,7 +230,7 @@ fn base64url(bytes: &[u8]) -> String {
     text
 }
 
-/// A payload of any bytes, as `deflate` would give it, in a link of a version.
+/// A link of a version with any bytes as its payload, deflated.
 fn link_of(version: u8, bytes: &[u8]) -> String {
     format!("s={version}.{}", base64url(&miniz_oxide::deflate::compress_to_vec_zlib(bytes, 9)))
 }
@@ -252,7 +252,7 @@ fn arbitrary_bytes_open_or_say_why() {
         .unwrap();
 }
 
-/// Bytes that differ from a session's own in a few places get past the first checks.
+/// Bytes that differ from a session's own in a few places pass the first checks.
 #[test]
 fn changed_bytes_open_or_say_why() {
     let _alone = alone();
@@ -291,7 +291,7 @@ fn unpacked(fragment: &str) -> Vec<u8> {
     miniz_oxide::inflate::decompress_to_vec_zlib(&bytes).unwrap()
 }
 
-/// Lengths that promise more than there is, and payloads that unpack to a thousand times their size.
+/// Lengths that exceed the data, and payloads that unpack to a thousand times their size.
 #[test]
 fn promises_and_bombs_take_little() {
     let _alone = alone();
@@ -306,7 +306,7 @@ fn promises_and_bombs_take_little() {
         promise.resize(64 << 10, 1);
         assert!(!opens_or_says_why(&link_of(version, &promise)).unwrap());
     }
-    // a section that promises 2³² − 1 bytes after all that version 1 holds
+    // a section that claims 2³² − 1 bytes, after the content of version 1
     let mut promise = unpacked(&encode(&Session::default()).unwrap().fragment);
     promise.extend([1, 1, 0, 0xff, 0xff, 0xff, 0xff, 0x0f]);
     assert!(!opens_or_says_why(&link_of(2, &promise)).unwrap());

@@ -1,4 +1,4 @@
-//! `riemap map` with surfaces: on either side or on both, files, options, errors.
+//! `riemap map` with surfaces on either side or on both: files, options, errors.
 
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::path::PathBuf;
 use support::program::{fails, folder, succeeds};
 
-/// The map as JSON, after checks that every other format is written too.
+/// The map as JSON; checks that every other format is written too.
 fn written(name: &str, sides: [&str; 2], more: &[&str]) -> (Value, PathBuf) {
     let folder = folder(name);
     let out = |name: &str| folder.join(name).display().to_string();
@@ -71,7 +71,7 @@ fn between_two_surfaces_the_images_lie_on_the_other_one() {
         let lift = q[2] - q[0].hypot(q[1]).powi(2);
         assert!((-1e-9..0.01).contains(&lift), "{q:?}");
     }
-    // the first boundary vertex goes a quarter of the rim on, the axis to the axis: both are surfaces of revolution
+    // surfaces of revolution, axis to axis: the first boundary vertex is mapped a quarter of the rim further
     assert!((images[0][0]).abs() < 1e-2 && (images[0][1] - 1.0).abs() < 1e-2, "{:?}", images[0]);
     let vertices: Vec<_> = document["vertices"].as_array().unwrap().iter().map(numbers).collect();
     for (p, q) in vertices.iter().zip(&images).filter(|(p, _)| p[0].hypot(p[1]) > 0.1) {
@@ -81,7 +81,7 @@ fn between_two_surfaces_the_images_lie_on_the_other_one() {
     let obj = std::fs::read_to_string(folder.join("map.obj")).unwrap();
     let coordinates = obj.lines().find(|line| line.starts_with("vt ")).unwrap();
     assert_eq!(coordinates.split(' ').count(), 4, "{coordinates}");
-    // as a file it is read again
+    // written as a file, it can be read again
     let file = folder.join("map.obj").display().to_string();
     succeeds(&["map", &file, "preset:hemisphere:60", "--json"]);
 }

@@ -1,4 +1,4 @@
-//! The modes of the preparation give the same map: table and adjoint kernel, direct and iterative solver.
+//! All modes of the preparation give the same map: table and adjoint kernel, direct and iterative solver.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
@@ -28,7 +28,7 @@ fn outline<'a>(polygon: &'a SimplePolygon, settings: &'a PrepareSettings) -> Unp
     Unprepared::Outline { polygon, settings }
 }
 
-/// The kernel at every `step`-th interior vertex, moved a little towards the pole.
+/// The kernel at every `step`-th interior vertex, moved slightly towards the pole.
 fn kernels(domain: &PreparedSide, step: usize) -> Vec<Vec<f64>> {
     let inside = domain.domain().unwrap().mesh().vertices[domain.boundary_count()..].iter().step_by(step);
     let mut scratch = KernelScratch::default();
@@ -43,7 +43,7 @@ fn kernels(domain: &PreparedSide, step: usize) -> Vec<Vec<f64>> {
     .collect()
 }
 
-/// The largest difference of two kernels, relative to the larger one's maximum.
+/// The largest difference of two kernels relative to the maximum of the larger one.
 fn difference(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     assert_eq!(a.len(), b.len());
     let worst = |(a, b): (&Vec<f64>, &Vec<f64>)| {
@@ -87,7 +87,7 @@ fn table_above_the_budget_is_refused_with_what_fits() {
         panic!("{error}")
     };
     assert_eq!(stated, bytes);
-    // n·m = O(m³): an eighth of the memory holds the table of half the samples
+    // n·m = O(m³): an eighth of the memory suffices for the table of half the samples
     let sampling = Sampling::Uniform { count: fitting_samples as u32, keep_corners: true };
     let fitting = prepare_within(memory, outline(&polygon, &PrepareSettings { sampling, ..TABLE }), &mut |_| ());
     assert!(fitting.is_ok() && fitting_samples.abs_diff(m / 2) <= 1, "{fitting_samples} of {m}: {:?}", fitting.err());
@@ -121,7 +121,7 @@ fn agree_with_the_iterative_solver(preset: Preset) {
         let map = ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap();
         (kernels, map.images().to_vec())
     });
-    // a residual of 1e-12 times the condition of L̂, about n = 2000
+    // a residual of 1e-12 times the condition number of L̂, about n = 2000
     let kernel_error = difference(&both[0].0, &both[1].0);
     let image_error = both[0].1.iter().zip(&both[1].1).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
     println!("{}: kernels {kernel_error:.1e}, images {image_error:.1e}", preset.name());

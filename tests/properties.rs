@@ -14,7 +14,7 @@ use riemap::outline::{BoundarySamples, Sampling};
 use std::sync::Arc;
 use support::random::runner;
 
-/// Star-shaped about 0, radii up to 1:300 between neighbours.
+/// Star-shaped about 0, with ratios of up to 1:300 between neighboring radii.
 fn star() -> impl Strategy<Value = SimplePolygon> {
     prop::collection::vec((-2.5_f64..0.0, 0.05_f64..0.95), 5..40).prop_map(|corners| {
         let step = std::f64::consts::TAU / corners.len() as f64;
@@ -33,7 +33,7 @@ fn settings() -> impl Strategy<Value = PrepareSettings> {
     (sampling, sizing).prop_map(|(sampling, sizing)| PrepareSettings { sampling, sizing, ..PrepareSettings::default() })
 }
 
-/// A domain, or `None` where uniform samples are too few for the spikes: that is a typed error.
+/// A domain, or `None` if uniform samples are too few for the spikes, which is a typed error.
 fn prepared(polygon: &SimplePolygon, settings: PrepareSettings) -> Option<Arc<PreparedSide>> {
     match prepare(polygon, &settings, &mut |_| ()) {
         Ok(domain) => Some(Arc::new(domain)),
@@ -44,7 +44,7 @@ fn prepared(polygon: &SimplePolygon, settings: PrepareSettings) -> Option<Arc<Pr
     }
 }
 
-/// How far along the other boundary, from `anchor`, each vertex goes, in the order of the mapped one.
+/// The arc length of each vertex's image on the other boundary from `anchor`, in the order of the mapped vertices.
 fn progress(map: &ConformalMap, constraints: &Constraints) -> Vec<f64> {
     let (side, other) = (map.direction().mapped_side(), map.direction().mapped_side().other());
     let samples = |side: Side| -> &BoundarySamples { map.domain(side).unwrap().samples() };
@@ -55,11 +55,11 @@ fn progress(map: &ConformalMap, constraints: &Constraints) -> Vec<f64> {
         let vertex = (start + 1 + k) % m;
         let point = map.correspondence().points[vertex];
         if point == anchor && map.measure(side).at_vertex(vertex) > 0.5 {
-            return count; // all the way round: the anchor again, which would read as 0
+            return count; // all the way around: the anchor again, which would count as 0
         }
         (f64::from(point.edge) - f64::from(anchor.edge) + (point.fraction - anchor.fraction)).rem_euclid(count)
     };
-    // without the last vertex: it may be the anchor itself
+    // without the last vertex, which may be the anchor itself
     (0..m - 1).map(along).collect()
 }
 
@@ -93,7 +93,7 @@ fn boundary_correspondence_keeps_the_order() {
     result.unwrap();
 }
 
-/// Σγ = 1 and Σγ_k v_k = z at every vertex of the mesh, the boundary's included, and next to it.
+/// Σγ = 1 and Σγ_k v_k = z at every vertex of the mesh, including the boundary, and next to it.
 #[test]
 fn cauchy_green_coordinates_reproduce_the_point() {
     let worst = std::cell::Cell::new(0.0_f64);
@@ -102,7 +102,7 @@ fn cauchy_green_coordinates_reproduce_the_point() {
             let Some(domain) = prepared(&polygon, settings) else { return Ok(()) };
             let boundary = domain.domain().unwrap().samples().points();
             let (contour, mut gamma) = (Contour::new(boundary), Vec::new());
-            // towards the middle of the domain's triangle at each boundary edge, by 1e-9 of its way
+            // the corners of triangles at the boundary, moved by 1e-9 of the way towards the triangle's middle
             let near = domain
                 .triangles()
                 .iter()
@@ -119,7 +119,7 @@ fn cauchy_green_coordinates_reproduce_the_point() {
                 let point: DVec2 = gamma.iter().zip(boundary).map(|(&g, &v)| times(g, v)).sum();
                 let error = sum.distance(DVec2::X).max(point.distance(z));
                 worst.set(worst.get().max(error));
-                // up to 4000 terms (the spikes' samples) of size ≤ 4, in coordinates ≤ 1
+                // up to 4000 terms (the samples of spikes) of size ≤ 4, with coordinates ≤ 1
                 prop_assert!(error < 1e-13, "z = {}: Σγ = {}, Σγv = {}, m = {}", z, sum, point, boundary.len());
             }
             Ok(())

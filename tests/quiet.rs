@@ -1,4 +1,4 @@
-//! Commands that draw say nothing of their own surroundings: without a display, nothing is written to stderr.
+//! Commands that draw write nothing to stderr if there is no display.
 
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
@@ -10,10 +10,10 @@ use std::path::Path;
 use std::process::Command;
 use support::program::notes;
 
-/// What tells a process where a display is.
+/// The variables that tell a process where a display is.
 const DISPLAYS: [&str; 4] = ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET", "XDG_RUNTIME_DIR"];
 
-/// Runs a command that draws into a file of this name, as in a container or a service.
+/// Runs a command that draws into the file `name`, without a display, as in a container or a service.
 fn draws_quietly(name: &str, arguments: &[&str]) {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_file(&out);

@@ -1,4 +1,4 @@
-//! `riemap render` and `riemap link`: a session becomes a picture, and a file becomes a link.
+//! `riemap render` and `riemap link`: from a session to a picture, and from a file to a link.
 
 #![cfg(feature = "app")]
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
@@ -17,7 +17,7 @@ use riemap::surface::SurfacePreset;
 use std::path::Path;
 use support::program::{self, fails, file as written, folder, succeeds};
 
-/// The picture that a link or file becomes.
+/// The picture of a link or file.
 fn rendered(folder: &Path, link: &str, more: &[&str]) -> RgbImage {
     let out = folder.join("picture.png").display().to_string();
     let arguments = [&["render", link, "--size", "320x160", "--out", &out], more].concat();
@@ -28,7 +28,7 @@ fn rendered(folder: &Path, link: &str, more: &[&str]) -> RgbImage {
     picture
 }
 
-/// The default session, coarser: these tests are about pictures, not about accuracy.
+/// The default session with fewer samples: these tests do not check accuracy.
 fn coarse() -> Session {
     let mut session = Session::default();
     for side in Side::BOTH {
@@ -43,13 +43,13 @@ fn link_of(session: &Session) -> String {
     link::encode(session).unwrap().fragment
 }
 
-/// How many pixels of two pictures differ visibly.
+/// The number of pixels that differ visibly between two pictures.
 fn differences(a: &RgbImage, b: &RgbImage) -> usize {
     let differs = |(p, q): (&image::Rgb<u8>, &image::Rgb<u8>)| p.0.iter().zip(q.0).any(|(&c, d)| c.abs_diff(d) > 8);
     a.pixels().zip(b.pixels()).filter(|&pair| differs(pair)).count()
 }
 
-/// The pixels of a half, from left to right, that are not the ground.
+/// The number of pixels of a half, left or right, that differ from the background.
 fn drawn(picture: &RgbImage, half: u32) -> usize {
     let ground = *picture.get_pixel(0, 0);
     picture.enumerate_pixels().filter(|(x, _, pixel)| x / 160 == half && **pixel != ground).count()
@@ -95,7 +95,7 @@ fn what_a_person_sets_is_seen() {
         println!("{name}: {changed} pixels");
         assert!(changed > 1000, "{name}: only {changed} pixels differ");
     }
-    // the other extension differs by little, but must be complete
+    // the other extension differs little, but must be complete
     let mut session = coarse();
     session.apply(Change::SetExtension(Extension::CauchyGreen));
     let changed = differences(&before, &rendered(&folder, &link_of(&session), &[]));
@@ -114,7 +114,7 @@ fn a_surface_stands_on_the_right() {
     assert_eq!(half(&picture, 0), half(&plane, 0), "the source is the same as before");
     let changed = differences(&half(&picture, 1), &half(&plane, 1));
     assert!(changed > 3000 && drawn(&picture, 1) > 5000, "{changed} pixels differ");
-    // the pattern of the disk has coordinates of its own on both sides
+    // the pattern of the disk has its own coordinates on both sides
     session.apply(Change::SetTexture(TextureKind::Conformal));
     let polar = rendered(&folder, &link_of(&session), &[]);
     for k in 0..2 {
@@ -138,11 +138,11 @@ fn a_surface_from_a_file_is_asked_for() {
     let out = folder.join("x.png").display().to_string();
     fails(&["render", &link, "--out", &out], 1, &["pyramid.obj", "file"]);
     assert!(drawn(&rendered(&folder, &link, &["--surface", &path]), 1) > 2000);
-    // the file is told by the name that it has here, and so is its format
+    // the given file's name appears in errors and determines the format
     let broken = written(&folder, "broken.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
     fails(&["render", &link, "--out", &out, "--surface", &broken], 1, &["broken.off: line 6: a face names vertex 7"]);
     fails(&["render", &link_of(&coarse()), "--out", &out, "--surface", &path], 1, &["no surface"]);
-    // one that names no format has that of the session's name
+    // a file name without a known extension has the format of the session's file name
     let upload = folder.join("upload.tmp");
     std::fs::copy(&path, &upload).unwrap();
     assert!(drawn(&rendered(&folder, &link, &["--surface", &upload.display().to_string()]), 1) > 2000);

@@ -1,4 +1,4 @@
-//! The map against exact solutions: the disk, Möbius maps, the V-shape → blob tables.
+//! The map compared with exact solutions: the disk, Möbius maps, the tables for V-shape → blob.
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
@@ -34,7 +34,7 @@ fn v_to_blob(source: PrepareSettings, target: PrepareSettings) -> ConformalMap {
     ConformalMap::new(source, target, &constraints, Direction::Forward.into()).unwrap()
 }
 
-/// The mappings of the paper's Figure 8.
+/// The four mappings of the paper's Figure 8.
 const FOUR_MAPPINGS: [MapSettings; 4] = [
     MapSettings { direction: Direction::Forward, extension: Extension::Harmonic },
     MapSettings { direction: Direction::Forward, extension: Extension::CauchyGreen },
@@ -53,7 +53,7 @@ fn complete_map(
     map
 }
 
-/// Maximum and mean distance of the boundary images from the table's.
+/// Maximum and mean distance of the boundary images from those in the table.
 fn image_errors(map: &ConformalMap, rows: &[Vec<f64>]) -> (f64, f64) {
     let errors: Vec<f64> =
         rows.iter().zip(map.images()).map(|(row, image)| image.distance(DVec2::new(row[3], row[4]))).collect();
@@ -94,7 +94,7 @@ fn v_shape_to_blob_m2000() {
     v_shape_to_blob_matches_the_table(2000, 1.5e-2);
 }
 
-/// The default settings, against the finest table interpolated along the boundary.
+/// The default settings, compared with the finest table, interpolated along the boundary.
 #[test]
 fn v_shape_to_blob_holds_under_the_default_settings() {
     let rows = exact_values("vshape_to_blob_m2000.txt");
@@ -130,7 +130,7 @@ fn disk_kernel_and_measure_match_the_closed_form() {
     }
 }
 
-/// The fraction of the boundary point nearest to `p`.
+/// The fraction of arc length at the boundary point nearest to `p`.
 fn anchor_at(domain: &PreparedSide, p: DVec2) -> f64 {
     domain.fraction_at(domain.domain().unwrap().samples().nearest(p))
 }
@@ -159,7 +159,7 @@ fn moebius_map_of_figure_7_converges() {
     for settings in FOUR_MAPPINGS {
         let errors: Vec<f64> = [50, 100, 200, 400].into_iter().map(|m| figure_7_error(m, settings)).collect();
         println!("Figure 7, {settings:?}: mean errors {errors:.6?}");
-        // inscribed polygons and linear elements: second order, less what the coarsest mesh hides
+        // inscribed polygons and linear elements: second order, apart from the coarsest mesh
         assert!(errors[3] < errors[0] / 8.0, "{settings:?}: {errors:?}");
         assert!(errors[3] < 2e-3, "{settings:?}: {errors:?}");
     }
@@ -235,7 +235,7 @@ fn identity_map_is_identity() {
     }
 }
 
-/// Moving both anchors to points that the map already matches must not change it.
+/// Moving both anchors to points that the map already matches does not change it.
 #[test]
 fn map_does_not_depend_on_which_matched_pair_anchors_it() {
     let (source, target) =
@@ -248,7 +248,7 @@ fn map_does_not_depend_on_which_matched_pair_anchors_it() {
     constraints.anchors.target = target.fraction_at(map.correspondence().points[k]);
     map.update(&constraints, Direction::Forward.into()).unwrap();
     let change = map.images().iter().zip(&before).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
-    // the anchor's image inside a target edge is a root of the quadratic: equal up to rounding over ψ
+    // the anchor's image inside a target edge is the root of a quadratic: equal up to rounding divided by ψ
     assert!(change < 1e-6, "the images moved by {change:e}");
 }
 
@@ -271,7 +271,7 @@ fn there_and_back_is_the_identity_up_to_the_mesh() {
     assert!(median < 5e-3, "median error {median:e}");
 }
 
-/// x in the tip of the V: measures down to 1e-30 and below stay positive, in order.
+/// x in the tip of the V: measures down to 1e-30 and below remain positive and in order.
 #[test]
 fn measures_of_the_far_arm_stay_positive_and_in_order() {
     let map = v_to_blob(uniform(1000), PrepareSettings::default());
@@ -295,7 +295,7 @@ fn measures_of_the_far_arm_stay_positive_and_in_order() {
     let along = |k: usize| {
         let (vertex, p) = ((start + k) % count, points[(start + k) % count]);
         if p == target_start && map.measure(Side::Source).at_vertex(vertex) > 0.5 {
-            return mt; // all the way round: the anchor again
+            return mt; // all the way around: the anchor again
         }
         let turn = f64::from(p.edge) - f64::from(target_start.edge) + (p.fraction - target_start.fraction);
         turn.rem_euclid(mt)
@@ -316,7 +316,7 @@ fn coarse_samplings_work() {
     }
 }
 
-/// Median and 95th percentile of distances, as parts of the extent of `samples`.
+/// Median and 95th percentile of distances, relative to the extent of `samples`.
 fn spread(distances: impl Iterator<Item = f64>, samples: &[DVec2]) -> [f64; 2] {
     let extent = samples.iter().map(|v| v.distance(samples[0])).fold(0.0, f64::max);
     let mut distances: Vec<f64> = distances.map(|d| d / extent).collect();
@@ -349,23 +349,23 @@ fn figure_8_differences(m: u32) -> [[f64; 2]; 4] {
     ]
 }
 
-/// Figure 8: at low resolution the four mappings differ, at high resolution they do not.
+/// Figure 8: the four mappings differ at low resolution and agree at high resolution.
 #[test]
 fn four_mappings_of_figure_8_agree_at_fine_resolution() {
     let (coarse, fine) = (figure_8_differences(150), figure_8_differences(1200));
     println!("median and 95 % of f̃ − f̂ forward, backward, there and back with f̃, with f̂:\n{coarse:?}\n{fine:?}");
     for (coarse, fine) in coarse.iter().zip(fine) {
-        // 8 times as fine, first to second order
+        // 8 times as fine: convergence of first to second order
         assert!(fine[0] < coarse[0] / 8.0, "{coarse:?}, {fine:?}");
         assert!(fine[0] < 5e-4, "{fine:?}");
     }
-    // a thousandth of the extent is a pixel
+    // a thousandth of the extent is about a pixel
     assert!(fine[0][1] < 1e-3 && fine[1][1] < 1e-3, "f̃ − f̂: {fine:?}");
-    // the limbs' tips, whose images are crowded, do not come back well with either extension
+    // at the tips of the limbs, where images are crowded, neither extension returns well
     assert!(fine[3][1] < 1.5 * fine[2][1] && fine[2][1] < 1e-2, "there and back: {fine:?}");
 }
 
-/// In chunks or at once, the images are the same; until then those that are not done are harmonic.
+/// The images are the same in chunks or at once; until then the images not yet refined are harmonic.
 #[test]
 fn refinement_replaces_harmonic_images_by_cauchy_green_ones() {
     let heart = domain(Preset::Heart, PrepareSettings::default());
@@ -387,7 +387,7 @@ fn refinement_replaces_harmonic_images_by_cauchy_green_ones() {
     assert!(steps > 2, "{steps} steps");
     assert_eq!(map.images(), complete.images());
     assert_eq!(map.correspondence(), harmonic.correspondence());
-    // the same again changes nothing; another point begins again; harmonic is complete at once
+    // the same settings change nothing; another point starts again; harmonic is complete at once
     map.update(&constraints, FOUR_MAPPINGS[1]).unwrap();
     assert_eq!(map.extension_progress(), 1.0);
     constraints = constraints.with_point(Side::Target, DVec2::new(0.1, 0.1));
@@ -399,9 +399,9 @@ fn refinement_replaces_harmonic_images_by_cauchy_green_ones() {
     assert_eq!(map.images(), expected.images());
 }
 
-/// The map that takes −i to the blob's centre has a closed form all over the V: g, then the blob's g⁻¹.
+/// The map that takes −i to the blob's center has a closed form on the whole V: g followed by the blob's g⁻¹.
 ///
-/// Mean errors inside with f̃, with f̂, and of f̂ with the exact images of the boundary.
+/// Mean errors in the interior: of f̃, of f̂, and of f̂ with the exact images of the boundary.
 fn v_from_its_middle(m: u32) -> [f64; 3] {
     let (v, blob) = (domain(Preset::VShape, uniform(m)), domain(Preset::Blob, uniform(1000)));
     let constraints = Constraints::new((DVec2::NEG_Y, 0.0), (BLOB_CENTRE, 0.0));
@@ -426,6 +426,6 @@ fn both_extensions_of_the_v_converge_to_the_closed_form() {
     let errors @ [coarse, _, fine] = [250, 500, 1000].map(v_from_its_middle);
     println!("V → blob from −i, inside, m = 250, 500, 1000: f̃, f̂, f̂ of the exact boundary: {errors:?}");
     assert!((0..3).all(|i| fine[i] < coarse[i] / 4.0), "{errors:?}");
-    // f̂ has no maximum principle: the error of the boundary comes with its Hilbert transform
+    // f̂ has no maximum principle: the Hilbert transform of the boundary's error adds to it
     assert!(fine[0] < 1e-3 && fine[1] < 3.0 * fine[0] && fine[2] < fine[1], "{errors:?}");
 }

@@ -1,4 +1,4 @@
-//! Random walks against harmonic measure. The seeds are fixed, so no test fails by chance.
+//! Random walks compared with harmonic measure. The seeds are fixed, so that no test fails by chance.
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
@@ -18,7 +18,7 @@ const WALKS: u32 = 40_000;
 const BINS: usize = 32;
 const START: BoundaryPoint = BoundaryPoint { edge: 0, fraction: 0.0 };
 
-/// χ² with 31 degrees of freedom exceeds this once in 1000 seeds.
+/// χ² with 31 degrees of freedom exceeds this value for one in 1000 seeds.
 const CHI_SQUARE: f64 = 61.1;
 
 fn measure(domain: &PreparedSide, x: DVec2, anchor: BoundaryPoint) -> HarmonicMeasure {
@@ -28,8 +28,8 @@ fn measure(domain: &PreparedSide, x: DVec2, anchor: BoundaryPoint) -> HarmonicMe
     HarmonicMeasure::new(domain.domain().unwrap().samples(), &psi, anchor)
 }
 
-/// Every bin within 4.5 √(N p (1 − p)) of N p (1 in 5,000 for all bins), and an
-/// allowance for the measure's own error.
+/// Asserts that every bin is within 4.5 √(N p (1 − p)) of N p (exceeded once in 5,000 for all bins), plus an
+/// allowance for the error of the measure.
 fn assert_counts_follow(counts: &HitCounts, expected: &[f64], measure_error: f64) {
     let total = counts.total() as f64;
     for (bin, (&count, &share)) in counts.counts().iter().zip(expected).enumerate() {
@@ -68,7 +68,7 @@ fn walks_from_a_point_of_the_disk_follow_the_closed_form() {
     let exact = |bin: usize| disk::harmonic_measure(complex(x), TAU * bin as f64 / BINS as f64);
     let expected: Vec<f64> = (0..BINS).map(|bin| exact(bin + 1) - exact(bin)).collect();
     assert_counts_follow(&counts, &expected, 0.0);
-    // a part of the boundary that x hardly sees, and one next to x
+    // a part of the boundary with little measure from x, and one next to x
     assert!(expected[BINS / 2] < 0.01 && expected[1] > 0.1, "{expected:.3?}");
     let own: f64 = counts.expected().iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(own < 1e-3, "the kernel's shares are {own:e} off");
@@ -100,7 +100,7 @@ fn walks_in_presets_follow_the_kernel() {
             by_length.chi_square(),
             by_measure.chi_square()
         );
-        // the measure of the default settings is good to 1e-3
+        // the measure under the default settings is accurate to 1e-3
         assert_counts_follow(&by_length, by_length.expected(), 1e-3);
         assert_counts_follow(&by_measure, by_measure.expected(), 1e-3);
         let sum: f64 = by_length.expected().iter().sum();

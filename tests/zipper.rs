@@ -1,4 +1,4 @@
-//! The map through the disk: against exact solutions, against riemap's own measure, and where it fails.
+//! The map through the disk: compared with exact solutions and with riemap's measure, and where it fails.
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
@@ -27,7 +27,7 @@ const V_CENTRE: DVec2 = DVec2::new(0.0, -1.0);
 
 /// `count` parameters on a closed curve, uniform in arc length from `t = 0`.
 fn uniform_parameters(curve: impl Fn(f64) -> DVec2, period: f64, count: usize) -> Vec<f64> {
-    // 2^17 chords: their length is that of the curve up to 1e-9
+    // the length of 2^17 chords is that of the curve up to 1e-9
     let fine = 1 << 17;
     let at = |k: usize| period * k as f64 / fine as f64;
     let mut lengths = vec![0.0];
@@ -42,7 +42,7 @@ fn uniform_parameters(curve: impl Fn(f64) -> DVec2, period: f64, count: usize) -
     (0..count).map(place).collect()
 }
 
-/// Points on the exact V, uniform in arc length from 1 + i, with their measures seen from `x`.
+/// Points on the exact V, uniform in arc length from 1 + i, with their measures from `x`.
 fn exact_v(count: usize, x: DVec2) -> (Vec<DVec2>, Vec<f64>) {
     let points: Vec<DVec2> =
         uniform_parameters(vshape::boundary, 4.0, count).into_iter().map(vshape::boundary).collect();
@@ -50,7 +50,7 @@ fn exact_v(count: usize, x: DVec2) -> (Vec<DVec2>, Vec<f64>) {
     (points, omega)
 }
 
-/// Points on the exact blob, uniform in arc length from g⁻¹(1), with their measures seen from g⁻¹(0).
+/// Points on the exact blob, uniform in arc length from g⁻¹(1), with their measures from g⁻¹(0).
 fn exact_blob(count: usize) -> (Vec<DVec2>, Vec<f64>) {
     let omega = uniform_parameters(blob::boundary, 1.0, count);
     (omega.iter().map(|&w| blob::boundary(w)).collect(), omega)
@@ -75,8 +75,8 @@ fn fresh_errors(name: &str, (points, exact): &(Vec<DVec2>, Vec<f64>), x: DVec2) 
     (max, mean)
 }
 
-/// Twice the errors measured here, which are of the order of those that the Zipper program
-/// reached on the same points (max 4.8e-4, 7.5e-5, 1.4e-5).
+/// The bounds are twice the errors measured here, which are of the order of those that the Zipper program
+/// has on the same points (max 4.8e-4, 7.5e-5, 1.4e-5).
 #[test]
 fn v_shape_measure_converges_to_the_exact_one() {
     for (count, bound) in [(250, 6e-4), (500, 9e-5), (1000, 1.6e-5)] {
@@ -86,8 +86,8 @@ fn v_shape_measure_converges_to_the_exact_one() {
     }
 }
 
-/// The largest error is that of single samples at the blob's sharpest bend, (4.92, 1.52),
-/// where uniform samples are up to 2 % of the measure apart; so with the Zipper program
+/// The largest error occurs at single samples at the blob's sharpest bend, (4.92, 1.52),
+/// where uniform samples are up to 2 % of the measure apart; the same holds for the Zipper program
 /// (max 6.8e-3, 5.2e-3; mean 2.9e-4, 2.8e-5).
 #[test]
 fn blob_measure_agrees_with_the_exact_one() {
@@ -98,7 +98,7 @@ fn blob_measure_agrees_with_the_exact_one() {
     }
 }
 
-/// A circle's arc and geodesics of its complement make a circle again: only rounding is left.
+/// A circular arc and geodesics of its complement form a circle again: only rounding errors remain.
 #[test]
 fn disk_is_mapped_by_the_moebius_map() {
     let x = DVec2::new(0.6, 0.2);
@@ -154,9 +154,9 @@ fn kernel(domain: &PreparedSide, x: DVec2) -> Vec<f64> {
     psi
 }
 
-/// Two methods that share nothing but the samples. They differ most at the vertex of a
+/// Two methods that share only the samples. They differ most at the vertex of a
 /// re-entrant corner, where the density is infinite and the geodesics round the corner (up to 6e-3
-/// here); twice what was measured.
+/// here); the bounds are twice what was measured.
 #[test]
 fn measures_agree_with_the_kernels_where_nothing_crowds() {
     for preset in [Preset::Disk, Preset::Square, Preset::Heart, Preset::Blob, Preset::Cinquefoil, Preset::LShape] {
@@ -182,7 +182,7 @@ fn measures_agree_with_the_kernels_where_nothing_crowds() {
     }
 }
 
-/// Uncrowded, both variants are the same map.
+/// Without crowding, both variants are the same map.
 #[test]
 fn precomputed_map_agrees_with_a_fresh_one_on_the_heart() {
     let domain = prepared(Preset::Heart);
@@ -199,8 +199,8 @@ fn precomputed_map_agrees_with_a_fresh_one_on_the_heart() {
     }
 }
 
-/// Section 1.2: a = g(x) rounds to the circle, and nothing is left for φ to map. Here
-/// the kernel's measure is right, and positive down to the far tip.
+/// Section 1.2: a = g(x) rounds to the circle, and φ has no information left to map. The
+/// kernel's measure is correct here, and positive up to the far tip.
 #[test]
 fn precomputed_map_collapses_on_the_v_shape() {
     let (points, exact) = exact_v(1000, V_POINT);
@@ -243,7 +243,7 @@ fn precomputed_map_collapses_on_the_v_shape() {
     assert!(error < 1e-3, "the kernel's measure is {error:e} off");
 }
 
-/// Matched boundaries: the fresh variant gives the map that riemap gives.
+/// Matched boundaries: the fresh variant gives riemap's map.
 #[test]
 fn correspondence_through_the_disk_is_riemaps() {
     let (source, target) = (prepared(Preset::Heart), prepared(Preset::Cinquefoil));
@@ -294,7 +294,7 @@ fn bad_boundaries_are_refused() {
     assert!(matches!(DiskMap::new(&clockwise, centre), Err(ZipperError::PointOutside { .. })));
 }
 
-/// Star-shaped about 0, radii up to 1:300 between neighbours, with collinear points on every edge.
+/// Star-shaped about 0, with ratios of up to 1:300 between neighboring radii, and collinear points on every edge.
 fn star() -> impl Strategy<Value = Vec<DVec2>> {
     let corners = prop::collection::vec((-2.5_f64..0.0, 0.05_f64..0.95), 3..40);
     (corners, 1_usize..8).prop_map(|(corners, pieces)| {
@@ -308,7 +308,7 @@ fn star() -> impl Strategy<Value = Vec<DVec2>> {
     })
 }
 
-/// Spikes, corners and collinear points, coarse: an error of the stated kind, or finite ordered angles and images.
+/// Spikes, corners and collinear points, coarse: a typed error, or finite ordered angles and images.
 #[test]
 fn random_stars_give_finite_ordered_angles_or_a_typed_error() {
     let (mapped, refused) = (Cell::new(0), Cell::new(0));
@@ -333,11 +333,11 @@ fn random_stars_give_finite_ordered_angles_or_a_typed_error() {
         })
         .unwrap();
     println!("{} mapped, {} refused", mapped.get(), refused.get());
-    // a few points per spike leave the curve far from the polygon: half are refused
+    // with a few points per spike the curve is far from the polygon: half are refused
     assert!(mapped.get() > 50 && refused.get() > 0, "{} mapped, {} refused", mapped.get(), refused.get());
 }
 
-/// Sampled as finely as the spikes ask, every one of them is mapped.
+/// If sampled finely enough for the spikes, all stars are mapped.
 #[test]
 fn random_stars_are_mapped_when_sampled_finely() {
     runner(40)

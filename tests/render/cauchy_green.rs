@@ -1,4 +1,4 @@
-//! The Cauchy–Green extension of the compute shader against the f64 one.
+//! The compute shader's Cauchy–Green extension compared with the one in f64.
 
 use super::support::*;
 use glam::DVec2;
@@ -10,7 +10,7 @@ use riemap::render::{CauchyGreenPass, Pattern, ViewportRenderer, sample_count};
 use std::f64::consts::TAU;
 use std::sync::mpsc;
 
-/// The pass, or `None` (said aloud) where there are no compute shaders.
+/// The pass, or `None` (with a message) if there are no compute shaders.
 fn pass(gpu: &Gpu) -> Option<CauchyGreenPass> {
     let pass = CauchyGreenPass::new(&gpu.0);
     if pass.is_none() {
@@ -59,8 +59,8 @@ fn inwards(contour: &[DVec2], k: usize) -> DVec2 {
     (contour[(k + 1) % m] - contour[k]).normalize().perp()
 }
 
-/// The boundary vertices, the vertices of a mesh, and points 1e-3 to 1e-8 of the extent
-/// beside every edge, near its ends too, and beside every vertex.
+/// The boundary vertices, the vertices of a mesh, and points at distances of 1e-3 to 1e-8 of the extent
+/// from every edge, also near its ends, and from every vertex.
 fn points_of(contour: &[DVec2]) -> Vec<DVec2> {
     let m = contour.len();
     let mut points = mesh_domain(contour, Sizing::Graded(0.2)).unwrap().0.vertices;
@@ -77,7 +77,7 @@ fn points_of(contour: &[DVec2]) -> Vec<DVec2> {
     points
 }
 
-/// A smooth closed curve with a random shape: a Fourier sum whose terms decay as 1/j².
+/// A smooth closed curve with a random shape: a Fourier series whose terms decay as 1/j².
 fn smooth(m: usize, seed: u64) -> Vec<DVec2> {
     let mut state = seed;
     let mut random = || {
@@ -95,12 +95,12 @@ fn smooth(m: usize, seed: u64) -> Vec<DVec2> {
     (0..m).map(|k| at(k as f64 / m as f64)).collect()
 }
 
-/// Values that jump from vertex to vertex: what an early drag may ask for.
+/// Values that jump from vertex to vertex, as may occur early in a drag.
 fn rough(m: usize) -> Vec<DVec2> {
     (0..m).map(|k| DVec2::from_angle(k as f64 * k as f64) * (1.0 + k as f64 / m as f64)).collect()
 }
 
-/// Outlines of the presets, and a turned square: long edges that no coordinate axis favours.
+/// Outlines of presets, and a rotated square: long edges not aligned with a coordinate axis.
 fn contours() -> Vec<(&'static str, Vec<DVec2>)> {
     let presets = [(Preset::Gingerbread, 500), (Preset::Star, 333), (Preset::VShape, 1000)];
     let sampled = presets.map(|(preset, m)| (preset.name(), contour_of(preset, m)));
@@ -166,7 +166,7 @@ fn the_mesh_is_drawn_from_the_images_without_reading_them_back() {
     let Some(pass) = pass(gpu) else { return };
     let (device, queue, _) = gpu;
     let format = wgpu::TextureFormat::Rgba8Unorm;
-    // linear values on a polygon are their own extension; a quarter turn is holomorphic
+    // linear values on a polygon are their own extension; a rotation by 90° is holomorphic
     let moved = SQUARE.map(|p| 0.5 * p.perp() + DVec2::new(0.75, -0.5));
     let mut buffers = pass.buffers(device, queue, &SQUARE, &SQUARE).unwrap();
     let mut three = pass.buffers(device, queue, &SQUARE, &SQUARE[..3]).unwrap();
@@ -199,7 +199,7 @@ fn the_mesh_is_drawn_from_the_images_without_reading_them_back() {
         });
         let uploaded = painted(gpu, &mut renderer, format, &style);
         assert_ne!(computed, before);
-        // the images may be an ulp of f32 off, which is a step of 8-bit coverage at an edge
+        // the images may differ by an ulp of f32, which is a step of 8-bit coverage at an edge
         let difference = computed.iter().zip(uploaded.iter()).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
         assert!(difference <= 2, "positions: {positions}, off by {difference}");
     }
@@ -217,7 +217,7 @@ fn a_hundred_thousand_points_and_a_thousand_samples() {
     let (low, high) =
         (contour.iter().copied().reduce(DVec2::min).unwrap(), contour.iter().copied().reduce(DVec2::max).unwrap());
     let tree = EdgeTree::new(&contour);
-    // the golden lattice of the bounds, until there are enough inside
+    // points of a golden-ratio lattice in the bounding box, until enough are inside
     let lattice = (0..)
         .map(|k| low + (high - low) * DVec2::new(f64::from(k) / 400_000.0, (f64::from(k) * 0.618_033_988_7).fract()));
     points.truncate(100_000);

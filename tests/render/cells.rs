@@ -1,4 +1,4 @@
-//! Triangles in colours of their own, with edges and marks.
+//! Triangles with individual colors, with edges and marks.
 
 use super::support::*;
 use glam::DVec2;
@@ -10,14 +10,14 @@ use riemap::render::{
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Centres of the triangles of [`SQUARE_TRIANGLES`]: below and above the diagonal.
+/// Centers of the triangles of [`SQUARE_TRIANGLES`]: below and above the diagonal.
 const CENTRES: [[u32; 2]; 2] = [[37, 42], [26, 21]];
 
 fn shown(map: Option<ColourMap>) -> CellStyle {
     CellStyle { map, wire: None, marks: false, pixels_per_point: 1.0 }
 }
 
-/// A renderer with the textured square, and its two triangles in `codes`.
+/// A renderer with the textured square, and its two triangles colored by `codes`.
 fn renderer(gpu: &Gpu, codes: [CellCode; 2], style: CellStyle) -> ViewportRenderer {
     let (device, queue, _) = gpu;
     let mut renderer = ViewportRenderer::new(device, queue, FORMAT, 1, sample_count(device));
@@ -30,7 +30,7 @@ fn renderer(gpu: &Gpu, codes: [CellCode; 2], style: CellStyle) -> ViewportRender
 }
 
 fn picture(gpu: &Gpu, renderer: &mut ViewportRenderer) -> RgbaImage {
-    // Until there is an image, it is one pixel of paper.
+    // without an image the texture is one pixel in the color of paper
     painted(gpu, renderer, FORMAT, &style(Pattern::Image, 1.0))
 }
 
@@ -41,7 +41,7 @@ fn every_triangle_has_the_colour_of_its_value() {
         for values in [[0.0, 1.0], [0.25, 0.5], [0.9, 0.1]] {
             let image = picture(gpu, &mut renderer(gpu, values.map(CellCode::at), shown(Some(map))));
             for (pixel, value) in CENTRES.into_iter().zip(values) {
-                // 254 codes, and 8 bits linear to encoded.
+                // 254 codes, and the conversion of 8 bits from linear to encoded
                 assert_pixel(&image, pixel, bytes(map.at(value)), 2, "triangle");
             }
             assert_pixel(&image, [4, 4], bytes(BACKGROUND), 1, "background");
@@ -83,11 +83,11 @@ fn edges_have_their_width_and_their_colour() {
     let black = StrokeStyle { colour: [0.0, 0.0, 0.0, 1.0], width_px: 3.0 };
     let style = CellStyle { wire: Some(black), ..shown(Some(ColourMap::Diverging)) };
     let image = picture(gpu, &mut renderer(gpu, [CellCode::at(0.5); 2], style));
-    // The diagonal runs through the pixels (k, 63 − k); three pixels wide it covers √2 · 3 of a row.
+    // the diagonal passes through the pixels (k, 63 − k); with a width of three pixels it covers √2 · 3 of a row
     for row in [24, 30, 38] {
         let paper = f64::from(bytes(ColourMap::Diverging.at(0.5))[0]);
         let ink: f64 = (20..44).map(|x| 1.0 - linear(image.get_pixel(x, row).0[0]) / linear(paper as u8)).sum();
-        // Coverage is a distance clamped at each pixel: the ends of a slanted cut are off by a few hundredths.
+        // coverage is a distance clamped at each pixel, so that the ends of a slanted cut are off by a few hundredths
         assert!((ink - 3.0 * 2_f64.sqrt()).abs() < 0.15, "row {row}: {ink} pixels of ink");
     }
     assert_pixel(&image, CENTRES[0], bytes(ColourMap::Diverging.at(0.5)), 2, "inside");
@@ -108,12 +108,12 @@ fn edges_of_cells_of_a_few_pixels_fade_away() {
         let image = picture(gpu, &mut renderer);
         (20..44).flat_map(|x| (20..44).map(move |y| (x, y))).map(|(x, y)| image.get_pixel(x, y).0[0]).min().unwrap()
     };
-    // The square is 32 pixels wide: cells of 8 pixels, and of one, with more triangles than a row of texels.
+    // the square is 32 pixels wide: cells of 8 pixels, and of one pixel, with more triangles than a row of texels
     assert!(darkest(4) < 120, "edges of large cells are missing: {}", darkest(4));
     assert!(darkest(40) > 240, "small cells turn dark: {}", darkest(40));
 }
 
-/// The square cut into `rows`² squares of two triangles each.
+/// The square divided into `rows`² squares of two triangles each.
 fn lattice(rows: u32) -> (Vec<DVec2>, Vec<[u32; 3]>) {
     let at = |k: u32| 2.0 * f64::from(k) / f64::from(rows) - 1.0;
     let points = (0..=rows).flat_map(|j| (0..=rows).map(move |i| DVec2::new(at(i), at(j)))).collect();

@@ -1,4 +1,4 @@
-//! The renderer as the app drives it: frame after frame into a pass of its own.
+//! The renderer as used by the app: frame after frame into a given pass.
 
 use super::support::*;
 use glam::DVec2;
@@ -54,7 +54,7 @@ fn moved_texture_coordinates_move_the_texture() {
     let mut renderer = renderer(gpu, format, left);
     let halves = [left.repeat(8), right.repeat(8)].concat().repeat(16);
     renderer.set_image(device, queue, &halves, 16, 16).unwrap();
-    // The left half of the source over the whole square, then the right half.
+    // the left half of the source on the whole square, then the right half
     for (shift, colour) in [(-0.75, left), (0.75, right)] {
         let coordinates = SQUARE.map(|p| 0.1 * p + DVec2::new(shift, 0.0));
         assert!(renderer.set_texture_coordinates(queue, 0, &coordinates));
@@ -89,7 +89,7 @@ fn an_image_beyond_the_largest_texture_is_scaled_down() {
     assert_pixel(&frame(gpu, &mut renderer, format), [32, 32], colour, 1, "the scaled image");
 }
 
-/// How the next frame is recorded, which is painted.
+/// Records and paints the next frame; returns its detail if anything was recorded.
 fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &PlanarFrame, pace: Pace) -> Option<Detail> {
     let (device, queue, _) = gpu;
     let prepare = |renderer: &mut ViewportRenderer, encoder: &mut wgpu::CommandEncoder| {
@@ -132,7 +132,7 @@ fn a_picture_that_stands_is_not_recorded_and_every_change_is() {
     let mut dropped = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     assert!(renderer.set_positions(queue, 0, &SQUARE));
     renderer.prepare(device, queue, &mut dropped, 0, &frame, Pace::Full);
-    drop(dropped); // as when the window has no surface at the moment
+    drop(dropped); // as when the window currently has no surface
     assert!(recorded(gpu, &mut renderer, &frame, Pace::Full).is_some(), "what was never painted");
     let moved = Camera { center: DVec2::X, ..frame.camera };
     assert!(recorded(gpu, &mut renderer, &PlanarFrame { camera: moved, ..frame }, Pace::Full).is_some(), "camera");

@@ -1,8 +1,8 @@
-//! What the renderer draws, on whatever adapter there is (lavapipe in CI):
-//! first numbers at probe pixels, then small pictures against committed ones.
+//! The renderer's output on any adapter (lavapipe in CI):
+//! first numbers at probe pixels, then small pictures compared with committed ones.
 //!
-//! Without an adapter the tests fail under `CI=true` and are skipped, with a
-//! message, otherwise. `UPDATE_SNAPSHOTS=1` rewrites the pictures.
+//! Without an adapter the tests fail under `CI=true`, and are otherwise skipped with
+//! a message. `UPDATE_SNAPSHOTS=1` rewrites the pictures.
 
 #![cfg(all(feature = "app", not(target_arch = "wasm32")))]
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]

@@ -1,4 +1,4 @@
-//! Colours, widths and refusals as numbers.
+//! Colors, widths and rejected inputs, as numbers.
 
 use super::support::*;
 use glam::DVec2;
@@ -10,7 +10,7 @@ use riemap::render::{
 #[test]
 fn checker_has_its_exact_colours_inside_and_the_background_outside() {
     let Some(gpu) = gpu() else { return };
-    // Four cells of 20 pixels; the square covers the pixels 10..90.
+    // four cells of 20 pixels; the square covers the pixels 10..90
     let style = style(Pattern::Checker, 4.0);
     let image = render(gpu, &[square(style)], None, [100, 100]);
     let paper = bytes(TextureStyle::paper());
@@ -37,7 +37,7 @@ fn cells_below_a_pixel_fade_to_their_mean_without_moire() {
     }
 }
 
-/// Hue and paper mixed in linear light, as the lines of a grid are.
+/// Hue and paper mixed in linear light, as in the lines of a grid.
 fn lined(hue: [f32; 4], share: f64) -> [u8; 4] {
     let mix = |hue: u8, paper: u8| (1.0 - share) * linear(hue) + share * linear(paper);
     let (hue, paper) = (bytes(hue), bytes(TextureStyle::paper()));
@@ -48,7 +48,7 @@ fn lined(hue: [f32; 4], share: f64) -> [u8; 4] {
     [0, 1, 2, 3].map(|c| if c == 3 { 255 } else { encode(mix(hue[c], paper[c])) })
 }
 
-/// 24 rays, and circles at the radii e^{−2πk/24}, every fourth of both strong; 320 pixels to the unit.
+/// 24 rays, and circles at the radii e^{−2πk/24}, of which every fourth is strong; 320 pixels per unit.
 #[test]
 fn the_conformal_grid_has_its_circles_where_green_s_function_has_its_steps() {
     let Some(gpu) = gpu() else { return };
@@ -67,7 +67,7 @@ fn the_conformal_grid_has_its_circles_where_green_s_function_has_its_steps() {
         let from_circle = (depth - depth.round()).abs() * step * place.length();
         let share = match depth.round() as u32 % 4 {
             _ if from_circle > 3.0 => 0.0,
-            // A strong line is 2.1 pixels wide, a thin one 1.2.
+            // a strong line is 2.1 pixels wide, a thin one 1.2
             0 if from_circle < 0.4 => 1.0,
             1..4 if from_circle < 0.08 => 0.62,
             _ => continue,
@@ -77,13 +77,13 @@ fn the_conformal_grid_has_its_circles_where_green_s_function_has_its_steps() {
         assert_eq!(pixel.0[3], 255);
     }
     assert!(seen[0] > 10_000 && seen[1] > 100 && seen[3] > 100, "{seen:?}");
-    // The first ray goes to 1, where the anchor is.
+    // the first ray goes to 1, the anchor
     for x in [500, 540, 600] {
         assert_pixel(&image, [x, 320], bytes(TextureStyle::paper()), 2, "ray");
     }
 }
 
-/// In a crowded part all vertices have the same coordinates, those of a boundary point.
+/// In a crowded part all vertices have the coordinates of the same boundary point.
 #[test]
 fn where_a_domain_crowds_the_conformal_grid_has_the_boundary_s_colour() {
     let Some(gpu) = gpu() else { return };
@@ -114,7 +114,7 @@ fn a_transparent_background_stays_transparent() {
     let viewports = [square(style(Pattern::Checker, 4.0))];
     let scene = SceneDescription { viewports: &viewports, background: asked, image: None, margin_px: 0.0 };
     let image = render_scene_with(&gpu.0, &gpu.1, &scene, [100, 100]).unwrap();
-    // Premultiplying by one half costs one more bit.
+    // premultiplying by one half costs one more bit
     assert_pixel(&image, [3, 3], bytes(asked), 3, "background");
     assert_eq!(image.get_pixel(50, 50).0[3], 255);
 }
@@ -124,11 +124,11 @@ fn half_covered_pixels_on_a_transparent_ground_have_straight_colours() {
     let Some(gpu) = gpu() else { return };
     let flat = image::Rgba([200, 100, 50, 255]);
     let mut viewport = square(style(Pattern::Image, 1.0));
-    // moved by half a pixel: the edges run through the middles of the pixels 10 and 90
+    // moved by half a pixel: the edges pass through the middles of the pixels 10 and 90
     let units_per_pixel = 2.0 / 80.0;
     viewport.camera = Some(Camera { center: DVec2::splat(0.5 * units_per_pixel), units_per_pixel });
     let image = RgbaImage::from_pixel(4, 4, flat);
-    // a ground that nobody sees leaves no trace of its colour either
+    // an invisible background must not leave traces of its color either
     let background = [0.1, 0.9, 0.9, 0.0];
     let viewports = [viewport];
     let scene = SceneDescription { viewports: &viewports, background, image: Some(&image), margin_px: 0.0 };
@@ -138,7 +138,7 @@ fn half_covered_pixels_on_a_transparent_ground_have_straight_colours() {
         half += 1;
         let mut expected = flat.0;
         expected[3] = pixel.0[3];
-        // two roundings, divided by a share of one sixth at least
+        // two roundings, divided by a share of at least one sixth
         assert_pixel(&picture, [x, y], expected, 8, "edge");
     }
     assert!(half > 250, "only {half} pixels along the edges");
@@ -150,7 +150,7 @@ fn a_row_that_is_not_aligned_for_copies_comes_back_straight() {
     let viewports = [square(style(Pattern::Checker, 1.0)), square(style(Pattern::Checker, 1.0))];
     let image = render(gpu, &viewports, None, [201, 97]);
     assert_eq!(image.dimensions(), (201, 97));
-    // Columns 0..100 and 100..201; the squares' edges are 80 pixels apart.
+    // columns 0..100 and 100..201; the squares' edges are 80 pixels apart
     for y in [2, 48, 94] {
         assert_pixel(&image, [5, y], bytes(BACKGROUND), 1, "left of the first square");
         assert_pixel(&image, [100, y], bytes(BACKGROUND), 1, "between the squares");
@@ -158,7 +158,7 @@ fn a_row_that_is_not_aligned_for_copies_comes_back_straight() {
     }
 }
 
-/// Ink of a horizontal cut through the left edge of the square, in pixels.
+/// The coverage along a horizontal line through the left edge of the square, in pixels.
 fn stroke_width(gpu: &Gpu, units_per_pixel: f64, points: &[DVec2], width_px: f32) -> f64 {
     let white = StrokeStyle { colour: [1.0; 4], width_px };
     let mut viewport = square(style(Pattern::Checker, 4.0));
@@ -182,7 +182,7 @@ fn the_stroke_keeps_its_width_under_zoom_and_with_any_number_of_points() {
             for points in [&SQUARE[..], &fine[..]] {
                 let actual = stroke_width(gpu, units_per_pixel, points, width);
                 let error = (actual - f64::from(width)).abs();
-                // 8 bits of coverage and of colour at either side.
+                // 8 bits of coverage and of color on either side
                 assert!(error < 0.02, "{} points, scale {units_per_pixel}: {actual} for {width}", points.len());
             }
         }
@@ -201,7 +201,7 @@ fn precision_survives_a_far_origin_and_a_deep_zoom() {
     let far = render(gpu, &[viewport.clone()], None, [100, 100]);
     let near = render(gpu, &[square(style(Pattern::Checker, 4.0))], None, [100, 100]);
     assert_eq!(far.as_raw(), near.as_raw(), "a shift of {shift} changes the picture");
-    // 10⁵ times larger, the corner at (1, 1) is still within a pixel of its place.
+    // 10⁵ times larger, the corner at (1, 1) is still drawn within a pixel of its position
     viewport.camera = Some(Camera { center: positions[2], units_per_pixel: 2.0 / 8.0e6 });
     let deep = render(gpu, &[viewport], None, [100, 100]);
     assert_pixel(&deep, [48, 52], bytes(TextureStyle::paper()), 2, "just inside the corner");

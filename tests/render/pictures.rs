@@ -1,4 +1,4 @@
-//! A disk by hand under a Möbius map, in every pattern, against committed PNGs.
+//! A disk built by hand and a Möbius map of it, in every pattern, compared with committed PNGs.
 
 use super::support::*;
 use glam::DVec2;
@@ -36,7 +36,7 @@ fn disk(rings: u32, sectors: u32) -> Disk {
     Disk { points, triangles: triangles.collect(), boundary }
 }
 
-/// z ↦ e^{iα} (z − a) / (1 − ā z): the disk onto itself, a to the centre.
+/// z ↦ e^{iα} (z − a) / (1 − ā z): the disk to itself, a to the center.
 fn moebius(z: DVec2, a: DVec2, turn: f64) -> DVec2 {
     let (p, q) = (z - a, DVec2::new(1.0 - a.dot(z), -(a.x * z.y - a.y * z.x)));
     DVec2::new(p.dot(q), p.y * q.x - p.x * q.y).rotate(DVec2::from_angle(turn)) / q.length_squared()
@@ -49,7 +49,7 @@ fn test_card() -> RgbaImage {
     })
 }
 
-/// The disk as it is, and under a Möbius map, with boundary and handles.
+/// The disk and its image under a Möbius map, with boundary and handles.
 fn disk_pair(gpu: &Gpu, pattern: Pattern) -> RgbaImage {
     let disk = disk(40, 128);
     let a = DVec2::new(0.45, 0.3);
@@ -76,10 +76,10 @@ fn disk_pair(gpu: &Gpu, pattern: Pattern) -> RgbaImage {
     render(gpu, &[viewport(&disk.points, &before), viewport(&mapped, &after)], Some(&card), [256, 128])
 }
 
-/// Mean absolute difference of the channels and the share of pixels that differ
-/// by more than 8 of 255 somewhere. Software adapters of different versions
-/// disagree in rounding and at edges of triangles; a pattern that is shifted by a
-/// quarter of a pixel gives more than this.
+/// Asserts bounds on the mean absolute difference of the channels, and on the share of pixels that differ
+/// by more than 8 of 255 in some channel. Software adapters of different versions
+/// disagree in rounding and at edges of triangles; shifting a pattern by a
+/// quarter of a pixel exceeds the bounds.
 fn compare(name: &str, actual: &RgbaImage) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/images").join(format!("{name}.png"));
     if std::env::var_os("UPDATE_SNAPSHOTS").is_some_and(|value| value == "1") {
@@ -115,7 +115,7 @@ fn pictures_of_the_disk_under_a_moebius_map_are_as_committed() {
     }
 }
 
-/// The disk under a Möbius map, its triangles in the colours of their area distortion within ±3, one
+/// The disk under a Möbius map, its triangles colored by their area distortion within ±3, one
 /// marked as flipped.
 fn distorted_disk(gpu: &Gpu) -> RgbaImage {
     let (device, queue, _) = gpu;

@@ -1,4 +1,4 @@
-//! The shared device, the test square, and comparisons that say what differs.
+//! The shared device, the test square, and comparisons whose messages show the difference.
 
 use glam::DVec2;
 use image::RgbaImage;
@@ -14,7 +14,7 @@ pub const BACKGROUND: [f32; 4] = [0.043, 0.063, 0.082, 1.0];
 pub const GREEN: [f32; 4] = [0.17, 0.70, 0.45, 1.0];
 pub const MAGENTA: [f32; 4] = [0.84, 0.24, 0.62, 1.0];
 
-/// The shared device, or `None` (said aloud) where there is no adapter.
+/// The shared device, or `None` (with a message) if there is no adapter.
 pub fn gpu() -> Option<&'static Gpu> {
     static GPU: OnceLock<Result<Gpu, String>> = OnceLock::new();
     match GPU.get_or_init(|| headless_device().map_err(|error| error.to_string())) {
@@ -42,7 +42,7 @@ pub fn style(pattern: Pattern, cells: f64) -> TextureStyle {
     TextureStyle { pattern, cells, bounds: (-DVec2::ONE, DVec2::ONE), pole: DVec2::ZERO, dark: true }
 }
 
-/// The square [−1, 1]², textured by itself.
+/// The square [−1, 1]², whose positions are its texture coordinates.
 pub const SQUARE: [DVec2; 4] =
     [DVec2::new(-1.0, -1.0), DVec2::new(1.0, -1.0), DVec2::new(1.0, 1.0), DVec2::new(-1.0, 1.0)];
 pub const SQUARE_TRIANGLES: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
@@ -67,16 +67,16 @@ pub fn render(gpu: &Gpu, viewports: &[SceneViewport], image: Option<&RgbaImage>,
 /// The width and height of a frame of the live renderer: 16 pixels per unit.
 const SIZE: u32 = 64;
 
-/// A change of what is uploaded, with its name; whether it was taken.
+/// A change of the uploaded data, with its name; returns whether it was accepted.
 pub type Change<'a> = (&'a str, Box<dyn FnMut(&mut ViewportRenderer) -> bool + 'a>);
 
-/// A frame of the live renderer, about the origin.
+/// A frame of the live renderer centered at the origin.
 pub fn live_frame(style: &TextureStyle) -> PlanarFrame {
     let camera = Camera { center: DVec2::ZERO, units_per_pixel: 4.0 / f64::from(SIZE) };
     PlanarFrame { size_px: [SIZE, SIZE], camera, style: *style, background: BACKGROUND }
 }
 
-/// Prepares and paints viewport 0 into a target of `format`; the target's bytes.
+/// Prepares and paints viewport 0 into a target of `format`; returns the target's pixels.
 pub fn painted(
     gpu: &Gpu,
     renderer: &mut ViewportRenderer,
@@ -86,7 +86,7 @@ pub fn painted(
     painted_at(gpu, renderer, format, &live_frame(style), Pace::Full)
 }
 
-/// The same with any frame of [`live_frame`]'s size, at any pace.
+/// As [`painted`] with any frame of [`live_frame`]'s size, at any pace.
 pub fn painted_at(
     gpu: &Gpu,
     renderer: &mut ViewportRenderer,
@@ -101,7 +101,7 @@ pub fn painted_at(
     one_frame(gpu, renderer, format, prepare, |renderer, pass| renderer.paint(pass, 0)).1
 }
 
-/// One frame into a target of `format`: what `prepare` has recorded, and the target's bytes.
+/// Paints one frame into a target of `format`; returns what `prepare` recorded, and the target's pixels.
 pub fn one_frame(
     gpu: &Gpu,
     renderer: &mut ViewportRenderer,

@@ -1,4 +1,4 @@
-//! Surfaces in space: patterns where they belong, depth, edges, light, handles.
+//! Surfaces in space: positions of patterns, depth, edges, light, handles.
 
 use super::support::*;
 use glam::{DVec2, DVec3};
@@ -14,7 +14,7 @@ const SIZE: u32 = 240;
 const WIRE: StrokeStyle = StrokeStyle { colour: [1.0, 0.0, 0.0, 1.0], width_px: 3.0 };
 const LOOP: StrokeStyle = StrokeStyle { colour: [0.0, 1.0, 0.0, 1.0], width_px: 5.0 };
 
-/// Squares facing the eye, which is on the z axis: by their lower left and upper right corner, and z.
+/// Squares facing the camera, which is on the z axis, given by their lower left and upper right corners and z.
 struct Squares {
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
@@ -23,7 +23,7 @@ struct Squares {
 }
 
 impl Squares {
-    /// The first square's corners are the boundary; square k looks the texture up in column k of `count`.
+    /// The corners of the first square are the boundary; square k has the texture of column k of `count`.
     fn new(squares: &[(DVec2, DVec2, f64)]) -> Self {
         let corners = |&(low, high, z): &(DVec2, DVec2, f64)| {
             [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)].map(|p| p.extend(z))
@@ -61,13 +61,13 @@ fn camera(towards_eye: DVec3) -> OrbitCamera {
     OrbitCamera::new(BoundingSphere { center: DVec3::ZERO, radius: 1.6 }, towards_eye, DVec3::Y, 1.0)
 }
 
-/// The pixel at which a place is seen.
+/// The pixel at which a point is seen.
 fn pixel(camera: &OrbitCamera, place: [f64; 3]) -> [u32; 2] {
     let at = camera.to_screen(DVec3::from_array(place), DVec2::splat(f64::from(SIZE))).unwrap();
     [at.x as u32, at.y as u32]
 }
 
-/// Wide columns of flat colours over [−1, 1]².
+/// Wide columns of uniform colors over [−1, 1]².
 fn columns(colours: &[[u8; 4]]) -> RgbaImage {
     let count = colours.len() as u32;
     RgbaImage::from_fn(64 * count, 64 * count, |x, _| Rgba(colours[(x / 64) as usize]))
@@ -81,7 +81,7 @@ fn picture(gpu: &Gpu, surface: &SceneSurface, image: Option<&RgbaImage>) -> Rgba
 const ORANGE: [u8; 4] = [230, 150, 60, 255];
 const BLUE: [u8; 4] = [60, 110, 200, 255];
 
-/// A large square, and a small one before it, where the texture is orange and blue.
+/// A large square, and a small one in front of it, with orange and blue texture.
 fn one_before_the_other() -> Squares {
     Squares::new(&[(-DVec2::ONE, DVec2::ONE, -0.5), (DVec2::splat(-0.4), DVec2::splat(0.4), 0.5)])
 }
@@ -94,7 +94,7 @@ fn the_nearer_face_hides_the_farther_in_either_order_and_flat_colours_are_as_ask
     for _ in 0..2 {
         let shown = picture(gpu, &squares.scene(), Some(&image));
         let camera = camera(DVec3::Z);
-        // the sheen adds a thousandth of the light; linear to encoded in 8 bits
+        // the sheen adds a thousandth of the light; conversion from linear to encoded in 8 bits
         assert_pixel(&shown, pixel(&camera, [0.1, -0.2, 0.5]), BLUE, 2, "in front");
         assert_pixel(&shown, pixel(&camera, [-0.8, 0.8, -0.5]), ORANGE, 2, "behind");
         assert_pixel(&shown, [2, 2], bytes(BACKGROUND), 1, "background");
@@ -148,7 +148,7 @@ fn back_faces_have_three_fifths_of_the_light() {
 #[test]
 fn the_loop_is_drawn_where_nothing_is_before_it() {
     let Some(gpu) = gpu() else { return };
-    // the small square's right side covers the middle of the large one's
+    // the right side of the small square covers the middle of the large one's right side
     let squares = Squares::new(&[(-DVec2::ONE, DVec2::ONE, -0.5), (DVec2::new(0.2, -0.4), DVec2::new(0.9, 0.4), 0.5)]);
     let shown = picture(gpu, &squares.scene(), Some(&columns(&[ORANGE, BLUE])));
     let camera = camera(DVec3::Z);
@@ -251,7 +251,7 @@ fn a_hemisphere_carries_the_pattern_of_its_stereographic_image() {
     let shown = picture(gpu, &scene, None);
     let mut seen = [0; 2];
     for (i, j) in (-4..4).flat_map(|i| (-4..4).map(move |j| (i, j))) {
-        // the middle of a cell of side 1/4
+        // the middle of a cell with side 1/4
         let z = DVec2::new(f64::from(i) + 0.5, f64::from(j) + 0.5) / 4.0;
         let normal = (2.0 * z).extend(1.0 - z.length_squared()) / (1.0 + z.length_squared());
         if z.length() > 0.85 || normal.dot(towards_eye) < 0.5 {
@@ -262,7 +262,7 @@ fn a_hemisphere_carries_the_pattern_of_its_stereographic_image() {
         let light = 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
         let is_paper = (i + j) % 2 == 0;
         seen[usize::from(is_paper)] += 1;
-        // paper reflects 0.85, the hues 0.11 to 0.19; the light is from 0.45 to 1.1 of what it is in front
+        // paper reflects 0.85, the hues 0.11 to 0.19; the light scales this by 0.45 to 1.1
         assert_eq!(light > 0.28, is_paper, "cell ({i}, {j}) at ({x}, {y}): {light}");
     }
     assert!(seen[0] >= 5 && seen[1] >= 5, "{seen:?}");
@@ -282,7 +282,7 @@ fn through_the_open_side_of_a_hemisphere_its_inside_is_seen_darker() {
     assert!((inside / outside - 0.6).abs() < 0.03, "{inside} inside, {outside} outside");
 }
 
-/// A frame of the live renderer that shows the scene.
+/// A frame of the live renderer with the scene.
 fn live_frame_of(scene: &SceneSurface) -> SpaceFrame {
     SpaceFrame {
         size_px: [64, 64],
@@ -294,7 +294,7 @@ fn live_frame_of(scene: &SceneSurface) -> SpaceFrame {
     }
 }
 
-/// How the next frame of the surface is recorded, which is painted.
+/// Records and paints the next frame of the surface; returns its detail if anything was recorded.
 fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &SpaceFrame, pace: Pace) -> Option<Detail> {
     let (device, queue, _) = gpu;
     let prepare = |renderer: &mut ViewportRenderer, encoder: &mut wgpu::CommandEncoder| {

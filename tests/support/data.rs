@@ -1,9 +1,9 @@
 //! The files that tests read: the exact values in `tests/data`, and the outlines and meshes in `../shared/data`, which
 //! may not be copied into the repository.
 //!
-//! A test whose file is missing fails. Those that read `../shared/data` stand in modules called `shared_data` and are
-//! marked `#[ignore = "needs ../shared/data"]`, so that a clone without that folder leaves them out, and says so:
-//! `cargo xtask test` runs them where the folder is there, and names them at its end where it is not.
+//! A test whose file is missing fails. Tests that read `../shared/data` are in modules called `shared_data` and
+//! marked `#[ignore = "needs ../shared/data"]`, so that they are skipped, and reported as skipped, in a clone without
+//! that folder. `cargo xtask test` runs them if the folder exists, and otherwise lists them at the end.
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +11,7 @@ fn repository() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The rows of a table of exact values; `tests/data/README.md` says what its columns are.
+/// The rows of a table of exact values; `tests/data/README.md` describes its columns.
 pub fn exact_values(name: &str) -> Vec<Vec<f64>> {
     let path = repository().join("tests/data").join(name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -26,7 +26,7 @@ pub fn shared(name: &str) -> PathBuf {
     path
 }
 
-/// The outlines of `../shared/data`, in the order of their names.
+/// The outlines of `../shared/data`, sorted by name.
 pub fn shared_outlines() -> Vec<PathBuf> {
     let entries = std::fs::read_dir(shared("outlines")).unwrap();
     let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();

@@ -1,4 +1,4 @@
-//! Presets, prepared.
+//! Prepared presets.
 
 use riemap::conformal::{PrepareSettings, PreparedSide, prepare};
 use riemap::outline::Preset;

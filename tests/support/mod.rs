@@ -1,4 +1,4 @@
-//! What several programs of tests share.
+//! Helpers shared by several test programs.
 
 #![allow(dead_code, reason = "each program of tests uses a part of it")]
 #![allow(clippy::panic, clippy::unwrap_used, missing_docs, reason = "tests")]

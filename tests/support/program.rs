@@ -1,4 +1,4 @@
-//! Runs the program as a person does, and reads what it says and writes.
+//! Runs the program, and reads its output and files.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -7,14 +7,14 @@ pub fn riemap(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_riemap")).args(arguments).output().unwrap()
 }
 
-/// Runs and expects that all went well.
+/// Runs the program and asserts success.
 pub fn succeeds(arguments: &[&str]) -> Output {
     let output = riemap(arguments);
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
     output
 }
 
-/// Runs, expects `status` and a message that contains every word, in one line if it is not about the usage: the message.
+/// Runs the program, asserts `status` and a message with all `words`, in one line except for usage errors; returns it.
 pub fn fails(arguments: &[&str], status: i32, words: &[&str]) -> String {
     let output = riemap(arguments);
     let stderr = String::from_utf8(output.stderr).unwrap();
@@ -27,12 +27,12 @@ pub fn fails(arguments: &[&str], status: i32, words: &[&str]) -> String {
     stderr
 }
 
-/// All lines of stderr but those that say how far a command is: on a busy machine there may be any number of them.
+/// The lines of stderr without progress messages, whose number depends on how busy the machine is.
 pub fn notes(stderr: &str) -> Vec<&str> {
     stderr.lines().filter(|line| !line.ends_with("so far") && !line.ends_with("% done")).collect()
 }
 
-/// An empty folder for one test; its name has a space in it.
+/// An empty folder for one test, with a space in its name.
 pub fn folder(name: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{} {name}", env!("CARGO_CRATE_NAME")));
     let _ = std::fs::remove_dir_all(&path);
@@ -40,14 +40,14 @@ pub fn folder(name: &str) -> PathBuf {
     path
 }
 
-/// Writes a file into a folder: its path, as an argument.
+/// Writes a file into a folder and returns its path as an argument.
 pub fn file(folder: &Path, name: &str, text: &str) -> String {
     let path = folder.join(name);
     std::fs::write(&path, text).unwrap();
     path.display().to_string()
 }
 
-/// What is in a folder.
+/// The names in a folder.
 pub fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
     let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();

@@ -1,4 +1,4 @@
-//! Random cases that are the same in every run, so that a failure repeats.
+//! Random cases that are the same in every run, so that failures are reproducible.
 
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 

@@ -1,4 +1,5 @@
-//! Maps between two surfaces, and from a surface into the plane either way: identities, closed forms, ways back.
+//! Maps between two surfaces, and between a surface and the plane in both directions: identities, closed forms,
+//! inverses.
 
 use super::{disk, domain, largest_distance, prepared, stereographic, surface_of};
 use riemap::conformal::{
@@ -35,7 +36,7 @@ fn images(map: &ConformalMap) -> &[DVec3] {
     map.surface_images().unwrap().places()
 }
 
-/// The interior vertex nearest to a place.
+/// The interior vertex nearest to a position.
 fn vertex_near(side: &PreparedSide, place: DVec3) -> u32 {
     let distance = |v: u32| places(side)[v as usize].distance(place);
     let inner = side.boundary_count() as u32..side.vertex_count() as u32;
@@ -54,7 +55,7 @@ pub fn assert_identity(name: &str, side: &Arc<PreparedSide>) {
             let quality = map.quality();
             println!("{name}, {anchor}: {error:.1e}, {quality:?}");
             assert!(error <= 1e-9, "{name}, {anchor}: {error:e}");
-            // a given triangle that is not Delaunay may be flipped in the disk
+            // a triangle of the input that is not Delaunay may be flipped in the disk
             assert!(quality.q_mean - 1.0 < 1e-6 && quality.collapsed == 0 && quality.flipped < 10, "{quality:?}");
         }
     }
@@ -95,8 +96,8 @@ impl Moebius {
     }
 }
 
-/// The largest distance of the map between two hemispheres from the Möbius map of their stereographic disks, in radii;
-/// and how many vertices the mapped one has.
+/// The largest distance of the map between two hemispheres from the Möbius map of their stereographic disks, in radii,
+/// and the number of vertices of the mapped one.
 fn hemisphere_error(boundary: [u32; 2]) -> (f64, usize) {
     let [source, target] = boundary.map(|boundary| preset(SurfacePreset::Hemisphere, boundary));
     let x1 = vertex_near(&source, DVec3::new(0.4, 0.1, 0.9));
@@ -130,7 +131,7 @@ fn hemispheres_map_by_the_moebius_map_of_their_stereographic_disks() {
     assert!(coarse <= 1e-2 && fine < 0.6 * coarse, "{coarse:e}, {fine:e}");
 }
 
-/// The place of a point of the source under a map whose source is mapped: interpolated in its triangle.
+/// The image of a point of the source, whose mesh is mapped: interpolated in its triangle.
 fn image_of(map: &ConformalMap, point: BarycentricPoint) -> DVec3 {
     let corners = map.mapped().triangles()[point.triangle as usize];
     (0..3).map(|i| point.weights[i] * images(map)[corners[i] as usize]).sum()
@@ -168,7 +169,8 @@ fn swapped<T>(mut pair: riemap::conformal::PerSide<T>) -> riemap::conformal::Per
     pair
 }
 
-/// Forward from the flat mesh and backward onto it are the planar maps; the direction that is asked for changes nothing.
+/// Forward from the flat mesh and backward onto it, the maps are the planar ones; the requested direction has no
+/// effect.
 #[test]
 fn a_flat_mesh_is_its_domain_on_either_side() {
     let other = domain(Preset::Heart, 200);
@@ -237,7 +239,7 @@ fn in_pieces_and_after_other_points_the_map_is_the_same() {
         assert_eq!(moved.surface_images(), fresh.surface_images());
         assert_eq!(moved.images(), fresh.images());
         assert_eq!(moved.quality(), fresh.quality());
-        // turned round, only what is located changes
+        // in the opposite direction only point location changes
         moved.update(&at(0.6), Direction::mapping(moved.mapped_side().other()).into()).unwrap();
         let turned = map(&source, &target, &at(0.6), moved.direction());
         assert_eq!(moved.surface_images(), turned.surface_images());

@@ -1,4 +1,4 @@
-//! Boundary vertices that have one image: that they do is told, and counted as the images say.
+//! Boundary vertices with the same image: they are reported, and counted consistently with the images.
 
 use super::{constraints, default_map, disk, folded, prepared, surface_of};
 use riemap::conformal::{
@@ -12,8 +12,8 @@ use riemap::outline::Sampling;
 use riemap::surface::{Surface, SurfaceMesh, SurfacePreset, at_vertex};
 use std::sync::Arc;
 
-/// How many boundary edges the note tells of, and how many triangles the quality counts as collapsed: both checked
-/// against the images, whose bound is 1e-13 of their extent here.
+/// The number of boundary edges in the note, and of collapsed triangles in the quality; both are checked
+/// against the images, with a bound of 1e-13 of their extent.
 fn told(map: &ConformalMap) -> [usize; 2] {
     let (images, mesh) = (map.images(), map.mapped().surface().unwrap().mesh());
     let Bounds { min: low, max: high } = Bounds::of(images.iter().copied());
@@ -44,7 +44,7 @@ fn with_solver(mesh: &SurfaceMesh, solver: SolverKind) -> Arc<PreparedSide> {
     Arc::new(prepare_surface(mesh.clone(), settings, &mut |_| ()).unwrap())
 }
 
-/// Two patches of 4 × 4 squares with a bridge of two squares between them.
+/// Two patches of 4 × 4 squares, joined by a bridge of two squares.
 fn two_patches() -> SurfaceMesh {
     let whole = folded(10, 4, |_| 0.0);
     let is_kept = |q: usize| !matches!((q % 10, q / 10), (4 | 5, 0 | 2 | 3));
@@ -52,8 +52,8 @@ fn two_patches() -> SurfaceMesh {
     SurfaceMesh::repaired(&surface_of(whole.vertices.clone(), kept.collect())).unwrap()
 }
 
-/// Whichever of two surfaces is mapped, the one with the bridge has the note; its triangles beyond that are collapsed,
-/// as they are in the disk.
+/// Whichever of two surfaces is mapped, the note is about the one with the bridge; its triangles beyond the bridge are
+/// collapsed, as they are in the disk.
 #[test]
 fn between_two_surfaces_it_is_told_of_the_side_that_has_it() {
     let (patches, hemisphere) = (with_solver(&two_patches(), SolverKind::Direct), hemisphere());
@@ -84,8 +84,9 @@ fn what_no_inner_vertex_joins_to_the_point_falls_together_and_is_told() {
         for surface_anchor in [0.0, 0.1, 0.3, 0.5, 0.7, 0.9] {
             let constraints = constraints(&surface, &source).with_anchor(Side::Target, surface_anchor);
             let map = ConformalMap::new(source.clone(), surface.clone(), &constraints, MapSettings::default()).unwrap();
-            // of the other patch all edges but the bridge's end, and two of the bridge; its 32 triangles and two of the
-            // bridge are in one point, and one more of the bridge has two corners there
+            // of the other patch all edges but the one at the bridge's end, and two edges of the bridge; its 32
+            // triangles and two of the bridge are mapped to one point, and two corners of one more triangle of the
+            // bridge
             assert_eq!(told(&map), [15 + 2, 32 + 2 + 1], "{solver:?}, {surface_anchor}");
             assert!(matches!(map.note(map.mapped_side()), Some(MapNote::NoMeasure { .. })));
             assert!(map.quality().q_max < 1e3, "{:?}", map.quality());
@@ -103,7 +104,7 @@ fn rectangle(width: f64, height: f64, count: u32) -> Arc<PreparedSide> {
 
 #[test]
 fn what_only_a_long_way_joins_to_the_point_falls_together_and_is_told() {
-    // 100 × 4 squares, the point 5 columns from the left: as e^(−π x/0.04), the measure is 1e-13 at column 43
+    // 100 × 4 squares, the point 5 columns from the left: the measure decays as e^(−π x/0.04), to 1e-13 at column 43
     let strip = SurfaceMesh::new(&folded(100, 4, |_| 0.0)).unwrap();
     let (disk, same) = (disk(), rectangle(1.0, 0.04, 208));
     let place = DVec3::new(0.05, 0.02, 0.0);
@@ -117,7 +118,8 @@ fn what_only_a_long_way_joins_to_the_point_falls_together_and_is_told() {
             let [edges, _] =
                 told(&ConformalMap::new(disk.clone(), surface.clone(), &in_disk, MapSettings::default()).unwrap());
             assert!(edges.abs_diff(2 * (100 - 43) + 4) < 10, "{solver:?}, {surface_anchor}: {edges}");
-            // over the same rectangle, what is as small on both sides is told apart after the anchor
+            // over the same rectangle, equally small measures on both sides are distinguished when counted from the
+            // anchor
             let anchor = surface.surface().unwrap().boundary_position(surface.at_fraction(surface_anchor)).truncate();
             let source_anchor = same.fraction_at(same.domain().unwrap().samples().nearest(anchor));
             let in_same = in_disk.with_point(Side::Source, place.truncate()).with_anchor(Side::Source, source_anchor);
@@ -149,12 +151,12 @@ fn where_the_kernel_is_negative_the_note_says_so() {
 #[test]
 fn without_inner_vertices_a_surface_is_mapped_and_what_falls_together_is_told() {
     let map = |surface: &Surface| default_map(prepared(surface, SurfaceSettings::default()));
-    // a triangle with three ears, its point in the middle: six corners at six places
+    // a triangle with three ears and its point in the middle: six corners at six positions
     let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.9], [0.5, -0.4], [1.1, 0.7], [-0.1, 0.7]];
     let vertices = corners.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
     let ears = surface_of(vertices, vec![[0, 1, 2], [1, 0, 3], [2, 1, 4], [0, 2, 5]]);
     assert_eq!(told(&map(&ears)), [0, 0]);
-    // of the 2·columns + 2 edges of a strip, those stay apart that begin or end at a corner of the point's triangle
+    // of the 2·columns + 2 edges of a strip, those that begin or end at a corner of the point's triangle are kept apart
     for (columns, edges) in [(1, 0), (2, 1), (3, 3), (40, 77)] {
         let strip = map(&folded(columns, 1, |_| 0.1));
         assert_eq!(told(&strip)[0], edges, "{columns}");

@@ -1,5 +1,5 @@
-//! Parameterized surfaces against closed forms and invariances; in `falling_together` those whose boundary does not stay
-//! apart, in `shared_data` real and broken meshes.
+//! Parameterized surfaces compared with closed forms and under symmetries; in `falling_together` those with coinciding
+//! boundary images, in `shared_data` real and broken meshes.
 
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
@@ -32,7 +32,7 @@ fn domain(preset: Preset, count: u32) -> Arc<PreparedSide> {
 }
 
 fn disk() -> Arc<PreparedSide> {
-    // the polygon's error against the circle is (2π/m)²/8 = 1e-6
+    // the polygon's error relative to the circle is (2π/m)²/8 = 1e-6
     let sampling = Sampling::Uniform { count: 2000, keep_corners: false };
     let settings = PrepareSettings { sampling, ..PrepareSettings::default() };
     domains::domain(Preset::Disk, settings)
@@ -108,7 +108,8 @@ fn rigid_motions_and_scalings_change_nothing() {
         });
         let error = largest_distance(maps[0].images(), maps[1].images());
         println!("{preset}: {error:.1e}");
-        // the moved coordinates are rounded at 1e-16 of 50/37.5 edge-lengths of 0.05; crowding on the limbs amplifies
+        // the moved coordinates are rounded at 1e-16 of 50/37.5 edge lengths of 0.05; crowding on the limbs amplifies
+        // this
         assert!(error <= 1e-10, "{preset}: {error:e}");
     }
 }
@@ -136,13 +137,13 @@ fn surfaces_of_any_size_within_the_bounds_map_alike() {
     assert!(matches!(error(1e-72), TopologyError::TooSmall { extent } if extent > 1e-73 && extent < 1e-70));
 }
 
-/// A rotation about an axis that is no coordinate axis (Rodrigues).
+/// A rotation about an axis that is not a coordinate axis (Rodrigues).
 fn glam_rotation() -> impl Fn(DVec3) -> DVec3 {
     let (axis, (sine, cosine)) = (DVec3::new(1.0, 2.0, -2.0) / 3.0, 1.1_f64.sin_cos());
     move |p| cosine * p + sine * axis.cross(p) + (1.0 - cosine) * axis.dot(p) * axis
 }
 
-/// A rectangle of squares, each cut alternately, folded along its columns by the angles that `turn` gives.
+/// A rectangle of squares with alternating diagonals, folded along its columns by the angles of `turn`.
 fn folded(columns: u32, rows: u32, turn: impl Fn(u32) -> f64) -> Surface {
     let (mut place, mut direction, mut chain) = (DVec2::ZERO, 0.0, Vec::new());
     for i in 0..=columns {
@@ -184,7 +185,7 @@ fn bent_patch_maps_as_its_flat_original() {
     }
 }
 
-/// A spherical cap of the given angle, its triangles not conformal to those of the planar disk that they come from.
+/// A spherical cap of the given angle; its triangles are not conformal to those of the planar disk they are made from.
 fn cap(angle: f64, boundary: u32) -> Surface {
     let rim: Vec<DVec2> = (0..boundary).map(|k| DVec2::from_angle(TAU * f64::from(k) / f64::from(boundary))).collect();
     let mesh = mesh_domain(&rim, Sizing::Uniform).unwrap().0;
@@ -200,7 +201,7 @@ fn stereographic(angle: f64, p: DVec3) -> DVec2 {
     p.truncate() / (1.0 + p.z) / (0.5 * angle).tan()
 }
 
-/// The largest and mean distance of the map of a cap from the stereographic projection, that has its constraints.
+/// The largest and mean distance of the map of a cap from the stereographic projection with its constraints.
 fn cap_error(angle: f64, boundary: u32, source: &Arc<PreparedSide>) -> [f64; 2] {
     let surface = prepared(&cap(angle, boundary), SurfaceSettings::default());
     let mesh = surface.surface().unwrap().mesh();
@@ -230,9 +231,9 @@ fn cap_error(angle: f64, boundary: u32, source: &Arc<PreparedSide>) -> [f64; 2] 
 
 #[test]
 fn spherical_caps_map_by_the_stereographic_projection() {
-    // as uniform as the caps and finer, so that the caps' error is what is seen
+    // as uniform as the caps and finer, so that the caps' errors dominate
     let source = domain(Preset::Disk, 1200);
-    // the largest and the mean error at 400 boundary vertices; with twice the vertices, a quarter of it
+    // the largest and the mean error at 400 boundary vertices; twice as many vertices give a quarter of it
     for (angle, max, mean) in [(0.3 * PI, 5e-5, 1e-5), (FRAC_PI_2, 6e-5, 1.5e-5), (0.75 * PI, 4e-4, 1e-4)] {
         let errors = [50, 100, 200, 400].map(|boundary| cap_error(angle, boundary, &source));
         println!("{:.0}°: {errors:?}", angle.to_degrees());
@@ -275,7 +276,7 @@ fn flipped_surfaces_have_positive_kernels_and_ordered_boundaries() {
     let along: Vec<f64> = map.correspondence().points.iter().map(|p| f64::from(p.edge) + p.fraction).collect();
     let descents = (0..along.len()).filter(|&k| along[k] > along[(k + 1) % along.len()]).count();
     assert_eq!(descents, 1, "the boundary goes round once");
-    // without flips the map may be wrong but it is a map, of finite points
+    // without flips the map may be inaccurate, but it exists and has finite points
     let map = ConformalMap::new(source.clone(), given.clone(), &constraints(&given, &source), MapSettings::default())
         .unwrap();
     assert!(map.images().iter().all(|p| p.is_finite()));
@@ -369,7 +370,7 @@ fn a_single_triangle_is_a_disk_too() {
     assert!(map.images().iter().all(|p| (p.length() - 1.0).abs() < 1e-2), "{:?}", map.images());
 }
 
-/// The default point in the centre of the disk.
+/// The map to the disk with the default point at the center.
 fn default_map(surface: Arc<PreparedSide>) -> ConformalMap {
     let source = disk();
     let constraints = constraints(&surface, &source);

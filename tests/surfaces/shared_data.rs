@@ -1,4 +1,4 @@
-//! Real and broken meshes.
+//! Maps of real and of broken meshes.
 
 use super::between::{assert_identity, map};
 use super::support::data::shared;
@@ -48,12 +48,12 @@ fn a_mesh_with_many_loops_is_named_by_them_and_mapped_when_they_are_filled() {
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
     assert_eq!(repaired.mesh.boundary_count, 616);
     let map = default_map(Arc::new(prepare_surface(repaired, SurfaceSettings::default(), &mut |_| ()).unwrap()));
-    // the triangles that fill the holes have no part in the quality
+    // triangles that fill holes do not count in the quality
     assert_eq!(map.distortions().len(), surface.triangles.len());
     assert!(map.images().iter().all(|p| p.is_finite()));
 }
 
-/// The least quality of maps to the disk that have one of about `count` vertices in the centre.
+/// The smallest mean Q of maps to the disk with one of about `count` vertices at the center.
 fn least_quality(surface: &Arc<PreparedSide>, count: usize) -> f64 {
     let mut map = default_map(surface.clone());
     let mesh = surface.surface().unwrap().mesh();
@@ -94,7 +94,7 @@ fn maze_gives_finite_numbers() {
     let surface = prepared(&surface, SurfaceSettings::default());
     assert_eq!(surface.surface().unwrap().flips().negative_after, 0, "{:?}", surface.surface().unwrap().flips());
     let map = default_map(surface);
-    // most of it lies closer to one boundary point than f64 can tell: collapsed, and said so
+    // most of it lies closer to one boundary point than f64 can resolve: collapsed, and reported as such
     println!("{:?}", map.quality());
     assert!(map.quality().collapsed > 1000 && map.quality().q_mean.is_finite());
     assert!(map.images().iter().all(|p| p.is_finite()));
