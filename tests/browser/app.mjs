@@ -1,4 +1,4 @@
-// One running app: how a person's hands and eyes reach it, in states and not in time.
+// Drives one running app by simulated input, and waits for states instead of times.
 
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
@@ -11,10 +11,10 @@ const DESKTOP = { viewport: { width: 1440, height: 900 } };
 const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 export const DEVICES = { desktop: DESKTOP, phone: PHONE };
 
-/** What stands still for so many frames has found its place: an input shows after two at most. */
+/** Positions that are unchanged for this many frames are final: an input has an effect after at most two frames. */
 const STILL_FRAMES = 3;
 
-/** Runs in the page before its scripts: lets frames be held back. */
+/** Runs in the page before its scripts: makes it possible to hold back frames. */
 function makeFramesHoldable() {
   const ask = window.requestAnimationFrame.bind(window);
   let held = null;
@@ -27,14 +27,14 @@ function makeFramesHoldable() {
   };
 }
 
-/** The app on one page. What goes wrong behind the scenes is kept, and `during` fails on it. */
+/** The app on one page. Faults of the page are recorded, and `during` fails if there are any. */
 export class App {
   #page;
   #backend;
   #faults;
   #waits = 0;
 
-  /** Opens an address in a page with the `options` of its context; `prepare` runs in it before its own scripts. */
+  /** Opens an address in a page with the `options` of its context; `prepare` runs in the page before its scripts. */
   static async open(browser, address, { backend, prepare, ...options }) {
     const page = await newPage(browser, options);
     const app = new App(page, backend);
@@ -48,9 +48,9 @@ export class App {
     this.#page = page;
     this.#backend = backend;
     this.#faults = watch(page.context());
-    // as long as someone listens no dialog is opened by the system; taken on and off around each use it is, at times
+    // with a listener the browser opens no system dialog; adding and removing one around each use sometimes misses
     page.on('filechooser', () => {});
-    // after an uncaught error no state is reached any more: closing the page ends every wait
+    // after an uncaught error no state is reached; closing the page ends all waits
     page.on('pageerror', () => page.close());
     page.on('crash', () => {
       this.#faults.push('the page crashed');
@@ -58,7 +58,7 @@ export class App {
     });
   }
 
-  /** Lets `act` use the app, then closes it; fails if anything went wrong in front of or behind the scenes. */
+  /** Runs `act` on the app, then closes it; fails if the test failed or a fault was recorded. */
   async during(act) {
     try {
       const { backend } = await this.atRest('a first map is shown');
@@ -72,7 +72,7 @@ export class App {
     assert.deepEqual(this.#faults, [], 'nothing goes wrong behind the scenes');
   }
 
-  /** The page itself, for what is not the app. */
+  /** The page itself, for tests of what surrounds the app. */
   get page() {
     return this.#page;
   }
@@ -85,7 +85,7 @@ export class App {
     return this.#page.evaluate(() => window.riemap.session());
   }
 
-  /** Shows the present session with some fields changed. */
+  /** Opens the current session with some fields changed. */
   async openSession(changes) {
     const refusal = await this.#page.evaluate(
       (changed) => window.riemap.open_session({ ...window.riemap.session(), ...changed }),
@@ -95,17 +95,17 @@ export class App {
     await this.#frames();
   }
 
-  /** What `riemap.open_session` says of something that is no session. */
+  /** The error of `riemap.open_session` for an invalid session. */
   refusalOf(value) {
     return this.#page.evaluate((given) => window.riemap.open_session(given), value);
   }
 
-  /** Waits until `reached(stats, argument)`, asked once a frame in the page, and returns the stats. */
+  /** Waits until `reached(stats, argument)`, evaluated in the page once per frame, and returns the stats. */
   until(state, reached, argument) {
     return this.#reach(state, `return (${reached})(stats, argument) ? stats : null;`, argument);
   }
 
-  /** As `until`; then dots and controls must have stood still, as a new view or window takes frames to find its place. */
+  /** As `until`, and until dots and controls do not move, since a new view or window takes frames for its layout. */
   atRest(state, reached = (stats) => stats.ready, argument = null) {
     const wait = ++this.#waits;
     const body = `
@@ -118,7 +118,7 @@ export class App {
   }
 
   async #reach(state, body, argument) {
-    // a function, as the page's policy lets no text be evaluated between the frames
+    // a function, since the page's content security policy forbids evaluating text
     const asked = new Function('argument', `const stats = window.riemap?.stats?.(); if (!stats) return null; ${body}`);
     try {
       return await (await this.#page.waitForFunction(asked, argument ?? null)).jsonValue();
@@ -128,7 +128,7 @@ export class App {
     }
   }
 
-  /** Animation frames: after one the app has seen what was done, after two it has drawn it. */
+  /** Waits for animation frames: after one the app has processed its input, after two it has drawn the result. */
   #frames(count = 2) {
     const pass = (left) => new Promise((done) => {
       const next = () => (left-- > 0 ? requestAnimationFrame(next) : done());
@@ -137,25 +137,25 @@ export class App {
     return this.#page.evaluate(pass, count);
   }
 
-  /** Drags with the mouse, one step a frame, as a hand would. */
+  /** Drags with the mouse, one step per frame. */
   async drag(from, to, steps = 4) {
     await this.hold(from, to, steps);
     await this.letGo();
   }
 
-  /** Moves the pointer there. */
+  /** Moves the pointer to a point. */
   async pointAt(at) {
     await this.#page.mouse.move(...at);
     await this.#frames();
   }
 
-  /** Clicks. */
+  /** Clicks at a point. */
   async click(at) {
     await this.pointAt(at);
     await this.#betweenFrames(() => this.#page.mouse.click(...at));
   }
 
-  /** Presses and lets go within a frame: a press that lasts longer than 0.8 s, as slow frames can make it, is no click. */
+  /** Presses and releases within a frame: a press longer than 0.8 s, possible with slow frames, is not a click. */
   async #betweenFrames(press) {
     await this.#page.evaluate(() => window.holdFrames());
     await press();
@@ -163,7 +163,7 @@ export class App {
     await this.#frames();
   }
 
-  /** Drags with the mouse and does not let go. */
+  /** Starts a drag with the mouse without releasing the button. */
   async hold(from, to, steps = 4) {
     const { mouse } = this.#page;
     await this.pointAt(from);
@@ -176,7 +176,7 @@ export class App {
     await this.#frames(1);
   }
 
-  /** Lets go of what is held. */
+  /** Releases the mouse button. */
   async letGo() {
     await this.#page.mouse.up();
     await this.#frames();
@@ -212,7 +212,7 @@ export class App {
     await this.#betweenFrames(() => this.#page.touchscreen.tap(...at));
   }
 
-  /** Begins to drag with one finger; then the system takes the touch away, as for a gesture of its own. */
+  /** Starts a drag with one finger, which the system then cancels, as for one of its own gestures. */
   async touchTakenAway(from, to) {
     const protocol = await this.#page.context().newCDPSession(this.#page);
     const touch = async (type, touchPoints) => {
@@ -224,7 +224,7 @@ export class App {
     await touch('touchCancel', []);
   }
 
-  /** Opens the browser's file dialog by `act`, and chooses a file with this text; without a name it is cancelled. */
+  /** Opens the file dialog by `act` and chooses a file with this text; without a name the dialog is cancelled. */
   async inFileDialog(act, name, text = '') {
     const [chooser] = await Promise.all([this.#page.waitForEvent('filechooser'), act()]);
     if (name) await chooser.setFiles({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(text) });
@@ -237,7 +237,7 @@ export class App {
     await this.#frames();
   }
 
-  /** Opens a file of any kind, given as bytes. */
+  /** Loads a file of any kind, given as bytes. */
   async loadFile(side, name, bytes) {
     await this.#page.evaluate(
       ([where, called, text]) => window.riemap.load_file(where, called, Uint8Array.from(atob(text), (c) => c.charCodeAt(0))),
@@ -251,31 +251,31 @@ export class App {
     return this.#page.url();
   }
 
-  /** Loads the page again, and waits for its map. */
+  /** Reloads the page and waits for its map. */
   async reload() {
     await this.#page.reload();
     return this.atRest('a map is shown again');
   }
 
-  /** Waits until the address has another fragment than `before`, and returns it. */
+  /** Waits until the address's fragment differs from `before`, and returns it. */
   async otherAddress(before) {
     const other = (old) => window.location.href !== old && window.location.href;
     return (await this.#page.waitForFunction(other, before)).jsonValue();
   }
 
-  /** Goes to another fragment, as a person does who pastes a link into the address bar. */
+  /** Navigates to another fragment, as if a link were pasted into the address bar. */
   async paste(fragment) {
     await this.#page.evaluate((hash) => (window.location.hash = hash), fragment);
     await this.#frames();
   }
 
-  /** Presses keys together, such as "Control+z". */
+  /** Presses a key combination, such as "Control+z". */
   async press(keys) {
     await this.#page.keyboard.press(keys);
     await this.#frames();
   }
 
-  /** Walks with the Tab key until a control is said that matches, as someone does who does not see the screen. */
+  /** Presses Tab until a matching control is announced, as a user of a screen reader does. */
   async walkTo(control, furthest = 150) {
     const heard = [];
     for (let step = 0; step < furthest; step++) {
@@ -283,7 +283,7 @@ export class App {
       await this.#page.keyboard.press(step === 0 ? 'F6' : 'Tab');
       heard.push(await this.#saidAfter(spoken));
       if (!control.test(heard.at(-1))) continue;
-      // what was said may have been said of the key before: then this one has led on by now
+      // the announcement may belong to the previous key press; then the focus has already moved on
       await this.#frames();
       if (control.test(await this.#page.textContent('#spoken'))) return;
       await this.press('Shift+Tab');
@@ -292,13 +292,13 @@ export class App {
     throw new Error(`no control ${control} among: ${heard.join(' | ')}`);
   }
 
-  /** What was said last, once more than `spoken` controls have been said. */
+  /** The last announcement, once more than `spoken` controls have been announced. */
   async #saidAfter(spoken) {
     const said = (before) => window.riemap.stats().spoken > before && { text: document.getElementById('spoken').textContent };
     return (await (await this.#page.waitForFunction(said, spoken)).jsonValue()).text;
   }
 
-  /** Waits until the page says something that matches in one of its regions, other than `before`, and returns it. */
+  /** Waits until a live region of the page has a matching text other than `before`, and returns it. */
   async saying(region, words, before = null) {
     const says = ([id, source, old]) => {
       const text = document.getElementById(id)?.textContent ?? '';
@@ -311,22 +311,22 @@ export class App {
     }
   }
 
-  /** The language that the page says it speaks. */
+  /** The language that the page declares. */
   language() {
     return this.#page.getAttribute('html', 'lang');
   }
 
-  /** Makes the system light or dark. */
+  /** Sets the system's preference for light or dark. */
   prefer(colorScheme) {
     return this.#page.emulateMedia({ colorScheme });
   }
 
-  /** Presses keys, and returns the file that the browser downloads then. */
+  /** Presses keys and returns the file that is downloaded. */
   downloadBy(keys) {
     return this.#downloaded(() => this.press(keys));
   }
 
-  /** Clicks at a place of the window, and returns the file that the browser downloads then. */
+  /** Clicks at a point of the window and returns the file that is downloaded. */
   download(at) {
     return this.#downloaded(() => this.click(at));
   }
@@ -338,7 +338,7 @@ export class App {
     return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
   }
 
-  /** Writes into the number at a place of the window. */
+  /** Types into the number field at a point of the window. */
   async type(at, text) {
     await this.click(at);
     await this.press('Control+a');
@@ -346,7 +346,7 @@ export class App {
     await this.press('Enter');
   }
 
-  /** The red, green, blue and alpha of some pixels of a PNG. */
+  /** The RGBA values of some pixels of a PNG. */
   pixelsOf(png, places) {
     return this.#page.evaluate(
       async ([base64, wanted]) => {
@@ -360,7 +360,7 @@ export class App {
     );
   }
 
-  /** Drops a file on the canvas at a place of the window, as from a file manager. */
+  /** Drops a file on the canvas at a point of the window, as from a file manager. */
   async dropFile(at, name, text) {
     await this.#page.evaluate(
       ([[clientX, clientY], fileName, content]) => {
@@ -378,7 +378,7 @@ export class App {
     await this.#frames();
   }
 
-  /** Takes a picture, keeps it in the folder `RIEMAP_SHOTS` if that is set, and returns its colours' counts. */
+  /** Takes a screenshot, saves it in the folder `RIEMAP_SHOTS` if that is set, and returns the counts of its colors. */
   async picture(name) {
     await this.#frames();
     const folder = process.env.RIEMAP_SHOTS;
@@ -392,7 +392,7 @@ function between(from, to, steps) {
   return Array.from({ length: steps }, (_, k) => from.map((start, axis) => start + ((to[axis] - start) * (k + 1)) / steps));
 }
 
-/** Runs in the page: how many pixels each colour has, the most frequent first, in steps of 16. */
+/** Runs in the page: the number of pixels of each color in steps of 16, the most frequent first. */
 async function countColours(png) {
   const bytes = Uint8Array.from(atob(png), (c) => c.charCodeAt(0));
   const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));

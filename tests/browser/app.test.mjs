@@ -1,21 +1,20 @@
-// The release web app, as a person meets it, with each of wgpu's two backends:
-// it starts, follows the mouse and the finger, takes outlines, and says what is
-// wrong with a bad one while it keeps the last good map.
+// The release web app with each of wgpu's two backends: it starts, follows mouse and touch,
+// loads outlines, and reports errors in a bad one while it keeps the last good map.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { withEachBackend } from './backends.mjs';
 
-/** A regular 40-gon, in the plainest format. */
+/** A regular 40-gon, in the simplest format. */
 const POLYGON = Array.from({ length: 40 }, (_, k) => {
   const angle = (2 * Math.PI * k) / 40;
   return `${Math.cos(angle)},${Math.sin(angle)}`;
 }).join('\n');
-/** Its first and third edges cross. */
+/** A polygon whose first and third edges cross. */
 const BOW_TIE = '0,0\n1,1\n1,0\n0,1\n';
 
-/** What a session can ask to be shown, and how the stats say that it is. */
+/** Display settings of a session, and how the stats show that they are in effect. */
 const MODES = {
   'the plots': { changes: { plots: true }, reached: (stats) => stats.plots },
   'angle distortion with the mesh': {
@@ -43,13 +42,13 @@ const MODES = {
   },
 };
 
-/** In units of the target's size: an image inside one triangle of the mesh is off by less. */
+/** In units of the target's size: the error of an image within one triangle of the mesh is smaller. */
 const MAPPING_TOLERANCE = 0.02;
 
-/** A mesh is coarse next to a corner that moves far: single triangles fold there. A wrong map folds hundreds. */
+/** Next to a corner that moves far, single triangles of a coarse mesh flip. A wrong map flips hundreds. */
 const FLIPPED_SHARE = 0.002;
 
-/** Where each handle is dragged, in CSS pixels from where it is: boundary points along the outlines' sides. */
+/** The drag of each handle in CSS pixels; boundary points are dragged along the outlines' sides. */
 const DRAGS = { x1: [14, -18], x2: [-16, 12], y1: [60, 60], y2: [-90, -40] };
 
 withEachBackend('the app', (bench) => {
@@ -209,7 +208,7 @@ withEachBackend('the app', (bench) => {
   );
 });
 
-/** Drags a handle, and checks that the map followed: a new one, of the new constraints, and hardly folded. */
+/** Drags a handle and checks that there is a new map with the new constraints and almost no flipped triangles. */
 async function dragChangesMap(app, handle, drag) {
   const before = await app.stats();
   const session = await app.session();
@@ -231,7 +230,7 @@ async function dragChangesMap(app, handle, drag) {
   assertMapsInteriorPoint(after);
 }
 
-/** The outline of `side` has become another one, is prepared and mapped; the other side is untouched. */
+/** Checks that the outline of `side` was replaced, prepared and mapped, and that the other side is unchanged. */
 async function assertReplaced(app, side, before) {
   const other = side === 'source' ? 'target' : 'source';
   const replaced = await app.until(
@@ -244,14 +243,14 @@ async function assertReplaced(app, side, before) {
   assertMapsInteriorPoint(replaced);
 }
 
-/** f(x₁) = x₂, or f⁻¹(x₂) = x₁: the constraint that the two interior points set. */
+/** Checks the constraint on the interior points: f(x₁) = x₂, or f⁻¹(x₂) = x₁. */
 function assertMapsInteriorPoint({ image_of_mapped_point: image, expected }) {
   const distance = Math.hypot(image[0] - expected[0], image[1] - expected[1]);
   const message = `image ${image}, expected ${expected}, distance ${distance}`;
   assert.ok(distance < MAPPING_TOLERANCE, message);
 }
 
-/** A blank page has one colour; the map, its texture and the panels have many. */
+/** Checks that the page is not blank: a blank page has one color; the map, its texture and the panels have many. */
 function assertShowsSomething(colours) {
   const most = colours[0] / colours.reduce((sum, count) => sum + count, 0);
   assert.ok(colours.length > 30, `only ${colours.length} colours`);

@@ -1,5 +1,5 @@
-// What every file of tests stands on: the release web app, served once, and a browser for each of
-// wgpu's two backends, in which each test opens pages of its own.
+// Shared by all test files: serves the release web app once, and starts a browser for each of
+// wgpu's two backends, in which each test opens its own pages.
 
 import assert from 'node:assert/strict';
 import { after, before, describe } from 'node:test';
@@ -13,7 +13,7 @@ import { serve } from './server.mjs';
 /** The folder of the built app. */
 export const DIST = process.env.RIEMAP_DIST ?? fileURLToPath(new URL('../../dist', import.meta.url));
 
-/** Describes what `define` lists, with each backend. `how` the app is served: the server's options. */
+/** Defines the tests of `define` for each backend. `how`: the options of the server. */
 export function withEachBackend(subject, define, how) {
   describe(subject, () => {
     let site;
@@ -30,7 +30,7 @@ export function withEachBackend(subject, define, how) {
   });
 }
 
-/** Where the tests with one backend are done. */
+/** The environment of the tests with one backend. */
 class Bench {
   #running;
 
@@ -39,17 +39,17 @@ class Bench {
     this.#running = running;
   }
 
-  /** Where the app is served; `options` follow, such as "?embed" or a fragment. */
+  /** The address of the app, followed by `options`, such as "?embed" or a fragment. */
   address(options = '') {
     return this.#running().address + options;
   }
 
-  /** The app at an address, on a device of `app.mjs` or with options of one's own. */
+  /** Opens the app at an address, on a device of `app.mjs` or with other options. */
   open(address, { device = 'desktop', ...options } = {}) {
     return App.open(this.#running().browser, address, { backend: this.backend, ...DEVICES[device], ...options });
   }
 
-  /** A test that lets `act` use a freshly opened app; `at`: the options in its address. */
+  /** A test that runs `act` on a newly opened app; `at`: the options in its address. */
   withApp(act, { at, ...options } = {}) {
     return async (context) => {
       const app = await this.open(this.address(at), options);
@@ -57,7 +57,7 @@ class Bench {
     };
   }
 
-  /** A test that lets `act` use an empty page, in which nothing goes wrong but what is `expected`, a pattern. */
+  /** A test that runs `act` on an empty page and allows no faults except those that match `expected`. */
   withPage(act, { expected, ...options } = {}) {
     return async () => {
       const page = await newPage(this.#running().browser, options);

@@ -1,5 +1,5 @@
-// Starts Chromium so that wgpu finds the wanted backend and draws in software,
-// the same way on every machine.
+// Starts Chromium so that wgpu finds the requested backend and renders in software,
+// identically on every machine.
 
 import { chromium } from 'playwright-core';
 
@@ -14,10 +14,10 @@ const QUIET = [
   '--use-angle=swiftshader',
 ];
 
-/** The arguments under which wgpu takes each backend. The tests assert that it did. */
+/** The arguments with which wgpu uses each backend. The tests assert that it does. */
 const BACKEND_ARGUMENTS = {
   // Without the Vulkan flags, buffers that are mapped at creation fail; without
-  // --enable-unsafe-webgpu the page silently runs WebGL2.
+  // --enable-unsafe-webgpu the page uses WebGL2 without an error.
   WebGPU: [
     '--enable-unsafe-webgpu',
     '--use-webgpu-adapter=swiftshader',
@@ -29,10 +29,10 @@ const BACKEND_ARGUMENTS = {
 
 export const BACKENDS = Object.keys(BACKEND_ARGUMENTS);
 
-/** Software drawing on two busy cores; a state that takes longer is not reached at all. */
+/** Enough for software rendering on two busy cores; a state that takes longer is never reached. */
 const PATIENCE_MS = 60_000;
 
-/** A headless browser for one backend: the program that `CHROMIUM` names, else the one named chromium. */
+/** A headless browser for one backend: the program in `CHROMIUM`, or /usr/bin/chromium. */
 export function launch(backend) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
@@ -40,7 +40,7 @@ export function launch(backend) {
   });
 }
 
-/** A page in a context of its own, which waits for everything as patiently as all others. */
+/** A page in its own context, with the common timeout. */
 export async function newPage(browser, options = {}) {
   const context = await browser.newContext(options);
   context.setDefaultTimeout(PATIENCE_MS);

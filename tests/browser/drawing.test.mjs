@@ -1,15 +1,15 @@
-// Outlines by hand: drawn by clicks, reshaped while the map follows, crossed, taken back, pasted.
+// Outlines drawn by clicks, reshaped while the map follows, self-crossing, undone, pasted.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { withEachBackend } from './backends.mjs';
 
-/** A square with its handles at known places of the outline. */
+/** A square whose handles are at known points of the outline. */
 const SQUARE = '0,0\n2,0\n2,2\n0,2\n';
 
 withEachBackend('outlines by hand', (bench) => {
-  /** A square on the left, ready to be reshaped; the places of its handles, counter-clockwise from the lower left. */
+  /** Starts reshaping a square on the left; returns the positions of its handles, counter-clockwise from lower left. */
   const editSquare = async (app) => {
     await app.loadOutline('source', 'square.csv', SQUARE);
     const { handles } = await app.atRest('the square is there', (stats) => stats.ready && stats.undo === 1);

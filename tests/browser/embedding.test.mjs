@@ -1,4 +1,4 @@
-// The app in a frame of another page: its pictures alone, what is locked in it, the messages between the two.
+// The app in a frame of another page: only its pictures, its locks, the messages between the two.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -6,13 +6,13 @@ import { test } from 'node:test';
 import { DEVICES } from './app.mjs';
 import { withEachBackend } from './backends.mjs';
 
-/** Runs in the page before its scripts: remembers every message, so that none can be missed. */
+/** Runs in the page before its scripts: records all messages. */
 function noteMessages() {
   window.messages = [];
   window.addEventListener('message', ({ data }) => window.messages.push(data));
 }
 
-/** Runs in the page: what the app in the frame answers to requests that it cannot grant, and to one that it can. */
+/** Runs in the page: the answers of the embedded app to invalid requests, and to a valid one. */
 async function askForTooMuch() {
   const target = document.getElementById('map').contentWindow;
   const ask = (message) =>
@@ -36,7 +36,7 @@ async function askForTooMuch() {
   };
 }
 
-/** Runs in the page: what the app in the frame answers to a link. */
+/** Runs in the page: the answer of the embedded app to a link. */
 function giveLink(link) {
   const target = document.getElementById('map').contentWindow;
   return new Promise((done) => {
@@ -54,9 +54,9 @@ withEachBackend(
         async (app) => {
           const before = await app.otherAddress(bench.address('?embed'));
           const { handles } = await app.stats();
-          // no panel to the left, no bar above: the source's picture begins at the window's corner
+          // there is no panel on the left and no bar on top: the source's picture begins at the window's corner
           assert.ok(handles.x1[0] < 0.5 * DEVICES.desktop.viewport.width - 200, `x₁ at ${handles.x1}`);
-          // after the pointer was used, Tab would fold the panels or bring them
+          // after the pointer was used, Tab would fold or unfold the panels
           await app.pointAt([handles.x1[0] + 90, handles.x1[1] + 90]);
           await app.press('Tab');
           assert.deepEqual((await app.atRest()).handles, handles, 'the panels stay away');
@@ -146,7 +146,7 @@ withEachBackend(
         await app.openSession({ texture_scale: 19 });
         await app.page.waitForFunction(() => JSON.parse(localStorage.getItem('riemap session'))?.texture_scale === 19);
         const kept = await app.page.evaluate(() => localStorage.getItem('riemap session'));
-        // the example page lies beside the app: the two have one storage
+        // the example page has the same origin as the app, and therefore the same storage
         const around = await app.page.context().newPage();
         await around.goto(bench.address('embedding.html'));
         const [frame] = around.mainFrame().childFrames();

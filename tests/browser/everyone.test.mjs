@@ -1,11 +1,11 @@
-// Whoever sits before it: with a keyboard alone, by ear, in German, in the dark, for the first time.
+// Keyboard only, screen reader, German, dark theme, first visit.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { withEachBackend } from './backends.mjs';
 
-/** What the six steps of the tour are about. */
+/** The topics of the tour's six steps. */
 const TOUR = [/between two shapes/, /Angles stay/, /Three freedoms/, /Harmonic measure/, /Crowding/, /Surfaces/];
 
 withEachBackend('everyone', (bench) => {
@@ -74,7 +74,7 @@ withEachBackend('everyone', (bench) => {
     bench.withApp(async (app) => {
       const first = await app.otherAddress(bench.address());
       await app.openSession({ texture_scale: 13 });
-      await app.otherAddress(first); // and so the own picture is kept
+      await app.otherAddress(first); // so that the user's own session is stored
       const mine = await app.session();
       await app.walkTo(/^Help, button/);
       await app.press('Space');
@@ -86,7 +86,7 @@ withEachBackend('everyone', (bench) => {
         await app.until(`step ${step} is shown`, (stats) => stats.ready);
         await app.picture(`${bench.backend}-the-tour-${step}`);
         seen.push(JSON.stringify(await app.session()));
-        // the way on has the keyboard since the first frame of the words
+        // the button "Next" has the focus from the first frame on
         if (step < 6) await app.press('Enter');
       }
       await app.reload();

@@ -1,23 +1,23 @@
-// Files that leave the app in a browser, and points in motion.
+// Files exported in a browser, and animation of the points.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { withEachBackend } from './backends.mjs';
 
-/** Where a control of the window of exports is, by what is written on it. */
+/** The position of a control of the export window, by its text. */
 async function placeOf(app, name) {
   const { export: places } = await app.atRest(`there is "${name}"`, (stats, wanted) => stats.export?.[wanted], name);
   return places[name];
 }
 
-/** Opens the window of exports and chooses. */
+/** Opens the export window and chooses an option. */
 async function choose(app, ...names) {
   if ((await app.stats()).export === null) await app.press('Control+e');
   for (const name of names) await app.click(await placeOf(app, name));
 }
 
-/** Saves what is chosen, and returns the file. */
+/** Saves with the chosen options and returns the file. */
 async function saved(app, ...names) {
   await choose(app, ...names);
   return app.download(await placeOf(app, 'Save'));
@@ -70,7 +70,7 @@ withEachBackend('exports and motion', (bench) => {
       await app.openSession({ texture_scale: 6 });
       await app.until('the map is there', (stats) => stats.ready);
       await choose(app, 'Animated PNG', '800 × 450');
-      // so many that they are not all made before this one is given up
+      // too many to be finished before the export is cancelled
       await app.type(await placeOf(app, 'Pictures'), '400');
       await choose(app, 'Save');
       const busy = await app.until('some pictures are made', (stats) => stats.export_count?.[0] >= 2);

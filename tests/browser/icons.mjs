@@ -1,7 +1,7 @@
-// Draws web/icons/*.png from icon.svg, by `node icons.mjs` in this folder, after a change of the drawing.
+// Renders web/icons/*.png from icon.svg. Run `node icons.mjs` in this folder after changing the drawing.
 //
-// A maskable icon is cut to a circle or less by the system: there the drawing keeps to the middle
-// four fifths, and its ground fills the square.
+// The system crops a maskable icon to a circle or less: for it the drawing is scaled to the middle
+// four fifths, and its background fills the square.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 

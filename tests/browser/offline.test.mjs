@@ -1,4 +1,4 @@
-// Use without a network, and new versions: the service worker keeps one whole build at a time.
+// Offline use and updates: the service worker stores exactly one complete build at a time.
 
 import assert from 'node:assert/strict';
 import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
@@ -9,7 +9,7 @@ import { test } from 'node:test';
 import { DIST, withEachBackend } from './backends.mjs';
 import { serve } from './server.mjs';
 
-/** Gives the build in `folder` another version, as a change of the app would. */
+/** Changes the version of the build in `folder`, as a change of the app would. */
 function changeVersion(folder, version) {
   const old = readdirSync(folder).find((name) => name.startsWith('app-'));
   renameSync(join(folder, old), join(folder, version));
@@ -19,13 +19,13 @@ function changeVersion(folder, version) {
   }
 }
 
-/** Waits until the page is under the service worker, which has then kept everything. */
+/** Waits until the service worker controls the page; it has then stored everything. */
 const isKept = (page) => page.waitForFunction(() => navigator.serviceWorker.controller !== null);
 
 withEachBackend('kept for use without a network', (bench) => {
   test('it opens again without a network', async (context) => {
     const host = await serve(DIST, { packed: true, below: '/maps/' });
-    context.after(() => host.close()); // a second time does no harm
+    context.after(() => host.close()); // closing twice is allowed
     const app = await bench.open(host.address);
     await app.during(async () => {
       await isKept(app.page);

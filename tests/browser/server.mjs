@@ -1,5 +1,5 @@
-// Serves a folder on a free port of this machine, with the types that a browser insists on, below any
-// path; if that is asked for compressed, and with a pause in the middle of a file.
+// Serves a folder on a free local port under any base path, with the content types that browsers require; optionally
+// compressed, and with a pause in the middle of a file.
 
 import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -18,7 +18,7 @@ const TYPES = new Map([
   ['.webmanifest', 'application/manifest+json'],
 ]);
 
-/** The file that a request means, or null if there is none inside `folder`, which stands for `below`. */
+/** The file for a request under the base path `below`, or null if `folder` does not contain it. */
 function fileFor(folder, below, url) {
   const whole = decodeURIComponent(new URL(url, 'http://localhost').pathname);
   if (!whole.startsWith(below)) return null;
@@ -41,8 +41,8 @@ async function send(file, response, packed, halfway) {
 }
 
 /**
- * Starts serving; `address` is what to open, `close()` ends it once everything that was asked for is answered.
- * `halfway(file)` is what is waited for in the middle of a file.
+ * Starts the server. `address` is the address to open; `close()` stops the server after all requests are answered.
+ * `halfway(file)` is awaited in the middle of a file.
  */
 export async function serve(folder, { packed = false, below = '/', halfway = () => null } = {}) {
   const underway = new Set();

@@ -1,11 +1,11 @@
-// What a person has set outlives the moment: steps back, the address, a reload, a file.
+// Persistence of sessions: undo, the address, a reload, a file.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { withEachBackend } from './backends.mjs';
 
-/** A triangle that no preset is. */
+/** A triangle that differs from all presets. */
 const TRIANGLE = '0,0\n3,0\n1,2\n';
 
 withEachBackend('sessions', (bench) => {

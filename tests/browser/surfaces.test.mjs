@@ -1,4 +1,4 @@
-// Surfaces in the release web app: prepared by a worker, drawn in space, dragged, coloured, refused.
+// Surfaces in the release web app: prepared by a worker, drawn in space, dragged, colored, rejected.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -8,8 +8,8 @@ import { withEachBackend } from './backends.mjs';
 const surface = (preset, boundary) => ({ spec: { shape: { preset: { preset, boundary } } } });
 
 /**
- * A square of n × n cells, bent into a wave, as OBJ; with one vertex too many if `loose`, with inner vertices off their
- * places, by up to a fifth of a cell either way, if `rough`.
+ * A square of n × n cells, bent into a wave, as OBJ; with an unused vertex if `loose`, with inner vertices displaced by
+ * up to a fifth of a cell if `rough`.
  */
 function wave(n, { loose = false, rough = false } = {}) {
   const lines = loose ? ['v 9 9 9'] : [];
@@ -30,7 +30,7 @@ function wave(n, { loose = false, rough = false } = {}) {
 withEachBackend('surfaces', (bench) => {
   const { backend } = bench;
 
-  /** Puts a preset into the target's place. */
+  /** Replaces the target by a preset. */
   async function show(app, preset, boundary, changes = {}) {
     const { generation } = await app.stats();
     await app.openSession({ surface: surface(preset, boundary), ...changes });
@@ -186,7 +186,7 @@ withEachBackend('surfaces', (bench) => {
   );
 });
 
-/** The surface's point goes to the outline's: the constraint that the two interior points set. */
+/** Checks the constraint on the interior points: the surface's point is mapped to the outline's. */
 function assertMapsPoint({ image_of_mapped_point: image, expected }) {
   const distance = Math.hypot(image[0] - expected[0], image[1] - expected[1]);
   assert.ok(distance < 0.03, `image ${image}, expected ${expected}, distance ${distance}`);

@@ -1,5 +1,5 @@
-// What belongs to the page around the app: the way of its program to it, its policy, plain words where it
-// cannot run, pictures that the browser decodes, the whole screen, graphics that are lost.
+// The page around the app: download progress, content security policy, messages where the app cannot
+// run, images decoded by the browser, full screen, loss of the graphics device.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -7,13 +7,13 @@ import { test } from 'node:test';
 import { DIST, withEachBackend } from './backends.mjs';
 import { serve } from './server.mjs';
 
-/** Runs in the page before its scripts: a browser without any graphics. */
+/** Runs in the page before its scripts: disables all graphics. */
 function withoutGraphics() {
   HTMLCanvasElement.prototype.getContext = () => null;
   Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
 }
 
-/** Runs in the page before its scripts: remembers the device, to lose it. */
+/** Runs in the page before its scripts: stores the device, so that a test can destroy it. */
 function rememberDevice() {
   const { requestDevice } = GPUAdapter.prototype;
   GPUAdapter.prototype.requestDevice = async function (...given) {
@@ -22,7 +22,7 @@ function rememberDevice() {
   };
 }
 
-/** How the graphics are lost: by what is prepared in the page before its scripts, and done in it later. */
+/** How the graphics are lost: `prepare` runs in the page before its scripts, `lose` later. */
 const LOSSES = {
   WebGPU: { prepare: rememberDevice, lose: () => window.device.destroy() },
   WebGL2: {
@@ -30,7 +30,7 @@ const LOSSES = {
   },
 };
 
-/** Runs in the page before its scripts: notes how far the bar is whenever it moves. */
+/** Runs in the page before its scripts: records every value of the progress bar. */
 function noteProgress() {
   window.progress = [];
   const { set, get } = Object.getOwnPropertyDescriptor(HTMLProgressElement.prototype, 'value');
@@ -43,7 +43,7 @@ function noteProgress() {
   });
 }
 
-/** Runs in the page: adds a script that is no file; what the policy says of it. */
+/** Runs in the page: adds an inline script, and returns the violated policy directive. */
 function addScript() {
   return new Promise((done) => {
     document.addEventListener('securitypolicyviolation', (event) => done(event.effectiveDirective));
@@ -126,7 +126,7 @@ withEachBackend(
         assert.ok(manifest.icons.some(({ purpose }) => purpose === 'maskable'));
         for (const { src, sizes } of manifest.icons.filter(({ type }) => type === 'image/png')) {
           const png = Buffer.from(await (await fetch(new URL(src, address))).arrayBuffer());
-          // a PNG begins with its signature and its width and height
+          // a PNG begins with its signature, then the header with width and height
           assert.equal(`${png.readUInt32BE(16)}x${png.readUInt32BE(20)}`, sizes, src);
         }
         assert.equal(new URL(manifest.start_url, address).href, bench.address());

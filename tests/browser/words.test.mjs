@@ -1,4 +1,4 @@
-// The words of the page itself: in both languages the same ones, and the language that a person wants.
+// The texts of the page: the same ones in both languages, and the choice of the user's language.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import test from 'node:test';
@@ -6,7 +6,7 @@ import test from 'node:test';
 const WORDS = new URL('../../web/app/words.js', import.meta.url);
 let count = 0;
 
-/** The words for an address, a browser's languages and what was chosen before; `null`: nothing can be stored. */
+/** The texts for an address, a browser's languages and a stored preference; `kept: null`: no storage is available. */
 async function wordsFor({ search = '', languages = ['en'], kept }) {
   globalThis.location = { search };
   Object.defineProperty(globalThis, 'navigator', { value: { languages }, configurable: true });
@@ -16,12 +16,12 @@ async function wordsFor({ search = '', languages = ['en'], kept }) {
     configurable: true,
   });
   const source = await readFile(WORDS, 'utf8');
-  count += 1; // a module is loaded once for each address
+  count += 1; // makes the address below unique, since a module is loaded only once per address
   const module = await import(`data:text/javascript,${encodeURIComponent(`${source}\n// ${count}`)}`);
   return module.words;
 }
 
-/** The names of all texts, with those inside of others. */
+/** The names of all texts, including nested ones. */
 const names = (words, at = '') =>
   Object.entries(words).flatMap(([name, text]) =>
     typeof text === 'object' ? names(text, `${at}${name}.`) : [`${at}${name}`],
