@@ -110,7 +110,7 @@ pub type Wire<'a> = (&'a [DVec2], &'a [[u32; 3]]);
 pub struct Part<'a> {
     /// The domain.
     pub side: Side,
-    /// What is drawn of it.
+    /// Its mesh, outline and points as drawn.
     pub panel: Panel<'a>,
     /// The mesh whose edges are drawn, if any.
     pub wire: Option<Wire<'a>>,

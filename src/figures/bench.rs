@@ -2,7 +2,7 @@
 //!
 //! A [`BenchRow`] is measured on the calling thread, so that a worker can measure one between two
 //! messages. Times are medians; everything runs on one thread. The outlines other than the V-shape
-//! and the blob are riemap's own drawings of what the paper's names say.
+//! and the blob are riemap's own drawings of these shapes.
 
 use super::scenes::{crowding_constraints, uniform};
 use super::{Figure, FigureError, planar};

@@ -74,7 +74,7 @@ impl Command {
         match self {
             Self::SetOutline { .. } | Self::SetSurface { .. } => Touched::ANOTHER_SHAPE,
             Self::CloseSurface(_) => Touched::SHAPES | Touched::POINTS,
-            Self::ReshapeOutline { .. } => Touched::SHAPES, // its points go along
+            Self::ReshapeOutline { .. } => Touched::SHAPES, // its points are carried along
             Self::Swap => Touched::SHAPES | Touched::POINTS | Touched::SETTINGS,
             Self::MoveInterior { .. } => Touched::INTERIOR,
             Self::MoveAnchor { .. } => Touched::BOUNDARY,

@@ -143,7 +143,7 @@ impl Reshaping {
         self.selected = None;
     }
 
-    /// Whether the model's requested outline was replaced by other means, and not reset because a dragged one failed.
+    /// Whether the side's outline was replaced by other means. A reset because a dragged outline failed does not count.
     fn is_replaced(&self, model: &Model) -> bool {
         let side = model.side(self.side);
         side.wanted().outline != self.sent && !(self.grip.is_some() && side.is_in_hand())

@@ -129,7 +129,7 @@ pub fn read(bytes: &[u8]) -> Result<Session, FileError> {
 pub fn read_object(text: &str) -> Result<Session, FileError> {
     match parsed::<Unmarked>(text)?.version {
         2 => read_format(2, text),
-        _ => read_format(1, text), // which says what other numbers there are
+        _ => read_format(1, text), // rejects all other versions
     }
 }
 

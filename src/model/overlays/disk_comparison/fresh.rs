@@ -2,7 +2,6 @@
 //!
 //! If the curve through the samples excludes the interior point, the samples are doubled: up to the cap at once,
 //! beyond it only at rest, one map per call. Until this is settled, the previous result stays.
-//! it when nothing moves, one map per call. Until all are, what was found before stays and nothing is said.
 
 use crate::conformal::{MeshedDomain, Side};
 use crate::geometry::DVec2;
