@@ -152,7 +152,7 @@ fn an_animation_has_its_frames_and_begins_at_the_session() {
 }
 
 #[test]
-fn a_surface_turns_too_and_on_no_ground() {
+fn a_surface_is_animated_too_on_a_transparent_background() {
     let folder = folder("surface animation");
     let link = link(&surface_session());
     let arguments = ["animate", &link, "--size", "160x80", "--frames", "3", "--transparent", "--side", "target"];

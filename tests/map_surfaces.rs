@@ -96,7 +96,7 @@ fn every_column_of_an_odd_picture_is_drawn() {
 }
 
 #[test]
-fn what_does_not_fit_a_side_is_said_in_a_line() {
+fn arguments_that_do_not_fit_a_side_give_one_line() {
     let (surface, outline) = ("preset:saddle:40", "preset:disk");
     for (arguments, status, words) in [
         (vec![surface, outline, "--source-point", "0.1,0.2"], 2, vec!["--source-point", "preset:saddle:40", "surface"]),

@@ -30,7 +30,7 @@ fn draws_quietly(name: &str, arguments: &[&str]) {
 }
 
 #[test]
-fn nothing_is_said_of_a_display_that_is_not_there() {
+fn a_missing_display_is_not_mentioned() {
     let link = link::encode(&Session::default()).unwrap().fragment;
     draws_quietly("quiet-render.png", &["render", &link, "--size", "160x90"]);
     draws_quietly("quiet-animate.png", &["animate", &link, "--size", "120x80", "--frames", "4"]);

@@ -75,7 +75,7 @@ fn a_link_an_address_and_a_file_are_the_same_picture() {
 }
 
 #[test]
-fn what_a_person_sets_is_seen() {
+fn every_setting_changes_the_picture() {
     let folder = folder("seen");
     let before = rendered(&folder, &link_of(&coarse()), &[]);
     for (name, change) in [
@@ -149,7 +149,7 @@ fn a_surface_from_a_file_is_asked_for() {
 }
 
 #[test]
-fn points_that_the_domains_do_not_have_are_told() {
+fn points_outside_of_the_domains_are_reported() {
     let folder = folder("moved");
     let out = folder.join("x.csv").display().to_string();
     let notes = |session: &Session| {
@@ -220,7 +220,7 @@ fn a_file_s_link_is_printed() {
 }
 
 #[test]
-fn what_cannot_be_opened_says_why() {
+fn sessions_that_cannot_be_opened_are_explained() {
     let folder = folder("refused");
     let out = folder.join("x.png").display().to_string();
     let fragment = link_of(&coarse());

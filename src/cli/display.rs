@@ -52,7 +52,7 @@ mod tests {
     }
 
     #[test]
-    fn a_process_that_was_started_anew_is_not_started_anew_again() {
+    fn a_restarted_process_is_not_restarted_again() {
         assert!(is_complete(None, Some(OsStr::new(NO_DISPLAY))));
     }
 }

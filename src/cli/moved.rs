@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_point_that_stays_is_not_spoken_of() {
+    fn a_point_that_has_not_moved_gives_no_note() {
         let point = DVec2::new(0.3, -0.4);
         assert_eq!(planar(Side::Source, point, Some(point)), None);
         assert_eq!(planar(Side::Source, point, Some(point + DVec2::splat(1e-16))), None);

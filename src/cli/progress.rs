@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn the_speaker_says_line_after_line_what_the_work_is_at() {
+    fn progress_lines_name_the_current_work() {
         let written = Arc::new(Mutex::new(Vec::new()));
         let progress = Progress::to(Reader(Some(Arc::clone(&written))), Duration::from_millis(1), "reading");
         let said =
@@ -193,14 +193,14 @@ mod tests {
     }
 
     #[test]
-    fn the_speaker_ends_quietly_where_nobody_reads() {
+    fn progress_ends_silently_when_writing_fails() {
         let mut progress = Progress::to(Reader(None), Duration::from_millis(1), "reading");
         assert!(wait_until(|| progress.speaker.as_ref().is_some_and(JoinHandle::is_finished)));
         assert!(progress.speaker.take().unwrap().join().is_ok(), "no panic");
     }
 
     #[test]
-    fn the_speaker_ends_at_once_with_the_work() {
+    fn progress_ends_at_once_with_the_work() {
         let start = Instant::now();
         let progress = Progress::new("a stage");
         let shared = Arc::downgrade(&progress.shared);

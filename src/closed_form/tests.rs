@@ -104,7 +104,7 @@ fn there_and_back_is_the_identity_under_any_constraints() {
 }
 
 #[test]
-fn what_is_not_known_is_not_given() {
+fn maps_without_a_closed_form_are_none() {
     let at = |x: DVec2| constraints([x, DVec2::ZERO], [0.0; 2]);
     for preset in Preset::ALL {
         let map = ExactMap::between([Preset::Disk, preset], &constraints([DVec2::ZERO, points(preset)[0]], [0.0; 2]));

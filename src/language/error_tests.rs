@@ -285,7 +285,7 @@ fn sessions_and_links_that_cannot_be_opened() {
 }
 
 #[test]
-fn what_cannot_be_computed_or_exported() {
+fn errors_of_computation_and_export() {
     use crate::conformal::{HarmonicTable, Memory};
     use crate::render::{Film, FilmFormat, FilmSettings};
     let disk = crate::outline::Preset::Disk.outline().polygon;

@@ -51,7 +51,7 @@ fn every_key_has_words_with_its_arguments_in_every_language() {
 }
 
 #[test]
-fn all_words_can_be_said() {
+fn every_label_and_message_has_text_in_every_language() {
     for language in Language::ALL {
         for label in all_labels() {
             let words = language.look_up(label.key(), None, &mut Vec::new()).unwrap();
@@ -189,7 +189,7 @@ fn the_screen_speaks_the_language_that_was_set() {
 }
 
 #[test]
-fn one_thing_is_said_of_in_the_singular() {
+fn counts_of_one_use_the_singular() {
     let walks = |count: usize| say(&key::walks(count, count));
     assert_eq!([0, 1, 2].map(walks), ["0 walks", "1 walk", "2 walks"]);
     set(Language::German);

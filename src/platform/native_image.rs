@@ -76,12 +76,12 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_image_is_refused() {
+    fn bytes_that_are_no_image_are_refused() {
         assert!(decode(b"text", 32).unwrap_err().english().contains("no PNG or JPEG"));
     }
 
     #[test]
-    fn the_answer_comes_to_the_mailbox() {
+    fn a_decoded_image_is_posted_to_the_mailbox() {
         let (mailbox, events) = Mailbox::new();
         decode_image(FilePurpose::Image, String::from("a.png"), png(3, 2), 32, mailbox);
         let event = events.recv_timeout(std::time::Duration::from_secs(30)).unwrap();

@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_are_taken_back_and_made_again() {
+    fn undo_and_redo_restore_sessions_in_order() {
         let mut history = History::new(scaled(1.0));
         assert!(history.settle(&scaled(2.0)) && history.settle(&scaled(3.0)));
         assert!(!history.settle(&scaled(3.0)), "nothing has changed");
@@ -114,7 +114,7 @@ mod tests {
 
     /// A restored session may settle in another state, for example if its preparation fails.
     #[test]
-    fn what_a_step_led_to_is_no_step_of_its_own() {
+    fn the_result_of_an_undo_is_not_a_new_history_entry() {
         let mut history = History::new(scaled(1.0));
         assert!(history.settle(&scaled(2.0)) && history.settle(&scaled(3.0)));
         assert_eq!(history.undo(), Some(&scaled(2.0)));

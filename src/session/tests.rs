@@ -126,7 +126,7 @@ fn a_reshaped_outline_and_its_points_wait_behind_a_surface() {
 }
 
 #[test]
-fn what_is_about_a_surface_that_is_not_there_touches_nothing() {
+fn commands_about_a_missing_surface_touch_nothing() {
     let point = BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] };
     for side in Side::BOTH {
         let (mut session, other) = (with_surface(side.other()), SurfacePreset::Saddle);

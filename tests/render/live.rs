@@ -63,7 +63,7 @@ fn moved_texture_coordinates_move_the_texture() {
 }
 
 #[test]
-fn what_does_not_fit_is_refused_and_changes_nothing() {
+fn data_that_does_not_fit_is_refused_and_changes_nothing() {
     let Some(gpu) = gpu() else { return };
     let (device, queue, _) = gpu;
     let (format, colour) = (wgpu::TextureFormat::Rgba8Unorm, [10, 180, 90, 255]);
@@ -99,7 +99,7 @@ fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &PlanarFrame, pac
 }
 
 #[test]
-fn a_picture_that_stands_is_not_recorded_and_every_change_is() {
+fn an_unchanged_picture_is_not_recorded_and_every_change_is() {
     let Some(gpu) = gpu() else { return };
     let (device, queue, _) = gpu;
     let mut renderer = renderer(gpu, wgpu::TextureFormat::Rgba8Unorm, [10, 180, 90, 255]);

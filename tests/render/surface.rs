@@ -304,7 +304,7 @@ fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &SpaceFrame, pace
 }
 
 #[test]
-fn a_surface_that_stands_is_not_recorded_and_every_change_is() {
+fn an_unchanged_surface_is_not_recorded_and_every_change_is() {
     let Some(gpu) = gpu() else { return };
     let (device, queue, _) = gpu;
     let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 0, 1);

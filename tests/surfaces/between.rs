@@ -206,7 +206,7 @@ fn a_flat_mesh_is_its_domain_on_either_side() {
 }
 
 #[test]
-fn what_is_given_of_the_other_kind_is_refused_by_side() {
+fn points_of_the_other_kind_are_refused_by_side() {
     let (plane, surface) = (disk(), preset(SurfacePreset::Saddle, 60));
     let (inside, on_surface) = (plane.default_point(), surface.default_point());
     let mut map = map(&surface, &plane, &Constraints::new((on_surface, 0.0), (inside, 0.0)), Direction::Forward);

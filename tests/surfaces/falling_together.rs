@@ -55,7 +55,7 @@ fn two_patches() -> SurfaceMesh {
 /// Whichever of two surfaces is mapped, the note is about the one with the bridge; its triangles beyond the bridge are
 /// collapsed, as they are in the disk.
 #[test]
-fn between_two_surfaces_it_is_told_of_the_side_that_has_it() {
+fn between_two_surfaces_the_note_is_about_the_side_with_coinciding_images() {
     let (patches, hemisphere) = (with_solver(&two_patches(), SolverKind::Direct), hemisphere());
     let at = Constraints::new((patches.default_point(), 0.1), (hemisphere.default_point(), 0.4));
     for way in [Direction::Forward, Direction::Backward] {
@@ -74,7 +74,7 @@ fn hemisphere() -> Arc<PreparedSide> {
 }
 
 #[test]
-fn what_no_inner_vertex_joins_to_the_point_falls_together_and_is_told() {
+fn parts_without_inner_vertices_to_the_point_coincide_and_are_reported() {
     let source = disk();
     let whole = folded(10, 4, |_| 0.0);
     assert_eq!(told(&default_map(prepared(&whole, SurfaceSettings::default()))), [0, 0]);
@@ -103,7 +103,7 @@ fn rectangle(width: f64, height: f64, count: u32) -> Arc<PreparedSide> {
 }
 
 #[test]
-fn what_only_a_long_way_joins_to_the_point_falls_together_and_is_told() {
+fn parts_beyond_a_long_strip_coincide_and_are_reported() {
     // 100 × 4 squares, the point 5 columns from the left: the measure decays as e^(−π x/0.04), to 1e-13 at column 43
     let strip = SurfaceMesh::new(&folded(100, 4, |_| 0.0)).unwrap();
     let (disk, same) = (disk(), rectangle(1.0, 0.04, 208));
@@ -149,7 +149,7 @@ fn where_the_kernel_is_negative_the_note_says_so() {
 }
 
 #[test]
-fn without_inner_vertices_a_surface_is_mapped_and_what_falls_together_is_told() {
+fn a_surface_without_inner_vertices_is_mapped_and_coinciding_edges_are_reported() {
     let map = |surface: &Surface| default_map(prepared(surface, SurfaceSettings::default()));
     // a triangle with three ears and its point in the middle: six corners at six positions
     let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.9], [0.5, -0.4], [1.1, 0.7], [-0.1, 0.7]];

@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn names_go_and_everything_else_stays() {
+    fn only_the_name_sections_are_removed() {
         let header = b"\0asm\x01\0\0\0".to_vec();
         let [types, names, other] = [section(1, &[0]), section(0, b"\x04name\x01\x00"), section(0, b"\x05names")];
         let module = [header.clone(), types.clone(), names, other.clone()].concat();
@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_module_is_refused() {
+    fn bytes_that_are_no_module_are_refused() {
         assert_eq!(without_names(b"<!doctype html>"), None);
         assert_eq!(without_names(b"\0asm\x01\0\0\0\x01\x7f"), None);
     }

@@ -152,7 +152,7 @@ fn a_flat_step_is_inverted_to_its_beginning() {
 }
 
 #[test]
-fn exact_curves_are_made_anew_only_when_what_they_are_made_of_changes() {
+fn exact_curves_are_recomputed_only_when_their_inputs_change() {
     let at = |point: DVec2| Constraints::new((point, 0.1), (DVec2::ZERO, 0.0));
     let of = |point: DVec2| curves([point, DVec2::ZERO], [0.1, 0.0], Direction::Forward);
     let (disks, mut kept) = (Some([Preset::Disk; 2]), KeptExact::default());

@@ -98,7 +98,7 @@ fn a_change_before_the_first_rest_is_copied() {
 }
 
 #[test]
-fn a_link_that_is_taken_back_while_it_is_prepared_leaves_nothing() {
+fn a_link_undone_while_it_is_prepared_leaves_nothing() {
     let (_, Decoded { session: _, missing }) = with_missing();
     let mut persistence = persistence(&[2.0, 3.0]);
     persistence.open_link(missing, None);
@@ -108,7 +108,7 @@ fn a_link_that_is_taken_back_while_it_is_prepared_leaves_nothing() {
 }
 
 #[test]
-fn nothing_leads_behind_a_new_beginning() {
+fn undo_stops_at_a_new_beginning() {
     let mut at_rest = persistence(&[2.0, 3.0]);
     at_rest.begin_anew();
     assert_eq!(at_rest.undo(Some(&scaled(9.0))), None);
@@ -170,7 +170,7 @@ fn an_outline_that_comes_later_gets_its_points_and_then_the_address_follows() {
 }
 
 #[test]
-fn another_change_ends_the_waiting_and_another_outline_what_it_is_for() {
+fn a_change_releases_the_address_and_another_outline_drops_the_missing_one() {
     let (whole, Decoded { session, missing }) = with_missing();
     let mut persistence = Persistence::new(session.clone(), true);
     persistence.open_link(missing, None);

@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_packed_is_unpacked_again() {
+    fn unpacking_inverts_packing() {
         for bytes in [&b""[..], b"a", &[0; 1000], &vec![255; MAX_BYTES]] {
             assert_eq!(unpack(&pack(bytes).unwrap()).as_deref(), Ok(bytes));
         }
@@ -52,7 +52,7 @@ mod tests {
     /// Both special characters of RFC 4648's alphabet for URLs; RFC 1950's header, RFC 1951's empty block of fixed
     /// codes, and the checksum of no bytes, 1.
     #[test]
-    fn the_standards_are_kept() {
+    fn the_encoding_follows_the_rfcs() {
         assert_eq!(BASE64_URL_SAFE_NO_PAD.encode([0xfb, 0xff, 0xbf]), "-_-_");
         assert_eq!(unpack("eJwDAAAAAAE"), Ok(Vec::new()), "78 9c, 03 00, 00 00 00 01");
     }

@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_outline_is_refused() {
+    fn points_that_form_no_polygon_are_refused() {
         assert!(Quantised::of(&[]).is_err());
         assert!(Quantised::of(&[DVec2::NAN; 3]).is_err());
         assert!(Quantised::of(&[DVec2::ZERO, DVec2::X, 2.0 * DVec2::X]).is_err());

@@ -212,14 +212,14 @@ fn the_usual_links_are_short() {
 }
 
 #[test]
-fn everything_comes_back() {
+fn every_setting_survives_a_link() {
     for session in [Session::default(), everything(), house(), solids(), on_source()] {
         assert_eq!(round_trip(&session), Decoded { session, missing: Vec::new() });
     }
 }
 
 #[test]
-fn what_does_not_fit_is_left_out_and_everything_else_stays() {
+fn outlines_that_do_not_fit_are_left_out_and_everything_else_is_kept() {
     for (mut session, version) in
         [(everything().and([Command::CloseSurface(Side::Target)]), "s=1."), (solids(), "s=2.")]
     {
@@ -250,7 +250,7 @@ fn what_does_not_fit_is_left_out_and_everything_else_stays() {
 }
 
 #[test]
-fn an_outline_that_16_bits_cannot_tell_travels_as_a_file() {
+fn an_outline_too_fine_for_16_bits_is_left_out() {
     let spike = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
     let mut session = Session::default();
     let polygon = polygon(spike.map(DVec2::from).to_vec());
@@ -324,7 +324,7 @@ fn numbers_out_of_their_ranges_are_refused() {
 }
 
 #[test]
-fn what_is_not_known_here_is_named() {
+fn unknown_choices_and_versions_are_named() {
     let found = tampered(|_| (), |outlines| outlines.source = Prepared::Preset("giraffe".into()));
     assert_eq!(found, Err(LinkError::Unknown { what: Choice::Outline, name: "giraffe".into() }));
     assert_eq!(decode("s=3.AAAA"), Err(LinkError::Version { found: "3".into() }));
