@@ -22,7 +22,7 @@ pub enum Ruling {
     /// Circles about `pole` at whole multiples of `spacing`; 6 rays, as on polar graph paper, whose number is doubled
     /// at the radii 1, 2, 4, … times `spacing`.
     Polar {
-        /// The centre.
+        /// The center.
         pole: DVec2,
         /// The distance between circles.
         spacing: f64,

@@ -4,7 +4,7 @@
 //! the boundary point. A [`Loop`] starts and ends at given points. An interior point moves around a
 //! circle (file `circle`); the boundary point moves once around the boundary, at constant speed in
 //! harmonic measure, which in the disk is a rotation at constant speed. At constant speed in arc length
-//! the picture would change fast in crowded parts and hardly at all elsewhere.
+//! the map would change fast where the Poisson kernel is large, and hardly at all in crowded parts.
 
 mod circle;
 
