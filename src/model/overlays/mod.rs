@@ -40,7 +40,7 @@ impl Situation<'_> {
 /// The state of all overlays.
 #[derive(Debug, Default)]
 pub struct OverlayState {
-    /// The way through the disk.
+    /// The comparison with the map through the disk.
     pub disk_comparison: DiskComparison,
     /// The walks from x₁.
     pub walks: Walks,

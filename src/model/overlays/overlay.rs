@@ -43,7 +43,7 @@ impl Origin {
 /// A curve and its source.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overlay {
-    /// Whose.
+    /// The source.
     pub origin: Origin,
     /// The curve.
     pub curve: Curve,
