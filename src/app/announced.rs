@@ -1,4 +1,4 @@
-//! What the page around the app is told: the errors on the screen, each once; and what those who hear the screen are.
+//! What the page around the app is told, each new error once, and what a screen reader is told.
 
 use super::frame::REST_SECONDS;
 use super::input::preferences::Preferences;
@@ -10,13 +10,13 @@ use crate::platform::{self, PageEvent};
 #[derive(Debug, Default)]
 pub struct Announced {
     errors: Vec<Message>,
-    /// What there was to tell when the picture was described.
+    /// The state at the last description of the picture.
     described: Option<News>,
-    /// How many times a control was said.
+    /// The count of controls that were read out.
     pub spoken: u64,
 }
 
-/// What a description of the screen depends on: the picture is described anew when any of it is another.
+/// The state that a description of the screen depends on; the picture is described again when it changes.
 #[derive(Debug, Clone, PartialEq)]
 struct News {
     generation: u64,
@@ -24,7 +24,7 @@ struct News {
     errors: Vec<Message>,
     /// The step of the tour.
     step: Option<usize>,
-    /// In which language, among others.
+    /// The language is one of them.
     preferences: Preferences,
     /// When the notice ends.
     notice_until: Option<f64>,

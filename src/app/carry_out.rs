@@ -3,7 +3,7 @@
 
 use super::RiemapApp;
 use crate::app::input::action::{Action, Actions, EditAction, ExploreAction};
-use crate::app::input::locks::{Control, Locks};
+use crate::app::input::locks::Locks;
 use crate::app::input::preferences::Preferences;
 use crate::app::input::presentation;
 use crate::app::windows::explore::Consequences;
@@ -16,51 +16,58 @@ use crate::platform;
 use crate::session::{Command, Session, Touched};
 
 impl RiemapApp {
-    /// The one place where actions become changes.
+    /// The one place where actions become changes; a locked action is refused with a message.
     pub(super) fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
-        let now = context.input(|input| input.time);
         let locks = Locks::of(context);
         for action in actions {
-            if let Some(control) = locks.refused(&action) {
-                // what is grey asks for nothing: this came by a key or from the clipboard
-                self.refuse(control);
-                continue;
+            // what is grey asks for nothing: this came by a key or from the clipboard
+            match locks.refused(&action) {
+                Some(control) => self.refuse(control),
+                None => self.act(context, action),
             }
-            match action {
-                Action::Session(command) => self.command(command, now),
-                Action::Undo => self.step(Persistence::undo),
-                Action::Redo => self.step(Persistence::redo),
-                Action::New => self.open_session(Session::default()),
-                Action::OpenSession => self.pick_file(FilePurpose::Session),
-                Action::SaveSession => self.save_session(),
-                Action::CopyLink => self.copy_link(context),
-                Action::OpenOutline(side) => self.pick_file(FilePurpose::Outline(side)),
-                Action::OpenTrace(side) => self.pick_file(FilePurpose::Trace(side)),
-                Action::TraceImage => self.trace_image(),
-                Action::DismissOffer => self.messages.offer = None,
-                Action::OpenImage => self.pick_file(FilePurpose::Image),
-                Action::Fit(side) if self.model.surface(side).is_some() => self.pictures.orbits[side].fit(),
-                Action::Fit(side) => self.pictures.views[side].fit(),
-                Action::Edit(action) => self.edit(action),
-                Action::PasteText(text) => {
-                    self.begin_change();
-                    self.editor.take_text(text, &mut self.model, &mut self.pictures.views);
-                }
-                Action::QuickFix(side) => self.model.quick_fix(side),
-                Action::Dismiss(side) => self.model.dismiss(side),
-                Action::OpenReport(report) => self.windows.reports.open(report),
-                Action::DismissMessage => self.dismiss_message(),
-                Action::OpenExport => self.windows.exporter.open(),
-                Action::SaveExport => self.save_export(context),
-                Action::CancelExport => self.windows.exporter.cancel(),
-                Action::Play(action) => self.player.act(action, &self.model),
-                Action::Walks(action) => self.model.act_on_walks(action),
-                Action::Explore(action) => self.explore(action),
-                Action::Prefer(preferences) => self.prefer(context, preferences),
-                Action::TogglePanels => self.fold_panels(context),
-                Action::ToggleFullScreen => platform::toggle_full_screen(context),
-                Action::TogglePresentation => presentation::toggle(context),
-            }
+        }
+    }
+
+    /// Keeps actions for the start of the next frame, and requests that frame at once.
+    pub(super) fn ask(&mut self, context: &egui::Context, actions: Actions) {
+        if !actions.is_empty() {
+            self.input.asked.extend(actions);
+            context.request_repaint();
+        }
+    }
+
+    fn act(&mut self, context: &egui::Context, action: Action) {
+        match action {
+            Action::Session(command) => self.command(command, context.input(|input| input.time)),
+            Action::Undo => self.step(Persistence::undo),
+            Action::Redo => self.step(Persistence::redo),
+            Action::New => self.open_session(Session::default()),
+            Action::OpenSession => self.pick_file(FilePurpose::Session),
+            Action::SaveSession => self.save_session(),
+            Action::CopyLink => self.copy_link(context),
+            Action::OpenOutline(side) => self.pick_file(FilePurpose::Outline(side)),
+            Action::OpenTrace(side) => self.pick_file(FilePurpose::Trace(side)),
+            Action::TraceImage => self.trace_image(),
+            Action::DismissOffer => self.messages.offer = None,
+            Action::OpenImage => self.pick_file(FilePurpose::Image),
+            Action::Fit(side) => self.fit(side),
+            Action::Edit(action) => self.edit(action),
+            Action::PasteText(text) => self.paste(text),
+            Action::QuickFix(side) => self.model.quick_fix(side),
+            Action::Dismiss(side) => self.model.dismiss(side),
+            Action::OpenReport(report) => self.windows.reports.open(report),
+            Action::CloseReport => self.windows.reports.close(),
+            Action::DismissMessage => self.dismiss_message(),
+            Action::Export(action) => self.export(action, context),
+            Action::Play(action) => self.player.act(action, &self.model),
+            Action::Walks(action) => self.model.act_on_walks(action),
+            Action::Explore(action) => self.explore(action),
+            Action::Prefer(preferences) => self.prefer(context, preferences),
+            Action::TogglePanels => self.fold_panels(),
+            Action::OpenSheet(open) => self.screen.sheet_open = open,
+            Action::Plots(action) => self.plots.act(action),
+            Action::ToggleFullScreen => platform::toggle_full_screen(context),
+            Action::TogglePresentation => presentation::toggle(context),
         }
     }
 
@@ -78,6 +85,20 @@ impl RiemapApp {
         }
         self.persistence.touch();
         self.model.dispatch(command, now);
+    }
+
+    /// Fits the view of a side to its whole domain or surface.
+    fn fit(&mut self, side: Side) {
+        if self.model.surface(side).is_some() {
+            self.pictures.orbits[side].fit();
+        } else {
+            self.pictures.views[side].fit();
+        }
+    }
+
+    fn paste(&mut self, text: String) {
+        self.begin_change();
+        self.editor.take_text(text, &mut self.model, &mut self.pictures.views);
     }
 
     fn edit(&mut self, action: EditAction) {
@@ -132,9 +153,7 @@ impl RiemapApp {
     }
 
     /// Folds the panels away or brings them back; a page around the app has none.
-    pub(super) fn fold_panels(&mut self, context: &egui::Context) {
-        let locked = Locks::of(context).holds(Control::Panels);
-        self.screen.panels_open =
-            if locked { self.screen.panels_open } else { !self.screen.panels_open && !self.options.embed };
+    fn fold_panels(&mut self) {
+        self.screen.panels_open = !self.screen.panels_open && !self.options.embed;
     }
 }

@@ -1,7 +1,7 @@
 //! What the app does with the window of exports.
 
 use crate::app::RiemapApp;
-use crate::app::input::action::Actions;
+use crate::app::input::action::{Actions, ExportAction};
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::exporting::window::{MapState, Surroundings};
 use crate::language::key;
@@ -31,8 +31,19 @@ impl RiemapApp {
         }
     }
 
+    /// Does what the window asks for.
+    pub(in crate::app) fn export(&mut self, action: ExportAction, context: &Context) {
+        match action {
+            ExportAction::Open => self.windows.exporter.open(),
+            ExportAction::Save => self.save_export(context),
+            ExportAction::Cancel => self.windows.exporter.cancel(),
+            ExportAction::DismissError => self.windows.exporter.tell(None),
+            ExportAction::Close => self.windows.exporter.close(),
+        }
+    }
+
     /// Saves what is chosen, or begins to make it.
-    pub(in crate::app) fn save_export(&mut self, context: &Context) {
+    fn save_export(&mut self, context: &Context) {
         let Some(request) = self.windows.exporter.file_request() else { return self.begin_job(context) };
         if !scene::is_complete(&self.model) {
             return; // what is shown is not yet what would be written

@@ -4,7 +4,7 @@
 use super::arrangement::Arrangement;
 use super::incoming::WORDS_FOLLOW_AFTER;
 use super::input::action::Actions;
-use super::{RiemapApp, layout, pictures};
+use super::{RiemapApp, layout, message_bar, pictures};
 use crate::app::viewport::gpu::Gpu;
 use crate::conformal::Side;
 use crate::language::key;
@@ -23,6 +23,8 @@ impl RiemapApp {
         let timings = self.model.shown().map(|map| map.timings).unwrap_or_default();
         let compute = timings.kernel + timings.matching + timings.extend;
         self.screen.meter.tick(ui.input(|input| input.unstable_dt), cpu_usage, compute);
+        self.plots.begin_frame();
+        message_bar::begin(self, ui);
         let (arrangement, asked) = layout::show(self, ui);
         // what a hand moved comes before what a key or a panel asks: an undo takes it back, and not the other way round
         let mut actions = Actions::new();
@@ -31,70 +33,126 @@ impl RiemapApp {
         (arrangement, actions)
     }
 
-    /// Paints the pictures in what the panels leave of the screen.
+    /// Paints the pictures and windows in what the panels leave of the screen.
     pub(super) fn paint(&mut self, ui: &mut egui::Ui, arrangement: Arrangement) {
-        egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(self, ui, arrangement));
+        let asked = egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(self, ui, arrangement)).inner;
+        self.ask(ui.ctx(), asked);
     }
 
     /// Sends what is due to the workers, updates the map, uploads.
     pub(super) fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
         self.editor.follow(&mut self.model, &mut self.pictures.views);
+        self.begin_study();
+        let moves = self.play(context, now);
+        self.refresh(context, moves, now);
+        self.send_requests(context, now);
+        self.refine_at_rest(context, now);
+        self.await_map(context, moves);
+        self.refit(context);
+        self.measure_at_rest(context, now);
+        self.advance_overlays(context, now);
+        self.work_on_export(context);
+        self.describe(context, now);
+        self.keep(context);
+        self.update_pictures(context);
+    }
+
+    fn begin_study(&mut self) {
         if let Some(study) = self.windows.reports.take_study() {
             self.workers.study_runner.begin(study);
         }
+    }
+
+    /// Moves the points that are in motion; returns whether any point moves, dragged or by itself.
+    fn play(&mut self, context: &egui::Context, now: f64) -> bool {
         let is_held = self.input.handles.grip.is_some();
         if is_held {
             self.player.pause();
         }
-        self.play(context, now);
+        for command in self.player.advance(&self.model, now) {
+            self.persistence.touch();
+            self.model.dispatch(command, now);
+        }
+        if self.player.is_playing() {
+            context.request_repaint();
+        }
         // A dot that is held still rests.
-        let moves = self.player.is_moving() || (is_held && now - self.last_change < REST_SECONDS);
+        self.player.is_moving() || (is_held && !self.is_resting(now))
+    }
+
+    /// Whether the map has not changed for a while.
+    fn is_resting(&self, now: f64) -> bool {
+        now - self.last_change >= REST_SECONDS
+    }
+
+    /// Updates the map and uploads what changed.
+    fn refresh(&mut self, context: &egui::Context, moves: bool, now: f64) {
         let changes = self.model.refresh(moves);
         if changes != Changes::default() {
             self.last_change = now;
             self.show_changes(context, changes);
         }
-        // after the map: what is in a hand is prepared anew as soon as the picture shows it, in the same frame
+    }
+
+    /// Sends the requests that are due to the workers. It follows the update of the map, so that an outline being
+    /// dragged is prepared again in the frame that shows it.
+    fn send_requests(&mut self, context: &egui::Context, now: f64) {
         for (side, request) in self.model.take_requests(now) {
             self.workers.preparer.request(side, request);
         }
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
         }
-        let resting = now - self.last_change >= REST_SECONDS;
-        if resting {
-            let refined = self.model.refine_at_rest();
-            if refined.images {
-                self.show_changes(context, refined);
-            }
-            if let Some(side) = self.model.side_of_surface().filter(|_| self.model.map().is_some()) {
-                self.model.surface_side(side).sort_at_rest();
-            }
-            if self.model.is_ready() {
-                self.workers.preparer.warm();
-                self.pictures.gpu.iter().for_each(Gpu::warm);
-            }
+    }
+
+    /// Completes the extension, sorts the surface for picking and warms up workers and GPU once the map rests.
+    fn refine_at_rest(&mut self, context: &egui::Context, now: f64) {
+        if !self.is_resting(now) {
+            return;
         }
+        let refined = self.model.refine_at_rest();
+        if refined.images {
+            self.show_changes(context, refined);
+        }
+        if let Some(side) = self.model.side_of_surface().filter(|_| self.model.map().is_some()) {
+            self.model.surface_side(side).sort_at_rest();
+        }
+        if self.model.is_ready() {
+            self.workers.preparer.warm();
+            self.pictures.gpu.iter().for_each(Gpu::warm);
+        }
+    }
+
+    /// Requests a frame while the map is incomplete: at once, or after the rest time if a point moves.
+    fn await_map(&self, context: &egui::Context, moves: bool) {
         if self.model.is_pending() {
             context.request_repaint_after_secs(if moves { REST_SECONDS as f32 } else { 0.0 });
         }
-        self.refit(context);
+    }
+
+    /// Measures the distortion once the map rests and its extension is complete.
+    fn measure_at_rest(&mut self, context: &egui::Context, now: f64) {
         let complete = self.model.extension_progress() == 1.0;
-        if self.model.is_quality_stale() || !complete {
-            if resting && complete {
-                self.model.measure_at_rest();
-                context.request_repaint_after_secs(platform::ONE_FRAME);
-            } else {
-                context.request_repaint_after_secs(REST_SECONDS as f32);
-            }
+        if complete && !self.model.is_quality_stale() {
+            return;
         }
+        if complete && self.is_resting(now) {
+            self.model.measure_at_rest();
+            context.request_repaint_after_secs(platform::ONE_FRAME);
+        } else {
+            context.request_repaint_after_secs(REST_SECONDS as f32);
+        }
+    }
+
+    fn advance_overlays(&mut self, context: &egui::Context, now: f64) {
         if let Some(delay) = self.model.advance_overlays(now) {
             context.request_repaint_after_secs(delay as f32);
         }
-        self.work_on_export(context);
-        self.describe(context, now);
-        self.keep(context);
+    }
+
+    /// Uploads the triangles and renews the plots' curves.
+    fn update_pictures(&mut self, context: &egui::Context) {
         self.pictures.cells.update(&self.model, self.pictures.gpu.as_ref(), context.pixels_per_point());
         self.plots.update(&self.model);
     }
@@ -110,17 +168,6 @@ impl RiemapApp {
                     context.request_repaint_after_secs(platform::ONE_FRAME);
                 }
             }
-        }
-    }
-
-    /// Moves the points that are in motion.
-    fn play(&mut self, context: &egui::Context, now: f64) {
-        for command in self.player.advance(&self.model, now) {
-            self.persistence.touch();
-            self.model.dispatch(command, now);
-        }
-        if self.player.is_playing() {
-            context.request_repaint();
         }
     }
 

@@ -47,6 +47,7 @@ impl RiemapApp {
                 }
                 Event::GraphicsLost(reason) => self.messages.common = Some(presentation::graphics_lost(&reason)),
                 Event::Image { purpose, name, pixels } => self.take_image(purpose, name, pixels),
+                Event::NoDialog(reason) => self.messages.common = Some(reason),
                 Event::NotSaved { name, reason } => self.messages.common = Some(key::not_saved(name, reason)),
             }
         }

@@ -28,12 +28,11 @@ const LINK_STRIP: f32 = 28.0;
 const SHEET_SHARE: f32 = 0.42;
 
 /// Bars, panels and the message below the pictures, around what is left for the pictures; with what they and the keys
-/// ask for. Changes nothing but what the screen alone knows.
+/// ask for. Changes only the pointer's place in the plots and the focus of the tour's buttons.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
     let narrow = ui.available_width() < PHONE_WIDTH;
     theme::suit_pointer(ui.ctx(), narrow || app.screen.has_fingers || ui.input(egui::InputState::has_touch_screen));
     let mut actions = Actions::new();
-    app.plots.begin_frame();
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
     presentation::keys(ui, &mut actions);
@@ -55,9 +54,8 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
         Panel::bottom("link").exact_size(strip).resizable(false).frame(frame).show(ui, |_| {});
     }
     if !narrow && app.model.session().plots() {
-        dock(app, ui);
+        dock(app, ui, &mut actions);
     }
-    message_bar::begin(app, ui);
     let yields = app.messages.bar.has_message() || app.editor.side().is_some();
     app.windows.explore.show_tour(ui, yields, &mut actions);
     let arrangement = Arrangement::new(ui, narrow);
@@ -110,12 +108,12 @@ fn image_name(app: &RiemapApp) -> Option<&str> {
 }
 
 /// The plots below the viewports; they stay when the panels fold away.
-fn dock(app: &mut RiemapApp, ui: &mut Ui) {
+fn dock(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new().fill(palette.panel).inner_margin(Margin { left: 14, right: 14, top: 6, bottom: 4 });
     let (width, height) = (ui.available_width(), ui.available_height());
     Panel::bottom("plots").exact_size(plots::dock_height(width, height)).resizable(false).frame(frame).show(ui, |ui| {
-        app.plots.show_dock(ui, &app.model, width);
+        app.plots.show_dock(ui, &app.model, width, actions);
     });
 }
 
@@ -126,12 +124,12 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     Panel::bottom("sheet").exact_size(height).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
         let plots = app.model.session().plots();
         if let Some(asked) = sheet_tabs(ui, app.screen.sheet_open, plots) {
-            app.screen.sheet_open = !(app.screen.sheet_open && asked == plots);
+            actions.push(Action::OpenSheet(!(app.screen.sheet_open && asked == plots)));
             actions.push(Action::Session(Command::SetPlots(asked)));
         }
         if open > 0.0 && plots {
             ui.take_available_width();
-            app.plots.show_one(ui, &app.model);
+            app.plots.show_one(ui, &app.model, actions);
         } else if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);

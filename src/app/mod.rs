@@ -1,10 +1,13 @@
 //! The app: panels, viewports, handles.
 //!
-//! A frame is the six lines of `RiemapApp::ui`: **input** lays out the panels and collects what the person asks for as
+//! A frame is the lines of `RiemapApp::ui`: **input** lays out the panels and collects what the person asks for as
 //! [`Action`]s, **commands** carries them out in one place (`carry_out`), **events** takes in what happened outside of a
 //! frame (workers, files; `incoming`), **update** brings the map up to date and uploads what changed (`frame`), **paint**
-//! paints the pictures (`pictures`), **announce** tells the page and those who hear the screen. Panels that have more to
-//! say after an update do so in a frame that follows. At rest nothing is computed and nothing drawn.
+//! paints the pictures (`pictures`), **announce** tells the page and those who hear the screen. The
+//! actions of buttons in pictures and windows, which are laid out while painting, are carried out at the start of the
+//! next frame. The fields of a window (a pasted text, the settings of an export) and the cameras are changed in place.
+//! Panels that have more to say after an update do so in a frame that follows. At rest nothing is computed and nothing
+//! drawn.
 
 mod accessibility;
 mod announced;
@@ -51,7 +54,7 @@ use editing::Editor;
 use input::Input;
 use input::action::Report;
 use input::address_options::AddressOptions;
-use input::locks::Control;
+use input::locks::{Control, Locks};
 use input::presentation;
 use messages::Messages;
 use plots::Plots;
@@ -146,6 +149,8 @@ impl RiemapApp {
 impl eframe::App for RiemapApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
+        let asked = std::mem::take(&mut self.input.asked);
+        self.carry_out(&context, asked);
         let (arrangement, actions) = self.take_input(ui, frame.info().cpu_usage);
         self.carry_out(&context, actions);
         self.take_events(&context);
@@ -159,8 +164,8 @@ impl eframe::App for RiemapApp {
         // egui would draw two frames for what stays in here
         self.input.dropped.append(&mut input.dropped_files);
         let folds = self.input.keyboard.take_in(context, input);
-        if folds % 2 == 1 {
-            self.fold_panels(context);
+        if folds % 2 == 1 && !Locks::of(context).holds(Control::Panels) {
+            self.ask(context, vec![Action::TogglePanels]);
         }
     }
 

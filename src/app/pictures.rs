@@ -37,19 +37,18 @@ pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, acti
     }
 }
 
-/// Paints both pictures with what lies over them, and the windows; what their buttons ask for is done before the next
-/// frame.
-pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement) {
+/// Paints both pictures, their buttons and messages, and the windows; returns the actions of the buttons.
+pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement) -> Actions {
     let (context, mut actions) = (ui.ctx().clone(), Actions::new());
     // commands and events may have changed what there is to see
     place_views(app, ui, arrangement);
     paint(app, ui, arrangement, &mut actions);
     message_bar::notice(app, ui);
-    app.windows.reports.show(&context);
+    app.windows.reports.show(&context, &mut actions);
     editing::show_paste(&context, &mut app.editor, &mut actions);
     app.windows.explore.show(&context, &mut actions);
     app.show_exporter(&context, &mut actions);
-    app.carry_out(&context, actions);
+    actions
 }
 
 /// Gives both views their places.

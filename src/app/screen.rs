@@ -1,14 +1,14 @@
-//! What the screen alone knows: which panels are open, how large and in which colours all is shown, for whom.
+//! The screen's own state: open panels, zoom, theme, preferences. None of it is part of a session.
 
 use super::input::preferences::Preferences;
 use super::status::FrameMeter;
 
-/// The state of the screen that no session carries.
+/// The state of the screen that is not part of a session.
 pub struct Screen {
     pub panels_open: bool,
-    /// On a phone: the sheet of controls or plots.
+    /// Whether the sheet of controls or plots is open; used on narrow screens only.
     pub sheet_open: bool,
-    /// How much larger than usual everything is in this frame.
+    /// egui's zoom factor in this frame.
     pub zoom: f32,
     /// The theme of this frame.
     pub theme: egui::Theme,
@@ -18,7 +18,7 @@ pub struct Screen {
 }
 
 impl Screen {
-    /// Before the first frame.
+    /// The state before the first frame.
     pub fn new(preferences: Preferences, panels_open: bool, has_fingers: bool) -> Self {
         Self {
             panels_open,

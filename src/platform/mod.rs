@@ -87,6 +87,8 @@ pub enum Event {
         /// RGBA, alpha not premultiplied, 8 bits per channel, no larger than requested; or the reason of the failure.
         pixels: Result<image::RgbaImage, Message>,
     },
+    /// The dialog for a file could not be shown, and why.
+    NoDialog(Message),
     /// A file could not be written.
     NotSaved {
         /// The file's name.

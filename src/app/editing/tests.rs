@@ -34,7 +34,7 @@ impl Bench {
         for side in Side::BOTH {
             session.apply(Command::SetSettings { side, settings: SETTINGS });
         }
-        let mut bench = Self { model: Model::new(session), editor: Editor::default(), views: Default::default() };
+        let mut bench = Self { model: Model::new(session), editor: Editor::default(), views: PerSide::default() };
         bench.answer_all();
         bench.act(EditAction::Toggle(SIDE));
         bench

@@ -47,14 +47,12 @@ pub enum Action {
     Dismiss(Side),
     /// Show a window of measurements, and start measuring.
     OpenReport(Report),
+    /// Close the report window and drop its remaining measurements.
+    CloseReport,
     /// Close the message that belongs to neither side.
     DismissMessage,
-    /// Show the export window.
-    OpenExport,
-    /// Save the file chosen in the export window, or start rendering it.
-    SaveExport,
-    /// Cancel the export under way.
-    CancelExport,
+    /// An action of the export window.
+    Export(ExportAction),
     /// Start or stop the motion of the points, or change its path or period.
     Play(PlayAction),
     /// Start, pause or clear the random walks, or change their speed.
@@ -65,6 +63,10 @@ pub enum Action {
     Prefer(Preferences),
     /// Hide or show the panels.
     TogglePanels,
+    /// Open or close the phone's sheet of controls and plots.
+    OpenSheet(bool),
+    /// An action of the plots' switches.
+    Plots(PlotsAction),
     /// Enter or leave full screen.
     ToggleFullScreen,
     /// Switch between the usual zoom and 1.5 times that zoom.
@@ -120,6 +122,8 @@ pub enum ExploreAction {
     Figures,
     /// Open the list of keys and gestures.
     Shortcuts,
+    /// Close the window of the gallery, the figures or the shortcuts.
+    Close,
     /// Go to this step of the tour, counted from 0; starts the tour if it is not running.
     Tour(usize),
     /// End the tour.
@@ -127,6 +131,42 @@ pub enum ExploreAction {
         /// Whether the session of the last step stays; otherwise the session from before the tour is restored.
         keeps: bool,
     },
+}
+
+/// The kinds of plots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PlotKind {
+    /// The Poisson kernels of both sides.
+    #[default]
+    Kernel,
+    /// The harmonic measures of both sides.
+    Measure,
+    /// The boundary reparameterisation.
+    Reparameterisation,
+}
+
+/// The actions of the plots' switches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlotsAction {
+    /// Select the plot that is shown where there is room for one.
+    Show(PlotKind),
+    /// Switch the kernel's y axis between logarithmic and linear.
+    ToggleLogarithm,
+}
+
+/// The actions of the export window.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExportAction {
+    /// Show the window.
+    Open,
+    /// Save the chosen file, or start rendering it.
+    Save,
+    /// Cancel the export under way.
+    Cancel,
+    /// Close the message in the window.
+    DismissError,
+    /// Cancel the export under way and close the window.
+    Close,
 }
 
 /// The kinds of report windows.

@@ -111,10 +111,11 @@ impl Control {
             | Action::QuickFix(_)
             | Action::DismissMessage
             | Action::DismissOffer
-            | Action::OpenExport
-            | Action::SaveExport
-            | Action::CancelExport
-            | Action::Explore(ExploreAction::Shortcuts | ExploreAction::LeaveTour { .. })
+            | Action::Export(_)
+            | Action::CloseReport
+            | Action::OpenSheet(_)
+            | Action::Plots(_)
+            | Action::Explore(ExploreAction::Shortcuts | ExploreAction::Close | ExploreAction::LeaveTour { .. })
             | Action::ToggleFullScreen
             | Action::TogglePresentation => return None,
         })

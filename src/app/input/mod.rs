@@ -20,15 +20,18 @@ pub mod preferences;
 pub mod presentation;
 pub mod touches;
 
-/// What a hand holds and has used, from one frame to the next.
+/// The state of the input devices from one frame to the next, and the actions that wait.
 #[derive(Default)]
 pub struct Input {
     /// Files that were dropped since the last frame.
     pub dropped: Vec<egui::DroppedFileHandle>,
-    /// Who gets the next key.
+    /// Decides which keys fold the panels and which move the focus.
     pub keyboard: keyboard::Keyboard,
-    /// Which finger is the pointer.
+    /// The touch that egui treats as the pointer.
     pub touches: touches::Touches,
-    /// The dots under the pointer, in a hand or with the keyboard.
+    /// The dots: hovered, dragged, or with the keyboard focus.
     pub handles: handles::HandleState,
+    /// Actions that came after the last frame's were carried out: from buttons that are painted late, and from keys
+    /// before the frame. The next frame carries them out first.
+    pub asked: action::Actions,
 }

@@ -1,6 +1,6 @@
 //! The file menu: undo, redo, new, open, save, link, export, full screen, presentation; and its shortcuts.
 
-use crate::app::input::action::{Action, Actions};
+use crate::app::input::action::{Action, Actions, ExportAction};
 use crate::app::input::locks::menu_entry;
 use crate::app::input::presentation;
 use crate::app::theme::FINGER_HEIGHT;
@@ -62,7 +62,7 @@ fn entries(persistence: &Persistence, context: &Context) -> Vec<(Entry, bool, Ac
         (entry(key::open(), key::open_session_tooltip(), None), true, Action::OpenSession),
         (entry(key::save_session(), key::save_session_tooltip(), Some(SAVE)), true, Action::SaveSession),
         (entry(key::copy_link(), LINK_TOOLTIP, None), true, Action::CopyLink),
-        (entry(key::open_export(), EXPORT_TOOLTIP, Some(EXPORT)), true, Action::OpenExport),
+        (entry(key::open_export(), EXPORT_TOOLTIP, Some(EXPORT)), true, Action::Export(ExportAction::Open)),
     ];
     if platform::has_full_screen() {
         let full = entry(key::full_screen(), presentation::FULL_SCREEN_TOOLTIP, Some(FULL_SCREEN));
@@ -85,7 +85,7 @@ pub fn keys(ui: &Ui, actions: &mut Actions) {
             (UNDO, Action::Undo),
             (REDO_TOO, Action::Redo),
             (SAVE, Action::SaveSession),
-            (EXPORT, Action::OpenExport),
+            (EXPORT, Action::Export(ExportAction::Open)),
         ] {
             if input.consume_shortcut(&shortcut) {
                 actions.push(action);

@@ -1,7 +1,7 @@
 //! One plot, drawn with egui_plot: bounds, axes, lines, legend, and the point under the pointer.
 
 use super::super::theme::Palette;
-use super::{Kind, Plots};
+use super::{PlotKind, Plots};
 use crate::app::language::words;
 use crate::conformal::Side;
 use crate::language::{key, say, tr};
@@ -40,7 +40,7 @@ const MARGIN: f64 = 0.03;
 
 /// The content of one plot: its curves, axis range and colors.
 pub struct Chart<'a> {
-    kind: Kind,
+    kind: PlotKind,
     lines: Vec<(&'a Curve, Color32)>,
     exact: Vec<&'a Curve>,
     overlays: &'a [Overlay],
@@ -63,7 +63,7 @@ struct Entry {
 impl<'a> Chart<'a> {
     /// The plot of this kind; `logarithmic` applies to the kernel only.
     pub fn of(
-        kind: Kind,
+        kind: PlotKind,
         curves: &'a Curves,
         exact: Option<&'a ExactCurves>,
         overlays: &'a Overlays,
@@ -72,23 +72,23 @@ impl<'a> Chart<'a> {
     ) -> Self {
         let theme = usize::from(!dark);
         let lines: Vec<_> = match kind {
-            Kind::Kernel => curves.kernel.iter().zip(SIDE_INKS[theme]).collect(),
-            Kind::Measure => curves.measure.iter().zip(SIDE_INKS[theme]).collect(),
-            Kind::Reparameterisation => vec![(&curves.reparameterisation, MAP_INKS[theme][0])],
+            PlotKind::Kernel => curves.kernel.iter().zip(SIDE_INKS[theme]).collect(),
+            PlotKind::Measure => curves.measure.iter().zip(SIDE_INKS[theme]).collect(),
+            PlotKind::Reparameterisation => vec![(&curves.reparameterisation, MAP_INKS[theme][0])],
         };
         let exact = match (kind, exact) {
-            (Kind::Measure, Some(exact)) => exact.measure.iter().collect(),
-            (Kind::Reparameterisation, Some(exact)) => vec![&exact.reparameterisation],
+            (PlotKind::Measure, Some(exact)) => exact.measure.iter().collect(),
+            (PlotKind::Reparameterisation, Some(exact)) => vec![&exact.reparameterisation],
             _ => Vec::new(),
         };
         let overlays = match kind {
-            Kind::Kernel => &[][..],
-            Kind::Measure => &overlays.measure,
-            Kind::Reparameterisation => &overlays.reparameterisation,
+            PlotKind::Kernel => &[][..],
+            PlotKind::Measure => &overlays.measure,
+            PlotKind::Reparameterisation => &overlays.reparameterisation,
         };
-        let logarithmic = logarithmic && kind == Kind::Kernel;
+        let logarithmic = logarithmic && kind == PlotKind::Kernel;
         let range = match kind {
-            Kind::Kernel => kernel_range(&curves.kernel, logarithmic),
+            PlotKind::Kernel => kernel_range(&curves.kernel, logarithmic),
             _ => (0.0, 1.0),
         };
         Self { kind, lines, exact, overlays, dark, mapped: curves.mapped, logarithmic, range }
@@ -136,16 +136,16 @@ impl<'a> Chart<'a> {
 
     fn x_label(&self) -> String {
         match self.kind {
-            Kind::Reparameterisation => say(&key::arc_length_of_side(words::side_within(self.mapped))),
+            PlotKind::Reparameterisation => say(&key::arc_length_of_side(words::side_within(self.mapped))),
             _ => String::from(tr(key::arc_length_y_length())),
         }
     }
 
     fn y_axis(&self, palette: &Palette) -> AxisHints<'static> {
         let label = match self.kind {
-            Kind::Kernel => String::from(tr(key::psi_length())),
-            Kind::Measure => String::from("ω"),
-            Kind::Reparameterisation => words::side_within(self.mapped.other()).to_owned(),
+            PlotKind::Kernel => String::from(tr(key::psi_length())),
+            PlotKind::Measure => String::from("ω"),
+            PlotKind::Reparameterisation => words::side_within(self.mapped.other()).to_owned(),
         };
         let axis = axis(AxisHints::new_y(), palette, label).label_spacing(14.0..=20.0).min_thickness(30.0);
         let logarithmic = self.logarithmic;
@@ -192,7 +192,7 @@ impl<'a> Chart<'a> {
         let mut entries: Vec<Entry> = (!self.exact.is_empty()).then_some(exact).into_iter().collect();
         entries.extend(self.overlays.iter().rev().map(overlay));
         entries.dedup_by_key(|entry| entry.name);
-        if self.kind == Kind::Reparameterisation && !entries.is_empty() {
+        if self.kind == PlotKind::Reparameterisation && !entries.is_empty() {
             entries.insert(0, map(self.lines[0].1));
         }
         entries
@@ -217,7 +217,7 @@ impl<'a> Chart<'a> {
 
     fn add_marks(&self, plot: &mut PlotUi, marked: [f64; 2], palette: &Palette) {
         let [source, target] = marked;
-        if self.kind == Kind::Reparameterisation {
+        if self.kind == PlotKind::Reparameterisation {
             let (x, y) = if self.mapped == Side::Source { (source, target) } else { (target, source) };
             plot.vline(VLine::new("", x).color(palette.weak).width(1.0).allow_hover(false));
             add_dot(plot, [x, y], self.lines[0].1);
@@ -232,7 +232,7 @@ impl<'a> Chart<'a> {
     /// The side whose curve is nearest to the pointer in y, and the arc length at the pointer.
     fn pointed(&self, transform: &PlotTransform, pointer: Pos2) -> (Side, f64) {
         let x = transform.value_from_position(pointer).x.clamp(0.0, 1.0);
-        if self.kind == Kind::Reparameterisation {
+        if self.kind == PlotKind::Reparameterisation {
             return (self.mapped, x);
         }
         let distance = |side: &Side| {
@@ -245,13 +245,13 @@ impl<'a> Chart<'a> {
 }
 
 /// The curves' values at the marked points, formatted, by side.
-pub fn values(kind: Kind, curves: &Curves, at: [f64; 2]) -> [String; 2] {
+pub fn values(kind: PlotKind, curves: &Curves, at: [f64; 2]) -> [String; 2] {
     Side::BOTH.map(|side| {
         let (k, x) = (side as usize, at[side as usize]);
         match kind {
-            Kind::Kernel => short(curves.kernel[k].at(x)),
-            Kind::Measure => format!("{:.3}", curves.measure[k].at(x)),
-            Kind::Reparameterisation => format!("{x:.3}"),
+            PlotKind::Kernel => short(curves.kernel[k].at(x)),
+            PlotKind::Measure => format!("{:.3}", curves.measure[k].at(x)),
+            PlotKind::Reparameterisation => format!("{x:.3}"),
         }
     })
 }
@@ -358,7 +358,7 @@ mod tests {
     }
 
     /// The names in the legend of a kind of plot with all overlays, and with or without the exact curves.
-    fn names(kind: Kind, exact: bool) -> Vec<&'static str> {
+    fn names(kind: PlotKind, exact: bool) -> Vec<&'static str> {
         let line = || curve(&[0.0, 1.0]);
         let curves = Curves {
             kernel: [line(), line()],
@@ -384,10 +384,10 @@ mod tests {
     #[test]
     fn every_curve_has_its_own_ink_and_its_line_in_the_legend() {
         let [fresh, precomputed] = DiskWay::ALL.map(|way| tr(Origin::Disk(way).name()));
-        assert_eq!(names(Kind::Reparameterisation, true), ["this map", "exact", fresh, precomputed]);
-        assert_eq!(names(Kind::Reparameterisation, false), ["this map", fresh, precomputed]);
-        assert_eq!(names(Kind::Measure, true), ["exact", "random walks", fresh, precomputed]);
-        assert_eq!(names(Kind::Kernel, true), [""; 0], "kernels have no overlays");
+        assert_eq!(names(PlotKind::Reparameterisation, true), ["this map", "exact", fresh, precomputed]);
+        assert_eq!(names(PlotKind::Reparameterisation, false), ["this map", fresh, precomputed]);
+        assert_eq!(names(PlotKind::Measure, true), ["exact", "random walks", fresh, precomputed]);
+        assert_eq!(names(PlotKind::Kernel, true), [""; 0], "kernels have no overlays");
     }
 
     #[test]

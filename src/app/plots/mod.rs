@@ -10,6 +10,7 @@ mod convergence;
 pub use convergence::convergence_chart;
 
 use super::theme::{self, Palette};
+use crate::app::input::action::{Action, Actions, PlotKind, PlotsAction};
 use crate::app::language::words;
 use crate::app::theme::widgets::{Segment, dot, segmented};
 use crate::closed_form::ExactMap;
@@ -38,20 +39,11 @@ pub fn dock_height(width: f32, both: f32) -> f32 {
     wanted.min((0.5 * both).max(LEAST_HEIGHT))
 }
 
-/// The kinds of plots.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum Kind {
-    #[default]
-    Kernel,
-    Measure,
-    Reparameterisation,
-}
-
-const KINDS: [Segment<Kind>; 3] = [
-    Segment { value: Kind::Kernel, label: key::poisson_kernel(), tooltip: key::poisson_kernel_tooltip() },
-    Segment { value: Kind::Measure, label: key::harmonic_measure(), tooltip: key::harmonic_measure_tooltip() },
+const KINDS: [Segment<PlotKind>; 3] = [
+    Segment { value: PlotKind::Kernel, label: key::poisson_kernel(), tooltip: key::poisson_kernel_tooltip() },
+    Segment { value: PlotKind::Measure, label: key::harmonic_measure(), tooltip: key::harmonic_measure_tooltip() },
     Segment {
-        value: Kind::Reparameterisation,
+        value: PlotKind::Reparameterisation,
         label: key::reparameterisation(),
         tooltip: key::reparameterisation_tooltip(),
     },
@@ -74,7 +66,7 @@ pub struct Plots {
     /// Whether the kernel's y axis is logarithmic.
     logarithmic: bool,
     /// The plot that is shown where there is room for one.
-    shown: Kind,
+    shown: PlotKind,
     /// The place under the pointer in the plots in the last frame and in this one: the former marks the plots that are
     /// drawn before the one under the pointer.
     in_plot: Option<BoundaryPlace>,
@@ -86,6 +78,14 @@ impl Plots {
     /// Forgets the place found in this frame and keeps it as that of the last one.
     pub fn begin_frame(&mut self) {
         self.in_plot = self.found.take();
+    }
+
+    /// Applies the action of a switch.
+    pub fn act(&mut self, action: PlotsAction) {
+        match action {
+            PlotsAction::Show(kind) => self.shown = kind,
+            PlotsAction::ToggleLogarithm => self.logarithmic = !self.logarithmic,
+        }
     }
 
     /// Stores the boundary point under the pointer in a viewport; returns whether it changed.
@@ -176,35 +176,35 @@ impl Plots {
     }
 
     /// Shows three plots in a row where they fit, else one.
-    pub fn show_dock(&mut self, ui: &mut Ui, model: &Model, width: f32) {
-        if width < ROW_FROM { self.show_one(ui, model) } else { self.show_row(ui, model) }
+    pub fn show_dock(&mut self, ui: &mut Ui, model: &Model, width: f32, actions: &mut Actions) {
+        if width < ROW_FROM { self.show_one(ui, model, actions) } else { self.show_row(ui, model, actions) }
     }
 
-    fn show_row(&mut self, ui: &mut Ui, model: &Model) {
+    fn show_row(&mut self, ui: &mut Ui, model: &Model, actions: &mut Actions) {
         self.update(model);
         let none = Overlays::default();
         let overlays = overlays_of(model).unwrap_or(&none);
         ui.spacing_mut().item_spacing.x = 18.0;
         ui.columns_const(|columns: &mut [Ui; KINDS.len()]| {
             for (ui, kind) in columns.iter_mut().zip(&KINDS) {
-                self.show_plot(ui, kind, overlays);
+                self.show_plot(ui, kind, overlays, actions);
             }
         });
         self.settle(ui);
     }
 
     /// Shows one plot below a switch.
-    pub fn show_one(&mut self, ui: &mut Ui, model: &Model) {
+    pub fn show_one(&mut self, ui: &mut Ui, model: &Model, actions: &mut Actions) {
         self.update(model);
         let none = Overlays::default();
         let overlays = overlays_of(model).unwrap_or(&none);
         let short = [(key::kernel(), 0), (key::measure(), 1), (key::reparam(), 2)];
         let kinds = short.map(|(label, k): (Label, usize)| Segment { label, ..KINDS[k] });
         if let Some(kind) = segmented(ui, &kinds, self.shown) {
-            self.shown = kind;
+            actions.push(Action::Plots(PlotsAction::Show(kind)));
         }
         if let Some(kind) = KINDS.iter().find(|kind| kind.value == self.shown) {
-            self.show_plot(ui, kind, overlays);
+            self.show_plot(ui, kind, overlays, actions);
         }
         self.settle(ui);
     }
@@ -216,9 +216,9 @@ impl Plots {
         }
     }
 
-    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<Kind>, overlays: &Overlays) {
+    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<PlotKind>, overlays: &Overlays, actions: &mut Actions) {
         let marked = self.marked_from_anchor();
-        self.header(ui, kind, marked);
+        self.header(ui, kind, marked, actions);
         let Some((_, curves)) = &self.curves else { return };
         let chart =
             chart::Chart::of(kind.value, curves, self.exact(), overlays, ui.visuals().dark_mode, self.logarithmic);
@@ -228,7 +228,7 @@ impl Plots {
     }
 
     /// The title, the sides' colors, and the values at the marked point or else the sides' names.
-    fn header(&mut self, ui: &mut Ui, kind: &Segment<Kind>, marked: Option<[f64; 2]>) {
+    fn header(&self, ui: &mut Ui, kind: &Segment<PlotKind>, marked: Option<[f64; 2]>, actions: &mut Actions) {
         let palette = Palette::of(ui.visuals());
         let inks = Self::inks(ui.visuals().dark_mode);
         ui.horizontal(|ui| {
@@ -236,8 +236,8 @@ impl Plots {
             ui.spacing_mut().interact_size.y = theme::control_height(ui, 20.0);
             let title = RichText::new(tr(kind.label)).font(theme::bold(12.5)).color(palette.text);
             ui.label(title).on_hover_text(tr(kind.tooltip));
-            if kind.value == Kind::Kernel {
-                self.scale_switch(ui);
+            if kind.value == PlotKind::Kernel {
+                self.scale_switch(ui, actions);
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let values = marked.and_then(|at| Some(chart::values(kind.value, self.curves()?, at)));
@@ -252,13 +252,13 @@ impl Plots {
         });
     }
 
-    fn scale_switch(&mut self, ui: &mut Ui) {
+    fn scale_switch(&self, ui: &mut Ui, actions: &mut Actions) {
         let tooltip = key::log_tooltip();
         let label = RichText::new(tr(key::log())).small();
         ui.spacing_mut().button_padding = egui::vec2(6.0, 1.0);
         let button = egui::Button::selectable(self.logarithmic, label).frame_when_inactive(true);
         if ui.add(button).on_hover_text(tr(tooltip)).clicked() {
-            self.logarithmic = !self.logarithmic;
+            actions.push(Action::Plots(PlotsAction::ToggleLogarithm));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Layout: all controls are on the screen and do not overlap, on a desktop, a tablet and a phone, in both languages.
 
-use crate::app::input::action::{EditAction, ExploreAction, Report};
+use crate::app::input::action::{EditAction, ExploreAction, ExportAction, Report};
 use crate::app::input::preferences::Preferences;
 use crate::app::panels::offer::Offer;
 use crate::app::tests::ready_app;
@@ -103,7 +103,7 @@ fn windows_fit_and_are_closed_with_a_finger() {
             Action::Explore(ExploreAction::Gallery),
             Action::Explore(ExploreAction::Figures),
             Action::Explore(ExploreAction::Shortcuts),
-            Action::OpenExport,
+            Action::Export(ExportAction::Open),
             Action::OpenReport(Report::Convergence),
         ] {
             act(&mut screen, action.clone());

@@ -120,10 +120,10 @@ fn a_locked_panel_stays_folded() {
     let mut harness = ready_app([1200.0, 800.0]);
     let context = harness.ctx.clone();
     let app = harness.state_mut();
-    app.fold_panels(&context);
+    app.carry_out(&context, vec![Action::TogglePanels]);
     assert!(!app.screen.panels_open);
     Locks::default().with(Control::Panels).install(&context);
-    app.fold_panels(&context);
+    app.carry_out(&context, vec![Action::TogglePanels]);
     assert!(!app.screen.panels_open);
 }
 

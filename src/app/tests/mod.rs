@@ -2,6 +2,7 @@
 
 mod colour_vision;
 mod fitting;
+mod frame;
 mod language;
 mod locks;
 mod playing;

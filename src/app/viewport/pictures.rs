@@ -1,4 +1,4 @@
-//! The two pictures: how each side is seen in the plane and in space, the texture's image, and what is uploaded of them.
+//! The state of the two pictures: the cameras of each side, the texture's image, and the GPU's uploads.
 
 use super::cells::CellUploads;
 use super::gpu::Gpu;
@@ -10,22 +10,22 @@ use std::sync::Arc;
 
 /// An image that can be the texture.
 pub struct TextureImage {
-    /// The file's.
+    /// The file's name.
     pub name: String,
-    /// As the GPU has them, for pictures that are exported.
+    /// The same pixels as on the GPU, for exported pictures.
     pub pixels: Arc<RgbaImage>,
 }
 
-/// The state of the pictures that no session carries.
+/// The state of the pictures that is not part of a session.
 #[derive(Default)]
 pub struct Pictures {
-    /// `None` where nothing can be drawn by a GPU: then the pictures have their outlines only.
+    /// `None` without a graphics device: then the meshes are not drawn.
     pub gpu: Option<Gpu>,
-    /// How each side is seen while it is planar. A surface's side has one too: it gives the place on the screen.
+    /// The planar cameras, with the viewports' rectangles; a side that is a surface uses the rectangle only.
     pub views: PerSide<View>,
-    /// How each side is seen while it is a surface.
+    /// The cameras of sides that are surfaces.
     pub orbits: PerSide<OrbitView>,
     pub cells: CellUploads,
-    /// The last image that was opened.
+    /// The image that was opened last.
     pub image: Option<TextureImage>,
 }

@@ -2,7 +2,7 @@
 //!
 //! Closing a window stops its measurements: no further row is requested, and the result in flight is dropped.
 
-use crate::app::input::action::Report;
+use crate::app::input::action::{Action, Actions, Report};
 use crate::app::plots::convergence_chart;
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::close_button;
@@ -45,7 +45,8 @@ impl Reports {
         (self.open, self.waiting) = (Some(report), waiting);
     }
 
-    fn close(&mut self) {
+    /// Closes the window: what is under way is dropped when it comes.
+    pub fn close(&mut self) {
         *self = Self { is_abandoned: self.is_abandoned || self.running.is_some(), ..Self::default() };
     }
 
@@ -78,7 +79,7 @@ impl Reports {
     }
 
     /// Shows the open window, if there is one.
-    pub fn show(&mut self, context: &egui::Context) {
+    pub fn show(&self, context: &egui::Context, actions: &mut Actions) {
         let Some(report) = self.open else { return };
         let title = match report {
             Report::Bench => key::tables_of_paper(),
@@ -95,7 +96,7 @@ impl Reports {
             .default_size(vec2(780.0, 700.0).min(screen.size() - vec2(24.0, 90.0)))
             .show(context, |ui| self.content(ui, report));
         if !still_open || given_up {
-            self.close();
+            actions.push(Action::CloseReport);
         }
     }
 

@@ -59,6 +59,8 @@ script_not_loaded = das Skript ließ sich nicht laden
 no_page_to_draw_in = Es gibt keine Seite, in der gezeichnet werden könnte.
 page_without_canvas = Die Seite hat keine Zeichenfläche.
 no_such_row = diese Zeile gibt es nicht
+dialog_too_late = Der Browser hat seinen Dateidialog nicht geöffnet, weil der Klick zu lange her war. Die Schaltfläche noch einmal drücken.
+no_dialog = Der Dateidialog ließ sich nicht öffnen: { $reason }
 
 ## geometry
 

@@ -59,6 +59,8 @@ script_not_loaded = its script could not be loaded
 no_page_to_draw_in = There is no page to draw in.
 page_without_canvas = The page has no canvas.
 no_such_row = there is no such row
+dialog_too_late = The browser did not open its dialog for files, because the click was too long ago. Press the button again.
+no_dialog = The dialog for files could not be opened: { $reason }
 
 ## geometry
 

@@ -8,7 +8,7 @@ keys_of_labels! {
     another_answer, no_map, no_surface_from_file, no_surface_on_side, open_surface_file,
     // platform
     internal_error, no_folder, browser_stores_nothing, no_page, no_canvas_for_image, size_does_not_fit,
-    answer_unreadable, script_not_loaded, no_page_to_draw_in, page_without_canvas, no_such_row,
+    answer_unreadable, script_not_loaded, no_page_to_draw_in, page_without_canvas, no_such_row, dialog_too_late,
     // geometry
     polygon_zero_area,
     // outline
@@ -61,7 +61,7 @@ keys_of_messages! {
     surface_travels_as_file(name); surface_preparation_stopped(reason); no_disk_coordinates(side, reason);
     through_disk_fails(side, reason); file_unreadable(cause);
     // platform
-    no_image(cause); too_long_to_store(characters);
+    no_image(cause); too_long_to_store(characters); no_dialog(reason);
     // geometry
     polygon_too_few_points(count); polygon_too_many_points(limit, count); polygon_not_finite(index, x, y);
     polygon_too_far_out(index, x, y, limit); polygon_too_small(extent, limit);

@@ -18,20 +18,36 @@ thread_local! {
 
 /// Opens the file dialog and passes the chosen file to the app. The browser's dialog shows no label.
 ///
-/// The browser opens its dialog only within seconds of a click or a key press. The input element is not added to the
-/// page, so that it needs no style, which the page's content security policy would forbid.
+/// The browser opens its dialog only within seconds of a click or a key press, and ignores later requests without an
+/// error; so the time is checked first. The input element is not added to the page, so that it needs no style, which
+/// the page's content security policy would forbid.
 pub fn pick_file(purpose: FilePurpose, _label: &str, mailbox: Mailbox) {
     wasm_bindgen_futures::spawn_local(async move {
         match picked(purpose).await {
             Ok(Some(file)) => page::hand_over(purpose, file.name(), content(&file).await, &mailbox),
             Ok(None) => (),
-            Err(error) => log::error!("the file dialog: {}", error.english()),
+            Err(reason) => mailbox.post(Event::NoDialog(reason)),
         }
     });
 }
 
-/// The chosen file, or `None` if the dialog is cancelled.
+/// The chosen file, or `None` if the dialog is cancelled. Errors: the dialog cannot be opened, as a full sentence.
 async fn picked(purpose: FilePurpose) -> Result<Option<File>, Message> {
+    if !may_open_dialog() {
+        return Err(key::dialog_too_late().into());
+    }
+    shown_dialog(purpose).await.map_err(key::no_dialog)
+}
+
+/// Whether the last click or key press is recent enough for a dialog; `true` in browsers without `userActivation`.
+fn may_open_dialog() -> bool {
+    web_sys::window().is_none_or(|window| {
+        let activation = window.navigator().user_activation();
+        activation.is_undefined() || activation.is_active()
+    })
+}
+
+async fn shown_dialog(purpose: FilePurpose) -> Result<Option<File>, Message> {
     let document = web_sys::window().and_then(|window| window.document()).ok_or(key::no_page())?;
     let input = document.create_element("input")?.dyn_into::<HtmlInputElement>().map_err(JsValue::from)?;
     input.set_type("file");

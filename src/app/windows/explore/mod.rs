@@ -6,7 +6,7 @@ mod thumbnail;
 mod tour;
 mod window;
 
-use crate::app::input::action::{Actions, ExploreAction};
+use crate::app::input::action::{Action, Actions, ExploreAction};
 use crate::app::menus::figures_menu;
 use crate::language::tr;
 use crate::session::Session;
@@ -51,6 +51,7 @@ impl Explore {
             ExploreAction::Gallery => self.open(Window::Gallery),
             ExploreAction::Figures => self.open(Window::Figures),
             ExploreAction::Shortcuts => self.open(Window::Shortcuts),
+            ExploreAction::Close => self.window = None,
             ExploreAction::Tour(step) => return self.go_to(step, present, is_walking),
             ExploreAction::LeaveTour { keeps } => {
                 let Some(Tour { before, walked, .. }) = self.tour.take() else { return Consequences::default() };
@@ -111,7 +112,7 @@ impl Explore {
             Window::Shortcuts => shortcuts::show(ui),
         });
         if self.close.is_none() {
-            self.window = None;
+            actions.push(Action::Explore(ExploreAction::Close));
         }
     }
 

@@ -1,6 +1,6 @@
 //! The export window: chooses a kind of file, shows the progress of the job, and saves the result.
 
-use crate::app::input::action::{Action, Actions};
+use crate::app::input::action::{Action, Actions, ExportAction};
 use crate::app::theme::text_metrics::scroll_beyond;
 use crate::app::theme::widgets::{close_button, message_box};
 use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
@@ -133,7 +133,12 @@ impl Exporter {
         self.job.as_ref().map(Job::count)
     }
 
-    /// Draws the window if it is open. Closing it cancels the job.
+    /// Closes the window and cancels the job.
+    pub fn close(&mut self) {
+        (self.is_open, self.error, self.job) = (false, None, None);
+    }
+
+    /// Draws the window if it is open.
     pub fn show(&mut self, context: &egui::Context, around: Surroundings, actions: &mut Actions) {
         if !self.is_open {
             return;
@@ -157,9 +162,8 @@ impl Exporter {
                 ui.set_width(width);
                 self.content(ui, around, actions);
             });
-        if !(stays && self.is_open) {
-            (self.is_open, self.error) = (false, None);
-            actions.push(Action::CancelExport);
+        if !stays {
+            actions.push(Action::Export(ExportAction::Close));
         }
     }
 
@@ -180,7 +184,7 @@ impl Exporter {
         if let Some(error) = &self.error
             && message_box(ui, error, None, MOST_MESSAGE).is_some()
         {
-            self.error = None;
+            actions.push(Action::Export(ExportAction::DismissError));
         }
     }
 
@@ -194,7 +198,7 @@ impl Exporter {
                 let cancel = ui.add_sized([100.0, height], Button::new(tr(key::cancel())));
                 self.note(key::cancel().english(), &cancel);
                 if cancel.clicked() {
-                    actions.push(Action::CancelExport);
+                    actions.push(Action::Export(ExportAction::Cancel));
                 }
                 return;
             }
@@ -217,11 +221,13 @@ impl Exporter {
         let response = response.on_disabled_hover_text(tr(key::swap_waits()));
         self.note(key::save().english(), &response);
         if response.clicked() {
-            actions.push(Action::SaveExport);
+            actions.push(Action::Export(ExportAction::Save));
         }
         let close = close_button(ui);
         self.note(key::close().english(), &close);
-        self.is_open &= !close.clicked();
+        if close.clicked() {
+            actions.push(Action::Export(ExportAction::Close));
+        }
     }
 }
 
