@@ -23,7 +23,7 @@ impl RiemapApp {
         let timings = self.model.shown().map(|map| map.timings).unwrap_or_default();
         let compute = timings.kernel + timings.matching + timings.extend;
         self.screen.meter.tick(ui.input(|input| input.unstable_dt), cpu_usage, compute);
-        self.plots.begin_frame();
+        self.plots.begin_frame(&self.model);
         message_bar::begin(self, ui);
         let (arrangement, asked) = layout::show(self, ui);
         // what a hand moved comes before what a key or a panel asks: an undo takes it back, and not the other way round

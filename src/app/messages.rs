@@ -16,7 +16,7 @@ pub struct Notice {
 }
 
 impl Notice {
-    /// A notice shown from `now` on, for [`NOTICE_SECONDS`].
+    /// A notice shown from `now` on, for `NOTICE_SECONDS`.
     pub fn new(text: Label, now: f64) -> Self {
         Self { text, until: now + NOTICE_SECONDS }
     }

@@ -75,9 +75,10 @@ pub struct Plots {
 }
 
 impl Plots {
-    /// Forgets the place found in this frame and keeps it as that of the last one.
-    pub fn begin_frame(&mut self) {
+    /// Makes the place under the pointer that of the last frame, and brings the curves up to date.
+    pub fn begin_frame(&mut self, model: &Model) {
         self.in_plot = self.found.take();
+        self.update(model);
     }
 
     /// Applies the action of a switch.
@@ -181,7 +182,6 @@ impl Plots {
     }
 
     fn show_row(&mut self, ui: &mut Ui, model: &Model, actions: &mut Actions) {
-        self.update(model);
         let none = Overlays::default();
         let overlays = overlays_of(model).unwrap_or(&none);
         ui.spacing_mut().item_spacing.x = 18.0;
@@ -195,7 +195,6 @@ impl Plots {
 
     /// Shows one plot below a switch.
     pub fn show_one(&mut self, ui: &mut Ui, model: &Model, actions: &mut Actions) {
-        self.update(model);
         let none = Overlays::default();
         let overlays = overlays_of(model).unwrap_or(&none);
         let short = [(key::kernel(), 0), (key::measure(), 1), (key::reparam(), 2)];
