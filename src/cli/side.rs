@@ -148,7 +148,7 @@ pub fn read(name: &str, repair: bool) -> Result<Given, CliError> {
     let is_unknown = name.strip_prefix("preset:").is_some_and(|preset| Preset::from_str(preset).is_err());
     read_outline(name, repair).map(Given::Outline).map_err(|error| match error {
         CliError::Input(text) if is_unknown => {
-            let surfaces = SurfacePreset::ALL.map(|preset| preset.name()).join(", ");
+            let surfaces = SurfacePreset::ALL.map(SurfacePreset::name).join(", ");
             CliError::Input(format!("{text}; surfaces: {surfaces}"))
         }
         other => other,
