@@ -20,11 +20,7 @@ use std::sync::Arc;
 
 fn paper(preset: Preset) -> Option<PrepareSettings> {
     let count = preset.paper_samples()?;
-    Some(PrepareSettings {
-        sampling: Sampling::Uniform { count, keep_corners: false },
-        sizing: Sizing::Uniform,
-        ..PrepareSettings::default()
-    })
+    Some(PrepareSettings::new(Sampling::Uniform { count, keep_corners: false }, Sizing::Uniform))
 }
 
 fn preparation(criterion: &mut Criterion) {

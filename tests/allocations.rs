@@ -61,7 +61,7 @@ fn between_outlines() {
         )
     };
     for direction in [Direction::Forward, Direction::Backward] {
-        let settings = MapSettings { direction, extension: Extension::Harmonic };
+        let settings = MapSettings::new(direction, Extension::Harmonic);
         let mut map = ConformalMap::new(Arc::clone(&source), Arc::clone(&target), &at(0.0), settings).unwrap();
         map.update(&at(0.01), settings).unwrap();
         let region = Region::new(ALLOCATOR);

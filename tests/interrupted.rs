@@ -24,7 +24,7 @@ const MODES: [(SolverKind, KernelMode); 3] = [
 
 fn domain(preset: Preset, (solver, kernel): (SolverKind, KernelMode)) -> Arc<PreparedSide> {
     let sampling = Sampling::Adaptive { target: Some(300) };
-    let settings = PrepareSettings { sampling, solver, kernel, ..PrepareSettings::default() };
+    let settings = PrepareSettings::default().with_sampling(sampling).with_solver(solver).with_kernel(kernel);
     domains::domain(preset, settings)
 }
 
@@ -63,7 +63,7 @@ fn a_map_in_pieces_is_the_map_at_once_and_never_torn() {
             (1.0, Direction::Forward, Extension::Harmonic),
             (2.0, Direction::Forward, Extension::CauchyGreen),
         ] {
-            let (at, settings) = (constraints(&source, &target, t), MapSettings { direction, extension });
+            let (at, settings) = (constraints(&source, &target, t), MapSettings::new(direction, extension));
             whole.update(&at, settings).unwrap();
             let steps = step_by_step(&mut pieces, &at, settings);
             assert!(steps > 3, "{mode:?}, {t}: {steps} steps");
@@ -126,7 +126,7 @@ fn a_surface_in_pieces_is_the_surface_at_once() {
     for solver in [SolverKind::Direct, SolverKind::Pcg] {
         let source = domain(Preset::Disk, (SolverKind::Direct, KernelMode::Adjoint));
         let surface = SurfaceMesh::new(&SurfacePreset::ALL[0].surface(120).unwrap()).unwrap();
-        let settings = SurfaceSettings { solver, ..SurfaceSettings::default() };
+        let settings = SurfaceSettings::default().with_solver(solver);
         let surface = Arc::new(prepare_surface(surface, settings, &mut |_| ()).unwrap());
         let at = |anchor: f64| {
             Constraints::new(

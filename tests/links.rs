@@ -62,7 +62,7 @@ fn domain() -> impl Strategy<Value = DomainSpec> {
     let sizing = prop_oneof![Just(Sizing::Uniform), GROWTH.prop_map(Sizing::Graded)];
     (outline, sampling, sizing, kernel(), solver()).prop_map(|(outline, sampling, sizing, kernel, solver)| DomainSpec {
         outline,
-        settings: PrepareSettings { sampling, sizing, kernel, solver },
+        settings: PrepareSettings::new(sampling, sizing).with_kernel(kernel).with_solver(solver),
     })
 }
 
@@ -81,8 +81,9 @@ fn surface() -> impl Strategy<Value = (SurfaceSpec, SidePoints)> {
             .prop_map(|(preset, boundary)| SurfaceShape::Preset { preset, boundary }),
         "[a-z]{1,20}\\.obj".prop_map(|name| SurfaceShape::File { name }),
     ];
-    let settings = (any::<bool>(), kernel(), solver())
-        .prop_map(|(intrinsic_delaunay, kernel, solver)| SurfaceSettings { intrinsic_delaunay, kernel, solver });
+    let settings = (any::<bool>(), kernel(), solver()).prop_map(|(flips, kernel, solver)| {
+        SurfaceSettings::default().with_intrinsic_delaunay(flips).with_kernel(kernel).with_solver(solver)
+    });
     let point = (any::<u32>(), 0.0..1.0, 0.0..1.0).prop_map(|(triangle, a, b): (u32, f64, f64)| {
         let weights = [a * b, a * (1.0 - b), 1.0 - a];
         BarycentricPoint { triangle, weights }

@@ -15,14 +15,10 @@ use riemap::mesh::{Sizing, locate};
 use riemap::outline::{Preset, Sampling};
 use support::domains::domain;
 
-const COARSE: PrepareSettings = PrepareSettings {
-    sampling: Sampling::Uniform { count: 150, keep_corners: true },
-    sizing: Sizing::Uniform,
-    kernel: KernelMode::Adjoint,
-    solver: SolverKind::Direct,
-};
-const TABLE: PrepareSettings = PrepareSettings { kernel: KernelMode::Table, ..COARSE };
-const PCG: PrepareSettings = PrepareSettings { solver: SolverKind::Pcg, ..COARSE };
+const COARSE: PrepareSettings =
+    PrepareSettings::new(Sampling::Uniform { count: 150, keep_corners: true }, Sizing::Uniform);
+const TABLE: PrepareSettings = COARSE.with_kernel(KernelMode::Table);
+const PCG: PrepareSettings = COARSE.with_solver(SolverKind::Pcg);
 
 fn outline<'a>(polygon: &'a SimplePolygon, settings: &'a PrepareSettings) -> Unprepared<'a> {
     Unprepared::Outline { polygon, settings }
@@ -80,7 +76,7 @@ fn table_above_the_budget_is_refused_with_what_fits() {
     let whole = domain(Preset::Heart, TABLE);
     let (n, m) = (whole.interior_count(), whole.boundary_count());
     let bytes = HarmonicTable::bytes(n, m);
-    let memory = Memory { table_bytes: bytes / 8, ..Memory::default() };
+    let memory = Memory::default().with_table_bytes(bytes / 8);
     let error = prepare_within(memory, outline(&polygon, &TABLE), &mut |_| ()).unwrap_err();
     println!("{error}");
     let PrepareError::Table(TableError::TooLarge { bytes: stated, fitting_samples, .. }) = error else {
@@ -89,7 +85,7 @@ fn table_above_the_budget_is_refused_with_what_fits() {
     assert_eq!(stated, bytes);
     // n·m = O(m³): an eighth of the memory suffices for the table of half the samples
     let sampling = Sampling::Uniform { count: fitting_samples as u32, keep_corners: true };
-    let fitting = prepare_within(memory, outline(&polygon, &PrepareSettings { sampling, ..TABLE }), &mut |_| ());
+    let fitting = prepare_within(memory, outline(&polygon, &TABLE.with_sampling(sampling)), &mut |_| ());
     assert!(fitting.is_ok() && fitting_samples.abs_diff(m / 2) <= 1, "{fitting_samples} of {m}: {:?}", fitting.err());
 }
 
@@ -97,8 +93,8 @@ fn table_above_the_budget_is_refused_with_what_fits() {
 fn the_advice_for_a_graded_mesh_fits() {
     let polygon = Preset::Heart.outline().polygon;
     let sampling = |count| Sampling::Uniform { count, keep_corners: true };
-    let graded = |count| PrepareSettings { sampling: sampling(count), sizing: Sizing::Graded(0.1), ..TABLE };
-    let memory = Memory { table_bytes: 2_000_000, ..Memory::default() };
+    let graded = |count| TABLE.with_sampling(sampling(count)).with_sizing(Sizing::Graded(0.1));
+    let memory = Memory::default().with_table_bytes(2_000_000);
     let error = prepare_within(memory, outline(&polygon, &graded(600)), &mut |_| ()).unwrap_err();
     let PrepareError::Table(TableError::TooLarge { fitting_samples, .. }) = error else { panic!("{error}") };
     let fitting = prepare_within(memory, outline(&polygon, &graded(fitting_samples as u32)), &mut |_| ());
@@ -132,7 +128,7 @@ fn agree_with_the_iterative_solver(preset: Preset) {
 #[test]
 fn factor_above_the_budget_gives_way_to_the_iterative_solver() {
     let polygon = Preset::Blob.outline().polygon;
-    let memory = Memory { factor_bytes: 10_000, ..Memory::default() };
+    let memory = Memory::default().with_factor_bytes(10_000);
     let domain = prepare_within(memory, outline(&polygon, &COARSE), &mut |_| ()).unwrap();
     assert_eq!(domain.solver().kind(), SolverKind::Pcg);
 }

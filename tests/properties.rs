@@ -30,7 +30,7 @@ fn settings() -> impl Strategy<Value = PrepareSettings> {
         (60_u32..300, any::<bool>()).prop_map(|(count, keep_corners)| Sampling::Uniform { count, keep_corners });
     let sampling = prop_oneof![Just(Sampling::default()), uniform];
     let sizing = prop_oneof![Just(Sizing::default()), Just(Sizing::Uniform), (0.05_f64..0.5).prop_map(Sizing::Graded)];
-    (sampling, sizing).prop_map(|(sampling, sizing)| PrepareSettings { sampling, sizing, ..PrepareSettings::default() })
+    (sampling, sizing).prop_map(|(sampling, sizing)| PrepareSettings::new(sampling, sizing))
 }
 
 /// A domain, or `None` if uniform samples are too few for the spikes, which is a typed error.

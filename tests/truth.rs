@@ -18,11 +18,7 @@ use support::data::exact_values;
 use support::domains::domain;
 
 fn uniform(count: u32) -> PrepareSettings {
-    PrepareSettings {
-        sampling: Sampling::Uniform { count, keep_corners: false },
-        sizing: Sizing::Uniform,
-        ..PrepareSettings::default()
-    }
+    PrepareSettings::new(Sampling::Uniform { count, keep_corners: false }, Sizing::Uniform)
 }
 
 const BLOB_CENTRE: DVec2 = DVec2::new(2.677_813_229_026_218, 2.466_851_711_366_240_7);
@@ -36,10 +32,10 @@ fn v_to_blob(source: PrepareSettings, target: PrepareSettings) -> ConformalMap {
 
 /// The four mappings of the paper's Figure 8.
 const FOUR_MAPPINGS: [MapSettings; 4] = [
-    MapSettings { direction: Direction::Forward, extension: Extension::Harmonic },
-    MapSettings { direction: Direction::Forward, extension: Extension::CauchyGreen },
-    MapSettings { direction: Direction::Backward, extension: Extension::Harmonic },
-    MapSettings { direction: Direction::Backward, extension: Extension::CauchyGreen },
+    MapSettings::new(Direction::Forward, Extension::Harmonic),
+    MapSettings::new(Direction::Forward, Extension::CauchyGreen),
+    MapSettings::new(Direction::Backward, Extension::Harmonic),
+    MapSettings::new(Direction::Backward, Extension::CauchyGreen),
 ];
 
 fn complete_map(
@@ -327,8 +323,7 @@ fn spread(distances: impl Iterator<Item = f64>, samples: &[DVec2]) -> [f64; 2] {
 /// `[f̃ to f̂ forward, f̃ to f̂ backward, forward and back with f̃, with f̂]` at m samples.
 fn figure_8_differences(m: u32) -> [[f64; 2]; 4] {
     let sampling = Sampling::Uniform { count: m, keep_corners: true };
-    let settings =
-        PrepareSettings { sampling, sizing: Sizing::Graded(15.0 / f64::from(m)), ..PrepareSettings::default() };
+    let settings = PrepareSettings::new(sampling, Sizing::Graded(15.0 / f64::from(m)));
     let (source, target) = (domain(Preset::Gingerbread, settings), domain(Preset::Blob, settings));
     let constraints = Constraints::new((source.default_point(), 0.0), (target.default_point(), 0.0));
     let [forward, forward_cauchy, backward, backward_cauchy] =

@@ -134,11 +134,7 @@ fn measure_does_not_depend_on_the_first_sample() {
 }
 
 fn prepared(preset: Preset) -> Arc<PreparedSide> {
-    let settings = PrepareSettings {
-        sampling: Sampling::Uniform { count: 800, keep_corners: true },
-        sizing: Sizing::Graded(0.1),
-        ..PrepareSettings::default()
-    };
+    let settings = PrepareSettings::new(Sampling::Uniform { count: 800, keep_corners: true }, Sizing::Graded(0.1));
     domain(preset, settings)
 }
 
@@ -219,11 +215,7 @@ fn precomputed_map_collapses_on_the_v_shape() {
     assert!(max > 0.2 && mean > 0.05, "it works after all: max {max}, mean {mean}");
     assert!(moved.from_anchor().iter().all(|w| (0.0..=1.0).contains(w)));
 
-    let settings = PrepareSettings {
-        sampling: Sampling::Uniform { count: 1000, keep_corners: false },
-        sizing: Sizing::Graded(0.1),
-        ..PrepareSettings::default()
-    };
+    let settings = PrepareSettings::new(Sampling::Uniform { count: 1000, keep_corners: false }, Sizing::Graded(0.1));
     let v = domain(Preset::VShape, settings);
     let psi = kernel(&v, V_POINT);
     let least = psi.iter().copied().fold(f64::INFINITY, f64::min);

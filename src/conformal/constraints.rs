@@ -89,6 +89,13 @@ impl<T> PerSide<T> {
     }
 }
 
+impl<T> From<[T; 2]> for PerSide<T> {
+    /// The source's value, then the target's.
+    fn from([source, target]: [T; 2]) -> Self {
+        Self { source, target }
+    }
+}
+
 impl<T> PerSide<Option<T>> {
     /// Both values, if both are there.
     pub fn both(self) -> Option<PerSide<T>> {
@@ -147,11 +154,19 @@ impl Direction {
 
 /// Which mesh is mapped, and how its inside follows the boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct MapSettings {
     /// Which mesh is mapped.
     pub direction: Direction,
     /// How the boundary map is extended into it.
     pub extension: Extension,
+}
+
+impl MapSettings {
+    /// A direction and an extension.
+    pub const fn new(direction: Direction, extension: Extension) -> Self {
+        Self { direction, extension }
+    }
 }
 
 impl From<Direction> for MapSettings {

@@ -30,6 +30,7 @@ const AREA_LIMIT: f64 = 128.0;
 
 /// Angle distortion of the mapped mesh, `Q = σ₁/σ₂` per triangle.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct Quality {
     /// Mean of Q, weighted by the area in the mapped mesh; 1 is conformal.
     pub q_mean: f64,
@@ -44,6 +45,7 @@ pub struct Quality {
 
 /// What the map does to one triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct TriangleDistortion {
     /// `Q = σ₁/σ₂ ≥ 1`, at most 1e9; 1 where the triangle is collapsed.
     pub q: f64,

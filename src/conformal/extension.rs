@@ -7,6 +7,7 @@ use crate::laplace::{Deadline, Lanes, NotConverged, SolveRun};
 /// How the boundary map is extended into the mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Extension {
     /// f̃ of equation (14): discrete harmonic, interpolates the boundary. One solve.
     #[default]

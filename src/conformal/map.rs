@@ -29,6 +29,7 @@ use web_time::Instant;
 /// What an update took, in milliseconds; a stage that was not needed took 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 #[allow(missing_docs, reason = "the fields are the stages")]
+#[non_exhaustive]
 pub struct FrameTimings {
     pub kernel: f64,
     #[serde(rename = "match")]

@@ -89,6 +89,7 @@ impl MapError {
 /// What is to be known of a surface under a map: boundary edges whose images are points, as far as f64 tells; between
 /// two surfaces, whose images in the unit disk are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MapNote {
     /// They have no harmonic measure.
     #[error("{}", counted!(

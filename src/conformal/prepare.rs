@@ -15,6 +15,7 @@ use web_time::Instant;
 
 /// How a domain is discretised.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct PrepareSettings {
     /// How the boundary is sampled.
     pub sampling: Sampling,
@@ -28,9 +29,41 @@ pub struct PrepareSettings {
     pub solver: SolverKind,
 }
 
+impl PrepareSettings {
+    /// The direct solver, and a kernel by adjoint solves.
+    pub const fn new(sampling: Sampling, sizing: Sizing) -> Self {
+        Self { sampling, sizing, kernel: KernelMode::Adjoint, solver: SolverKind::Direct }
+    }
+
+    /// The same with another sampling.
+    #[must_use]
+    pub const fn with_sampling(self, sampling: Sampling) -> Self {
+        Self { sampling, ..self }
+    }
+
+    /// The same with another sizing.
+    #[must_use]
+    pub const fn with_sizing(self, sizing: Sizing) -> Self {
+        Self { sizing, ..self }
+    }
+
+    /// The same with another way to the kernel.
+    #[must_use]
+    pub const fn with_kernel(self, kernel: KernelMode) -> Self {
+        Self { kernel, ..self }
+    }
+
+    /// The same with another solver.
+    #[must_use]
+    pub const fn with_solver(self, solver: SolverKind) -> Self {
+        Self { solver, ..self }
+    }
+}
+
 /// How the kernel at a point is computed; the numbers are the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum KernelMode {
     /// By one adjoint solve for each new point.
     #[default]
@@ -41,11 +74,26 @@ pub enum KernelMode {
 
 /// What a preparation may take of the memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Memory {
     /// For the factor of L̂; above it the iterative solver serves.
     pub factor_bytes: u64,
     /// For the table of harmonic coordinates; above it the preparation is refused.
     pub table_bytes: u64,
+}
+
+impl Memory {
+    /// The same with another limit for the factor.
+    #[must_use]
+    pub const fn with_factor_bytes(self, factor_bytes: u64) -> Self {
+        Self { factor_bytes, ..self }
+    }
+
+    /// The same with another limit for the table.
+    #[must_use]
+    pub const fn with_table_bytes(self, table_bytes: u64) -> Self {
+        Self { table_bytes, ..self }
+    }
 }
 
 impl Default for Memory {
@@ -60,6 +108,7 @@ impl Default for Memory {
 /// A stage of the preparation, for progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Stage {
     /// Reading a surface and checking what it is.
     Read,
@@ -83,6 +132,7 @@ pub enum Stage {
 /// How long each stage took, in milliseconds.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 #[allow(missing_docs, reason = "the fields are the stages")]
+#[non_exhaustive]
 pub struct PrepareTimings {
     pub sample: f64,
     pub mesh: f64,
@@ -101,6 +151,7 @@ impl PrepareTimings {
 
 /// Why a side could not be prepared.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PrepareError {
     /// The boundary could not be sampled.
     #[error(transparent)]
@@ -118,6 +169,7 @@ pub enum PrepareError {
 
 /// How a surface is discretised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct SurfaceSettings {
     /// Whether edges are flipped to the intrinsic Delaunay triangulation.
     pub intrinsic_delaunay: bool,
@@ -129,6 +181,26 @@ pub struct SurfaceSettings {
     pub solver: SolverKind,
 }
 
+impl SurfaceSettings {
+    /// The same with flips to the intrinsic Delaunay triangulation, or without.
+    #[must_use]
+    pub const fn with_intrinsic_delaunay(self, intrinsic_delaunay: bool) -> Self {
+        Self { intrinsic_delaunay, ..self }
+    }
+
+    /// The same with another way to the kernel.
+    #[must_use]
+    pub const fn with_kernel(self, kernel: KernelMode) -> Self {
+        Self { kernel, ..self }
+    }
+
+    /// The same with another solver.
+    #[must_use]
+    pub const fn with_solver(self, solver: SolverKind) -> Self {
+        Self { solver, ..self }
+    }
+}
+
 impl Default for SurfaceSettings {
     fn default() -> Self {
         Self { intrinsic_delaunay: true, kernel: KernelMode::default(), solver: SolverKind::default() }
@@ -137,6 +209,7 @@ impl Default for SurfaceSettings {
 
 /// What is to be prepared, and how.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum Unprepared<'a> {
     /// The inside of an outline.
     Outline {

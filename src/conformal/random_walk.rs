@@ -24,6 +24,7 @@ pub const MAX_JUMPS: u32 = 10_000;
 
 /// Why walks can't start.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum WalkError {
     /// The start is not inside the boundary.
     #[error("the start ({x}, {y}) of the random walks is not inside the outline as it is sampled")]
@@ -40,6 +41,7 @@ pub enum WalkError {
 
 /// A circle of a walk: the largest one inside the domain about its centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct WalkCircle {
     /// Where the walk is.
     pub centre: DVec2,
@@ -49,6 +51,7 @@ pub struct WalkCircle {
 
 /// One step of a walk.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum WalkStep {
     /// It jumped to the centre of this circle, a point of the circle before.
     Jump(WalkCircle),

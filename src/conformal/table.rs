@@ -24,6 +24,7 @@ pub struct HarmonicTable {
 
 /// Why there is no table.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum TableError {
     /// It is larger than the memory that it may take.
     #[error(

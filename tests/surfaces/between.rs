@@ -197,7 +197,7 @@ fn a_flat_mesh_is_its_domain_on_either_side() {
             let at = Constraints::new(heart, (point, anchors.0));
             let planar = map(&other, &flat, &at, Direction::Backward);
             let at = Constraints::new(heart, (on_surface, anchors.1));
-            let settings = MapSettings { direction: asked, extension: Extension::CauchyGreen };
+            let settings = MapSettings::new(asked, Extension::CauchyGreen);
             let mapped = ConformalMap::new(other.clone(), surface.clone(), &at, settings).unwrap();
             assert_eq!(mapped.extension(), Extension::Harmonic);
             same(&planar, &mapped);

@@ -28,6 +28,7 @@ fn told(map: &ConformalMap) -> [usize; 2] {
     let heights: Vec<f64> = mesh.triangles.iter().map(height).collect();
     let edges = match map.note(map.mapped_side()) {
         Some(MapNote::NoMeasure { edges } | MapNote::NegativeKernel { edges }) => edges,
+        Some(note) => panic!("{note}"),
         None => 0,
     };
     let told = [edges, map.quality().collapsed as usize];
@@ -40,7 +41,7 @@ fn told(map: &ConformalMap) -> [usize; 2] {
 }
 
 fn with_solver(mesh: &SurfaceMesh, solver: SolverKind) -> Arc<PreparedSide> {
-    let settings = SurfaceSettings { solver, ..SurfaceSettings::default() };
+    let settings = SurfaceSettings::default().with_solver(solver);
     Arc::new(prepare_surface(mesh.clone(), settings, &mut |_| ()).unwrap())
 }
 
@@ -98,7 +99,7 @@ fn parts_without_inner_vertices_to_the_point_coincide_and_are_reported() {
 fn rectangle(width: f64, height: f64, count: u32) -> Arc<PreparedSide> {
     let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]].map(DVec2::from_array);
     let sampling = Sampling::Uniform { count, keep_corners: true };
-    let settings = PrepareSettings { sampling, sizing: Sizing::Uniform, ..PrepareSettings::default() };
+    let settings = PrepareSettings::new(sampling, Sizing::Uniform);
     Arc::new(prepare(&SimplePolygon::try_from(corners.to_vec()).unwrap(), &settings, &mut |_| ()).unwrap())
 }
 
@@ -136,7 +137,7 @@ fn where_the_kernel_is_negative_the_note_says_so() {
     let needles = folded(12, 40, |i| f64::from(i % 2) - 0.5);
     let sheared = |p: &DVec3| DVec3::new(p.x + 1.7 * p.y, p.y, p.z);
     let needles = surface_of(needles.vertices.iter().map(sheared).collect(), needles.triangles);
-    let given = prepared(&needles, SurfaceSettings { intrinsic_delaunay: false, ..SurfaceSettings::default() });
+    let given = prepared(&needles, SurfaceSettings::default().with_intrinsic_delaunay(false));
     let mesh = given.surface().unwrap().mesh();
     let source = disk();
     let mut map = default_map(given.clone());

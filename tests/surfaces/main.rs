@@ -23,18 +23,14 @@ use std::sync::Arc;
 use support::domains;
 
 fn domain(preset: Preset, count: u32) -> Arc<PreparedSide> {
-    let settings = PrepareSettings {
-        sampling: Sampling::Uniform { count, keep_corners: true },
-        sizing: Sizing::Uniform,
-        ..PrepareSettings::default()
-    };
+    let settings = PrepareSettings::new(Sampling::Uniform { count, keep_corners: true }, Sizing::Uniform);
     domains::domain(preset, settings)
 }
 
 fn disk() -> Arc<PreparedSide> {
     // the polygon's error relative to the circle is (2π/m)²/8 = 1e-6
     let sampling = Sampling::Uniform { count: 2000, keep_corners: false };
-    let settings = PrepareSettings { sampling, ..PrepareSettings::default() };
+    let settings = PrepareSettings::default().with_sampling(sampling);
     domains::domain(Preset::Disk, settings)
 }
 
@@ -252,7 +248,7 @@ fn flipped_surfaces_have_positive_kernels_and_ordered_boundaries() {
     let sheared = |p: &DVec3| DVec3::new(p.x + 1.7 * p.y, p.y, p.z);
     let needles = surface_of(needles.vertices.iter().map(sheared).collect(), needles.triangles);
     let flipped = prepared(&needles, SurfaceSettings::default());
-    let given = prepared(&needles, SurfaceSettings { intrinsic_delaunay: false, ..SurfaceSettings::default() });
+    let given = prepared(&needles, SurfaceSettings::default().with_intrinsic_delaunay(false));
     println!("{:?}", flipped.surface().unwrap().flips());
     assert!(
         flipped.surface().unwrap().flips().negative_before > 0
@@ -287,8 +283,8 @@ fn modes_and_repeated_updates_agree() {
     let source = domain(Preset::Star, 300);
     let surface = SurfacePreset::HeightField.surface(100).unwrap();
     let direct = prepared(&surface, SurfaceSettings::default());
-    let table = prepared(&surface, SurfaceSettings { kernel: KernelMode::Table, ..SurfaceSettings::default() });
-    let pcg = prepared(&surface, SurfaceSettings { solver: SolverKind::Pcg, ..SurfaceSettings::default() });
+    let table = prepared(&surface, SurfaceSettings::default().with_kernel(KernelMode::Table));
+    let pcg = prepared(&surface, SurfaceSettings::default().with_solver(SolverKind::Pcg));
     let first = constraints(&direct, &source);
     let second = first
         .with_point(Side::Target, BarycentricPoint { triangle: 1000, weights: [0.5, 0.0, 0.5] })
@@ -314,7 +310,7 @@ fn prepared_surfaces_survive_the_trip_through_flat_arrays() {
         (KernelMode::Table, SolverKind::Direct),
         (KernelMode::Adjoint, SolverKind::Pcg),
     ] {
-        let settings = SurfaceSettings { kernel, solver, ..SurfaceSettings::default() };
+        let settings = SurfaceSettings::default().with_kernel(kernel).with_solver(solver);
         let whole = prepare_surface(repaired.clone(), settings, &mut |_| ()).unwrap();
         let back = PreparedSide::from_buffers(whole.to_buffers()).unwrap();
         let [there, here] = [&back, &whole].map(|side| side.surface().unwrap());

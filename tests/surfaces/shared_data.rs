@@ -74,7 +74,7 @@ fn cow_and_face_are_as_conformal_as_by_boundary_first_flattening() {
     for (name, expected) in [("cowhead.obj", 1.0581), ("face.obj", 1.0393)] {
         let surface = read(name);
         for intrinsic_delaunay in [true, false] {
-            let surface = prepared(&surface, SurfaceSettings { intrinsic_delaunay, ..SurfaceSettings::default() });
+            let surface = prepared(&surface, SurfaceSettings::default().with_intrinsic_delaunay(intrinsic_delaunay));
             let (default, least) = (default_map(surface.clone()).quality(), least_quality(&surface, 60));
             println!(
                 "{name}: {:?}, {default:?}, the least of 60 points {least:.5}",

@@ -42,6 +42,7 @@ const LEAST_TERMS_PER_TASK: usize = 1 << 13;
 /// Where γ comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum CauchyGreenMode {
     /// Γ is kept in f32: a product per map. Images are within 1e-6 of the extent of the f64 ones.
     Stored,
