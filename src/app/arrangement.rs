@@ -36,13 +36,13 @@ impl Arrangement {
     }
 
     /// The places of source and target.
-    pub fn divide(self, rect: Rect) -> [Rect; 2] {
+    pub fn divide(self, rect: Rect) -> PerSide<Rect> {
         if self.stacked {
             let y = rect.center().y.round();
-            [Rect::from_min_max(rect.min, pos2(rect.right(), y)), Rect::from_min_max(pos2(rect.left(), y), rect.max)]
+            PerSide::new(rect.with_max_y(y), rect.with_min_y(y))
         } else {
             let x = rect.center().x.round();
-            [Rect::from_min_max(rect.min, pos2(x, rect.bottom())), Rect::from_min_max(pos2(x, rect.top()), rect.max)]
+            PerSide::new(rect.with_max_x(x), rect.with_min_x(x))
         }
     }
 

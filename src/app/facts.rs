@@ -5,7 +5,7 @@ use crate::app::overlays;
 use crate::app::status::stats::{HandlePositions, PlotStats, ScreenStats, Stats, WindowStats};
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::Windows;
-use crate::conformal::{Extension, Side};
+use crate::conformal::{Extension, PerSide, Side};
 use crate::language::Message;
 use crate::model::Processor;
 
@@ -24,7 +24,7 @@ impl RiemapApp {
             handles: self.handle_positions(),
             editing: editing::stats(&self.editor, &self.pictures.views),
             plots: PlotStats {
-                marked_boundary: self.plots.marked(),
+                marked_boundary: self.plots.marked().map(PerSide::into_array),
                 exact_difference: self.plots.exact().map(|exact| exact.difference),
             },
             windows: self.window_stats(),

@@ -55,7 +55,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement) -> Actio
 fn place_views(app: &mut RiemapApp, ui: &Ui, arrangement: Arrangement) {
     let rects = arrangement.divide(ui.max_rect());
     for side in Side::BOTH {
-        let rect = rects[side as usize];
+        let rect = rects[side];
         let margins = arrangement.margins(app, ui, side, rect);
         let view = &mut app.pictures.views[side];
         view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
@@ -134,7 +134,7 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
 /// The dots, what a plot points at, and what is edited.
 fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
     let view = &app.pictures.views[side];
-    let marked = app.plots.marked().map(|marked| marked[side as usize]);
+    let marked = app.plots.marked().map(|marked| marked[side]);
     if app.editor.drawing(side).is_some() {
         // the dots are those of the outline under the sheet
     } else if is_solid(app, side) {

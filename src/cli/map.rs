@@ -163,7 +163,7 @@ impl Scene<'_> {
     fn picture(&self, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
         let Self { map, constraints, names } = self;
         match panels(map, constraints) {
-            Some(panels) => picture::png(&panels, GRID_CELLS, size),
+            Some(panels) => picture::png(&panels.into_array(), GRID_CELLS, size),
             None if map.is_through_disk() => surface_picture::png_of_two(*names, map, constraints, size),
             None => {
                 let side = map.mapped_side();

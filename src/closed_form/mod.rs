@@ -21,7 +21,7 @@ mod measure;
 pub use arc_length::ArcLength;
 pub use measure::ExactMeasure;
 
-use crate::conformal::{Constraints, Side};
+use crate::conformal::{Constraints, PerSide, Side};
 use crate::geometry::DVec2;
 use crate::outline::Preset;
 use crate::session::{OutlineSpec, Session};
@@ -31,38 +31,37 @@ use crate::session::{OutlineSpec, Session};
 /// Boundary points are given by their arc lengths from the anchor as fractions of the whole, in `[0, 1]`.
 #[derive(Debug, Clone)]
 pub struct ExactMap {
-    sides: [Anchored; 2],
+    sides: PerSide<Anchored>,
 }
 
 impl ExactMap {
     /// The map of a session whose domains have these poles; `None` if it is not known. See [`Self::between`].
-    pub fn of_session(session: &Session, poles: [DVec2; 2]) -> Option<Self> {
+    pub fn of_session(session: &Session, poles: PerSide<DVec2>) -> Option<Self> {
         Self::between(Self::presets(session)?, &session.constraints(poles))
     }
 
     /// The presets of a session's outlines; `None` if one is loaded.
-    pub fn presets(session: &Session) -> Option<[Preset; 2]> {
+    pub fn presets(session: &Session) -> Option<PerSide<Preset>> {
         let preset = |outline: &OutlineSpec| match outline {
             OutlineSpec::Preset(preset) => Some(*preset),
             OutlineSpec::Points { .. } => None,
         };
-        let [source, target] = Side::BOTH.map(|side| preset(&session.domain(side).outline));
-        Some([source?, target?])
+        PerSide::from_fn(|side| preset(&session.domain(side).outline)).both()
     }
 
     /// The map from one preset to another; `None` if it is not known in closed form, an
     /// interior point is not inside its curve, or an anchor is not finite. Cost: about 1000 evaluations per side.
-    pub fn between(presets: [Preset; 2], constraints: &Constraints) -> Option<Self> {
+    pub fn between(presets: PerSide<Preset>, constraints: &Constraints) -> Option<Self> {
         let anchored = |side: Side| {
-            let measure = ExactMeasure::new(presets[side as usize], constraints.points[side].in_plane()?)?;
+            let measure = ExactMeasure::new(presets[side], constraints.points[side].in_plane()?)?;
             Anchored::new(measure, constraints.anchors[side])
         };
-        Some(Self { sides: [anchored(Side::Source)?, anchored(Side::Target)?] })
+        Some(Self { sides: PerSide::from_fn(anchored).both()? })
     }
 
     /// ω of a side at `x`: 0 at 0, 1 at 1, non-decreasing up to rounding.
     pub fn measure(&self, side: Side, x: f64) -> f64 {
-        self.sides[side as usize].at(x)
+        self.sides[side].at(x)
     }
 
     /// r: the image on the other side of the point at `x`; 0 at 0, 1 at 1, non-decreasing up to rounding.
@@ -70,7 +69,7 @@ impl ExactMap {
         match x {
             x if x <= 0.0 => 0.0,
             x if x >= 1.0 => 1.0,
-            x => self.sides[from.other() as usize].inverse_at(self.measure(from, x)),
+            x => self.sides[from.other()].inverse_at(self.measure(from, x)),
         }
     }
 }

@@ -71,7 +71,7 @@ fn the_top_side_of_the_square_has_the_measure_of_its_fourier_series() {
 #[test]
 fn on_the_disk_it_is_the_moebius_map_of_figure_7() {
     let [x1, x2] = [DVec2::new(0.6, 0.2), DVec2::new(0.0, -0.5)];
-    let map = ExactMap::between([Preset::Disk; 2], &constraints([x1, x2], [0.0, 0.0])).unwrap();
+    let map = ExactMap::between([Preset::Disk; 2].into(), &constraints([x1, x2], [0.0, 0.0])).unwrap();
     for k in 1..200 {
         let x = f64::from(k) / 200.0;
         let image = disk::figure_7(Complex::cis(TAU * x)).arg().rem_euclid(TAU) / TAU;
@@ -85,7 +85,7 @@ fn there_and_back_is_the_identity_under_any_constraints() {
     for source in KNOWN {
         for target in KNOWN {
             let points = [points(source)[1], points(target)[0]];
-            let map = ExactMap::between([source, target], &constraints(points, [0.3, -0.45])).unwrap();
+            let map = ExactMap::between(PerSide::new(source, target), &constraints(points, [0.3, -0.45])).unwrap();
             for (from, x) in Side::BOTH.into_iter().flat_map(|side| (0..=60).map(move |k| (side, f64::from(k) / 60.0)))
             {
                 let there = map.reparameterisation(from, x);
@@ -107,21 +107,24 @@ fn there_and_back_is_the_identity_under_any_constraints() {
 fn maps_without_a_closed_form_are_none() {
     let at = |x: DVec2| constraints([x, DVec2::ZERO], [0.0; 2]);
     for preset in Preset::ALL {
-        let map = ExactMap::between([Preset::Disk, preset], &constraints([DVec2::ZERO, points(preset)[0]], [0.0; 2]));
+        let map = ExactMap::between(
+            PerSide::new(Preset::Disk, preset),
+            &constraints([DVec2::ZERO, points(preset)[0]], [0.0; 2]),
+        );
         assert_eq!(map.is_some(), KNOWN.contains(&preset), "{preset}");
     }
-    assert!(ExactMap::between([Preset::Disk; 2], &at(DVec2::new(1.0, 0.1))).is_none(), "outside");
+    assert!(ExactMap::between([Preset::Disk; 2].into(), &at(DVec2::new(1.0, 0.1))).is_none(), "outside");
     let anchored = |anchor| constraints([DVec2::ZERO; 2], [anchor, 0.0]);
-    assert!(ExactMap::between([Preset::Disk; 2], &anchored(f64::NAN)).is_none());
+    assert!(ExactMap::between([Preset::Disk; 2].into(), &anchored(f64::NAN)).is_none());
     let mut session = Session::default();
-    assert!(ExactMap::of_session(&session, [DVec2::ZERO; 2]).is_none(), "a gingerbread man has no closed form");
+    assert!(ExactMap::of_session(&session, PerSide::default()).is_none(), "a gingerbread man has no closed form");
     for (side, preset) in [(Side::Source, Preset::Square), (Side::Target, Preset::Disk)] {
         session.apply(Command::SetOutline { side, outline: OutlineSpec::Preset(preset) });
     }
-    assert!(ExactMap::of_session(&session, [DVec2::ZERO; 2]).is_some());
+    assert!(ExactMap::of_session(&session, PerSide::default()).is_some());
     let outline = OutlineSpec::Points { name: String::from("disk"), polygon: Preset::Disk.outline().polygon };
     session.apply(Command::SetOutline { side: Side::Target, outline });
-    assert!(ExactMap::of_session(&session, [DVec2::ZERO; 2]).is_none(), "loaded points are what they are");
+    assert!(ExactMap::of_session(&session, PerSide::default()).is_none(), "loaded points are what they are");
 }
 
 fn prepared(preset: Preset) -> Arc<PreparedSide> {
@@ -138,7 +141,7 @@ fn the_harmonic_map_is_the_exact_one_up_to_its_discretisation() {
         for (target, second) in KNOWN.into_iter().zip(&domains) {
             let points = [points(source)[1], points(target)[0]];
             let constraints = constraints(points, [0.2, 0.9]);
-            let exact = ExactMap::between([source, target], &constraints).unwrap();
+            let exact = ExactMap::between(PerSide::new(source, target), &constraints).unwrap();
             let direction = Direction::Forward.into();
             let map = ConformalMap::new(Arc::clone(first), Arc::clone(second), &constraints, direction).unwrap();
             let (mut largest, mut in_measure) = (0.0_f64, 0.0_f64);

@@ -6,7 +6,7 @@
 
 use super::polylines::Line;
 use super::ruling::{FAMILIES, Ruling};
-use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, Side};
+use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, PerSide, Side};
 use crate::geometry::{Bounds, DVec2};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -27,7 +27,7 @@ pub struct Panel<'a> {
 }
 
 /// The panels of source and target; the target has source coordinates. `None` if one of them is a surface.
-pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<[Panel<'a>; 2]> {
+pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<PerSide<Panel<'a>>> {
     let [source, target] = [map.domain(Side::Source)?, map.domain(Side::Target)?];
     let handles = |side: Side, domain: &MeshedDomain| -> Option<[DVec2; 2]> {
         let anchor = map.side(side).at_fraction(constraints.anchors[side]);
@@ -37,7 +37,7 @@ pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<[P
         Direction::Forward => (map.images(), source.mesh().vertices.as_slice()),
         Direction::Backward => (target.mesh().vertices.as_slice(), map.images()),
     };
-    Some([
+    Some(PerSide::new(
         Panel {
             positions: &source.mesh().vertices,
             coordinates: &source.mesh().vertices,
@@ -52,7 +52,7 @@ pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<[P
             boundary: &target.samples().points,
             handles: handles(Side::Target, target)?,
         },
-    ])
+    ))
 }
 
 /// The planar parts of a map: both outlines; with one surface the outline and the surface's mesh as mapped into it;
@@ -61,7 +61,7 @@ pub fn parts<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Vec<Part<'
     if map.images().is_empty() {
         return Vec::new();
     }
-    if let Some([source, target]) = panels(map, constraints) {
+    if let Some(PerSide { source, target }) = panels(map, constraints) {
         return vec![
             Part { side: Side::Source, panel: source, wire: None },
             Part { side: Side::Target, panel: target, wire: None },

@@ -58,7 +58,7 @@ pub struct Start<'a> {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Place {
     /// x₁, x₂.
-    pub interior: [Option<DVec2>; 2],
+    pub interior: PerSide<Option<DVec2>>,
     /// y₁, as a fraction of the length of the source's boundary.
     pub anchor: Option<f64>,
 }
@@ -66,7 +66,7 @@ pub struct Place {
 /// A closed path in the family.
 #[derive(Debug, Clone)]
 pub struct Loop {
-    circles: [Option<Circle>; 2],
+    circles: PerSide<Option<Circle>>,
     turn: Option<Turn>,
 }
 
@@ -89,7 +89,8 @@ impl Loop {
         let target = target.map(|circle| if path == Path::All { circle.reversed() } else { circle });
         let turn = || Turn { source: Arc::clone(start.sides.source.0), measure: start.measure.clone() };
         let turn = path.moves_boundary().then(turn);
-        (source.is_some() || target.is_some() || turn.is_some()).then_some(Self { circles: [source, target], turn })
+        (source.is_some() || target.is_some() || turn.is_some())
+            .then_some(Self { circles: PerSide::new(source, target), turn })
     }
 
     /// The points at time `t` modulo 1; at 0 they are at the start.

@@ -30,14 +30,19 @@ fn loops_begin_and_end_at_the_points_that_are_there() {
         for t in [0.0, 1.0, -3.0] {
             let place = way.at(t);
             assert_eq!(place, way.at(0.0));
-            for (found, begun) in place.interior.into_iter().zip(constraints.points.into_array()) {
+            for (found, begun) in place.interior.into_array().into_iter().zip(constraints.points.into_array()) {
                 assert!(found.is_none_or(|found| found.distance(begun.in_plane().unwrap()) < 1e-12));
             }
             assert!(place.anchor.is_none_or(|s| (s - constraints.anchors.source).abs() < 1e-9), "{place:?}");
         }
         let near = way.at(1.0 - 1e-9);
         assert_eq!(near.interior.map(|p| p.is_some()), way.at(0.0).interior.map(|p| p.is_some()));
-        let gaps = near.interior.into_iter().zip(way.at(0.0).interior).filter_map(|(a, b)| Some(a?.distance(b?)));
+        let gaps = near
+            .interior
+            .into_array()
+            .into_iter()
+            .zip(way.at(0.0).interior.into_array())
+            .filter_map(|(a, b)| Some(a?.distance(b?)));
         assert!(gaps.fold(0.0, f64::max) < 1e-6, "no jump at the end");
     }
 }
@@ -132,5 +137,5 @@ fn a_surface_has_no_planar_point_to_move() {
     start.sides.target = (&surface, surface.default_point());
     assert!(Loop::new(Path::TargetPoint, &start).is_none());
     let place = Loop::new(Path::All, &start).unwrap().at(0.2);
-    assert!(place.interior[0].is_some() && place.interior[1].is_none() && place.anchor.is_some());
+    assert!(place.interior.source.is_some() && place.interior.target.is_none() && place.anchor.is_some());
 }

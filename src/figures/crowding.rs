@@ -128,7 +128,7 @@ impl CrowdingStudy {
         let [source, target] = Side::BOTH.map(|side| prepare_spec(scene.session.domain(side)));
         let (source, target) = (source?, target?);
         let domains = PerSide::new(planar(&source)?, planar(&target)?);
-        let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.default_point()).into_array());
+        let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.default_point()));
         let points =
             PerSide::from_fn(|side| scene.session.side(side).interior.unwrap_or(domains[side].default_point()));
         let map = ConformalMap::new(source, target, &constraints, Direction::Forward.into())?;

@@ -43,7 +43,7 @@ impl MoebiusStudy {
         let domains = [source?, target?];
         let [source, target] = domains;
         let domains = PerSide::new(planar(&source)?, planar(&target)?);
-        let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.default_point()).into_array());
+        let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.default_point()));
         let contour = Contour::new(&domains.source.samples().points);
         let map = ConformalMap::new(source, target, &constraints, Direction::Forward.into())?;
         let images = BoundaryValues::new(map.correspondence().images(domains.target.samples()));

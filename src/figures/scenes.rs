@@ -74,11 +74,11 @@ const DISTORTION_SAMPLES: [u32; 4] = [400, 800, 1600, 3200];
 const DISTORTION_ANCHOR: f64 = 0.04;
 
 /// m₁ and m₂ of Figure 8: low and high.
-const OPTION_SAMPLES: [[u32; 2]; 2] = [[300, 200], [1800, 1200]];
+const OPTION_SAMPLES: [PerSide<u32>; 2] = [PerSide::new(300, 200), PerSide::new(1800, 1200)];
 
 /// The targets of Figure 10 and their samples: the paper's numbers where it states them, else 1000.
 const RESHAPED: [Preset; 4] = [Preset::Disk, Preset::Square, Preset::Heart, Preset::Turkey];
-const RESHAPED_SAMPLES: [u32; 2] = [500, 1000];
+const RESHAPED_SAMPLES: PerSide<u32> = PerSide::new(500, 1000);
 
 /// x₁ of Figures 6 and 7, x₂ of Figure 7; y₁ = y₂ = (1, 0) is the disk's first point.
 const DISK_POINTS: [DVec2; 2] = [DVec2::new(0.6, 0.2), DVec2::new(0.0, -0.5)];
@@ -120,10 +120,10 @@ impl Figure {
     }
 }
 
-fn session(presets: [Preset; 2], samples: [u32; 2], direction: Direction) -> Session {
+fn session(presets: PerSide<Preset>, samples: PerSide<u32>, direction: Direction) -> Session {
     let side = |side: Side| {
-        let outline = OutlineSpec::Preset(presets[side as usize]);
-        let settings = uniform(samples[side as usize]);
+        let outline = OutlineSpec::Preset(presets[side]);
+        let settings = uniform(samples[side]);
         [Command::SetOutline { side, outline }, Command::SetSettings { side, settings }]
     };
     Session::with(Side::BOTH.into_iter().flat_map(side)).and([Command::SetDirection(direction)])
@@ -139,19 +139,19 @@ fn points(points: PerSide<DVec2>, anchors: PerSide<f64>) -> [Command; 2] {
 
 fn disk(m: u32) -> Scene {
     let [source_point, target_point] = DISK_POINTS;
-    let session = session([Preset::Disk, Preset::Disk], [m, m], Direction::Forward);
+    let session = session(PerSide::new(Preset::Disk, Preset::Disk), PerSide::new(m, m), Direction::Forward);
     let session = session
         .and(points(PerSide::new(source_point, target_point), PerSide::default()))
         .and([Command::SetTexture(TextureKind::Polar)]);
     Scene { label: SceneLabel::Samples(m), session }
 }
 
-fn options(samples: [u32; 2], detail: Detail) -> Vec<Scene> {
-    let [m1, m2] = samples.map(|m| detail.samples(m));
+fn options(samples: PerSide<u32>, detail: Detail) -> Vec<Scene> {
+    let samples = samples.map(|m| detail.samples(m));
     let directions = [Direction::Forward, Direction::Backward];
     let extensions = [Extension::Harmonic, Extension::CauchyGreen];
     let scene = |direction, extension| {
-        let session = session([Preset::Hand, Preset::Blob], [m1, m2], direction);
+        let session = session(PerSide::new(Preset::Hand, Preset::Blob), samples, direction);
         session.and([Command::SetExtension(extension), Command::SetTextureScale(16.0)])
     };
     let ways = directions.into_iter().flat_map(|d| extensions.map(|e| (d, e)));
@@ -159,23 +159,23 @@ fn options(samples: [u32; 2], detail: Detail) -> Vec<Scene> {
 }
 
 fn distortion(m: u32, detail: Detail) -> Scene {
-    let samples = [detail.samples(m), detail.samples(1000)];
-    let session = session([Preset::MapleLeaf, Preset::Cinquefoil], samples, Direction::Forward).and([
+    let samples = PerSide::new(detail.samples(m), detail.samples(1000));
+    let session = session(PerSide::new(Preset::MapleLeaf, Preset::Cinquefoil), samples, Direction::Forward).and([
         Command::SetColouring(Colouring::Angle),
         Command::MoveAnchor { side: Side::Target, fraction: DISTORTION_ANCHOR },
     ]);
-    Scene { label: SceneLabel::SourceSamples(samples[0]), session }
+    Scene { label: SceneLabel::SourceSamples(samples.source), session }
 }
 
 fn reshaping(target: Preset, detail: Detail) -> Scene {
     let samples = RESHAPED_SAMPLES.map(|m| detail.samples(m));
-    let session = session([Preset::Gingerbread, target], samples, Direction::Backward);
+    let session = session(PerSide::new(Preset::Gingerbread, target), samples, Direction::Backward);
     Scene { label: SceneLabel::Outline(target), session: session.and([Command::SetTextureScale(16.0)]) }
 }
 
 fn crowding(detail: Detail) -> Scene {
-    let samples = [detail.samples(2000), detail.samples(1000)];
-    let session = session([Preset::VShape, Preset::Blob], samples, Direction::Forward);
+    let samples = PerSide::new(detail.samples(2000), detail.samples(1000));
+    let session = session(PerSide::new(Preset::VShape, Preset::Blob), samples, Direction::Forward);
     let session = session.and(points(crowding_points(), crowding_constraints().anchors)).and([
         Command::SetComparison(Comparison::Both),
         Command::SetTextureScale(64.0), // the tip around x₁, a tenth of the V, fills the blob

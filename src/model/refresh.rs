@@ -1,6 +1,6 @@
 //! A frame of the model: the map is brought up to date (file `update`), refined, measured, and taught with.
 
-use crate::conformal::{ConformalMap, Side};
+use crate::conformal::{ConformalMap, PerSide, Side};
 use crate::laplace::Deadline;
 use crate::model::overlays::walks::WalkAction;
 use crate::model::overlays::{OverlayState, Situation};
@@ -146,7 +146,7 @@ impl Model {
 }
 
 fn situation<'a>(map: &'a ConformalMap, session: &Session, generation: u64) -> Option<Situation<'a>> {
-    let domains = [map.domain(Side::Source)?, map.domain(Side::Target)?];
-    let points = Side::BOTH.map(|side| session.side(side).interior.unwrap_or(domains[side as usize].default_point()));
-    Some(Situation { map, domains, generation, points, anchors: Side::BOTH.map(|side| session.side(side).anchor) })
+    let domains = PerSide::new(map.domain(Side::Source)?, map.domain(Side::Target)?);
+    let points = PerSide::from_fn(|side| session.side(side).interior.unwrap_or(domains[side].default_point()));
+    Some(Situation { map, domains, generation, points, anchors: PerSide::from_fn(|side| session.side(side).anchor) })
 }

@@ -166,12 +166,12 @@ impl Session {
     }
 
     /// The constraints between the two outlines. `poles` replace interior points that are not set.
-    pub fn constraints(&self, poles: [DVec2; 2]) -> Constraints {
-        let [source, target] = Side::BOTH.map(|side| {
+    pub fn constraints(&self, poles: PerSide<DVec2>) -> Constraints {
+        let at = |side: Side| {
             let SideState { interior, anchor, .. } = &self.sides[side];
-            (interior.unwrap_or(poles[side as usize]), *anchor)
-        });
-        Constraints::new(source, target)
+            (interior.unwrap_or(poles[side]), *anchor)
+        };
+        Constraints::new(at(Side::Source), at(Side::Target))
     }
 
     /// The settings from which the map is computed.

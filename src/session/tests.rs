@@ -59,7 +59,7 @@ fn swapping_twice_changes_nothing() {
 fn points_that_were_not_set_are_the_poles() {
     let session = Session::default();
     let poles = [DVec2::new(1.0, 0.0), DVec2::new(0.0, 1.0)];
-    let constraints = session.constraints(poles);
+    let constraints = session.constraints(poles.into());
     assert_eq!(constraints.points.into_array(), poles.map(InteriorPoint::from));
 }
 

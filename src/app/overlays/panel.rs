@@ -131,26 +131,25 @@ fn verdict(ui: &mut Ui, way: DiskWay, disk: &DiskComparison) {
 /// The result of a comparison in words, one statement per line.
 pub fn verdicts(found: &Found) -> Vec<String> {
     let lost = |side: &Side| {
-        let k = *side as usize;
         let collapsed = || {
-            let words = say(&key::points_collapsed(grouped(found.collapsed[k]), grouped(found.samples[k])));
-            match found.directly_collapsed[k] {
+            let words = say(&key::points_collapsed(grouped(found.collapsed[*side]), grouped(found.samples[*side])));
+            match found.directly_collapsed[*side] {
                 0 => format!("{words} {}", tr(key::this_map_had_none())),
                 direct => format!("{words} {}", say(&key::this_map_had(grouped(direct)))),
             }
         };
-        let disordered = || say(&key::out_order(grouped(found.disordered[k])));
-        let side = words::side_within(*side);
-        match (found.collapsed[k], found.disordered[k]) {
+        let disordered = || say(&key::out_order(grouped(found.disordered[*side])));
+        let name = words::side_within(*side);
+        match (found.collapsed[*side], found.disordered[*side]) {
             (0, 0) => None,
-            (_, 0) => Some(format!("{side}: {}", collapsed())),
-            (0, _) => Some(format!("{side}: {}", disordered())),
-            _ => Some(format!("{side}: {}, {}", collapsed(), disordered())),
+            (_, 0) => Some(format!("{name}: {}", collapsed())),
+            (0, _) => Some(format!("{name}: {}", disordered())),
+            _ => Some(format!("{name}: {}, {}", collapsed(), disordered())),
         }
     };
     let mut lines: Vec<String> = Side::BOTH.iter().filter_map(lost).collect();
     if lines.is_empty() {
-        lines.push(say(&key::all_points_kept_apart(grouped(found.samples.iter().sum()))));
+        lines.push(say(&key::all_points_kept_apart(grouped(found.samples.source + found.samples.target))));
     }
     lines.push(say(&key::largest_difference(percent(found.difference))));
     lines

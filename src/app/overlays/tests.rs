@@ -2,7 +2,7 @@
 
 use crate::app::overlays::paint::legend;
 use crate::app::plots::Plots;
-use crate::conformal::{Direction, PrepareSettings, Side};
+use crate::conformal::{Direction, PerSide, PrepareSettings, Side};
 use crate::geometry::DVec2;
 use crate::language::Message;
 use crate::mesh::Sizing;
@@ -68,8 +68,8 @@ fn on_the_disk_both_ways_agree_and_no_point_is_lost() {
         compare(&mut model, comparison);
         settle(&mut model);
         let found = found(&model, way);
-        assert_eq!((found.samples, found.collapsed, found.disordered), ([300; 2], [0; 2], [0; 2]));
-        assert_eq!(found.directly_collapsed, [0; 2]);
+        assert_eq!((found.samples, found.collapsed, found.disordered), ([300; 2].into(), [0; 2].into(), [0; 2].into()));
+        assert_eq!(found.directly_collapsed, [0; 2].into());
         assert_eq!(found.marks.len(), MARKS as usize);
         // the kernel's own discretization error with 300 samples
         assert!(found.difference < 2e-3, "{comparison:?}: {:e}", found.difference);
@@ -90,8 +90,8 @@ fn on_the_v_the_precomputed_map_collapses_and_the_fresh_one_does_not() {
     println!(
         "precomputed: collapsed {collapsed:?}, disordered {disordered:?}, difference {difference:.3}; {calls} calls, at most {longest:.1} ms"
     );
-    assert!(collapsed[0] > 500 && collapsed[1] == 0, "{collapsed:?}");
-    assert!(disordered[0] > 0 && *difference > 0.2, "{disordered:?}, {difference}");
+    assert!(collapsed.source > 500 && collapsed.target == 0, "{collapsed:?}");
+    assert!(disordered.source > 0 && *difference > 0.2, "{disordered:?}, {difference}");
     compare(&mut model, Comparison::Fresh);
     let (calls, longest) = settle(&mut model);
     let found = found(&model, DiskWay::Fresh);
@@ -99,7 +99,7 @@ fn on_the_v_the_precomputed_map_collapses_and_the_fresh_one_does_not() {
         "fresh: collapsed {:?}, difference {:.4}; {calls} calls, at most {longest:.1} ms",
         found.collapsed, found.difference
     );
-    assert_eq!(found.samples, [RESTING_SAMPLES; 2]);
+    assert_eq!(found.samples, [RESTING_SAMPLES; 2].into());
     assert!(found.difference < 0.02, "{}", found.difference);
     compare(&mut model, Comparison::Off);
     settle(&mut model);
@@ -114,7 +114,7 @@ fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
     let mut model = model(Preset::Heart, Preset::Cinquefoil, 500);
     compare(&mut model, Comparison::Fresh);
     settle(&mut model);
-    assert_eq!(found(&model, DiskWay::Fresh).samples, [500; 2]);
+    assert_eq!(found(&model, DiskWay::Fresh).samples, [500; 2].into());
     let point = model.interior(Side::Source).unwrap() + DVec2::new(0.01, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
     model.refresh(false);
@@ -122,10 +122,10 @@ fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
     let delay = model.advance_overlays(10.0).unwrap();
     assert!(delay > 0.0, "the full comparison is not delayed");
     // the side that did not move keeps its measure
-    assert_eq!(found(&model, DiskWay::Fresh).samples, [MOVING_SAMPLES, 500]);
+    assert_eq!(found(&model, DiskWay::Fresh).samples, PerSide::new(MOVING_SAMPLES, 500));
     assert!(model.advance_overlays(10.0 + 0.5 * delay).is_some_and(|rest| rest > 0.0));
     model.advance_overlays(10.0 + delay + 1e-6);
-    assert_eq!(found(&model, DiskWay::Fresh).samples, [500; 2]);
+    assert_eq!(found(&model, DiskWay::Fresh).samples, [500; 2].into());
     let overlays = model.overlay_state().overlays();
     assert_eq!((overlays.measure.len(), overlays.reparameterisation.len()), (2, 1));
 }
@@ -381,16 +381,16 @@ fn the_conformal_pattern_follows_a_drag_on_both_sides() {
     let mut model = model(Preset::Heart, Preset::Disk, 120);
     model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
     assert!(model.refresh(false).meshes);
-    let before = Side::BOTH.map(|side| pattern::geometry(&model, side).unwrap().texture_coordinates.to_vec());
+    let before = PerSide::from_fn(|side| pattern::geometry(&model, side).unwrap().texture_coordinates.to_vec());
     for side in Side::BOTH {
         assert_eq!(pattern::geometry(&model, side).unwrap().check(), Ok(()));
-        let farthest = before[side as usize].iter().map(|g| g.length()).fold(0.0, f64::max);
+        let farthest = before[side].iter().map(|g| g.length()).fold(0.0, f64::max);
         assert!((farthest - 1.0).abs() < 1e-9, "{side}: {farthest}");
     }
     let point = model.interior(Side::Source).unwrap() + DVec2::new(0.05, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
     assert!(model.refresh(false).images);
-    let after = Side::BOTH.map(|side| pattern::geometry(&model, side).unwrap().texture_coordinates.to_vec());
-    assert_ne!(before[0], after[0]);
-    assert_eq!(before[1], after[1], "the target's point did not move");
+    let after = PerSide::from_fn(|side| pattern::geometry(&model, side).unwrap().texture_coordinates.to_vec());
+    assert_ne!(before.source, after.source);
+    assert_eq!(before.target, after.target, "the target's point did not move");
 }

@@ -3,7 +3,7 @@
 use super::super::theme::Palette;
 use super::{PlotKind, Plots};
 use crate::app::language::words;
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::language::{key, say, tr};
 use crate::model::curves::{Curve, Curves, ExactCurves, decimate};
 use crate::model::overlays::overlay::{Overlay, Overlays};
@@ -13,9 +13,9 @@ use egui_plot::{
 };
 
 /// The colors of source and target, in the dark and the light theme: Okabe–Ito's blues, and oranges.
-pub const SIDE_INKS: [[Color32; 2]; 2] = [
-    [Color32::from_rgb(86, 180, 233), Color32::from_rgb(230, 159, 0)],
-    [Color32::from_rgb(0, 114, 178), Color32::from_rgb(196, 120, 0)],
+pub const SIDE_INKS: [PerSide<Color32>; 2] = [
+    PerSide::new(Color32::from_rgb(86, 180, 233), Color32::from_rgb(230, 159, 0)),
+    PerSide::new(Color32::from_rgb(0, 114, 178), Color32::from_rgb(196, 120, 0)),
 ];
 
 /// The colors of the reparameterization of the shown map and of those through fresh and precomputed disk maps.
@@ -72,12 +72,12 @@ impl<'a> Chart<'a> {
     ) -> Self {
         let theme = usize::from(!dark);
         let lines: Vec<_> = match kind {
-            PlotKind::Kernel => curves.kernel.iter().zip(SIDE_INKS[theme]).collect(),
-            PlotKind::Measure => curves.measure.iter().zip(SIDE_INKS[theme]).collect(),
+            PlotKind::Kernel => in_inks(&curves.kernel, theme),
+            PlotKind::Measure => in_inks(&curves.measure, theme),
             PlotKind::Reparameterisation => vec![(&curves.reparameterisation, MAP_INKS[theme][0])],
         };
         let exact = match (kind, exact) {
-            (PlotKind::Measure, Some(exact)) => exact.measure.iter().collect(),
+            (PlotKind::Measure, Some(exact)) => exact.measure.as_ref().into_array().to_vec(),
             (PlotKind::Reparameterisation, Some(exact)) => vec![&exact.reparameterisation],
             _ => Vec::new(),
         };
@@ -96,7 +96,7 @@ impl<'a> Chart<'a> {
 
     /// Draws the plot with the points at `marked` (arc lengths by side, from the anchors); returns the
     /// side and the arc length under the pointer.
-    pub fn show(&self, ui: &mut Ui, marked: Option<[f64; 2]>) -> Option<(Side, f64)> {
+    pub fn show(&self, ui: &mut Ui, marked: Option<PerSide<f64>>) -> Option<(Side, f64)> {
         let palette = Palette::of(ui.visuals());
         let columns = (ui.available_width() * ui.pixels_per_point()).max(1.0) as usize;
         let logarithmic = self.logarithmic;
@@ -215,15 +215,15 @@ impl<'a> Chart<'a> {
         }
     }
 
-    fn add_marks(&self, plot: &mut PlotUi, marked: [f64; 2], palette: &Palette) {
-        let [source, target] = marked;
+    fn add_marks(&self, plot: &mut PlotUi, marked: PerSide<f64>, palette: &Palette) {
+        let PerSide { source, target } = marked;
         if self.kind == PlotKind::Reparameterisation {
             let (x, y) = if self.mapped == Side::Source { (source, target) } else { (target, source) };
             plot.vline(VLine::new("", x).color(palette.weak).width(1.0).allow_hover(false));
             add_dot(plot, [x, y], self.lines[0].1);
             return;
         }
-        for ((curve, ink), x) in self.lines.iter().zip(marked) {
+        for ((curve, ink), x) in self.lines.iter().zip(marked.into_array()) {
             plot.vline(VLine::new("", x).color(ink.gamma_multiply(0.6)).width(1.0).allow_hover(false));
             add_dot(plot, [x, self.ordinate(curve.at(x))], *ink);
         }
@@ -235,25 +235,31 @@ impl<'a> Chart<'a> {
         if self.kind == PlotKind::Reparameterisation {
             return (self.mapped, x);
         }
-        let distance = |side: &Side| {
-            let y = self.ordinate(self.lines[*side as usize].0.at(x));
+        let distance = |curve: &Curve| {
+            let y = self.ordinate(curve.at(x));
             (transform.position_from_point(&PlotPoint::new(x, y)).y - pointer.y).abs()
         };
-        let nearest = Side::BOTH.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        (nearest.unwrap_or(Side::Source), x)
+        let distances = Side::BOTH.into_iter().zip(&self.lines).map(|(side, (curve, _))| (side, distance(curve)));
+        let nearest = distances.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        (nearest.map_or(Side::Source, |(side, _)| side), x)
     }
 }
 
 /// The curves' values at the marked points, formatted, by side.
-pub fn values(kind: PlotKind, curves: &Curves, at: [f64; 2]) -> [String; 2] {
-    Side::BOTH.map(|side| {
-        let (k, x) = (side as usize, at[side as usize]);
+pub fn values(kind: PlotKind, curves: &Curves, at: PerSide<f64>) -> PerSide<String> {
+    PerSide::from_fn(|side| {
+        let x = at[side];
         match kind {
-            PlotKind::Kernel => short(curves.kernel[k].at(x)),
-            PlotKind::Measure => format!("{:.3}", curves.measure[k].at(x)),
+            PlotKind::Kernel => short(curves.kernel[side].at(x)),
+            PlotKind::Measure => format!("{:.3}", curves.measure[side].at(x)),
             PlotKind::Reparameterisation => format!("{x:.3}"),
         }
     })
+}
+
+/// The curves of both sides in their colours.
+fn in_inks(curves: &PerSide<Curve>, theme: usize) -> Vec<(&Curve, Color32)> {
+    curves.as_ref().into_array().into_iter().zip(SIDE_INKS[theme].into_array()).collect()
 }
 
 fn short(value: f64) -> String {
@@ -279,11 +285,11 @@ const HEADROOM: f64 = 1.5;
 
 /// The range of the kernel's y axis: linear from 0 to the end described at [`SHOWN_SHARE`], or, as logarithms, from the
 /// smallest positive value to the largest one, over at most [`MOST_DECADES`].
-fn kernel_range(curves: &[Curve; 2], logarithmic: bool) -> (f64, f64) {
-    let values = || curves.iter().flat_map(|curve| &curve.points).map(|p| p[1]);
+fn kernel_range(curves: &PerSide<Curve>, logarithmic: bool) -> (f64, f64) {
+    let values = || curves.iter().flat_map(|(_, curve)| &curve.points).map(|p| p[1]);
     let high = values().fold(f64::MIN_POSITIVE, f64::max);
     if !logarithmic {
-        let usual = curves.iter().map(|curve| quantile(&curve.points, SHOWN_SHARE)).fold(0.0, f64::max);
+        let usual = curves.iter().map(|(_, curve)| quantile(&curve.points, SHOWN_SHARE)).fold(0.0, f64::max);
         return (0.0, high.min((HEADROOM * usual).max(f64::MIN_POSITIVE)));
     }
     let low = values().filter(|&y| y > 0.0).fold(high, f64::min);
@@ -361,13 +367,13 @@ mod tests {
     fn names(kind: PlotKind, exact: bool) -> Vec<&'static str> {
         let line = || curve(&[0.0, 1.0]);
         let curves = Curves {
-            kernel: [line(), line()],
-            measure: [line(), line()],
+            kernel: PerSide::new(line(), line()),
+            measure: PerSide::new(line(), line()),
             reparameterisation: line(),
             mapped: Side::Source,
-            anchors: [0.0; 2],
+            anchors: PerSide::default(),
         };
-        let known = ExactCurves { measure: [line(), line()], reparameterisation: line(), difference: 0.0 };
+        let known = ExactCurves { measure: PerSide::new(line(), line()), reparameterisation: line(), difference: 0.0 };
         let by = |origin| Overlay { origin, curve: line() };
         let [fresh, precomputed] = DiskWay::ALL.map(Origin::Disk);
         let mut overlays = Overlays::default();
@@ -392,12 +398,12 @@ mod tests {
 
     #[test]
     fn the_kernels_axis_holds_both_curves() {
-        let curves = [curve(&[0.5, 1.0, 0.0]), curve(&[3.0, 2e-7])];
+        let curves = PerSide::new(curve(&[0.5, 1.0, 0.0]), curve(&[3.0, 2e-7]));
         assert_eq!(kernel_range(&curves, false), (0.0, 3.0));
         let flat_with_a_spike: Vec<f64> = (0..1000).map(|k| if k == 500 { 400.0 } else { 2.0 }).collect();
-        assert_eq!(kernel_range(&[curve(&flat_with_a_spike), curve(&[1.0, 1.0])], false), (0.0, 3.0));
+        assert_eq!(kernel_range(&PerSide::new(curve(&flat_with_a_spike), curve(&[1.0, 1.0])), false), (0.0, 3.0));
         assert_eq!(kernel_range(&curves, true), (-7.0, 1.0));
-        let crowded = [curve(&[1e-200, 20.0]), curve(&[1.0])];
+        let crowded = PerSide::new(curve(&[1e-200, 20.0]), curve(&[1.0]));
         assert_eq!(kernel_range(&crowded, true), (2.0 - MOST_DECADES, 2.0));
     }
 

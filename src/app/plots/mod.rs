@@ -14,7 +14,7 @@ use crate::app::input::action::{Action, Actions, PlotKind, PlotsAction};
 use crate::app::language::words;
 use crate::app::theme::widgets::{Segment, dot, segmented};
 use crate::closed_form::ExactMap;
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::language::{Label, key, tr};
 use crate::model::Model;
 use crate::model::curves::{Curves, ExactCurves, KeptExact};
@@ -101,7 +101,7 @@ impl Plots {
         let generation = model.generation();
         if needed && self.generation() != Some(generation) {
             let session = model.session();
-            let anchors = Side::BOTH.map(|side| session.side(side).points().anchor());
+            let anchors = PerSide::from_fn(|side| session.side(side).points().anchor());
             let curves = model.map().map(|map| Curves::new(map, anchors));
             self.curves = curves.map(|curves| (generation, curves)).or(self.curves.take());
         }
@@ -112,15 +112,15 @@ impl Plots {
 
     fn update_exact(&mut self, model: &Model, generation: u64) {
         let is_known = self.exact.as_ref().is_some_and(|(known, _)| *known == generation);
-        let (false, Some((_, curves)), [Some(source), Some(target)]) =
-            (is_known, &self.curves, Side::BOTH.map(|side| model.domain(side)))
+        let (false, Some((_, curves)), Some(domains)) =
+            (is_known, &self.curves, PerSide::from_fn(|side| model.domain(side)).both())
         else {
             return;
         };
         let session = model.session();
         let presets = ExactMap::presets(session).filter(|_| model.is_planar());
         let (stamp, kept) = self.exact.get_or_insert_default();
-        kept.update(presets, session.constraints([source.default_point(), target.default_point()]), curves);
+        kept.update(presets, session.constraints(domains.map(|domain| domain.default_point())), curves);
         *stamp = generation;
     }
 
@@ -131,13 +131,13 @@ impl Plots {
     }
 
     /// The marked boundary point and the corresponding one, as fractions of arc length of source and target.
-    pub fn marked(&self) -> Option<[f64; 2]> {
+    pub fn marked(&self) -> Option<PerSide<f64>> {
         let (curves, at) = (self.curves()?, self.marked_from_anchor()?);
-        Some(Side::BOTH.map(|side| curves.fraction(side, at[side as usize])))
+        Some(PerSide::from_fn(|side| curves.fraction(side, at[side])))
     }
 
     /// The colors of source and target.
-    pub fn inks(dark: bool) -> [Color32; 2] {
+    pub fn inks(dark: bool) -> PerSide<Color32> {
         chart::SIDE_INKS[usize::from(!dark)]
     }
 
@@ -169,11 +169,11 @@ impl Plots {
     }
 
     /// As [`Self::marked`], with arc lengths measured from the anchors.
-    fn marked_from_anchor(&self) -> Option<[f64; 2]> {
+    fn marked_from_anchor(&self) -> Option<PerSide<f64>> {
         let (curves, place) = (self.curves()?, self.pointed()?);
         let x = curves.along(place.side, place.fraction);
         let there = curves.partner(place.side, x);
-        Some(if place.side == Side::Source { [x, there] } else { [there, x] })
+        Some(if place.side == Side::Source { PerSide::new(x, there) } else { PerSide::new(there, x) })
     }
 
     /// Shows three plots in a row where they fit, else one.
@@ -227,7 +227,7 @@ impl Plots {
     }
 
     /// The title, the sides' colors, and the values at the marked point or else the sides' names.
-    fn header(&self, ui: &mut Ui, kind: &Segment<PlotKind>, marked: Option<[f64; 2]>, actions: &mut Actions) {
+    fn header(&self, ui: &mut Ui, kind: &Segment<PlotKind>, marked: Option<PerSide<f64>>, actions: &mut Actions) {
         let palette = Palette::of(ui.visuals());
         let inks = Self::inks(ui.visuals().dark_mode);
         ui.horizontal(|ui| {
@@ -243,9 +243,9 @@ impl Plots {
                 for side in [Side::Target, Side::Source] {
                     let text = values
                         .as_ref()
-                        .map_or_else(|| words::side_within(side).to_owned(), |values| values[side as usize].clone());
+                        .map_or_else(|| words::side_within(side).to_owned(), |values| values[side].clone());
                     ui.label(RichText::new(text).small().color(palette.weak));
-                    dot(ui, inks[side as usize]);
+                    dot(ui, inks[side]);
                 }
             });
         });
@@ -271,7 +271,7 @@ fn overlays_of(model: &Model) -> Option<&Overlays> {
 #[cfg(test)]
 pub fn inks_of_plots() -> Vec<Vec<egui::Color32>> {
     let of_theme = |theme: usize| {
-        let [source, target] = chart::SIDE_INKS[theme];
+        let PerSide { source, target } = chart::SIDE_INKS[theme];
         [vec![source, target, chart::WALK_INKS[theme]], chart::MAP_INKS[theme].to_vec()]
     };
     [0, 1].into_iter().flat_map(of_theme).collect()

@@ -1,7 +1,7 @@
 //! The state of the screen as one plain record, for `window.riemap.stats()` and for tests.
 
 use crate::app::editing::EditingStats;
-use crate::conformal::{FrameTimings, PrepareTimings, Side};
+use crate::conformal::{FrameTimings, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::model::overlays::disk_comparison::Found;
 use crate::model::{Model, Processor};
@@ -250,6 +250,7 @@ fn overlays(model: &Model) -> OverlayStats {
 
 fn comparison(model: &Model, way: DiskWay) -> Option<ComparisonStats> {
     let &Found { samples, collapsed, disordered, difference, .. } = model.overlay_state().disk_comparison.found(way)?;
+    let [samples, collapsed, disordered] = [samples, collapsed, disordered].map(PerSide::into_array);
     Some(ComparisonStats { samples, collapsed, disordered, difference })
 }
 

@@ -94,7 +94,7 @@ pub fn paint_mark(ui: &Ui, painter: &Painter, side: Side, place: Pos2) {
     let place = place.round_to_pixels(ui.pixels_per_point());
     painter.circle_filled(place + vec2(0.0, 1.0), 8.0, Color32::from_black_alpha(70));
     painter.circle_filled(place, 6.5, Color32::WHITE);
-    painter.circle_filled(place, 4.5, Plots::inks(ui.visuals().dark_mode)[side as usize]);
+    painter.circle_filled(place, 4.5, Plots::inks(ui.visuals().dark_mode)[side]);
 }
 
 fn paint_words(ui: &Ui, painter: &Painter, words: String, place: Pos2) {

@@ -6,7 +6,7 @@
 
 use crate::app::viewport::gpu_extension::GpuExtension;
 use crate::app::viewport::surface;
-use crate::conformal::{Extension, MeshedDomain, Side};
+use crate::conformal::{Extension, MeshedDomain, PerSide, Side};
 use crate::geometry::DVec2;
 use crate::model::pattern::Moved;
 use crate::model::{Changes, Model, pattern};
@@ -14,6 +14,9 @@ use crate::render::{
     CellCode, CellStyle, ImageError, Pace, PlanarFrame, REFINED_AFTER, StrokeStyle, ViewportRenderer, sample_count,
 };
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
+
+/// The renderer's viewport of each side.
+pub const VIEWPORTS: PerSide<usize> = PerSide::new(0, 1);
 
 /// The renderer and its device.
 pub struct Gpu {
@@ -119,7 +122,7 @@ impl Gpu {
     pub fn set_stroke(&self, dark: bool, pixels_per_point: f32) {
         self.with_renderer(|renderer| {
             for side in Side::BOTH {
-                renderer.set_boundary_style(side as usize, Some(StrokeStyle::themed(dark, pixels_per_point)));
+                renderer.set_boundary_style(VIEWPORTS[side], Some(StrokeStyle::themed(dark, pixels_per_point)));
             }
         });
     }
@@ -127,19 +130,19 @@ impl Gpu {
     /// Replaces the triangles of one side that [`Self::set_cell_style`] shows.
     pub fn upload_cells(&self, side: Side, positions: &[DVec2], triangles: &[[u32; 3]]) {
         let RenderState { device, queue, .. } = &self.state;
-        self.with_renderer(|renderer| renderer.set_cells(device, queue, side as usize, positions, triangles));
+        self.with_renderer(|renderer| renderer.set_cells(device, queue, VIEWPORTS[side], positions, triangles));
     }
 
     /// Moves the vertices of one side's triangles.
     pub fn move_cells(&self, side: Side, positions: &[DVec2]) {
-        self.with_renderer(|renderer| renderer.set_cell_positions(&self.state.queue, side as usize, positions));
+        self.with_renderer(|renderer| renderer.set_cell_positions(&self.state.queue, VIEWPORTS[side], positions));
     }
 
     /// Uploads the colors of the triangles on both sides and on the surface.
     pub fn colour_cells(&self, codes: &mut Vec<CellCode>) {
         self.with_renderer(|renderer| {
             for side in Side::BOTH {
-                renderer.set_cell_codes(&self.state.queue, side as usize, codes);
+                renderer.set_cell_codes(&self.state.queue, VIEWPORTS[side], codes);
             }
             renderer.set_surface_codes(&self.state.queue, codes);
         });
@@ -147,23 +150,23 @@ impl Gpu {
 
     /// Sets how the triangles are shown on both sides; `None` hides them.
     pub fn set_cell_style(&self, style: Option<CellStyle>) {
-        self.with_renderer(|renderer| Side::BOTH.map(|side| renderer.set_cell_style(side as usize, style)));
+        self.with_renderer(|renderer| Side::BOTH.map(|side| renderer.set_cell_style(VIEWPORTS[side], style)));
     }
 
     fn upload_boundary(&self, side: Side, domain: &MeshedDomain) {
         let RenderState { device, queue, .. } = &self.state;
-        self.with_renderer(|renderer| renderer.set_boundary(device, queue, side as usize, &domain.samples().points));
+        self.with_renderer(|renderer| renderer.set_boundary(device, queue, VIEWPORTS[side], &domain.samples().points));
     }
 
     fn upload_mesh(&self, side: Side, model: &Model) {
         let RenderState { device, queue, .. } = &self.state;
         if let Some(geometry) = pattern::geometry(model, side) {
-            self.with_renderer(|renderer| renderer.set_mesh(device, queue, side as usize, &geometry));
+            self.with_renderer(|renderer| renderer.set_mesh(device, queue, VIEWPORTS[side], &geometry));
         }
     }
 
     fn upload_images(&self, side: Side, model: &Model) {
-        let (queue, viewport) = (&self.state.queue, side as usize);
+        let (queue, viewport) = (&self.state.queue, VIEWPORTS[side]);
         let fits = pattern::moved(model, side).and_then(|moved| {
             self.with_renderer(|renderer| match moved {
                 Moved::Positions(positions) => renderer.set_positions(queue, viewport, positions),
@@ -202,7 +205,7 @@ impl CallbackTrait for ViewportCallback {
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         if let Some(renderer) = resources.get_mut::<ViewportRenderer>() {
-            let viewport = self.side as usize;
+            let viewport = VIEWPORTS[self.side];
             renderer.prepare(device, queue, encoder, viewport, &self.frame, self.pace);
             if renderer.is_coarse(viewport) {
                 self.context.request_repaint_after_secs(REFINED_AFTER as f32);
@@ -218,7 +221,7 @@ impl CallbackTrait for ViewportCallback {
         resources: &CallbackResources,
     ) {
         if let Some(renderer) = resources.get::<ViewportRenderer>() {
-            renderer.paint(pass, self.side as usize);
+            renderer.paint(pass, VIEWPORTS[self.side]);
         }
     }
 }

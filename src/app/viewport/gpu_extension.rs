@@ -4,7 +4,7 @@
 //! map itself, which refines them on the CPU when the drag rests. Where the device has no compute
 //! shaders (WebGL2), or the map has too many terms, the picture too uses the map's own images.
 
-use crate::app::viewport::gpu::draws_in_software;
+use crate::app::viewport::gpu::{VIEWPORTS, draws_in_software};
 use crate::conformal::{ConformalMap, Extension, MeshedDomain, Side};
 use crate::render::{CauchyGreenBuffers, CauchyGreenPass, ViewportRenderer};
 use egui_wgpu::RenderState;
@@ -64,9 +64,9 @@ impl GpuExtension {
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("extension") });
         let recorded = self.pass.evaluate(queue, &mut encoder, buffers, map.correspondence().images(other.samples()))
             && if side == map.mapped_side() {
-                renderer.copy_texture_coordinates(&mut encoder, side as usize, buffers)
+                renderer.copy_texture_coordinates(&mut encoder, VIEWPORTS[side], buffers)
             } else {
-                renderer.copy_positions(&mut encoder, side as usize, buffers)
+                renderer.copy_positions(&mut encoder, VIEWPORTS[side], buffers)
             };
         if recorded {
             queue.submit([encoder.finish()]);
@@ -142,7 +142,7 @@ mod tests {
                 texture_coordinates: &mesh.vertices,
                 triangles: &mesh.triangles,
             };
-            assert!(renderer.set_mesh(&state.device, &state.queue, Side::Target as usize, &geometry));
+            assert!(renderer.set_mesh(&state.device, &state.queue, VIEWPORTS.target, &geometry));
             for x in [0.0, 0.01] {
                 map.update(&at(x), mapped).unwrap();
                 // a refinement in progress must not change the input of the shader

@@ -55,7 +55,7 @@ pub fn maps(figure: Figure, detail: Detail) -> Result<Vec<Shown>, FigureError> {
     let shown = |Scene { label, session }: Scene| {
         let (source, target) = (domain(session.domain(Side::Source))?, domain(session.domain(Side::Target))?);
         let domains = PerSide::new(planar(&source)?, planar(&target)?);
-        let constraints = session.constraints(domains.as_ref().map(|domain| domain.default_point()).into_array());
+        let constraints = session.constraints(domains.as_ref().map(|domain| domain.default_point()));
         let mut map = ConformalMap::new(source, target, &constraints, session.map_settings())?;
         map.refine_exactly();
         let triangles = map.distortions();
@@ -68,8 +68,8 @@ impl Shown {
     /// The panels of source and target with the texture.
     fn textured(&self) -> Result<[RasterPanel<'_>; 2], FigureError> {
         let panels = panels(&self.map, &self.constraints).ok_or(FigureError::NoDomain)?;
-        let style = style(&self.session, panels[0].boundary, panels[0].handles[0]);
-        Ok(panels.map(|panel| textured(&panel, style)))
+        let style = style(&self.session, panels.source.boundary, panels.source.handles[0]);
+        Ok(panels.into_array().map(|panel| textured(&panel, style)))
     }
 
     /// The mean of Q without the flattened triangles, and their share of the area, as text.

@@ -29,9 +29,9 @@ fn a_drawing_opens_as_the_outline_that_it_shows() {
     let (map, constraints) = map();
     let panels = panels(&map, &constraints).unwrap();
     for side in Side::BOTH {
-        let panel = panels[side as usize];
+        let panel = panels[side];
         let wire = Some((panel.positions, panel.triangles));
-        let text = svg(&[Part { side, panel, wire }], Some(squares(&panels[0], 12.0)));
+        let text = svg(&[Part { side, panel, wire }], Some(squares(&panels.source, 12.0)));
         let back = outline::parse("map.svg", text.as_bytes()).unwrap();
         let (drawn, given) = (normalised(back.polygon.vertices()), normalised(panel.boundary));
         assert_eq!(drawn.len(), given.len());
@@ -48,10 +48,10 @@ fn every_class_is_drawn_in_both_domains() {
     let (map, constraints) = map();
     let panels = panels(&map, &constraints).unwrap();
     let parts = Side::BOTH.map(|side| {
-        let panel = panels[side as usize];
+        let panel = panels[side];
         Part { side, panel, wire: Some((panel.positions, panel.triangles)) }
     });
-    let text = svg(&parts, Some(squares(&panels[0], 12.0)));
+    let text = svg(&parts, Some(squares(&panels.source, 12.0)));
     for (class, times) in [("outline", 2), ("mesh", 2), ("lines", 4), ("interior", 2), ("boundary", 2)] {
         assert_eq!(text.matches(&format!("class=\"{class}\"")).count(), times, "{class}");
     }
@@ -65,7 +65,7 @@ fn every_class_is_drawn_in_both_domains() {
 #[test]
 fn lines_of_the_source_are_straight_whole_and_where_they_should_be() {
     let (map, constraints) = map();
-    let panel = panels(&map, &constraints).unwrap()[0];
+    let panel = panels(&map, &constraints).unwrap().source;
     let Ruling::Squares { origin, spacing } = squares(&panel, 10.0) else { unreachable!() };
     for family in 0..FAMILIES {
         let lines = squares(&panel, 10.0).lines(family, panel.positions, panel.coordinates, panel.triangles);

@@ -1,7 +1,7 @@
 //! The input of the curves: two boundary loops with their measures and the matching between them, for outlines and
 //! surfaces.
 
-use crate::conformal::{ConformalMap, HarmonicMeasure, PreparedSide, Side};
+use crate::conformal::{ConformalMap, HarmonicMeasure, PerSide, PreparedSide, Side};
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
 /// A closed boundary, parameterized by arc length.
@@ -31,11 +31,11 @@ pub struct BoundaryMap<'a> {
     /// The side whose vertices are mapped.
     pub mapped: Side,
     /// The loops.
-    pub loops: [Loop<'a>; 2],
+    pub loops: PerSide<Loop<'a>>,
     /// ψ at the vertices.
-    pub kernels: [&'a [f64]; 2],
+    pub kernels: PerSide<&'a [f64]>,
     /// ω̃ along the loops.
-    pub measures: [&'a HarmonicMeasure; 2],
+    pub measures: PerSide<&'a HarmonicMeasure>,
     /// The images of the mapped vertices.
     pub images: &'a [BoundaryPoint],
 }
@@ -44,9 +44,9 @@ impl<'a> From<&'a ConformalMap> for BoundaryMap<'a> {
     fn from(map: &'a ConformalMap) -> Self {
         Self {
             mapped: map.mapped_side(),
-            loops: Side::BOTH.map(|side| Loop::from(&**map.side(side))),
-            kernels: Side::BOTH.map(|side| map.kernel(side)),
-            measures: Side::BOTH.map(|side| map.measure(side)),
+            loops: PerSide::from_fn(|side| Loop::from(&**map.side(side))),
+            kernels: PerSide::from_fn(|side| map.kernel(side)),
+            measures: PerSide::from_fn(|side| map.measure(side)),
             images: &map.correspondence().points,
         }
     }

@@ -1,7 +1,7 @@
 //! Exact curves for maps known in closed form, drawn under the map's own curves.
 
 use crate::closed_form::ExactMap;
-use crate::conformal::{Constraints, Side};
+use crate::conformal::{Constraints, PerSide};
 use crate::model::curves::{Curve, Curves};
 use crate::outline::Preset;
 
@@ -13,7 +13,7 @@ const PLACES: usize = 160;
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExactCurves {
     /// ω of source and target.
-    pub measure: [Curve; 2],
+    pub measure: PerSide<Curve>,
     /// r, starting from the mapped side.
     pub reparameterisation: Curve,
     /// The largest distance of r̃ from r at these points, as a part of the other boundary's length.
@@ -26,17 +26,17 @@ impl ExactCurves {
     /// They are evaluated at samples of both sides, which are dense where their side is curved, so that r is
     /// resolved well both where it is steep and where it is flat.
     pub fn new(exact: &ExactMap, curves: &Curves) -> Self {
-        let places = Side::BOTH.map(|side| thinned(&curves.measure[side as usize]));
-        let measure = Side::BOTH.map(|side| {
-            let points = places[side as usize].iter().map(|&x| [x, exact.measure(side, x)]).collect();
+        let places = PerSide::from_fn(|side| thinned(&curves.measure[side]));
+        let measure = PerSide::from_fn(|side| {
+            let points = places[side].iter().map(|&x| [x, exact.measure(side, x)]).collect();
             curve(points)
         });
         let (mapped, other) = (curves.mapped, curves.mapped.other());
-        let forward = places[mapped as usize].iter().map(|&x| [x, exact.reparameterisation(mapped, x)]);
+        let forward = places[mapped].iter().map(|&x| [x, exact.reparameterisation(mapped, x)]);
         let forward: Vec<[f64; 2]> = forward.collect();
         let difference = |&[x, r]: &[f64; 2]| (curves.reparameterisation.at(x) - r).abs();
         let difference = forward.iter().map(difference).fold(0.0, f64::max);
-        let backward = places[other as usize].iter().map(|&r| [exact.reparameterisation(other, r), r]);
+        let backward = places[other].iter().map(|&r| [exact.reparameterisation(other, r), r]);
         let reparameterisation = curve(forward.into_iter().chain(backward).collect());
         Self { measure, reparameterisation, difference }
     }
@@ -45,7 +45,7 @@ impl ExactCurves {
 /// The inputs of exact curves: the preset outlines, the constraints, and the map's own curves.
 #[derive(Debug, PartialEq)]
 struct Parts {
-    presets: Option<[Preset; 2]>,
+    presets: Option<PerSide<Preset>>,
     constraints: Constraints,
     curves: Curves,
 }
@@ -60,7 +60,7 @@ pub struct KeptExact {
 
 impl KeptExact {
     /// Updates the curves; returns whether anything was computed. Without presets the map is not known in closed form.
-    pub fn update(&mut self, presets: Option<[Preset; 2]>, constraints: Constraints, curves: &Curves) -> bool {
+    pub fn update(&mut self, presets: Option<PerSide<Preset>>, constraints: Constraints, curves: &Curves) -> bool {
         let is_same =
             |parts: &Parts| parts.presets == presets && parts.constraints == constraints && parts.curves == *curves;
         if self.parts.as_ref().is_some_and(is_same) {

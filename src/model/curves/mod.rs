@@ -9,7 +9,7 @@ mod exact;
 
 pub use exact::{ExactCurves, KeptExact};
 
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::model::curves::boundary_map::{BoundaryMap, Loop};
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
@@ -71,47 +71,47 @@ fn interpolate(points: &[[f64; 2]], at: f64, from: impl Fn(&[f64; 2]) -> f64, to
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curves {
     /// ψ·ℓ of source and target.
-    pub kernel: [Curve; 2],
+    pub kernel: PerSide<Curve>,
     /// ω̃ of source and target.
-    pub measure: [Curve; 2],
+    pub measure: PerSide<Curve>,
     /// r̃: arc length on the other side over arc length on the mapped side.
     pub reparameterisation: Curve,
     /// The side that r̃ starts from.
     pub mapped: Side,
     /// The anchors, as fractions of arc length.
-    pub anchors: [f64; 2],
+    pub anchors: PerSide<f64>,
 }
 
 impl Curves {
     /// The curves of a map with these anchors, given as fractions of arc length.
-    pub fn new<'a>(map: impl Into<BoundaryMap<'a>>, anchors: [f64; 2]) -> Self {
+    pub fn new<'a>(map: impl Into<BoundaryMap<'a>>, anchors: PerSide<f64>) -> Self {
         let BoundaryMap { mapped, loops, kernels, measures, images } = map.into();
-        let anchored = Side::BOTH.map(|side| Anchored::new(loops[side as usize], anchors[side as usize]));
+        let anchored = PerSide::from_fn(|side| Anchored::new(loops[side], anchors[side]));
         let curve = |side: Side, ordinates: Vec<f64>| {
-            let points = anchored[side as usize].abscissae().zip(ordinates).map(|(x, y)| [x, y]).collect();
+            let points = anchored[side].abscissae().zip(ordinates).map(|(x, y)| [x, y]).collect();
             Curve { name: side.to_string(), points }
         };
-        let kernel = Side::BOTH.map(|side| curve(side, anchored[side as usize].density(kernels[side as usize])));
-        let measure = Side::BOTH.map(|side| curve(side, measures[side as usize].at_knots().to_vec()));
-        let other = &anchored[mapped.other() as usize];
-        let first = curve(mapped, reparameterisation(&anchored[mapped as usize], other, images));
+        let kernel = PerSide::from_fn(|side| curve(side, anchored[side].density(kernels[side])));
+        let measure = PerSide::from_fn(|side| curve(side, measures[side].at_knots().to_vec()));
+        let other = &anchored[mapped.other()];
+        let first = curve(mapped, reparameterisation(&anchored[mapped], other, images));
         let reparameterisation = Curve { name: String::from("this map"), ..first };
         Self { kernel, measure, reparameterisation, mapped, anchors: anchored.map(|side| side.origin) }
     }
 
     /// The point of the other side with the same harmonic measure as the point at `x`.
     pub fn partner(&self, side: Side, x: f64) -> f64 {
-        self.measure[side.other() as usize].inverse_at(self.measure[side as usize].at(x))
+        self.measure[side.other()].inverse_at(self.measure[side].at(x))
     }
 
     /// Converts a fraction of the outline's arc length to the abscissa from the anchor.
     pub fn along(&self, side: Side, fraction: f64) -> f64 {
-        (fraction - self.anchors[side as usize]).rem_euclid(1.0)
+        (fraction - self.anchors[side]).rem_euclid(1.0)
     }
 
     /// The inverse of [`Self::along`].
     pub fn fraction(&self, side: Side, x: f64) -> f64 {
-        (x + self.anchors[side as usize]).rem_euclid(1.0)
+        (x + self.anchors[side]).rem_euclid(1.0)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The curves compared with closed forms on the disk.
 
 use crate::closed_form::ExactMap;
-use crate::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, PreparedSide, prepare};
+use crate::conformal::{ConformalMap, Constraints, Direction, PerSide, PrepareSettings, PreparedSide, prepare};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::model::curves::exact::{ExactCurves, KeptExact};
@@ -22,7 +22,7 @@ fn curves(points: [DVec2; 2], anchors: [f64; 2], direction: Direction) -> Curves
     let constraints = Constraints::new((points[0], anchors[0]), (points[1], anchors[1]));
     let disk = disk();
     let map = ConformalMap::new(Arc::clone(&disk), disk, &constraints, direction.into()).unwrap();
-    Curves::new(&map, anchors)
+    Curves::new(&map, anchors.into())
 }
 
 const X: DVec2 = DVec2::new(0.6, 0.2);
@@ -39,13 +39,13 @@ fn the_kernel_of_the_disk_has_its_closed_form_over_the_arc_length() {
     let (center, radius) = frame(&disk());
     for anchor in [0.0, 0.3337] {
         let curves = curves([center + radius * X, center], [anchor, 0.0], Direction::Forward);
-        for &[x, y] in &curves.kernel[0].points {
+        for &[x, y] in &curves.kernel.source.points {
             let on_circle = DVec2::from_angle(TAU * (x + anchor));
             let exact = (1.0 - X.length_squared()) / on_circle.distance_squared(X);
             // the peak is 5; 400 samples resolve it to a few thousandths
             assert!((y - exact).abs() < 0.03, "anchor {anchor}, x {x}: {y} for {exact}");
         }
-        for &[x, y] in &curves.kernel[1].points {
+        for &[x, y] in &curves.kernel.target.points {
             assert!((y - 1.0).abs() < 0.01, "the centre's kernel is uniform, not {y} at {x}");
         }
     }
@@ -61,7 +61,7 @@ fn measures_and_reparameterisation_run_from_zero_to_one_without_decreasing() {
         ([0.999, 0.5], Direction::Backward),
     ] {
         let curves = curves([center + radius * X, center - 0.5 * radius * X], anchors, direction);
-        for curve in curves.measure.iter().chain([&curves.reparameterisation]) {
+        for curve in [&curves.measure.source, &curves.measure.target, &curves.reparameterisation] {
             let points = &curve.points;
             assert_eq!((points[0], points[points.len() - 1]), ([0.0, 0.0], [1.0, 1.0]), "{}", curve.name);
             for pair in points.windows(2) {
@@ -79,7 +79,7 @@ fn from_the_centre_the_reparameterisation_is_the_harmonic_measure() {
     for k in 0..=50 {
         let x = f64::from(k) / 50.0;
         // ω from the center is the arc length, up to the mesh's error
-        let error = (r.at(x) - curves.measure[0].at(x)).abs();
+        let error = (r.at(x) - curves.measure.source.at(x)).abs();
         assert!(error < 2e-3, "at {x}: {error:e}");
     }
 }
@@ -105,13 +105,13 @@ fn the_exact_curves_lie_under_the_maps_own() {
     for (anchors, direction) in [([0.1, 0.7], Direction::Forward), ([0.8, 0.25], Direction::Backward)] {
         let curves = curves(points, anchors, direction);
         let constraints = Constraints::new((points[0], anchors[0]), (points[1], anchors[1]));
-        let map = ExactMap::between([Preset::Disk; 2], &constraints).unwrap();
+        let map = ExactMap::between(PerSide::from([Preset::Disk; 2]), &constraints).unwrap();
         let exact = ExactCurves::new(&map, &curves);
         // the kernel's error with 400 samples
         assert!(exact.difference < 2e-3, "{:e}", exact.difference);
         for (own, exact) in [
-            (&curves.measure[0], &exact.measure[0]),
-            (&curves.measure[1], &exact.measure[1]),
+            (&curves.measure.source, &exact.measure.source),
+            (&curves.measure.target, &exact.measure.target),
             (&curves.reparameterisation, &exact.reparameterisation),
         ] {
             let points = &exact.points;
@@ -155,7 +155,7 @@ fn a_flat_step_is_inverted_to_its_beginning() {
 fn exact_curves_are_recomputed_only_when_their_inputs_change() {
     let at = |point: DVec2| Constraints::new((point, 0.1), (DVec2::ZERO, 0.0));
     let of = |point: DVec2| curves([point, DVec2::ZERO], [0.1, 0.0], Direction::Forward);
-    let (disks, mut kept) = (Some([Preset::Disk; 2]), KeptExact::default());
+    let (disks, mut kept) = (Some(PerSide::from([Preset::Disk; 2])), KeptExact::default());
     assert!(kept.update(disks, at(X), &of(X)) && kept.curves().is_some());
     let first = kept.curves().cloned();
     assert!(!kept.update(disks, at(X), &of(X)), "another extension of the same boundary map");

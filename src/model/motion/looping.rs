@@ -19,7 +19,7 @@ pub fn begin(model: &Model, path: Path) -> Option<Loop> {
 /// The commands that move a session's points to a place on the loop.
 pub fn commands(place: Place) -> impl Iterator<Item = Command> {
     let moved = move |side: Side| {
-        let point = place.interior[side as usize]?;
+        let point = place.interior[side]?;
         Some(Command::MoveInterior { side, point: point.into() })
     };
     let turned = place.anchor.map(|fraction| Command::MoveAnchor { side: Side::Source, fraction });

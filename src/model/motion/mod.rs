@@ -153,7 +153,7 @@ impl Run {
         let Place { interior, anchor } = self.way.at(self.t);
         let session = model.session();
         let is_there = |side: Side| {
-            let place = interior[side as usize];
+            let place = interior[side];
             place.is_none() || place == session.side(side).interior
         };
         Side::BOTH.into_iter().all(is_there)

@@ -6,7 +6,7 @@ pub mod disk_comparison;
 pub mod overlay;
 pub mod walks;
 
-use crate::conformal::{ConformalMap, MeshedDomain, Side};
+use crate::conformal::{ConformalMap, MeshedDomain, PerSide, Side};
 use crate::geometry::DVec2;
 use crate::model::pattern::disk_grid::DiskGrid;
 use crate::session::Comparison;
@@ -21,13 +21,13 @@ pub struct Situation<'a> {
     /// The map.
     pub map: &'a ConformalMap,
     /// Its domains.
-    pub domains: [&'a Arc<MeshedDomain>; 2],
+    pub domains: PerSide<&'a Arc<MeshedDomain>>,
     /// The generation of the map, increased with every change.
     pub generation: u64,
     /// x₁, x₂.
-    pub points: [DVec2; 2],
+    pub points: PerSide<DVec2>,
     /// y₁, y₂, as fractions of arc length.
-    pub anchors: [f64; 2],
+    pub anchors: PerSide<f64>,
 }
 
 impl Situation<'_> {

@@ -72,7 +72,7 @@ impl Overlays {
         self.measure.clear();
         self.reparameterisation.clear();
         for (way, found) in disk.all_found().rev() {
-            self.measure.extend(found.measures.iter().map(|curve| by(Origin::Disk(way), curve)));
+            self.measure.extend(found.measures.iter().map(|(_, curve)| by(Origin::Disk(way), curve)));
             self.reparameterisation.push(by(Origin::Disk(way), &found.reparameterisation));
         }
         self.measure.extend(walks.cumulative().map(|curve| Overlay { origin: Origin::Walks, curve }));

@@ -134,8 +134,8 @@ impl Walks {
 
     /// Advances the walks; returns the seconds until the next call is needed, if any.
     pub fn advance(&mut self, situation: &Situation, now: f64) -> Option<f64> {
-        let (point, anchor) = (situation.points[0], situation.anchors[0]);
-        let domain = situation.domains[0];
+        let (point, anchor) = (situation.points.source, situation.anchors.source);
+        let domain = situation.domains.source;
         let is_here = |old: &Start| Arc::ptr_eq(&old.domain, domain) && (old.point, old.anchor) == (point, anchor);
         if self.start.as_ref().is_some_and(|old| !is_here(old)) {
             self.clear();
@@ -154,8 +154,8 @@ impl Walks {
     }
 
     fn begin(&mut self, situation: &Situation) -> bool {
-        let domain = Arc::clone(situation.domains[0]);
-        let (point, anchor) = (situation.points[0], situation.anchors[0]);
+        let domain = Arc::clone(situation.domains.source);
+        let (point, anchor) = (situation.points.source, situation.anchors.source);
         match Walker::new(&domain.samples().points, point, SEED) {
             Ok(walker) => {
                 let counts = HitCounts::by_arc_length(domain.samples(), situation.map.measure(Side::Source), BINS);

@@ -4,7 +4,7 @@
 //! those of the other, f = g₂⁻¹ ∘ g₁, so the pattern that both pictures show is one
 //! pattern, carried by the map. They can be made in pieces; both sides change at once.
 
-use crate::conformal::{ConformalMap, ExtensionScratch, Side, advance_extension, begin_disk_coordinates};
+use crate::conformal::{ConformalMap, ExtensionScratch, PerSide, Side, advance_extension, begin_disk_coordinates};
 use crate::geometry::DVec2;
 use crate::language::{Message, key};
 use crate::laplace::Deadline;
@@ -22,7 +22,7 @@ pub struct DiskGrid {
 
 #[derive(Debug, Default)]
 struct Coordinates {
-    sides: [Vec<DVec2>; 2],
+    sides: PerSide<Vec<DVec2>>,
     /// What they are of.
     generation: Option<u64>,
     error: Option<Message>,
@@ -60,7 +60,7 @@ impl DiskGrid {
     }
 
     fn advance_side(&mut self, map: &ConformalMap, side: Side, deadline: Deadline) -> bool {
-        let values = &mut self.coming.sides[side as usize];
+        let values = &mut self.coming.sides[side];
         advance_extension(map.side(side), &mut self.scratch, values, deadline).unwrap_or_else(|error| {
             // The flat pattern of a point at the centre, rather than a wrong one.
             values.clear();
@@ -77,7 +77,7 @@ impl DiskGrid {
 
     /// g at the vertices of a side's mesh; empty before the first have been made.
     pub fn of(&self, side: Side) -> &[DVec2] {
-        &self.made.sides[side as usize]
+        &self.made.sides[side]
     }
 
     /// Why there is no pattern.

@@ -117,9 +117,10 @@ impl TryFrom<Version1> for Session {
 
     fn try_from(form: Version1) -> Result<Self, FileError> {
         within(Quantity::Version, f64::from(form.version), &(1.0..=1.0))?;
+        let (interiors, anchors) = (PerSide::from(form.interior), PerSide::from(form.anchor));
         let side = |side: Side, DomainForm { outline, settings }: DomainForm, surface| {
             let domain = DomainSpec { outline: outline.checked(side)?, settings };
-            let (interior, anchor) = (form.interior[side as usize], form.anchor[side as usize]);
+            let (interior, anchor) = (interiors[side], anchors[side]);
             Ok::<_, FileError>(SideState { domain, interior, anchor, surface })
         };
         Ok(Self {

@@ -25,10 +25,10 @@ fn everything() -> Session {
         PrepareSettings { sampling: Sampling::default(), sizing: Sizing::Graded(0.25), ..PrepareSettings::default() },
     ];
     let mut session = Session::default();
-    for (side, preset) in Side::BOTH.into_iter().zip([Preset::VShape, Preset::MapleLeaf]) {
-        let x = 0.125 * (1.0 + f64::from(side as u8));
+    for ((side, preset), settings) in Side::BOTH.into_iter().zip([Preset::VShape, Preset::MapleLeaf]).zip(settings) {
+        let x = if side == Side::Source { 0.125 } else { 0.25 };
         session.apply(Command::SetOutline { side, outline: OutlineSpec::Preset(preset) });
-        session.apply(Command::SetSettings { side, settings: settings[side as usize] });
+        session.apply(Command::SetSettings { side, settings });
         session.apply(Command::MoveInterior { side, point: DVec2::new(x, -1.0 / 3.0).into() });
         session.apply(Command::MoveAnchor { side, fraction: 0.1 + x });
     }

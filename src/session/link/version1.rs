@@ -142,10 +142,11 @@ impl Version1 {
         if let Some(later) = self.later.first() {
             return Err(LinkError::Unknown { what: Choice::Setting, name: later.code.to_string() });
         }
+        let (interiors, anchors) = (PerSide::from(self.interior), PerSide::from(self.anchor));
         let mut missing = Vec::new();
         let mut side = |side: Side, wired: Domain, surface: Option<Surface>| -> Result<SideState, LinkError> {
             let settings = wired.settings()?;
-            let (interior, anchor) = (self.interior[side as usize].map(DVec2::from_array), self.anchor[side as usize]);
+            let (interior, anchor) = (interiors[side].map(DVec2::from_array), anchors[side]);
             let (outline, interior, anchor) = match wired.outline {
                 WiredOutline::Preset(name) => (preset(&name)?, interior, anchor),
                 WiredOutline::Points { name, points } => (with_points(side, name, &points)?, interior, anchor),

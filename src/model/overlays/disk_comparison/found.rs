@@ -1,6 +1,6 @@
 //! The result of a comparison: measures, reparameterizations and images of both methods, and their difference.
 
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::language::{Message, key};
 use crate::model::curves::{Curve, Curves};
 use crate::model::overlays::Situation;
@@ -25,7 +25,7 @@ pub struct Mark {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
     /// ω̃ of source and target by the disk maps, over the arc length from the anchor.
-    pub measures: [Curve; 2],
+    pub measures: PerSide<Curve>,
     /// r̃ through the disk.
     pub reparameterisation: Curve,
     /// [`MARKS`] points at equal steps of riemap's harmonic measure.
@@ -33,13 +33,13 @@ pub struct Found {
     /// The image of each vertex through the disk, as fractions of the other side's arc length.
     pub images: Vec<f64>,
     /// Boundary samples of source and target.
-    pub samples: [usize; 2],
+    pub samples: PerSide<usize>,
     /// How many of them coincide with the previous one in f64.
-    pub collapsed: [usize; 2],
+    pub collapsed: PerSide<usize>,
     /// How many of them lie before the previous one.
-    pub disordered: [usize; 2],
+    pub disordered: PerSide<usize>,
     /// How many of riemap's own samples have the same harmonic measure in f64 as the previous one.
-    pub directly_collapsed: [usize; 2],
+    pub directly_collapsed: PerSide<usize>,
     /// The largest distance between the two images of a mark, as a part of the other boundary's length; at most ½.
     pub difference: f64,
 }
@@ -52,28 +52,27 @@ pub(super) struct Measured {
 }
 
 /// Compares the map with the one through the disk, given the disk's measures of source and target.
-pub(super) fn compare(situation: &Situation, sides: [&Measured; 2]) -> Result<Found, Message> {
+pub(super) fn compare(situation: &Situation, sides: PerSide<&Measured>) -> Result<Found, Message> {
     let measure = |side: Side| {
         let failed = |error: &ZipperError| key::through_disk_fails(side, Message::from(error));
-        sides[side as usize].measure.as_ref().map_err(failed)
+        sides[side].measure.as_ref().map_err(failed)
     };
-    let [source, target] = Side::BOTH.map(measure);
-    let measures = [source?, target?];
+    let measures = PerSide::new(measure(Side::Source)?, measure(Side::Target)?);
     let (mapped, other) = (situation.mapped(), situation.mapped().other());
-    let matched = DiskComparison::new(measures[mapped as usize].clone(), measures[other as usize].clone());
-    let cut = Side::BOTH.map(|side| (&sides[side as usize].samples, situation.anchors[side as usize]));
-    let reparameterisation = Curve::reparameterisation(cut[mapped as usize], cut[other as usize], matched.points());
+    let matched = DiskComparison::new(measures[mapped].clone(), measures[other].clone());
+    let cut = PerSide::from_fn(|side| (&sides[side].samples, situation.anchors[side]));
+    let reparameterisation = Curve::reparameterisation(cut[mapped], cut[other], matched.points());
     let marks = marks(situation, &reparameterisation);
     let difference = marks.iter().map(|mark| around(mark.direct, mark.through_disk)).fold(0.0, f64::max);
     Ok(Found {
-        measures: Side::BOTH.map(|side| Curve::measure(cut[side as usize], measures[side as usize].from_anchor())),
+        measures: PerSide::from_fn(|side| Curve::measure(cut[side], measures[side].from_anchor())),
         reparameterisation,
         marks,
-        images: matched.points().iter().map(|&point| sides[other as usize].samples.fraction_at(point)).collect(),
+        images: matched.points().iter().map(|&point| sides[other].samples.fraction_at(point)).collect(),
         samples: sides.map(|side| side.samples.len()),
         collapsed: measures.map(DiskMeasure::collapsed),
         disordered: measures.map(DiskMeasure::disordered),
-        directly_collapsed: Side::BOTH.map(|side| directly_collapsed(situation, side)),
+        directly_collapsed: PerSide::from_fn(|side| directly_collapsed(situation, side)),
         difference,
     })
 }
@@ -90,7 +89,7 @@ fn marks(situation: &Situation, through_disk: &Curve) -> Vec<Mark> {
     let curves = Curves::new(situation.map, situation.anchors);
     let mark = |k: u32| {
         let omega = (f64::from(k) + 0.5) / f64::from(MARKS);
-        let [from, direct] = [mapped, other].map(|side| curves.measure[side as usize].inverse_at(omega));
+        let [from, direct] = [mapped, other].map(|side| curves.measure[side].inverse_at(omega));
         Mark {
             from: curves.fraction(mapped, from),
             direct: curves.fraction(other, direct),

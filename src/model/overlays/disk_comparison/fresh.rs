@@ -3,7 +3,7 @@
 //! If the curve through the samples excludes the interior point, the samples are doubled: up to the cap at once,
 //! beyond it only at rest, one map per call. Until this is settled, the previous result stays.
 
-use crate::conformal::{MeshedDomain, Side};
+use crate::conformal::{MeshedDomain, PerSide, Side};
 use crate::geometry::DVec2;
 use crate::model::overlays::Situation;
 use crate::model::overlays::disk_comparison::found::{Measured, compare};
@@ -36,14 +36,14 @@ pub(super) struct Fresh {
     /// The generation of the last map that was compared.
     seen: Option<u64>,
     changed_at: f64,
-    known: [Option<Known>; 2],
+    known: PerSide<Option<Known>>,
     pub(super) shown: Shown,
 }
 
 impl Fresh {
     pub(super) fn clear(&mut self) {
         self.shown.clear();
-        (self.seen, self.known) = (None, [None, None]);
+        (self.seen, self.known) = (None, PerSide::default());
     }
 
     /// As [`crate::model::overlays::disk_comparison::DiskComparison::advance`]; large maps are computed only if
@@ -68,16 +68,15 @@ impl Fresh {
 
     /// The measure of the current points, if it is known.
     fn present(&self, situation: &Situation, side: Side) -> Option<&Known> {
-        let k = side as usize;
-        self.known[k].as_ref().filter(|known| {
-            Arc::ptr_eq(&known.domain, situation.domains[side as usize])
-                && (known.point, known.anchor) == (situation.points[k], situation.anchors[k])
+        self.known[side].as_ref().filter(|known| {
+            Arc::ptr_eq(&known.domain, situation.domains[side])
+                && (known.point, known.anchor) == (situation.points[side], situation.anchors[side])
         })
     }
 
     /// The number of samples to use at rest, if the measure has fewer.
     fn lacks(&self, situation: &Situation, side: Side) -> Option<usize> {
-        let (present, all) = (self.present(situation, side), situation.domains[side as usize].samples().len());
+        let (present, all) = (self.present(situation, side), situation.domains[side].samples().len());
         let there = present.map_or(0, |known| known.measured.samples.len());
         let wanted = if present.is_some_and(Known::is_undecided) { 2 * there } else { RESTING_SAMPLES };
         (there < wanted.min(all)).then_some(wanted)
@@ -96,17 +95,17 @@ impl Fresh {
     }
 
     fn measure(&mut self, situation: &Situation, side: Side, most: usize) {
-        let domain = Arc::clone(situation.domains[side as usize]);
-        let (point, anchor) = (situation.points[side as usize], situation.anchors[side as usize]);
+        let domain = Arc::clone(situation.domains[side]);
+        let (point, anchor) = (situation.points[side], situation.anchors[side]);
         let samples = thinned(domain.samples(), most);
         let measure = DiskMeasure::fresh(&samples.points, point, samples.at_fraction(anchor));
-        self.known[side as usize] = Some(Known { domain, point, anchor, measured: Measured { samples, measure } });
+        self.known[side] = Some(Known { domain, point, anchor, measured: Measured { samples, measure } });
     }
 
     fn compare(&mut self, situation: &Situation) {
-        let [Some(source), Some(target)] = &self.known else { return };
-        if !source.is_undecided() && !target.is_undecided() {
-            self.shown.set(compare(situation, [&source.measured, &target.measured]));
+        let Some(known) = self.known.as_ref().map(Option::as_ref).both() else { return };
+        if known.iter().all(|(_, known)| !known.is_undecided()) {
+            self.shown.set(compare(situation, known.map(|known| &known.measured)));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Disk maps of the domains' poles, computed once per domain; moving a point then needs only a Möbius map.
 
-use crate::conformal::{MeshedDomain, Side};
+use crate::conformal::{MeshedDomain, PerSide, Side};
 use crate::model::overlays::Situation;
 use crate::model::overlays::disk_comparison::found::{Measured, compare};
 use crate::model::overlays::disk_comparison::{RESTING_SAMPLES, Shown, is_refused, thinned};
@@ -21,7 +21,7 @@ struct Known {
 pub(super) struct Precomputed {
     /// The generation of the last map that was compared.
     seen: Option<u64>,
-    known: [Option<Known>; 2],
+    known: PerSide<Option<Known>>,
     pub(super) shown: Shown,
 }
 
@@ -36,24 +36,24 @@ impl Precomputed {
     pub(super) fn advance(&mut self, situation: &Situation) -> Option<f64> {
         let missing = Side::BOTH.into_iter().find_map(|side| Some((side, self.lacks(situation, side)?)));
         if let Some((side, most)) = missing {
-            let domain = Arc::clone(situation.domains[side as usize]);
+            let domain = Arc::clone(situation.domains[side]);
             let samples = thinned(domain.samples(), most);
             let map = DiskMap::new(&samples.points, domain.default_point());
-            self.known[side as usize] = Some(Known { domain, samples, map });
+            self.known[side] = Some(Known { domain, samples, map });
             return Some(0.0);
         }
         if self.seen.replace(situation.generation) != Some(situation.generation)
-            && let [Some(source), Some(target)] = Side::BOTH.map(|side| self.measured(situation, side))
+            && let Some(measured) = PerSide::from_fn(|side| self.measured(situation, side)).both()
         {
-            self.shown.set(compare(situation, [&source, &target]));
+            self.shown.set(compare(situation, measured.as_ref()));
         }
         None
     }
 
     /// The number of samples for a side's disk map if there is none or it excludes the pole; `None` if it is usable.
     fn lacks(&self, situation: &Situation, side: Side) -> Option<usize> {
-        let domain = situation.domains[side as usize];
-        match self.known[side as usize].as_ref().filter(|known| Arc::ptr_eq(&known.domain, domain)) {
+        let domain = situation.domains[side];
+        match self.known[side].as_ref().filter(|known| Arc::ptr_eq(&known.domain, domain)) {
             None => Some(RESTING_SAMPLES),
             Some(known) if is_refused(&known.map) && known.samples.len() < domain.samples().len() => {
                 Some(2 * known.samples.len())
@@ -63,9 +63,9 @@ impl Precomputed {
     }
 
     fn measured(&self, situation: &Situation, side: Side) -> Option<Measured> {
-        let known = self.known[side as usize].as_ref()?;
-        let start = known.samples.at_fraction(situation.anchors[side as usize]);
-        let by = |map| DiskMeasure::precomputed(map, situation.points[side as usize], start);
+        let known = self.known[side].as_ref()?;
+        let start = known.samples.at_fraction(situation.anchors[side]);
+        let by = |map| DiskMeasure::precomputed(map, situation.points[side], start);
         let measure = known.map.as_ref().map_err(|error| *error).and_then(by);
         Some(Measured { samples: known.samples.clone(), measure })
     }
