@@ -5,9 +5,8 @@
 mod support;
 
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, Extension, ExtensionScratch, KernelMode, MapError, MapSettings,
-    PrepareSettings, PreparedSide, Side, SurfaceSettings, advance_extension, begin_disk_coordinates, disk_coordinates,
-    prepare_surface,
+    ConformalMap, Constraints, Direction, Extension, KernelMode, MapError, MapSettings, PrepareSettings, PreparedSide,
+    Side, SurfaceSettings, prepare_surface,
 };
 use riemap::geometry::DVec2;
 use riemap::laplace::{Deadline, SolverKind};
@@ -96,27 +95,6 @@ fn other_constraints_start_over_and_bad_ones_change_nothing() {
             assert_eq!(seen(&map), seen(&fresh));
             map.update(&at(0.0), settings).unwrap();
             assert_eq!(seen(&map), first);
-        }
-    }
-}
-
-#[test]
-fn disk_coordinates_in_pieces_are_those_at_once() {
-    for mode in &MODES[..2] {
-        let (source, target) = (domain(Preset::Heart, *mode), domain(Preset::Star, *mode));
-        let at = constraints(&source, &target, 1.0);
-        let map = ConformalMap::new(source, target, &at, MapSettings::default()).unwrap();
-        let (mut scratch, mut whole, mut pieces) = (ExtensionScratch::default(), Vec::new(), vec![DVec2::ONE]);
-        for side in Side::BOTH {
-            let (domain, measure, before) = (map.side(side), map.measure(side), pieces.clone());
-            disk_coordinates(domain, measure, &mut whole, &mut scratch).unwrap();
-            begin_disk_coordinates(domain, measure, &mut scratch);
-            let mut steps = 1;
-            while !advance_extension(domain, &mut scratch, &mut pieces, Deadline::in_ms(0.0)).unwrap() {
-                assert_eq!(pieces, before);
-                steps += 1;
-            }
-            assert!(steps > 1 && whole == pieces, "{mode:?}, {side}: {steps} steps");
         }
     }
 }

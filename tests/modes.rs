@@ -5,14 +5,14 @@
 mod support;
 
 use riemap::conformal::{
-    ConformalMap, Constraints, FlatBuffers, HarmonicTable, KernelMode, KernelScratch, MapSettings, Memory,
-    PrepareError, PrepareSettings, PreparedSide, Stage, TableError, Unprepared, poisson_kernel, prepare,
-    prepare_within,
+    ConformalMap, Constraints, HarmonicTable, KernelMode, MapSettings, Memory, PrepareError, PrepareSettings,
+    PreparedSide, Stage, TableError, Unprepared, poisson_kernel, prepare, prepare_within,
 };
 use riemap::geometry::SimplePolygon;
-use riemap::laplace::{Solver, SolverKind};
+use riemap::laplace::SolverKind;
 use riemap::mesh::{Sizing, locate};
 use riemap::outline::{Preset, Sampling};
+use riemap::worker::Transfer;
 use support::domains::domain;
 
 const COARSE: PrepareSettings =
@@ -27,16 +27,10 @@ fn outline<'a>(polygon: &'a SimplePolygon, settings: &'a PrepareSettings) -> Unp
 /// The kernel at every `step`-th interior vertex, moved slightly towards the pole.
 fn kernels(domain: &PreparedSide, step: usize) -> Vec<Vec<f64>> {
     let inside = domain.domain().unwrap().mesh().vertices[domain.boundary_count()..].iter().step_by(step);
-    let mut scratch = KernelScratch::default();
     let near = inside.filter_map(|v| {
         locate(domain.domain().unwrap().mesh(), v.lerp(domain.domain().unwrap().default_point(), 0.01), 0)
     });
-    near.map(|x| {
-        let mut psi = Vec::new();
-        poisson_kernel(domain, x, &mut scratch, &mut psi).unwrap();
-        psi
-    })
-    .collect()
+    near.map(|x| poisson_kernel(domain, x).unwrap()).collect()
 }
 
 /// The largest difference of two kernels relative to the maximum of the larger one.
@@ -111,7 +105,7 @@ fn iterative_solver_gives_the_same_kernels_and_maps() {
 fn agree_with_the_iterative_solver(preset: Preset) {
     let both = [COARSE, PCG].map(|settings| {
         let (source, target) = (domain(preset, settings), domain(Preset::Heart, settings));
-        assert_eq!(source.solver().kind(), settings.solver);
+        assert_eq!(source.solver_kind(), settings.solver);
         let constraints = Constraints::new((source.default_point(), 0.1), (target.default_point(), 0.7));
         let kernels = kernels(&source, 97);
         let map = ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap();
@@ -130,25 +124,25 @@ fn factor_above_the_budget_gives_way_to_the_iterative_solver() {
     let polygon = Preset::Blob.outline().polygon;
     let memory = Memory::default().with_factor_bytes(10_000);
     let domain = prepare_within(memory, outline(&polygon, &COARSE), &mut |_| ()).unwrap();
-    assert_eq!(domain.solver().kind(), SolverKind::Pcg);
+    assert_eq!(domain.solver_kind(), SolverKind::Pcg);
 }
 
 #[test]
 fn every_mode_survives_the_trip_through_flat_arrays() {
     for settings in [COARSE, TABLE, PCG] {
         let domain = domain(Preset::Square, settings);
-        let back = PreparedSide::from_buffers(domain.to_buffers()).unwrap();
-        assert_eq!(back.solver(), domain.solver());
+        let back = Transfer::from(&*domain).into_side().unwrap();
+        assert_eq!(Transfer::from(&back), Transfer::from(&*domain), "to the bit, with its factor");
+        assert_eq!(back.solver_kind(), settings.solver);
         assert_eq!(back.table(), domain.table());
         assert_eq!(back.timings(), domain.timings());
-        let broken = |damage: fn(&mut FlatBuffers)| {
-            let mut buffers = domain.to_buffers();
+        let broken = |damage: fn(&mut Transfer)| {
+            let mut buffers = Transfer::from(&*domain);
             damage(&mut buffers);
-            PreparedSide::from_buffers(buffers).is_none()
+            buffers.into_side().is_none()
         };
         assert!(broken(|b| b.floats.truncate(5)), "arrays missing");
         assert!(broken(|b| b.floats.push(Vec::new())), "an array too many");
         assert!(broken(|b| b.floats.last_mut().unwrap().truncate(3)), "values of the solver missing");
     }
-    assert!(matches!(domain(Preset::Square, PCG).solver(), Solver::Pcg { .. }));
 }

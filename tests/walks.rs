@@ -4,9 +4,7 @@
 
 mod support;
 
-use riemap::conformal::{
-    HarmonicMeasure, HitCounts, KernelScratch, MAX_JUMPS, PrepareSettings, PreparedSide, Walker, poisson_kernel,
-};
+use riemap::conformal::{HarmonicMeasure, HitCounts, MAX_JUMPS, PrepareSettings, PreparedSide, Walker, poisson_kernel};
 use riemap::exact::{complex, disk};
 use riemap::geometry::DVec2;
 use riemap::mesh::locate;
@@ -22,9 +20,8 @@ const START: BoundaryPoint = BoundaryPoint { edge: 0, fraction: 0.0 };
 const CHI_SQUARE: f64 = 61.1;
 
 fn measure(domain: &PreparedSide, x: DVec2, anchor: BoundaryPoint) -> HarmonicMeasure {
-    let mut psi = Vec::new();
     let located = locate(domain.domain().unwrap().mesh(), x, 0).unwrap();
-    poisson_kernel(domain, located, &mut KernelScratch::default(), &mut psi).unwrap();
+    let psi = poisson_kernel(domain, located).unwrap();
     HarmonicMeasure::new(domain.domain().unwrap().samples(), &psi, anchor)
 }
 

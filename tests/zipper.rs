@@ -6,8 +6,7 @@ mod support;
 
 use proptest::prelude::*;
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, HarmonicMeasure, KernelScratch, PrepareSettings, PreparedSide, Side,
-    poisson_kernel,
+    ConformalMap, Constraints, Direction, HarmonicMeasure, PrepareSettings, PreparedSide, Side, poisson_kernel,
 };
 use riemap::exact::{Complex, blob, complex, disk, vshape};
 use riemap::geometry::{DVec2, SimplePolygon};
@@ -139,15 +138,7 @@ fn prepared(preset: Preset) -> Arc<PreparedSide> {
 }
 
 fn kernel(domain: &PreparedSide, x: DVec2) -> Vec<f64> {
-    let mut psi = Vec::new();
-    poisson_kernel(
-        domain,
-        locate(domain.domain().unwrap().mesh(), x, 0).unwrap(),
-        &mut KernelScratch::default(),
-        &mut psi,
-    )
-    .unwrap();
-    psi
+    poisson_kernel(domain, locate(domain.domain().unwrap().mesh(), x, 0).unwrap()).unwrap()
 }
 
 /// Two methods that share only the samples. They differ most at the vertex of a

@@ -4,8 +4,8 @@ use super::{RiemapApp, editing};
 use crate::app::panels::header;
 use crate::app::viewport::legend;
 use crate::app::viewport::view::{DESK_MARGINS, Margins, PHONE_MARGINS, free_below};
-use crate::conformal::Side;
-use egui::{Rect, Ui, pos2};
+use crate::conformal::{PerSide, Side};
+use egui::{Rect, Ui};
 
 /// The viewport that has the legend of the colours.
 pub const LEGEND_SIDE: Side = Side::Target;

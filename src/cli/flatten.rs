@@ -185,8 +185,8 @@ impl Sides {
 
     fn say_notes(&self, arguments: &FlattenArguments) {
         warn_if_coarse(&arguments.outline, &self.source);
-        say_solver(&arguments.outline, self.solver, self.source.solver());
-        say_solver(&arguments.surface, self.solver, self.surface.solver());
+        say_solver(&arguments.outline, self.solver, self.source.solver_kind());
+        say_solver(&arguments.surface, self.solver, self.surface.solver_kind());
     }
 }
 

@@ -3,7 +3,7 @@
 use super::CliError;
 use crate::conformal::PreparedSide;
 use crate::counted::counted;
-use crate::laplace::{Solver, SolverKind};
+use crate::laplace::SolverKind;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -109,8 +109,8 @@ fn temporary_name(path: &Path) -> PathBuf {
 }
 
 /// Reports on stderr if the domain uses another solver than the requested one.
-pub fn say_solver(name: &str, wanted: SolverKind, solver: &Solver) {
-    if solver.kind() != wanted {
+pub fn say_solver(name: &str, wanted: SolverKind, used: SolverKind) {
+    if used != wanted {
         eprintln!("riemap: {name}: the Cholesky factor does not fit into memory: solved iteratively, more slowly");
     }
 }

@@ -19,7 +19,7 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
             .map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
         counts = Counts::of(&side);
         warn_if_coarse(&arguments.domain, &side);
-        say_solver(&arguments.domain, settings.solver, side.solver());
+        say_solver(&arguments.domain, settings.solver, side.solver_kind());
         runs.push(side.timings());
     }
     drop(progress);

@@ -227,6 +227,6 @@ impl NamedSide {
             }
         }
         warn_if_coarse(&self.title, &self.prepared);
-        say_solver(&self.title, discretisation.solver_kind(), self.prepared.solver());
+        say_solver(&self.title, discretisation.solver_kind(), self.prepared.solver_kind());
     }
 }

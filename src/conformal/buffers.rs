@@ -7,7 +7,7 @@ use super::surface::MeshedSurface;
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::{BarycentricPoint, FlipReport, RefineReport};
 use crate::outline::BoundarySamples;
-use crate::surface::SurfaceMesh;
+use crate::surface::{RepairNote, SurfaceMesh};
 use std::sync::Arc;
 
 /// The first array of indices says which geometry follows.
@@ -16,7 +16,7 @@ const SPACE: u32 = 1;
 
 impl PreparedSide {
     /// As flat arrays.
-    pub fn to_buffers(&self) -> FlatBuffers {
+    pub(crate) fn to_buffers(&self) -> FlatBuffers {
         let mut buffers = FlatBuffers::default();
         match self.geometry() {
             SideGeometry::Plane(domain) => buffers.put_domain(domain),
@@ -28,12 +28,12 @@ impl PreparedSide {
     }
 
     /// From flat arrays; `None` if they are not what [`Self::to_buffers`] makes.
-    pub fn from_buffers(mut buffers: FlatBuffers) -> Option<Self> {
-        let text = std::mem::take(&mut buffers.text);
+    pub(crate) fn from_buffers(mut buffers: FlatBuffers) -> Option<Self> {
+        let repairs = std::mem::take(&mut buffers.repairs);
         let mut reader = FlatReader::new(buffers);
         let geometry = match *reader.indices()?.as_slice() {
             [PLANE] => SideGeometry::Plane(Arc::new(reader.domain()?)),
-            [SPACE] => SideGeometry::Space(Arc::new(reader.surface(&text)?)),
+            [SPACE] => SideGeometry::Space(Arc::new(reader.surface(repairs)?)),
             _ => return None,
         };
         let timings = reader.timings()?;
@@ -61,8 +61,7 @@ impl FlatBuffers {
         self.indices.push([&counts[..], &[centre.triangle]].concat());
         self.put_mesh(&surface.mesh);
         self.indices.extend([surface.vertex_origins.clone(), surface.triangle_origins.clone()]);
-        // Plain data: it always has a form as text.
-        self.text = serde_json::to_string(&surface.repairs).unwrap_or_default();
+        self.repairs.clone_from(&surface.repairs);
     }
 }
 
@@ -81,9 +80,7 @@ impl FlatReader {
         Some(MeshedDomain::from_parts(samples, mesh, refinement, default_point))
     }
 
-    /// `repairs` are the surface's, as JSON.
-    fn surface(&mut self, repairs: &str) -> Option<MeshedSurface> {
-        let repairs = serde_json::from_str(repairs).ok()?;
+    fn surface(&mut self, repairs: Vec<RepairNote>) -> Option<MeshedSurface> {
         let weights: [f64; 3] = self.floats()?.try_into().ok()?;
         let [flips, negative_before, negative_after, before, triangle]: [u32; 5] = self.indices()?.try_into().ok()?;
         let mesh = self.mesh::<3, DVec3>()?;

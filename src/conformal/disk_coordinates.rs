@@ -6,28 +6,21 @@
 //! Its circles |g| = const are level sets of Green's function −ln |g| about x, its rays
 //! those of the harmonic measure. Where a domain crowds, |g| rounds to 1: see `zipper`.
 
-use super::{ExtensionScratch, HarmonicMeasure, PreparedSide, advance_extension};
+use super::{ExtensionScratch, HarmonicMeasure, PreparedSide, harmonic_extension};
 use crate::geometry::DVec2;
-use crate::laplace::{Deadline, NotConverged};
+use crate::laplace::NotConverged;
 use std::f64::consts::TAU;
 
-/// g at all vertices of the side's mesh (length m+n), into `values`; `measure` is that of x from
-/// y. One solve, as for a map; `scratch` is reused. In the unit disk but for rounding, and for
-/// meshes whose Laplacian has positive off-diagonal entries.
+/// g at all vertices of the side's mesh (length m+n); `measure` is that of x from y. One solve, as for a map.
+/// In the unit disk but for rounding, and for meshes whose Laplacian has positive off-diagonal entries.
 ///
-/// Errors: [`NotConverged`], of an iterative solver only; the values are then unchanged.
-pub fn disk_coordinates(
-    side: &PreparedSide,
-    measure: &HarmonicMeasure,
-    values: &mut Vec<DVec2>,
-    scratch: &mut ExtensionScratch,
-) -> Result<(), NotConverged> {
-    begin_disk_coordinates(side, measure, scratch);
-    advance_extension(side, scratch, values, Deadline::NEVER).map(|_| ())
+/// Errors: [`NotConverged`], of an iterative solver only.
+pub fn disk_coordinates(side: &PreparedSide, measure: &HarmonicMeasure) -> Result<Vec<DVec2>, NotConverged> {
+    harmonic_extension(side, on_circle(measure, side.boundary_count()))
 }
 
-/// Begins with [`disk_coordinates`], for [`advance_extension`] to go on with.
-pub fn begin_disk_coordinates(side: &PreparedSide, measure: &HarmonicMeasure, scratch: &mut ExtensionScratch) {
+/// Begins with [`disk_coordinates`], for [`PreparedSide::advance_extension`] to go on with.
+pub(crate) fn begin_disk_coordinates(side: &PreparedSide, measure: &HarmonicMeasure, scratch: &mut ExtensionScratch) {
     side.begin_extension(on_circle(measure, side.boundary_count()), scratch);
 }
 
@@ -39,9 +32,10 @@ fn on_circle(measure: &HarmonicMeasure, m: usize) -> impl Iterator<Item = DVec2>
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, Side, prepare};
+    use crate::conformal::{ConformalMap, Constraints, Direction, MapSettings, PrepareSettings, Side, prepare};
     use crate::exact::disk::moebius;
     use crate::exact::{complex, point};
+    use crate::laplace::{Deadline, SolverKind};
     use crate::mesh::{Sizing, locate};
     use crate::outline::{Preset, Sampling};
     use std::sync::Arc;
@@ -53,9 +47,7 @@ mod tests {
     }
 
     fn coordinates(map: &ConformalMap, side: Side) -> Vec<DVec2> {
-        let mut values = Vec::new();
-        disk_coordinates(map.side(side), map.measure(side), &mut values, &mut ExtensionScratch::default()).unwrap();
-        values
+        disk_coordinates(map.side(side), map.measure(side)).unwrap()
     }
 
     /// On the disk g is a Möbius map. 400 samples inscribe a polygon whose map differs from it by
@@ -120,5 +112,29 @@ mod tests {
         let at: DVec2 = corners.iter().zip(found.weights).map(|(&v, w)| w * values[v as usize]).sum();
         // Both are solves with the same Laplacian: ω̃'s total is exact, its first moment up to the quadrature.
         assert!(at.length() < 1e-3, "g(x) = {at}");
+    }
+
+    /// Interrupted after the shortest pieces, they are the same to the bit, and never seen half done.
+    #[test]
+    fn in_pieces_they_are_those_at_once() {
+        for solver in [SolverKind::Direct, SolverKind::Pcg] {
+            let [source, target] = [Preset::Heart, Preset::Star].map(|preset| {
+                let settings = PrepareSettings::default().with_sampling(Sampling::Adaptive { target: Some(300) });
+                Arc::new(prepare(&preset.outline().polygon, &settings.with_solver(solver), &mut |_| {}).unwrap())
+            });
+            let at = Constraints::new((source.default_point(), 0.3), (target.default_point(), 0.9));
+            let map = ConformalMap::new(source, target, &at, MapSettings::default()).unwrap();
+            let (mut scratch, mut pieces) = (ExtensionScratch::default(), vec![DVec2::ONE]);
+            for side in Side::BOTH {
+                let (whole, before) = (coordinates(&map, side), pieces.clone());
+                begin_disk_coordinates(map.side(side), map.measure(side), &mut scratch);
+                let mut steps = 1;
+                while !map.side(side).advance_extension(&mut scratch, &mut pieces, Deadline::in_ms(0.0)).unwrap() {
+                    assert_eq!(pieces, before);
+                    steps += 1;
+                }
+                assert!(steps > 1 && whole == pieces, "{solver:?}, {side}: {steps} steps");
+            }
+        }
     }
 }

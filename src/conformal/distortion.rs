@@ -88,15 +88,16 @@ impl TriangleDistortion {
 }
 
 /// The distortion of every triangle of `mesh` under the map that takes its vertices to
-/// `images`, in the order of the triangles, into `result`; reused, it allocates nothing.
-pub fn triangle_distortions<P: Unfold>(mesh: &TriMesh<P>, images: &[DVec2], result: &mut Vec<TriangleDistortion>) {
-    result.clear();
-    advance_distortions(mesh, images, result, Deadline::NEVER);
+/// `images`, in the order of the triangles.
+pub fn triangle_distortions<P: Unfold>(mesh: &TriMesh<P>, images: &[DVec2]) -> Vec<TriangleDistortion> {
+    let mut result = Vec::new();
+    advance_distortions(mesh, images, &mut result, Deadline::NEVER);
+    result
 }
 
 /// Goes on with [`triangle_distortions`] after those that are in `result` already, until all are
 /// (true) or `deadline` is over; some thousand are done at least.
-pub fn advance_distortions<P: Unfold>(
+pub(super) fn advance_distortions<P: Unfold>(
     mesh: &TriMesh<P>,
     images: &[DVec2],
     result: &mut Vec<TriangleDistortion>,
@@ -153,9 +154,7 @@ fn in_blocks(
 impl Quality {
     /// The distortion of the map that takes `mesh.vertices` to `images`.
     pub fn of<P: Unfold>(mesh: &TriMesh<P>, images: &[DVec2]) -> Self {
-        let mut triangles = Vec::new();
-        triangle_distortions(mesh, images, &mut triangles);
-        Self::summary(&triangles)
+        Self::summary(&triangle_distortions(mesh, images))
     }
 
     /// The figures of triangles that were measured before.
@@ -233,8 +232,7 @@ mod tests {
     fn distortion_under(f: impl Fn(DVec2) -> DVec2) -> TriangleDistortion {
         let mesh = triangle();
         let images: Vec<_> = mesh.vertices.iter().map(|&v| f(v)).collect();
-        let mut distortions = Vec::new();
-        triangle_distortions(&mesh, &images, &mut distortions);
+        let distortions = triangle_distortions(&mesh, &images);
         assert_eq!(distortions.len(), 1);
         distortions[0]
     }

@@ -34,6 +34,7 @@ impl MeshedDomain {
     }
 
     /// From parts that have been elsewhere.
+    #[cfg(feature = "io")]
     pub(super) fn from_parts(
         samples: BoundarySamples,
         mesh: TriMesh,

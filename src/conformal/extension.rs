@@ -19,35 +19,23 @@ pub enum Extension {
 
 /// Working memory of extensions, and how far one has come that is interrupted; reused, it allocates nothing.
 #[derive(Debug, Clone, Default)]
-pub struct ExtensionScratch {
+pub(crate) struct ExtensionScratch {
     /// The values on the boundary.
     pub(super) boundary: Vec<DVec2>,
     pub(super) solution: Vec<Lanes<2>>,
     pub(super) run: SolveRun,
 }
 
-/// The discrete harmonic extension of `boundary` (length m) into `values` (length m+n, the
+/// The discrete harmonic extension of `boundary` (length m) to all vertices (length m+n, the
 /// boundary's first). Both coordinates are solved in one sweep.
 ///
-/// Errors: [`NotConverged`], of an iterative solver only; `values` are then unchanged.
+/// Errors: [`NotConverged`], of an iterative solver only.
 pub fn harmonic_extension(
     side: &PreparedSide,
     boundary: impl Iterator<Item = DVec2>,
-    values: &mut Vec<DVec2>,
-    scratch: &mut ExtensionScratch,
-) -> Result<(), NotConverged> {
-    side.begin_extension(boundary, scratch);
-    advance_extension(side, scratch, values, Deadline::NEVER).map(|_| ())
-}
-
-/// Goes on with an extension that was begun in `scratch` until `values` are there (true), or
-/// `deadline` is over: they are then unchanged. Between two looks at the clock lie some
-/// milliseconds, at the end the writing of the `values`. Errors: as [`harmonic_extension`].
-pub fn advance_extension(
-    side: &PreparedSide,
-    scratch: &mut ExtensionScratch,
-    values: &mut Vec<DVec2>,
-    deadline: Deadline,
-) -> Result<bool, NotConverged> {
-    side.advance_extension(scratch, values, deadline)
+) -> Result<Vec<DVec2>, NotConverged> {
+    let (mut scratch, mut values) = (ExtensionScratch::default(), Vec::new());
+    side.begin_extension(boundary, &mut scratch);
+    side.advance_extension(&mut scratch, &mut values, Deadline::NEVER)?;
+    Ok(values)
 }

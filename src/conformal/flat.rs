@@ -7,17 +7,18 @@ use super::system::DirichletSystem;
 use super::{HarmonicTable, PrepareTimings};
 use crate::laplace::{Factor, FactorBuffers, Pcg, PcgBuffers, Solver};
 use crate::mesh::{NO_TRIANGLE, TriMesh};
+use crate::surface::RepairNote;
 use sprs::CsMatI;
 
 /// A [`super::PreparedSide`] as flat arrays.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct FlatBuffers {
+pub(crate) struct FlatBuffers {
     /// The floating-point arrays.
     pub floats: Vec<Vec<f64>>,
     /// The index arrays.
     pub indices: Vec<Vec<u32>>,
-    /// What is small and has many forms, as JSON.
-    pub text: String,
+    /// The repairs of a surface.
+    pub repairs: Vec<RepairNote>,
 }
 
 /// A point as its coordinates.

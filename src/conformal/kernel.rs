@@ -12,9 +12,9 @@ use super::{PreparedSide, SideGeometry};
 use crate::laplace::{Deadline, Lanes, NotConverged, RootPaths, SolveRun};
 use crate::mesh::BarycentricPoint;
 
-/// Working memory of the kernel functions; reused, it allocates nothing.
+/// Working memory of the kernel; reused, it allocates nothing.
 #[derive(Debug, Clone, Default)]
-pub struct KernelScratch {
+pub(super) struct KernelScratch {
     pub(super) solution: Vec<Lanes<1>>,
     pub(super) paths: RootPaths,
     pub(super) run: SolveRun,
@@ -40,15 +40,12 @@ fn linear(side: &PreparedSide, x: BarycentricPoint) -> [(u32, f64); 3] {
 /// The harmonic coordinates `φ_x` (length m) of the point `x`, equation (9); Σφ = 1, Σφ_k v_k = x.
 ///
 /// Cost: one pruned solve, or with a table a sum of its rows. Errors: [`NotConverged`], of an iterative solver only.
-pub fn harmonic_coordinates(
-    side: &PreparedSide,
-    x: BarycentricPoint,
-    scratch: &mut KernelScratch,
-    phi: &mut Vec<f64>,
-) -> Result<(), NotConverged> {
+pub fn harmonic_coordinates(side: &PreparedSide, x: BarycentricPoint) -> Result<Vec<f64>, NotConverged> {
+    let (mut scratch, mut phi) = (KernelScratch::default(), Vec::new());
     scratch.set_stencil(linear(side, x));
-    side.begin_combination(scratch);
-    side.advance_combination(scratch, phi, Deadline::NEVER).map(|_| ())
+    side.begin_combination(&mut scratch);
+    side.advance_combination(&mut scratch, &mut phi, Deadline::NEVER)?;
+    Ok(phi)
 }
 
 /// The values `ψ_k` (length m, per unit of length, ≥ 0) of the piecewise linear Poisson
@@ -58,14 +55,11 @@ pub fn harmonic_coordinates(
 /// `stencil`; of a surface, where it is flat too, file `unfold`), else linearly as in (10). Σφ = 1 and
 /// Σφ_k v_k = x hold either way in the plane, with an iterative solver up to its tolerance: what it leaves below 0 is
 /// noise, and taken as 0. On a surface without intrinsic Delaunay flips values may be negative.
-pub fn poisson_kernel(
-    side: &PreparedSide,
-    x: BarycentricPoint,
-    scratch: &mut KernelScratch,
-    psi: &mut Vec<f64>,
-) -> Result<(), NotConverged> {
-    begin_kernel(side, x, scratch);
-    advance_kernel(side, x, scratch, psi, Deadline::NEVER).map(|_| ())
+pub fn poisson_kernel(side: &PreparedSide, x: BarycentricPoint) -> Result<Vec<f64>, NotConverged> {
+    let (mut scratch, mut psi) = (KernelScratch::default(), Vec::new());
+    begin_kernel(side, x, &mut scratch);
+    advance_kernel(side, x, &mut scratch, &mut psi, Deadline::NEVER)?;
+    Ok(psi)
 }
 
 /// Begins with [`poisson_kernel`].
@@ -88,4 +82,47 @@ pub(super) fn advance_kernel(
     deadline: Deadline,
 ) -> Result<bool, NotConverged> {
     side.advance_kernel_of_stencil(linear(side, x), scratch, psi, deadline)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::conformal::{PrepareSettings, prepare};
+    use crate::laplace::DirichletLaplacian;
+    use crate::mesh::Sizing;
+    use crate::outline::{Preset, Sampling};
+
+    #[test]
+    fn adjoint_kernel_equals_the_dense_table() {
+        let settings = PrepareSettings::new(Sampling::Uniform { count: 60, keep_corners: false }, Sizing::Uniform);
+        let l_shape = prepare(&Preset::LShape.outline().polygon, &settings, &mut |_| ()).unwrap();
+        let laplacian = DirichletLaplacian::assemble(l_shape.domain().unwrap().mesh()).unwrap();
+        let (m, n, solver) = (l_shape.boundary_count(), l_shape.interior_count(), &l_shape.system.solver);
+        // Φ column by column: L̂ Φ̂ = −L̄
+        let mut table = vec![vec![0.0; n]; m];
+        for (column, coordinates) in laplacian.coupling.outer_iterator().zip(&mut table) {
+            let mut x = vec![[0.0]; n];
+            for (i, &entry) in column.iter() {
+                x[solver.position(i as u32)] = [-entry];
+            }
+            solver.solve(solver.everything(), solver.everything(), &mut x).unwrap();
+            for (i, value) in coordinates.iter_mut().enumerate() {
+                *value = x[solver.position(i as u32)][0];
+            }
+        }
+        for triangle in 0..l_shape.triangles().len() as u32 {
+            let weights = [0.2, 0.3, 0.5];
+            let phi = harmonic_coordinates(&l_shape, BarycentricPoint { triangle, weights }).unwrap();
+            for (k, &value) in phi.iter().enumerate() {
+                let corner = |v: u32| match (v as usize).checked_sub(m) {
+                    Some(i) => table[k][i],
+                    None => f64::from(u8::from(v as usize == k)),
+                };
+                let corners = l_shape.triangles()[triangle as usize];
+                let expected: f64 = corners.iter().zip(weights).map(|(&v, w)| w * corner(v)).sum();
+                assert!((value - expected).abs() <= 1e-12, "triangle {triangle}, k = {k}: {value} and {expected}");
+            }
+        }
+    }
 }

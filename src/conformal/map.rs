@@ -13,13 +13,14 @@
 //! With [`Extension::CauchyGreen`] an update gives the harmonic images, at once;
 //! [`ConformalMap::refine`] then replaces them chunk by chunk, within the time that it is given.
 
+use super::kernel::KernelScratch;
 use super::map_run::Run;
 use super::map_side::MapSide;
 use super::refinement::Refinement;
 use super::through_disk::ThroughDisk;
 use super::{
-    BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, Extension, ExtensionScratch, KernelScratch,
-    MapError, MapSettings, PerSide, PreparedSide, Side,
+    BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, Extension, ExtensionScratch, MapError,
+    MapSettings, PerSide, PreparedSide, Side,
 };
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;

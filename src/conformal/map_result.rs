@@ -1,9 +1,9 @@
 //! What a map says of itself once it is there: images, measures, distortion.
 
-use super::distortion::{advance_surface_distortions, resolution};
+use super::distortion::{advance_distortions, advance_surface_distortions, resolution};
 use super::{
     BoundaryCorrespondence, ConformalMap, Direction, Extension, FrameTimings, HarmonicMeasure, MapNote, MeshedDomain,
-    Places, PreparedSide, Quality, Side, SideGeometry, SurfaceImages, TriangleDistortion, Unfold, advance_distortions,
+    Places, PreparedSide, Quality, Side, SideGeometry, SurfaceImages, TriangleDistortion, Unfold,
 };
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
@@ -114,7 +114,7 @@ impl ConformalMap {
 
     /// Goes on with the distortions of all triangles of the mapped mesh, also of those that a repair has added,
     /// after those that are in `result` already, until they are there (true) or `deadline` is over.
-    pub fn advance_distortions(&self, result: &mut Vec<TriangleDistortion>, deadline: Deadline) -> bool {
+    pub(crate) fn advance_distortions(&self, result: &mut Vec<TriangleDistortion>, deadline: Deadline) -> bool {
         let images = self.images();
         match (self.mapped().geometry(), self.surface_images()) {
             (SideGeometry::Plane(domain), _) => advance_distortions(domain.mesh(), images, result, deadline),

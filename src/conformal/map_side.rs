@@ -3,9 +3,9 @@
 //! A renewal is planned (which checks the constraints), begun, advanced and, with the map's
 //! whole update, committed; until then all that is seen is what was there before.
 
-use super::kernel::{advance_kernel, begin_kernel};
+use super::kernel::{KernelScratch, advance_kernel, begin_kernel};
 use super::measured::{Measured, Renewal};
-use super::{Constraints, InteriorPoint, KernelScratch, MapError, MeshedDomain, PreparedSide, Side, SideGeometry};
+use super::{Constraints, InteriorPoint, MapError, MeshedDomain, PreparedSide, Side, SideGeometry};
 use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Deadline;
 use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, locate};

@@ -20,6 +20,7 @@
 //!
 //! [`Walker`] and [`HitCounts`] show what harmonic measure is: where random walks hit the boundary.
 
+#[cfg(feature = "io")]
 mod buffers;
 mod cauchy_green;
 mod constraints;
@@ -27,6 +28,7 @@ mod disk_coordinates;
 mod distortion;
 mod domain;
 mod extension;
+#[cfg(feature = "io")]
 mod flat;
 mod histogram;
 mod hit_counts;
@@ -54,14 +56,17 @@ mod unfold;
 
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use constraints::{Constraints, Direction, InteriorPoint, MapSettings, PerSide, Side};
-pub use disk_coordinates::{begin_disk_coordinates, disk_coordinates};
-pub use distortion::{Quality, TriangleDistortion, advance_distortions, triangle_distortions};
+pub(crate) use disk_coordinates::begin_disk_coordinates;
+pub use disk_coordinates::disk_coordinates;
+pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
 pub use domain::MeshedDomain;
-pub use extension::{Extension, ExtensionScratch, advance_extension, harmonic_extension};
-pub use flat::FlatBuffers;
+pub(crate) use extension::ExtensionScratch;
+pub use extension::{Extension, harmonic_extension};
+#[cfg(feature = "io")]
+pub(crate) use flat::FlatBuffers;
 pub use histogram::Histogram;
 pub use hit_counts::HitCounts;
-pub use kernel::{KernelScratch, harmonic_coordinates, poisson_kernel};
+pub use kernel::{harmonic_coordinates, poisson_kernel};
 pub use map::{ConformalMap, FrameTimings};
 pub use map_error::{MapError, MapNote};
 pub use matching::{BoundaryCorrespondence, match_measures};

@@ -247,7 +247,7 @@ pub fn prepare_surface(
 }
 
 /// As [`prepare`] and [`prepare_surface`], with the memory that it may take. A factor that does not fit gives
-/// way to the iterative solver (see [`Solver::kind`] of the result), a table that does not is an error.
+/// way to the iterative solver (see [`PreparedSide::solver_kind`]), a table that does not is an error.
 pub fn prepare_within(
     memory: Memory,
     unprepared: Unprepared<'_>,

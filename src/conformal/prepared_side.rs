@@ -7,7 +7,7 @@
 use super::system::DirichletSystem;
 use super::{HarmonicTable, InteriorPoint, MeshedDomain, MeshedSurface, Places, PrepareTimings};
 use crate::geometry::DVec3;
-use crate::laplace::Solver;
+use crate::laplace::SolverKind;
 use crate::outline::BoundaryPoint;
 use std::sync::Arc;
 
@@ -172,9 +172,9 @@ impl PreparedSide {
         }
     }
 
-    /// Solves the Dirichlet problem.
-    pub fn solver(&self) -> &Solver {
-        &self.system.solver
+    /// How its Dirichlet problem is solved.
+    pub fn solver_kind(&self) -> SolverKind {
+        self.system.solver.kind()
     }
 
     /// The harmonic coordinates of all interior vertices, where they are stored.

@@ -52,7 +52,7 @@ impl PreparedSide {
         psi: &mut Vec<f64>,
         deadline: Deadline,
     ) -> Result<bool, NotConverged> {
-        let iterative = self.solver().kind() == SolverKind::Pcg;
+        let iterative = self.solver_kind() == SolverKind::Pcg;
         loop {
             if !self.advance_combination(scratch, psi, deadline)? {
                 return Ok(false);
@@ -149,7 +149,8 @@ impl PreparedSide {
     }
 
     /// Goes on with it until `values` are those of all vertices (true) or `deadline` is over (they are as they were).
-    pub(super) fn advance_extension(
+    /// Between two looks at the clock lie some milliseconds, at the end the writing of the `values`.
+    pub(crate) fn advance_extension(
         &self,
         scratch: &mut ExtensionScratch,
         values: &mut Vec<DVec2>,

@@ -71,7 +71,11 @@ impl HarmonicTable {
     /// Solves for all coordinates; `progress` is told the per cent that are done. Call [`Self::check`] first.
     ///
     /// Cost: m/8 sweeps of eight lanes.
-    pub fn new(solver: &Solver, coupling: &CsMatI<f64, u32>, progress: &mut dyn FnMut(u8)) -> Result<Self, TableError> {
+    pub(super) fn new(
+        solver: &Solver,
+        coupling: &CsMatI<f64, u32>,
+        progress: &mut dyn FnMut(u8),
+    ) -> Result<Self, TableError> {
         let (n, m) = (solver.len(), coupling.cols());
         let mut values = vec![0.0; n * m];
         let mut block = vec![[0.0; BLOCK]; n];
@@ -106,12 +110,14 @@ impl HarmonicTable {
     }
 
     /// All values, row after row.
-    pub fn values(&self) -> &[f64] {
+    #[cfg(feature = "io")]
+    pub(super) fn values(&self) -> &[f64] {
         &self.values
     }
 
     /// From the values of an n×m table; `None` if there are not n·m of them.
-    pub fn from_values(values: Vec<f64>, n: usize, m: usize) -> Option<Self> {
+    #[cfg(feature = "io")]
+    pub(super) fn from_values(values: Vec<f64>, n: usize, m: usize) -> Option<Self> {
         (n.checked_mul(m) == Some(values.len())).then_some(Self { columns: m, values })
     }
 }

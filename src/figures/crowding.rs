@@ -5,7 +5,7 @@
 //! the blob's point with the V's harmonic measure.
 
 use super::{ArcLength, FigureError, Scene, Table, planar, prepare_spec};
-use crate::conformal::{ConformalMap, Direction, ExtensionScratch, MeshedDomain, PerSide, Side, harmonic_extension};
+use crate::conformal::{ConformalMap, Direction, MeshedDomain, PerSide, Side, harmonic_extension};
 use crate::exact::{blob, vshape};
 use crate::geometry::DVec2;
 use crate::mesh::locate;
@@ -139,9 +139,7 @@ impl CrowdingStudy {
     /// The images of all vertices of the V's mesh: the harmonic extension of one boundary map.
     pub fn extended(&self, map: &BoundaryMap) -> Result<Vec<DVec2>, FigureError> {
         let source = self.map.side(Side::Source);
-        let mut images = Vec::new();
-        harmonic_extension(source, map.images.iter().copied(), &mut images, &mut ExtensionScratch::default())?;
-        Ok(images)
+        Ok(harmonic_extension(source, map.images.iter().copied())?)
     }
 
     /// The image of x₁ under extended `images`, ideally x₂. Infinite if x₁ is not in the mesh.

@@ -1,7 +1,7 @@
 //! Figure 6: Poisson kernel and harmonic measure of the disk, compared with their closed forms.
 
 use super::{FigureError, Scene, Table, planar, prepare_spec};
-use crate::conformal::{HarmonicMeasure, KernelScratch, MapError, MeshedDomain, Side, poisson_kernel};
+use crate::conformal::{HarmonicMeasure, MapError, MeshedDomain, Side, poisson_kernel};
 use crate::exact::{complex, disk};
 use crate::geometry::DVec2;
 use crate::mesh::locate;
@@ -29,8 +29,7 @@ impl DiskKernelStudy {
         let point = scene.session.side(Side::Source).interior.unwrap_or(domain.default_point());
         let outside = MapError::PointOutside { side: Side::Source, x: point.x, y: point.y };
         let located = locate(domain.mesh(), point, 0).ok_or(outside)?;
-        let mut kernel = Vec::new();
-        poisson_kernel(&side, located, &mut KernelScratch::default(), &mut kernel)?;
+        let kernel = poisson_kernel(&side, located)?;
         let anchor = side.at_fraction(scene.session.side(Side::Source).anchor);
         let measure = HarmonicMeasure::new(domain.samples(), &kernel, anchor);
         Ok(Self { domain, point, kernel, measure })

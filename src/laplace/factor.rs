@@ -5,7 +5,7 @@
 //! paths of what is wanted. With three non-zero entries on the right and the
 //! boundary's neighbours wanted, that is a small part of L.
 
-use super::supernode::{Chunk, Chunks};
+use super::supernode::Chunks;
 use super::{Deadline, DirichletLaplacian, Lanes, LaplaceError, Ordering, multifrontal};
 use faer::Side;
 use faer::perm::PermRef;
@@ -25,8 +25,8 @@ const NO_PARENT: u32 = u32::MAX;
 /// The Cholesky factor of L̂.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factor {
-    ordering: Ordering,
-    chunks: Chunks,
+    pub(super) ordering: Ordering,
+    pub(super) chunks: Chunks,
     /// The chunk of each (permuted) column.
     chunk_of: Vec<u32>,
     /// The elimination tree of the chunks.
@@ -51,19 +51,6 @@ impl RootPaths {
         self.seen.resize(count, false);
         self.chunks.reserve(count); // the longest paths there can be: no allocation later
     }
-}
-
-/// A [`Factor`] as flat arrays.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FactorBuffers {
-    /// The permutation, `new → old`.
-    pub forward: Vec<u32>,
-    /// Five numbers per chunk: column, width, rows, row count, values.
-    pub chunks: Vec<u32>,
-    /// The row lists.
-    pub rows: Vec<u32>,
-    /// The entries of L.
-    pub values: Vec<f64>,
 }
 
 impl Factor {
@@ -98,7 +85,8 @@ impl Factor {
         Ok(Self::from_chunks(ordering, chunks))
     }
 
-    fn from_chunks(ordering: Ordering, chunks: Chunks) -> Self {
+    pub(super) fn from_chunks(ordering: Ordering, chunks: Chunks) -> Self {
+        debug_assert!(chunks.check_invariants(ordering.forward.len()));
         let mut chunk_of = vec![0; ordering.forward.len()];
         for (c, chunk) in chunks.list.iter().enumerate() {
             chunk_of[chunk.column as usize..][..chunk.width as usize].fill(c as u32);
@@ -118,13 +106,9 @@ impl Factor {
     }
 
     /// The number of unknowns, `n`.
+    #[cfg(test)]
     pub fn len(&self) -> usize {
         self.ordering.forward.len()
-    }
-
-    /// Whether there are no unknowns.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Where an unknown stands in the vectors that [`Self::solve`] works on.
@@ -190,34 +174,5 @@ impl Factor {
             }
         }
         true
-    }
-
-    /// As flat arrays.
-    pub fn to_buffers(&self) -> FactorBuffers {
-        let chunks = self.chunks.list.iter().flat_map(|c| [c.column, c.width, c.rows, c.row_count, c.values]).collect();
-        FactorBuffers {
-            forward: self.ordering.forward.clone(),
-            chunks,
-            rows: self.chunks.rows.clone(),
-            values: self.chunks.values.clone(),
-        }
-    }
-
-    /// From flat arrays; `None` if they are not consistent.
-    pub fn from_buffers(buffers: FactorBuffers) -> Option<Self> {
-        let n = buffers.forward.len();
-        let mut inverse = vec![u32::MAX; n];
-        for (new, &old) in buffers.forward.iter().enumerate() {
-            *inverse.get_mut(old as usize)? = new as u32;
-        }
-        let (records, rest) = buffers.chunks.as_chunks::<5>();
-        let list: Vec<Chunk> = records
-            .iter()
-            .map(|&[column, width, rows, row_count, values]| Chunk { column, width, rows, row_count, values })
-            .collect();
-        let chunks = Chunks { list, rows: buffers.rows, values: buffers.values };
-        let permuted = inverse.iter().all(|&new| new != u32::MAX);
-        (rest.is_empty() && permuted && chunks.check_invariants(n))
-            .then(|| Self::from_chunks(Ordering { forward: buffers.forward, inverse }, chunks))
     }
 }

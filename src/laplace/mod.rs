@@ -2,10 +2,12 @@
 //!
 //! [`DirichletLaplacian`] holds the blocks L̂ and L̄ of the paper's appendix A;
 //! `Factor` is the Cholesky factor of L̂ as flat arrays, with sweeps that visit
-//! only what a sparse right-hand side, or a sparse question, needs. [`Solver`] is
+//! only what a sparse right-hand side, or a sparse question, needs. `Solver` is
 //! that factor or, where it does not fit, conjugate gradients; a solve of either can be
 //! interrupted at a [`Deadline`].
 
+#[cfg(any(feature = "io", test))]
+mod buffers;
 mod cotangent;
 mod deadline;
 mod factor;
@@ -22,14 +24,17 @@ mod sweep;
 mod tests;
 mod unrolled;
 
+#[cfg(any(feature = "io", test))]
+pub(crate) use buffers::{FactorBuffers, PcgBuffers};
 pub use cotangent::DirichletLaplacian;
 pub use deadline::Deadline;
-pub(crate) use factor::{Factor, FactorBuffers, RootPaths};
+pub(crate) use factor::{Factor, RootPaths};
 pub(crate) use ordering::Ordering;
 pub use pcg::NotConverged;
-pub(crate) use pcg::{Pcg, PcgBuffers};
+pub(crate) use pcg::Pcg;
 pub(crate) use solver::SolveRun;
-pub use solver::{Solver, SolverKind};
+pub(crate) use solver::Solver;
+pub use solver::SolverKind;
 pub(crate) use sweep::Lanes;
 
 /// Why the Laplacian of a mesh could not be assembled or factored.

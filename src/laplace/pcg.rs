@@ -23,26 +23,13 @@ pub struct NotConverged {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Pcg {
     /// Where the rows of the lower triangles start (n+1).
-    starts: Vec<u32>,
+    pub(super) starts: Vec<u32>,
     /// The columns of each row, ascending; the last is the diagonal.
-    columns: Vec<u32>,
+    pub(super) columns: Vec<u32>,
     /// L̂.
-    matrix: Vec<f64>,
+    pub(super) matrix: Vec<f64>,
     /// The factor, with the reciprocal diagonal.
-    factor: Vec<f64>,
-}
-
-/// A [`Pcg`] as flat arrays.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PcgBuffers {
-    /// Where the rows start.
-    pub starts: Vec<u32>,
-    /// The columns.
-    pub columns: Vec<u32>,
-    /// The entries of L̂.
-    pub matrix: Vec<f64>,
-    /// The entries of the factor.
-    pub factor: Vec<f64>,
+    pub(super) factor: Vec<f64>,
 }
 
 impl Pcg {
@@ -56,17 +43,13 @@ impl Pcg {
         for row in 0..solver.len() {
             solver.factor_row(row)?;
         }
+        debug_assert!(solver.check_invariants());
         Ok(solver)
     }
 
     /// The number of unknowns, `n`.
     pub fn len(&self) -> usize {
         self.starts.len().saturating_sub(1)
-    }
-
-    /// Whether there are no unknowns.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     fn row(&self, row: usize) -> Range<usize> {
@@ -151,19 +134,6 @@ impl Pcg {
                 x[self.columns[entry] as usize] -= self.factor[entry] * value;
             }
         }
-    }
-
-    /// As flat arrays.
-    pub fn to_buffers(&self) -> PcgBuffers {
-        let Self { starts, columns, matrix, factor } = self.clone();
-        PcgBuffers { starts, columns, matrix, factor }
-    }
-
-    /// From flat arrays; `None` if they are not consistent.
-    pub fn from_buffers(buffers: PcgBuffers) -> Option<Self> {
-        let PcgBuffers { starts, columns, matrix, factor } = buffers;
-        let solver = Self { starts, columns, matrix, factor };
-        solver.check_invariants().then_some(solver)
     }
 
     /// Whether every row ends with its diagonal, after ascending columns, and the arrays have one length.

@@ -17,7 +17,7 @@ pub enum SolverKind {
 
 /// A way to solve L̂ x = b.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Solver {
+pub(crate) enum Solver {
     /// By a complete factor.
     Direct(Factor),
     /// By conjugate gradients; every solve visits every unknown.
@@ -33,7 +33,7 @@ pub enum Solver {
 
 /// How far a solve has come that is interrupted: see [`Solver::advance`]. Reused, it allocates nothing.
 #[derive(Debug, Clone, Default)]
-pub struct SolveRun {
+pub(crate) struct SolveRun {
     /// The chunks that a direct solve has visited.
     visited: usize,
     pcg: PcgRun,
@@ -73,11 +73,6 @@ impl Solver {
     /// The number of unknowns, `n`.
     pub fn len(&self) -> usize {
         self.unknowns().len()
-    }
-
-    /// Whether there are no unknowns.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Where an unknown stands in the vectors that [`Self::solve`] works on.

@@ -149,8 +149,7 @@ impl Model {
     /// Whether the full map is too slow for a drag. One frame that was too short says so of the
     /// iterative solver only.
     fn is_slow(&self) -> bool {
-        let is_iterative =
-            |side| self.prepared(side).is_some_and(|prepared| prepared.solver().kind() == SolverKind::Pcg);
+        let is_iterative = |side| self.prepared(side).is_some_and(|prepared| prepared.solver_kind() == SolverKind::Pcg);
         let most = u32::from(!Side::BOTH.into_iter().any(is_iterative));
         self.has_stand_in() && self.under_way.unfinished > most
     }

@@ -5,9 +5,11 @@
 
 mod rehearsal;
 mod study;
+mod transfer;
 
 pub use rehearsal::rehearsal;
 pub use study::{Finding, Study};
+pub use transfer::Transfer;
 
 use crate::conformal::{PrepareSettings, PreparedSide, Stage, SurfaceSettings, prepare, prepare_surface};
 use crate::geometry::SimplePolygon;

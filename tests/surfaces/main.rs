@@ -10,14 +10,15 @@ mod shared_data;
 mod support;
 
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, FlatBuffers, KernelMode, KernelScratch, MapSettings, PrepareSettings,
-    PreparedSide, Side, SurfaceSettings, poisson_kernel, prepare_surface,
+    ConformalMap, Constraints, Direction, KernelMode, MapSettings, PrepareSettings, PreparedSide, Side,
+    SurfaceSettings, poisson_kernel, prepare_surface,
 };
 use riemap::geometry::{DVec2, DVec3};
 use riemap::laplace::SolverKind;
 use riemap::mesh::{BarycentricPoint, Sizing, locate, mesh_domain};
 use riemap::outline::{BoundaryPoint, Preset, Sampling};
 use riemap::surface::{Surface, SurfaceMesh, SurfacePreset, TopologyError, at_vertex};
+use riemap::worker::Transfer;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 use support::domains;
@@ -258,9 +259,8 @@ fn flipped_surfaces_have_positive_kernels_and_ordered_boundaries() {
     let mut negative = [0, 0];
     let mesh = flipped.surface().unwrap().mesh();
     for v in (mesh.boundary_count..mesh.vertices.len() as u32).step_by(7) {
-        let (mut scratch, mut psi) = (KernelScratch::default(), Vec::new());
         for (surface, count) in [&flipped, &given].into_iter().zip(&mut negative) {
-            poisson_kernel(surface, at_vertex(mesh, v).unwrap(), &mut scratch, &mut psi).unwrap();
+            let psi = poisson_kernel(surface, at_vertex(mesh, v).unwrap()).unwrap();
             *count += psi.iter().filter(|&&value| value < 0.0).count();
         }
     }
@@ -312,15 +312,19 @@ fn prepared_surfaces_survive_the_trip_through_flat_arrays() {
     ] {
         let settings = SurfaceSettings::default().with_kernel(kernel).with_solver(solver);
         let whole = prepare_surface(repaired.clone(), settings, &mut |_| ()).unwrap();
-        let back = PreparedSide::from_buffers(whole.to_buffers()).unwrap();
+        let back = Transfer::from(&whole).into_side().unwrap();
         let [there, here] = [&back, &whole].map(|side| side.surface().unwrap());
         assert_eq!(there.surface(), here.surface(), "with its repairs");
-        assert_eq!((back.solver(), back.table(), there.flips()), (whole.solver(), whole.table(), here.flips()));
+        assert_eq!(
+            (back.solver_kind(), back.table(), there.flips()),
+            (whole.solver_kind(), whole.table(), here.flips())
+        );
+        assert_eq!(Transfer::from(&back), Transfer::from(&whole), "to the bit, with its factor");
         assert_eq!((back.default_point(), back.fractions()), (whole.default_point(), whole.fractions()));
-        let broken = |damage: fn(&mut FlatBuffers)| {
-            let mut buffers = whole.to_buffers();
+        let broken = |damage: fn(&mut Transfer)| {
+            let mut buffers = Transfer::from(&whole);
             damage(&mut buffers);
-            PreparedSide::from_buffers(buffers).is_none()
+            buffers.into_side().is_none()
         };
         assert!(broken(|b| b.text.clear()), "no repairs");
         assert!(broken(|b| b.indices.truncate(3)), "arrays missing");

@@ -98,7 +98,7 @@ pub fn surface_details(surface: &MeshedSurface, times: PrepareTimings) -> String
 
 /// Notes where a prepared domain differs from the request: solved iteratively, or a coarser mesh.
 pub fn cautions(side: &PreparedSide, wanted: SolverKind) -> impl Iterator<Item = Label> {
-    let iterative = (side.solver().kind() != wanted).then_some(key::solved_iteratively());
+    let iterative = (side.solver_kind() != wanted).then_some(key::solved_iteratively());
     let is_coarse = side.domain().is_some_and(|domain| !domain.refinement().complete);
     iterative.into_iter().chain(is_coarse.then_some(key::mesh_is_coarser()))
 }

@@ -4,7 +4,7 @@
 //! those of the other, f = g₂⁻¹ ∘ g₁, so the pattern that both pictures show is one
 //! pattern, carried by the map. They can be made in pieces; both sides change at once.
 
-use crate::conformal::{ConformalMap, ExtensionScratch, PerSide, Side, advance_extension, begin_disk_coordinates};
+use crate::conformal::{ConformalMap, ExtensionScratch, PerSide, Side, begin_disk_coordinates};
 use crate::geometry::DVec2;
 use crate::language::{Message, key};
 use crate::laplace::Deadline;
@@ -61,7 +61,7 @@ impl DiskGrid {
 
     fn advance_side(&mut self, map: &ConformalMap, side: Side, deadline: Deadline) -> bool {
         let values = &mut self.coming.sides[side];
-        advance_extension(map.side(side), &mut self.scratch, values, deadline).unwrap_or_else(|error| {
+        map.side(side).advance_extension(&mut self.scratch, values, deadline).unwrap_or_else(|error| {
             // The flat pattern of a point at the centre, rather than a wrong one.
             values.clear();
             values.resize(map.side(side).vertex_count(), DVec2::ZERO);

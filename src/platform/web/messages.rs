@@ -5,9 +5,8 @@
 //! `text` and `notes`; `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
 //! a panic is reported by `{ died }`. Small enums are JSON text in serde's form.
 
-use crate::conformal::{FlatBuffers, PreparedSide};
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::worker::{Finding, Request, Response, Study, SurfaceSource, Task};
+use crate::worker::{Finding, Request, Response, Study, SurfaceSource, Task, Transfer};
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -65,7 +64,7 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
         Response::Progress(stage) => object(&[number, ("stage", json(&stage))]),
         Response::Failed(failure) => object(&[number, ("failed", json(&failure))]),
         Response::Prepared(side, notes) => {
-            let buffers = side.to_buffers();
+            let buffers = Transfer::from(&*side);
             drop(side);
             object(&[&[number, ("notes", json(&notes))], &encode_buffers(buffers, &transfer)[..]].concat())
         }
@@ -74,7 +73,7 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
 }
 
 /// Each array is freed as soon as it is copied, so that a large surface takes 1.5 times its memory, not twice.
-fn encode_buffers(buffers: FlatBuffers, transfer: &Array) -> [(&'static str, JsValue); 3] {
+fn encode_buffers(buffers: Transfer, transfer: &Array) -> [(&'static str, JsValue); 3] {
     let (floats, indices) = (Array::new(), Array::new());
     for values in buffers.floats {
         let array = Float64Array::from(values.as_slice());
@@ -89,10 +88,10 @@ fn encode_buffers(buffers: FlatBuffers, transfer: &Array) -> [(&'static str, JsV
     [("floats", floats.into()), ("indices", indices.into()), ("text", buffers.text.into())]
 }
 
-fn decode_buffers(message: &JsValue) -> Option<FlatBuffers> {
+fn decode_buffers(message: &JsValue) -> Option<Transfer> {
     let floats = get(message, "floats")?.dyn_into::<Array>().ok()?;
     let indices = get(message, "indices")?.dyn_into::<Array>().ok()?;
-    Some(FlatBuffers {
+    Some(Transfer {
         floats: floats.iter().map(|array| Float64Array::from(array).to_vec()).collect(),
         indices: indices.iter().map(|array| Uint32Array::from(array).to_vec()).collect(),
         text: get(message, "text")?.as_string()?,
@@ -147,7 +146,7 @@ pub fn decode_response(message: &JsValue) -> Option<(u64, Response)> {
     } else if let Some(failure) = parsed(message, "failed") {
         Response::Failed(failure)
     } else {
-        let side = PreparedSide::from_buffers(decode_buffers(message)?)?;
+        let side = decode_buffers(message)?.into_side()?;
         Response::Prepared(Box::new(side), parsed(message, "notes")?)
     };
     Some((generation, response))
