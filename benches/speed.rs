@@ -83,7 +83,7 @@ fn cauchy_green(criterion: &mut Criterion) {
     }
     let (contour, mut gamma) = (Contour::new(domain.samples().points()), Vec::new());
     group.bench_function("coordinates", |bencher| {
-        bencher.iter(|| domain.mesh().vertices.iter().for_each(|&z| contour.coordinates(black_box(z), &mut gamma)));
+        bencher.iter(|| domain.mesh().vertices().iter().for_each(|&z| contour.coordinates(black_box(z), &mut gamma)));
     });
     group.finish();
 }

@@ -26,7 +26,7 @@ fn outline<'a>(polygon: &'a SimplePolygon, settings: &'a PrepareSettings) -> Unp
 
 /// The kernel at every `step`-th interior vertex, moved slightly towards the pole.
 fn kernels(domain: &PreparedSide, step: usize) -> Vec<Vec<f64>> {
-    let inside = domain.domain().unwrap().mesh().vertices[domain.boundary_count()..].iter().step_by(step);
+    let inside = domain.domain().unwrap().mesh().vertices()[domain.boundary_count()..].iter().step_by(step);
     let near = inside.filter_map(|v| {
         locate(domain.domain().unwrap().mesh(), v.lerp(domain.domain().unwrap().default_point(), 0.01), 0)
     });

@@ -137,7 +137,7 @@ fn figure_7_error(m: u32, settings: MapSettings) -> f64 {
         (DVec2::new(0.0, -0.5), anchor_at(&disk, DVec2::X)),
     );
     let map = complete_map(&disk, &disk, &constraints, settings);
-    let vertices = &map.mapped().domain().unwrap().mesh().vertices;
+    let vertices = map.mapped().domain().unwrap().mesh().vertices();
     let error = |(v, w): (&DVec2, &DVec2)| {
         let (from, to) = match settings.direction {
             Direction::Forward => (v, w),
@@ -188,7 +188,7 @@ fn identity_map_is_identity() {
         let error = map
             .images()
             .iter()
-            .zip(&heart.domain().unwrap().mesh().vertices)
+            .zip(heart.domain().unwrap().mesh().vertices())
             .map(|(w, v)| w.distance(*v))
             .fold(0.0, f64::max);
         assert!(error < 1e-7, "{direction:?}: {error:e}");
@@ -220,7 +220,7 @@ fn there_and_back_is_the_identity_up_to_the_mesh() {
     let there = ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Forward.into()).unwrap();
     let back = ConformalMap::new(source.clone(), target, &constraints, Direction::Backward.into()).unwrap();
     let mut errors: Vec<f64> = Vec::new();
-    for v in &source.domain().unwrap().mesh().vertices[source.boundary_count()..] {
+    for v in &source.domain().unwrap().mesh().vertices()[source.boundary_count()..] {
         if let Some(z) = there.image_of(*v).and_then(|w| back.image_of(w)) {
             errors.push(z.distance(*v));
         }
@@ -296,7 +296,7 @@ fn figure_8_differences(m: u32) -> [[f64; 2]; 4] {
         spread(a.images().iter().zip(b.images()).map(|(v, w)| v.distance(*w)), samples)
     };
     let there_and_back = |there: &ConformalMap, back: &ConformalMap| {
-        let vertices = &source.domain().unwrap().mesh().vertices[source.boundary_count()..];
+        let vertices = &source.domain().unwrap().mesh().vertices()[source.boundary_count()..];
         let returned = |v: &DVec2| Some(there.image_of(*v).and_then(|w| back.image_of(w))?.distance(*v));
         spread(vertices.iter().filter_map(returned), source.domain().unwrap().samples().points())
     };
@@ -365,7 +365,7 @@ fn v_from_its_middle(m: u32) -> [f64; 3] {
     let (v, blob) = (domain(Preset::VShape, uniform(m)), domain(Preset::Blob, uniform(1000)));
     let constraints = Constraints::new((DVec2::NEG_Y, 0.0), (BLOB_CENTRE, 0.0));
     let exact = |z: &DVec2| point(exact::blob::from_disk(exact::vshape::to_disk(complex(*z))));
-    let inside = &v.domain().unwrap().mesh().vertices[v.boundary_count()..];
+    let inside = &v.domain().unwrap().mesh().vertices()[v.boundary_count()..];
     let mean = |images: &mut dyn Iterator<Item = DVec2>| {
         inside.iter().zip(images).map(|(z, w)| exact(z).distance(w)).sum::<f64>() / inside.len() as f64
     };

@@ -227,7 +227,7 @@ fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms:
         quality: map.quality(),
         counts: Counts::of(prepared),
         flips: meshed.flips(),
-        repairs: disk.repairs.iter().map(ToString::to_string).collect(),
+        repairs: disk.repairs().iter().map(ToString::to_string).collect(),
         notes: surface
             .notes
             .iter()
@@ -235,7 +235,7 @@ fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms:
             .chain(map.note(map.mapped_side()).map(|note| note.to_string()))
             .collect(),
         surface_point: Point {
-            triangle: disk.triangle_origins[x2.triangle as usize],
+            triangle: disk.triangle_origins()[x2.triangle as usize],
             weights,
             position: meshed.position(*x2).to_array(),
         },

@@ -106,11 +106,11 @@ impl SurfacePoint {
         let whole = surface.surface();
         match self {
             Self::Vertex(vertex) => {
-                let found = whole.number_of(vertex).and_then(|number| at_vertex(&whole.mesh, number));
+                let found = whole.number_of(vertex).and_then(|number| at_vertex(whole.mesh(), number));
                 found.ok_or_else(|| CliError::Input(format!("{option}: {}", no_vertex(given, vertex))))
             }
             Self::InTriangle(triangle, weights) => {
-                let kept = whole.triangle_origins.iter().position(|&origin| origin == triangle);
+                let kept = whole.triangle_origins().iter().position(|&origin| origin == triangle);
                 let missing = || CliError::Input(format!("{option}: {}", no_triangle(given, triangle)));
                 let kept = kept.ok_or_else(missing)? as u32;
                 Ok(BarycentricPoint { triangle: kept, weights: whole.corners_in(given, kept).map(|i| weights[i]) })

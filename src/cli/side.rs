@@ -221,7 +221,7 @@ impl NamedSide {
         match &self.given {
             Given::Outline(outline) => outline.say_notes(&self.title),
             Given::Surface(surface) => {
-                let repairs = self.prepared.surface().into_iter().flat_map(|meshed| &meshed.surface().repairs);
+                let repairs = self.prepared.surface().into_iter().flat_map(|meshed| meshed.surface().repairs());
                 let notes = surface.notes.iter().map(ToString::to_string).chain(repairs.map(ToString::to_string));
                 notes.for_each(|note| eprintln!("riemap: {}: {note}", self.title));
             }

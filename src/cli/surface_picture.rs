@@ -37,9 +37,9 @@ pub fn png(
         return Err(no_plane());
     };
     let panel = Panel {
-        positions: &domain.mesh().vertices,
-        coordinates: &domain.mesh().vertices,
-        triangles: &domain.mesh().triangles,
+        positions: domain.mesh().vertices(),
+        coordinates: domain.mesh().vertices(),
+        triangles: domain.mesh().triangles(),
         boundary: &domain.samples().points,
         handles: planar_places(domain, x1, anchors[plane]),
     };
@@ -48,7 +48,7 @@ pub fn png(
     let scale = size[1].min(size[0]) as f32 / 900.0;
     let wire =
         CellStyle { map: None, wire: Some(StrokeStyle::wire(false, scale)), marks: false, pixels_per_point: scale };
-    let triangles = &surface.mesh().triangles;
+    let triangles = surface.mesh().triangles();
     let layout = SceneCells { positions: map.images(), triangles, codes: &[], style: wire };
     let solid = SurfacePart {
         surface,
@@ -120,10 +120,10 @@ fn drawn(
 pub fn camera(preset: Option<SurfacePreset>, surface: &MeshedSurface, aspect: f64) -> OrbitCamera {
     let mesh = surface.mesh();
     let mut camera = match preset.map(SurfacePreset::view) {
-        Some([towards_eye, up]) => OrbitCamera::new(BoundingSphere::of(&mesh.vertices), towards_eye, up, aspect),
-        None => OrbitCamera::before(&mesh.vertices, &mesh.triangles, aspect),
+        Some([towards_eye, up]) => OrbitCamera::new(BoundingSphere::of(mesh.vertices()), towards_eye, up, aspect),
+        None => OrbitCamera::before(mesh.vertices(), mesh.triangles(), aspect),
     };
-    camera.frame(&mesh.vertices, aspect, MARGIN);
+    camera.frame(mesh.vertices(), aspect, MARGIN);
     camera
 }
 

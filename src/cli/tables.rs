@@ -119,7 +119,7 @@ pub fn json(map: &ConformalMap, summary: Summary) -> Result<Vec<u8>, serde_json:
         vertices: map.mapped().vertices(),
         triangles: map.mapped().triangles(),
         images: map.image_places(),
-        vertex_origins: map.mapped().surface().map(|meshed| meshed.surface().vertex_origins.as_slice()),
+        vertex_origins: map.mapped().surface().map(|meshed| meshed.surface().vertex_origins()),
         summary,
     })
 }

@@ -59,9 +59,9 @@ impl FlatBuffers {
         self.indices.push(vec![SPACE]);
         self.floats.push(centre.weights.to_vec());
         self.indices.push([&counts[..], &[centre.triangle]].concat());
-        self.put_mesh(&surface.mesh);
-        self.indices.extend([surface.vertex_origins.clone(), surface.triangle_origins.clone()]);
-        self.repairs.clone_from(&surface.repairs);
+        self.put_mesh(surface.mesh());
+        self.indices.extend([surface.vertex_origins().to_vec(), surface.triangle_origins().to_vec()]);
+        self.repairs = surface.repairs().to_vec();
     }
 }
 
@@ -71,12 +71,12 @@ impl FlatReader {
         let [complete, added]: [u32; 2] = self.indices()?.try_into().ok()?;
         let refinement = RefineReport { complete: complete != 0, added: added as usize };
         let mesh = self.mesh::<2, DVec2>()?;
-        let m = mesh.boundary_count as usize;
+        let m = mesh.boundary_count() as usize;
         let (edge_lengths, fractions) = (self.floats()?, self.floats()?);
         if !sound_boundary(&edge_lengths, &fractions, m) {
             return None;
         }
-        let samples = BoundarySamples { points: mesh.vertices[..m].to_vec(), edge_lengths, fractions };
+        let samples = BoundarySamples { points: mesh.vertices()[..m].to_vec(), edge_lengths, fractions };
         Some(MeshedDomain::from_parts(samples, mesh, refinement, default_point))
     }
 
@@ -85,7 +85,7 @@ impl FlatReader {
         let [flips, negative_before, negative_after, before, triangle]: [u32; 5] = self.indices()?.try_into().ok()?;
         let mesh = self.mesh::<3, DVec3>()?;
         let (vertex_origins, triangle_origins) = (self.indices()?, self.indices()?);
-        if triangle as usize >= mesh.triangles.len() {
+        if triangle as usize >= mesh.triangles().len() {
             return None;
         }
         let surface = SurfaceMesh::from_parts(mesh, vertex_origins, triangle_origins, repairs, before as usize)?;

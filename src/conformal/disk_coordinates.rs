@@ -64,7 +64,7 @@ mod tests {
         let anchor = disk.domain().unwrap().samples().position(disk.at_fraction(0.3));
         let unit = |z: DVec2| (z - center) / radius;
         let values = coordinates(&map.unwrap(), Side::Source);
-        let worst = values.iter().zip(&disk.domain().unwrap().mesh().vertices).map(|(&g, &z)| {
+        let worst = values.iter().zip(disk.domain().unwrap().mesh().vertices()).map(|(&g, &z)| {
             let exact = moebius(complex(x), complex(unit(anchor)), complex(unit(z)));
             g.distance(point(exact))
         });
@@ -83,7 +83,7 @@ mod tests {
         let (mut sum, mut count) = (0.0, 0.0);
         for (&g, &image) in here.iter().zip(map.images()).skip(map.side(Side::Source).boundary_count()) {
             let Some(found) = locate(mesh, image, 0) else { continue };
-            let corners = mesh.triangles[found.triangle as usize];
+            let corners = mesh.triangles()[found.triangle as usize];
             let partner: DVec2 = corners.iter().zip(found.weights).map(|(&v, w)| w * there[v as usize]).sum();
             sum += g.distance(partner);
             count += 1.0;

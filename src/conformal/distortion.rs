@@ -104,8 +104,8 @@ pub(super) fn advance_distortions<P: Unfold>(
     deadline: Deadline,
 ) -> bool {
     let smallest = resolution(images);
-    in_blocks(&mesh.triangles, result, deadline, |triangle| {
-        let corners = P::unfold(triangle.map(|v| mesh.vertices[v as usize]));
+    in_blocks(mesh.triangles(), result, deadline, |triangle| {
+        let corners = P::unfold(triangle.map(|v| mesh.vertices()[v as usize]));
         TriangleDistortion::of(corners, triangle.map(|v| images[v as usize]), smallest)
     })
 }
@@ -120,9 +120,8 @@ pub(super) fn advance_surface_distortions(
     deadline: Deadline,
 ) -> bool {
     let (smallest, smallest_in_disk) = (resolution(images), resolution(disk));
-    in_blocks(&mesh.triangles, result, deadline, |triangle| {
-        let [corners, there] =
-            [mesh.vertices.as_slice(), images].map(|p| DVec3::unfold(triangle.map(|v| p[v as usize])));
+    in_blocks(mesh.triangles(), result, deadline, |triangle| {
+        let [corners, there] = [mesh.vertices(), images].map(|p| DVec3::unfold(triangle.map(|v| p[v as usize])));
         let found = TriangleDistortion::of(corners, there, smallest);
         let in_disk = TriangleDistortion::of(corners, triangle.map(|v| disk[v as usize]), smallest_in_disk);
         match (found.collapsed, in_disk.collapsed) {
@@ -194,19 +193,15 @@ pub(super) fn resolution<P: Unfold>(images: &[P]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::TriangleId;
 
     fn triangle() -> TriMesh {
-        TriMesh {
-            vertices: vec![DVec2::ZERO, DVec2::X, DVec2::new(0.3, 0.7)],
-            boundary_count: 3,
-            triangles: vec![[0, 1, 2]],
-            neighbours: vec![[u32::MAX; 3]],
-        }
+        TriMesh::known_sound(vec![DVec2::ZERO, DVec2::X, DVec2::new(0.3, 0.7)], 3, vec![[0, 1, 2]], vec![[u32::MAX; 3]])
     }
 
     fn quality_under(f: impl Fn(DVec2) -> DVec2) -> Quality {
         let mesh = triangle();
-        let images: Vec<_> = mesh.vertices.iter().map(|&v| f(v)).collect();
+        let images: Vec<_> = mesh.vertices().iter().map(|&v| f(v)).collect();
         Quality::of(&mesh, &images)
     }
 
@@ -231,7 +226,7 @@ mod tests {
 
     fn distortion_under(f: impl Fn(DVec2) -> DVec2) -> TriangleDistortion {
         let mesh = triangle();
-        let images: Vec<_> = mesh.vertices.iter().map(|&v| f(v)).collect();
+        let images: Vec<_> = mesh.vertices().iter().map(|&v| f(v)).collect();
         let distortions = triangle_distortions(&mesh, &images);
         assert_eq!(distortions.len(), 1);
         distortions[0]
@@ -287,10 +282,9 @@ mod tests {
         let side = DVec2::new(1000.0, 617.3);
         for k in 0..2000 {
             let part = |i: u32| f64::from((7919 * k + 104_729 * i) % 10_007) / 10_007.0;
-            let corners = triangle().vertices;
+            let corners = triangle().corner_places(TriangleId::new(0));
             let images = [1, 2, 3].map(|i| from + part(i) * side);
-            let found =
-                TriangleDistortion::of([corners[0], corners[1], corners[2]], images, resolution(&[from, from + side]));
+            let found = TriangleDistortion::of(corners, images, resolution(&[from, from + side]));
             assert!(found.collapsed, "{k}: {images:?}");
         }
     }
@@ -298,15 +292,15 @@ mod tests {
     #[test]
     fn between_surfaces_what_is_collapsed_or_flipped_in_the_disk_counts() {
         let plane = triangle();
-        let vertices: Vec<_> = plane.vertices.iter().map(|p| p.extend(0.0)).collect();
-        let (triangles, neighbours) = (plane.triangles.clone(), plane.neighbours.clone());
-        let mesh = TriMesh { vertices: vertices.clone(), boundary_count: 3, triangles, neighbours };
+        let vertices: Vec<_> = plane.vertices().iter().map(|p| p.extend(0.0)).collect();
+        let (triangles, neighbours) = (plane.triangles().to_vec(), plane.neighbours().to_vec());
+        let mesh = TriMesh::known_sound(vertices.clone(), 3, triangles, neighbours);
         let found = |images: &[DVec3], disk: &[DVec2]| {
             let mut result = Vec::new();
             assert!(advance_surface_distortions(&mesh, images, disk, &mut result, Deadline::NEVER));
             (result[0].collapsed, result[0].flipped)
         };
-        let upright = plane.vertices.as_slice();
+        let upright = plane.vertices();
         let mirrored = [upright[1], upright[0], upright[2]];
         let segment = [upright[0], upright[1], 0.5 * upright[1]];
         let point = [DVec3::ONE; 3];

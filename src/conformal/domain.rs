@@ -78,11 +78,11 @@ fn default_point(polygon: &SimplePolygon, mesh: &TriMesh) -> DVec2 {
     if crate::mesh::locate(mesh, pole, 0).is_some() {
         return pole;
     }
-    let corners = |t: &[u32; 3]| t.map(|v| mesh.vertices[v as usize]);
+    let corners = |t: &[u32; 3]| t.map(|v| mesh.vertices()[v as usize]);
     let area = |t: &[u32; 3]| {
         let [a, b, c] = corners(t);
         (b - a).perp_dot(c - a)
     };
-    let largest = mesh.triangles.iter().max_by(|s, t| area(s).total_cmp(&area(t)));
+    let largest = mesh.triangles().iter().max_by(|s, t| area(s).total_cmp(&area(t)));
     largest.map_or(pole, |t| corners(t).iter().sum::<DVec2>() / 3.0)
 }

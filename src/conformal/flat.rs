@@ -6,7 +6,7 @@
 use super::system::DirichletSystem;
 use super::{HarmonicTable, PrepareTimings};
 use crate::laplace::{Factor, FactorBuffers, Pcg, PcgBuffers, Solver};
-use crate::mesh::{NO_TRIANGLE, TriMesh};
+use crate::mesh::TriMesh;
 use crate::surface::RepairNote;
 use sprs::CsMatI;
 
@@ -49,10 +49,10 @@ impl Coordinates<3> for crate::geometry::DVec3 {
 
 impl FlatBuffers {
     pub(super) fn put_mesh<const D: usize, P: Coordinates<D>>(&mut self, mesh: &TriMesh<P>) {
-        self.floats.push(mesh.vertices.iter().flat_map(|p| p.to_coordinates()).collect());
-        self.indices.push(vec![mesh.boundary_count]);
-        self.indices.push(mesh.triangles.as_flattened().to_vec());
-        self.indices.push(mesh.neighbours.as_flattened().to_vec());
+        self.floats.push(mesh.vertices().iter().flat_map(|p| p.to_coordinates()).collect());
+        self.indices.push(vec![mesh.boundary_count()]);
+        self.indices.push(mesh.triangles().as_flattened().to_vec());
+        self.indices.push(mesh.neighbours().as_flattened().to_vec());
     }
 
     pub(super) fn put_system(&mut self, system: &DirichletSystem) {
@@ -107,20 +107,12 @@ impl FlatReader {
         let (places, odd) = vertices.as_chunks::<D>();
         let (triangles, more) = triangles.as_chunks::<3>();
         let (neighbours, rest) = neighbours.as_chunks::<3>();
-        let (&[boundary_count], count) = (counts.as_slice(), places.len()) else { return None };
-        let sound = odd.is_empty()
-            && more.is_empty()
-            && rest.is_empty()
-            && (3..=count).contains(&(boundary_count as usize))
-            && triangles.len() == neighbours.len()
-            && triangles.as_flattened().iter().all(|&v| (v as usize) < count)
-            && neighbours.as_flattened().iter().all(|&t| t == NO_TRIANGLE || (t as usize) < triangles.len());
-        sound.then(|| TriMesh {
-            vertices: places.iter().map(|&p| P::from_coordinates(p)).collect(),
-            boundary_count,
-            triangles: triangles.to_vec(),
-            neighbours: neighbours.to_vec(),
-        })
+        let &[boundary_count] = counts.as_slice() else { return None };
+        if !(odd.is_empty() && more.is_empty() && rest.is_empty()) {
+            return None;
+        }
+        let vertices = places.iter().map(|&p| P::from_coordinates(p)).collect();
+        TriMesh::checked(vertices, boundary_count, triangles.to_vec(), neighbours.to_vec())
     }
 
     /// The system of n unknowns and m boundary vertices.

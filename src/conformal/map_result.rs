@@ -127,7 +127,7 @@ impl ConformalMap {
 
     /// Of a value for each triangle of the mapped mesh, those of triangles that no repair has added.
     pub fn given<'a, T>(&'a self, values: &'a [T]) -> impl Iterator<Item = &'a T> {
-        let origins = self.mapped().surface().map(|meshed| meshed.surface().triangle_origins.as_slice());
+        let origins = self.mapped().surface().map(|meshed| meshed.surface().triangle_origins());
         let is_given = move |triangle: &usize| origins.is_none_or(|origins| origins[*triangle] != ADDED);
         values.iter().enumerate().filter(move |(triangle, _)| is_given(triangle)).map(|(_, value)| value)
     }
@@ -159,7 +159,7 @@ impl ConformalMap {
         let side = self.mapped_side();
         let mesh = self.domain(side)?.mesh();
         let found = locate(mesh, x, self.sides[side].located.triangle)?;
-        let corners = mesh.triangles[found.triangle as usize];
+        let corners = mesh.triangles()[found.triangle as usize];
         let images = (!self.images.is_empty()).then_some(&self.images)?;
         Some(corners.iter().zip(found.weights).map(|(&v, w)| w * images[v as usize]).sum())
     }

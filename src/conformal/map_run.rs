@@ -72,7 +72,7 @@ impl ConformalMap {
             Stage::Location => {
                 if let Some([mapped, other]) = self.surfaces(run.mapped()) {
                     let other = (&*other, run.mapped().other());
-                    self.through_disk.begin(mapped.mesh().vertices.len(), other, &self.coming);
+                    self.through_disk.begin(mapped.mesh().vertices().len(), other, &self.coming);
                 }
             }
         }

@@ -116,16 +116,16 @@ fn check(side: Side, mesh: &TriMesh<DVec3>, point: BarycentricPoint) -> Result<(
     let BarycentricPoint { triangle, weights } = point;
     let sum: f64 = weights.iter().sum();
     let sound = weights.iter().all(|&w| w >= 0.0) && (sum - 1.0).abs() <= WEIGHT_TOLERANCE;
-    if !sound || triangle as usize >= mesh.triangles.len() {
-        return Err(MapError::NoPoint { side, triangle, weights, triangles: mesh.triangles.len() });
+    if !sound || triangle as usize >= mesh.triangles().len() {
+        return Err(MapError::NoPoint { side, triangle, weights, triangles: mesh.triangles().len() });
     }
     if on_boundary(mesh, point) { Err(MapError::OnBoundary { side }) } else { Ok(()) }
 }
 
 /// Whether a located point lies on a boundary edge, where harmonic measure is a point mass.
 fn on_boundary<P>(mesh: &TriMesh<P>, point: BarycentricPoint) -> bool {
-    let corners = mesh.triangles[point.triangle as usize];
-    let neighbours = mesh.neighbours[point.triangle as usize];
-    let vertex = (0..3).any(|i| point.weights[i] == 1.0 && corners[i] < mesh.boundary_count);
+    let corners = mesh.triangles()[point.triangle as usize];
+    let neighbours = mesh.neighbours()[point.triangle as usize];
+    let vertex = (0..3).any(|i| point.weights[i] == 1.0 && corners[i] < mesh.boundary_count());
     vertex || (0..3).any(|i| point.weights[i] == 0.0 && neighbours[i] == NO_TRIANGLE)
 }

@@ -34,16 +34,16 @@ impl SideGeometry {
     /// The number of boundary vertices, `m`.
     pub fn boundary_count(&self) -> usize {
         match self {
-            Self::Plane(domain) => domain.mesh().boundary_count as usize,
-            Self::Space(surface) => surface.mesh().boundary_count as usize,
+            Self::Plane(domain) => domain.mesh().boundary_count() as usize,
+            Self::Space(surface) => surface.mesh().boundary_count() as usize,
         }
     }
 
     /// The number of all vertices, `m + n`.
     pub fn vertex_count(&self) -> usize {
         match self {
-            Self::Plane(domain) => domain.mesh().vertices.len(),
-            Self::Space(surface) => surface.mesh().vertices.len(),
+            Self::Plane(domain) => domain.mesh().vertices().len(),
+            Self::Space(surface) => surface.mesh().vertices().len(),
         }
     }
 
@@ -55,16 +55,16 @@ impl SideGeometry {
     /// The triangles of the mesh: counter-clockwise vertex triples.
     pub fn triangles(&self) -> &[[u32; 3]] {
         match self {
-            Self::Plane(domain) => &domain.mesh().triangles,
-            Self::Space(surface) => &surface.mesh().triangles,
+            Self::Plane(domain) => domain.mesh().triangles(),
+            Self::Space(surface) => surface.mesh().triangles(),
         }
     }
 
     /// The triangle across each edge, as in [`crate::mesh::TriMesh`].
     pub fn neighbours(&self) -> &[[u32; 3]] {
         match self {
-            Self::Plane(domain) => &domain.mesh().neighbours,
-            Self::Space(surface) => &surface.mesh().neighbours,
+            Self::Plane(domain) => domain.mesh().neighbours(),
+            Self::Space(surface) => surface.mesh().neighbours(),
         }
     }
 }
@@ -150,8 +150,8 @@ impl PreparedSide {
     /// The places of the vertices, the boundary's first.
     pub fn vertices(&self) -> Places<'_> {
         match &self.geometry {
-            SideGeometry::Plane(domain) => Places::Plane(&domain.mesh().vertices),
-            SideGeometry::Space(surface) => Places::Space(&surface.mesh().vertices),
+            SideGeometry::Plane(domain) => Places::Plane(domain.mesh().vertices()),
+            SideGeometry::Space(surface) => Places::Space(surface.mesh().vertices()),
         }
     }
 

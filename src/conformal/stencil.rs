@@ -32,10 +32,10 @@ pub(super) type Stencil = Vec<(u32, f64)>;
 pub(super) fn around(mesh: &TriMesh, x: BarycentricPoint, stencil: &mut Stencil) {
     stencil.clear();
     stencil.reserve(USUAL_RING);
-    let corners = mesh.triangles[x.triangle as usize];
-    let point: DVec2 = corners.iter().zip(x.weights).map(|(&v, w)| w * mesh.vertices[v as usize]).sum();
+    let corners = mesh.triangles()[x.triangle as usize];
+    let point: DVec2 = corners.iter().zip(x.weights).map(|(&v, w)| w * mesh.vertices()[v as usize]).sum();
     let ringed = corners.iter().all(|&corner| collect_ring(mesh, x.triangle, corner, stencil));
-    if !ringed || set_weights(point, |v| mesh.vertices[v as usize], stencil).is_none() {
+    if !ringed || set_weights(point, |v| mesh.vertices()[v as usize], stencil).is_none() {
         stencil.clear();
         stencil.extend(corners.into_iter().zip(x.weights));
     }
@@ -45,9 +45,9 @@ pub(super) fn around(mesh: &TriMesh, x: BarycentricPoint, stencil: &mut Stencil)
 fn collect_ring(mesh: &TriMesh, start: u32, corner: u32, stencil: &mut Stencil) -> bool {
     let mut triangle = start;
     loop {
-        let corners = mesh.triangles[triangle as usize];
+        let corners = mesh.triangles()[triangle as usize];
         for v in corners {
-            if v < mesh.boundary_count {
+            if v < mesh.boundary_count() {
                 return false;
             }
             if stencil.iter().all(|&(known, _)| known != v) {
@@ -55,7 +55,7 @@ fn collect_ring(mesh: &TriMesh, start: u32, corner: u32, stencil: &mut Stencil) 
             }
         }
         let Some(i) = corners.iter().position(|&v| v == corner) else { return false };
-        triangle = mesh.neighbours[triangle as usize][(i + 1) % 3];
+        triangle = mesh.neighbours()[triangle as usize][(i + 1) % 3];
         if triangle == NO_TRIANGLE {
             return false;
         }

@@ -26,15 +26,15 @@ pub struct MeshedSurface {
 impl MeshedSurface {
     /// The surface, and its intrinsic triangulation: flipped to Delaunay if `delaunay`, else as it is.
     pub(super) fn flipped(surface: SurfaceMesh, delaunay: bool) -> (Self, IntrinsicMesh) {
-        let mut intrinsic = IntrinsicMesh::of(&surface.mesh);
+        let mut intrinsic = IntrinsicMesh::of(surface.mesh());
         let flips = if delaunay { intrinsic.make_delaunay() } else { unflipped(&intrinsic) };
-        let centre = farthest_from_boundary(&surface.mesh);
+        let centre = farthest_from_boundary(surface.mesh());
         (Self::from_parts(surface, flips, centre), intrinsic)
     }
 
     /// From parts that have been elsewhere.
     pub(super) fn from_parts(surface: SurfaceMesh, flips: FlipReport, centre: BarycentricPoint) -> Self {
-        let (edge_lengths, fractions) = along_boundary(&surface.mesh);
+        let (edge_lengths, fractions) = along_boundary(surface.mesh());
         Self { surface, edge_lengths, fractions, flips, centre, tree: OnceLock::new() }
     }
 
@@ -45,7 +45,7 @@ impl MeshedSurface {
 
     /// Its mesh.
     pub fn mesh(&self) -> &TriMesh<DVec3> {
-        &self.surface.mesh
+        self.surface.mesh()
     }
 
     /// What the intrinsic Delaunay flips have done; without them, the negative weights that there are.
@@ -80,7 +80,7 @@ impl MeshedSurface {
 
     /// For rays and nearest points; made when it is first asked for.
     pub fn tree(&self) -> &SurfaceTree {
-        self.tree.get_or_init(|| SurfaceTree::new(&self.surface.mesh))
+        self.tree.get_or_init(|| SurfaceTree::new(self.surface.mesh()))
     }
 
     /// The tree, if somebody has asked for it: it takes a while for millions of triangles.
@@ -90,15 +90,15 @@ impl MeshedSurface {
 
     /// The place of a point of the boundary loop in space.
     pub fn boundary_position(&self, point: BoundaryPoint) -> DVec3 {
-        let (m, edge) = (self.surface.mesh.boundary_count, point.edge);
-        let [a, b] = [edge, (edge + 1) % m].map(|k| self.surface.mesh.vertices[k as usize]);
+        let (m, edge) = (self.surface.mesh().boundary_count(), point.edge);
+        let [a, b] = [edge, (edge + 1) % m].map(|k| self.surface.mesh().vertices()[k as usize]);
         a.lerp(b, point.fraction)
     }
 
     /// The place of a point in space.
     pub fn position(&self, point: BarycentricPoint) -> DVec3 {
-        let corners = self.surface.mesh.triangles[point.triangle as usize];
-        corners.iter().zip(point.weights).map(|(&v, w)| w * self.surface.mesh.vertices[v as usize]).sum()
+        let corners = self.surface.mesh().triangles()[point.triangle as usize];
+        corners.iter().zip(point.weights).map(|(&v, w)| w * self.surface.mesh().vertices()[v as usize]).sum()
     }
 }
 
@@ -109,7 +109,7 @@ fn unflipped(intrinsic: &IntrinsicMesh) -> FlipReport {
 
 /// The lengths of the boundary edges, and the fraction of their sum before each.
 fn along_boundary(mesh: &TriMesh<DVec3>) -> (Vec<f64>, Vec<f64>) {
-    let boundary = &mesh.vertices[..mesh.boundary_count as usize];
+    let boundary = &mesh.vertices()[..mesh.boundary_count() as usize];
     let next = boundary.iter().cycle().skip(1);
     let lengths: Vec<f64> = boundary.iter().zip(next).map(|(p, q)| p.distance(*q)).collect();
     let total: f64 = lengths.iter().sum();

@@ -108,8 +108,8 @@ impl ThroughDisk {
         points.clear();
         for point in &matched.points {
             let triangle = edge_triangles[point.edge as usize];
-            let next = (point.edge + 1) % mesh.boundary_count;
-            let weights = mesh.triangles[triangle as usize].map(|v| match v {
+            let next = (point.edge + 1) % mesh.boundary_count();
+            let weights = mesh.triangles()[triangle as usize].map(|v| match v {
                 v if v == point.edge => 1.0 - point.fraction,
                 v if v == next => point.fraction,
                 _ => 0.0,
@@ -132,10 +132,10 @@ impl ThroughDisk {
         let [here, there] =
             [side, side.other()].map(|side| if is_coming[side] { &coming_disks[side] } else { &disks[side] });
         let mesh = other.mesh();
-        let layout = DiskLayout { triangles: &mesh.triangles, neighbours: &mesh.neighbours, places: &there.places };
+        let layout = DiskLayout { triangles: mesh.triangles(), neighbours: mesh.neighbours(), places: &there.places };
         let points = &mut coming.points;
-        if !search.walk(&mapped.mesh().triangles, &here.places, &layout, points, deadline)
-            || !search.settle(&here.places, there, &mesh.triangles, points, deadline)
+        if !search.walk(mapped.mesh().triangles(), &here.places, &layout, points, deadline)
+            || !search.settle(&here.places, there, mesh.triangles(), points, deadline)
         {
             return false;
         }
@@ -156,8 +156,8 @@ impl ThroughDisk {
 
 /// By boundary edge, the triangle at it.
 fn triangles_at_edges(mesh: &TriMesh<DVec3>) -> Vec<u32> {
-    let mut result = vec![0; mesh.boundary_count as usize];
-    for (t, (corners, neighbours)) in mesh.triangles.iter().zip(&mesh.neighbours).enumerate() {
+    let mut result = vec![0; mesh.boundary_count() as usize];
+    for (t, (corners, neighbours)) in mesh.triangles().iter().zip(mesh.neighbours()).enumerate() {
         for i in (0..3).filter(|&i| neighbours[i] == NO_TRIANGLE) {
             result[corners[(i + 1) % 3] as usize] = t as u32;
         }

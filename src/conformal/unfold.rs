@@ -19,7 +19,7 @@ pub(super) type UnfoldedPlaces = Vec<(u32, DVec2)>;
 /// the three corners. `places` is working memory.
 pub(super) fn around(mesh: &TriMesh<DVec3>, x: BarycentricPoint, stencil: &mut Stencil, places: &mut UnfoldedPlaces) {
     stencil.clear();
-    let corners = mesh.triangles[x.triangle as usize];
+    let corners = mesh.triangles()[x.triangle as usize];
     if unfold(mesh, x.triangle, places).is_some() {
         let point = (0..3).map(|i| x.weights[i] * places[i].1).sum();
         let place = |vertex: u32| known(places, vertex).unwrap_or(DVec2::NAN);
@@ -41,8 +41,8 @@ fn known(places: &UnfoldedPlaces, vertex: u32) -> Option<DVec2> {
 /// is on the boundary or the ring is not flat.
 fn unfold(mesh: &TriMesh<DVec3>, start: u32, places: &mut UnfoldedPlaces) -> Option<()> {
     places.clear();
-    let corners = mesh.triangles[start as usize];
-    let [a, b, c] = corners.map(|v| mesh.vertices[v as usize]);
+    let corners = mesh.triangles()[start as usize];
+    let [a, b, c] = corners.map(|v| mesh.vertices()[v as usize]);
     let second = DVec2::new(a.distance(b), 0.0);
     let third = beside(DVec2::ZERO, second, [a, b, c]);
     places.extend(corners.into_iter().zip([DVec2::ZERO, second, third]));
@@ -51,23 +51,23 @@ fn unfold(mesh: &TriMesh<DVec3>, start: u32, places: &mut UnfoldedPlaces) -> Opt
 
 /// Unfolds the triangles at corner `i` of `start` one after another, counter-clockwise.
 fn turn(mesh: &TriMesh<DVec3>, start: u32, i: usize, places: &mut UnfoldedPlaces) -> Option<()> {
-    let corner = mesh.triangles[start as usize][i];
+    let corner = mesh.triangles()[start as usize][i];
     let centre = known(places, corner)?;
     let (mut triangle, mut at) = (start, i);
-    let mut beyond = known(places, mesh.triangles[start as usize][(i + 2) % 3])?;
+    let mut beyond = known(places, mesh.triangles()[start as usize][(i + 2) % 3])?;
     loop {
-        if mesh.triangles[triangle as usize].iter().any(|&v| v < mesh.boundary_count) {
+        if mesh.triangles()[triangle as usize].iter().any(|&v| v < mesh.boundary_count()) {
             return None;
         }
         // across the edge from the corner to the third vertex, which is the second of the next triangle
-        triangle = mesh.neighbours[triangle as usize][(at + 1) % 3];
+        triangle = mesh.neighbours()[triangle as usize][(at + 1) % 3];
         if triangle == NO_TRIANGLE {
             return None;
         }
-        let vertices = mesh.triangles[triangle as usize];
+        let vertices = mesh.triangles()[triangle as usize];
         at = vertices.iter().position(|&v| v == corner)?;
         let next = vertices[(at + 2) % 3];
-        let positions = [0, 1, 2].map(|k| mesh.vertices[vertices[(at + k) % 3] as usize]);
+        let positions = [0, 1, 2].map(|k| mesh.vertices()[vertices[(at + k) % 3] as usize]);
         let place = beside(centre, beyond, positions);
         match known(places, next) {
             Some(before) if before.distance(place) > FLAT * centre.distance(place) => return None,

@@ -34,14 +34,14 @@ pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<Pe
         Some([constraints.points[side].in_plane()?, domain.samples().position(anchor)])
     };
     let (positions, coordinates) = match map.direction() {
-        Direction::Forward => (map.images(), source.mesh().vertices.as_slice()),
-        Direction::Backward => (target.mesh().vertices.as_slice(), map.images()),
+        Direction::Forward => (map.images(), source.mesh().vertices()),
+        Direction::Backward => (target.mesh().vertices(), map.images()),
     };
     Some(PerSide::new(
         Panel {
-            positions: &source.mesh().vertices,
-            coordinates: &source.mesh().vertices,
-            triangles: &source.mesh().triangles,
+            positions: source.mesh().vertices(),
+            coordinates: source.mesh().vertices(),
+            triangles: source.mesh().triangles(),
             boundary: &source.samples().points,
             handles: handles(Side::Source, source)?,
         },
@@ -79,7 +79,7 @@ fn part_with_surface<'a>(map: &'a ConformalMap, constraints: &Constraints, side:
         return Some(Part { side, panel, wire: Some((places, triangles)) });
     }
     let domain = map.domain(side)?;
-    let (vertices, triangles) = (domain.mesh().vertices.as_slice(), domain.mesh().triangles.as_slice());
+    let (vertices, triangles) = (domain.mesh().vertices(), domain.mesh().triangles());
     let anchor = domain.samples().position(map.side(side).at_fraction(constraints.anchors[side]));
     let panel = Panel {
         positions: vertices,

@@ -33,10 +33,10 @@ impl<'a> Flattened<'a> {
         let placement = if unit { unit_box(&images) } else { Placement { origin: DVec2::ZERO, scale: 1.0 } };
         let placed = |image: DVec2| (image - placement.origin) * placement.scale;
         let disk = map.mapped().surface()?.surface();
-        let kept = disk.mesh.triangles.iter().zip(&disk.triangle_origins).filter(|(_, origin)| **origin != ADDED);
+        let kept = disk.mesh().triangles().iter().zip(disk.triangle_origins()).filter(|(_, origin)| **origin != ADDED);
         Some(Self {
             vertices: &surface.vertices,
-            triangles: kept.map(|(t, _)| t.map(|v| disk.vertex_origins[v as usize])).collect(),
+            triangles: kept.map(|(t, _)| t.map(|v| disk.vertex_origins()[v as usize])).collect(),
             coordinates: images.into_iter().map(|image| image.map(placed)).collect(),
             placement,
         })

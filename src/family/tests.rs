@@ -61,7 +61,7 @@ fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
             .map(|p| p.distance(domain.domain().unwrap().default_point()))
             .fold(0.0, f64::max);
         let places =
-            domain.domain().unwrap().mesh().vertices[domain.boundary_count()..].iter().copied().step_by(197).take(6);
+            domain.domain().unwrap().mesh().vertices()[domain.boundary_count()..].iter().copied().step_by(197).take(6);
         for point in places.chain([domain.domain().unwrap().default_point()]) {
             let circle = Circle::through(point, domain.domain().unwrap().samples());
             let radius = circle.arm.length();

@@ -146,7 +146,7 @@ impl CrowdingStudy {
     pub fn image_of_point(&self, images: &[DVec2]) -> DVec2 {
         let mesh = self.domains.source.mesh();
         locate(mesh, self.points.source, 0).map_or(DVec2::INFINITY, |found| {
-            let corners = mesh.triangles[found.triangle as usize];
+            let corners = mesh.triangles()[found.triangle as usize];
             corners.iter().zip(found.weights).map(|(&v, w)| w * images[v as usize]).sum()
         })
     }

@@ -101,8 +101,8 @@ impl SurfaceStudy {
         let ((source, x1), (surface, x2)) = (&self.source, &self.surface);
         let (source, mesh) = (source.mesh(), surface.mesh());
         let mut row: Vec<Cell> = vec![self.label.as_str().into()];
-        row.extend([source.boundary_count.into(), source.triangles.len().into()]);
-        row.extend([mesh.boundary_count.into(), mesh.triangles.len().into(), surface.flips().flips.into()]);
+        row.extend([source.boundary_count().into(), source.triangles().len().into()]);
+        row.extend([mesh.boundary_count().into(), mesh.triangles().len().into(), surface.flips().flips.into()]);
         let (anchors, place) = (self.constraints.anchors, surface.position(*x2));
         let constraints = [x1.x, x1.y, anchors.source, place.x, place.y, place.z, anchors.target];
         row.extend(constraints.map(Cell::from));
@@ -130,7 +130,7 @@ fn own(state: &SurfaceState) -> Result<Arc<PreparedSide>, FigureError> {
 
 /// The fraction of the loop's length at its highest vertex, y up.
 fn top(surface: &MeshedSurface) -> f64 {
-    let on_loop = surface.mesh().vertices.iter().zip(surface.fractions());
+    let on_loop = surface.mesh().vertices().iter().zip(surface.fractions());
     on_loop.max_by(|(a, _), (b, _)| a.y.total_cmp(&b.y)).map_or(0.0, |(_, fraction)| *fraction)
 }
 
@@ -138,8 +138,8 @@ fn top(surface: &MeshedSurface) -> f64 {
 /// boundary may lie in a nostril.
 fn foremost(surface: &MeshedSurface) -> Option<BarycentricPoint> {
     let mesh = surface.mesh();
-    let inside = mesh.boundary_count..mesh.vertices.len() as u32;
-    let z = |v: &u32| mesh.vertices[*v as usize].z;
+    let inside = mesh.boundary_count()..mesh.vertices().len() as u32;
+    let z = |v: &u32| mesh.vertices()[*v as usize].z;
     at_vertex(mesh, inside.max_by(|a, b| z(a).total_cmp(&z(b)))?)
 }
 
@@ -175,7 +175,7 @@ mod tests {
         }
         // for the other L, sixths of the loop are not mapped to corners
         assert!(studies[1].map.images()[m / 6].distance(corners[1]) > 0.05);
-        let top = studies[0].surface.0.mesh().vertices.iter().zip(first.map.images());
+        let top = studies[0].surface.0.mesh().vertices().iter().zip(first.map.images());
         let (_, image) = top.max_by(|a, b| a.0.z.total_cmp(&b.0.z)).unwrap();
         assert!(image.distance(DVec2::splat(3.0_f64.sqrt().recip())) < 0.01, "{image}");
     }
@@ -186,11 +186,11 @@ mod tests {
         let studies = SurfaceStudy::all(Figure::Face, Detail::Quick, Some(&given)).unwrap();
         for study in &studies {
             let (surface, x2) = (&study.surface.0, study.surface.1);
-            assert_eq!(surface.mesh().boundary_count, 60);
+            assert_eq!(surface.mesh().boundary_count(), 60);
             let top = surface.boundary_position(study.map.mapped().at_fraction(study.constraints.anchors.target));
             assert!((top.y - 1.0).abs() < 1e-12, "the top of the unit circle, not {top}");
             let front = surface.position(x2).z;
-            let inside = &surface.mesh().vertices[60..];
+            let inside = &surface.mesh().vertices()[60..];
             assert!(inside.iter().all(|p| p.z <= front + 1e-12), "{front} is not the front");
         }
         assert_eq!(SurfaceStudy::all(Figure::Moebius, Detail::Quick, None).unwrap_err(), FigureError::NoSurface);

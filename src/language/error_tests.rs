@@ -217,7 +217,7 @@ fn surfaces_that_are_no_disks() {
         let surface = read_surface("a.obj", format!("{vertices}{faces}").as_bytes()).unwrap();
         german(&SurfaceMesh::new(&surface).expect_err(faces));
         if let Ok(repaired) = SurfaceMesh::repaired(&surface) {
-            repaired.repairs.iter().for_each(german);
+            repaired.repairs().iter().for_each(german);
         }
     }
     // a strip of 7 × 3 squares with three squares missing: four boundary loops

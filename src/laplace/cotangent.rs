@@ -42,18 +42,18 @@ trait Angles {
 
 impl Angles for TriMesh {
     fn triangles(&self) -> &[[u32; 3]] {
-        &self.triangles
+        self.triangles()
     }
 
     fn across(&self, t: usize, i: usize) -> Option<(usize, usize)> {
-        let other = self.neighbours[t][i];
-        let corners = self.triangles.get(other as usize)?;
-        let (a, b) = (self.triangles[t][(i + 1) % 3], self.triangles[t][(i + 2) % 3]);
+        let other = self.neighbours()[t][i];
+        let corners = self.triangles().get(other as usize)?;
+        let (a, b) = (self.triangles()[t][(i + 1) % 3], self.triangles()[t][(i + 2) % 3]);
         Some((other as usize, corners.iter().position(|&c| c != a && c != b)?))
     }
 
     fn cotangent(&self, t: usize, i: usize) -> f64 {
-        let [c, a, b] = [0, 1, 2].map(|k| self.vertices[self.triangles[t][(i + k) % 3] as usize]);
+        let [c, a, b] = [0, 1, 2].map(|k| self.vertices()[self.triangles()[t][(i + k) % 3] as usize]);
         let (u, v): (DVec2, DVec2) = (a - c, b - c);
         u.dot(v) / u.perp_dot(v)
     }
@@ -84,8 +84,8 @@ impl Angles for IntrinsicMesh {
 impl DirichletLaplacian {
     /// Assembles L̂ and L̄ of `mesh`. Cost O(triangles).
     pub fn assemble(mesh: &TriMesh) -> Result<Self, LaplaceError> {
-        Self::of(mesh, mesh.boundary_count, mesh.vertices.len(), &|a| {
-            let DVec2 { x, y } = mesh.vertices[a as usize];
+        Self::of(mesh, mesh.boundary_count(), mesh.vertices().len(), &|a| {
+            let DVec2 { x, y } = mesh.vertices()[a as usize];
             LaplaceError::Degenerate { x, y }
         })
     }

@@ -35,7 +35,7 @@ fn grid(k: u32) -> TriMesh {
         .map(|(t, &[a, b, c])| [across(t, b, c), across(t, c, a), across(t, a, b)])
         .collect();
     let vertices = places.iter().map(|&(i, j)| DVec2::new(f64::from(i), f64::from(j)) / f64::from(k)).collect();
-    TriMesh { vertices, boundary_count: 4 * k, triangles, neighbours }
+    TriMesh::known_sound(vertices, 4 * k, triangles, neighbours)
 }
 
 fn factored(mesh: &TriMesh) -> (DirichletLaplacian, Factor) {

@@ -126,7 +126,7 @@ mod tests {
 
     fn intrinsic(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> IntrinsicMesh {
         let surface = Surface { vertices, triangles, notes: Vec::new() };
-        IntrinsicMesh::of(&SurfaceMesh::new(&surface).unwrap().mesh)
+        IntrinsicMesh::of(SurfaceMesh::new(&surface).unwrap().mesh())
     }
 
     #[test]

@@ -7,6 +7,7 @@ mod ears;
 mod error;
 mod graded;
 mod hex_lattice;
+mod ids;
 mod intrinsic;
 mod intrinsic_delaunay;
 mod level_grid;
@@ -19,12 +20,14 @@ mod triangulate;
 
 pub(crate) use disk_walk::DiskLayout;
 pub use error::MeshError;
+pub use ids::{TriangleId, VertexId};
 pub(crate) use intrinsic::IntrinsicMesh;
 pub use intrinsic_delaunay::FlipReport;
 pub use locate::{BarycentricPoint, locate};
 pub use nearest::nearest_inside;
 pub use planar::{MAX_INTERIOR, RefineReport, Sizing, mesh_domain};
-pub use tri_mesh::{BrokenInvariant, NO_TRIANGLE, TriMesh};
+pub(crate) use tri_mesh::NO_TRIANGLE;
+pub use tri_mesh::{BrokenInvariant, TriMesh};
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]

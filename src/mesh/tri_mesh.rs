@@ -1,30 +1,116 @@
 //! The triangle mesh: boundary vertices first, counter-clockwise triangles, neighbours.
 
+use super::{TriangleId, VertexId};
 use crate::geometry::{DVec2, orientation};
 
-/// No neighbour: the edge is a boundary edge.
-pub const NO_TRIANGLE: u32 = u32::MAX;
+/// No neighbour, in the arrays: the edge is a boundary edge.
+pub(crate) const NO_TRIANGLE: u32 = u32::MAX;
 
 /// A triangle mesh of a simply connected domain.
 ///
-/// Vertices `0 … m−1` are the boundary, counter-clockwise and exactly the
-/// samples; `m … m+n−1` are interior. There are `m + 2n − 2` triangles.
+/// Vertices `0 … m−1` are the boundary, counter-clockwise and exactly the samples; `m … m+n−1` are interior. Every
+/// number in the arrays names a vertex or a triangle, and m is at least 3. Of a domain or a surface that is a disk,
+/// there are `m + 2n − 2` triangles: [`Self::check_invariants`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct TriMesh<P = DVec2> {
     /// All vertices, boundary first.
-    pub vertices: Vec<P>,
+    pub(super) vertices: Vec<P>,
     /// `m`.
-    pub boundary_count: u32,
+    pub(super) boundary_count: u32,
     /// Counter-clockwise vertex triples.
-    pub triangles: Vec<[u32; 3]>,
+    pub(super) triangles: Vec<[u32; 3]>,
     /// `neighbours[t][i]` is the triangle across the edge opposite to corner `i`, or [`NO_TRIANGLE`].
-    pub neighbours: Vec<[u32; 3]>,
+    pub(super) neighbours: Vec<[u32; 3]>,
 }
 
 impl<P> TriMesh<P> {
+    /// From arrays whose numbers all name something; [`NO_TRIANGLE`] stands across a boundary edge.
+    pub(crate) fn known_sound(
+        vertices: Vec<P>,
+        boundary_count: u32,
+        triangles: Vec<[u32; 3]>,
+        neighbours: Vec<[u32; 3]>,
+    ) -> Self {
+        let mesh = Self { vertices, boundary_count, triangles, neighbours };
+        debug_assert!(mesh.is_sound());
+        mesh
+    }
+
+    /// Whether every number in the arrays names something. Cost O(n).
+    pub(crate) fn is_sound(&self) -> bool {
+        (3..=self.vertices.len()).contains(&(self.boundary_count as usize))
+            && self.triangles.len() == self.neighbours.len()
+            && self.triangles.as_flattened().iter().all(|&v| (v as usize) < self.vertices.len())
+            && self.neighbours.as_flattened().iter().all(|&t| t == NO_TRIANGLE || (t as usize) < self.triangles.len())
+    }
+
+    /// From arrays that have been elsewhere; `None` if a number in them names nothing. Cost O(n).
+    #[cfg(feature = "io")]
+    pub(crate) fn checked(
+        vertices: Vec<P>,
+        boundary_count: u32,
+        triangles: Vec<[u32; 3]>,
+        neighbours: Vec<[u32; 3]>,
+    ) -> Option<Self> {
+        Some(Self { vertices, boundary_count, triangles, neighbours }).filter(Self::is_sound)
+    }
+
+    /// All vertices, those of the boundary first.
+    pub fn vertices(&self) -> &[P] {
+        &self.vertices
+    }
+
+    /// The boundary's vertices, counter-clockwise.
+    pub fn boundary(&self) -> &[P] {
+        &self.vertices[..self.boundary_count as usize]
+    }
+
+    /// The number of boundary vertices, `m`.
+    pub fn boundary_count(&self) -> u32 {
+        self.boundary_count
+    }
+
     /// The number of interior vertices, `n`.
     pub fn interior_count(&self) -> usize {
         self.vertices.len() - self.boundary_count as usize
+    }
+
+    /// Counter-clockwise triples of vertex numbers.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// As [`Self::triangles`].
+    pub(crate) fn into_triangles(self) -> Vec<[u32; 3]> {
+        self.triangles
+    }
+
+    /// For each triangle and corner the triangle across the opposite edge, or [`NO_TRIANGLE`].
+    pub(crate) fn neighbours(&self) -> &[[u32; 3]] {
+        &self.neighbours
+    }
+
+    /// The triangle across the edge of `triangle` opposite to its corner `i`; `None` at the boundary.
+    pub fn neighbour(&self, triangle: TriangleId, i: usize) -> Option<TriangleId> {
+        let across = self.neighbours[triangle.index()][i];
+        (across != NO_TRIANGLE).then_some(TriangleId::new(across))
+    }
+
+    /// Whether the triangle has an edge on the boundary.
+    pub fn is_at_boundary(&self, triangle: TriangleId) -> bool {
+        self.neighbours[triangle.index()].contains(&NO_TRIANGLE)
+    }
+
+    /// A triangle's corners.
+    pub fn corners(&self, triangle: TriangleId) -> [VertexId; 3] {
+        self.triangles[triangle.index()].map(VertexId::new)
+    }
+}
+
+impl<P: Copy> TriMesh<P> {
+    /// Where a triangle's corners lie.
+    pub fn corner_places(&self, triangle: TriangleId) -> [P; 3] {
+        self.triangles[triangle.index()].map(|v| self.vertices[v as usize])
     }
 }
 

@@ -81,7 +81,7 @@ impl Model {
         Some(Shown {
             direction: map.direction(),
             triangles: mapped.triangles(),
-            planar: mapped.domain().map(|domain| domain.mesh().vertices.as_slice()),
+            planar: mapped.domain().map(|domain| domain.mesh().vertices()),
             images: map.images(),
             boundary_count: mapped.boundary_count(),
             timings: map.timings(),

@@ -171,7 +171,7 @@ impl Model {
             RepairNote::FilledHoles { .. } => key::grey_in_colours(Message::from(repair)),
             _ => repair.into(),
         };
-        let repairs = surface.surface().into_iter().flat_map(|surface| &surface.surface().repairs);
+        let repairs = surface.surface().into_iter().flat_map(|surface| surface.surface().repairs());
         let map = self.map().and_then(|map| map.note(side)).map(|note| Message::from(&note));
         surface.preparation.notes.iter().cloned().chain(repairs.map(words)).chain(map).collect()
     }

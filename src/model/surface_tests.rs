@@ -97,11 +97,11 @@ fn handles_stay_off_the_loop() {
     let model = with_hemisphere();
     let (side, _) = model.surface(Side::Target).unwrap();
     let mesh = side.surface().unwrap().mesh();
-    for (t, corners) in mesh.triangles.iter().enumerate() {
+    for (t, corners) in mesh.triangles().iter().enumerate() {
         for weights in [[1.0, 0.0, 0.0], [0.0, 0.5, 0.5], [0.2, 0.3, 0.5]] {
             let found = side.interior_near(BarycentricPoint { triangle: t as u32, weights }).unwrap();
-            let on_loop: f64 = (0..3).filter(|&i| corners[i] < mesh.boundary_count).map(|i| found.weights[i]).sum();
-            let inner = corners.iter().any(|&v| v >= mesh.boundary_count);
+            let on_loop: f64 = (0..3).filter(|&i| corners[i] < mesh.boundary_count()).map(|i| found.weights[i]).sum();
+            let inner = corners.iter().any(|&v| v >= mesh.boundary_count());
             assert!(!inner || on_loop < 0.9 + 1e-12, "triangle {t}: {found:?}");
             assert!((found.weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
         }
@@ -176,16 +176,16 @@ fn the_pattern_of_the_disk_has_coordinates_on_the_surface() {
     let (side, state) = model.surface(Side::Target).unwrap();
     let coordinates = model.shown_grid().of(Side::Target);
     let mesh = side.surface().unwrap().mesh();
-    assert_eq!(coordinates.len(), mesh.vertices.len());
-    let m = mesh.boundary_count as usize;
+    assert_eq!(coordinates.len(), mesh.vertices().len());
+    let m = mesh.boundary_count() as usize;
     assert!(coordinates[..m].iter().all(|g| (g.length() - 1.0).abs() < 1e-12), "the loop lies on the circle");
     let x = side.point(state).unwrap();
-    let corners = mesh.triangles[x.triangle as usize];
+    let corners = mesh.triangles()[x.triangle as usize];
     let at: DVec2 = corners.iter().zip(x.weights).map(|(&v, w)| w * coordinates[v as usize]).sum();
     assert!(at.length() < 0.02, "g(x) = {at}");
     assert_eq!(
         model.overlay_state().grid.of(Side::Source).len(),
-        model.domain(Side::Source).unwrap().mesh().vertices.len()
+        model.domain(Side::Source).unwrap().mesh().vertices().len()
     );
 }
 

@@ -4,20 +4,20 @@ use super::repair::{ADDED, RepairNote, Repaired, repair};
 use super::survey::connectivity;
 use super::{Surface, TopologyError};
 use crate::geometry::DVec3;
-use crate::mesh::TriMesh;
+use crate::mesh::{TriMesh, VertexId};
 
 /// A disk in space: one boundary loop, no handles, consistently oriented, no flat triangles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceMesh {
     /// The boundary loop in the direction of the triangles, from its vertex of least index on;
     /// then the interior in the surface's order. The triangles are in the surface's order too.
-    pub mesh: TriMesh<DVec3>,
+    mesh: TriMesh<DVec3>,
     /// For each vertex its index in the surface as it was read, or [`ADDED`].
-    pub vertex_origins: Vec<u32>,
+    vertex_origins: Vec<u32>,
     /// For each triangle its index in the surface as it was read, or [`ADDED`]: it fills a hole.
-    pub triangle_origins: Vec<u32>,
+    triangle_origins: Vec<u32>,
     /// The repairs that were made.
-    pub repairs: Vec<RepairNote>,
+    repairs: Vec<RepairNote>,
     /// For each vertex of the surface its number here, or [`ADDED`] if it was dropped.
     numbers: Vec<u32>,
 }
@@ -33,10 +33,36 @@ impl SurfaceMesh {
         Self::ordered(repair(surface.clone())?, surface.vertices.len())
     }
 
+    /// The mesh.
+    pub fn mesh(&self) -> &TriMesh<DVec3> {
+        &self.mesh
+    }
+
+    /// For each vertex its index in the surface as it was read, or [`ADDED`].
+    #[cfg(feature = "io")]
+    pub(crate) fn vertex_origins(&self) -> &[u32] {
+        &self.vertex_origins
+    }
+
+    /// For each triangle its index in the surface as it was read, or [`ADDED`]: it fills a hole.
+    pub(crate) fn triangle_origins(&self) -> &[u32] {
+        &self.triangle_origins
+    }
+
+    /// Which vertex of the surface as it was read this is; `None` if a repair has added it.
+    pub fn origin_of(&self, vertex: VertexId) -> Option<VertexId> {
+        Some(self.vertex_origins[vertex.index()]).filter(|&origin| origin != ADDED).map(VertexId::new)
+    }
+
+    /// The repairs that were made.
+    pub fn repairs(&self) -> &[RepairNote] {
+        &self.repairs
+    }
+
     /// For each corner of a triangle, which corner of the same triangle it is in `surface`, which this was made
     /// from: repairs turn some round.
     pub fn corners_in(&self, surface: &Surface, triangle: u32) -> [usize; 3] {
-        let corners = self.mesh.triangles[triangle as usize].map(|v| self.vertex_origins[v as usize]);
+        let corners = self.mesh.triangles()[triangle as usize].map(|v| self.vertex_origins[v as usize]);
         let given = surface.triangles.get(self.triangle_origins[triangle as usize] as usize);
         std::array::from_fn(|i| given.and_then(|given| given.iter().position(|&v| v == corners[i])).unwrap_or(i))
     }
@@ -54,12 +80,12 @@ impl SurfaceMesh {
             order.push(v as u32);
         }
         let across = |twin: u32| if twin == u32::MAX { twin } else { twin / 3 };
-        let mesh = TriMesh {
-            vertices: order.iter().map(|&v| surface.vertices[v as usize]).collect(),
-            boundary_count: boundary.len() as u32,
-            triangles: surface.triangles.iter().map(|t| t.map(|v| number[v as usize])).collect(),
-            neighbours: found.twins.as_chunks::<3>().0.iter().map(|twins| twins.map(across)).collect(),
-        };
+        let mesh = TriMesh::known_sound(
+            order.iter().map(|&v| surface.vertices[v as usize]).collect(),
+            boundary.len() as u32,
+            surface.triangles.iter().map(|t| t.map(|v| number[v as usize])).collect(),
+            found.twins.as_chunks::<3>().0.iter().map(|twins| twins.map(across)).collect(),
+        );
         let vertex_origins: Vec<u32> = order.iter().map(|&v| vertex_origins[v as usize]).collect();
         let numbers = numbers_of(&vertex_origins, before);
         Ok(Self { mesh, vertex_origins, triangle_origins, repairs, numbers })
@@ -67,14 +93,15 @@ impl SurfaceMesh {
 
     /// From its parts, once they have been elsewhere; `None` if their sizes do not fit. `before` is
     /// [`Self::origin_count`].
-    pub fn from_parts(
+    #[cfg(feature = "io")]
+    pub(crate) fn from_parts(
         mesh: TriMesh<DVec3>,
         vertex_origins: Vec<u32>,
         triangle_origins: Vec<u32>,
         repairs: Vec<RepairNote>,
         before: usize,
     ) -> Option<Self> {
-        let sizes = (vertex_origins.len(), triangle_origins.len()) == (mesh.vertices.len(), mesh.triangles.len());
+        let sizes = (vertex_origins.len(), triangle_origins.len()) == (mesh.vertices().len(), mesh.triangles().len());
         let known = vertex_origins.iter().all(|&origin| origin == ADDED || (origin as usize) < before);
         (sizes && known).then(|| {
             let numbers = numbers_of(&vertex_origins, before);

@@ -30,7 +30,7 @@ impl Ord for Reached {
 /// corner of a triangle; without interior vertices the centroid of the first triangle. Cost O(n log n).
 pub fn farthest_from_boundary(mesh: &TriMesh<DVec3>) -> BarycentricPoint {
     let distances = distances(mesh);
-    let interior = (mesh.boundary_count..mesh.vertices.len() as u32).filter(|&v| distances[v as usize].is_finite());
+    let interior = (mesh.boundary_count()..mesh.vertices().len() as u32).filter(|&v| distances[v as usize].is_finite());
     let farthest = interior.max_by(|&u, &v| distances[u as usize].total_cmp(&distances[v as usize]));
     let at_corner = farthest.and_then(|vertex| at_vertex(mesh, vertex));
     at_corner.unwrap_or(BarycentricPoint { triangle: 0, weights: [1.0 / 3.0; 3] })
@@ -38,16 +38,16 @@ pub fn farthest_from_boundary(mesh: &TriMesh<DVec3>) -> BarycentricPoint {
 
 /// The vertex as a corner of the first triangle that has it. Cost O(n).
 pub fn at_vertex(mesh: &TriMesh<DVec3>, vertex: u32) -> Option<BarycentricPoint> {
-    let triangle = mesh.triangles.iter().position(|corners| corners.contains(&vertex))?;
-    let weights = mesh.triangles[triangle].map(|v| if v == vertex { 1.0 } else { 0.0 });
+    let triangle = mesh.triangles().iter().position(|corners| corners.contains(&vertex))?;
+    let weights = mesh.triangles()[triangle].map(|v| if v == vertex { 1.0 } else { 0.0 });
     Some(BarycentricPoint { triangle: triangle as u32, weights })
 }
 
 fn distances(mesh: &TriMesh<DVec3>) -> Vec<f64> {
     let (starts, neighbours) = adjacency(mesh);
-    let mut distances = vec![f64::INFINITY; mesh.vertices.len()];
+    let mut distances = vec![f64::INFINITY; mesh.vertices().len()];
     let mut pending = BinaryHeap::new();
-    for vertex in 0..mesh.boundary_count {
+    for vertex in 0..mesh.boundary_count() {
         distances[vertex as usize] = 0.0;
         pending.push(Reached { distance: 0.0, vertex });
     }
@@ -57,7 +57,7 @@ fn distances(mesh: &TriMesh<DVec3>) -> Vec<f64> {
             continue;
         }
         for &v in &neighbours[starts[u] as usize..starts[u + 1] as usize] {
-            let length = distance + mesh.vertices[u].distance(mesh.vertices[v as usize]);
+            let length = distance + mesh.vertices()[u].distance(mesh.vertices()[v as usize]);
             if length < distances[v as usize] {
                 distances[v as usize] = length;
                 pending.push(Reached { distance: length, vertex: v });
@@ -69,16 +69,16 @@ fn distances(mesh: &TriMesh<DVec3>) -> Vec<f64> {
 
 /// The vertices after each vertex around its triangles: every edge that is not on the boundary in both directions.
 fn adjacency(mesh: &TriMesh<DVec3>) -> (Vec<u32>, Vec<u32>) {
-    let mut starts = vec![0_u32; mesh.vertices.len() + 1];
-    for &v in mesh.triangles.as_flattened() {
+    let mut starts = vec![0_u32; mesh.vertices().len() + 1];
+    for &v in mesh.triangles().as_flattened() {
         starts[v as usize + 1] += 1;
     }
     for k in 1..starts.len() {
         starts[k] += starts[k - 1];
     }
     let mut places = starts.clone();
-    let mut neighbours = vec![0; 3 * mesh.triangles.len()];
-    for corners in &mesh.triangles {
+    let mut neighbours = vec![0; 3 * mesh.triangles().len()];
+    for corners in mesh.triangles() {
         for (i, &v) in corners.iter().enumerate() {
             neighbours[places[v as usize] as usize] = corners[(i + 1) % 3];
             places[v as usize] += 1;

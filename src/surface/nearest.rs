@@ -6,7 +6,7 @@ use crate::outline::BoundaryPoint;
 
 /// The boundary point nearest to a place: its edge `k → k+1` and the part of it, in `[0, 1)`. Cost O(m).
 pub fn nearest_on_boundary(mesh: &TriMesh<DVec3>, place: DVec3) -> BoundaryPoint {
-    let boundary = &mesh.vertices[..mesh.boundary_count as usize];
+    let boundary = &mesh.vertices()[..mesh.boundary_count() as usize];
     BoundaryPoint::of_chain(nearest_of_chain(boundary.iter().copied(), place), boundary.len())
 }
 
@@ -28,8 +28,8 @@ pub fn nearest_on_boundary_to_ray(
     reach: f64,
 ) -> Option<BoundaryPoint> {
     let view = ImagePlane::new(origin, direction)?;
-    let m = mesh.boundary_count as usize;
-    let seen: Vec<_> = (0..m).map(|k| view.nearest(mesh.vertices[k], mesh.vertices[(k + 1) % m])).collect();
+    let m = mesh.boundary_count() as usize;
+    let seen: Vec<_> = (0..m).map(|k| view.nearest(mesh.vertices()[k], mesh.vertices()[(k + 1) % m])).collect();
     let least = seen.iter().flatten().map(|seen| seen.tangent).min_by(f64::total_cmp)?;
     let tangent = |k: usize| seen[k % m].map_or(f64::INFINITY, |seen| seen.tangent);
     let is_passage = |k: usize| tangent(k) <= tangent(k + m - 1) && tangent(k) <= tangent(k + 1);
@@ -125,7 +125,7 @@ mod tests {
     const TRIANGLE: [DVec3; 3] = [DVec3::ZERO, DVec3::new(2.0, 0.0, 0.0), DVec3::new(0.0, 2.0, 0.0)];
 
     fn mesh(vertices: Vec<DVec3>, boundary_count: u32) -> TriMesh<DVec3> {
-        TriMesh { vertices, boundary_count, triangles: vec![[0, 1, 2]], neighbours: vec![[u32::MAX; 3]] }
+        TriMesh::known_sound(vertices, boundary_count, vec![[0, 1, 2]], vec![[u32::MAX; 3]])
     }
 
     #[test]

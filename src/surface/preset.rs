@@ -72,8 +72,8 @@ impl SurfacePreset {
     pub fn surface(self, boundary: u32) -> Result<Surface, MeshError> {
         let boundary = self.outline(boundary.max(12));
         let mesh = mesh_domain(&boundary, Sizing::Uniform)?.0;
-        let vertices = mesh.vertices.iter().map(|&p| self.lifted(p)).collect();
-        Ok(Surface { vertices, triangles: mesh.triangles, notes: Vec::new() })
+        let vertices = mesh.vertices().iter().map(|&p| self.lifted(p)).collect();
+        Ok(Surface { vertices, triangles: mesh.into_triangles(), notes: Vec::new() })
     }
 
     /// The boundary of the planar mesh.

@@ -48,19 +48,19 @@ fn torus(p: u32, q: u32) -> Surface {
 #[test]
 fn a_grid_is_a_disk_with_its_boundary_first() {
     let disk = SurfaceMesh::new(&grid(3)).unwrap();
-    assert_eq!(disk.vertex_origins, [0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4, 5, 6, 9, 10]);
-    let flat = TriMesh {
-        vertices: disk.mesh.vertices.iter().map(|p| p.truncate()).collect(),
-        boundary_count: 12,
-        triangles: disk.mesh.triangles.clone(),
-        neighbours: disk.mesh.neighbours.clone(),
-    };
+    assert_eq!(disk.vertex_origins(), [0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4, 5, 6, 9, 10]);
+    let flat = TriMesh::known_sound(
+        disk.mesh().vertices().iter().map(|p| p.truncate()).collect(),
+        12,
+        disk.mesh().triangles().to_vec(),
+        disk.mesh().neighbours().to_vec(),
+    );
     assert_eq!(flat.check_invariants(), Ok(()));
     for v in 0..16 {
-        assert_eq!(disk.vertex_origins[disk.number_of(v).unwrap() as usize], v);
+        assert_eq!(disk.vertex_origins()[disk.number_of(v).unwrap() as usize], v);
     }
     let turned = Surface { triangles: grid(3).triangles.iter().map(|&[a, b, c]| [a, c, b]).collect(), ..grid(3) };
-    assert_eq!(SurfaceMesh::new(&turned).unwrap().vertex_origins[..4], [0, 4, 8, 12]);
+    assert_eq!(SurfaceMesh::new(&turned).unwrap().vertex_origins()[..4], [0, 4, 8, 12]);
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn triangles_without_area_are_named() {
     surface.triangles.push([3, 4, 4]);
     assert_eq!(error(&surface), TopologyError::RepeatedCorner { triangle: 8, corners: [3, 4, 4], count: 1 });
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
-    assert_eq!(repaired.repairs, [RepairNote::DroppedTriangles { count: 1 }]);
+    assert_eq!(repaired.repairs(), [RepairNote::DroppedTriangles { count: 1 }]);
 }
 
 #[test]
@@ -107,8 +107,8 @@ fn triangles_with_the_same_corners_are_named_and_dropped() {
         let expected = TopologyError::Duplicates { triangle: first, corners, other, count };
         assert_eq!(error(&surface), expected);
         let repaired = SurfaceMesh::repaired(&surface).unwrap();
-        assert_eq!(repaired.repairs, [RepairNote::DroppedDuplicates { count }]);
-        assert_eq!((repaired.mesh, repaired.triangle_origins), (clean.mesh.clone(), clean.triangle_origins.clone()));
+        assert_eq!(repaired.repairs(), [RepairNote::DroppedDuplicates { count }]);
+        assert_eq!((repaired.mesh(), repaired.triangle_origins()), (clean.mesh(), clean.triangle_origins()));
     }
 }
 
@@ -137,8 +137,8 @@ fn turned_triangles_are_named_and_turned_back() {
     assert!(triangles.contains(&4) || triangles.contains(&5) || triangles.contains(&9), "{triangles:?}");
     assert!(count > 2, "{count}");
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
-    assert_eq!(repaired.repairs, [RepairNote::Oriented { count: 3 }]);
-    assert_eq!(repaired.vertex_origins, SurfaceMesh::new(&straight).unwrap().vertex_origins);
+    assert_eq!(repaired.repairs(), [RepairNote::Oriented { count: 3 }]);
+    assert_eq!(repaired.vertex_origins(), SurfaceMesh::new(&straight).unwrap().vertex_origins());
 }
 
 #[test]
@@ -162,8 +162,8 @@ fn parts_and_loose_vertices_are_counted_and_dropped() {
     assert_eq!(error(&surface), TopologyError::Components { triangles: vec![8, 1] });
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
     let expected = [RepairNote::KeptLargest { components: 2, dropped: 1 }, RepairNote::DroppedVertices { count: 4 }];
-    assert_eq!(repaired.repairs, expected);
-    assert_eq!((repaired.triangle_origins[0], repaired.number_of(12)), (1, None));
+    assert_eq!(repaired.repairs(), expected);
+    assert_eq!((repaired.triangle_origins()[0], repaired.number_of(12)), (1, None));
     surface.triangles.remove(0);
     assert_eq!(error(&surface), TopologyError::Unreferenced { vertex: 9, count: 4 });
 }
@@ -196,18 +196,18 @@ fn holes_are_filled_and_marked() {
     surface.triangles.retain(|t| ![[7, 8, 14], [7, 14, 13], [21, 22, 28]].contains(t));
     let before = surface.triangles.len();
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
-    let [RepairNote::FilledHoles { holes, triangles: 5 }] = repaired.repairs.as_slice() else {
-        panic!("{:?}", repaired.repairs)
+    let [RepairNote::FilledHoles { holes, triangles: 5 }] = repaired.repairs() else {
+        panic!("{:?}", repaired.repairs())
     };
     assert_eq!(holes.iter().map(|l| l.vertices).collect::<Vec<_>>(), [4, 3]);
-    assert_eq!(repaired.triangle_origins[before..], [ADDED; 5]);
-    assert_eq!(repaired.vertex_origins.iter().filter(|&&v| v == ADDED).count(), 1);
-    let flat = TriMesh {
-        vertices: repaired.mesh.vertices.iter().map(|p| p.truncate()).collect(),
-        boundary_count: repaired.mesh.boundary_count,
-        triangles: repaired.mesh.triangles.clone(),
-        neighbours: repaired.mesh.neighbours.clone(),
-    };
+    assert_eq!(repaired.triangle_origins()[before..], [ADDED; 5]);
+    assert_eq!(repaired.vertex_origins().iter().filter(|&&v| v == ADDED).count(), 1);
+    let flat = TriMesh::known_sound(
+        repaired.mesh().vertices().iter().map(|p| p.truncate()).collect(),
+        repaired.mesh().boundary_count(),
+        repaired.mesh().triangles().to_vec(),
+        repaired.mesh().neighbours().to_vec(),
+    );
     assert_eq!(flat.check_invariants(), Ok(()));
 }
 
@@ -215,8 +215,8 @@ fn holes_are_filled_and_marked() {
 fn every_preset_is_a_disk() {
     for preset in SurfacePreset::ALL {
         let disk = SurfaceMesh::new(&preset.surface(60).unwrap()).unwrap();
-        assert!(disk.mesh.boundary_count.abs_diff(60) <= 3, "{preset}: {}", disk.mesh.boundary_count);
-        assert!(disk.mesh.interior_count() > 50 && disk.repairs.is_empty());
+        assert!(disk.mesh().boundary_count().abs_diff(60) <= 3, "{preset}: {}", disk.mesh().boundary_count());
+        assert!(disk.mesh().interior_count() > 50 && disk.repairs().is_empty());
         assert_eq!(preset.name().parse(), Ok(preset));
     }
 }
@@ -224,8 +224,8 @@ fn every_preset_is_a_disk() {
 #[test]
 fn the_middle_of_a_grid_is_farthest_from_its_boundary() {
     let disk = SurfaceMesh::new(&grid(8)).unwrap();
-    let found = farthest_from_boundary(&disk.mesh);
-    let corners = disk.mesh.triangles[found.triangle as usize].map(|v| disk.mesh.vertices[v as usize]);
+    let found = farthest_from_boundary(disk.mesh());
+    let corners = disk.mesh().triangles()[found.triangle as usize].map(|v| disk.mesh().vertices()[v as usize]);
     let place: DVec3 = corners.iter().zip(found.weights).map(|(&p, w)| w * p).sum();
     assert_eq!(place, DVec3::new(4.0, 4.0, 0.0));
 }

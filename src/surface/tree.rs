@@ -38,7 +38,7 @@ const HIDDEN: f64 = 1e-5;
 impl SurfaceTree {
     /// Sorts the triangles; all positions have to be finite. Cost O(n log n).
     pub fn new(mesh: &TriMesh<DVec3>) -> Self {
-        Self::of(mesh.triangles.iter().map(|t| t.map(|v| mesh.vertices[v as usize])).collect())
+        Self::of(mesh.triangles().iter().map(|t| t.map(|v| mesh.vertices()[v as usize])).collect())
     }
 
     /// As [`Self::new`], of the corners of triangles.

@@ -11,8 +11,8 @@ use std::sync::LazyLock;
 use std::time::Instant;
 
 fn place(mesh: &TriMesh<DVec3>, point: BarycentricPoint) -> DVec3 {
-    let corners = mesh.triangles[point.triangle as usize];
-    corners.iter().zip(point.weights).map(|(&v, w)| w * mesh.vertices[v as usize]).sum()
+    let corners = mesh.triangles()[point.triangle as usize];
+    corners.iter().zip(point.weights).map(|(&v, w)| w * mesh.vertices()[v as usize]).sum()
 }
 
 /// The cube [0, 1]³ without its bottom.
@@ -20,7 +20,7 @@ fn cube() -> TriMesh<DVec3> {
     let vertices = (0..8).map(|v| DVec3::new(f64::from(v & 1), f64::from(v >> 1 & 1), f64::from(v >> 2))).collect();
     let quads = [[4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
     let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-    SurfaceMesh::new(&Surface { vertices, triangles, notes: Vec::new() }).unwrap().mesh
+    SurfaceMesh::new(&Surface { vertices, triangles, notes: Vec::new() }).unwrap().mesh().clone()
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn a_point_of_a_cube_is_hidden_from_behind_it_and_seen_from_before() {
 fn hemisphere() -> &'static (TriMesh<DVec3>, SurfaceTree) {
     static HEMISPHERE: LazyLock<(TriMesh<DVec3>, SurfaceTree)> = LazyLock::new(|| {
         let surface = SurfacePreset::Hemisphere.surface(120).unwrap();
-        let mesh = SurfaceMesh::new(&surface).unwrap().mesh;
+        let mesh = SurfaceMesh::new(&surface).unwrap().mesh().clone();
         let tree = SurfaceTree::new(&mesh);
         (mesh, tree)
     });
@@ -75,8 +75,8 @@ fn hemisphere() -> &'static (TriMesh<DVec3>, SurfaceTree) {
 fn rays_from_the_centre_of_a_hemisphere_meet_it_near_the_sphere() {
     let (mesh, tree) = hemisphere();
     // chords of a sphere sag by s²/8 for triangles whose circumcircle has the diameter s
-    let longest = mesh.triangles.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
-    let edge = |[a, b]: [u32; 2]| mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
+    let longest = mesh.triangles().iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
+    let edge = |[a, b]: [u32; 2]| mesh.vertices()[a as usize].distance(mesh.vertices()[b as usize]);
     let sag = longest.map(edge).fold(0.0, f64::max).powi(2) / 6.0;
     for k in 0..200 {
         let (height, turn) = (f64::from(k) / 200.0 + 0.002, 2.4 * f64::from(k));
@@ -92,8 +92,8 @@ fn rays_from_the_centre_of_a_hemisphere_meet_it_near_the_sphere() {
 fn rays_at_vertices_and_edges_do_not_slip_through() {
     let (mesh, tree) = hemisphere();
     let eye = DVec3::new(0.3, -0.2, 0.1);
-    for triangle in &mesh.triangles {
-        let [a, b, _] = triangle.map(|v| mesh.vertices[v as usize]);
+    for triangle in mesh.triangles() {
+        let [a, b, _] = triangle.map(|v| mesh.vertices()[v as usize]);
         for target in [a, a.lerp(b, 0.5), a.lerp(b, 1.0 / 3.0)] {
             let is_rim = target.z < 1e-9;
             let hit = tree.ray(eye, target - eye);
@@ -105,17 +105,17 @@ fn rays_at_vertices_and_edges_do_not_slip_through() {
 /// As the tree, by looking at every triangle.
 fn nearest_by_force(mesh: &TriMesh<DVec3>, at: DVec3) -> f64 {
     let distance = |corners: &[u32; 3]| {
-        let corners = corners.map(|v| mesh.vertices[v as usize]);
+        let corners = corners.map(|v| mesh.vertices()[v as usize]);
         let weights = nearest_in_triangle(corners, at);
         corners.iter().zip(weights).map(|(&p, w)| w * p).sum::<DVec3>().distance(at)
     };
-    mesh.triangles.iter().map(distance).fold(f64::INFINITY, f64::min)
+    mesh.triangles().iter().map(distance).fold(f64::INFINITY, f64::min)
 }
 
 /// The least distance along the ray at which its line meets a triangle, by Cramer's rule.
 fn first_by_force(mesh: &TriMesh<DVec3>, origin: DVec3, direction: DVec3) -> Option<f64> {
     let meets = |corners: &[u32; 3]| {
-        let [a, b, c] = corners.map(|v| mesh.vertices[v as usize]);
+        let [a, b, c] = corners.map(|v| mesh.vertices()[v as usize]);
         let (u, v) = (b - a, c - a);
         let normal = u.cross(v);
         let distance = (a - origin).dot(normal) / direction.dot(normal);
@@ -124,7 +124,7 @@ fn first_by_force(mesh: &TriMesh<DVec3>, origin: DVec3, direction: DVec3) -> Opt
             (p.cross(v).dot(normal) / normal.length_squared(), u.cross(p).dot(normal) / normal.length_squared());
         (s >= 0.0 && t >= 0.0 && s + t <= 1.0 && distance >= 0.0).then_some(distance)
     };
-    mesh.triangles.iter().filter_map(meets).min_by(f64::total_cmp)
+    mesh.triangles().iter().filter_map(meets).min_by(f64::total_cmp)
 }
 
 fn places() -> impl Strategy<Value = DVec3> {
@@ -162,7 +162,7 @@ fn from_far_away_the_nearest_point_is_the_outermost_one() {
     for k in 0..40 {
         let up = DVec2::from_angle(0.15 * f64::from(k));
         let direction = DVec3::new(0.6 * up.x, 0.6 * up.y, 0.8);
-        let outermost = mesh.vertices.iter().map(|p| p.dot(direction)).fold(f64::NEG_INFINITY, f64::max);
+        let outermost = mesh.vertices().iter().map(|p| p.dot(direction)).fold(f64::NEG_INFINITY, f64::max);
         for distance in [1e3, 1e8, 1e16, 1e100, 1e300] {
             let (point, _) = tree.nearest(distance * direction).unwrap();
             let reached = place(mesh, point).dot(direction);
@@ -180,7 +180,7 @@ fn what_is_not_finite_is_near_nothing() {
 #[test]
 #[ignore = "a measurement: prints the times of this machine"]
 fn seventy_thousand_triangles() {
-    let mesh = SurfaceMesh::new(&SurfacePreset::Hemisphere.surface(650).unwrap()).unwrap().mesh;
+    let mesh = SurfaceMesh::new(&SurfacePreset::Hemisphere.surface(650).unwrap()).unwrap().mesh().clone();
     let build = || {
         let start = Instant::now();
         (SurfaceTree::new(&mesh), start.elapsed())
@@ -193,6 +193,6 @@ fn seventy_thousand_triangles() {
     let start = Instant::now();
     let found = places.iter().filter(|&&p| tree.nearest(p).is_some()).count();
     let nearest = start.elapsed() / 1000;
-    println!("{} triangles: tree {least:?}, ray {rays:?}, nearest {nearest:?}", mesh.triangles.len());
+    println!("{} triangles: tree {least:?}, ray {rays:?}, nearest {nearest:?}", mesh.triangles().len());
     assert_eq!((hits, found), (1000, 1000));
 }

@@ -170,7 +170,7 @@ mod tests {
     fn a_file_becomes_a_prepared_surface_with_the_readers_notes() {
         let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
         let Response::Prepared(side, notes) = last(file(square), false) else { panic!() };
-        assert_eq!(side.surface().unwrap().mesh().triangles.len(), 2);
+        assert_eq!(side.surface().unwrap().mesh().triangles().len(), 2);
         assert_eq!(notes, [key::surface_note_triangulated(1_u32)]);
     }
 

@@ -63,7 +63,7 @@ fn inwards(contour: &[DVec2], k: usize) -> DVec2 {
 /// from every edge, also near its ends, and from every vertex.
 fn points_of(contour: &[DVec2]) -> Vec<DVec2> {
     let m = contour.len();
-    let mut points = mesh_domain(contour, Sizing::Graded(0.2)).unwrap().0.vertices;
+    let mut points = mesh_domain(contour, Sizing::Graded(0.2)).unwrap().0.vertices().to_vec();
     let mut beside = Vec::new();
     for depth in [1e-3, 1e-4, 1e-5, 1e-6, 1e-8].map(|depth| depth * extent(contour)) {
         for k in 0..m {
@@ -213,7 +213,7 @@ fn a_hundred_thousand_points_and_a_thousand_samples() {
     let Some(pass) = pass(gpu) else { return };
     let (device, queue, info) = gpu;
     let contour = contour_of(Preset::Gingerbread, 1000);
-    let mut points = mesh_domain(&contour, Sizing::Graded(0.05)).unwrap().0.vertices;
+    let mut points = mesh_domain(&contour, Sizing::Graded(0.05)).unwrap().0.vertices().to_vec();
     let (low, high) =
         (contour.iter().copied().reduce(DVec2::min).unwrap(), contour.iter().copied().reduce(DVec2::max).unwrap());
     let tree = EdgeTree::new(&contour);

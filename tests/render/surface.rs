@@ -219,18 +219,18 @@ fn handles_are_seen_where_their_points_are_and_are_fainter_behind_the_surface() 
 /// The upper half of the sphere with its stereographic images in the unit disk.
 fn hemisphere() -> (SurfaceMesh, Vec<DVec2>) {
     let mesh = SurfaceMesh::new(&SurfacePreset::Hemisphere.surface(160).unwrap()).unwrap();
-    let images = mesh.mesh.vertices.iter().map(|p| p.truncate() / (1.0 + p.z)).collect();
+    let images = mesh.mesh().vertices().iter().map(|p| p.truncate() / (1.0 + p.z)).collect();
     (mesh, images)
 }
 
 fn hemisphere_scene<'a>(mesh: &'a SurfaceMesh, images: &'a [DVec2], towards_eye: DVec3) -> SceneSurface<'a> {
-    let mesh = &mesh.mesh;
+    let mesh = mesh.mesh();
     SceneSurface {
         right: false,
         geometry: SurfaceGeometry {
-            positions: &mesh.vertices,
-            triangles: &mesh.triangles,
-            boundary_count: mesh.boundary_count,
+            positions: mesh.vertices(),
+            triangles: mesh.triangles(),
+            boundary_count: mesh.boundary_count(),
         },
         texture_coordinates: images,
         codes: &[],

@@ -19,7 +19,7 @@ fn preset(preset: SurfacePreset, boundary: u32) -> Arc<PreparedSide> {
 }
 
 fn places(side: &PreparedSide) -> &[DVec3] {
-    &side.surface().unwrap().mesh().vertices
+    side.surface().unwrap().mesh().vertices()
 }
 
 fn size(side: &PreparedSide) -> f64 {
@@ -177,8 +177,8 @@ fn a_flat_mesh_is_its_domain_on_either_side() {
     for shape in [Preset::LShape, Preset::Gingerbread] {
         let flat = domain(shape, 240);
         let mesh = flat.domain().unwrap().mesh();
-        let vertices = mesh.vertices.iter().map(|p| p.extend(0.0)).collect();
-        let surface = prepared(&surface_of(vertices, mesh.triangles.clone()), SurfaceSettings::default());
+        let vertices = mesh.vertices().iter().map(|p| p.extend(0.0)).collect();
+        let surface = prepared(&surface_of(vertices, mesh.triangles().to_vec()), SurfaceSettings::default());
         let point = flat.domain().unwrap().default_point();
         let on_surface = locate(mesh, point, 0).unwrap();
         let anchors = (flat.fractions()[70], surface.fractions()[70]);

@@ -18,14 +18,14 @@ fn told(map: &ConformalMap) -> [usize; 2] {
     let (images, mesh) = (map.images(), map.mapped().surface().unwrap().mesh());
     let Bounds { min: low, max: high } = Bounds::of(images.iter().copied());
     let extent = (high - low).max_element();
-    let boundary = &images[..mesh.boundary_count as usize];
+    let boundary = &images[..mesh.boundary_count() as usize];
     let gaps: Vec<f64> = boundary.iter().zip(boundary.iter().cycle().skip(1)).map(|(p, q)| p.distance(*q)).collect();
     let height = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|v| images[v as usize]);
         let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
         if longest > 0.0 { (b - a).perp_dot(c - a).abs() / longest } else { 0.0 }
     };
-    let heights: Vec<f64> = mesh.triangles.iter().map(height).collect();
+    let heights: Vec<f64> = mesh.triangles().iter().map(height).collect();
     let edges = match map.note(map.mapped_side()) {
         Some(MapNote::NoMeasure { edges } | MapNote::NegativeKernel { edges }) => edges,
         Some(note) => panic!("{note}"),
@@ -141,7 +141,7 @@ fn where_the_kernel_is_negative_the_note_says_so() {
     let mesh = given.surface().unwrap().mesh();
     let source = disk();
     let mut map = default_map(given.clone());
-    for v in (mesh.boundary_count..mesh.vertices.len() as u32).step_by(7) {
+    for v in (mesh.boundary_count()..mesh.vertices().len() as u32).step_by(7) {
         let at = constraints(&given, &source).with_point(Side::Target, at_vertex(mesh, v).unwrap());
         map.update(&at, MapSettings::default()).unwrap();
         let [edges, _] = told(&map);

@@ -54,12 +54,12 @@ fn planar_mesh_as_a_surface_equals_the_planar_map() {
     let source = domain(Preset::Heart, 200);
     for preset in [Preset::LShape, Preset::Gingerbread, Preset::Disk] {
         let target = domain(preset, 240);
-        let flat = target.domain().unwrap().mesh().vertices.iter().map(|p| p.extend(0.0)).collect();
+        let flat = target.domain().unwrap().mesh().vertices().iter().map(|p| p.extend(0.0)).collect();
         let surface = prepared(&surface_of(flat, target.triangles().to_vec()), SurfaceSettings::default());
         // next to the pole the kernel comes from a ring of vertices, near the boundary from a triangle
         for towards in [0.02, 0.97] {
             let target_point =
-                target.domain().unwrap().default_point().lerp(target.domain().unwrap().mesh().vertices[7], towards);
+                target.domain().unwrap().default_point().lerp(target.domain().unwrap().mesh().vertices()[7], towards);
             let constraints = Constraints::new((source.default_point(), 0.3), (target_point, target.fractions()[70]));
             let planar =
                 ConformalMap::new(source.clone(), target.clone(), &constraints, Direction::Backward.into()).unwrap();
@@ -97,8 +97,11 @@ fn rigid_motions_and_scalings_change_nothing() {
             let constraints = constraints(&surface, &source)
                 .with_point(
                     Side::Target,
-                    at_vertex(surface.surface().unwrap().mesh(), surface.surface().unwrap().mesh().boundary_count + 40)
-                        .unwrap(),
+                    at_vertex(
+                        surface.surface().unwrap().mesh(),
+                        surface.surface().unwrap().mesh().boundary_count() + 40,
+                    )
+                    .unwrap(),
                 )
                 .with_anchor(Side::Target, surface.fraction_at(BoundaryPoint { edge: 11, fraction: 0.25 }));
             ConformalMap::new(source.clone(), surface, &constraints, MapSettings::default()).unwrap()
@@ -190,7 +193,7 @@ fn cap(angle: f64, boundary: u32) -> Surface {
         let (sine, cosine) = (p.length() * angle).sin_cos();
         (p.normalize_or_zero() * sine).extend(cosine)
     };
-    surface_of(mesh.vertices.iter().map(lifted).collect(), mesh.triangles)
+    surface_of(mesh.vertices().iter().map(lifted).collect(), mesh.triangles().to_vec())
 }
 
 /// The stereographic projection of the cap onto the unit disk.
@@ -203,18 +206,18 @@ fn cap_error(angle: f64, boundary: u32, source: &Arc<PreparedSide>) -> [f64; 2] 
     let surface = prepared(&cap(angle, boundary), SurfaceSettings::default());
     let mesh = surface.surface().unwrap().mesh();
     let wanted = DVec3::new((0.35 * angle).sin(), 0.0, (0.35 * angle).cos());
-    let interior = (mesh.boundary_count..mesh.vertices.len() as u32)
+    let interior = (mesh.boundary_count()..mesh.vertices().len() as u32)
         .min_by(|&a, &b| {
-            let distance = |v: u32| mesh.vertices[v as usize].distance(wanted);
+            let distance = |v: u32| mesh.vertices()[v as usize].distance(wanted);
             distance(a).total_cmp(&distance(b))
         })
         .unwrap();
     let constraints = Constraints::new(
-        (stereographic(angle, mesh.vertices[interior as usize]), 0.0),
+        (stereographic(angle, mesh.vertices()[interior as usize]), 0.0),
         (at_vertex(mesh, interior).unwrap(), 0.0),
     );
     let map = ConformalMap::new(source.clone(), surface.clone(), &constraints, MapSettings::default()).unwrap();
-    let errors = mesh.vertices.iter().zip(map.images()).map(|(&p, &w)| w.distance(stereographic(angle, p)));
+    let errors = mesh.vertices().iter().zip(map.images()).map(|(&p, &w)| w.distance(stereographic(angle, p)));
     let quality = map.quality();
     let [max, sum] = errors.fold([0.0, 0.0], |[max, sum]: [f64; 2], e| [max.max(e), sum + e]);
     println!(
@@ -223,7 +226,7 @@ fn cap_error(angle: f64, boundary: u32, source: &Arc<PreparedSide>) -> [f64; 2] 
         surface.surface().unwrap().flips()
     );
     assert_eq!(quality.flipped, 0);
-    [max, sum / mesh.vertices.len() as f64]
+    [max, sum / mesh.vertices().len() as f64]
 }
 
 #[test]
@@ -258,7 +261,7 @@ fn flipped_surfaces_have_positive_kernels_and_ordered_boundaries() {
     assert_eq!(given.surface().unwrap().flips().negative_after, flipped.surface().unwrap().flips().negative_before);
     let mut negative = [0, 0];
     let mesh = flipped.surface().unwrap().mesh();
-    for v in (mesh.boundary_count..mesh.vertices.len() as u32).step_by(7) {
+    for v in (mesh.boundary_count()..mesh.vertices().len() as u32).step_by(7) {
         for (surface, count) in [&flipped, &given].into_iter().zip(&mut negative) {
             let psi = poisson_kernel(surface, at_vertex(mesh, v).unwrap()).unwrap();
             *count += psi.iter().filter(|&&value| value < 0.0).count();

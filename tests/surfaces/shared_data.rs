@@ -23,8 +23,9 @@ fn turned_triangles_are_named_and_repaired() {
     let surface = read("inverted_triangles.obj");
     assert!(matches!(error(&surface), TopologyError::Orientation { count: 23_889, .. }));
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
-    let [RepairNote::Oriented { count: 10_408 }, RepairNote::FilledHoles { holes, .. }] = &repaired.repairs[..] else {
-        panic!("{:?}", repaired.repairs)
+    let [RepairNote::Oriented { count: 10_408 }, RepairNote::FilledHoles { holes, .. }] = &repaired.repairs()[..]
+    else {
+        panic!("{:?}", repaired.repairs())
     };
     assert_eq!(holes.len(), 5);
 }
@@ -46,7 +47,7 @@ fn a_mesh_with_many_loops_is_named_by_them_and_mapped_when_they_are_filled() {
     assert_eq!(loops.len(), 11);
     assert_eq!((loops[0].vertices, loops[10].vertices), (616, 17));
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
-    assert_eq!(repaired.mesh.boundary_count, 616);
+    assert_eq!(repaired.mesh().boundary_count(), 616);
     let map = default_map(Arc::new(prepare_surface(repaired, SurfaceSettings::default(), &mut |_| ()).unwrap()));
     // triangles that fill holes do not count in the quality
     assert_eq!(map.distortions().len(), surface.triangles.len());
@@ -57,7 +58,7 @@ fn a_mesh_with_many_loops_is_named_by_them_and_mapped_when_they_are_filled() {
 fn least_quality(surface: &Arc<PreparedSide>, count: usize) -> f64 {
     let mut map = default_map(surface.clone());
     let mesh = surface.surface().unwrap().mesh();
-    let candidates = (mesh.boundary_count..mesh.vertices.len() as u32).step_by(mesh.interior_count() / count);
+    let candidates = (mesh.boundary_count()..mesh.vertices().len() as u32).step_by(mesh.interior_count() / count);
     let centred = constraints(surface, map.side(Side::Source));
     let qualities = candidates.map(|v| {
         let at = centred.with_point(Side::Target, at_vertex(mesh, v).unwrap());

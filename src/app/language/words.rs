@@ -90,7 +90,7 @@ pub fn sizes(side: &PreparedSide) -> String {
 /// The number of triangles of a surface, the effect of the intrinsic Delaunay flips, and the times of the stages.
 pub fn surface_details(surface: &MeshedSurface, times: PrepareTimings) -> String {
     let FlipReport { flips, negative_before, negative_after } = surface.flips();
-    let triangles = surface.mesh().triangles.len();
+    let triangles = surface.mesh().triangles().len();
     let sizes = say(&key::surface_sizes_about(triangles, grouped(triangles)));
     let flips = say(&key::edges_flipped(flips, grouped(flips), grouped(negative_before), grouped(negative_after)));
     format!("{sizes}\n\n{flips}\n\n{}", timings(&times))

@@ -224,7 +224,7 @@ fn a_failed_comparison_is_reported_and_the_map_stays() {
     let domain = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
     let tries = domain
         .mesh()
-        .vertices
+        .vertices()
         .iter()
         .filter_map(|&vertex| model.interior_near(Side::Source, vertex))
         .collect::<Vec<_>>();
@@ -366,7 +366,7 @@ fn the_pattern_is_pushed_forward_or_pulled_back_either_way_the_map_goes() {
             };
             assert_eq!(
                 (own, images),
-                (map.mapped().domain().unwrap().mesh().vertices.as_slice(), map.images()),
+                (map.mapped().domain().unwrap().mesh().vertices(), map.images()),
                 "{direction:?}, {home}"
             );
             let expected =

@@ -66,15 +66,15 @@ fn rasterise(
     let style = pictures::style(&scene.session, &source.samples().points, study.points.source);
     let panel = |positions, boundary, marks| RasterPanel {
         positions,
-        coordinates: &source.mesh().vertices,
-        triangles: &source.mesh().triangles,
+        coordinates: source.mesh().vertices(),
+        triangles: source.mesh().triangles(),
         boundary,
         marks,
         style,
     };
     let points = study.points;
     let marks = vec![(points.source, POINT), (source.samples().points[0], ANCHOR)];
-    let mut panels = vec![panel(&source.mesh().vertices, &source.samples().points, marks)];
+    let mut panels = vec![panel(source.mesh().vertices(), &source.samples().points, marks)];
     for (positions, &stray) in images.iter().zip(strays) {
         let marks = vec![(points.target, POINT), (target.samples().points[0], ANCHOR), (stray, STRAY)];
         let shown = if stray.distance(points.target) < VISIBLE { 2 } else { 3 };

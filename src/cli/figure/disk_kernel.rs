@@ -40,11 +40,11 @@ fn largest_error(study: &DiskKernelStudy) -> f64 {
 
 /// The edges of a mesh, each once.
 pub fn edges(mesh: &TriMesh) -> impl Iterator<Item = [DVec2; 2]> + '_ {
-    let sides = mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let boundary = mesh.boundary_count;
+    let sides = mesh.triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let boundary = mesh.boundary_count();
     // an inner edge occurs in two triangles, in opposite directions; a boundary edge in one
     let once = sides.filter(move |[a, b]| a < b || (*a < boundary && *b < boundary));
-    once.map(|side| side.map(|v| mesh.vertices[v as usize]))
+    once.map(|side| side.map(|v| mesh.vertices()[v as usize]))
 }
 
 fn draw_mesh(page: &mut Page, study: &DiskKernelStudy, top: f64) {

@@ -116,9 +116,9 @@ impl<'a> Coloured<'a> {
     /// The mapped mesh (the source's) or its image in the target, by `side`.
     fn new(shown: &'a Shown, side: Side) -> Self {
         let mesh = shown.domains[shown.map.mapped_side()].mesh();
-        let vertices = if side == Side::Source { mesh.vertices.as_slice() } else { shown.map.images() };
+        let vertices = if side == Side::Source { mesh.vertices() } else { shown.map.images() };
         let boundary = &shown.domains[side].samples().points;
-        Self::of(vertices, &mesh.triangles, &shown.triangles, boundary, TOP_Q)
+        Self::of(vertices, mesh.triangles(), &shown.triangles, boundary, TOP_Q)
     }
 
     /// A mesh and the distortion of each triangle; distortions from `top_q` on have the last color.

@@ -68,7 +68,7 @@ fn findings(name: Option<&str>, shown: &[Shown<'_>]) -> Vec<String> {
         let (surface, _) = &shown.study.surface;
         let mesh = surface.mesh();
         let name = name.map_or_else(String::new, |name| format!(" ({name})"));
-        let (m, triangles) = (mesh.boundary_count, triangles(mesh.triangles.len()));
+        let (m, triangles) = (mesh.boundary_count(), triangles(mesh.triangles().len()));
         format!("surface{name}: m = {m}, {triangles}, {} to be Delaunay", edges_flipped(surface.flips().flips))
     });
     let maps = shown.iter().map(|shown| {
@@ -127,9 +127,9 @@ impl<'a> Shown<'a> {
         SceneSurface {
             right: false,
             geometry: SurfaceGeometry {
-                positions: &mesh.vertices,
-                triangles: &mesh.triangles,
-                boundary_count: mesh.boundary_count,
+                positions: mesh.vertices(),
+                triangles: mesh.triangles(),
+                boundary_count: mesh.boundary_count(),
             },
             texture_coordinates: self.study.map.images(),
             codes: if self.is_coloured() { &self.codes } else { &[] },
@@ -149,9 +149,9 @@ impl<'a> Shown<'a> {
     fn textured(&self) -> RasterPanel<'_> {
         let mesh = self.study.source.0.mesh();
         RasterPanel {
-            positions: &mesh.vertices,
-            coordinates: &mesh.vertices,
-            triangles: &mesh.triangles,
+            positions: mesh.vertices(),
+            coordinates: mesh.vertices(),
+            triangles: mesh.triangles(),
             boundary: self.outline(),
             marks: self.marks(),
             style: style(&self.study.session, self.outline(), self.study.source.1),

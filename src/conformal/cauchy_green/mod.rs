@@ -67,7 +67,7 @@ impl CauchyGreen {
     /// For the mesh of `domain`; stores Γ if that takes at most `budget_bytes`. Cost O(m).
     pub fn new(domain: Arc<MeshedDomain>, budget_bytes: usize) -> Self {
         let contour = Contour::new(&domain.samples().points);
-        let bytes = Self::estimate_bytes(contour.len(), domain.mesh().vertices.len());
+        let bytes = Self::estimate_bytes(contour.len(), domain.mesh().vertices().len());
         let mode = if bytes <= budget_bytes { CauchyGreenMode::Stored } else { CauchyGreenMode::OnTheFly };
         Self { domain, contour, mode, blocks: Vec::new() }
     }
@@ -110,7 +110,7 @@ impl CauchyGreen {
         images: &mut [DVec2],
         go_on: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> usize {
-        let (count, rows) = (self.domain.mesh().vertices.len(), self.chunk_rows());
+        let (count, rows) = (self.domain.mesh().vertices().len(), self.chunk_rows());
         let mut done = from;
         while done < count {
             let chunk = done..(done - done % rows + rows).min(count);
@@ -130,7 +130,7 @@ impl CauchyGreen {
     /// length of the range. Pure in its inputs.
     pub fn apply(&self, vertices: Range<usize>, values: &BoundaryValues, images: &mut [DVec2]) {
         let (rows, length) = (self.chunk_rows(), table::row_length(self.contour.len()));
-        let points = &self.domain.mesh().vertices[vertices.clone()];
+        let points = &self.domain.mesh().vertices()[vertices.clone()];
         let map = |(i, (image, &z)): (usize, (&mut DVec2, &DVec2))| {
             let vertex = vertices.start + i;
             *image = match self.blocks.get(vertex / rows) {
@@ -147,7 +147,7 @@ impl CauchyGreen {
         let (rows, length) = (self.chunk_rows(), table::row_length(self.contour.len()));
         while self.blocks.len() * rows < end {
             let start = self.blocks.len() * rows;
-            let points = &self.domain.mesh().vertices[start..];
+            let points = &self.domain.mesh().vertices()[start..];
             let points = &points[..points.len().min(rows)];
             let mut block = Vec::new();
             block.try_reserve_exact(points.len() * length).ok()?;

@@ -175,7 +175,7 @@ fn domain(preset: Preset, count: u32) -> Arc<MeshedDomain> {
 }
 
 fn whole(coordinates: &mut CauchyGreen, values: &BoundaryValues) -> Vec<DVec2> {
-    let mut images = vec![DVec2::NAN; coordinates.domain().mesh().vertices.len()];
+    let mut images = vec![DVec2::NAN; coordinates.domain().mesh().vertices().len()];
     let done = coordinates.advance(0, values, &mut images, &mut |_| ControlFlow::Continue(()));
     assert_eq!(done, images.len());
     images
@@ -195,7 +195,7 @@ fn stored_coordinates_agree_with_f64_ones() {
         let mut exact = CauchyGreen::new(Arc::clone(&domain), 0);
         assert_eq!((stored.mode(), exact.mode()), (CauchyGreenMode::Stored, CauchyGreenMode::OnTheFly));
         let (a, b) = (whole(&mut stored, &values), whole(&mut exact, &values));
-        let bytes = CauchyGreen::estimate_bytes(501, domain.mesh().vertices.len());
+        let bytes = CauchyGreen::estimate_bytes(501, domain.mesh().vertices().len());
         assert_eq!((stored.stored_bytes(), exact.stored_bytes()), (bytes, 0));
         let error = a.iter().zip(&b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
         println!("{}: f32 is off by {:.1e} of the extent", preset.name(), error / 4.0);
@@ -207,7 +207,7 @@ fn stored_coordinates_agree_with_f64_ones() {
 #[test]
 fn constants_are_exact_and_the_identity_holds_in_both_modes() {
     let domain = domain(Preset::Heart, 300);
-    let vertices = &domain.mesh().vertices;
+    let vertices = domain.mesh().vertices();
     let constant = BoundaryValues::new(vec![DVec2::new(0.1, -1e5); 300]);
     let identity = BoundaryValues::new(domain.samples().points.iter().copied());
     for (budget, tolerance) in [(usize::MAX, 1e-6), (0, ROUNDING)] {

@@ -83,7 +83,7 @@ fn lines_of_the_source_are_straight_whole_and_where_they_should_be() {
 #[test]
 fn circles_close_and_rays_reach_the_boundary() {
     let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
-    let vertices = disk.domain().unwrap().mesh().vertices.as_slice();
+    let vertices = disk.domain().unwrap().mesh().vertices();
     let conformal = Ruling::Conformal { rays: 12 };
     let polar = Ruling::Polar { pole: DVec2::ZERO, spacing: 0.25 };
     for (ruling, radii) in [

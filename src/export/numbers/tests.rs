@@ -80,7 +80,7 @@ fn the_mesh_file_is_read_back_as_a_surface_with_the_targets_area() {
         let text = mapped_obj(&map);
         let surface = crate::surface::read_surface("map.obj", text.as_bytes()).unwrap();
         let mesh = map.mapped().domain().unwrap().mesh();
-        assert_eq!((surface.vertices.len(), surface.triangles.len()), (mesh.vertices.len(), mesh.triangles.len()));
+        assert_eq!((surface.vertices.len(), surface.triangles.len()), (mesh.vertices().len(), mesh.triangles().len()));
         let area: f64 = surface
             .triangles
             .iter()
@@ -92,7 +92,7 @@ fn the_mesh_file_is_read_back_as_a_surface_with_the_targets_area() {
         // the image of the source's mesh cuts the square's corners
         let tolerance = if direction == Direction::Forward { 0.03 } else { 1e-9 };
         assert!((area / expected - 1.0).abs() < tolerance, "{area} is not {expected}");
-        assert_eq!(text.lines().filter(|line| line.starts_with("vt ")).count(), mesh.vertices.len());
+        assert_eq!(text.lines().filter(|line| line.starts_with("vt ")).count(), mesh.vertices().len());
     }
 }
 

@@ -62,14 +62,14 @@ impl Cells {
         let triangles = model.triangles();
         let direction = model.shown().map_or(session.direction(), |map| map.direction);
         // what fills a hole is not measured, and grey
-        let is_repaired = |surface: &Arc<MeshedSurface>| !surface.surface().repairs.is_empty();
+        let is_repaired = |surface: &Arc<MeshedSurface>| !surface.surface().repairs().is_empty();
         let repaired = model.map().filter(|map| map.mapped().surface().is_some_and(is_repaired));
         let given: Option<Vec<_>> = repaired.map(|map| map.given(triangles).copied().collect());
         let measured = given.as_deref().unwrap_or(triangles);
         self.scale = ColourScale::new(session.colouring(), direction, measured, self.scale.as_ref());
         colouring::codes(self.scale.as_ref(), triangles, &mut self.codes);
         if let Some(surface) = repaired.and_then(|map| map.mapped().surface()) {
-            colouring::grey_added(&surface.surface().triangle_origins, &mut self.codes);
+            colouring::grey_added(surface.surface().triangle_origins(), &mut self.codes);
         }
         self.recoloured = true;
     }

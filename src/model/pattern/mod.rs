@@ -55,21 +55,21 @@ pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
     let Some(home) = model.pattern_home() else {
         let mesh = model.shown_domain(side)?.mesh();
         let texture_coordinates = disk_coordinates(model, side)?;
-        return Some(MeshGeometry { positions: &mesh.vertices, texture_coordinates, triangles: &mesh.triangles });
+        return Some(MeshGeometry { positions: mesh.vertices(), texture_coordinates, triangles: mesh.triangles() });
     };
     if side == home {
         let mesh = model.shown_domain(side)?.mesh();
-        let vertices = mesh.vertices.as_slice();
-        return Some(MeshGeometry { positions: vertices, texture_coordinates: vertices, triangles: &mesh.triangles });
+        let vertices = mesh.vertices();
+        return Some(MeshGeometry { positions: vertices, texture_coordinates: vertices, triangles: mesh.triangles() });
     }
     let map = model.map()?;
     let mesh = map.mapped().domain()?.mesh();
     let (positions, texture_coordinates) = if side == map.direction().mapped_side() {
-        (mesh.vertices.as_slice(), map.images())
+        (mesh.vertices(), map.images())
     } else {
-        (map.images(), mesh.vertices.as_slice())
+        (map.images(), mesh.vertices())
     };
-    Some(MeshGeometry { positions, texture_coordinates, triangles: &mesh.triangles })
+    Some(MeshGeometry { positions, texture_coordinates, triangles: mesh.triangles() })
 }
 
 /// What of it moves with the map's images.

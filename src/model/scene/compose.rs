@@ -106,9 +106,9 @@ fn in_space<'a>(part: &SurfacePart<'a>, handles: &'a [SurfaceHandle], look: &Loo
     SceneSurface {
         right: part.right,
         geometry: SurfaceGeometry {
-            positions: &mesh.vertices,
-            triangles: &mesh.triangles,
-            boundary_count: mesh.boundary_count,
+            positions: mesh.vertices(),
+            triangles: mesh.triangles(),
+            boundary_count: mesh.boundary_count(),
         },
         texture_coordinates: part.coordinates,
         codes: codes.unwrap_or_default(),

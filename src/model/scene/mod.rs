@@ -183,7 +183,7 @@ impl Offscreen {
     /// The interior point of the surface as it is mapped, and how many triangles the surface has.
     pub fn surface_point(&self) -> Option<(BarycentricPoint, usize)> {
         let (surface, state) = self.model.surface(self.model.side_of_surface()?)?;
-        Some((surface.point(state)?, surface.surface()?.mesh().triangles.len()))
+        Some((surface.point(state)?, surface.surface()?.mesh().triangles().len()))
     }
 
     /// From where the surface is seen at first, in a viewport of this width over height.

@@ -36,7 +36,7 @@ impl SurfaceSide {
     pub fn renew(&mut self) {
         self.shown = self.preparation.surface().map(Arc::clone);
         self.scene = self.surface().map(|surface| {
-            let BoundingSphere { center, radius } = BoundingSphere::of(&surface.mesh().vertices);
+            let BoundingSphere { center, radius } = BoundingSphere::of(surface.mesh().vertices());
             BoundingSphere { center, radius: ROOM * radius }
         });
     }
@@ -63,7 +63,7 @@ impl SurfaceSide {
     /// prepared, its dots are drawn as if nothing were before them.
     pub fn sort_at_rest(&self) {
         if let Some(surface) = self.surface()
-            && surface.mesh().triangles.len() <= SORTED_AT_ONCE
+            && surface.mesh().triangles().len() <= SORTED_AT_ONCE
         {
             surface.tree();
         }
@@ -83,7 +83,7 @@ impl SurfaceSide {
                 let [towards_eye, up] = preset.view();
                 OrbitCamera::new(scene, towards_eye, up, aspect)
             }
-            SurfaceShape::File { .. } => OrbitCamera::before(&mesh.vertices, &mesh.triangles, aspect),
+            SurfaceShape::File { .. } => OrbitCamera::before(mesh.vertices(), mesh.triangles(), aspect),
         };
         camera.fit(scene, aspect);
         Some(camera)
@@ -92,7 +92,7 @@ impl SurfaceSide {
     /// The interior point where its handle is.
     pub fn point(&self, state: &SurfaceState) -> Option<BarycentricPoint> {
         let surface = self.surface()?;
-        let count = surface.mesh().triangles.len();
+        let count = surface.mesh().triangles().len();
         Some(state.point.filter(|point| (point.triangle as usize) < count).unwrap_or(surface.centre()))
     }
 
@@ -110,8 +110,8 @@ impl SurfaceSide {
     /// The point near `found` that the interior handle may take: a little inside of the loop.
     pub fn interior_near(&self, found: BarycentricPoint) -> Option<BarycentricPoint> {
         let mesh = self.surface()?.mesh();
-        let corners = mesh.triangles[found.triangle as usize];
-        let on_loop = corners.map(|v| v < mesh.boundary_count);
+        let corners = mesh.triangles()[found.triangle as usize];
+        let on_loop = corners.map(|v| v < mesh.boundary_count());
         let sum: f64 = (0..3).filter(|&i| on_loop[i]).map(|i| found.weights[i]).sum();
         if sum <= MOST_BOUNDARY_WEIGHT {
             return Some(found);
@@ -120,7 +120,7 @@ impl SurfaceSide {
         let inner = on_loop.iter().filter(|on_loop| !**on_loop).count();
         if inner == 0 {
             // An ear or a bridge between two boundaries: the middle is as far from them as one can be.
-            let open = mesh.neighbours[triangle as usize].contains(&NO_TRIANGLE);
+            let open = mesh.neighbours()[triangle as usize].contains(&NO_TRIANGLE);
             return Some(BarycentricPoint { triangle, weights: if open { [1.0 / 3.0; 3] } else { weights } });
         }
         for i in 0..3 {

@@ -310,7 +310,7 @@ mod tests {
         preparation.quick_fix();
         let request = preparation.take_request(f64::INFINITY).unwrap();
         assert!(answer(&mut preparation, &request).unwrap().spec.repair);
-        assert_eq!(preparation.surface().unwrap().surface().unwrap().surface().repairs.len(), 1);
+        assert_eq!(preparation.surface().unwrap().surface().unwrap().surface().repairs().len(), 1);
     }
 
     #[test]

@@ -14,9 +14,9 @@ pub fn upload(state: &RenderState, renderer: &mut ViewportRenderer, model: &Mode
     {
         let mesh = surface.mesh();
         let geometry = SurfaceGeometry {
-            positions: &mesh.vertices,
-            triangles: &mesh.triangles,
-            boundary_count: mesh.boundary_count,
+            positions: mesh.vertices(),
+            triangles: mesh.triangles(),
+            boundary_count: mesh.boundary_count(),
         };
         fits = renderer.set_surface(&state.device, &state.queue, &geometry);
     }

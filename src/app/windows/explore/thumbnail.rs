@@ -97,11 +97,11 @@ impl Canvas {
         let right = DVec3::Z.cross(towards_eye).try_normalize().unwrap_or(DVec3::X);
         let up = towards_eye.cross(right);
         let flat = |p: &DVec3| DVec2::new(p.dot(right), p.dot(up));
-        let flattened: Vec<DVec2> = mesh.vertices.iter().map(flat).collect();
+        let flattened: Vec<DVec2> = mesh.vertices().iter().map(flat).collect();
         let place = self.fit(&flattened, 1);
-        for corners in &mesh.triangles {
+        for corners in mesh.triangles() {
             let corners = corners.map(|v| v as usize);
-            let [a, b, c] = corners.map(|v| mesh.vertices[v]);
+            let [a, b, c] = corners.map(|v| mesh.vertices()[v]);
             let facing = (b - a).cross(c - a).normalize_or_zero().dot(towards_eye).abs();
             let points = [a, b, c].map(|p| place(flat(&p)).extend(p.dot(towards_eye)));
             let light = (DARKEST + (1.0 - DARKEST) * facing) as f32;
