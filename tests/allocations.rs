@@ -8,7 +8,7 @@ use riemap::conformal::{
     ConformalMap, Constraints, Direction, Extension, MapSettings, PrepareSettings, SurfaceSettings, prepare_surface,
 };
 use riemap::geometry::DVec2;
-use riemap::mesh::BarycentricPoint;
+use riemap::mesh::{BarycentricPoint, TriangleId};
 use riemap::outline::Preset;
 use riemap::surface::{SurfaceMesh, SurfacePreset};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
@@ -32,7 +32,7 @@ fn between_surfaces() {
         Arc::new(prepare_surface(mesh, SurfaceSettings::default(), &mut |_| ()).unwrap())
     });
     let at = |t: f64| {
-        let point = BarycentricPoint { triangle: 900, weights: [0.5 * t, 0.5 - 0.5 * t, 0.5] };
+        let point = BarycentricPoint::new(TriangleId::new(900), [0.5 * t, 0.5 - 0.5 * t, 0.5]);
         Constraints::new((point, 0.3 * t), (target.default_point(), 0.9 * t))
     };
     let settings = MapSettings::default();

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use riemap::conformal::{Direction, Extension, KernelMode, PrepareSettings, Side, SurfaceSettings};
 use riemap::geometry::{Bounds, DVec2};
 use riemap::laplace::SolverKind;
-use riemap::mesh::{BarycentricPoint, Sizing};
+use riemap::mesh::{BarycentricPoint, Sizing, TriangleId};
 use riemap::outline::{Preset, Sampling};
 use riemap::session::link::{Decoded, MAX_LENGTH, MissingOutline, decode, encode};
 use riemap::session::{
@@ -86,7 +86,7 @@ fn surface() -> impl Strategy<Value = (SurfaceSpec, SidePoints)> {
     });
     let point = (any::<u32>(), 0.0..1.0, 0.0..1.0).prop_map(|(triangle, a, b): (u32, f64, f64)| {
         let weights = [a * b, a * (1.0 - b), 1.0 - a];
-        BarycentricPoint { triangle, weights }
+        BarycentricPoint::new(TriangleId::new(triangle), weights)
     });
     (shape, any::<bool>(), settings, prop::option::of(point), 0.0..1.0).prop_map(
         |(shape, repair, settings, interior, anchor)| {

@@ -28,7 +28,7 @@ fn outline<'a>(polygon: &'a SimplePolygon, settings: &'a PrepareSettings) -> Unp
 fn kernels(domain: &PreparedSide, step: usize) -> Vec<Vec<f64>> {
     let inside = domain.domain().unwrap().mesh().vertices()[domain.boundary_count()..].iter().step_by(step);
     let near = inside.filter_map(|v| {
-        locate(domain.domain().unwrap().mesh(), v.lerp(domain.domain().unwrap().default_point(), 0.01), 0)
+        locate(domain.domain().unwrap().mesh(), v.lerp(domain.domain().unwrap().default_point(), 0.01), None)
     });
     near.map(|x| poisson_kernel(domain, x).unwrap()).collect()
 }

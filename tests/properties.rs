@@ -168,7 +168,7 @@ fn handle_slides_along_the_boundary_and_stays_inside() {
             for (x, y) in pointers {
                 let inside = domain.domain().unwrap().nearest_inside(DVec2::new(x, y), 1e-3);
                 prop_assert!(
-                    riemap::mesh::locate(domain.domain().unwrap().mesh(), inside, 0).is_some(),
+                    riemap::mesh::locate(domain.domain().unwrap().mesh(), inside, None).is_some(),
                     "{} is outside",
                     inside
                 );

@@ -8,7 +8,7 @@ mod support;
 use image::RgbImage;
 use riemap::conformal::{Extension, Side};
 use riemap::geometry::DVec2;
-use riemap::mesh::{BarycentricPoint, Sizing};
+use riemap::mesh::{BarycentricPoint, Sizing, TriangleId};
 use riemap::outline::{Preset, Sampling};
 use riemap::session::{
     Colouring, Command as Change, OutlineSpec, Session, SurfaceShape, SurfaceSpec, TextureKind, file, link,
@@ -167,7 +167,7 @@ fn points_outside_of_the_domains_are_reported() {
     session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
     assert_eq!(notes(&session), "", "the target's outline is not mapped");
     let mut with_point = |triangle| {
-        let point = BarycentricPoint { triangle, weights: [0.25, 0.25, 0.5] };
+        let point = BarycentricPoint::new(TriangleId::new(triangle), [0.25, 0.25, 0.5]);
         session.apply(Change::MoveInterior { side: Side::Target, point: point.into() });
         notes(&session)
     };

@@ -164,7 +164,7 @@ fn moebius_map_of_figure_7_converges() {
 fn harmonic_coordinates_sum_to_one_and_reproduce_the_point() {
     for preset in Preset::ALL {
         let prepared = domain(preset, PrepareSettings::default());
-        let x = locate(prepared.domain().unwrap().mesh(), prepared.domain().unwrap().default_point(), 0).unwrap();
+        let x = locate(prepared.domain().unwrap().mesh(), prepared.domain().unwrap().default_point(), None).unwrap();
         let phi = harmonic_coordinates(&prepared, x).unwrap();
         let sum: f64 = phi.iter().sum();
         let mean: DVec2 = phi.iter().zip(prepared.domain().unwrap().samples().points()).map(|(&w, &v)| w * v).sum();

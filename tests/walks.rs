@@ -20,7 +20,7 @@ const START: BoundaryPoint = BoundaryPoint { edge: 0, fraction: 0.0 };
 const CHI_SQUARE: f64 = 61.1;
 
 fn measure(domain: &PreparedSide, x: DVec2, anchor: BoundaryPoint) -> HarmonicMeasure {
-    let located = locate(domain.domain().unwrap().mesh(), x, 0).unwrap();
+    let located = locate(domain.domain().unwrap().mesh(), x, None).unwrap();
     let psi = poisson_kernel(domain, located).unwrap();
     HarmonicMeasure::new(domain.domain().unwrap().samples(), &psi, anchor)
 }

@@ -138,7 +138,7 @@ fn prepared(preset: Preset) -> Arc<PreparedSide> {
 }
 
 fn kernel(domain: &PreparedSide, x: DVec2) -> Vec<f64> {
-    poisson_kernel(domain, locate(domain.domain().unwrap().mesh(), x, 0).unwrap()).unwrap()
+    poisson_kernel(domain, locate(domain.domain().unwrap().mesh(), x, None).unwrap()).unwrap()
 }
 
 /// Two methods that share only the samples. They differ most at the vertex of a

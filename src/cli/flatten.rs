@@ -220,7 +220,7 @@ fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms:
     let (prepared, meshed) = (map.mapped(), &sides.meshed);
     let disk = meshed.surface();
     let mut weights = [0.0; 3];
-    for (i, weight) in disk.corners_in(surface, x2.triangle).into_iter().zip(x2.weights) {
+    for (i, weight) in disk.corners_in(surface, x2.triangle()).into_iter().zip(x2.weights()) {
         weights[i] = weight;
     }
     Summary {
@@ -235,7 +235,7 @@ fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms:
             .chain(map.note(map.mapped_side()).map(|note| note.to_string()))
             .collect(),
         surface_point: Point {
-            triangle: disk.triangle_origins()[x2.triangle as usize],
+            triangle: disk.triangle_origins()[x2.triangle().index()],
             weights,
             position: meshed.position(*x2).to_array(),
         },

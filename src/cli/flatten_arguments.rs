@@ -5,7 +5,7 @@ use super::arguments::{Anchor, Discretisation, Point, Size, read_file};
 use crate::conformal::MeshedSurface;
 use crate::counted::counted;
 use crate::geometry::DVec3;
-use crate::mesh::BarycentricPoint;
+use crate::mesh::{BarycentricPoint, TriangleId, VertexId};
 use crate::surface::{MAX_BYTES, Surface, SurfaceNote, SurfacePreset, at_vertex, nearest_on_boundary, read_surface};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -106,14 +106,14 @@ impl SurfacePoint {
         let whole = surface.surface();
         match self {
             Self::Vertex(vertex) => {
-                let found = whole.number_of(vertex).and_then(|number| at_vertex(whole.mesh(), number));
+                let found = whole.number_of(VertexId::new(vertex)).and_then(|number| at_vertex(whole.mesh(), number));
                 found.ok_or_else(|| CliError::Input(format!("{option}: {}", no_vertex(given, vertex))))
             }
             Self::InTriangle(triangle, weights) => {
                 let kept = whole.triangle_origins().iter().position(|&origin| origin == triangle);
                 let missing = || CliError::Input(format!("{option}: {}", no_triangle(given, triangle)));
-                let kept = kept.ok_or_else(missing)? as u32;
-                Ok(BarycentricPoint { triangle: kept, weights: whole.corners_in(given, kept).map(|i| weights[i]) })
+                let kept = TriangleId::new(kept.ok_or_else(missing)? as u32);
+                Ok(BarycentricPoint::new(kept, whole.corners_in(given, kept).map(|i| weights[i])))
             }
             Self::Nearest(place) => surface
                 .tree()
@@ -182,8 +182,8 @@ impl SurfaceAnchor {
             Self::Fraction(s) => Ok(s.rem_euclid(1.0)),
             Self::Nearest(place) => Ok(surface.fraction_at(nearest_on_boundary(surface.mesh(), place))),
             Self::Vertex(vertex) => {
-                let number = surface.surface().number_of(vertex);
-                let number = number.and_then(|number| surface.fractions().get(number as usize));
+                let number = surface.surface().number_of(VertexId::new(vertex));
+                let number = number.and_then(|number| surface.fractions().get(number.index()));
                 let inner = || CliError::Input(format!("{option}: vertex {vertex} is not on the boundary"));
                 number.copied().ok_or_else(inner)
             }

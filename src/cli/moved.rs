@@ -38,7 +38,7 @@ fn planar(side: Side, wanted: DVec2, used: Option<DVec2>) -> Option<String> {
 }
 
 fn on_surface(wanted: BarycentricPoint, count: usize) -> String {
-    let BarycentricPoint { triangle, weights: [a, b, c] } = wanted;
+    let (triangle, [a, b, c]) = (wanted.triangle(), wanted.weights());
     let triangles = triangles(count);
     format!(
         "({a}, {b}, {c}) in triangle {triangle} is no inner point of the surface, which has {triangles}: the \

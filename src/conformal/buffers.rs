@@ -5,7 +5,7 @@ use super::flat::{FlatBuffers, FlatReader, sound_boundary};
 use super::prepared_side::{PreparedSide, SideGeometry};
 use super::surface::MeshedSurface;
 use crate::geometry::{DVec2, DVec3};
-use crate::mesh::{BarycentricPoint, FlipReport, RefineReport};
+use crate::mesh::{BarycentricPoint, FlipReport, RefineReport, TriangleId};
 use crate::outline::BoundarySamples;
 use crate::surface::{RepairNote, SurfaceMesh};
 use std::sync::Arc;
@@ -57,8 +57,8 @@ impl FlatBuffers {
         let FlipReport { flips, negative_before, negative_after } = meshed.flips();
         let counts = [flips, negative_before, negative_after, surface.origin_count()].map(|count| count as u32);
         self.indices.push(vec![SPACE]);
-        self.floats.push(centre.weights.to_vec());
-        self.indices.push([&counts[..], &[centre.triangle]].concat());
+        self.floats.push(centre.weights().to_vec());
+        self.indices.push([&counts[..], &[centre.triangle().number()]].concat());
         self.put_mesh(surface.mesh());
         self.indices.extend([surface.vertex_origins().to_vec(), surface.triangle_origins().to_vec()]);
         self.repairs = surface.repairs().to_vec();
@@ -91,6 +91,6 @@ impl FlatReader {
         let surface = SurfaceMesh::from_parts(mesh, vertex_origins, triangle_origins, repairs, before as usize)?;
         let [flips, negative_before, negative_after] = [flips, negative_before, negative_after].map(|k| k as usize);
         let flips = FlipReport { flips, negative_before, negative_after };
-        Some(MeshedSurface::from_parts(surface, flips, BarycentricPoint { triangle, weights }))
+        Some(MeshedSurface::from_parts(surface, flips, BarycentricPoint::new(TriangleId::new(triangle), weights)))
     }
 }

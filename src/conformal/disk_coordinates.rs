@@ -82,9 +82,9 @@ mod tests {
         let mesh = map.domain(Side::Target).unwrap().mesh();
         let (mut sum, mut count) = (0.0, 0.0);
         for (&g, &image) in here.iter().zip(map.images()).skip(map.side(Side::Source).boundary_count()) {
-            let Some(found) = locate(mesh, image, 0) else { continue };
-            let corners = mesh.triangles()[found.triangle as usize];
-            let partner: DVec2 = corners.iter().zip(found.weights).map(|(&v, w)| w * there[v as usize]).sum();
+            let Some(found) = locate(mesh, image, None) else { continue };
+            let corners = mesh.triangles()[found.triangle().index()];
+            let partner: DVec2 = corners.iter().zip(found.weights()).map(|(&v, w)| w * there[v as usize]).sum();
             sum += g.distance(partner);
             count += 1.0;
         }
@@ -107,9 +107,9 @@ mod tests {
         let constraints = Constraints::new((heart.default_point(), 0.0), (heart.default_point(), 0.0));
         let map = ConformalMap::new(Arc::clone(&heart), Arc::clone(&heart), &constraints, Direction::Forward.into());
         let values = coordinates(&map.unwrap(), Side::Source);
-        let found = locate(heart.domain().unwrap().mesh(), heart.domain().unwrap().default_point(), 0).unwrap();
-        let corners = heart.triangles()[found.triangle as usize];
-        let at: DVec2 = corners.iter().zip(found.weights).map(|(&v, w)| w * values[v as usize]).sum();
+        let found = locate(heart.domain().unwrap().mesh(), heart.domain().unwrap().default_point(), None).unwrap();
+        let corners = heart.triangles()[found.triangle().index()];
+        let at: DVec2 = corners.iter().zip(found.weights()).map(|(&v, w)| w * values[v as usize]).sum();
         // Both are solves with the same Laplacian: ω̃'s total is exact, its first moment up to the quadrature.
         assert!(at.length() < 1e-3, "g(x) = {at}");
     }

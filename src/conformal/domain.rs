@@ -75,7 +75,7 @@ impl MeshedDomain {
 /// the mesh; then the centroid of the largest triangle serves.
 fn default_point(polygon: &SimplePolygon, mesh: &TriMesh) -> DVec2 {
     let pole = polygon.pole_of_inaccessibility(1e-3 * polygon.bounds().size().max_element());
-    if crate::mesh::locate(mesh, pole, 0).is_some() {
+    if crate::mesh::locate(mesh, pole, None).is_some() {
         return pole;
     }
     let corners = |t: &[u32; 3]| t.map(|v| mesh.vertices()[v as usize]);

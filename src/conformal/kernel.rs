@@ -33,8 +33,8 @@ impl KernelScratch {
 
 /// The corners of x's triangle with their weights.
 fn linear(side: &PreparedSide, x: BarycentricPoint) -> [(u32, f64); 3] {
-    let corners = side.triangles()[x.triangle as usize];
-    [0, 1, 2].map(|i| (corners[i], x.weights[i]))
+    let corners = side.triangles()[x.triangle().index()];
+    [0, 1, 2].map(|i| (corners[i], x.weights()[i]))
 }
 
 /// The harmonic coordinates `φ_x` (length m) of the point `x`, equation (9); Σφ = 1, Σφ_k v_k = x.
@@ -90,7 +90,7 @@ mod tests {
     use super::*;
     use crate::conformal::{PrepareSettings, prepare};
     use crate::laplace::DirichletLaplacian;
-    use crate::mesh::Sizing;
+    use crate::mesh::{Sizing, TriangleId};
     use crate::outline::{Preset, Sampling};
 
     #[test]
@@ -113,7 +113,8 @@ mod tests {
         }
         for triangle in 0..l_shape.triangles().len() as u32 {
             let weights = [0.2, 0.3, 0.5];
-            let phi = harmonic_coordinates(&l_shape, BarycentricPoint { triangle, weights }).unwrap();
+            let phi =
+                harmonic_coordinates(&l_shape, BarycentricPoint::new(TriangleId::new(triangle), weights)).unwrap();
             for (k, &value) in phi.iter().enumerate() {
                 let corner = |v: u32| match (v as usize).checked_sub(m) {
                     Some(i) => table[k][i],

@@ -3,6 +3,7 @@
 use super::Side;
 use crate::counted::counted;
 use crate::laplace::NotConverged;
+use crate::mesh::TriangleId;
 
 /// Why there is no map.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -31,7 +32,7 @@ pub enum MapError {
         /// Which surface.
         side: Side,
         /// Which triangle.
-        triangle: u32,
+        triangle: TriangleId,
         /// The weights of its corners.
         weights: [f64; 3],
         /// How many triangles there are.

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
-use crate::mesh::locate;
+use crate::mesh::{VertexId, locate};
 use crate::surface::ADDED;
 use std::sync::Arc;
 
@@ -95,7 +95,8 @@ impl ConformalMap {
         let Some(meshed) = self.mapped().surface() else { return Vec::new() };
         let surface = meshed.surface();
         let images = self.images();
-        let image = |origin| surface.number_of(origin).and_then(|number| images.get(number as usize).copied());
+        let image =
+            |origin| surface.number_of(VertexId::new(origin)).and_then(|number| images.get(number.index()).copied());
         (0..surface.origin_count() as u32).map(image).collect()
     }
 
@@ -158,10 +159,10 @@ impl ConformalMap {
     pub fn image_of(&self, x: DVec2) -> Option<DVec2> {
         let side = self.mapped_side();
         let mesh = self.domain(side)?.mesh();
-        let found = locate(mesh, x, self.sides[side].located.triangle)?;
-        let corners = mesh.triangles()[found.triangle as usize];
+        let found = locate(mesh, x, Some(self.sides[side].located.triangle()))?;
+        let corners = mesh.triangles()[found.triangle().index()];
         let images = (!self.images.is_empty()).then_some(&self.images)?;
-        Some(corners.iter().zip(found.weights).map(|(&v, w)| w * images[v as usize]).sum())
+        Some(corners.iter().zip(found.weights()).map(|(&v, w)| w * images[v as usize]).sum())
     }
 }
 

@@ -8,7 +8,7 @@ use super::measured::{Measured, Renewal};
 use super::{Constraints, InteriorPoint, MapError, MeshedDomain, PreparedSide, Side, SideGeometry};
 use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Deadline;
-use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh, locate};
+use crate::mesh::{BarycentricPoint, TriMesh, TriangleId, locate};
 use std::sync::Arc;
 
 /// How far from 1 the weights of a point may sum.
@@ -40,7 +40,7 @@ impl Change {
 
 impl MapSide {
     pub fn new(prepared: Arc<PreparedSide>) -> Self {
-        let located = BarycentricPoint { triangle: 0, weights: [1.0, 0.0, 0.0] };
+        let located = BarycentricPoint::new(TriangleId::new(0), [1.0, 0.0, 0.0]);
         Self { prepared, point: None, located, anchor: f64::NAN, measured: Measured::default() }
     }
 
@@ -68,7 +68,7 @@ impl MapSide {
 
     /// Finds a place that has to be inside the domain.
     fn inside(&self, side: Side, domain: &MeshedDomain, x: DVec2) -> Result<BarycentricPoint, MapError> {
-        let found = if x.is_finite() { locate(domain.mesh(), x, self.located.triangle) } else { None };
+        let found = if x.is_finite() { locate(domain.mesh(), x, Some(self.located.triangle())) } else { None };
         let inside = found.filter(|found| !on_boundary(domain.mesh(), *found));
         inside.ok_or(MapError::PointOutside { side, x: x.x, y: x.y })
     }
@@ -113,10 +113,10 @@ impl MapSide {
 
 /// Whether a point is one inside a surface.
 fn check(side: Side, mesh: &TriMesh<DVec3>, point: BarycentricPoint) -> Result<(), MapError> {
-    let BarycentricPoint { triangle, weights } = point;
+    let (triangle, weights) = (point.triangle(), point.weights());
     let sum: f64 = weights.iter().sum();
     let sound = weights.iter().all(|&w| w >= 0.0) && (sum - 1.0).abs() <= WEIGHT_TOLERANCE;
-    if !sound || triangle as usize >= mesh.triangles().len() {
+    if !sound || triangle.index() >= mesh.triangles().len() {
         return Err(MapError::NoPoint { side, triangle, weights, triangles: mesh.triangles().len() });
     }
     if on_boundary(mesh, point) { Err(MapError::OnBoundary { side }) } else { Ok(()) }
@@ -124,8 +124,8 @@ fn check(side: Side, mesh: &TriMesh<DVec3>, point: BarycentricPoint) -> Result<(
 
 /// Whether a located point lies on a boundary edge, where harmonic measure is a point mass.
 fn on_boundary<P>(mesh: &TriMesh<P>, point: BarycentricPoint) -> bool {
-    let corners = mesh.triangles()[point.triangle as usize];
-    let neighbours = mesh.neighbours()[point.triangle as usize];
-    let vertex = (0..3).any(|i| point.weights[i] == 1.0 && corners[i] < mesh.boundary_count());
-    vertex || (0..3).any(|i| point.weights[i] == 0.0 && neighbours[i] == NO_TRIANGLE)
+    let (triangle, weights) = (point.triangle(), point.weights());
+    let corners = mesh.corners(triangle);
+    let vertex = (0..3).any(|i| weights[i] == 1.0 && mesh.is_on_boundary(corners[i]));
+    vertex || (0..3).any(|i| weights[i] == 0.0 && mesh.neighbour(triangle, i).is_none())
 }

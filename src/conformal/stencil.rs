@@ -12,7 +12,7 @@
 //! triangles are small and the linear interpolation of the paper is kept.
 
 use crate::geometry::DVec2;
-use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh};
+use crate::mesh::{BarycentricPoint, TriMesh, TriangleId};
 
 /// Conditions: the constant, and real and imaginary part of degrees 1 … 4.
 const CONDITIONS: usize = 9;
@@ -32,20 +32,20 @@ pub(super) type Stencil = Vec<(u32, f64)>;
 pub(super) fn around(mesh: &TriMesh, x: BarycentricPoint, stencil: &mut Stencil) {
     stencil.clear();
     stencil.reserve(USUAL_RING);
-    let corners = mesh.triangles()[x.triangle as usize];
-    let point: DVec2 = corners.iter().zip(x.weights).map(|(&v, w)| w * mesh.vertices()[v as usize]).sum();
-    let ringed = corners.iter().all(|&corner| collect_ring(mesh, x.triangle, corner, stencil));
+    let corners = mesh.triangles()[x.triangle().index()];
+    let point: DVec2 = corners.iter().zip(x.weights()).map(|(&v, w)| w * mesh.vertices()[v as usize]).sum();
+    let ringed = corners.iter().all(|&corner| collect_ring(mesh, x.triangle(), corner, stencil));
     if !ringed || set_weights(point, |v| mesh.vertices()[v as usize], stencil).is_none() {
         stencil.clear();
-        stencil.extend(corners.into_iter().zip(x.weights));
+        stencil.extend(corners.into_iter().zip(x.weights()));
     }
 }
 
 /// Adds the vertices of all triangles at `corner`; false if one of them is on the boundary.
-fn collect_ring(mesh: &TriMesh, start: u32, corner: u32, stencil: &mut Stencil) -> bool {
+fn collect_ring(mesh: &TriMesh, start: TriangleId, corner: u32, stencil: &mut Stencil) -> bool {
     let mut triangle = start;
     loop {
-        let corners = mesh.triangles()[triangle as usize];
+        let corners = mesh.triangles()[triangle.index()];
         for v in corners {
             if v < mesh.boundary_count() {
                 return false;
@@ -55,10 +55,8 @@ fn collect_ring(mesh: &TriMesh, start: u32, corner: u32, stencil: &mut Stencil) 
             }
         }
         let Some(i) = corners.iter().position(|&v| v == corner) else { return false };
-        triangle = mesh.neighbours()[triangle as usize][(i + 1) % 3];
-        if triangle == NO_TRIANGLE {
-            return false;
-        }
+        let Some(next) = mesh.neighbour(triangle, (i + 1) % 3) else { return false };
+        triangle = next;
         if triangle == start {
             return true;
         }

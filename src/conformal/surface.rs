@@ -97,8 +97,8 @@ impl MeshedSurface {
 
     /// The place of a point in space.
     pub fn position(&self, point: BarycentricPoint) -> DVec3 {
-        let corners = self.surface.mesh().triangles()[point.triangle as usize];
-        corners.iter().zip(point.weights).map(|(&v, w)| w * self.surface.mesh().vertices()[v as usize]).sum()
+        let corners = self.surface.mesh().triangles()[point.triangle().index()];
+        corners.iter().zip(point.weights()).map(|(&v, w)| w * self.surface.mesh().vertices()[v as usize]).sum()
     }
 }
 

@@ -8,7 +8,7 @@
 use super::{BoundaryCorrespondence, MeshedSurface, PerSide, Side};
 use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Deadline;
-use crate::mesh::{BarycentricPoint, DiskLayout, NO_TRIANGLE, TriMesh};
+use crate::mesh::{BarycentricPoint, DiskLayout, NO_TRIANGLE, TriMesh, TriangleId};
 use crate::surface::SurfaceTree;
 use std::sync::OnceLock;
 
@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 const BLOCK: usize = 4096;
 
 /// A vertex that is not yet located.
-const NOWHERE: BarycentricPoint = BarycentricPoint { triangle: NO_TRIANGLE, weights: [0.0; 3] };
+const NOWHERE: BarycentricPoint = BarycentricPoint::new(TriangleId::new(NO_TRIANGLE), [0.0; 3]);
 
 /// Where the vertices of a mapped surface go on the other one; one point and its place for each vertex.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -88,7 +88,7 @@ struct Search {
     /// By vertex, whether it was looked for.
     is_done: Vec<bool>,
     /// The triangle of the other surface where a vertex was found last.
-    last: u32,
+    last: Option<TriangleId>,
     /// Vertices that no walk has found.
     strays: Vec<u32>,
     /// How many of them have their nearest point.
@@ -114,7 +114,7 @@ impl ThroughDisk {
                 v if v == next => point.fraction,
                 _ => 0.0,
             });
-            points.push(BarycentricPoint { triangle, weights });
+            points.push(BarycentricPoint::new(TriangleId::new(triangle), weights));
         }
         self.search.begin(points, vertices);
         points.resize(vertices, NOWHERE);
@@ -172,9 +172,14 @@ impl Search {
         self.is_done.clear();
         self.is_done.resize(located.len(), true);
         self.is_done.resize(vertices, false);
-        self.last = located.first().map_or(0, |point| point.triangle);
+        self.last = located.first().map(BarycentricPoint::triangle);
         self.strays.clear();
         self.settled = 0;
+    }
+
+    /// Where a walk starts if it has nothing nearer.
+    fn start(&self) -> TriangleId {
+        self.last.unwrap_or(TriangleId::new(0))
     }
 
     /// Walks to the vertices, triangle by triangle, until all were looked for (true) or `deadline` is over.
@@ -215,10 +220,10 @@ impl Search {
         points: &mut [BarycentricPoint],
         steps: &mut usize,
     ) {
-        let near = corners.into_iter().map(|v| points[v as usize].triangle).find(|&t| t != NO_TRIANGLE);
-        match layout.locate(x, near.unwrap_or(self.last), steps) {
+        let near = corners.into_iter().map(|v| points[v as usize].triangle()).find(|&t| t != NOWHERE.triangle());
+        match layout.locate(x, near.unwrap_or(self.start()), steps) {
             Some(point) => {
-                self.last = point.triangle;
+                self.last = Some(point.triangle());
                 points[v as usize] = point;
             }
             None => self.strays.push(v),
@@ -239,7 +244,7 @@ impl Search {
             let tree = there.tree(triangles);
             // a place that is not finite is in every triangle, and no stray
             let nearest = tree.nearest(here[v as usize].extend(0.0)).map(|(point, _)| point);
-            points[v as usize] = nearest.unwrap_or(BarycentricPoint { triangle: self.last, weights: [1.0, 0.0, 0.0] });
+            points[v as usize] = nearest.unwrap_or(BarycentricPoint::new(self.start(), [1.0, 0.0, 0.0]));
             self.settled += 1;
             if self.settled < self.strays.len() && deadline.is_over() {
                 return false;

@@ -6,7 +6,7 @@
 
 use super::stencil::{self, Stencil};
 use crate::geometry::{DVec2, DVec3};
-use crate::mesh::{BarycentricPoint, NO_TRIANGLE, TriMesh};
+use crate::mesh::{BarycentricPoint, TriMesh, TriangleId};
 
 /// A ring is flat if unfolding it around a vertex closes up to this part of an edge. Coordinates
 /// computed in f64 close to 1e-14; a curvature that closes to 1e-9 moves the weights by no more.
@@ -19,9 +19,9 @@ pub(super) type UnfoldedPlaces = Vec<(u32, DVec2)>;
 /// the three corners. `places` is working memory.
 pub(super) fn around(mesh: &TriMesh<DVec3>, x: BarycentricPoint, stencil: &mut Stencil, places: &mut UnfoldedPlaces) {
     stencil.clear();
-    let corners = mesh.triangles()[x.triangle as usize];
-    if unfold(mesh, x.triangle, places).is_some() {
-        let point = (0..3).map(|i| x.weights[i] * places[i].1).sum();
+    let corners = mesh.triangles()[x.triangle().index()];
+    if unfold(mesh, x.triangle(), places).is_some() {
+        let point = (0..3).map(|i| x.weights()[i] * places[i].1).sum();
         let place = |vertex: u32| known(places, vertex).unwrap_or(DVec2::NAN);
         stencil.extend(places.iter().map(|&(vertex, _)| (vertex, 0.0)));
         if stencil::set_weights(point, place, stencil).is_some() {
@@ -29,7 +29,7 @@ pub(super) fn around(mesh: &TriMesh<DVec3>, x: BarycentricPoint, stencil: &mut S
         }
     }
     stencil.clear();
-    stencil.extend(corners.into_iter().zip(x.weights));
+    stencil.extend(corners.into_iter().zip(x.weights()));
 }
 
 /// Where a vertex was placed; rings have about 12.
@@ -39,9 +39,9 @@ fn known(places: &UnfoldedPlaces, vertex: u32) -> Option<DVec2> {
 
 /// Places the corners of `start` and all vertices of the triangles at them; `None` if one of them
 /// is on the boundary or the ring is not flat.
-fn unfold(mesh: &TriMesh<DVec3>, start: u32, places: &mut UnfoldedPlaces) -> Option<()> {
+fn unfold(mesh: &TriMesh<DVec3>, start: TriangleId, places: &mut UnfoldedPlaces) -> Option<()> {
     places.clear();
-    let corners = mesh.triangles()[start as usize];
+    let corners = mesh.triangles()[start.index()];
     let [a, b, c] = corners.map(|v| mesh.vertices()[v as usize]);
     let second = DVec2::new(a.distance(b), 0.0);
     let third = beside(DVec2::ZERO, second, [a, b, c]);
@@ -50,21 +50,18 @@ fn unfold(mesh: &TriMesh<DVec3>, start: u32, places: &mut UnfoldedPlaces) -> Opt
 }
 
 /// Unfolds the triangles at corner `i` of `start` one after another, counter-clockwise.
-fn turn(mesh: &TriMesh<DVec3>, start: u32, i: usize, places: &mut UnfoldedPlaces) -> Option<()> {
-    let corner = mesh.triangles()[start as usize][i];
+fn turn(mesh: &TriMesh<DVec3>, start: TriangleId, i: usize, places: &mut UnfoldedPlaces) -> Option<()> {
+    let corner = mesh.triangles()[start.index()][i];
     let centre = known(places, corner)?;
     let (mut triangle, mut at) = (start, i);
-    let mut beyond = known(places, mesh.triangles()[start as usize][(i + 2) % 3])?;
+    let mut beyond = known(places, mesh.triangles()[start.index()][(i + 2) % 3])?;
     loop {
-        if mesh.triangles()[triangle as usize].iter().any(|&v| v < mesh.boundary_count()) {
+        if mesh.triangles()[triangle.index()].iter().any(|&v| v < mesh.boundary_count()) {
             return None;
         }
         // across the edge from the corner to the third vertex, which is the second of the next triangle
-        triangle = mesh.neighbours()[triangle as usize][(at + 1) % 3];
-        if triangle == NO_TRIANGLE {
-            return None;
-        }
-        let vertices = mesh.triangles()[triangle as usize];
+        triangle = mesh.neighbour(triangle, (at + 1) % 3)?;
+        let vertices = mesh.triangles()[triangle.index()];
         at = vertices.iter().position(|&v| v == corner)?;
         let next = vertices[(at + 2) % 3];
         let positions = [0, 1, 2].map(|k| mesh.vertices()[vertices[(at + k) % 3] as usize]);

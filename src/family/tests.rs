@@ -69,7 +69,7 @@ fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
             for k in 0..60 {
                 let p = circle.at(f64::from(k) / 60.0);
                 assert!(
-                    crate::mesh::locate(domain.domain().unwrap().mesh(), p, 0).is_some(),
+                    crate::mesh::locate(domain.domain().unwrap().mesh(), p, None).is_some(),
                     "{preset}: {p} is outside"
                 );
                 let clearance = domain

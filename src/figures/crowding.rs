@@ -145,9 +145,9 @@ impl CrowdingStudy {
     /// The image of x₁ under extended `images`, ideally x₂. Infinite if x₁ is not in the mesh.
     pub fn image_of_point(&self, images: &[DVec2]) -> DVec2 {
         let mesh = self.domains.source.mesh();
-        locate(mesh, self.points.source, 0).map_or(DVec2::INFINITY, |found| {
-            let corners = mesh.triangles()[found.triangle as usize];
-            corners.iter().zip(found.weights).map(|(&v, w)| w * images[v as usize]).sum()
+        locate(mesh, self.points.source, None).map_or(DVec2::INFINITY, |found| {
+            let corners = mesh.triangles()[found.triangle().index()];
+            corners.iter().zip(found.weights()).map(|(&v, w)| w * images[v as usize]).sum()
         })
     }
 

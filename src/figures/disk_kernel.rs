@@ -28,7 +28,7 @@ impl DiskKernelStudy {
         let domain = planar(&side)?;
         let point = scene.session.side(Side::Source).interior.unwrap_or(domain.default_point());
         let outside = MapError::PointOutside { side: Side::Source, x: point.x, y: point.y };
-        let located = locate(domain.mesh(), point, 0).ok_or(outside)?;
+        let located = locate(domain.mesh(), point, None).ok_or(outside)?;
         let kernel = poisson_kernel(&side, located)?;
         let anchor = side.at_fraction(scene.session.side(Side::Source).anchor);
         let measure = HarmonicMeasure::new(domain.samples(), &kernel, anchor);

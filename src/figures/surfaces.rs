@@ -8,7 +8,7 @@ use crate::conformal::{
     SurfaceSettings, prepare_surface,
 };
 use crate::geometry::{DVec2, DVec3};
-use crate::mesh::BarycentricPoint;
+use crate::mesh::{BarycentricPoint, VertexId};
 use crate::session::{DomainSpec, Session, SideState, SurfaceShape, SurfaceState};
 use crate::surface::{Surface, SurfaceMesh, at_vertex};
 use std::sync::Arc;
@@ -140,7 +140,7 @@ fn foremost(surface: &MeshedSurface) -> Option<BarycentricPoint> {
     let mesh = surface.mesh();
     let inside = mesh.boundary_count()..mesh.vertices().len() as u32;
     let z = |v: &u32| mesh.vertices()[*v as usize].z;
-    at_vertex(mesh, inside.max_by(|a, b| z(a).total_cmp(&z(b)))?)
+    at_vertex(mesh, VertexId::new(inside.max_by(|a, b| z(a).total_cmp(&z(b)))?))
 }
 
 #[cfg(test)]

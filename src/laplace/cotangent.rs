@@ -9,7 +9,7 @@
 
 use super::LaplaceError;
 use crate::geometry::DVec2;
-use crate::mesh::{IntrinsicMesh, TriMesh};
+use crate::mesh::{IntrinsicMesh, TriMesh, VertexId};
 use sprs::CsMatI;
 
 /// An edge whose two cotangents cancel to this relative size belongs to four
@@ -93,7 +93,9 @@ impl DirichletLaplacian {
     /// As [`Self::assemble`], of a surface. If the mesh is not Delaunay, weights may be negative:
     /// L̂ is positive definite all the same, but no M-matrix.
     pub(crate) fn assemble_intrinsic(mesh: &IntrinsicMesh) -> Result<Self, LaplaceError> {
-        Self::of(mesh, mesh.boundary_count, mesh.vertex_count, &|vertex| LaplaceError::DegenerateAt { vertex })
+        Self::of(mesh, mesh.boundary_count, mesh.vertex_count, &|vertex| LaplaceError::DegenerateAt {
+            vertex: VertexId::new(vertex),
+        })
     }
 
     fn of(

@@ -26,16 +26,18 @@ mod unrolled;
 
 #[cfg(any(feature = "io", test))]
 pub(crate) use buffers::{FactorBuffers, PcgBuffers};
+
 pub use cotangent::DirichletLaplacian;
 pub use deadline::Deadline;
 pub(crate) use factor::{Factor, RootPaths};
 pub(crate) use ordering::Ordering;
 pub use pcg::NotConverged;
 pub(crate) use pcg::Pcg;
-pub(crate) use solver::SolveRun;
-pub(crate) use solver::Solver;
 pub use solver::SolverKind;
+pub(crate) use solver::{SolveRun, Solver};
 pub(crate) use sweep::Lanes;
+
+use crate::mesh::VertexId;
 
 /// Why the Laplacian of a mesh could not be assembled or factored.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -56,7 +58,7 @@ pub enum LaplaceError {
     #[error("a triangle at vertex {vertex} of the surface is too thin to have angles")]
     DegenerateAt {
         /// One of its corners, as the mesh numbers them.
-        vertex: u32,
+        vertex: VertexId,
     },
     /// A pivot of the Cholesky factorisation is not positive.
     #[error("the Laplacian is not positive definite at interior vertex {vertex}: a triangle there is degenerate")]

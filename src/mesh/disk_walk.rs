@@ -6,6 +6,7 @@
 //! negative: only then is the boundary convex. So a point beyond a boundary edge is taken to be on it only if it lies
 //! between that chord and its arc; beyond a reversed edge lies most of the disk.
 
+use super::TriangleId;
 use super::locate::{BarycentricPoint, weights_in};
 use super::tri_mesh::NO_TRIANGLE;
 use crate::geometry::{DVec2, orientation};
@@ -35,9 +36,9 @@ impl DiskLayout<'_> {
     /// The point of the mesh at `x` in the closed disk, walking from triangle `start`; between a boundary edge and the
     /// circle, the edge's nearest point. `None` where the walk is lost among flipped triangles, leads out over a reversed
     /// edge, or over one with more than half of the circle. `steps` counts its steps.
-    pub(crate) fn locate(&self, x: DVec2, start: u32, steps: &mut usize) -> Option<BarycentricPoint> {
+    pub(crate) fn locate(&self, x: DVec2, start: TriangleId, steps: &mut usize) -> Option<BarycentricPoint> {
         let most = LEAST_STEPS + (STEPS_PER_SIDE * (self.triangles.len() as f64).sqrt()) as usize;
-        let (mut triangle, mut from) = (start, NO_TRIANGLE);
+        let (mut triangle, mut from) = (start.number(), NO_TRIANGLE);
         for step in 0..most {
             *steps += 1;
             let corners = self.corners(triangle);
@@ -51,9 +52,9 @@ impl DiskLayout<'_> {
             let mut beyond = edges.into_iter().filter(|i| !came_from(i) && is_beyond(i));
             match beyond.clone().find(|&i| !is_wall(i)) {
                 None if beyond.next().is_some() => return None,
-                None => return Some(BarycentricPoint { triangle, weights: inside(corners, x) }),
+                None => return Some(BarycentricPoint::new(TriangleId::new(triangle), inside(corners, x))),
                 Some(i) if neighbours[i] == NO_TRIANGLE => {
-                    return Some(BarycentricPoint { triangle, weights: on_edge(corners, i, x) });
+                    return Some(BarycentricPoint::new(TriangleId::new(triangle), on_edge(corners, i, x)));
                 }
                 Some(i) => (from, triangle) = (triangle, neighbours[i]),
             }
@@ -116,15 +117,15 @@ mod tests {
     }
 
     fn place(mesh: &TriMesh, point: BarycentricPoint) -> DVec2 {
-        let corners = mesh.triangles[point.triangle as usize].map(|v| mesh.vertices[v as usize]);
-        (0..3).map(|i| point.weights[i] * corners[i]).sum()
+        let corners = mesh.triangles[point.triangle().index()].map(|v| mesh.vertices[v as usize]);
+        (0..3).map(|i| point.weights()[i] * corners[i]).sum()
     }
 
     #[test]
     fn vertices_are_found_to_the_bit_and_points_to_rounding() {
         let mesh = disk(60);
         let layout = layout(&mesh, &mesh.vertices);
-        for start in [0, mesh.triangles.len() as u32 - 1] {
+        for start in [0, mesh.triangles.len() as u32 - 1].map(TriangleId::new) {
             for &p in &mesh.vertices {
                 assert_eq!(place(&mesh, layout.locate(p, start, &mut 0).unwrap()), p);
                 let inside = 0.97 * p + DVec2::new(1e-3, -2e-3);
@@ -140,9 +141,9 @@ mod tests {
         // a chord of 6° is 1 − cos 3° = 1.4e-3 from the circle
         for k in 0..600 {
             let x = DVec2::from_angle(TAU * f64::from(k) / 600.0);
-            let found = layout.locate(x, 0, &mut 0).unwrap();
+            let found = layout.locate(x, TriangleId::new(0), &mut 0).unwrap();
             let distance = place(&mesh, found).distance(x);
-            assert!(distance < 1.4e-3 && found.weights.iter().all(|w| (0.0..=1.0).contains(w)), "{k}: {distance}");
+            assert!(distance < 1.4e-3 && found.weights().iter().all(|w| (0.0..=1.0).contains(w)), "{k}: {distance}");
         }
     }
 
@@ -153,11 +154,11 @@ mod tests {
         places.swap(20, 21);
         let layout = layout(&mesh, &places);
         let place = |point: BarycentricPoint| -> DVec2 {
-            let corners = mesh.triangles[point.triangle as usize].map(|v| places[v as usize]);
-            (0..3).map(|i| point.weights[i] * corners[i]).sum()
+            let corners = mesh.triangles[point.triangle().index()].map(|v| places[v as usize]);
+            (0..3).map(|i| point.weights()[i] * corners[i]).sum()
         };
         let mut found = 0;
-        for start in 0..mesh.triangles.len() as u32 {
+        for start in (0..mesh.triangles.len() as u32).map(TriangleId::new) {
             for &p in &mesh.vertices {
                 let Some(point) = layout.locate(p, start, &mut 0) else { continue };
                 // a chord of 12° is 1 − cos 6° = 5.5e-3 from the circle
@@ -183,11 +184,11 @@ mod tests {
         }
         let layout = layout(&mesh, &places);
         for &p in &mesh.vertices {
-            if let Some(found) = layout.locate(p, 0, &mut 0) {
-                let sum: f64 = found.weights.iter().sum();
+            if let Some(found) = layout.locate(p, TriangleId::new(0), &mut 0) {
+                let sum: f64 = found.weights().iter().sum();
                 assert!((sum - 1.0).abs() < 1e-12, "{found:?}");
             }
         }
-        assert!(layout.locate(places[a as usize], 0, &mut 0).is_some());
+        assert!(layout.locate(places[a as usize], TriangleId::new(0), &mut 0).is_some());
     }
 }

@@ -10,16 +10,18 @@
 //! than rounding ([`BOUNDARY_TOLERANCE`]) are moved onto the boundary.
 //! Cost: a few steps from a near hint; O(m) when blocked; O(n) at the very worst.
 
+use super::TriangleId;
 use super::tri_mesh::{NO_TRIANGLE, TriMesh};
 use crate::geometry::{DVec2, MAX_COORDINATE, nearest_of_polygon, on_segment, orientation};
 
-/// A point inside a triangle: weights are non-negative and sum to 1.
+/// A point of a triangle, by the weights of its three corners.
+///
+/// Of a point that was found on a mesh, the weights are non-negative and sum to 1 up to rounding, and the triangle is one
+/// of the mesh. One that comes from a link or a file is checked where the mesh is known: by the map.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct BarycentricPoint {
-    /// The triangle's index.
-    pub triangle: u32,
-    /// The weights of its three corners.
-    pub weights: [f64; 3],
+    triangle: TriangleId,
+    weights: [f64; 3],
 }
 
 /// How far outside a point may be, relative to the largest coordinate: points
@@ -28,13 +30,13 @@ pub(super) const BOUNDARY_TOLERANCE: f64 = 1e-12;
 
 /// The triangle that contains `x`, walking from triangle `hint`; `None` outside the mesh.
 ///
-/// Any `hint` gives a correct answer; the last answer's triangle is the best one.
-pub fn locate(mesh: &TriMesh, x: DVec2, hint: u32) -> Option<BarycentricPoint> {
+/// Any `hint` gives a correct answer, and so does none; the last answer's triangle is the best one.
+pub fn locate(mesh: &TriMesh, x: DVec2, hint: Option<TriangleId>) -> Option<BarycentricPoint> {
     // farther out than any outline the predicates would overflow; NaN is not ≤ either
     if !(x.abs().max_element() <= MAX_COORDINATE && x.is_finite()) {
         return None;
     }
-    let found = containing(mesh, x, hint);
+    let found = containing(mesh, x, hint.map_or(0, TriangleId::number));
     found.map(|t| barycentric(mesh, x, t)).or_else(|| at_boundary(mesh, x))
 }
 
@@ -134,7 +136,7 @@ fn at_boundary(mesh: &TriMesh, x: DVec2) -> Option<BarycentricPoint> {
 /// The weights of `x`, which is in triangle `t` up to rounding.
 fn barycentric(mesh: &TriMesh, x: DVec2, t: u32) -> BarycentricPoint {
     let corners = mesh.triangles[t as usize].map(|v| mesh.vertices[v as usize]);
-    BarycentricPoint { triangle: t, weights: weights_in(corners, x) }
+    BarycentricPoint::new(TriangleId::new(t), weights_in(corners, x))
 }
 
 /// The weights of `x` in a counter-clockwise triangle that contains it up to rounding; not finite in one without area.
@@ -145,9 +147,24 @@ pub(super) fn weights_in([a, b, c]: [DVec2; 3], x: DVec2) -> [f64; 3] {
 }
 
 impl BarycentricPoint {
+    /// The point with these weights of the triangle's corners.
+    pub const fn new(triangle: TriangleId, weights: [f64; 3]) -> Self {
+        Self { triangle, weights }
+    }
+
+    /// The triangle.
+    pub const fn triangle(&self) -> TriangleId {
+        self.triangle
+    }
+
+    /// The weights of its three corners.
+    pub const fn weights(&self) -> [f64; 3] {
+        self.weights
+    }
+
     /// The point in the plane.
     pub fn position(&self, mesh: &TriMesh) -> DVec2 {
-        let corners = mesh.triangles[self.triangle as usize].map(|v| mesh.vertices[v as usize]);
+        let corners = mesh.corner_places(self.triangle);
         (0..3).map(|i| self.weights[i] * corners[i]).sum()
     }
 }

@@ -1,5 +1,6 @@
 //! What the planar mesher promises, on the shapes that break meshers.
 
+use super::TriangleId;
 use super::*;
 use crate::geometry::{DVec2, orientation};
 use proptest::prelude::*;
@@ -223,12 +224,12 @@ fn points_are_found_from_any_hint_and_outside_points_are_not() {
         let (low, high) = super::hex_lattice::bounds(&boundary);
         for _ in 0..1500 {
             let x = low + (high - low) * DVec2::new(1.1 * random() - 0.05, 1.1 * random() - 0.05);
-            let found = locate(&mesh, x, (random() * mesh.triangles.len() as f64) as u32);
+            let found = locate(&mesh, x, Some(TriangleId::new((random() * mesh.triangles.len() as f64) as u32)));
             assert_eq!(found.is_some(), is_inside(&mesh, x), "{x}");
             if let Some(found) = found {
                 inside += 1;
-                assert!(found.position(&mesh).distance(x) < 1e-14 && found.weights.iter().all(|&w| w >= 0.0));
-                assert!((found.weights.iter().sum::<f64>() - 1.0).abs() < 1e-15 * 3.0);
+                assert!(found.position(&mesh).distance(x) < 1e-14 && found.weights().iter().all(|&w| w >= 0.0));
+                assert!((found.weights().iter().sum::<f64>() - 1.0).abs() < 1e-15 * 3.0);
             }
         }
         assert!(inside > 100, "{inside} of 1500 points were inside");
@@ -239,18 +240,18 @@ fn points_are_found_from_any_hint_and_outside_points_are_not() {
 fn vertices_edges_and_the_boundary_are_found() {
     let mesh = checked(&spiky(300, 5.0, 0.8), Sizing::default());
     for (k, &x) in mesh.vertices.iter().enumerate() {
-        let found = locate(&mesh, x, (k * 37 % mesh.triangles.len()) as u32).unwrap();
-        let corner = mesh.triangles[found.triangle as usize].iter().position(|&v| v == k as u32).unwrap();
-        assert_eq!(found.weights[corner], 1.0);
+        let found = locate(&mesh, x, Some(TriangleId::new((k * 37 % mesh.triangles.len()) as u32))).unwrap();
+        let corner = mesh.triangles[found.triangle().index()].iter().position(|&v| v == k as u32).unwrap();
+        assert_eq!(found.weights()[corner], 1.0);
     }
     for k in 0..mesh.boundary_count as usize {
         // rounding puts about half of these outside
         let x = mesh.vertices[k].lerp(mesh.vertices[(k + 1) % mesh.boundary_count as usize], 0.3);
-        let found = locate(&mesh, x, 0).unwrap();
+        let found = locate(&mesh, x, None).unwrap();
         assert!(found.position(&mesh).distance(x) < 1e-12);
     }
-    assert_eq!(locate(&mesh, DVec2::new(f64::NAN, 0.0), 0), None);
-    assert_eq!(locate(&mesh, DVec2::new(9.0, 0.0), u32::MAX), None);
+    assert_eq!(locate(&mesh, DVec2::new(f64::NAN, 0.0), None), None);
+    assert_eq!(locate(&mesh, DVec2::new(9.0, 0.0), Some(TriangleId::new(u32::MAX))), None);
 }
 
 #[test]
@@ -262,7 +263,7 @@ fn the_point_nearest_inside_is_strictly_inside_and_inset() {
         let x = DVec2::new(6.0 * random() - 2.0, 6.0 * random() - 2.0);
         let p = nearest_inside(&mesh, x, 0.05);
         let depth = |p: DVec2| super::locate::nearest_on_boundary(&mesh, p).2;
-        assert!(locate(&mesh, p, 0).is_some() && depth(p) > 0.0499, "{x} → {p}");
+        assert!(locate(&mesh, p, None).is_some() && depth(p) > 0.0499, "{x} → {p}");
         if is_inside(&mesh, x) && depth(x) > 0.05 {
             assert_eq!(p, x);
         }
@@ -291,7 +292,7 @@ proptest! {
         let mesh = checked(&star, SIZINGS[k]);
         let centroid = |t: [u32; 3]| t.iter().map(|&v| mesh.vertices[v as usize] / 3.0).sum::<DVec2>();
         for (t, &triangle) in mesh.triangles.iter().enumerate().step_by(17) {
-            let found = locate(&mesh, centroid(triangle), (t * 7 % mesh.triangles.len()) as u32);
+            let found = locate(&mesh, centroid(triangle), Some(TriangleId::new((t * 7 % mesh.triangles.len()) as u32)));
             prop_assert!(found.is_some(), "centroid of triangle {}", t);
         }
     }

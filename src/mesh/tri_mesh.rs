@@ -96,6 +96,11 @@ impl<P> TriMesh<P> {
         (across != NO_TRIANGLE).then_some(TriangleId::new(across))
     }
 
+    /// Whether the vertex is one of the boundary.
+    pub fn is_on_boundary(&self, vertex: VertexId) -> bool {
+        vertex.number() < self.boundary_count
+    }
+
     /// Whether the triangle has an edge on the boundary.
     pub fn is_at_boundary(&self, triangle: TriangleId) -> bool {
         self.neighbours[triangle.index()].contains(&NO_TRIANGLE)

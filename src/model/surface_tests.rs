@@ -1,7 +1,7 @@
 //! The model while a surface stands in the target's place.
 
 use crate::conformal::{PrepareSettings, Side};
-use crate::mesh::{BarycentricPoint, Sizing};
+use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
 use crate::model::side::user_error::UserError;
 use crate::model::*;
 use crate::outline::{Preset, Sampling};
@@ -76,13 +76,13 @@ fn a_surface_takes_the_targets_place_when_it_is_prepared() {
 fn its_points_move_the_map_and_a_bad_one_brings_back_the_last_good_ones() {
     let mut model = with_hemisphere();
     let before = model.shown().unwrap().images.to_vec();
-    let good = BarycentricPoint { triangle: 7, weights: [0.25, 0.25, 0.5] };
+    let good = BarycentricPoint::new(TriangleId::new(7), [0.25, 0.25, 0.5]);
     let good = model.surface(Side::Target).unwrap().0.interior_near(good).unwrap();
     model.dispatch(Command::MoveInterior { side: Side::Target, point: good.into() }, 0.0);
     let changes = model.refresh(true);
     assert!(changes.map && !changes.meshes);
     assert_ne!(model.shown().unwrap().images, before);
-    let outside = BarycentricPoint { triangle: u32::MAX, weights: [1.0, 0.0, 0.0] };
+    let outside = BarycentricPoint::new(TriangleId::new(u32::MAX), [1.0, 0.0, 0.0]);
     model.dispatch(Command::MoveInterior { side: Side::Target, point: outside.into() }, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point: DVec2::splat(99.0).into() }, 0.0);
     model.refresh(true);
@@ -99,11 +99,11 @@ fn handles_stay_off_the_loop() {
     let mesh = side.surface().unwrap().mesh();
     for (t, corners) in mesh.triangles().iter().enumerate() {
         for weights in [[1.0, 0.0, 0.0], [0.0, 0.5, 0.5], [0.2, 0.3, 0.5]] {
-            let found = side.interior_near(BarycentricPoint { triangle: t as u32, weights }).unwrap();
-            let on_loop: f64 = (0..3).filter(|&i| corners[i] < mesh.boundary_count()).map(|i| found.weights[i]).sum();
+            let found = side.interior_near(BarycentricPoint::new(TriangleId::new(t as u32), weights)).unwrap();
+            let on_loop: f64 = (0..3).filter(|&i| corners[i] < mesh.boundary_count()).map(|i| found.weights()[i]).sum();
             let inner = corners.iter().any(|&v| v >= mesh.boundary_count());
             assert!(!inner || on_loop < 0.9 + 1e-12, "triangle {t}: {found:?}");
-            assert!((found.weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+            assert!((found.weights().iter().sum::<f64>() - 1.0).abs() < 1e-12);
         }
     }
 }
@@ -158,7 +158,7 @@ fn another_file_of_the_same_name_is_another_surface() {
 fn a_session_with_a_surface_comes_with_its_points() {
     let mut model = planar();
     let mut session = with_hemisphere().session().clone();
-    let point = BarycentricPoint { triangle: 5, weights: [0.2, 0.3, 0.5] };
+    let point = BarycentricPoint::new(TriangleId::new(5), [0.2, 0.3, 0.5]);
     session.apply(Command::MoveInterior { side: Side::Target, point: point.into() });
     model.dispatch(Command::Open(Box::new(session.clone())), 0.0);
     settle(&mut model);
@@ -180,8 +180,8 @@ fn the_pattern_of_the_disk_has_coordinates_on_the_surface() {
     let m = mesh.boundary_count() as usize;
     assert!(coordinates[..m].iter().all(|g| (g.length() - 1.0).abs() < 1e-12), "the loop lies on the circle");
     let x = side.point(state).unwrap();
-    let corners = mesh.triangles()[x.triangle as usize];
-    let at: DVec2 = corners.iter().zip(x.weights).map(|(&v, w)| w * coordinates[v as usize]).sum();
+    let corners = mesh.triangles()[x.triangle().index()];
+    let at: DVec2 = corners.iter().zip(x.weights()).map(|(&v, w)| w * coordinates[v as usize]).sum();
     assert!(at.length() < 0.02, "g(x) = {at}");
     assert_eq!(
         model.overlay_state().grid.of(Side::Source).len(),
@@ -253,7 +253,7 @@ fn choosing_the_outline_that_is_there_calls_a_surface_off() {
 #[test]
 fn a_finer_surface_keeps_its_points_where_they_are() {
     let mut model = with_hemisphere();
-    let point = BarycentricPoint { triangle: 40, weights: [0.2, 0.3, 0.5] };
+    let point = BarycentricPoint::new(TriangleId::new(40), [0.2, 0.3, 0.5]);
     let point = model.surface(Side::Target).unwrap().0.interior_near(point).unwrap();
     model.dispatch(Command::MoveInterior { side: Side::Target, point: point.into() }, 0.0);
     model.dispatch(Command::MoveAnchor { side: Side::Target, fraction: 0.3 }, 0.0);
@@ -276,7 +276,7 @@ fn a_point_that_the_first_map_refuses_gives_way_to_the_default() {
     session.apply(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Hemisphere, 60) });
     session.apply(Command::MoveInterior {
         side: Side::Target,
-        point: BarycentricPoint { triangle: 0, weights: [-1.0, 1.0, 1.0] }.into(),
+        point: BarycentricPoint::new(TriangleId::new(0), [-1.0, 1.0, 1.0]).into(),
     });
     model.dispatch(Command::Open(Box::new(session)), 0.0);
     settle(&mut model);
@@ -378,7 +378,7 @@ fn a_session_whose_surface_is_refined_on_its_way_keeps_what_still_fits() {
     session.apply(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Hemisphere, 48) });
     session.apply(Command::MoveInterior {
         side: Side::Target,
-        point: BarycentricPoint { triangle: 3, weights: [0.2, 0.3, 0.5] }.into(),
+        point: BarycentricPoint::new(TriangleId::new(3), [0.2, 0.3, 0.5]).into(),
     });
     session.apply(Command::MoveAnchor { side: Side::Target, fraction: 0.7 });
     model.dispatch(Command::Open(Box::new(session)), 0.0);

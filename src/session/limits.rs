@@ -5,7 +5,7 @@
 
 use super::{DomainSpec, Session, SurfaceShape, SurfaceState};
 use crate::geometry::MAX_COORDINATE;
-use crate::mesh::{BarycentricPoint, Sizing};
+use crate::mesh::Sizing;
 use crate::outline::Sampling;
 use std::ops::RangeInclusive;
 
@@ -104,7 +104,7 @@ fn check_surface(state: &SurfaceState) -> Result<(), OutOfRange> {
     if let SurfaceShape::Preset { boundary, .. } = state.spec.shape {
         within_integers(Quantity::SurfaceBoundary, boundary, &SURFACE_BOUNDARY)?;
     }
-    if let Some(BarycentricPoint { weights, .. }) = state.point {
+    if let Some(weights) = state.point.map(|point| point.weights()) {
         for weight in weights {
             within(Quantity::Weight, weight, &(0.0..=1.0))?;
         }
@@ -130,6 +130,7 @@ mod tests {
     use super::*;
     use crate::conformal::{PrepareSettings, Side};
     use crate::geometry::DVec2;
+    use crate::mesh::{BarycentricPoint, TriangleId};
     use crate::session::{Command, SurfaceSpec};
     use crate::surface::SurfacePreset;
 
@@ -164,7 +165,7 @@ mod tests {
         refused(|s, side| s.sides[side].anchor = -0.1, "boundary point");
         refused(|s, _| s.texture_scale = 1e9, "cells");
         refused_surface(|state| state.anchor = f64::NAN, "surface's boundary point");
-        let point = |weights| Some(BarycentricPoint { triangle: 0, weights });
+        let point = |weights| Some(BarycentricPoint::new(TriangleId::new(0), weights));
         refused_surface(|state| state.point = point([0.5, 0.5, 0.5]), "sum");
         refused_surface(|state| state.point = point([1.5, -0.5, 0.0]), "weight");
         let preset = SurfacePreset::Hemisphere;

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::conformal::InteriorPoint;
-use crate::mesh::BarycentricPoint;
+use crate::mesh::{BarycentricPoint, TriangleId};
 use crate::surface::SurfacePreset;
 
 fn preset(preset: Preset) -> OutlineSpec {
@@ -64,7 +64,7 @@ fn points_that_were_not_set_are_the_poles() {
 }
 
 fn with_surface(side: Side) -> Session {
-    let point = BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] };
+    let point = BarycentricPoint::new(TriangleId::new(3), [0.5, 0.25, 0.25]);
     Session::with([
         Command::SetSurface { side, surface: SurfaceSpec::default() },
         Command::MoveInterior { side, point: point.into() },
@@ -80,7 +80,7 @@ fn a_surface_keeps_its_points_through_other_settings_but_not_through_another_sur
         assert_eq!(session.side(side).anchor, 0.0, "the outline's own stays");
         let surface = SurfaceSpec { repair: true, ..SurfaceSpec::default() };
         session.apply(Command::SetSurface { side, surface });
-        assert_eq!(session.surface(side).unwrap().point.unwrap().triangle, 3);
+        assert_eq!(session.surface(side).unwrap().point.unwrap().triangle(), TriangleId::new(3));
         let finer = SurfaceSpec {
             shape: SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 33 },
             ..SurfaceSpec::default()
@@ -127,7 +127,7 @@ fn a_reshaped_outline_and_its_points_wait_behind_a_surface() {
 
 #[test]
 fn commands_about_a_missing_surface_touch_nothing() {
-    let point = BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] };
+    let point = BarycentricPoint::new(TriangleId::new(3), [0.5, 0.25, 0.25]);
     for side in Side::BOTH {
         let (mut session, other) = (with_surface(side.other()), SurfacePreset::Saddle);
         let before = session.clone();
@@ -151,7 +151,7 @@ fn commands_about_a_missing_surface_touch_nothing() {
 /// Every kind of command once, each changing the session it is applied to.
 fn commands() -> Vec<Command> {
     let side = Side::Source;
-    let point = BarycentricPoint { triangle: 3, weights: [0.5, 0.25, 0.25] };
+    let point = BarycentricPoint::new(TriangleId::new(3), [0.5, 0.25, 0.25]);
     let fine = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 33 };
     vec![
         Command::SetOutline { side, outline: preset(Preset::Star) },

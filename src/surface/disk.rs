@@ -4,7 +4,7 @@ use super::repair::{ADDED, RepairNote, Repaired, repair};
 use super::survey::connectivity;
 use super::{Surface, TopologyError};
 use crate::geometry::DVec3;
-use crate::mesh::{TriMesh, VertexId};
+use crate::mesh::{TriMesh, TriangleId, VertexId};
 
 /// A disk in space: one boundary loop, no handles, consistently oriented, no flat triangles.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,9 +61,9 @@ impl SurfaceMesh {
 
     /// For each corner of a triangle, which corner of the same triangle it is in `surface`, which this was made
     /// from: repairs turn some round.
-    pub fn corners_in(&self, surface: &Surface, triangle: u32) -> [usize; 3] {
-        let corners = self.mesh.triangles()[triangle as usize].map(|v| self.vertex_origins[v as usize]);
-        let given = surface.triangles.get(self.triangle_origins[triangle as usize] as usize);
+    pub fn corners_in(&self, surface: &Surface, triangle: TriangleId) -> [usize; 3] {
+        let corners = self.mesh.corners(triangle).map(|v| self.vertex_origins[v.index()]);
+        let given = surface.triangles.get(self.triangle_origins[triangle.index()] as usize);
         std::array::from_fn(|i| given.and_then(|given| given.iter().position(|&v| v == corners[i])).unwrap_or(i))
     }
 
@@ -110,8 +110,8 @@ impl SurfaceMesh {
     }
 
     /// The number here of a vertex of the surface as it was read; `None` if it was dropped or never there.
-    pub fn number_of(&self, origin: u32) -> Option<u32> {
-        self.numbers.get(origin as usize).copied().filter(|&number| number != ADDED)
+    pub fn number_of(&self, origin: VertexId) -> Option<VertexId> {
+        self.numbers.get(origin.index()).copied().filter(|&number| number != ADDED).map(VertexId::new)
     }
 
     /// The number of vertices of the surface as it was read.

@@ -1,7 +1,7 @@
 //! The default interior point: the vertex farthest from the boundary along edges (Dijkstra 1959).
 
 use crate::geometry::DVec3;
-use crate::mesh::{BarycentricPoint, TriMesh};
+use crate::mesh::{BarycentricPoint, TriMesh, TriangleId, VertexId};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -32,15 +32,15 @@ pub fn farthest_from_boundary(mesh: &TriMesh<DVec3>) -> BarycentricPoint {
     let distances = distances(mesh);
     let interior = (mesh.boundary_count()..mesh.vertices().len() as u32).filter(|&v| distances[v as usize].is_finite());
     let farthest = interior.max_by(|&u, &v| distances[u as usize].total_cmp(&distances[v as usize]));
-    let at_corner = farthest.and_then(|vertex| at_vertex(mesh, vertex));
-    at_corner.unwrap_or(BarycentricPoint { triangle: 0, weights: [1.0 / 3.0; 3] })
+    let at_corner = farthest.and_then(|vertex| at_vertex(mesh, VertexId::new(vertex)));
+    at_corner.unwrap_or(BarycentricPoint::new(TriangleId::new(0), [1.0 / 3.0; 3]))
 }
 
 /// The vertex as a corner of the first triangle that has it. Cost O(n).
-pub fn at_vertex(mesh: &TriMesh<DVec3>, vertex: u32) -> Option<BarycentricPoint> {
-    let triangle = mesh.triangles().iter().position(|corners| corners.contains(&vertex))?;
-    let weights = mesh.triangles()[triangle].map(|v| if v == vertex { 1.0 } else { 0.0 });
-    Some(BarycentricPoint { triangle: triangle as u32, weights })
+pub fn at_vertex(mesh: &TriMesh<DVec3>, vertex: VertexId) -> Option<BarycentricPoint> {
+    let triangle = mesh.triangles().iter().position(|corners| corners.contains(&vertex.number()))?;
+    let weights = mesh.triangles()[triangle].map(|v| if v == vertex.number() { 1.0 } else { 0.0 });
+    Some(BarycentricPoint::new(TriangleId::new(triangle as u32), weights))
 }
 
 fn distances(mesh: &TriMesh<DVec3>) -> Vec<f64> {

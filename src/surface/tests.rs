@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use super::*;
-use crate::mesh::TriMesh;
+use crate::mesh::{TriMesh, VertexId};
 
 /// A grid of k×k squares, each cut along the same diagonal.
 fn grid(k: u32) -> Surface {
@@ -56,8 +56,8 @@ fn a_grid_is_a_disk_with_its_boundary_first() {
         disk.mesh().neighbours().to_vec(),
     );
     assert_eq!(flat.check_invariants(), Ok(()));
-    for v in 0..16 {
-        assert_eq!(disk.vertex_origins()[disk.number_of(v).unwrap() as usize], v);
+    for v in (0..16).map(VertexId::new) {
+        assert_eq!(disk.origin_of(disk.number_of(v).unwrap()), Some(v));
     }
     let turned = Surface { triangles: grid(3).triangles.iter().map(|&[a, b, c]| [a, c, b]).collect(), ..grid(3) };
     assert_eq!(SurfaceMesh::new(&turned).unwrap().vertex_origins()[..4], [0, 4, 8, 12]);
@@ -163,7 +163,7 @@ fn parts_and_loose_vertices_are_counted_and_dropped() {
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
     let expected = [RepairNote::KeptLargest { components: 2, dropped: 1 }, RepairNote::DroppedVertices { count: 4 }];
     assert_eq!(repaired.repairs(), expected);
-    assert_eq!((repaired.triangle_origins()[0], repaired.number_of(12)), (1, None));
+    assert_eq!((repaired.triangle_origins()[0], repaired.number_of(VertexId::new(12))), (1, None));
     surface.triangles.remove(0);
     assert_eq!(error(&surface), TopologyError::Unreferenced { vertex: 9, count: 4 });
 }
@@ -225,7 +225,7 @@ fn every_preset_is_a_disk() {
 fn the_middle_of_a_grid_is_farthest_from_its_boundary() {
     let disk = SurfaceMesh::new(&grid(8)).unwrap();
     let found = farthest_from_boundary(disk.mesh());
-    let corners = disk.mesh().triangles()[found.triangle as usize].map(|v| disk.mesh().vertices()[v as usize]);
-    let place: DVec3 = corners.iter().zip(found.weights).map(|(&p, w)| w * p).sum();
+    let corners = disk.mesh().triangles()[found.triangle().index()].map(|v| disk.mesh().vertices()[v as usize]);
+    let place: DVec3 = corners.iter().zip(found.weights()).map(|(&p, w)| w * p).sum();
     assert_eq!(place, DVec3::new(4.0, 4.0, 0.0));
 }

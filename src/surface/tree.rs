@@ -9,7 +9,7 @@
 
 use super::nearest::nearest_in_triangle;
 use crate::geometry::{DVec2, DVec3, orientation, pulled_back};
-use crate::mesh::{BarycentricPoint, TriMesh};
+use crate::mesh::{BarycentricPoint, TriMesh, TriangleId};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::node::Bvh2Node;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
@@ -74,7 +74,7 @@ impl SurfaceTree {
         }
         let half = DVec3::splat(0.5 / self.scale);
         let (point, _) = self.nearest_to(pulled_back(place, self.middle - half, self.middle + half))?;
-        let found = weighted(self.triangles[point.triangle as usize], point.weights);
+        let found = weighted(self.triangles[point.triangle().index()], point.weights());
         Some((point, found.distance(place)))
     }
 
@@ -126,7 +126,7 @@ impl SurfaceTree {
                 if let Some((weights, distance)) = distance(self.triangles[triangle as usize])
                     && distance < least
                 {
-                    (best, least) = (Some(BarycentricPoint { triangle, weights }), distance);
+                    (best, least) = (Some(BarycentricPoint::new(TriangleId::new(triangle), weights)), distance);
                 }
             }
         }

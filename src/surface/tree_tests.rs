@@ -11,8 +11,8 @@ use std::sync::LazyLock;
 use std::time::Instant;
 
 fn place(mesh: &TriMesh<DVec3>, point: BarycentricPoint) -> DVec3 {
-    let corners = mesh.triangles()[point.triangle as usize];
-    corners.iter().zip(point.weights).map(|(&v, w)| w * mesh.vertices()[v as usize]).sum()
+    let corners = mesh.triangles()[point.triangle().index()];
+    corners.iter().zip(point.weights()).map(|(&v, w)| w * mesh.vertices()[v as usize]).sum()
 }
 
 /// The cube [0, 1]³ without its bottom.

@@ -8,7 +8,7 @@ use riemap::conformal::{
 use riemap::exact::{Complex, complex, point};
 use riemap::geometry::{DVec2, DVec3};
 use riemap::laplace::Deadline;
-use riemap::mesh::{BarycentricPoint, locate};
+use riemap::mesh::{BarycentricPoint, TriangleId, VertexId, locate};
 use riemap::outline::Preset;
 use riemap::surface::{SurfacePreset, at_vertex, farthest_from_boundary};
 use std::f64::consts::FRAC_PI_2;
@@ -45,7 +45,7 @@ fn vertex_near(side: &PreparedSide, place: DVec3) -> u32 {
 
 pub fn assert_identity(name: &str, side: &Arc<PreparedSide>) {
     let mesh = side.surface().unwrap().mesh();
-    let points = [farthest_from_boundary(mesh), BarycentricPoint { triangle: 0, weights: [0.2, 0.3, 0.5] }];
+    let points = [farthest_from_boundary(mesh), BarycentricPoint::new(TriangleId::new(0), [0.2, 0.3, 0.5])];
     for (point, anchor) in points.into_iter().zip([0.0, 0.3217]) {
         let at = Constraints::new((point, anchor), (point, anchor));
         for way in [Direction::Forward, Direction::Backward] {
@@ -102,7 +102,7 @@ fn hemisphere_error(boundary: [u32; 2]) -> (f64, usize) {
     let [source, target] = boundary.map(|boundary| preset(SurfacePreset::Hemisphere, boundary));
     let x1 = vertex_near(&source, DVec3::new(0.4, 0.1, 0.9));
     let x2 = vertex_near(&target, DVec3::new(-0.2, 0.5, 0.8));
-    let located = |side: &PreparedSide, v: u32| at_vertex(side.surface().unwrap().mesh(), v).unwrap();
+    let located = |side: &PreparedSide, v: u32| at_vertex(side.surface().unwrap().mesh(), VertexId::new(v)).unwrap();
     let at = Constraints::new((located(&source, x1), 0.0), (located(&target, x2), 0.25));
     let map = map(&source, &target, &at, Direction::Forward);
     let flat = |side: &PreparedSide, v: u32| stereographic(FRAC_PI_2, places(side)[v as usize]);
@@ -133,8 +133,8 @@ fn hemispheres_map_by_the_moebius_map_of_their_stereographic_disks() {
 
 /// The image of a point of the source, whose mesh is mapped: interpolated in its triangle.
 fn image_of(map: &ConformalMap, point: BarycentricPoint) -> DVec3 {
-    let corners = map.mapped().triangles()[point.triangle as usize];
-    (0..3).map(|i| point.weights[i] * images(map)[corners[i] as usize]).sum()
+    let corners = map.mapped().triangles()[point.triangle().index()];
+    (0..3).map(|i| point.weights()[i] * images(map)[corners[i] as usize]).sum()
 }
 
 fn mean_edge(side: &PreparedSide) -> f64 {
@@ -180,7 +180,7 @@ fn a_flat_mesh_is_its_domain_on_either_side() {
         let vertices = mesh.vertices().iter().map(|p| p.extend(0.0)).collect();
         let surface = prepared(&surface_of(vertices, mesh.triangles().to_vec()), SurfaceSettings::default());
         let point = flat.domain().unwrap().default_point();
-        let on_surface = locate(mesh, point, 0).unwrap();
+        let on_surface = locate(mesh, point, None).unwrap();
         let anchors = (flat.fractions()[70], surface.fractions()[70]);
         let heart: (InteriorPoint, f64) = (other.default_point(), 0.3);
         let same = |planar: &ConformalMap, map: &ConformalMap| {
@@ -223,7 +223,7 @@ fn points_of_the_other_kind_are_refused_by_side() {
 fn in_pieces_and_after_other_points_the_map_is_the_same() {
     let (source, target) = (preset(SurfacePreset::HeightField, 100), preset(SurfacePreset::Hemisphere, 80));
     let at = |x: f64| {
-        let point = BarycentricPoint { triangle: 900, weights: [0.5 * x, 0.5 - 0.5 * x, 0.5] };
+        let point = BarycentricPoint::new(TriangleId::new(900), [0.5 * x, 0.5 - 0.5 * x, 0.5]);
         Constraints::new((point, 0.2 + x), (target.default_point(), 0.9))
     };
     for way in [Direction::Forward, Direction::Backward] {

@@ -7,7 +7,7 @@ use riemap::conformal::{
 };
 use riemap::geometry::{Bounds, DVec2, DVec3, SimplePolygon};
 use riemap::laplace::SolverKind;
-use riemap::mesh::Sizing;
+use riemap::mesh::{Sizing, VertexId};
 use riemap::outline::Sampling;
 use riemap::surface::{Surface, SurfaceMesh, SurfacePreset, at_vertex};
 use std::sync::Arc;
@@ -142,7 +142,7 @@ fn where_the_kernel_is_negative_the_note_says_so() {
     let source = disk();
     let mut map = default_map(given.clone());
     for v in (mesh.boundary_count()..mesh.vertices().len() as u32).step_by(7) {
-        let at = constraints(&given, &source).with_point(Side::Target, at_vertex(mesh, v).unwrap());
+        let at = constraints(&given, &source).with_point(Side::Target, at_vertex(mesh, VertexId::new(v)).unwrap());
         map.update(&at, MapSettings::default()).unwrap();
         let [edges, _] = told(&map);
         assert_eq!(map.note(map.mapped_side()), Some(MapNote::NegativeKernel { edges }), "{v}");

@@ -15,7 +15,7 @@ use riemap::conformal::{
 };
 use riemap::geometry::{DVec2, DVec3};
 use riemap::laplace::SolverKind;
-use riemap::mesh::{BarycentricPoint, Sizing, locate, mesh_domain};
+use riemap::mesh::{BarycentricPoint, Sizing, TriangleId, VertexId, locate, mesh_domain};
 use riemap::outline::{BoundaryPoint, Preset, Sampling};
 use riemap::surface::{Surface, SurfaceMesh, SurfacePreset, TopologyError, at_vertex};
 use riemap::worker::Transfer;
@@ -66,7 +66,7 @@ fn planar_mesh_as_a_surface_equals_the_planar_map() {
             let on_surface = Constraints::new(
                 (source.default_point(), 0.3),
                 (
-                    locate(target.domain().unwrap().mesh(), target_point, 0).unwrap(),
+                    locate(target.domain().unwrap().mesh(), target_point, None).unwrap(),
                     surface.fraction_at(BoundaryPoint { edge: 70, fraction: 0.0 }),
                 ),
             );
@@ -99,7 +99,7 @@ fn rigid_motions_and_scalings_change_nothing() {
                     Side::Target,
                     at_vertex(
                         surface.surface().unwrap().mesh(),
-                        surface.surface().unwrap().mesh().boundary_count() + 40,
+                        VertexId::new(surface.surface().unwrap().mesh().boundary_count() + 40),
                     )
                     .unwrap(),
                 )
@@ -169,7 +169,7 @@ fn bent_patch_maps_as_its_flat_original() {
     let source = domain(Preset::LShape, 300);
     let map = |surface: Surface, weights: [f64; 3]| {
         let surface = prepared(&surface, SurfaceSettings::default());
-        let surface_point = BarycentricPoint { triangle: 367, weights };
+        let surface_point = BarycentricPoint::new(TriangleId::new(367), weights);
         let constraints = constraints(&surface, &source).with_point(Side::Target, surface_point);
         ConformalMap::new(source.clone(), surface, &constraints, MapSettings::default()).unwrap()
     };
@@ -214,7 +214,7 @@ fn cap_error(angle: f64, boundary: u32, source: &Arc<PreparedSide>) -> [f64; 2] 
         .unwrap();
     let constraints = Constraints::new(
         (stereographic(angle, mesh.vertices()[interior as usize]), 0.0),
-        (at_vertex(mesh, interior).unwrap(), 0.0),
+        (at_vertex(mesh, VertexId::new(interior)).unwrap(), 0.0),
     );
     let map = ConformalMap::new(source.clone(), surface.clone(), &constraints, MapSettings::default()).unwrap();
     let errors = mesh.vertices().iter().zip(map.images()).map(|(&p, &w)| w.distance(stereographic(angle, p)));
@@ -263,7 +263,7 @@ fn flipped_surfaces_have_positive_kernels_and_ordered_boundaries() {
     let mesh = flipped.surface().unwrap().mesh();
     for v in (mesh.boundary_count()..mesh.vertices().len() as u32).step_by(7) {
         for (surface, count) in [&flipped, &given].into_iter().zip(&mut negative) {
-            let psi = poisson_kernel(surface, at_vertex(mesh, v).unwrap()).unwrap();
+            let psi = poisson_kernel(surface, at_vertex(mesh, VertexId::new(v)).unwrap()).unwrap();
             *count += psi.iter().filter(|&&value| value < 0.0).count();
         }
     }
@@ -290,7 +290,7 @@ fn modes_and_repeated_updates_agree() {
     let pcg = prepared(&surface, SurfaceSettings::default().with_solver(SolverKind::Pcg));
     let first = constraints(&direct, &source);
     let second = first
-        .with_point(Side::Target, BarycentricPoint { triangle: 1000, weights: [0.5, 0.0, 0.5] })
+        .with_point(Side::Target, BarycentricPoint::new(TriangleId::new(1000), [0.5, 0.0, 0.5]))
         .with_anchor(Side::Target, 0.4);
     let fresh = ConformalMap::new(source.clone(), direct.clone(), &second, MapSettings::default()).unwrap();
     let mut moved = ConformalMap::new(source.clone(), direct, &first, MapSettings::default()).unwrap();
@@ -345,13 +345,17 @@ fn points_that_are_not_inside_the_surface_are_refused() {
     let good = constraints(&surface, &source);
     let mut map = ConformalMap::new(source, surface.clone(), &good, MapSettings::default()).unwrap();
     let before = map.images().to_vec();
-    let at = |triangle, weights| good.with_point(Side::Target, BarycentricPoint { triangle, weights });
+    let at =
+        |triangle, weights| good.with_point(Side::Target, BarycentricPoint::new(TriangleId::new(triangle), weights));
     for (bad, word) in [
         (at(1_000_000, [1.0, 0.0, 0.0]), "triangle 1000000"),
         (at(3, [0.7, 0.7, -0.4]), "no point"),
         (at(3, [0.3, 0.3, 0.3]), "no point"),
         (at(3, [f64::NAN, 0.5, 0.5]), "no point"),
-        (good.with_point(Side::Target, at_vertex(surface.surface().unwrap().mesh(), 0).unwrap()), "boundary"),
+        (
+            good.with_point(Side::Target, at_vertex(surface.surface().unwrap().mesh(), VertexId::new(0)).unwrap()),
+            "boundary",
+        ),
         (good.with_anchor(Side::Target, f64::INFINITY), "anchor"),
         (good.with_point(Side::Source, DVec2::new(7.0, 0.0)), "not inside the source"),
     ] {

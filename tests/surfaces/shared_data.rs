@@ -4,6 +4,7 @@ use super::between::{assert_identity, map};
 use super::support::data::shared;
 use super::{constraints, default_map, prepared};
 use riemap::conformal::{Constraints, Direction, MapSettings, PreparedSide, Side, SurfaceSettings, prepare_surface};
+use riemap::mesh::VertexId;
 use riemap::surface::{RepairNote, Surface, SurfaceMesh, TopologyError, at_vertex, read_surface};
 use std::sync::Arc;
 
@@ -61,7 +62,7 @@ fn least_quality(surface: &Arc<PreparedSide>, count: usize) -> f64 {
     let candidates = (mesh.boundary_count()..mesh.vertices().len() as u32).step_by(mesh.interior_count() / count);
     let centred = constraints(surface, map.side(Side::Source));
     let qualities = candidates.map(|v| {
-        let at = centred.with_point(Side::Target, at_vertex(mesh, v).unwrap());
+        let at = centred.with_point(Side::Target, at_vertex(mesh, VertexId::new(v)).unwrap());
         map.update(&at, MapSettings::default()).unwrap();
         map.quality().q_mean
     });

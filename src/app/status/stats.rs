@@ -265,8 +265,8 @@ fn size(model: &Model, side: Side) -> DomainSize {
 fn image_of_point(model: &Model, mapped: Side) -> Option<[f64; 2]> {
     let map = model.map()?;
     if let Some(point) = model.point(mapped)?.on_surface() {
-        let corners = map.mapped().triangles()[point.triangle as usize];
-        let image: DVec2 = corners.iter().zip(point.weights).map(|(&v, w)| w * map.images()[v as usize]).sum();
+        let corners = map.mapped().triangles()[point.triangle().index()];
+        let image: DVec2 = corners.iter().zip(point.weights()).map(|(&v, w)| w * map.images()[v as usize]).sum();
         return Some(image.to_array());
     }
     Some(map.image_of(model.interior(mapped)?)?.to_array())

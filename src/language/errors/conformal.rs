@@ -31,7 +31,7 @@ impl From<&MapError> for Message {
         match error {
             MapError::PointOutside { side, x, y } => key::map_point_outside(*side, *x, *y),
             MapError::NoPoint { triangle, weights, triangles, .. } => {
-                key::map_no_point(*triangles, weights[0], weights[1], weights[2], *triangle)
+                key::map_no_point(*triangles, weights[0], weights[1], weights[2], triangle.number())
             }
             MapError::OnBoundary { .. } => key::map_on_boundary().into(),
             MapError::OtherKind { side } => key::map_other_kind(*side),

@@ -40,7 +40,7 @@ impl From<&LaplaceError> for Message {
         match error {
             LaplaceError::Structure(reason) => key::laplace_structure(reason.as_str()),
             LaplaceError::Degenerate { x, y } => key::laplace_degenerate(*x, *y),
-            LaplaceError::DegenerateAt { vertex } => key::laplace_degenerate_at(*vertex),
+            LaplaceError::DegenerateAt { vertex } => key::laplace_degenerate_at(vertex.number()),
             LaplaceError::NotPositiveDefinite { vertex } => key::laplace_not_positive_definite(*vertex),
             LaplaceError::TooLarge { unknowns, bytes } => key::laplace_too_large(*unknowns, bytes / 1_000_000),
         }

@@ -2,7 +2,7 @@
 
 use crate::conformal::{MeshedSurface, PreparedSide};
 use crate::geometry::DVec3;
-use crate::mesh::{BarycentricPoint, NO_TRIANGLE};
+use crate::mesh::BarycentricPoint;
 use crate::model::side::SurfacePreparation;
 use crate::render::{BoundingSphere, OrbitCamera};
 use crate::session::{SurfaceShape, SurfaceState};
@@ -93,7 +93,7 @@ impl SurfaceSide {
     pub fn point(&self, state: &SurfaceState) -> Option<BarycentricPoint> {
         let surface = self.surface()?;
         let count = surface.mesh().triangles().len();
-        Some(state.point.filter(|point| (point.triangle as usize) < count).unwrap_or(surface.centre()))
+        Some(state.point.filter(|point| point.triangle().index() < count).unwrap_or(surface.centre()))
     }
 
     /// Where the interior point lies in space.
@@ -110,18 +110,18 @@ impl SurfaceSide {
     /// The point near `found` that the interior handle may take: a little inside of the loop.
     pub fn interior_near(&self, found: BarycentricPoint) -> Option<BarycentricPoint> {
         let mesh = self.surface()?.mesh();
-        let corners = mesh.triangles()[found.triangle as usize];
+        let corners = mesh.triangles()[found.triangle().index()];
         let on_loop = corners.map(|v| v < mesh.boundary_count());
-        let sum: f64 = (0..3).filter(|&i| on_loop[i]).map(|i| found.weights[i]).sum();
+        let sum: f64 = (0..3).filter(|&i| on_loop[i]).map(|i| found.weights()[i]).sum();
         if sum <= MOST_BOUNDARY_WEIGHT {
             return Some(found);
         }
-        let BarycentricPoint { triangle, mut weights } = found;
+        let (triangle, mut weights) = (found.triangle(), found.weights());
         let inner = on_loop.iter().filter(|on_loop| !**on_loop).count();
         if inner == 0 {
             // An ear or a bridge between two boundaries: the middle is as far from them as one can be.
-            let open = mesh.neighbours()[triangle as usize].contains(&NO_TRIANGLE);
-            return Some(BarycentricPoint { triangle, weights: if open { [1.0 / 3.0; 3] } else { weights } });
+            let open = mesh.is_at_boundary(triangle);
+            return Some(BarycentricPoint::new(triangle, if open { [1.0 / 3.0; 3] } else { weights }));
         }
         for i in 0..3 {
             weights[i] = if on_loop[i] {
@@ -131,7 +131,7 @@ impl SurfaceSide {
             };
         }
         let total: f64 = weights.iter().sum();
-        Some(BarycentricPoint { triangle, weights: weights.map(|w| w / total) })
+        Some(BarycentricPoint::new(triangle, weights.map(|w| w / total)))
     }
 
     /// The point of the surface nearest to a place.

@@ -1,7 +1,7 @@
 //! Both formats are read back as written; damaged files are refused.
 
 use super::*;
-use crate::mesh::BarycentricPoint;
+use crate::mesh::{BarycentricPoint, TriangleId};
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec};
 use serde_json::{Value, json};
 
@@ -20,7 +20,7 @@ fn drawn() -> Session {
 /// A session that needs format 2: surfaces on both sides.
 fn solid() -> Session {
     let shape = SurfaceShape::File { name: "cow.obj".into() };
-    let point = BarycentricPoint { triangle: 7, weights: [0.25, 0.25, 0.5] };
+    let point = BarycentricPoint::new(TriangleId::new(7), [0.25, 0.25, 0.5]);
     drawn().and([
         Command::SetSurface { side: Side::Source, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } },
         Command::PlacePoints {

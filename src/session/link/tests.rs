@@ -4,7 +4,7 @@ use super::*;
 use crate::conformal::{Direction, Extension, KernelMode, PrepareSettings};
 use crate::geometry::SimplePolygon;
 use crate::laplace::SolverKind;
-use crate::mesh::{BarycentricPoint, Sizing};
+use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
 use crate::outline::{Preset, Sampling};
 use crate::session::{Colouring, Command, Comparison, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
@@ -49,7 +49,7 @@ fn everything() -> Session {
         },
         Command::MoveInterior {
             side: Side::Target,
-            point: BarycentricPoint { triangle: 77, weights: [0.25, 0.5, 0.25] }.into(),
+            point: BarycentricPoint::new(TriangleId::new(77), [0.25, 0.5, 0.25]).into(),
         },
         Command::MoveAnchor { side: Side::Target, fraction: 0.625 },
     ] {
@@ -82,7 +82,7 @@ fn solids() -> Session {
         Command::SetSurface { side: Side::Source, surface: cow() },
         Command::MoveInterior {
             side: Side::Source,
-            point: BarycentricPoint { triangle: 5, weights: [0.5, 0.125, 0.375] }.into(),
+            point: BarycentricPoint::new(TriangleId::new(5), [0.5, 0.125, 0.375]).into(),
         },
         Command::MoveAnchor { side: Side::Source, fraction: 0.375 },
     ])

@@ -13,7 +13,7 @@ use super::quantised::Quantised;
 use super::{Choice, Decoded, LinkError, MissingOutline};
 use crate::conformal::{PerSide, PrepareSettings, Side, SurfaceSettings};
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::mesh::{BarycentricPoint, Sizing};
+use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
 use crate::outline::{Preset, Sampling};
 use crate::session::{DomainSpec, OutlineSpec, Session, SideState, SurfaceShape, SurfaceSpec, SurfaceState};
 use serde::{Deserialize, Serialize};
@@ -228,7 +228,7 @@ impl Surface {
             intrinsic_delaunay,
             kernel: kernel.code(),
             solver: solver.code(),
-            point: point.map(|point| (point.triangle, point.weights)),
+            point: point.map(|point| (point.triangle().number(), point.weights())),
             anchor: *anchor,
         }
     }
@@ -246,7 +246,7 @@ impl Surface {
             kernel: Coded::of(self.kernel)?,
             solver: Coded::of(self.solver)?,
         };
-        let point = self.point.map(|(triangle, weights)| BarycentricPoint { triangle, weights });
+        let point = self.point.map(|(triangle, weights)| BarycentricPoint::new(TriangleId::new(triangle), weights));
         Ok(SurfaceState { spec: SurfaceSpec { shape, repair: self.repair, settings }, point, anchor: self.anchor })
     }
 }
