@@ -139,7 +139,7 @@ fn is_quantised(points: &[DVec2], found: &[DVec2]) -> bool {
     let bounds = Bounds::of(points.iter().copied());
     let step = bounds.size() / 65535.0;
     // the coordinates' own rounding matters far from the origin
-    let half = 0.5 * step + 4.0 * f64::EPSILON * bounds.min.abs().max(bounds.max.abs());
+    let half = 0.5 * step + 4.0 * f64::EPSILON * bounds.min().abs().max(bounds.max().abs());
     points.iter().all(|p| found.iter().any(|q| (*p - *q).abs().cmple(half).all()))
 }
 

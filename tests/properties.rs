@@ -49,16 +49,16 @@ fn prepared(polygon: &SimplePolygon, settings: PrepareSettings) -> Option<Arc<Pr
 fn progress(map: &ConformalMap, constraints: &Constraints) -> Vec<f64> {
     let (side, other) = (map.direction().mapped_side(), map.direction().mapped_side().other());
     let samples = |side: Side| -> &BoundarySamples { map.domain(side).unwrap().samples() };
-    let start = samples(side).at_fraction(constraints.anchors[side]).edge as usize;
+    let start = samples(side).at_fraction(constraints.anchors[side]).edge() as usize;
     let anchor = samples(other).at_fraction(constraints.anchors[other]);
     let (m, count) = (samples(side).len(), samples(other).len() as f64);
     let along = |k: usize| {
         let vertex = (start + 1 + k) % m;
-        let point = map.correspondence().points[vertex];
+        let point = map.correspondence().points()[vertex];
         if point == anchor && map.measure(side).at_vertex(vertex) > 0.5 {
             return count; // all the way around: the anchor again, which would count as 0
         }
-        (f64::from(point.edge) - f64::from(anchor.edge) + (point.fraction - anchor.fraction)).rem_euclid(count)
+        (f64::from(point.edge()) - f64::from(anchor.edge()) + (point.fraction() - anchor.fraction())).rem_euclid(count)
     };
     // without the last vertex, which may be the anchor itself
     (0..m - 1).map(along).collect()

@@ -205,7 +205,7 @@ fn map_does_not_depend_on_which_matched_pair_anchors_it() {
     let before = map.images().to_vec();
     let k = source.boundary_count() / 3;
     constraints.anchors.source = source.fractions()[k];
-    constraints.anchors.target = target.fraction_at(map.correspondence().points[k]);
+    constraints.anchors.target = target.fraction_at(map.correspondence().points()[k]);
     map.update(&constraints, Direction::Forward.into()).unwrap();
     let change = map.images().iter().zip(&before).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
     // the anchor's image inside a target edge is the root of a quadratic: equal up to rounding divided by ψ
@@ -248,8 +248,8 @@ fn measures_of_the_far_arm_stay_positive_and_in_order() {
     println!("smallest ψ from the tip = {smallest:e}");
     assert!(smallest < 1e-30, "the tip should crowd: {smallest:e}");
     assert!(map.images().iter().all(|w| w.is_finite()));
-    let points = &map.correspondence().points;
-    let start = map.side(Side::Source).at_fraction(0.5).edge as usize + 1;
+    let points = map.correspondence().points();
+    let start = map.side(Side::Source).at_fraction(0.5).edge() as usize + 1;
     let (target_start, count) = (map.side(Side::Target).at_fraction(0.25), points.len());
     let mt = map.side(Side::Target).boundary_count() as f64;
     let along = |k: usize| {
@@ -257,7 +257,7 @@ fn measures_of_the_far_arm_stay_positive_and_in_order() {
         if p == target_start && map.measure(Side::Source).at_vertex(vertex) > 0.5 {
             return mt; // all the way around: the anchor again
         }
-        let turn = f64::from(p.edge) - f64::from(target_start.edge) + (p.fraction - target_start.fraction);
+        let turn = f64::from(p.edge()) - f64::from(target_start.edge()) + (p.fraction() - target_start.fraction());
         turn.rem_euclid(mt)
     };
     for k in 1..count - 1 {

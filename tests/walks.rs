@@ -14,7 +14,7 @@ use support::domains::domain;
 
 const WALKS: u32 = 40_000;
 const BINS: usize = 32;
-const START: BoundaryPoint = BoundaryPoint { edge: 0, fraction: 0.0 };
+const START: BoundaryPoint = BoundaryPoint::new(0, 0.0);
 
 /// χ² with 31 degrees of freedom exceeds this value for one in 1000 seeds.
 const CHI_SQUARE: f64 = 61.1;

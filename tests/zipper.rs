@@ -19,7 +19,7 @@ use std::sync::Arc;
 use support::domains::domain;
 use support::random::runner;
 
-const START: BoundaryPoint = BoundaryPoint { edge: 0, fraction: 0.0 };
+const START: BoundaryPoint = BoundaryPoint::new(0, 0.0);
 const BLOB_CENTRE: DVec2 = DVec2::new(2.677_813_229_026_218, 2.466_851_711_366_240_7);
 const V_POINT: DVec2 = DVec2::new(0.96, 0.8432);
 const V_CENTRE: DVec2 = DVec2::new(0.0, -1.0);
@@ -123,7 +123,7 @@ fn measure_does_not_depend_on_the_first_sample() {
     for shift in [1, 57, 200, 399] {
         let mut shifted = points.clone();
         shifted.rotate_left(shift);
-        let y = BoundaryPoint { edge: (400 - shift) as u32, fraction: 0.0 };
+        let y = BoundaryPoint::new((400 - shift) as u32, 0.0);
         let measure = DiskMeasure::fresh(&shifted, V_POINT, y).unwrap();
         for k in 0..400 {
             let (a, b) = (whole.at_vertex(k), measure.at_vertex((k + 400 - shift) % 400));
@@ -306,7 +306,7 @@ fn random_stars_give_finite_ordered_angles_or_a_typed_error() {
                     prop_assert!(angles.windows(2).all(|w| w[0] <= w[1]));
                     let image = map.map(DVec2::ZERO).unwrap();
                     prop_assert!(image.re.is_finite() && image.im.is_finite());
-                    let moved = DiskMeasure::precomputed(&map, DVec2::ZERO, BoundaryPoint { edge: 1, fraction: 0.3 });
+                    let moved = DiskMeasure::precomputed(&map, DVec2::ZERO, BoundaryPoint::new(1, 0.3));
                     prop_assert!(moved.unwrap().from_anchor().windows(2).all(|w| w[0] <= w[1] && w[1] <= 1.0));
                 }
                 Err(ZipperError::PointOutside { .. }) => refused.set(refused.get() + 1),

@@ -145,7 +145,7 @@ fn the_harmonic_map_is_the_exact_one_up_to_its_discretisation() {
             let direction = Direction::Forward.into();
             let map = ConformalMap::new(Arc::clone(first), Arc::clone(second), &constraints, direction).unwrap();
             let (mut largest, mut in_measure) = (0.0_f64, 0.0_f64);
-            for (k, &image) in map.correspondence().points.iter().enumerate() {
+            for (k, &image) in map.correspondence().points().iter().enumerate() {
                 let x = (first.fractions()[k] - 0.2).rem_euclid(1.0);
                 let found = (second.fraction_at(image) - 0.9).rem_euclid(1.0);
                 let distance = (exact.reparameterisation(Side::Source, x) - found).abs();

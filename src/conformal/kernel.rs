@@ -101,7 +101,7 @@ mod tests {
         let (m, n, solver) = (l_shape.boundary_count(), l_shape.interior_count(), &l_shape.system.solver);
         // Φ column by column: L̂ Φ̂ = −L̄
         let mut table = vec![vec![0.0; n]; m];
-        for (column, coordinates) in laplacian.coupling.outer_iterator().zip(&mut table) {
+        for (column, coordinates) in laplacian.coupling().outer_iterator().zip(&mut table) {
             let mut x = vec![[0.0]; n];
             for (i, &entry) in column.iter() {
                 x[solver.position(i as u32)] = [-entry];

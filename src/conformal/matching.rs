@@ -8,14 +8,18 @@ use super::HarmonicMeasure;
 use crate::geometry::DVec2;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
-/// Where each boundary vertex of the mapped side goes on the other boundary.
+/// Where each boundary vertex of the mapped side goes on the other boundary, in weakly cyclic order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BoundaryCorrespondence {
-    /// By vertex of the mapped boundary, `0 … m−1`.
-    pub points: Vec<BoundaryPoint>,
+    points: Vec<BoundaryPoint>,
 }
 
 impl BoundaryCorrespondence {
+    /// Where each vertex of the mapped boundary goes, `0 … m−1`.
+    pub fn points(&self) -> &[BoundaryPoint] {
+        &self.points
+    }
+
     /// The images `w_k` of the boundary vertices, equation (13).
     pub fn images<'a>(&'a self, samples: &'a BoundarySamples) -> impl Iterator<Item = DVec2> + 'a {
         self.points.iter().map(|&point| samples.position(point))

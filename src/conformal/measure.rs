@@ -19,7 +19,7 @@ pub struct HarmonicMeasure {
 
 impl Default for HarmonicMeasure {
     fn default() -> Self {
-        Self { anchor: BoundaryPoint { edge: 0, fraction: 0.0 }, density: Vec::new(), cumulative: Vec::new() }
+        Self { anchor: BoundaryPoint::new(0, 0.0), density: Vec::new(), cumulative: Vec::new() }
     }
 }
 
@@ -40,7 +40,7 @@ impl HarmonicMeasure {
     /// As [`Self::set`], along a boundary of which only the lengths of the edges are known.
     pub fn set_along(&mut self, edge_lengths: &[f64], psi: &[f64], anchor: BoundaryPoint) -> f64 {
         let m = psi.len();
-        let (first, f) = (anchor.edge as usize, anchor.fraction);
+        let (first, f) = (anchor.edge() as usize, anchor.fraction());
         let vertex = |j: usize| (first + j) % m;
         let at_anchor = (1.0 - f) * psi[first] + f * psi[vertex(1)];
         self.anchor = anchor;
@@ -71,7 +71,7 @@ impl HarmonicMeasure {
     /// ω̃ at boundary vertex `k`, in `[0, 1]`; 0 where the anchor is.
     pub fn at_vertex(&self, k: usize) -> f64 {
         match self.knot_of(k) {
-            j if j == self.vertex_count() && self.anchor.fraction == 0.0 => 0.0,
+            j if j == self.vertex_count() && self.anchor.fraction() == 0.0 => 0.0,
             j => self.cumulative[j],
         }
     }
@@ -79,8 +79,8 @@ impl HarmonicMeasure {
     /// The boundary vertices, counter-clockwise from the anchor: a vertex at the anchor comes first.
     pub fn vertices(&self) -> impl Iterator<Item = usize> + '_ {
         let m = self.vertex_count();
-        let first = usize::from(self.anchor.fraction != 0.0);
-        (first..m + first).map(move |j| (self.anchor.edge as usize + j) % m)
+        let first = usize::from(self.anchor.fraction() != 0.0);
+        (first..m + first).map(move |j| (self.anchor.edge() as usize + j) % m)
     }
 
     /// The point before which the share `omega` of the measure lies, in `[0, 1]`: [`Self::at`] of it is `omega`.
@@ -101,10 +101,10 @@ impl HarmonicMeasure {
     /// ω̃ from the anchor to the boundary point `point`, in `[0, 1]`.
     pub fn at(&self, point: BoundaryPoint) -> f64 {
         let m = self.vertex_count();
-        let before_anchor = point.edge == self.anchor.edge && point.fraction < self.anchor.fraction;
-        let j = if before_anchor { m } else { (point.edge as usize + m - self.anchor.edge as usize) % m };
+        let before_anchor = point.edge() == self.anchor.edge() && point.fraction() < self.anchor.fraction();
+        let j = if before_anchor { m } else { (point.edge() as usize + m - self.anchor.edge() as usize) % m };
         let (from, to) = self.span(j);
-        self.within(j, if to > from { (point.fraction - from) / (to - from) } else { 0.0 })
+        self.within(j, if to > from { (point.fraction() - from) / (to - from) } else { 0.0 })
     }
 
     /// ω̃ in interval `j` at `lambda` of its length: the integral of a linear density.
@@ -117,12 +117,12 @@ impl HarmonicMeasure {
     /// The knot of boundary vertex `k`, in `1 ..= m`.
     pub(super) fn knot_of(&self, k: usize) -> usize {
         let m = self.vertex_count();
-        (k + 2 * m - self.anchor.edge as usize - 1) % m + 1
+        (k + 2 * m - self.anchor.edge() as usize - 1) % m + 1
     }
 
     /// The boundary vertex at knot `j`, `1 ≤ j ≤ m`.
     pub(super) fn vertex_at(&self, j: usize) -> usize {
-        (self.anchor.edge as usize + j) % self.vertex_count()
+        (self.anchor.edge() as usize + j) % self.vertex_count()
     }
 
     /// ω̃ at the knots, from 0 to 1, non-decreasing (length m+2).
@@ -139,12 +139,12 @@ impl HarmonicMeasure {
     pub(super) fn point(&self, j: usize, lambda: f64) -> BoundaryPoint {
         let (from, to) = self.span(j);
         let fraction = (from + lambda * (to - from)).clamp(from, to).min(1.0 - f64::EPSILON);
-        BoundaryPoint { edge: self.vertex_at(j) as u32, fraction }
+        BoundaryPoint::new(self.vertex_at(j) as u32, fraction)
     }
 
     /// Which part of its edge interval `j` is.
     fn span(&self, j: usize) -> (f64, f64) {
-        let f = self.anchor.fraction;
+        let f = self.anchor.fraction();
         let last = self.vertex_count();
         (if j == 0 { f } else { 0.0 }, if j == last { f } else { 1.0 })
     }

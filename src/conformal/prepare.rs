@@ -278,10 +278,10 @@ pub fn prepare_within(
     let mut table = None;
     if kernel == KernelMode::Table {
         let mut tell = |percent| progress(Stage::Table { percent });
-        let coordinates = || HarmonicTable::new(&solver, &laplacian.coupling, &mut tell);
+        let coordinates = || HarmonicTable::new(&solver, laplacian.coupling(), &mut tell);
         table = Some(timed(&mut timings.table, coordinates)?);
     }
-    Ok(PreparedSide::new(geometry, DirichletSystem::new(laplacian.coupling, solver, table), timings))
+    Ok(PreparedSide::new(geometry, DirichletSystem::new(laplacian.into_coupling(), solver, table), timings))
 }
 
 /// The solver that is wanted; the iterative one too where the direct one does not fit.

@@ -87,7 +87,7 @@ impl Walker {
             stop: WALK_STOP * tree.bounds().size().max_element(),
             random: SplitMix64(seed),
             circle: WalkCircle { centre: x, radius: 0.0 },
-            nearest: BoundaryPoint { edge: 0, fraction: 0.0 },
+            nearest: BoundaryPoint::new(0, 0.0),
             jumps: 0,
             tree,
         };
@@ -138,7 +138,7 @@ impl Walker {
         // a vertex belongs to the edge that starts there
         let next = (found.edge + 1) % self.tree.points().len();
         let (edge, fraction) = if found.fraction < 1.0 { (found.edge, found.fraction) } else { (next, 0.0) };
-        self.nearest = BoundaryPoint { edge: edge as u32, fraction };
+        self.nearest = BoundaryPoint::new(edge as u32, fraction);
     }
 }
 

@@ -90,9 +90,9 @@ impl MeshedSurface {
 
     /// The place of a point of the boundary loop in space.
     pub fn boundary_position(&self, point: BoundaryPoint) -> DVec3 {
-        let (m, edge) = (self.surface.mesh().boundary_count(), point.edge);
+        let (m, edge) = (self.surface.mesh().boundary_count(), point.edge());
         let [a, b] = [edge, (edge + 1) % m].map(|k| self.surface.mesh().vertices()[k as usize]);
-        a.lerp(b, point.fraction)
+        a.lerp(b, point.fraction())
     }
 
     /// The place of a point in space.

@@ -106,12 +106,12 @@ impl ThroughDisk {
         }
         let points = &mut self.coming.points;
         points.clear();
-        for point in &matched.points {
-            let triangle = edge_triangles[point.edge as usize];
-            let next = (point.edge + 1) % mesh.boundary_count();
+        for point in matched.points() {
+            let triangle = edge_triangles[point.edge() as usize];
+            let next = (point.edge() + 1) % mesh.boundary_count();
             let weights = mesh.triangles()[triangle as usize].map(|v| match v {
-                v if v == point.edge => 1.0 - point.fraction,
-                v if v == next => point.fraction,
+                v if v == point.edge() => 1.0 - point.fraction(),
+                v if v == next => point.fraction(),
                 _ => 0.0,
             });
             points.push(BarycentricPoint::new(TriangleId::new(triangle), weights));

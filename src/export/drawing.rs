@@ -163,7 +163,7 @@ impl Placement {
 impl Panel<'_> {
     /// Lower left and upper right corner of the outline.
     pub fn bounds(&self) -> (DVec2, DVec2) {
-        let Bounds { min: low, max: high } = Bounds::of(self.boundary.iter().copied());
+        let [low, high] = Bounds::of(self.boundary.iter().copied()).corners();
         (low, high)
     }
 }

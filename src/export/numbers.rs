@@ -20,7 +20,7 @@ pub fn boundary_csv(map: &ConformalMap) -> String {
     }
     text.push_str(",harmonic measure (from 0 to 1)\n");
     for k in measure.vertices() {
-        let (point, image) = (BoundaryPoint { edge: k as u32, fraction: 0.0 }, map.correspondence().points[k]);
+        let (point, image) = (BoundaryPoint::new(k as u32, 0.0), map.correspondence().points()[k]);
         let at = |side: Side| if side == mapped { point } else { image };
         let [s1, s2] = Side::BOTH.map(|side| map.side(side).fraction_at(at(side)));
         let _ = write!(text, "{s1},{s2}");

@@ -60,7 +60,7 @@ pub struct ConvergenceStudy {
     v_arc: ArcLength,
 }
 
-const START: BoundaryPoint = BoundaryPoint { edge: 0, fraction: 0.0 };
+const START: BoundaryPoint = BoundaryPoint::new(0, 0.0);
 
 impl ConvergenceStudy {
     /// The study with m = 250 … 4000 and m₂ = 1000, or a quarter of these numbers.
@@ -97,7 +97,7 @@ impl ConvergenceStudy {
         let map = ConformalMap::new(source, self.blob.clone(), &constraints, Direction::Forward.into())?;
         let (points, measure) = (on_exact_v(domain.samples()), map.measure(Side::Source));
         let measures: Vec<f64> = (0..points.len()).map(|k| measure.at_vertex(k)).collect();
-        Ok(self.compare(Method::HarmonicMeasure, &points, &measures, &map.correspondence().points))
+        Ok(self.compare(Method::HarmonicMeasure, &points, &measures, map.correspondence().points()))
     }
 
     fn by_zipper(&self, m: u32) -> Result<[ConvergenceRow; 2], FigureError> {

@@ -208,7 +208,7 @@ impl<'a> Boundaries<'a> {
             errors: vec![0.0; self.truth.len()],
             collapsed: 0,
         };
-        let points = &self.map.correspondence().points;
+        let points = self.map.correspondence().points();
         Ok([
             exact,
             self.matched(Method::HarmonicMeasure, points, 0),

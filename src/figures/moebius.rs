@@ -82,7 +82,7 @@ impl MoebiusStudy {
 
     /// r̃(t_k).
     pub fn reparameterisation(&self, k: usize) -> f64 {
-        TAU * self.map.side(Side::Target).fraction_at(self.map.correspondence().points[k])
+        TAU * self.map.side(Side::Target).fraction_at(self.map.correspondence().points()[k])
     }
 
     /// r(t), t in `[0, 2π]`.

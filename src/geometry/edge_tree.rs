@@ -56,7 +56,7 @@ impl<P: AsRef<[DVec2]>> EdgeTree<P> {
         while let Some(below) = levels.last()
             && below.len() > 1
         {
-            let merged = below.chunks(FAN).map(|c| Bounds::of(c.iter().flat_map(|b| [b.min, b.max]))).collect();
+            let merged = below.chunks(FAN).map(|c| Bounds::of(c.iter().flat_map(|b| [b.min(), b.max()]))).collect();
             levels.push(merged);
         }
         Self { points, levels }
@@ -129,7 +129,7 @@ impl<P: AsRef<[DVec2]>> EdgeTree<P> {
         let mut queue = [(f64::INFINITY, node); FAN];
         for (slot, child) in queue.iter_mut().zip(self.children(node)) {
             let b = self.bounds_of(child);
-            *slot = (p.clamp(b.min, b.max).distance_squared(p), child);
+            *slot = (p.clamp(b.min(), b.max()).distance_squared(p), child);
         }
         queue.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
         for (lower_bound, child) in queue {
@@ -142,12 +142,12 @@ impl<P: AsRef<[DVec2]>> EdgeTree<P> {
     /// Whether the run crosses the ray from `p` to the right an odd number of times.
     fn winds_around(&self, node: Node, p: DVec2) -> bool {
         let b = self.bounds_of(node);
-        if b.max.y <= p.y || b.min.y > p.y || b.max.x < p.x {
+        if b.max().y <= p.y || b.min().y > p.y || b.max().x < p.x {
             return false;
         }
         let above = |k: usize| self.point(k).y > p.y;
         let edges = self.edges(node);
-        if b.min.x > p.x {
+        if b.min().x > p.x {
             return above(edges.start) != above(edges.end);
         }
         if node.level > 0 {

@@ -110,7 +110,7 @@ fn climb(tree: &EdgeTree<&[DVec2]>, (mut point, mut distance): (DVec2, f64), tol
 /// interior interval on a few scan lines.
 fn start(polygon: &SimplePolygon, tree: &EdgeTree<&[DVec2]>) -> (DVec2, f64) {
     let bounds = tree.bounds();
-    let evenly = (0..8).map(|k| bounds.min.y + bounds.size().y * (f64::from(k) + 0.5) / 8.0);
+    let evenly = (0..8).map(|k| bounds.min().y + bounds.size().y * (f64::from(k) + 0.5) / 8.0);
     let best = best_middle(polygon, tree, evenly);
     if best.1 > 0.0 {
         return best;

@@ -26,16 +26,34 @@ impl PartialEq for SimplePolygon {
     }
 }
 
-/// An axis-parallel box.
+/// An axis-parallel box; its lower left corner is not above or right of the other, unless it is the box of no points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// The lower left corner.
-    pub min: DVec2,
-    /// The upper right corner.
-    pub max: DVec2,
+    min: DVec2,
+    max: DVec2,
 }
 
 impl Bounds {
+    /// The box between its lower left and its upper right corner.
+    pub const fn new(min: DVec2, max: DVec2) -> Self {
+        Self { min, max }
+    }
+
+    /// The lower left and the upper right corner.
+    pub const fn corners(&self) -> [DVec2; 2] {
+        [self.min, self.max]
+    }
+
+    /// The lower left corner.
+    pub const fn min(&self) -> DVec2 {
+        self.min
+    }
+
+    /// The upper right corner.
+    pub const fn max(&self) -> DVec2 {
+        self.max
+    }
+
     /// The smallest box around `points`; inverted and infinite if there are none.
     pub fn of(points: impl IntoIterator<Item = DVec2>) -> Self {
         let empty = Self { min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };

@@ -20,10 +20,8 @@ const COCIRCULAR: f64 = 1e-13;
 /// The blocks of the cotangent Laplacian that belong to the interior vertices.
 #[derive(Debug, Clone)]
 pub struct DirichletLaplacian {
-    /// L̂, n×n, symmetric; the upper triangle by columns, rows ascending.
-    pub interior: CsMatI<f64, u32>,
-    /// L̄, n×m, by columns (one per boundary vertex), rows ascending.
-    pub coupling: CsMatI<f64, u32>,
+    pub(super) interior: CsMatI<f64, u32>,
+    pub(super) coupling: CsMatI<f64, u32>,
 }
 
 /// Triangles glued along their edges, with the cotangents of their angles.
@@ -82,6 +80,21 @@ impl Angles for IntrinsicMesh {
 }
 
 impl DirichletLaplacian {
+    /// L̂, n×n, symmetric; the upper triangle by columns, rows ascending.
+    pub fn interior(&self) -> &CsMatI<f64, u32> {
+        &self.interior
+    }
+
+    /// L̄, n×m, by columns (one per boundary vertex), rows ascending.
+    pub fn coupling(&self) -> &CsMatI<f64, u32> {
+        &self.coupling
+    }
+
+    /// As [`Self::coupling`].
+    pub(crate) fn into_coupling(self) -> CsMatI<f64, u32> {
+        self.coupling
+    }
+
     /// Assembles L̂ and L̄ of `mesh`. Cost O(triangles).
     pub fn assemble(mesh: &TriMesh) -> Result<Self, LaplaceError> {
         Self::of(mesh, mesh.boundary_count(), mesh.vertices().len(), &|a| {

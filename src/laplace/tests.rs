@@ -69,7 +69,7 @@ fn square_grid_gives_the_five_point_stencil() {
             assert!(value == 0.0 || (value - expected).abs() < 1e-14, "entry ({i}, {j}) = {value}");
         }
     }
-    assert_eq!(laplacian.coupling.data().iter().filter(|v| (**v + 1.0).abs() < 1e-14).count(), 4 * 5);
+    assert_eq!(laplacian.coupling().data().iter().filter(|v| (**v + 1.0).abs() < 1e-14).count(), 4 * 5);
 }
 
 #[test]

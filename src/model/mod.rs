@@ -301,7 +301,7 @@ impl Model {
 
 /// Lower left and upper right corner of the points.
 pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
-    let Bounds { min, max } = Bounds::of(points.iter().copied());
+    let [min, max] = Bounds::of(points.iter().copied()).corners();
     (min, max)
 }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::exact::{Complex, blob, vshape};
-use crate::geometry::{Bounds, DVec2};
+use crate::geometry::DVec2;
 use crate::test_data::exact_values;
 
 /// `count` points equally spaced in arc length from the first vertex.
@@ -64,7 +64,7 @@ fn every_preset_is_a_counter_clockwise_simple_polygon_of_bounded_size() {
         let checked = SimplePolygon::try_from(vertices).unwrap_or_else(|e| panic!("{preset}: {e}"));
         assert!(!checked.was_clockwise(), "{preset} runs clockwise");
         assert!(outline.notes.is_empty() && outline.name == preset.name());
-        let Bounds { min, max } = checked.bounds();
+        let [min, max] = checked.bounds().corners();
         let drawn_here = !matches!(preset, Preset::Blob | Preset::VShape);
         assert!(!drawn_here || (min.min_element() >= -1.0 && max.max_element() <= 1.0), "{preset}: {min} to {max}");
     }

@@ -77,10 +77,8 @@ pub struct BoundarySamples {
 /// A point on the sampled boundary: `(1 − fraction) v_edge + fraction v_{edge+1}`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoundaryPoint {
-    /// The edge, `0 … m−1`.
-    pub edge: u32,
-    /// The position inside it, in `[0, 1)`.
-    pub fraction: f64,
+    edge: u32,
+    fraction: f64,
 }
 
 /// As a part of an edge: rounding moves a sample by up to 1e-10 of the shortest edges
@@ -140,6 +138,22 @@ impl BoundarySamples {
 }
 
 impl BoundaryPoint {
+    /// On the edge `0 ≤ edge < m`, at the part `fraction` of it, in `[0, 1)`: the edge's end is the next edge's start.
+    pub const fn new(edge: u32, fraction: f64) -> Self {
+        debug_assert!(0.0 <= fraction && fraction < 1.0);
+        Self { edge, fraction }
+    }
+
+    /// The edge, `0 … m−1`.
+    pub const fn edge(self) -> u32 {
+        self.edge
+    }
+
+    /// The position inside it, in `[0, 1)`.
+    pub const fn fraction(self) -> f64 {
+        self.fraction
+    }
+
     /// A point of a closed chain of `m` points; the first of them if there is none.
     pub(crate) fn of_chain(point: Option<ChainPoint>, m: usize) -> Self {
         let (edge, fraction) = match point {

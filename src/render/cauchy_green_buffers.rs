@@ -164,7 +164,7 @@ fn absolute(bytes: &[u8], origin: DVec2) -> Vec<DVec2> {
 
 /// The middle of the bounding box and the longer of its sides.
 fn middle_and_extent(points: &[DVec2]) -> (DVec2, f64) {
-    let Bounds { min: low, max: high } = Bounds::of(points.iter().copied());
+    let [low, high] = Bounds::of(points.iter().copied()).corners();
     (low.midpoint(high), (high - low).max_element())
 }
 

@@ -13,7 +13,7 @@ pub fn nearest_on_boundary(mesh: &TriMesh<DVec3>, place: DVec3) -> BoundaryPoint
 /// At `along` of the edge `k → k+1`, in `[0, 1]`.
 fn boundary_point(k: usize, along: f64, m: usize) -> BoundaryPoint {
     let (k, fraction) = if along < 1.0 { (k, along) } else { ((k + 1) % m, 0.0) };
-    BoundaryPoint { edge: k as u32, fraction }
+    BoundaryPoint::new(k as u32, fraction)
 }
 
 /// The boundary point seen nearest to a ray from `origin`: where the tangent of the angle between them is least.
@@ -142,7 +142,7 @@ mod tests {
             assert!(found.iter().zip(weights).all(|(a, b)| (a - b).abs() < 1e-15), "{place:?}: {found:?}");
         }
         let on_loop = nearest_on_boundary(&mesh(TRIANGLE.to_vec(), 3), DVec3::new(-1.0, 0.5, 0.0));
-        assert_eq!((on_loop.edge, on_loop.fraction), (2, 0.75));
+        assert_eq!((on_loop.edge(), on_loop.fraction()), (2, 0.75));
     }
 
     #[test]
@@ -153,7 +153,7 @@ mod tests {
         for (edge, &vertex) in (0..).zip(&ring) {
             for distance in [1.5, 1e8, 1e16, 1e20, 1e100] {
                 let found = nearest_on_boundary(&mesh, distance * vertex.with_z(0.0));
-                assert_eq!((found.edge, found.fraction), (edge, 0.0), "{edge} from {distance:e}");
+                assert_eq!((found.edge(), found.fraction()), (edge, 0.0), "{edge} from {distance:e}");
             }
         }
     }
@@ -167,21 +167,21 @@ mod tests {
         };
         // from above, the foot of the perpendicular
         let foot = seen([0.5, -1.0, 5.0], [0.0, 0.0, -2.0]).unwrap();
-        assert_eq!((foot.edge, foot.fraction), (0, 0.25));
+        assert_eq!((foot.edge(), foot.fraction()), (0, 0.25));
         // along the edge 0 → 1, half of the angle between its ends: tan(atan 1 / 2) is not the middle of the edge
         let eye = DVec3::new(2.0, 0.0, 2.0);
         let at = |x: f64| (DVec3::new(x, 0.0, 0.0) - eye).to_array();
         for x in [0.0, 0.3, 1.0, 1.9] {
             let point = seen(eye.to_array(), at(x)).unwrap();
-            assert_eq!(point.edge, 0, "{x}");
-            assert!((point.fraction - 0.5 * x).abs() < 1e-14, "{x}: {point:?}");
+            assert_eq!(point.edge(), 0, "{x}");
+            assert!((point.fraction() - 0.5 * x).abs() < 1e-14, "{x}: {point:?}");
         }
         assert_eq!(seen([0.5, 0.5, 5.0], [0.0, 0.0, 1.0]), None);
         assert_eq!(seen([0.5, 0.5, 5.0], [0.0; 3]), None);
         assert_eq!(seen([f64::NAN; 3], [1.0; 3]), None);
         // an eye between the ends: only what is in front counts
         let half = seen([0.5, -1.0, 0.0], [1.0, 0.01, 0.0]).unwrap();
-        assert_eq!(half.edge, 1, "{half:?}");
+        assert_eq!(half.edge(), 1, "{half:?}");
     }
 
     #[test]
@@ -191,8 +191,8 @@ mod tests {
         let corners = [[-1.0, 0.01, near], [1.0, 0.01, near], [1.0, 0.0, far], [-1.0, 0.0, far]];
         let mesh = mesh(corners.map(DVec3::from_array).to_vec(), 4);
         let picked = |reach| nearest_on_boundary_to_ray(&mesh, DVec3::new(0.1, 0.0, 9.0), -DVec3::Z, reach).unwrap();
-        assert_eq!(picked(0.0).edge, 2);
-        assert_eq!(picked(0.01).edge, 0);
-        assert!((picked(0.01).fraction - 0.55).abs() < 1e-15);
+        assert_eq!(picked(0.0).edge(), 2);
+        assert_eq!(picked(0.01).edge(), 0);
+        assert!((picked(0.01).fraction() - 0.55).abs() < 1e-15);
     }
 }

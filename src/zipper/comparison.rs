@@ -50,13 +50,13 @@ impl DiskMeasure {
     fn from_angles(angles: &LiftedAngles, image: Complex, y: BoundaryPoint) -> Self {
         let theta = &angles.values;
         let m = theta.len();
-        let edge = y.edge as usize % m;
-        let fraction = if y.fraction >= 0.0 { y.fraction.min(1.0 - f64::EPSILON) } else { 0.0 };
+        let edge = y.edge() as usize % m;
+        let fraction = if y.fraction() >= 0.0 { y.fraction().min(1.0 - f64::EPSILON) } else { 0.0 };
         let turned = |k: usize| theta[k % m] + if k < m { 0.0 } else { TAU };
         let start = (1.0 - fraction) * theta[edge] + fraction * turned(edge + 1);
         let measure = |j: usize| ((turned(edge + j) - start) / TAU).clamp(0.0, 1.0);
         Self {
-            anchor: BoundaryPoint { edge: edge as u32, fraction },
+            anchor: BoundaryPoint::new(edge as u32, fraction),
             from_anchor: (1..=m).map(measure).collect(),
             image,
             collapsed: angles.collapsed,
@@ -72,8 +72,8 @@ impl DiskMeasure {
     /// ω from the anchor to boundary vertex `k < m`, in `[0, 1]`; 0 at the anchor.
     pub fn at_vertex(&self, k: usize) -> f64 {
         let m = self.vertex_count();
-        let j = (k + m - self.anchor.edge as usize - 1) % m;
-        if j == m - 1 && self.anchor.fraction == 0.0 { 0.0 } else { self.from_anchor[j] }
+        let j = (k + m - self.anchor.edge() as usize - 1) % m;
+        if j == m - 1 && self.anchor.fraction() == 0.0 { 0.0 } else { self.from_anchor[j] }
     }
 
     /// ω from the anchor at the vertices `edge + 1 … edge + m` after the anchor's edge, non-decreasing.
@@ -140,9 +140,9 @@ impl DiskComparison {
             while interval < other.vertex_count() && omega >= other.from_anchor[interval] {
                 interval += 1;
             }
-            let at_anchor = j + 1 == m && mapped.anchor.fraction == 0.0;
+            let at_anchor = j + 1 == m && mapped.anchor.fraction() == 0.0;
             if !at_anchor {
-                points[(mapped.anchor.edge as usize + j + 1) % m] = other.point(interval, omega);
+                points[(mapped.anchor.edge() as usize + j + 1) % m] = other.point(interval, omega);
             }
         }
         Self { mapped, other, points }
@@ -169,11 +169,11 @@ impl DiskMeasure {
     /// `edge + j + 1`, cut off at the anchor if j is 0 or m.
     fn point(&self, j: usize, omega: f64) -> BoundaryPoint {
         let m = self.vertex_count();
-        let f = self.anchor.fraction;
+        let f = self.anchor.fraction();
         let (low, from) = if j == 0 { (0.0, f) } else { (self.from_anchor[j - 1], 0.0) };
         let (high, to) = if j == m { (1.0, f) } else { (self.from_anchor[j], 1.0) };
         let lambda = if high > low { ((omega - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
         let fraction = (from + lambda * (to - from)).min(1.0 - f64::EPSILON);
-        BoundaryPoint { edge: ((self.anchor.edge as usize + j) % m) as u32, fraction }
+        BoundaryPoint::new(((self.anchor.edge() as usize + j) % m) as u32, fraction)
     }
 }

@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// against the images, with a bound of 1e-13 of their extent.
 fn told(map: &ConformalMap) -> [usize; 2] {
     let (images, mesh) = (map.images(), map.mapped().surface().unwrap().mesh());
-    let Bounds { min: low, max: high } = Bounds::of(images.iter().copied());
+    let [low, high] = Bounds::of(images.iter().copied()).corners();
     let extent = (high - low).max_element();
     let boundary = &images[..mesh.boundary_count() as usize];
     let gaps: Vec<f64> = boundary.iter().zip(boundary.iter().cycle().skip(1)).map(|(p, q)| p.distance(*q)).collect();

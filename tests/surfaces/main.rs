@@ -67,7 +67,7 @@ fn planar_mesh_as_a_surface_equals_the_planar_map() {
                 (source.default_point(), 0.3),
                 (
                     locate(target.domain().unwrap().mesh(), target_point, None).unwrap(),
-                    surface.fraction_at(BoundaryPoint { edge: 70, fraction: 0.0 }),
+                    surface.fraction_at(BoundaryPoint::new(70, 0.0)),
                 ),
             );
             let map = ConformalMap::new(source.clone(), surface.clone(), &on_surface, MapSettings::default()).unwrap();
@@ -103,7 +103,7 @@ fn rigid_motions_and_scalings_change_nothing() {
                     )
                     .unwrap(),
                 )
-                .with_anchor(Side::Target, surface.fraction_at(BoundaryPoint { edge: 11, fraction: 0.25 }));
+                .with_anchor(Side::Target, surface.fraction_at(BoundaryPoint::new(11, 0.25)));
             ConformalMap::new(source.clone(), surface, &constraints, MapSettings::default()).unwrap()
         });
         let error = largest_distance(maps[0].images(), maps[1].images());
@@ -272,7 +272,7 @@ fn flipped_surfaces_have_positive_kernels_and_ordered_boundaries() {
     let map =
         ConformalMap::new(source.clone(), flipped.clone(), &constraints(&flipped, &source), MapSettings::default())
             .unwrap();
-    let along: Vec<f64> = map.correspondence().points.iter().map(|p| f64::from(p.edge) + p.fraction).collect();
+    let along: Vec<f64> = map.correspondence().points().iter().map(|p| f64::from(p.edge()) + p.fraction()).collect();
     let descents = (0..along.len()).filter(|&k| along[k] > along[(k + 1) % along.len()]).count();
     assert_eq!(descents, 1, "the boundary goes round once");
     // without flips the map may be inaccurate, but it exists and has finite points

@@ -96,7 +96,7 @@ impl Outline<'_> {
     /// The place at a fraction of arc length, and the outward unit normal there, on the screen.
     fn at(&self, fraction: f64) -> (Pos2, Vec2) {
         let point = self.samples.at_fraction(fraction);
-        let edge = point.edge as usize;
+        let edge = point.edge() as usize;
         let [a, b] = [edge, (edge + 1) % self.samples.len()].map(|k| self.samples.points[k]);
         let along = (b - a).normalize_or_zero();
         // The outline is counter-clockwise: its outside is on the right. On the screen y points down.

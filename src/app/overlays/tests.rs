@@ -186,7 +186,7 @@ fn one_way_of_both_can_be_left_out_and_comes_back_at_once() {
 fn a_point_that_few_samples_exclude_is_refused_only_if_all_samples_exclude_it() {
     let mut model = model(Preset::Turkey, Preset::Disk, 1200);
     let domain = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
-    let anchor = BoundaryPoint { edge: 0, fraction: 0.0 };
+    let anchor = BoundaryPoint::new(0, 0.0);
     let few = thinned(domain.samples(), MOVING_SAMPLES);
     let beside = domain.samples().points.iter().filter_map(|&p| model.interior_near(Side::Source, p));
     let is_left_out =

@@ -424,7 +424,7 @@ fn pointing_at_a_boundary_marks_it_and_its_partner() {
         |side: Side, fraction| map.domain(side).unwrap().samples().position(map.side(side).at_fraction(fraction));
     // Backward, the target's boundary vertex nearest to its mark is mapped to the source's mark.
     let samples = map.domain(Side::Target).unwrap().samples();
-    let image = map.images()[samples.at_fraction(target).edge as usize];
+    let image = map.images()[samples.at_fraction(target).edge() as usize];
     let error = image.distance(boundary(Side::Source, source));
     assert!(error < 0.03, "f⁻¹ of the partner is {error} away");
     harness.hover_at(egui::pos2(600.0, 20.0));

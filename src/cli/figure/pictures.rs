@@ -22,7 +22,7 @@ const ROW: f64 = PANEL + 56.0;
 
 /// The session's texture on a source with this outline.
 pub fn style(session: &Session, outline: &[DVec2], pole: DVec2) -> TextureStyle {
-    let Bounds { min: low, max: high } = Bounds::of(outline.iter().copied());
+    let [low, high] = Bounds::of(outline.iter().copied()).corners();
     let pattern = match session.texture() {
         TextureKind::Checker | TextureKind::Image => Pattern::Checker,
         TextureKind::Grid => Pattern::Grid,

@@ -204,7 +204,7 @@ pub struct Window {
 impl Window {
     /// A window that fits the bounding box of `points` into the rectangle.
     pub fn fitting(points: &[DVec2], corner: DVec2, size: DVec2) -> Self {
-        let Bounds { min: low, max: high } = Bounds::of(points.iter().copied());
+        let [low, high] = Bounds::of(points.iter().copied()).corners();
         let extent = (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
         Self { middle: 0.5 * (low + high), page_middle: corner + 0.5 * size, scale: (size / extent).min_element() }
     }

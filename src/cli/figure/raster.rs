@@ -96,7 +96,7 @@ impl RasterPanel<'_> {
     }
 
     fn camera(&self) -> Camera {
-        let Bounds { min: low, max: high } = Bounds::of(self.boundary.iter().copied());
+        let [low, high] = Bounds::of(self.boundary.iter().copied()).corners();
         let units_per_pixel = (high - low).max_element() / (f64::from(PANEL_PX) * (1.0 - 2.0 * MARGIN));
         Camera { center: 0.5 * (low + high), units_per_pixel }
     }

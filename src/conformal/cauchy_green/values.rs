@@ -29,7 +29,7 @@ impl BoundaryValues {
 
     /// Replaces the values; allocates nothing if there are no more than before.
     pub fn set(&mut self, values: &[DVec2]) {
-        let Bounds { min: low, max: high } = Bounds::of(values.iter().copied());
+        let [low, high] = Bounds::of(values.iter().copied()).corners();
         self.centre = low.midpoint(high);
         self.scale = (high - low).max_element();
         let inverse = if self.scale > 0.0 { self.scale.recip() } else { 0.0 };

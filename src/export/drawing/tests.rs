@@ -20,7 +20,7 @@ fn squares(panel: &Panel<'_>, cells: f64) -> Ruling {
 
 /// Centered and scaled to height 1, flipped if y points down.
 fn normalised(points: &[DVec2]) -> Vec<DVec2> {
-    let Bounds { min, max } = Bounds::of(points.iter().copied());
+    let [min, max] = Bounds::of(points.iter().copied()).corners();
     points.iter().map(|&p| (p - 0.5 * (min + max)) / (max - min).y).collect()
 }
 

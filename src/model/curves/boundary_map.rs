@@ -47,7 +47,7 @@ impl<'a> From<&'a ConformalMap> for BoundaryMap<'a> {
             loops: PerSide::from_fn(|side| Loop::from(&**map.side(side))),
             kernels: PerSide::from_fn(|side| map.kernel(side)),
             measures: PerSide::from_fn(|side| map.measure(side)),
-            images: &map.correspondence().points,
+            images: map.correspondence().points(),
         }
     }
 }

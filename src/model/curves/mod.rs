@@ -131,12 +131,12 @@ impl<'a> Anchored<'a> {
 
     /// The m vertices after the anchor; the last one is the anchor itself if that is a vertex.
     fn vertices(&self) -> impl Iterator<Item = usize> {
-        let (first, m) = (self.anchor.edge as usize, self.around.fractions.len());
+        let (first, m) = (self.anchor.edge() as usize, self.around.fractions.len());
         (1..=m).map(move |j| (first + j) % m)
     }
 
     fn is_vertex(&self, k: usize) -> bool {
-        self.anchor.fraction == 0.0 && self.anchor.edge as usize == k
+        self.anchor.fraction() == 0.0 && self.anchor.edge() as usize == k
     }
 
     /// The arc lengths of the m + 2 knots: the anchor, the vertices, the anchor again.
@@ -150,7 +150,7 @@ impl<'a> Anchored<'a> {
     /// ψ·ℓ at the knots.
     fn density(&self, psi: &[f64]) -> Vec<f64> {
         let length: f64 = self.around.edge_lengths.iter().sum();
-        let (k, f) = (self.anchor.edge as usize, self.anchor.fraction);
+        let (k, f) = (self.anchor.edge() as usize, self.anchor.fraction());
         let at_anchor = length * ((1.0 - f) * psi[k] + f * psi[(k + 1) % psi.len()]);
         let inner = self.vertices().map(|k| length * psi[k]);
         std::iter::once(at_anchor).chain(inner).chain(std::iter::once(at_anchor)).collect()

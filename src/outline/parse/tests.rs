@@ -171,7 +171,7 @@ fn faults_of_the_polygon_come_through() {
 fn svg_shapes_are_outlines_too() {
     let rectangle = read("r.svg", &svg(r#"<rect x="10" y="20" width="30" height="40"/>"#)).unwrap();
     let bounds = rectangle.polygon.bounds();
-    assert_eq!((bounds.min, bounds.max), (DVec2::new(10.0, -60.0), DVec2::new(40.0, -20.0)));
+    assert_eq!((bounds.min(), bounds.max()), (DVec2::new(10.0, -60.0), DVec2::new(40.0, -20.0)));
     assert_eq!(rectangle.polygon.vertices().len(), 4);
     let circle = read("c.svg", &svg(r#"<circle cx="50" cy="50" r="40"/>"#)).unwrap().polygon;
     let radii = circle.vertices().iter().map(|p| p.distance(DVec2::new(50.0, -50.0)));

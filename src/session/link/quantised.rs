@@ -58,7 +58,7 @@ impl Quantised {
         if again != bounds || self::cells(&on_grid, again) != cells {
             return Err(NotCarried::Inexact);
         }
-        Ok(Self { low: bounds.min.to_array(), high: bounds.max.to_array(), smooth, steps })
+        Ok(Self { low: bounds.min().to_array(), high: bounds.max().to_array(), smooth, steps })
     }
 
     /// The number of points.
@@ -68,7 +68,7 @@ impl Quantised {
 
     /// The points, not checked in any way; none is NaN if the corners of the box are finite.
     pub fn points(&self) -> Vec<DVec2> {
-        let bounds = Bounds { min: self.low.into(), max: self.high.into() };
+        let bounds = Bounds::new(self.low.into(), self.high.into());
         let (mut step, mut at): (Cell, Cell) = ([0; 2], [0; 2]);
         let cells = self.steps.iter().map(|&(dx, dy)| {
             let written = [dx as u16, dy as u16];
@@ -87,7 +87,7 @@ fn sum(a: Cell, b: Cell) -> Cell {
 /// The nearest grid points, without cyclic repetitions.
 fn cells(points: &[DVec2], bounds: Bounds) -> Vec<Cell> {
     let scaled = |p: &DVec2| {
-        let q = (LAST * ((*p - bounds.min) / bounds.size())).round();
+        let q = (LAST * ((*p - bounds.min()) / bounds.size())).round();
         [q.x as u16, q.y as u16]
     };
     let mut cells: Vec<Cell> = points.iter().map(scaled).collect();
@@ -101,8 +101,8 @@ fn cells(points: &[DVec2], bounds: Bounds) -> Vec<Cell> {
 /// The position of a grid point; exact at the corners of the box.
 fn place(cell: Cell, bounds: Bounds) -> DVec2 {
     let q = DVec2::new(f64::from(cell[0]), f64::from(cell[1]));
-    let inner = bounds.min + bounds.size() * (q / LAST);
-    DVec2::select(q.cmpeq(DVec2::splat(LAST)), bounds.max, inner)
+    let inner = bounds.min() + bounds.size() * (q / LAST);
+    DVec2::select(q.cmpeq(DVec2::splat(LAST)), bounds.max(), inner)
 }
 
 fn differences(cells: &[Cell], smooth: bool) -> Vec<(i16, i16)> {

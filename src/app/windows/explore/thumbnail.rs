@@ -75,7 +75,7 @@ impl Canvas {
 
     /// The affine map from a domain's coordinates to the left (0) or right (1) half of the canvas, y down.
     fn fit(&self, points: &[DVec2], half: usize) -> impl Fn(DVec2) -> DVec2 + use<> {
-        let Bounds { min, max } = Bounds::of(points.iter().copied());
+        let [min, max] = Bounds::of(points.iter().copied()).corners();
         let room = DVec2::new(0.5 * self.size[0] as f64, self.size[1] as f64);
         let scale = 0.94 * (room / (max - min)).min_element();
         let center = DVec2::new((0.5 + half as f64) * room.x, 0.5 * room.y);

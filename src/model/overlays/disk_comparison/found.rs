@@ -80,7 +80,7 @@ pub(super) fn compare(situation: &Situation, sides: PerSide<&Measured>) -> Resul
 fn directly_collapsed(situation: &Situation, side: Side) -> usize {
     let measure = situation.map.measure(side);
     // if the anchor is a vertex, the last two knots are the same point
-    let doubled = usize::from(measure.anchor().fraction == 0.0);
+    let doubled = usize::from(measure.anchor().fraction() == 0.0);
     measure.at_knots().windows(2).filter(|pair| pair[0] == pair[1]).count() - doubled
 }
 
