@@ -1,4 +1,4 @@
-//! A prepared side as flat arrays, and back.
+//! Conversion of a prepared side to flat arrays and back.
 
 use super::domain::MeshedDomain;
 use super::flat::{FlatBuffers, FlatReader, sound_boundary};
@@ -10,12 +10,12 @@ use crate::outline::BoundarySamples;
 use crate::surface::{RepairNote, SurfaceMesh};
 use std::sync::Arc;
 
-/// The first array of indices says which geometry follows.
+/// The content of the first index array: the kind of geometry that follows.
 const PLANE: u32 = 0;
 const SPACE: u32 = 1;
 
 impl PreparedSide {
-    /// As flat arrays.
+    /// Converts the side to flat arrays.
     pub(crate) fn to_buffers(&self) -> FlatBuffers {
         let mut buffers = FlatBuffers::default();
         match self.geometry() {
@@ -27,7 +27,7 @@ impl PreparedSide {
         buffers
     }
 
-    /// From flat arrays; `None` if they are not what [`Self::to_buffers`] makes.
+    /// The side from flat arrays; `None` unless they have the layout that [`Self::to_buffers`] writes.
     pub(crate) fn from_buffers(mut buffers: FlatBuffers) -> Option<Self> {
         let repairs = std::mem::take(&mut buffers.repairs);
         let mut reader = FlatReader::new(buffers);

@@ -97,7 +97,7 @@ impl<T> From<[T; 2]> for PerSide<T> {
 }
 
 impl<T> PerSide<Option<T>> {
-    /// Both values, if both are there.
+    /// Both values, if neither is `None`.
     pub fn both(self) -> Option<PerSide<T>> {
         Some(PerSide { source: self.source?, target: self.target? })
     }
@@ -123,7 +123,7 @@ impl<T> std::ops::IndexMut<Side> for PerSide<T> {
     }
 }
 
-/// Which mesh is mapped. With one surface it is the surface's, whatever the direction.
+/// Which mesh is mapped. With one surface, the surface's mesh is mapped in either direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Direction {
@@ -152,13 +152,13 @@ impl Direction {
     }
 }
 
-/// Which mesh is mapped, and how its inside follows the boundary.
+/// Which mesh is mapped, and how the boundary map is extended to its interior.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub struct MapSettings {
     /// Which mesh is mapped.
     pub direction: Direction,
-    /// How the boundary map is extended into it.
+    /// How the boundary map is extended to the interior of that mesh.
     pub extension: Extension,
 }
 
@@ -170,7 +170,7 @@ impl MapSettings {
 }
 
 impl From<Direction> for MapSettings {
-    /// With the default extension.
+    /// The direction with the default extension.
     fn from(direction: Direction) -> Self {
         Self { direction, extension: Extension::default() }
     }
@@ -187,7 +187,7 @@ pub enum InteriorPoint {
 }
 
 impl InteriorPoint {
-    /// The place in the plane, of a point of a planar domain.
+    /// The position in the plane; `None` for a point of a surface.
     pub fn in_plane(self) -> Option<DVec2> {
         match self {
             Self::Plane(x) => Some(x),
@@ -195,7 +195,7 @@ impl InteriorPoint {
         }
     }
 
-    /// The point of a surface.
+    /// The point of a surface; `None` for a point of the plane.
     pub fn on_surface(self) -> Option<BarycentricPoint> {
         match self {
             Self::Plane(_) => None,
@@ -231,14 +231,14 @@ impl Constraints {
         Self { points: PerSide::new(source.0.into(), target.0.into()), anchors: PerSide::new(source.1, target.1) }
     }
 
-    /// The same with another interior point on one side.
+    /// The same constraints with another interior point on one side.
     #[must_use]
     pub fn with_point(mut self, side: Side, point: impl Into<InteriorPoint>) -> Self {
         self.points[side] = point.into();
         self
     }
 
-    /// The same with another anchor on one side.
+    /// The same constraints with another anchor on one side.
     #[must_use]
     pub fn with_anchor(mut self, side: Side, anchor: f64) -> Self {
         self.anchors[side] = anchor;

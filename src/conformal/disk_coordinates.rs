@@ -1,7 +1,7 @@
 //! Conformal polar coordinates: the map g of a side to the unit disk, on the side's own mesh.
 //!
 //! g takes x to 0 and the anchor y to 1, and a boundary point of harmonic measure ω̃
-//! to e^{2πi ω̃} (sections 1.2 and 3.1). The inside is the harmonic extension of that
+//! to e^{2πi ω̃} (sections 1.2 and 3.1). The interior values are the harmonic extension of these
 //! (equation (14)); g is holomorphic, so it is the harmonic extension of its values.
 //! Its circles |g| = const are level sets of Green's function −ln |g| about x, its rays
 //! those of the harmonic measure. Where a domain crowds, |g| rounds to 1: see `zipper`.
@@ -11,15 +11,16 @@ use crate::geometry::DVec2;
 use crate::laplace::NotConverged;
 use std::f64::consts::TAU;
 
-/// g at all vertices of the side's mesh (length m+n); `measure` is that of x from y. One solve, as for a map.
-/// In the unit disk but for rounding, and for meshes whose Laplacian has positive off-diagonal entries.
+/// g at all vertices of the side's mesh (length m+n); `measure` is the harmonic measure of x from y. One solve, as for
+/// a map. The values lie in the unit disk, up to rounding and except on meshes whose Laplacian has positive
+/// off-diagonal entries.
 ///
-/// Errors: [`NotConverged`], of an iterative solver only.
+/// Errors: [`NotConverged`], from the iterative solver only.
 pub fn disk_coordinates(side: &PreparedSide, measure: &HarmonicMeasure) -> Result<Vec<DVec2>, NotConverged> {
     harmonic_extension(side, on_circle(measure, side.boundary_count()))
 }
 
-/// Begins with [`disk_coordinates`], for [`PreparedSide::advance_extension`] to go on with.
+/// Starts computing [`disk_coordinates`]; [`PreparedSide::advance_extension`] continues.
 pub(crate) fn begin_disk_coordinates(side: &PreparedSide, measure: &HarmonicMeasure, scratch: &mut ExtensionScratch) {
     side.begin_extension(on_circle(measure, side.boundary_count()), scratch);
 }
@@ -93,7 +94,7 @@ mod tests {
         sum / count
     }
 
-    /// The map takes a point to the one with the same coordinates, f = g₂⁻¹ ∘ g₁, but for the error
+    /// The map takes a point to the one with the same coordinates, f = g₂⁻¹ ∘ g₁, up to the error
     /// of discrete harmonic functions: piecewise linear maps do not compose.
     #[test]
     fn a_map_keeps_them() {
@@ -110,11 +111,11 @@ mod tests {
         let found = locate(heart.domain().unwrap().mesh(), heart.domain().unwrap().default_point(), None).unwrap();
         let corners = heart.triangles()[found.triangle().index()];
         let at: DVec2 = corners.iter().zip(found.weights()).map(|(&v, w)| w * values[v as usize]).sum();
-        // Both are solves with the same Laplacian: ω̃'s total is exact, its first moment up to the quadrature.
+        // Both are solves with the same Laplacian: the total of ω̃ is exact, its first moment up to the quadrature.
         assert!(at.length() < 1e-3, "g(x) = {at}");
     }
 
-    /// Interrupted after the shortest pieces, they are the same to the bit, and never seen half done.
+    /// Computed in the shortest pieces, the result is bit-identical, and no partial result is visible.
     #[test]
     fn in_pieces_they_are_those_at_once() {
         for solver in [SolverKind::Direct, SolverKind::Pcg] {

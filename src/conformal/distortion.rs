@@ -10,21 +10,21 @@ use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Deadline;
 use crate::mesh::TriMesh;
 
-/// An image whose least height is below this part of the whole image's extent is rounding: the V's far arm has
-/// images of 1e-16, a segment of boundary points heights of 1e-16; resolved triangles start at 1e-9.
+/// An image whose smallest height is below this fraction of the whole image's extent is rounding: images in the V's far
+/// arm are 1e-16 in size, a segment of boundary points has heights of 1e-16; resolved triangles start at 1e-9.
 const COLLAPSED: f64 = 1e-13;
 
-/// Points of a straight side have triangles of a height of up to 2.1 ε times their largest coordinate
-/// (300,000 random ones, up to 1e9 from the origin): below the double of it, a height is rounding too.
+/// Triangles between points of a straight side have heights of up to 2.1 ε times their largest coordinate
+/// (300,000 random ones, up to 1e9 from the origin); a height below twice that is rounding too.
 const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
-/// Triangles between two looks at the clock: 0.3 ms.
+/// Triangles between two checks of the deadline: 0.3 ms.
 const BLOCK: usize = 8192;
 
-/// The largest Q that is reported: of an image as long as 1e-4 of the whole, whose height is resolved to 1e-13.
+/// The largest Q that is reported: that of an image 1e-4 of the whole in length, whose height is resolved to 1e-13.
 const Q_LIMIT: f64 = 1e9;
 
-/// The largest |log₂(σ₁σ₂)| that is reported: a triangle without area has −∞.
+/// The largest |log₂(σ₁σ₂)| that is reported; a triangle without area has −∞.
 /// 2¹²⁸ is beyond the f64 resolution of any domain that the other triangles still fill.
 const AREA_LIMIT: f64 = 128.0;
 
@@ -36,14 +36,14 @@ pub struct Quality {
     pub q_mean: f64,
     /// The largest Q.
     pub q_max: f64,
-    /// How many triangles changed their orientation.
+    /// The number of triangles whose orientation is reversed.
     pub flipped: u32,
-    /// How many triangles have a point or a segment as their image, between two surfaces in the disk or in space; not in
-    /// the other figures.
+    /// The number of triangles whose image is a point or a segment (between two surfaces: in the disk or in space);
+    /// these are not part of the other figures.
     pub collapsed: u32,
 }
 
-/// What the map does to one triangle.
+/// The distortion of one triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct TriangleDistortion {
@@ -51,17 +51,17 @@ pub struct TriangleDistortion {
     pub q: f64,
     /// `log₂(σ₁σ₂)`, image area over area, within ±128.
     pub area_log2: f64,
-    /// The area in the mapped mesh: its weight in means.
+    /// The area in the mapped mesh: the triangle's weight in means.
     pub area: f64,
-    /// Its image has the other orientation.
+    /// Whether the image has the opposite orientation.
     pub flipped: bool,
-    /// Its image is a point or a segment up to rounding; it is in no mean.
+    /// Whether the image is a point or a segment up to rounding; such triangles are left out of all means.
     pub collapsed: bool,
 }
 
 impl TriangleDistortion {
     /// The distortion of the linear map that takes `corners` (counter-clockwise) to
-    /// `images`; collapsed where the least height of the image is not above `smallest`.
+    /// `images`; collapsed if the smallest height of the image is not above `smallest`.
     pub fn of([a, b, c]: [DVec2; 3], [fa, fb, fc]: [DVec2; 3], smallest: f64) -> Self {
         let (u, v) = (b - a, c - a);
         let (p, q) = (fb - fa, fc - fa);
@@ -95,8 +95,8 @@ pub fn triangle_distortions<P: Unfold>(mesh: &TriMesh<P>, images: &[DVec2]) -> V
     result
 }
 
-/// Goes on with [`triangle_distortions`] after those that are in `result` already, until all are
-/// (true) or `deadline` is over; some thousand are done at least.
+/// Continues [`triangle_distortions`] after those in `result`, until all are
+/// done (true) or `deadline` has passed; computes at least one block.
 pub(super) fn advance_distortions<P: Unfold>(
     mesh: &TriMesh<P>,
     images: &[DVec2],
@@ -110,8 +110,9 @@ pub(super) fn advance_distortions<P: Unfold>(
     })
 }
 
-/// As [`advance_distortions`], of a surface whose vertices go to `images` on another one: both triangles are unfolded.
-/// Flipped is what is flipped in the `disk`, by which the map goes, and collapsed what is collapsed here or there.
+/// As [`advance_distortions`], for a surface whose vertices go to `images` on another one: both triangles are unfolded.
+/// A triangle counts as flipped if it is flipped in the `disk`, through which the map goes, and as collapsed if it is
+/// collapsed in the disk or in space.
 pub(super) fn advance_surface_distortions(
     mesh: &TriMesh<DVec3>,
     images: &[DVec3],
@@ -132,7 +133,7 @@ pub(super) fn advance_surface_distortions(
     })
 }
 
-/// Goes on with the triangles after those whose distortions are in `result` already.
+/// Continues with the triangles after those whose distortions are in `result`.
 fn in_blocks(
     triangles: &[[u32; 3]],
     result: &mut Vec<TriangleDistortion>,
@@ -156,7 +157,7 @@ impl Quality {
         Self::summary(&triangle_distortions(mesh, images))
     }
 
-    /// The figures of triangles that were measured before.
+    /// The summary of distortions that are already computed.
     pub fn summary<'a>(triangles: impl IntoIterator<Item = &'a TriangleDistortion>) -> Self {
         let (mut weighted, mut area_sum) = (0.0, 0.0);
         let mut quality = Self { q_mean: 1.0, q_max: 1.0, flipped: 0, collapsed: 0 };
@@ -266,7 +267,7 @@ mod tests {
                 let flat = distortion_under(|v| place + (v.x + v.y) * segment);
                 assert!(flat.collapsed && !flat.flipped && flat.q == 1.0 && flat.area_log2 == -AREA_LIMIT, "{flat:?}");
             }
-            // two corners at one place
+            // two corners coincide
             let folded = distortion_under(|v| place + (v.x + 0.3 / 0.7 * v.y) * slanted);
             assert!(folded.collapsed, "{folded:?}");
             let point = distortion_under(|_| place + DVec2::ONE);

@@ -33,7 +33,7 @@ impl MeshedDomain {
         Ok(Self { samples, mesh, refinement, default_point })
     }
 
-    /// From parts that have been elsewhere.
+    /// The domain from its parts, as they are after a transfer.
     #[cfg(feature = "io")]
     pub(super) fn from_parts(
         samples: BoundarySamples,
@@ -49,7 +49,7 @@ impl MeshedDomain {
         &self.samples
     }
 
-    /// The mesh over them.
+    /// The mesh over the samples.
     pub fn mesh(&self) -> &TriMesh {
         &self.mesh
     }
@@ -64,15 +64,15 @@ impl MeshedDomain {
         self.default_point
     }
 
-    /// The point inside the domain nearest to `x` that keeps the distance `inset`
-    /// from the boundary where the domain is wide enough: a handle slides along the boundary.
+    /// The point inside the domain nearest to `x` that is at least `inset` from the boundary,
+    /// where the domain is wide enough: a dragged handle slides along the boundary.
     pub fn nearest_inside(&self, x: DVec2, inset: f64) -> DVec2 {
         crate::mesh::nearest_inside(&self.mesh, x, inset)
     }
 }
 
 /// The pole of inaccessibility of the polygon. On a very coarse sampling it may lie outside
-/// the mesh; then the centroid of the largest triangle serves.
+/// the mesh; then the centroid of the largest triangle is used.
 fn default_point(polygon: &SimplePolygon, mesh: &TriMesh) -> DVec2 {
     let pole = polygon.pole_of_inaccessibility(1e-3 * polygon.bounds().size().max_element());
     if crate::mesh::locate(mesh, pole, None).is_some() {

@@ -1,4 +1,4 @@
-//! Extending the boundary map into the mesh: the choice, and the harmonic one, equation (14): L̂ ŵ = −L̄ w̄.
+//! Extending the boundary map into the mesh: the options, and the harmonic one, equation (14): L̂ ŵ = −L̄ w̄.
 
 use super::PreparedSide;
 use crate::geometry::DVec2;
@@ -17,19 +17,19 @@ pub enum Extension {
     CauchyGreen,
 }
 
-/// Working memory of extensions, and how far one has come that is interrupted; reused, it allocates nothing.
+/// Working memory of an extension, with the progress of one that is interrupted; no allocation when it is reused.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ExtensionScratch {
-    /// The values on the boundary.
+    /// The boundary values.
     pub(super) boundary: Vec<DVec2>,
     pub(super) solution: Vec<Lanes<2>>,
     pub(super) run: SolveRun,
 }
 
 /// The discrete harmonic extension of `boundary` (length m) to all vertices (length m+n, the
-/// boundary's first). Both coordinates are solved in one sweep.
+/// boundary's first). Both coordinates are solved for in one sweep.
 ///
-/// Errors: [`NotConverged`], of an iterative solver only.
+/// Errors: [`NotConverged`], from the iterative solver only.
 pub fn harmonic_extension(
     side: &PreparedSide,
     boundary: impl Iterator<Item = DVec2>,

@@ -1,7 +1,7 @@
-//! What is prepared as flat arrays, so that it crosses a worker boundary by transfer.
+//! Prepared sides as flat arrays, which cross a worker boundary by transfer.
 //!
-//! A side is written part by part in one order and read in the same;
-//! a reader trusts nothing: `None` for what a writer does not make.
+//! A side is written part by part in a fixed order and read in the same order;
+//! the reader validates everything: `None` for arrays that the writer does not produce.
 
 use super::system::DirichletSystem;
 use super::{HarmonicTable, PrepareTimings};
@@ -81,7 +81,7 @@ impl FlatBuffers {
     }
 }
 
-/// Takes [`FlatBuffers`] apart, array after array.
+/// Reads the arrays of [`FlatBuffers`] in order.
 pub(super) struct FlatReader {
     floats: std::vec::IntoIter<Vec<f64>>,
     indices: std::vec::IntoIter<Vec<u32>>,
@@ -100,7 +100,7 @@ impl FlatReader {
         self.indices.next()
     }
 
-    /// A mesh whose indices all name something.
+    /// The next mesh; `None` if an index is out of range.
     pub fn mesh<const D: usize, P: Coordinates<D>>(&mut self) -> Option<TriMesh<P>> {
         let (vertices, counts, triangles, neighbours) =
             (self.floats()?, self.indices()?, self.indices()?, self.indices()?);
@@ -138,13 +138,13 @@ impl FlatReader {
         Some(PrepareTimings { sample, mesh, assemble, order, factor, table })
     }
 
-    /// Whether nothing is left.
+    /// Whether all arrays have been read.
     pub fn is_at_end(&mut self) -> bool {
         self.floats.next().is_none() && self.indices.next().is_none()
     }
 }
 
-/// The lengths of m boundary edges, and the fractions of the vertices, ascending from 0.
+/// Whether these are m lengths of boundary edges and m fractions of the vertices, ascending from 0.
 pub(super) fn sound_boundary(edge_lengths: &[f64], fractions: &[f64], m: usize) -> bool {
     edge_lengths.len() == m && fractions.len() == m && fractions.windows(2).all(|pair| pair[0] < pair[1])
 }

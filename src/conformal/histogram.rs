@@ -1,22 +1,22 @@
-//! How a weighted quantity is spread: shares in equal bins, and its mean.
+//! The distribution of a weighted quantity: shares in equal bins, and the mean.
 //!
 //! For the distortion of a map (section 5.1) the values are Q or log₂(σ₁σ₂) and the
-//! weights are areas: a bin then is the share of the domain that is distorted so much.
+//! weights are areas: each share is then the fraction of the domain with that distortion.
 
 /// The distribution of a quantity over `[low, high]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Histogram {
-    /// Where the first bin begins.
+    /// The lower end of the first bin.
     pub low: f64,
-    /// Where the last bin ends.
+    /// The upper end of the last bin.
     pub high: f64,
-    /// The share of the weight in each bin; with `below` and `above` they add up to 1.
+    /// The share of the weight in each bin; the sum with `below` and `above` is 1.
     pub shares: Vec<f64>,
     /// The share of the weight below `low`.
     pub below: f64,
     /// The share of the weight above `high`.
     pub above: f64,
-    /// The weighted mean, of values outside the range too.
+    /// The weighted mean, including values outside the range.
     pub mean: f64,
 }
 

@@ -1,7 +1,7 @@
-//! Counts of random walks' hits, in bins of equal arc length or of equal harmonic measure.
+//! Counts of hits of random walks, in bins of equal arc length or of equal harmonic measure.
 //!
 //! By Kakutani's theorem the share of the hits in a part of the boundary tends to
-//! its harmonic measure: bins of equal arc length fill like ψ, bins of equal measure evenly.
+//! its harmonic measure: counts in bins of equal arc length follow ψ, counts in bins of equal measure are uniform.
 
 use super::HarmonicMeasure;
 use crate::outline::{BoundaryPoint, BoundarySamples};
@@ -9,7 +9,7 @@ use crate::outline::{BoundaryPoint, BoundarySamples};
 /// Counts of hits per bin, counter-clockwise from an anchor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HitCounts {
-    /// What is cut into equal bins: harmonic measure, or arc length as the measure of density 1.
+    /// The coordinate that is divided into equal bins: harmonic measure, or arc length as the measure of density 1.
     coordinate: HarmonicMeasure,
     expected: Vec<f64>,
     counts: Vec<u64>,
@@ -18,7 +18,7 @@ pub struct HitCounts {
 
 impl HitCounts {
     /// `bins` (at least 1) parts of equal arc length of the sampled boundary, from the
-    /// anchor of `measure`, which also says what to expect of them. O(m + bins log m).
+    /// anchor of `measure`, which also gives the expected shares. O(m + bins log m).
     pub fn by_arc_length(samples: &BoundarySamples, measure: &HarmonicMeasure, bins: usize) -> Self {
         let bins = bins.max(1);
         let arc_length = HarmonicMeasure::new(samples, &vec![1.0; samples.len()], measure.anchor());
@@ -35,7 +35,7 @@ impl HitCounts {
         Self::new(arc_length, expected)
     }
 
-    /// `bins` (at least 1) parts of equal harmonic measure, from its anchor.
+    /// `bins` (at least 1) parts of equal harmonic measure, from the anchor of `measure`.
     pub fn by_measure(measure: &HarmonicMeasure, bins: usize) -> Self {
         let bins = bins.max(1);
         Self::new(measure.clone(), vec![1.0 / bins as f64; bins])
@@ -54,7 +54,7 @@ impl HitCounts {
         self.total += 1;
     }
 
-    /// Starts again from nothing.
+    /// Sets all counts to 0.
     pub fn clear(&mut self) {
         self.counts.fill(0);
         self.total = 0;
@@ -65,17 +65,17 @@ impl HitCounts {
         &self.counts
     }
 
-    /// The harmonic measure of each bin, the share of the hits that it tends to; sums to 1.
+    /// The harmonic measure of each bin: the limit of its share of the hits. The sum is 1.
     pub fn expected(&self) -> &[f64] {
         &self.expected
     }
 
-    /// How many hits there were.
+    /// The total number of hits.
     pub fn total(&self) -> u64 {
         self.total
     }
 
-    /// Pearson's χ² = Σ (count − N p)²/(N p) over the bins with N p > 0: about `bins − 1`, give or take
+    /// Pearson's χ² = Σ (count − N p)²/(N p) over the bins with N p > 0: about `bins − 1`, with standard deviation
     /// √(2 bins), if the hits follow the measure. 0 without hits.
     pub fn chi_square(&self) -> f64 {
         let total = self.total as f64;

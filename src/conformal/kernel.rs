@@ -12,7 +12,7 @@ use super::{PreparedSide, SideGeometry};
 use crate::laplace::{Deadline, Lanes, NotConverged, RootPaths, SolveRun};
 use crate::mesh::BarycentricPoint;
 
-/// Working memory of the kernel; reused, it allocates nothing.
+/// Working memory of the kernel; no allocation when it is reused.
 #[derive(Debug, Clone, Default)]
 pub(super) struct KernelScratch {
     pub(super) solution: Vec<Lanes<1>>,
@@ -31,7 +31,7 @@ impl KernelScratch {
     }
 }
 
-/// The corners of x's triangle with their weights.
+/// The corners of the triangle of x, with their barycentric weights.
 fn linear(side: &PreparedSide, x: BarycentricPoint) -> [(u32, f64); 3] {
     let corners = side.triangles()[x.triangle().index()];
     [0, 1, 2].map(|i| (corners[i], x.weights()[i]))
@@ -39,7 +39,7 @@ fn linear(side: &PreparedSide, x: BarycentricPoint) -> [(u32, f64); 3] {
 
 /// The harmonic coordinates `φ_x` (length m) of the point `x`, equation (9); Σφ = 1, Σφ_k v_k = x.
 ///
-/// Cost: one pruned solve, or with a table a sum of its rows. Errors: [`NotConverged`], of an iterative solver only.
+/// Cost: one pruned solve, or with a table a sum of its rows. Errors: [`NotConverged`], from the iterative solver only.
 pub fn harmonic_coordinates(side: &PreparedSide, x: BarycentricPoint) -> Result<Vec<f64>, NotConverged> {
     let (mut scratch, mut phi) = (KernelScratch::default(), Vec::new());
     scratch.set_stencil(linear(side, x));
@@ -51,10 +51,10 @@ pub fn harmonic_coordinates(side: &PreparedSide, x: BarycentricPoint) -> Result<
 /// The values `ψ_k` (length m, per unit of length, ≥ 0) of the piecewise linear Poisson
 /// kernel at `x`: ψ_k = φ_k / ((e_{k−1} + e_k)/2), equation (B.2).
 ///
-/// φ is interpolated from the ring of vertices around `x` where it is interior (file
-/// `stencil`; of a surface, where it is flat too, file `unfold`), else linearly as in (10). Σφ = 1 and
-/// Σφ_k v_k = x hold either way in the plane, with an iterative solver up to its tolerance: what it leaves below 0 is
-/// noise, and taken as 0. On a surface without intrinsic Delaunay flips values may be negative.
+/// φ is interpolated from the ring of vertices around `x` if all of them are interior (file
+/// `stencil`; on a surface, if the ring is flat too, file `unfold`), else linearly as in (10). Σφ = 1 and
+/// Σφ_k v_k = x hold in both cases in the plane, with an iterative solver up to its tolerance: the negative values that
+/// it leaves are noise and are set to 0. On a surface without intrinsic Delaunay flips, values may be negative.
 pub fn poisson_kernel(side: &PreparedSide, x: BarycentricPoint) -> Result<Vec<f64>, NotConverged> {
     let (mut scratch, mut psi) = (KernelScratch::default(), Vec::new());
     begin_kernel(side, x, &mut scratch);
@@ -62,7 +62,7 @@ pub fn poisson_kernel(side: &PreparedSide, x: BarycentricPoint) -> Result<Vec<f6
     Ok(psi)
 }
 
-/// Begins with [`poisson_kernel`].
+/// Starts computing [`poisson_kernel`].
 pub(super) fn begin_kernel(side: &PreparedSide, x: BarycentricPoint, scratch: &mut KernelScratch) {
     match side.geometry() {
         SideGeometry::Plane(domain) => stencil::around(domain.mesh(), x, &mut scratch.stencil),
@@ -73,7 +73,7 @@ pub(super) fn begin_kernel(side: &PreparedSide, x: BarycentricPoint, scratch: &m
     side.begin_kernel_of_stencil(scratch);
 }
 
-/// Goes on with it until it is in `psi` (true) or `deadline` is over (`psi` is then meaningless).
+/// Continues until the kernel is in `psi` (true) or `deadline` has passed (`psi` is then meaningless).
 pub(super) fn advance_kernel(
     side: &PreparedSide,
     x: BarycentricPoint,

@@ -1,17 +1,17 @@
-//! The pipeline of a frame: kernels → measures → matching → extension; between two surfaces kernels → measures → both
+//! The pipeline of an update: kernels → measures → matching → extension; between two surfaces kernels → measures → both
 //! disks → matching → location.
 //!
-//! [`ConformalMap::update`] recomputes only what a change touches: moving x₁
-//! renews its kernel, the matching and the extension; moving y₁ re-anchors its
-//! measure instead. From the second update on nothing is allocated, but for the tree that finds vertices which stray
+//! [`ConformalMap::update`] recomputes only what depends on the change: moving x₁
+//! recomputes its kernel, the matching and the extension; moving y₁ re-anchors its
+//! measure instead. From the second update on nothing is allocated, except the tree for vertices that no walk locates
 //! between two surfaces.
 //!
-//! [`ConformalMap::advance`] does the same in pieces, for maps whose update would block a
-//! screen. What is shown is never torn: kernels, measures and correspondence are made
-//! beside those that are there, images in the solver's memory, and all change at once.
+//! [`ConformalMap::advance`] does the same in pieces, for maps whose update takes longer than a frame. The visible
+//! state is always that of one complete update: kernels, measures and correspondence are computed
+//! in separate buffers, images in the solver's memory, and all of them are replaced at the end.
 //!
-//! With [`Extension::CauchyGreen`] an update gives the harmonic images, at once;
-//! [`ConformalMap::refine`] then replaces them chunk by chunk, within the time that it is given.
+//! With [`Extension::CauchyGreen`] an update yields the harmonic images;
+//! [`ConformalMap::refine`] then replaces them chunk by chunk, within the given time.
 
 use super::kernel::KernelScratch;
 use super::map_run::Run;
@@ -27,7 +27,7 @@ use crate::laplace::Deadline;
 use std::sync::Arc;
 use web_time::Instant;
 
-/// What an update took, in milliseconds; a stage that was not needed took 0.
+/// The duration of an update by stage, in milliseconds; 0 for a stage that was not needed.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 #[allow(missing_docs, reason = "the fields are the stages")]
 #[non_exhaustive]
@@ -40,8 +40,9 @@ pub struct FrameTimings {
 
 /// The conformal map between two sides under the current constraints.
 ///
-/// A surface is mapped, never mapped into: with one surface its mesh is mapped, whatever the direction. Between two,
-/// both go to the unit disk, and the vertices of one are located in the image of the other ([`super::SurfaceImages`]).
+/// A surface can be mapped, but not be mapped into: with one surface its mesh is mapped, in either direction. Between
+/// two, both go to the unit disk, and the vertices of one are located in the image of the other
+/// ([`super::SurfaceImages`]).
 #[derive(Debug)]
 pub struct ConformalMap {
     pub(super) sides: PerSide<MapSide>,
@@ -49,9 +50,9 @@ pub struct ConformalMap {
     pub(super) correspondence: BoundaryCorrespondence,
     pub(super) images: Vec<DVec2>,
     pub(super) timings: FrameTimings,
-    /// The update that is under way.
+    /// The update in progress.
     run: Option<Run>,
-    /// What it has matched.
+    /// The correspondence computed by that update.
     pub(super) coming: BoundaryCorrespondence,
     pub(super) kernel_scratch: KernelScratch,
     pub(super) extension_scratch: ExtensionScratch,
@@ -72,7 +73,7 @@ impl ConformalMap {
         Ok(map)
     }
 
-    /// No map yet: it has no images before its first [`Self::advance`] has come to its end.
+    /// A map without images: it has none until its first [`Self::advance`] is complete.
     pub fn unmapped(source: Arc<PreparedSide>, target: Arc<PreparedSide>) -> Self {
         let sides = PerSide::new(MapSide::new(source), MapSide::new(target));
         Self {
@@ -90,19 +91,19 @@ impl ConformalMap {
         }
     }
 
-    /// Recomputes what the change of constraints or settings touches. After an error the map is unchanged.
+    /// Recomputes what depends on the changed constraints or settings. After an error the map is unchanged.
     ///
-    /// With [`Extension::CauchyGreen`] the images are the harmonic ones after a change, until
+    /// With [`Extension::CauchyGreen`] the images are harmonic after a change, until
     /// [`Self::refine`] has replaced them all.
     pub fn update(&mut self, constraints: &Constraints, settings: MapSettings) -> Result<(), MapError> {
         self.advance(constraints, settings, Deadline::NEVER).map(|_| ())
     }
 
-    /// Goes on with [`Self::update`] until it is done (true) or `deadline` is over. Until it is done
-    /// the map is that of the last update in all that it says. Another call with the same
-    /// arguments goes on where this one stopped, one with others starts over; the result is
-    /// the same to the bit. Between two looks at the clock lie some milliseconds, and the
-    /// writing of a mesh's vertices at most.
+    /// Continues [`Self::update`] until it is complete (true) or `deadline` has passed. Until then all accessors return
+    /// the state of the last complete update. Another call with the same
+    /// arguments continues where this one stopped, one with others starts over; the result is
+    /// bit-identical to that of one call. The deadline is checked every few milliseconds; the longest step between two
+    /// checks is writing the vertices of a mesh.
     pub fn advance(
         &mut self,
         constraints: &Constraints,
@@ -122,7 +123,7 @@ impl ConformalMap {
         Ok(is_done)
     }
 
-    /// Checks and plans an update; `None` if it changes nothing.
+    /// Checks and plans an update; `None` if nothing changes.
     fn begin(&mut self, constraints: &Constraints, settings: MapSettings) -> Result<Option<Run>, MapError> {
         let source = self.sides.source.plan(Side::Source, constraints)?;
         let changes = PerSide::new(source, self.sides.target.plan(Side::Target, constraints)?);
@@ -135,7 +136,7 @@ impl ConformalMap {
         Ok(Some(run))
     }
 
-    /// Shows what an update has come to; its images are there already.
+    /// Makes the results of a complete update visible; its images are already in place.
     fn commit(&mut self, run: &Run) {
         for side in Side::BOTH {
             self.sides[side].commit(side, &run.constraints, &run.changes[side]);
@@ -157,9 +158,9 @@ impl ConformalMap {
         }
     }
 
-    /// Replaces harmonic images by Cauchy–Green ones for about `budget_ms` (the time is checked
-    /// every few milliseconds; at least one chunk is done; infinity does all). Returns whether
-    /// the extension is complete: at once, if it is [`Extension::Harmonic`].
+    /// Replaces harmonic images by Cauchy–Green ones for about `budget_ms` (the clock is checked
+    /// every few milliseconds; at least one chunk is done; infinity completes all). Returns whether
+    /// the extension is complete; with [`Extension::Harmonic`] it always is.
     ///
     /// The coordinates of a mesh up to [`super::STORED_BYTES`] are kept while its domain is mapped.
     pub fn refine(&mut self, budget_ms: f64) -> bool {
@@ -169,29 +170,31 @@ impl ConformalMap {
         complete
     }
 
-    /// As [`Self::refine`] without a limit, but all in f64 and without storing coordinates: for a map that is used once.
+    /// As [`Self::refine`] without a limit, entirely in f64 and without storing coordinates: for a map that is used
+    /// once.
     pub fn refine_exactly(&mut self) {
         self.refine_exactly_with(&mut |_| ());
     }
 
-    /// As [`Self::refine_exactly`]; after each chunk of a few milliseconds `progress` hears the fraction that is done.
+    /// As [`Self::refine_exactly`]; `progress` is called with the completed fraction after each chunk of a few
+    /// milliseconds.
     pub fn refine_exactly_with(&mut self, progress: &mut dyn FnMut(f64)) {
         let start = Instant::now();
         self.refinement.finish_exactly(&mut self.images, progress);
         self.timings.extend += start.elapsed().as_secs_f64() * 1e3;
     }
 
-    /// The fraction of the vertices whose images are those of the extension that was asked for, in `[0, 1]`.
+    /// The fraction of the vertices whose images are those of the requested extension, in `[0, 1]`.
     pub fn extension_progress(&self) -> f64 {
         self.refinement.progress(self.images.len())
     }
 
-    /// Whether the Cauchy–Green coordinates are stored; `None` if they were never asked for.
+    /// Whether the Cauchy–Green coordinates are stored; `None` if they were never needed.
     pub fn cauchy_green_mode(&self) -> Option<CauchyGreenMode> {
         self.refinement.mode()
     }
 
-    /// Takes over from `old` what depends on the mapped domain alone, if it is the same domain:
+    /// Takes from `old` what depends on the mapped domain alone, if it is the same domain:
     /// the stored Cauchy–Green coordinates.
     pub fn adopt(&mut self, old: Self) {
         if let Some(domain) = self.sides[self.mapped_side()].prepared.domain() {
@@ -200,7 +203,8 @@ impl ConformalMap {
     }
 }
 
-/// The settings as they can be: a surface is mapped, never mapped into, and extended harmonically.
+/// The settings with the only possible values for surfaces: a surface is mapped, not mapped into, and extended
+/// harmonically.
 fn possible(sides: &PerSide<MapSide>, settings: MapSettings) -> MapSettings {
     let direction = match sides.as_ref().map(|side| side.prepared.is_surface()).into_array() {
         [false, false] => return settings,

@@ -1,11 +1,11 @@
-//! Why there is no map, and what is to be known of one.
+//! The errors of a map, and the warnings about the images of a surface's boundary.
 
 use super::Side;
 use crate::counted::counted;
 use crate::laplace::NotConverged;
 use crate::mesh::TriangleId;
 
-/// Why there is no map.
+/// Why a map could not be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapError {
@@ -14,12 +14,12 @@ pub enum MapError {
     PointOutside {
         /// Which domain.
         side: Side,
-        /// Its position.
+        /// The x coordinate of the point.
         x: f64,
-        /// Its position.
+        /// The y coordinate of the point.
         y: f64,
     },
-    /// No such triangle of a surface, or weights that are negative or do not sum to 1.
+    /// There is no such triangle of the surface, or the weights are negative or do not sum to 1.
     #[error("{}", counted!(
         *triangles,
         "({}, {}, {}) in triangle {triangle} is no point of the surface, which has 1 triangle",
@@ -33,9 +33,9 @@ pub enum MapError {
         side: Side,
         /// Which triangle.
         triangle: TriangleId,
-        /// The weights of its corners.
+        /// The weights at its corners.
         weights: [f64; 3],
-        /// How many triangles there are.
+        /// The number of triangles.
         triangles: usize,
     },
     /// The interior point of a surface lies on its boundary, where harmonic measure is a point mass.
@@ -44,7 +44,7 @@ pub enum MapError {
         /// Which surface.
         side: Side,
     },
-    /// A place in the plane was given for a surface, or a point of a surface for a planar domain.
+    /// A planar position was given for a surface, or a point of a surface for a planar domain.
     #[error("the {side} point is of the other kind: a place in the plane for a surface, or a surface's for an outline")]
     OtherKind {
         /// Which side.
@@ -67,13 +67,13 @@ pub enum MapError {
     NotConverged {
         /// Which side.
         side: Side,
-        /// What the solver said.
+        /// The solver's error.
         error: NotConverged,
     },
 }
 
 impl MapError {
-    /// The side that it is about.
+    /// The side that the error is about.
     pub fn side(&self) -> Side {
         match self {
             Self::PointOutside { side, .. }
@@ -87,12 +87,12 @@ impl MapError {
     }
 }
 
-/// What is to be known of a surface under a map: boundary edges whose images are points, as far as f64 tells; between
-/// two surfaces, whose images in the unit disk are.
+/// A warning about a surface under a map: boundary edges whose images (between two surfaces, in the unit disk) are
+/// points in f64.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapNote {
-    /// They have no harmonic measure.
+    /// Edges without harmonic measure.
     #[error("{}", counted!(
         *edges,
         "the ends of 1 boundary edge fall together: no inner way leads there from the surface point, or too long a one",
@@ -100,10 +100,10 @@ pub enum MapNote {
          a one"
     ))]
     NoMeasure {
-        /// How many.
+        /// The number of edges.
         edges: usize,
     },
-    /// They have no harmonic measure, or the kernel has negative values, and the order of the boundary is lost.
+    /// Edges without harmonic measure, or the kernel has negative values so that the order of the boundary is lost.
     #[error("{}", counted!(
         *edges,
         "the ends of 1 boundary edge fall together: no inner way leads there from the surface point, or too long a one, \
@@ -112,7 +112,7 @@ pub enum MapNote {
          a one, or the kernel is negative there, as it may be without intrinsic Delaunay flips"
     ))]
     NegativeKernel {
-        /// How many.
+        /// The number of edges.
         edges: usize,
     },
 }

@@ -1,4 +1,4 @@
-//! What a map says of itself once it is there: images, measures, distortion.
+//! The results of a map: images, measures, distortion.
 
 use super::distortion::{advance_distortions, advance_surface_distortions, resolution};
 use super::{
@@ -32,12 +32,12 @@ impl ConformalMap {
         &self.sides[side].measured.measure
     }
 
-    /// Where the boundary vertices of the mapped side go.
+    /// The images of the boundary vertices of the mapped side.
     pub fn correspondence(&self) -> &BoundaryCorrespondence {
         &self.correspondence
     }
 
-    /// Which mesh is mapped: as it was asked for, or with one surface the surface's.
+    /// Which mesh is mapped: as requested, or with one surface the surface's.
     pub fn direction(&self) -> Direction {
         self.settings.direction
     }
@@ -47,7 +47,7 @@ impl ConformalMap {
         self.settings.direction.mapped_side()
     }
 
-    /// The side whose vertices are mapped, prepared.
+    /// The prepared side whose vertices are mapped.
     pub fn mapped(&self) -> &Arc<PreparedSide> {
         self.side(self.mapped_side())
     }
@@ -63,34 +63,34 @@ impl ConformalMap {
     }
 
     /// The images of the mapped mesh's vertices in the plane: in the other domain or, between two surfaces, in the unit
-    /// disk, where flips are counted; none before the first update. Until [`Self::refine`] is done, those of the harmonic
-    /// extension in part.
+    /// disk, where flips are counted; empty before the first update. Until [`Self::refine`] is complete, some are those
+    /// of the harmonic extension.
     pub fn images(&self) -> &[DVec2] {
         if self.is_through_disk() { self.through_disk.disks[self.mapped_side()].places() } else { &self.images }
     }
 
-    /// Between two surfaces, where the vertices of the mapped one go on the other; `None` where one side is planar, and
-    /// before the first update.
+    /// Between two surfaces, the images of the mapped surface's vertices on the other one; `None` if one side is
+    /// planar, and before the first update.
     pub fn surface_images(&self) -> Option<&SurfaceImages> {
         let images = &self.through_disk.images;
         (!images.points().is_empty()).then_some(images)
     }
 
-    /// The images of the mapped mesh's vertices where they lie on the other side: in the plane, or in space between two
+    /// The images of the mapped mesh's vertices as positions on the other side: in the plane, or in space between two
     /// surfaces.
     pub fn image_places(&self) -> Places<'_> {
         self.surface_images().map_or(Places::Plane(self.images()), |images| Places::Space(images.places()))
     }
 
-    /// Between two surfaces, where the vertices of a side lie in the unit disk: its disk coordinates. `None` where one
+    /// Between two surfaces, the positions of a side's vertices in the unit disk: its disk coordinates. `None` if one
     /// side is planar, and before the first update.
     pub fn disk(&self, side: Side) -> Option<&[DVec2]> {
         let disk = self.through_disk.disks[side].places();
         (!disk.is_empty()).then_some(disk)
     }
 
-    /// The images of a mapped surface's vertices in the order of the surface as it was read; `None` for vertices that a
-    /// repair has dropped, and nothing where no surface is mapped.
+    /// The images of a mapped surface's vertices, in the order of the surface as it was read; `None` for vertices that
+    /// a repair has dropped. Empty if no surface is mapped.
     pub fn texture_coordinates(&self) -> Vec<Option<DVec2>> {
         let Some(meshed) = self.mapped().surface() else { return Vec::new() };
         let surface = meshed.surface();
@@ -100,21 +100,21 @@ impl ConformalMap {
         (0..surface.origin_count() as u32).map(image).collect()
     }
 
-    /// What the last update took, with the refinements since.
+    /// The timings of the last update, with the refinements since.
     pub fn timings(&self) -> FrameTimings {
         self.timings
     }
 
-    /// The distortion of every triangle of the mapped mesh that was not added by a repair, in the mesh's order: between
-    /// two surfaces, of triangles in space to those of their images in space. Cost O(n).
+    /// The distortion of every triangle of the mapped mesh except those added by a repair, in the mesh's order; between
+    /// two surfaces, from triangles in space to their images in space. Cost O(n).
     pub fn distortions(&self) -> Vec<TriangleDistortion> {
         let mut all = Vec::new();
         self.advance_distortions(&mut all, Deadline::NEVER);
         self.given(&all).copied().collect()
     }
 
-    /// Goes on with the distortions of all triangles of the mapped mesh, also of those that a repair has added,
-    /// after those that are in `result` already, until they are there (true) or `deadline` is over.
+    /// Continues computing the distortions of all triangles of the mapped mesh, including those added by a repair,
+    /// after those in `result`, until they are complete (true) or `deadline` has passed.
     pub(crate) fn advance_distortions(&self, result: &mut Vec<TriangleDistortion>, deadline: Deadline) -> bool {
         let images = self.images();
         match (self.mapped().geometry(), self.surface_images()) {
@@ -126,20 +126,20 @@ impl ConformalMap {
         }
     }
 
-    /// Of a value for each triangle of the mapped mesh, those of triangles that no repair has added.
+    /// Of one value per triangle of the mapped mesh, the values of triangles that were not added by a repair.
     pub fn given<'a, T>(&'a self, values: &'a [T]) -> impl Iterator<Item = &'a T> {
         let origins = self.mapped().surface().map(|meshed| meshed.surface().triangle_origins());
         let is_given = move |triangle: &usize| origins.is_none_or(|origins| origins[*triangle] != ADDED);
         values.iter().enumerate().filter(move |(triangle, _)| is_given(triangle)).map(|(_, value)| value)
     }
 
-    /// Angle distortion and flips of [`Self::distortions`]; of a surface, shapes are those of the given triangles, not of
-    /// the flipped ones. Cost O(triangles); call it when it is shown.
+    /// Angle distortion and flips of [`Self::distortions`]; for a surface, shapes are those of the triangles as given,
+    /// not of the flipped ones. Cost O(triangles), so it is not computed with every update.
     pub fn quality(&self) -> Quality {
         Quality::summary(&self.distortions())
     }
 
-    /// What is to be known of a side of the map that is a surface, under the current constraints. Cost O(m).
+    /// The warning about a side of the map that is a surface, under the current constraints. Cost O(m).
     pub fn note(&self, side: Side) -> Option<MapNote> {
         self.side(side).surface()?;
         let edges = self.collapsed_edges(side);
@@ -148,14 +148,15 @@ impl ConformalMap {
         (edges > 0).then_some(note)
     }
 
-    /// How many boundary edges of a surface have ends whose images, between two surfaces in the disk, cannot be told apart.
+    /// The number of boundary edges of a surface whose ends have indistinguishable images (between two surfaces, in the
+    /// disk).
     fn collapsed_edges(&self, side: Side) -> usize {
         let images = if self.is_through_disk() { self.through_disk.disks[side].places() } else { &self.images };
         collapsed(&images[..self.side(side).boundary_count().min(images.len())])
     }
 
-    /// The image of a point of the mapped domain (piecewise linear); `None` outside it, of a surface, and before the first
-    /// update.
+    /// The image of a point of the mapped domain (piecewise linear); `None` outside it, for a surface, and before the
+    /// first update.
     pub fn image_of(&self, x: DVec2) -> Option<DVec2> {
         let side = self.mapped_side();
         let mesh = self.domain(side)?.mesh();
@@ -166,7 +167,7 @@ impl ConformalMap {
     }
 }
 
-/// How many of the edges between places on a boundary have ends that cannot be told apart.
+/// The number of edges between boundary positions whose ends are indistinguishable.
 fn collapsed<P: Unfold>(boundary: &[P]) -> usize {
     let (next, smallest) = (boundary.iter().cycle().skip(1), resolution(boundary));
     boundary.iter().zip(next).filter(|(p, q)| p.in_space().distance(q.in_space()) <= smallest).count()

@@ -1,4 +1,4 @@
-//! An update of a map, stage by stage.
+//! An update of a map as a resumable sequence of stages.
 
 use super::map_side::{Change, MapSide};
 use super::stage::Stage;
@@ -10,7 +10,7 @@ use crate::laplace::Deadline;
 use std::sync::Arc;
 use web_time::Instant;
 
-/// An update that is under way.
+/// The state of an update in progress.
 #[derive(Debug)]
 pub(super) struct Run {
     pub constraints: Constraints,
@@ -25,7 +25,7 @@ impl Run {
         Self { constraints, settings, changes, stage: Stage::FIRST, timings: FrameTimings::default() }
     }
 
-    /// Of which sides it makes the measure anew, and with it all that follows from that.
+    /// The sides whose measure, and all that depends on it, this update recomputes.
     pub fn renewed(&self) -> PerSide<bool> {
         self.changes.map(|change| change.renewal().measure)
     }
@@ -36,7 +36,7 @@ impl Run {
 }
 
 impl ConformalMap {
-    /// Goes on with the update until its last stage is done (true) or `deadline` is over.
+    /// Continues the update until its last stage is complete (true) or `deadline` has passed.
     pub(super) fn go_on(&mut self, run: &mut Run, deadline: Deadline) -> Result<bool, MapError> {
         loop {
             let start = Instant::now();
@@ -54,7 +54,7 @@ impl ConformalMap {
         }
     }
 
-    /// Begins with the stage of `run`, and adds the time.
+    /// Starts the stage of `run`, and adds the time that this takes.
     pub(super) fn begin_stage(&mut self, run: &mut Run) {
         if matches!(run.stage, Stage::Extension | Stage::Location) {
             self.match_boundaries(run);
@@ -79,7 +79,7 @@ impl ConformalMap {
         run.stage.add_time(&mut run.timings, start);
     }
 
-    /// Goes on with the stage of `run` until it is done (true) or `deadline` is over.
+    /// Continues the stage of `run` until it is complete (true) or `deadline` has passed.
     fn advance_stage(&mut self, run: &Run, deadline: Deadline) -> Result<bool, MapError> {
         let scratch = &mut self.extension_scratch;
         match run.stage {
@@ -115,7 +115,7 @@ impl ConformalMap {
         run.timings.matching += start.elapsed().as_secs_f64() * 1e3;
     }
 
-    /// Begins with the images of all vertices in the other domain.
+    /// Starts computing the images of all vertices in the other domain.
     fn begin_extension(&mut self, side: Side) {
         if let Some(domain) = self.sides[side.other()].prepared.domain() {
             let boundary = self.coming.images(domain.samples());

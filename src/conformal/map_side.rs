@@ -1,7 +1,7 @@
-//! One side of a map: its interior point, kernel, anchor and measure, renewed as far as a change asks.
+//! One side of a map: its interior point, kernel, anchor and measure, recomputed as far as a change requires.
 //!
-//! A renewal is planned (which checks the constraints), begun, advanced and, with the map's
-//! whole update, committed; until then all that is seen is what was there before.
+//! A change is planned (which checks the constraints), begun, advanced and, together with the map's
+//! whole update, committed; until then all accessors return the previous state.
 
 use super::kernel::{KernelScratch, advance_kernel, begin_kernel};
 use super::measured::{Measured, Renewal};
@@ -11,7 +11,7 @@ use crate::laplace::Deadline;
 use crate::mesh::{BarycentricPoint, TriMesh, TriangleId, locate};
 use std::sync::Arc;
 
-/// How far from 1 the weights of a point may sum.
+/// The largest accepted deviation from 1 of the sum of a point's weights.
 const WEIGHT_TOLERANCE: f64 = 1e-9;
 
 /// One side of a map.
@@ -24,7 +24,7 @@ pub(super) struct MapSide {
     pub measured: Measured,
 }
 
-/// What a change of constraints asks of one side.
+/// What a change of constraints makes necessary on one side.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Change {
     pub located: Option<BarycentricPoint>,
@@ -32,7 +32,7 @@ pub(super) struct Change {
 }
 
 impl Change {
-    /// What becomes another one.
+    /// What has to be recomputed.
     pub fn renewal(&self) -> Renewal {
         Renewal { kernel: self.located.is_some(), measure: self.located.is_some() || self.re_anchor }
     }
@@ -44,7 +44,7 @@ impl MapSide {
         Self { prepared, point: None, located, anchor: f64::NAN, measured: Measured::default() }
     }
 
-    /// Checks the constraints of this side and finds what they change; changes nothing.
+    /// Checks the constraints of this side and determines what they change; has no side effects.
     pub fn plan(&self, side: Side, constraints: &Constraints) -> Result<Change, MapError> {
         let (point, anchor) = (constraints.points[side], constraints.anchors[side]);
         let is_new = self.point != Some(point);
@@ -66,21 +66,21 @@ impl MapSide {
         Ok(Change { located, re_anchor: anchor != self.anchor })
     }
 
-    /// Finds a place that has to be inside the domain.
+    /// Locates a point that must lie inside the domain.
     fn inside(&self, side: Side, domain: &MeshedDomain, x: DVec2) -> Result<BarycentricPoint, MapError> {
         let found = if x.is_finite() { locate(domain.mesh(), x, Some(self.located.triangle())) } else { None };
         let inside = found.filter(|found| !on_boundary(domain.mesh(), *found));
         inside.ok_or(MapError::PointOutside { side, x: x.x, y: x.y })
     }
 
-    /// Begins with the kernel, if another one is planned.
+    /// Starts computing the kernel, if the change requires a new one.
     pub fn begin(&self, change: &Change, scratch: &mut KernelScratch) {
         if let Some(located) = change.located {
             begin_kernel(&self.prepared, located, scratch);
         }
     }
 
-    /// Goes on with kernel and measure as planned until they are there (true) or `deadline` is over.
+    /// Continues with kernel and measure as planned until they are complete (true) or `deadline` has passed.
     pub fn advance(
         &mut self,
         side: Side,
@@ -103,7 +103,7 @@ impl MapSide {
         Ok(true)
     }
 
-    /// What was planned is there, and shown from now on.
+    /// Makes the planned results visible.
     pub fn commit(&mut self, side: Side, constraints: &Constraints, change: &Change) {
         self.measured.commit(change.renewal());
         (self.point, self.anchor) = (Some(constraints.points[side]), constraints.anchors[side]);
@@ -111,7 +111,7 @@ impl MapSide {
     }
 }
 
-/// Whether a point is one inside a surface.
+/// Checks that a point lies inside a surface.
 fn check(side: Side, mesh: &TriMesh<DVec3>, point: BarycentricPoint) -> Result<(), MapError> {
     let (triangle, weights) = (point.triangle(), point.weights());
     let sum: f64 = weights.iter().sum();

@@ -8,14 +8,14 @@ use super::HarmonicMeasure;
 use crate::geometry::DVec2;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
-/// Where each boundary vertex of the mapped side goes on the other boundary, in weakly cyclic order.
+/// The images of the mapped side's boundary vertices on the other boundary, in weakly cyclic order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BoundaryCorrespondence {
     points: Vec<BoundaryPoint>,
 }
 
 impl BoundaryCorrespondence {
-    /// Where each vertex of the mapped boundary goes, `0 … m−1`.
+    /// The images of the vertices `0 … m−1` of the mapped boundary.
     pub fn points(&self) -> &[BoundaryPoint] {
         &self.points
     }
@@ -40,7 +40,7 @@ pub fn match_measures(source: &HarmonicMeasure, target: &HarmonicMeasure, result
         }
         let vertex = source.vertex_at(j);
         let lambda = inverse_quadratic(omega - b[l], b[l + 1] - b[l], density[l], density[l + 1]);
-        // the anchor's own vertex stands at knot m; its image is the other anchor
+        // the anchor's own vertex is at knot m; its image is the other anchor
         let at_anchor = j == m && source.at_vertex(vertex) == 0.0 && omega == 1.0;
         result.points[vertex] = if at_anchor { target.point(0, 0.0) } else { target.point(l, lambda) };
     }
@@ -50,7 +50,7 @@ pub fn match_measures(source: &HarmonicMeasure, target: &HarmonicMeasure, result
 /// over an interval of measure `step` reaches `rest`.
 ///
 /// With μ = rest/step, s = p + q, Δ = q − p, the equation p λ + Δ λ²/2 = μ s/2 has
-/// the root λ = μ s / (p + √(p² + μ Δ s)); written so, nothing cancels. A flat
+/// the root λ = μ s / (p + √(p² + μ Δ s)), a form without cancellation. A flat
 /// interval (step = 0) gives 0.
 pub(super) fn inverse_quadratic(rest: f64, step: f64, p: f64, q: f64) -> f64 {
     if rest <= 0.0 || step <= 0.0 {
@@ -72,7 +72,7 @@ pub(super) fn inverse_quadratic(rest: f64, step: f64, p: f64, q: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The forward direction: the share of the measure before λ.
+    /// The inverse function: the share of the measure before λ.
     fn share(lambda: f64, p: f64, q: f64) -> f64 {
         (2.0 * p * lambda + (q - p) * lambda * lambda) / (p + q)
     }

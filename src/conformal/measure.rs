@@ -1,7 +1,7 @@
 //! The harmonic measure ω̃ of the boundary from an anchor y, equations (11) and (12).
 //!
 //! ω̃ is piecewise quadratic, the integral of the piecewise linear ψ; it runs from
-//! exactly 0 to exactly 1. The anchor may lie inside an edge, which is then split.
+//! exactly 0 to exactly 1. The anchor may lie inside an edge, which is then divided into two intervals.
 
 use super::matching::inverse_quadratic;
 use crate::outline::{BoundaryPoint, BoundarySamples};
@@ -31,13 +31,13 @@ impl HarmonicMeasure {
         measure
     }
 
-    /// As [`Self::new`], in place. Returns the total before it was divided out: near 1,
-    /// and 0 or not finite only for a density that is no kernel.
+    /// As [`Self::new`], in place. Returns the total before normalization: near 1,
+    /// and 0 or not finite only for a density that is not a kernel.
     pub fn set(&mut self, samples: &BoundarySamples, psi: &[f64], anchor: BoundaryPoint) -> f64 {
         self.set_along(&samples.edge_lengths, psi, anchor)
     }
 
-    /// As [`Self::set`], along a boundary of which only the lengths of the edges are known.
+    /// As [`Self::set`], for a boundary given by the lengths of its edges alone.
     pub fn set_along(&mut self, edge_lengths: &[f64], psi: &[f64], anchor: BoundaryPoint) -> f64 {
         let m = psi.len();
         let (first, f) = (anchor.edge() as usize, anchor.fraction());
@@ -68,7 +68,7 @@ impl HarmonicMeasure {
         self.density.len().saturating_sub(2)
     }
 
-    /// ω̃ at boundary vertex `k`, in `[0, 1]`; 0 where the anchor is.
+    /// ω̃ at boundary vertex `k`, in `[0, 1]`; 0 at the anchor.
     pub fn at_vertex(&self, k: usize) -> f64 {
         match self.knot_of(k) {
             j if j == self.vertex_count() && self.anchor.fraction() == 0.0 => 0.0,
@@ -76,15 +76,15 @@ impl HarmonicMeasure {
         }
     }
 
-    /// The boundary vertices, counter-clockwise from the anchor: a vertex at the anchor comes first.
+    /// The boundary vertices, counter-clockwise from the anchor; a vertex at the anchor comes first.
     pub fn vertices(&self) -> impl Iterator<Item = usize> + '_ {
         let m = self.vertex_count();
         let first = usize::from(self.anchor.fraction() != 0.0);
         (first..m + first).map(move |j| (self.anchor.edge() as usize + j) % m)
     }
 
-    /// The point before which the share `omega` of the measure lies, in `[0, 1]`: [`Self::at`] of it is `omega`.
-    /// Where the measure is flat, the first point that has it.
+    /// The point at which the measure from the anchor is `omega`, in `[0, 1]`: [`Self::at`] of it is `omega`.
+    /// Where the measure is flat, the first such point.
     pub fn point_at(&self, omega: f64) -> BoundaryPoint {
         let last = self.vertex_count();
         let reached = self.cumulative.partition_point(|&before| before < omega);
@@ -135,14 +135,14 @@ impl HarmonicMeasure {
         &self.density
     }
 
-    /// The point in interval `j` at `lambda` of its length.
+    /// The point in interval `j` at the fraction `lambda` of its length.
     pub(super) fn point(&self, j: usize, lambda: f64) -> BoundaryPoint {
         let (from, to) = self.span(j);
         let fraction = (from + lambda * (to - from)).clamp(from, to).min(1.0 - f64::EPSILON);
         BoundaryPoint::new(self.vertex_at(j) as u32, fraction)
     }
 
-    /// Which part of its edge interval `j` is.
+    /// The part of its edge that interval `j` covers, as two fractions.
     fn span(&self, j: usize) -> (f64, f64) {
         let f = self.anchor.fraction();
         let last = self.vertex_count();

@@ -1,8 +1,8 @@
 //! The conformal map: a prepared side, Poisson kernels, harmonic measures, their matching, its extension.
 //!
-//! [`prepare`] does once per side what takes milliseconds to seconds;
-//! [`ConformalMap::update`] does what a drag needs, in a fraction of that, and
-//! [`ConformalMap::advance`] the same until a deadline:
+//! [`prepare`] does the work of milliseconds to seconds that is needed once per side;
+//! [`ConformalMap::update`] does what a drag needs, in a fraction of that time, and
+//! [`ConformalMap::advance`] does the same in pieces, each until a deadline:
 //!
 //! | step | file | paper |
 //! |---|---|---|
@@ -15,10 +15,11 @@
 //! | images on another surface, through the disk | `through_disk` | |
 //! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
 //!
-//! A [`PreparedSide`] is a planar domain or a surface (section 4.3): they differ in geometry
-//! alone; what both need is file `system`. A map is between any two of them.
+//! A [`PreparedSide`] is a planar domain or a surface (section 4.3); the two differ only in
+//! geometry, and what both need is in file `system`. A map is between any two of them.
 //!
-//! [`Walker`] and [`HitCounts`] show what harmonic measure is: where random walks hit the boundary.
+//! [`Walker`] and [`HitCounts`] demonstrate harmonic measure: the distribution of the points where random walks hit the
+//! boundary.
 
 #[cfg(feature = "io")]
 mod buffers;

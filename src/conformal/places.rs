@@ -1,8 +1,8 @@
-//! Places in the plane or in space, for what is done alike with both.
+//! Positions in the plane or in space, for code that treats both alike.
 
 use crate::geometry::{DVec2, DVec3};
 
-/// Places of vertices, all in the plane or all in space.
+/// Positions of vertices, all in the plane or all in space.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[serde(untagged)]
 pub enum Places<'a> {
@@ -12,9 +12,9 @@ pub enum Places<'a> {
     Space(&'a [DVec3]),
 }
 
-/// A point of the plane or of space, of which three can be laid into the plane.
+/// A point of the plane or of space; a triangle of such points can be unfolded into the plane.
 pub trait Unfold: Copy {
-    /// A congruent triangle in the plane: of the plane the same, of space counter-clockwise.
+    /// A congruent triangle in the plane: unchanged for the plane, counter-clockwise for space.
     fn unfold(corners: [Self; 3]) -> [DVec2; 3];
 
     /// The point in space; the plane lies at z = 0.

@@ -1,4 +1,4 @@
-//! The preparation of a side: how it is done, its stages, what it takes, and the doing.
+//! The preparation of a side: its settings, stages, memory limits and the computation itself.
 
 use super::domain::MeshedDomain;
 use super::prepared_side::{PreparedSide, SideGeometry};
@@ -30,37 +30,37 @@ pub struct PrepareSettings {
 }
 
 impl PrepareSettings {
-    /// The direct solver, and a kernel by adjoint solves.
+    /// The settings with the direct solver and kernels by adjoint solves.
     pub const fn new(sampling: Sampling, sizing: Sizing) -> Self {
         Self { sampling, sizing, kernel: KernelMode::Adjoint, solver: SolverKind::Direct }
     }
 
-    /// The same with another sampling.
+    /// The same settings with another sampling.
     #[must_use]
     pub const fn with_sampling(self, sampling: Sampling) -> Self {
         Self { sampling, ..self }
     }
 
-    /// The same with another sizing.
+    /// The same settings with another sizing.
     #[must_use]
     pub const fn with_sizing(self, sizing: Sizing) -> Self {
         Self { sizing, ..self }
     }
 
-    /// The same with another way to the kernel.
+    /// The same settings with another kernel method.
     #[must_use]
     pub const fn with_kernel(self, kernel: KernelMode) -> Self {
         Self { kernel, ..self }
     }
 
-    /// The same with another solver.
+    /// The same settings with another solver.
     #[must_use]
     pub const fn with_solver(self, solver: SolverKind) -> Self {
         Self { solver, ..self }
     }
 }
 
-/// How the kernel at a point is computed; the numbers are the same.
+/// How the kernel at a point is computed; both methods give the same numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -68,28 +68,28 @@ pub enum KernelMode {
     /// By one adjoint solve for each new point.
     #[default]
     Adjoint,
-    /// From a table of all harmonic coordinates, made in advance (the paper's way).
+    /// From a table of all harmonic coordinates, computed in advance (the paper's method).
     Table,
 }
 
-/// What a preparation may take of the memory.
+/// The memory that a preparation may use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Memory {
-    /// For the factor of L̂; above it the iterative solver serves.
+    /// For the factor of L̂; if it needs more, the iterative solver is used.
     pub factor_bytes: u64,
-    /// For the table of harmonic coordinates; above it the preparation is refused.
+    /// For the table of harmonic coordinates; if it needs more, the preparation is refused.
     pub table_bytes: u64,
 }
 
 impl Memory {
-    /// The same with another limit for the factor.
+    /// The same limits with another one for the factor.
     #[must_use]
     pub const fn with_factor_bytes(self, factor_bytes: u64) -> Self {
         Self { factor_bytes, ..self }
     }
 
-    /// The same with another limit for the table.
+    /// The same limits with another one for the table.
     #[must_use]
     pub const fn with_table_bytes(self, table_bytes: u64) -> Self {
         Self { table_bytes, ..self }
@@ -97,20 +97,20 @@ impl Memory {
 }
 
 impl Default for Memory {
-    /// An eighth of what a browser can give to one page where addresses have 32 bits, else a
-    /// quarter of a laptop's memory; for each side, and before a worker hands it over by copying.
+    /// An eighth of what a browser can give to one page with 32-bit addresses, else a
+    /// quarter of a laptop's memory; for each side, and before a worker copies it.
     fn default() -> Self {
         let bytes = if usize::BITS == 32 { 512 << 20 } else { 4 << 30 };
         Self { factor_bytes: bytes, table_bytes: bytes }
     }
 }
 
-/// A stage of the preparation, for progress.
+/// A stage of the preparation, for progress reports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Stage {
-    /// Reading a surface and checking what it is.
+    /// Reading a surface and checking its topology.
     Read,
     /// Sampling the boundary.
     Sample,
@@ -124,7 +124,7 @@ pub enum Stage {
     Factor,
     /// Solving for the table of harmonic coordinates.
     Table {
-        /// How much of it is done.
+        /// The percentage that is done.
         percent: u8,
     },
 }
@@ -143,7 +143,7 @@ pub struct PrepareTimings {
 }
 
 impl PrepareTimings {
-    /// The whole preparation.
+    /// The duration of the whole preparation.
     pub fn total(&self) -> f64 {
         self.sample + self.mesh + self.assemble + self.order + self.factor + self.table
     }
@@ -182,19 +182,19 @@ pub struct SurfaceSettings {
 }
 
 impl SurfaceSettings {
-    /// The same with flips to the intrinsic Delaunay triangulation, or without.
+    /// The same settings with or without flips to the intrinsic Delaunay triangulation.
     #[must_use]
     pub const fn with_intrinsic_delaunay(self, intrinsic_delaunay: bool) -> Self {
         Self { intrinsic_delaunay, ..self }
     }
 
-    /// The same with another way to the kernel.
+    /// The same settings with another kernel method.
     #[must_use]
     pub const fn with_kernel(self, kernel: KernelMode) -> Self {
         Self { kernel, ..self }
     }
 
-    /// The same with another solver.
+    /// The same settings with another solver.
     #[must_use]
     pub const fn with_solver(self, solver: SolverKind) -> Self {
         Self { solver, ..self }
@@ -207,7 +207,7 @@ impl Default for SurfaceSettings {
     }
 }
 
-/// What is to be prepared, and how.
+/// The geometry to prepare, and its settings.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Unprepared<'a> {
@@ -220,14 +220,14 @@ pub enum Unprepared<'a> {
     },
     /// A triangle mesh in space.
     Surface {
-        /// The mesh, a disk.
+        /// The mesh, topologically a disk.
         surface: SurfaceMesh,
         /// How to discretise it.
         settings: SurfaceSettings,
     },
 }
 
-/// Samples, meshes, assembles, orders and factors, reporting each stage before it starts.
+/// Samples, meshes, assembles, orders and factors; reports each stage before it starts.
 pub fn prepare(
     polygon: &SimplePolygon,
     settings: &PrepareSettings,
@@ -236,8 +236,8 @@ pub fn prepare(
     prepare_within(Memory::default(), Unprepared::Outline { polygon, settings }, progress)
 }
 
-/// As [`prepare`], of a surface (section 4.3): its edges are flipped to the intrinsic Delaunay triangulation, if that is
-/// asked for; then it goes the same way.
+/// As [`prepare`], for a surface (section 4.3): its edges are flipped to the intrinsic Delaunay triangulation if
+/// requested; the other stages are the same.
 pub fn prepare_surface(
     surface: SurfaceMesh,
     settings: SurfaceSettings,
@@ -246,8 +246,8 @@ pub fn prepare_surface(
     prepare_within(Memory::default(), Unprepared::Surface { surface, settings }, progress)
 }
 
-/// As [`prepare`] and [`prepare_surface`], with the memory that it may take. A factor that does not fit gives
-/// way to the iterative solver (see [`PreparedSide::solver_kind`]), a table that does not is an error.
+/// As [`prepare`] and [`prepare_surface`], within a memory limit. If the factor does not fit, the iterative
+/// solver is used (see [`PreparedSide::solver_kind`]); a table that does not fit is an error.
 pub fn prepare_within(
     memory: Memory,
     unprepared: Unprepared<'_>,
@@ -284,7 +284,7 @@ pub fn prepare_within(
     Ok(PreparedSide::new(geometry, DirichletSystem::new(laplacian.into_coupling(), solver, table), timings))
 }
 
-/// The solver that is wanted; the iterative one too where the direct one does not fit.
+/// The requested solver, or the iterative one if the direct one does not fit.
 fn solver_for(
     laplacian: &DirichletLaplacian,
     wanted: SolverKind,

@@ -1,8 +1,8 @@
-//! Everything about one side of a map that does not depend on the constraints.
+//! All data of one side of a map that do not depend on the constraints.
 //!
-//! A side is a planar domain or a surface in space. Both are a disk with a boundary whose edges have
-//! lengths, and a factored Laplacian; they differ in where a point becomes weights of vertices and where a
-//! vertex lies.
+//! A side is a planar domain or a surface in space. Both are disks with a boundary whose edges have
+//! lengths, and a factored Laplacian; they differ in how a point becomes weights of vertices and in the positions of
+//! the vertices.
 
 use super::system::DirichletSystem;
 use super::{HarmonicTable, InteriorPoint, MeshedDomain, MeshedSurface, Places, PrepareTimings};
@@ -11,7 +11,7 @@ use crate::laplace::SolverKind;
 use crate::outline::BoundaryPoint;
 use std::sync::Arc;
 
-/// Where the vertices of a side lie.
+/// The geometry of a side, with the positions of its vertices.
 #[derive(Debug, Clone)]
 pub enum SideGeometry {
     /// In the plane.
@@ -22,7 +22,8 @@ pub enum SideGeometry {
 
 /// A planar domain or a surface, meshed, assembled and factored.
 ///
-/// The system's unknowns are the mesh's interior vertices, its boundary values belong to the mesh's `m` boundary vertices.
+/// The unknowns of the system are the mesh's interior vertices, its boundary values belong to the `m` boundary
+/// vertices.
 #[derive(Debug, Clone)]
 pub struct PreparedSide {
     geometry: SideGeometry,
@@ -70,17 +71,17 @@ impl SideGeometry {
 }
 
 impl PreparedSide {
-    /// Bundles the parts.
+    /// Combines the parts.
     pub(super) fn new(geometry: SideGeometry, system: DirichletSystem, timings: PrepareTimings) -> Self {
         Self { geometry, system, timings }
     }
 
-    /// Where its vertices lie.
+    /// The side's geometry.
     pub fn geometry(&self) -> &SideGeometry {
         &self.geometry
     }
 
-    /// The planar domain that it is, if it is one.
+    /// The planar domain; `None` for a surface.
     pub fn domain(&self) -> Option<&Arc<MeshedDomain>> {
         match &self.geometry {
             SideGeometry::Plane(domain) => Some(domain),
@@ -88,7 +89,7 @@ impl PreparedSide {
         }
     }
 
-    /// The surface that it is, if it is one.
+    /// The surface; `None` for a planar domain.
     pub fn surface(&self) -> Option<&Arc<MeshedSurface>> {
         match &self.geometry {
             SideGeometry::Plane(_) => None,
@@ -96,7 +97,7 @@ impl PreparedSide {
         }
     }
 
-    /// Whether it is a surface.
+    /// Whether the side is a surface.
     pub fn is_surface(&self) -> bool {
         self.surface().is_some()
     }
@@ -109,7 +110,8 @@ impl PreparedSide {
         }
     }
 
-    /// Where each boundary vertex lies: the fraction of the whole length from the first one, ascending from 0.
+    /// The position of each boundary vertex as a fraction of the boundary's length from the first one, ascending from
+    /// 0.
     pub fn fractions(&self) -> &[f64] {
         match &self.geometry {
             SideGeometry::Plane(domain) => &domain.samples().fractions,
@@ -147,7 +149,7 @@ impl PreparedSide {
         self.geometry.triangles()
     }
 
-    /// The places of the vertices, the boundary's first.
+    /// The positions of the vertices, the boundary's first.
     pub fn vertices(&self) -> Places<'_> {
         match &self.geometry {
             SideGeometry::Plane(domain) => Places::Plane(domain.mesh().vertices()),
@@ -155,7 +157,7 @@ impl PreparedSide {
         }
     }
 
-    /// The place of a boundary point in space; the plane lies at z = 0.
+    /// The position of a boundary point in space; the plane lies at z = 0.
     pub fn boundary_place(&self, point: BoundaryPoint) -> DVec3 {
         match &self.geometry {
             SideGeometry::Plane(domain) => domain.samples().position(point).extend(0.0),
@@ -163,7 +165,7 @@ impl PreparedSide {
         }
     }
 
-    /// The interior point where no other is asked for: the pole of inaccessibility of a domain, the
+    /// The default interior point: the pole of inaccessibility of a domain, the
     /// vertex of a surface farthest from its boundary.
     pub fn default_point(&self) -> InteriorPoint {
         match &self.geometry {
@@ -172,17 +174,17 @@ impl PreparedSide {
         }
     }
 
-    /// How its Dirichlet problem is solved.
+    /// How the side's Dirichlet problem is solved.
     pub fn solver_kind(&self) -> SolverKind {
         self.system.solver.kind()
     }
 
-    /// The harmonic coordinates of all interior vertices, where they are stored.
+    /// The harmonic coordinates of all interior vertices, if they are stored.
     pub fn table(&self) -> Option<&HarmonicTable> {
         self.system.table.as_ref()
     }
 
-    /// How long the preparation took; of a surface, `mesh` is the flips and the default point.
+    /// The duration of the preparation; for a surface, `mesh` covers the flips and the default point.
     pub fn timings(&self) -> PrepareTimings {
         self.timings
     }

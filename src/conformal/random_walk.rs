@@ -1,49 +1,49 @@
-//! Random walks from x to the boundary: harmonic measure as Kakutani saw it (1944).
+//! Random walks from x to the boundary: the probabilistic form of harmonic measure (Kakutani 1944).
 //!
 //! Brownian motion leaves a disk about its start at a uniformly distributed point. So
 //! the walk on spheres (M. E. Muller, Ann. Math. Statist. 27, 1956) jumps from the
-//! centre of the largest circle inside the domain to a random point of it, again and
-//! again, and stops next to the boundary. The nearest boundary point is the hit.
+//! center of the largest circle inside the domain to a random point of that circle, repeatedly,
+//! and stops close to the boundary. The nearest boundary point is the hit.
 //!
-//! A walk takes O(log 1/ε) jumps on average, each O(log m). It always ends: after
-//! [`MAX_JUMPS`] the nearest boundary point is taken wherever the walk is. Same
-//! seed, same walks.
+//! A walk takes O(log 1/ε) jumps on average, each O(log m). It always terminates: after
+//! [`MAX_JUMPS`] the nearest boundary point is taken, however far it is. The same
+//! seed gives the same walks.
 
 use crate::geometry::{DVec2, EdgeTree};
 use crate::outline::BoundaryPoint;
 use std::f64::consts::TAU;
 
-/// A walk stops where the boundary is nearer than this part of the extent (the larger
-/// side of the bounding box). The hits' distribution is then off by about as much: 100
+/// A walk stops where the distance to the boundary is below this fraction of the extent (the larger
+/// side of the bounding box). The distribution of the hits then has an error of about that size: 100
 /// times less than the noise of 10⁶ walks.
 pub const WALK_STOP: f64 = 1e-5;
 
-/// Jumps of a walk at most. On the presets, from their poles, the mean is 13 to 18 (1 from
-/// the disk's centre) and the longest of 5000 walks below 120.
+/// The largest number of jumps of a walk. On the presets, from their poles, the mean is 13 to 18 (1 from
+/// the disk's center) and the longest of 5000 walks has fewer than 120.
 pub const MAX_JUMPS: u32 = 10_000;
 
-/// Why walks can't start.
+/// Why random walks cannot start.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum WalkError {
     /// The start is not inside the boundary.
     #[error("the start ({x}, {y}) of the random walks is not inside the outline as it is sampled")]
     StartOutside {
-        /// Its position.
+        /// The x coordinate of the start.
         x: f64,
-        /// Its position.
+        /// The y coordinate of the start.
         y: f64,
     },
-    /// The boundary is no polygon.
+    /// The boundary is not a polygon.
     #[error("a boundary of finite points is needed, at least 3 of them, no two neighbours equal")]
     NoBoundary,
 }
 
-/// A circle of a walk: the largest one inside the domain about its centre.
+/// A circle of a walk: the largest one inside the domain about its center.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct WalkCircle {
-    /// Where the walk is.
+    /// The current position of the walk.
     pub centre: DVec2,
     /// The distance to the boundary.
     pub radius: f64,
@@ -53,9 +53,9 @@ pub struct WalkCircle {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum WalkStep {
-    /// It jumped to the centre of this circle, a point of the circle before.
+    /// A jump to the center of this circle, a point of the previous circle.
     Jump(WalkCircle),
-    /// It ended; the next step starts a new walk at x.
+    /// The end of the walk; the next step starts a new walk at x.
     Hit(BoundaryPoint),
 }
 
@@ -72,7 +72,7 @@ pub struct Walker {
 }
 
 impl Walker {
-    /// Walks from `x` inside the closed chain `points`, by the random numbers of `seed`. Cost O(m).
+    /// Walks from `x` inside the closed chain `points`, with the random numbers of `seed`. Cost O(m).
     pub fn new(points: &[DVec2], x: DVec2, seed: u64) -> Result<Self, WalkError> {
         let next = points.iter().cycle().skip(1);
         if points.len() < 3 || points.iter().zip(next).any(|(p, q)| p == q || !p.is_finite()) {
@@ -95,17 +95,17 @@ impl Walker {
         Ok(walker)
     }
 
-    /// The circle about the walk's present place; about x before the first jump.
+    /// The circle about the walk's current position; about x before the first jump.
     pub fn circle(&self) -> WalkCircle {
         self.circle
     }
 
-    /// How many jumps the present walk has made.
+    /// The number of jumps of the current walk.
     pub fn jumps(&self) -> u32 {
         self.jumps
     }
 
-    /// Takes the walk one jump on, or ends it and puts the walker back to x.
+    /// Makes the next jump, or ends the walk and returns the walker to x.
     pub fn step(&mut self) -> WalkStep {
         if self.circle.radius <= self.stop || self.jumps >= MAX_JUMPS {
             let hit = self.nearest;
@@ -118,7 +118,7 @@ impl Walker {
         WalkStep::Jump(self.circle)
     }
 
-    /// Takes the walk to its end: the hit.
+    /// Runs the walk to its end and returns the hit.
     pub fn walk(&mut self) -> BoundaryPoint {
         loop {
             if let WalkStep::Hit(hit) = self.step() {

@@ -1,4 +1,4 @@
-//! The Cauchy–Green images of a map, chunk by chunk, so that a large mesh never blocks a frame.
+//! The Cauchy–Green images of a map, computed chunk by chunk so that a large mesh does not block a frame.
 
 use super::MeshedDomain;
 use super::cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, STORED_BYTES};
@@ -7,22 +7,22 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use web_time::Instant;
 
-/// How far the harmonic images are replaced by Cauchy–Green ones.
+/// The progress of replacing harmonic images by Cauchy–Green ones.
 #[derive(Debug, Default)]
 pub(super) struct Refinement {
     coordinates: Option<CauchyGreen>,
     values: BoundaryValues,
-    /// The first vertex that is not replaced; `None` if nothing is to be replaced.
+    /// The first vertex that is not replaced yet; `None` if none is to be replaced.
     next: Option<usize>,
 }
 
 impl Refinement {
-    /// Nothing is to be replaced. The coordinates are kept.
+    /// Ends the replacement. The stored coordinates are kept.
     pub(super) fn clear(&mut self) {
         self.next = None;
     }
 
-    /// Begins again with the boundary images `values` of `domain`. Coordinates of the same domain are kept.
+    /// Restarts with the boundary images `values` of `domain`. Coordinates of the same domain are kept.
     pub(super) fn restart(&mut self, domain: &Arc<MeshedDomain>, values: &[DVec2]) {
         if !self.coordinates.as_ref().is_some_and(|known| Arc::ptr_eq(known.domain(), domain)) {
             self.coordinates = Some(CauchyGreen::new(Arc::clone(domain), STORED_BYTES));
@@ -31,7 +31,7 @@ impl Refinement {
         self.next = Some(0);
     }
 
-    /// Replaces images for about `budget_ms` (at least one chunk); whether all are.
+    /// Replaces images for about `budget_ms` (at least one chunk); returns whether all are replaced.
     pub(super) fn advance(&mut self, images: &mut [DVec2], budget_ms: f64) -> bool {
         let (Some(next), Some(coordinates)) = (&mut self.next, &mut self.coordinates) else { return true };
         if *next < images.len() {
@@ -45,7 +45,7 @@ impl Refinement {
         *next == images.len()
     }
 
-    /// Replaces all images, in f64, storing nothing; `progress` hears the fraction that is done.
+    /// Replaces all images, in f64, without storing coordinates; `progress` is called with the completed fraction.
     pub(super) fn finish_exactly(&mut self, images: &mut [DVec2], progress: &mut dyn FnMut(f64)) {
         let (Some(next), Some(coordinates)) = (&mut self.next, &self.coordinates) else { return };
         let mut exact = CauchyGreen::new(Arc::clone(coordinates.domain()), 0);
@@ -56,17 +56,17 @@ impl Refinement {
         *next = exact.advance(0, &self.values, images, &mut go_on);
     }
 
-    /// The fraction of the vertices that is replaced; 1 if nothing is to be replaced.
+    /// The fraction of the vertices whose images are replaced; 1 if none is to be replaced.
     pub(super) fn progress(&self, vertices: usize) -> f64 {
         self.next.map_or(1.0, |next| next as f64 / vertices as f64)
     }
 
-    /// Where the coordinates come from, once they were needed.
+    /// Whether the coordinates are stored or computed; `None` if they were never needed.
     pub(super) fn mode(&self) -> Option<CauchyGreenMode> {
         self.coordinates.as_ref().map(CauchyGreen::mode)
     }
 
-    /// Takes the coordinates of `old` if they are of the same domain.
+    /// Takes the coordinates of `old` if they belong to the same domain.
     pub(super) fn adopt(&mut self, domain: &Arc<MeshedDomain>, old: Self) {
         if old.coordinates.as_ref().is_some_and(|known| Arc::ptr_eq(known.domain(), domain)) {
             self.coordinates = old.coordinates;

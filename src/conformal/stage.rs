@@ -1,26 +1,26 @@
-//! What an update of a map goes through, in this order; between two stages, and within each, it can be interrupted.
+//! The stages of a map update, in order. An update can be interrupted between two stages and within each.
 
 use super::{FrameTimings, Side};
 use web_time::Instant;
 
-/// A part of an update.
+/// A stage of an update.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stage {
-    /// Kernel and measure of a side, the source first.
+    /// Kernel and measure of a side; the source comes first.
     Kernel(Side),
-    /// The images of all vertices in the other domain, once the measures are matched.
+    /// The images of all vertices in the other domain, after the measures are matched.
     Extension,
-    /// Between two surfaces: the places of a side's vertices in the disk.
+    /// Between two surfaces: the positions of a side's vertices in the disk.
     Disk(Side),
-    /// Between two surfaces: the images of all vertices on the other one, once the measures are matched.
+    /// Between two surfaces: the images of all vertices on the other one, after the measures are matched.
     Location,
 }
 
 impl Stage {
-    /// The first one.
+    /// The stage that an update starts with.
     pub const FIRST: Self = Self::Kernel(Side::Source);
 
-    /// The one after it, of a map between two surfaces (`through_disk`) or another one.
+    /// The stage after this one; `through_disk`: the map is between two surfaces. `None` after the last.
     pub fn next(self, through_disk: bool) -> Option<Self> {
         match self {
             Self::Kernel(Side::Source) => Some(Self::Kernel(Side::Target)),
@@ -32,7 +32,7 @@ impl Stage {
         }
     }
 
-    /// Adds the time since `start` to what this stage took.
+    /// Adds the time since `start` to the duration of this stage.
     pub fn add_time(self, timings: &mut FrameTimings, start: Instant) {
         let spent = start.elapsed().as_secs_f64() * 1e3;
         match self {

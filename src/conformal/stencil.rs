@@ -1,34 +1,34 @@
-//! Interpolating the kernel at x more sharply than the triangle around x does.
+//! Interpolation of the kernel at x with a smaller error than that of linear interpolation in the triangle of x.
 //!
 //! As a function of x every harmonic coordinate φ_k is harmonic and positive. On a
 //! graded mesh the triangles far from the boundary are large, and the linear
-//! interpolation of φ_k inside one is the largest error of all. Here φ_x is a sum
-//! over the vertices around x instead, with the least weights that reproduce all
+//! interpolation of φ_k inside one is the largest error of the whole method. Here φ_x is a sum
+//! over the vertices around x instead, with the smallest weights that reproduce all
 //! harmonic polynomials Re, Im (z − x)^k, k ≤ 4. By Harnack's inequality a positive
 //! harmonic function has Taylor coefficients ≤ 2 h(x)/R^k in a disk of radius R,
 //! so the *relative* error is O((r/R)⁵) however small φ_k is.
 //!
-//! Only where the whole ring around x is interior; next to the boundary the
+//! It is used only if the whole ring around x is interior; next to the boundary the
 //! triangles are small and the linear interpolation of the paper is kept.
 
 use crate::geometry::DVec2;
 use crate::mesh::{BarycentricPoint, TriMesh, TriangleId};
 
-/// Conditions: the constant, and real and imaginary part of degrees 1 … 4.
+/// The number of conditions: the constant, and real and imaginary part of degrees 1 … 4.
 const CONDITIONS: usize = 9;
 
-/// A pivot below this part of the largest says that the ring does not determine the
+/// If a pivot is below this fraction of the largest, the ring does not determine the
 /// weights. Rings of refined meshes give ≥ 1e-4, a symmetric hexagon of 7 vertices 1e-16.
 const SMALLEST_PIVOT: f64 = 1e-9;
 
-/// Rings have about 12 vertices; more than this has not been seen at angles of 20° and more.
+/// Rings have about 12 vertices; none with more than this was observed with angles of at least 20°.
 const USUAL_RING: usize = 64;
 
 /// Vertices and weights: φ_x = Σ weight · φ_vertex.
 pub(super) type Stencil = Vec<(u32, f64)>;
 
-/// The weights of the vertices around `x` into `stencil`: of the ring where it can be
-/// used, else of the three corners.
+/// Writes the weights of the vertices around `x` into `stencil`: those of the ring if it can be
+/// used, else those of the three corners.
 pub(super) fn around(mesh: &TriMesh, x: BarycentricPoint, stencil: &mut Stencil) {
     stencil.clear();
     stencil.reserve(USUAL_RING);
@@ -41,7 +41,7 @@ pub(super) fn around(mesh: &TriMesh, x: BarycentricPoint, stencil: &mut Stencil)
     }
 }
 
-/// Adds the vertices of all triangles at `corner`; false if one of them is on the boundary.
+/// Adds the vertices of all triangles at `corner`; returns false if one of them is on the boundary.
 fn collect_ring(mesh: &TriMesh, start: TriangleId, corner: u32, stencil: &mut Stencil) -> bool {
     let mut triangle = start;
     loop {
@@ -63,8 +63,8 @@ fn collect_ring(mesh: &TriMesh, start: TriangleId, corner: u32, stencil: &mut St
     }
 }
 
-/// The least weights (near vertices count more) that meet the conditions at `x`, of the vertices of
-/// `stencil` at their places; `None` if none do.
+/// The smallest weights, in a norm that favors near vertices, that meet the conditions at `x`, for the vertices of
+/// `stencil` at their positions; `None` if the conditions cannot be met.
 pub(super) fn set_weights(x: DVec2, place: impl Fn(u32) -> DVec2, stencil: &mut Stencil) -> Option<()> {
     let offset = |v: u32| place(v) - x;
     let radius = stencil.iter().map(|&(v, _)| offset(v).length()).fold(0.0, f64::max);

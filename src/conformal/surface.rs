@@ -1,6 +1,6 @@
 //! The geometry of a surface as a side (section 4.3): a triangle mesh in space, flipped to intrinsic Delaunay.
 //!
-//! A surface is prepared as a planar domain is, but for its geometry: the Laplacian comes from
+//! A surface is prepared like a planar domain except for its geometry: the Laplacian comes from
 //! edge lengths, by default of the intrinsic Delaunay triangulation of its vertices, so that
 //! no weight is negative, ψ ≥ 0, and the matching keeps the order of the boundary.
 
@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 /// A surface with the lengths along its boundary.
 ///
-/// Lengths and fractions belong to the `m` boundary vertices of the mesh, in their order; the centre lies inside.
+/// Lengths and fractions belong to the `m` boundary vertices of the mesh, in their order; the center lies inside.
 #[derive(Debug, Clone)]
 pub struct MeshedSurface {
     surface: SurfaceMesh,
@@ -24,7 +24,7 @@ pub struct MeshedSurface {
 }
 
 impl MeshedSurface {
-    /// The surface, and its intrinsic triangulation: flipped to Delaunay if `delaunay`, else as it is.
+    /// The surface and its intrinsic triangulation, flipped to Delaunay if `delaunay`, else unchanged.
     pub(super) fn flipped(surface: SurfaceMesh, delaunay: bool) -> (Self, IntrinsicMesh) {
         let mut intrinsic = IntrinsicMesh::of(surface.mesh());
         let flips = if delaunay { intrinsic.make_delaunay() } else { unflipped(&intrinsic) };
@@ -32,7 +32,7 @@ impl MeshedSurface {
         (Self::from_parts(surface, flips, centre), intrinsic)
     }
 
-    /// From parts that have been elsewhere.
+    /// The surface from its parts, as they are after a transfer.
     pub(super) fn from_parts(surface: SurfaceMesh, flips: FlipReport, centre: BarycentricPoint) -> Self {
         let (edge_lengths, fractions) = along_boundary(surface.mesh());
         Self { surface, edge_lengths, fractions, flips, centre, tree: OnceLock::new() }
@@ -43,12 +43,12 @@ impl MeshedSurface {
         &self.surface
     }
 
-    /// Its mesh.
+    /// The triangle mesh of the surface.
     pub fn mesh(&self) -> &TriMesh<DVec3> {
         self.surface.mesh()
     }
 
-    /// What the intrinsic Delaunay flips have done; without them, the negative weights that there are.
+    /// The report on the intrinsic Delaunay flips; without flips, the number of negative weights.
     pub fn flips(&self) -> FlipReport {
         self.flips
     }
@@ -63,7 +63,7 @@ impl MeshedSurface {
         &self.edge_lengths
     }
 
-    /// Where each boundary vertex lies: the fraction of the loop's length from the first one.
+    /// The position of each boundary vertex as a fraction of the loop's length from the first one.
     pub fn fractions(&self) -> &[f64] {
         &self.fractions
     }
@@ -73,29 +73,29 @@ impl MeshedSurface {
         BoundaryPoint::at_fraction(&self.fractions, s)
     }
 
-    /// The fraction of the loop's length at a point of it.
+    /// The fraction of the loop's length at a point of the loop.
     pub fn fraction_at(&self, point: BoundaryPoint) -> f64 {
         point.fraction_in(&self.fractions)
     }
 
-    /// For rays and nearest points; made when it is first asked for.
+    /// The search tree for rays and nearest points; built on the first call.
     pub fn tree(&self) -> &SurfaceTree {
         self.tree.get_or_init(|| SurfaceTree::new(self.surface.mesh()))
     }
 
-    /// The tree, if somebody has asked for it: it takes a while for millions of triangles.
+    /// The search tree if it is already built; building takes a while for millions of triangles.
     pub fn tree_if_made(&self) -> Option<&SurfaceTree> {
         self.tree.get()
     }
 
-    /// The place of a point of the boundary loop in space.
+    /// The position in space of a point of the boundary loop.
     pub fn boundary_position(&self, point: BoundaryPoint) -> DVec3 {
         let (m, edge) = (self.surface.mesh().boundary_count(), point.edge());
         let [a, b] = [edge, (edge + 1) % m].map(|k| self.surface.mesh().vertices()[k as usize]);
         a.lerp(b, point.fraction())
     }
 
-    /// The place of a point in space.
+    /// The position in space of a point of the surface.
     pub fn position(&self, point: BarycentricPoint) -> DVec3 {
         let corners = self.surface.mesh().triangles()[point.triangle().index()];
         corners.iter().zip(point.weights()).map(|(&v, w)| w * self.surface.mesh().vertices()[v as usize]).sum()

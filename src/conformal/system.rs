@@ -1,8 +1,8 @@
-//! The linear system of a side, whatever its geometry: kernel and extension.
+//! The linear system of a side, independent of its geometry: kernel and extension.
 //!
-//! A planar domain and a surface differ in how a point becomes weights of vertices; after
-//! that, both are this. Kernel and extension are begun, then advanced until they are done, a
-//! deadline at a time; results are written at the end, in one go.
+//! A planar domain and a surface differ in how a point becomes weights of vertices; what follows
+//! is the same for both. Kernel and extension are begun, then advanced in pieces, each until a
+//! deadline; the results are written at the end, all at once.
 
 use super::kernel::KernelScratch;
 use super::{ExtensionScratch, HarmonicTable, PreparedSide};
@@ -10,8 +10,8 @@ use crate::geometry::DVec2;
 use crate::laplace::{Deadline, NotConverged, RootPaths, Solver, SolverKind};
 use sprs::CsMatI;
 
-/// What an iterative solver leaves below 0, relative to the largest coordinate: its tolerance
-/// of 1e-12 gives up to 1e-11 in a crowded domain; a stencil that overshoots gives 1e-3.
+/// The negative values that an iterative solver leaves, relative to the largest coordinate: its tolerance
+/// of 1e-12 gives up to 1e-11 in a crowded domain; a stencil with negative results gives 1e-3.
 const PCG_NOISE: f64 = 1e-9;
 
 /// The Dirichlet problem of a side.
@@ -19,16 +19,16 @@ const PCG_NOISE: f64 = 1e-9;
 pub(super) struct DirichletSystem {
     /// L̄ (n×m, by columns).
     pub coupling: CsMatI<f64, u32>,
-    /// Solves with L̂.
+    /// The solver for L̂.
     pub solver: Solver,
     /// The root paths of the boundary's neighbours.
     pub boundary_paths: RootPaths,
-    /// All harmonic coordinates, where they are stored.
+    /// All harmonic coordinates, if they are stored.
     pub table: Option<HarmonicTable>,
 }
 
 impl DirichletSystem {
-    /// Bundles the parts; the root paths of the boundary follow from them.
+    /// Combines the parts and computes the root paths of the boundary from them.
     pub fn new(coupling: CsMatI<f64, u32>, solver: Solver, table: Option<HarmonicTable>) -> Self {
         let mut boundary_paths = RootPaths::default();
         solver.root_paths(coupling.indices().iter().copied(), &mut boundary_paths);
@@ -37,14 +37,14 @@ impl DirichletSystem {
 }
 
 impl PreparedSide {
-    /// Begins with the kernel ψ of the point whose weights are in `scratch`.
+    /// Starts computing the kernel ψ of the point whose weights are in `scratch`.
     pub(super) fn begin_kernel_of_stencil(&self, scratch: &mut KernelScratch) {
         scratch.is_linear = false;
         self.begin_combination(scratch);
     }
 
-    /// Goes on with it until it is in `psi` (true) or `deadline` is over. Where the weights give a
-    /// negative value, it is that of the weights `linear` of the point's triangle instead.
+    /// Continues until the kernel is in `psi` (true) or `deadline` has passed. If the weights give a
+    /// negative value, the kernel is computed from the weights `linear` of the point's triangle instead.
     pub(super) fn advance_kernel_of_stencil(
         &self,
         linear: [(u32, f64); 3],
@@ -79,7 +79,7 @@ impl PreparedSide {
         Ok(true)
     }
 
-    /// Begins with Σ weight · φ_vertex over the stencil.
+    /// Starts computing Σ weight · φ_vertex over the stencil.
     pub(super) fn begin_combination(&self, scratch: &mut KernelScratch) {
         scratch.run.restart();
         if self.system.table.is_some() {
@@ -95,7 +95,7 @@ impl PreparedSide {
         solver.root_paths(interior.map(|(unknown, _)| unknown), &mut scratch.paths);
     }
 
-    /// Goes on with it until it is in `phi` (true) or `deadline` is over. A table has it at once.
+    /// Continues until the sum is in `phi` (true) or `deadline` has passed. With a table, one call completes it.
     pub(super) fn advance_combination(
         &self,
         scratch: &mut KernelScratch,
@@ -131,7 +131,7 @@ impl PreparedSide {
         Ok(true)
     }
 
-    /// Begins with the harmonic extension of `boundary`, see [`super::harmonic_extension`].
+    /// Starts computing the harmonic extension of `boundary`, see [`super::harmonic_extension`].
     pub(super) fn begin_extension(&self, boundary: impl Iterator<Item = DVec2>, scratch: &mut ExtensionScratch) {
         let ExtensionScratch { boundary: kept, solution, run } = scratch;
         run.restart();
@@ -148,8 +148,8 @@ impl PreparedSide {
         }
     }
 
-    /// Goes on with it until `values` are those of all vertices (true) or `deadline` is over (they are as they were).
-    /// Between two looks at the clock lie some milliseconds, at the end the writing of the `values`.
+    /// Continues until `values` holds those of all vertices (true) or `deadline` has passed (`values` is then
+    /// unchanged). The deadline is checked every few milliseconds; the longest step is writing the `values` at the end.
     pub(crate) fn advance_extension(
         &self,
         scratch: &mut ExtensionScratch,

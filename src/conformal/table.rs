@@ -1,8 +1,8 @@
-//! The paper's preprocessing as a mode: the harmonic coordinates of all interior vertices, n×m.
+//! The paper's preprocessing as an option: the harmonic coordinates of all interior vertices, n×m.
 //!
 //! Appendix A: Φ̂ = −L̂⁻¹ L̄, by blocks of boundary vertices, eight columns in one
 //! sweep. With the table a kernel is a weighted sum of rows, without a solve;
-//! the adjoint solve of file `kernel` gives the same numbers without its memory.
+//! the adjoint solve of file `kernel` gives the same numbers without the table's memory.
 
 use super::Memory;
 use crate::laplace::{NotConverged, RootPaths, Solver};
@@ -11,7 +11,7 @@ use sprs::CsMatI;
 /// n/m² of uniform meshes in round outlines is 0.06 (heart, disk); of graded ones 0.01 (m = 700) and less.
 const UNIFORM_SHARE: f64 = 0.04;
 
-/// Columns solved for at once: as many values as a cache line holds.
+/// Columns solved for at once: the number of values in a cache line.
 const BLOCK: usize = 8;
 
 /// The harmonic coordinates Φ̂ of the interior vertices.
@@ -22,11 +22,11 @@ pub struct HarmonicTable {
     values: Vec<f64>,
 }
 
-/// Why there is no table.
+/// Why the table could not be made.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableError {
-    /// It is larger than the memory that it may take.
+    /// The table is larger than its memory limit.
     #[error(
         "the table of {rows}×{columns} harmonic coordinates takes {} MB, more than the {} MB it may take: \
          about {fitting_samples} boundary samples fit, or use the adjoint kernel, which needs no table",
@@ -37,11 +37,11 @@ pub enum TableError {
         rows: usize,
         /// Boundary vertices, `m`.
         columns: usize,
-        /// What it would take.
+        /// The memory that the table needs.
         bytes: u64,
-        /// What it may take.
+        /// The memory limit.
         budget: u64,
-        /// The number of samples at which a table of this kind of mesh fits.
+        /// The number of samples with which a table for this kind of mesh fits.
         fitting_samples: usize,
     },
     /// A solve did not converge.
@@ -50,12 +50,12 @@ pub enum TableError {
 }
 
 impl HarmonicTable {
-    /// What the table of an n×m domain takes.
+    /// The memory that the table of an n×m domain needs.
     pub fn bytes(n: usize, m: usize) -> u64 {
         size_of::<f64>() as u64 * n as u64 * m as u64
     }
 
-    /// Whether it fits. The sample count that fits is estimated for n = O(m²) where the mesh has as
+    /// Checks that the table fits. The sample count that fits is estimated for n = O(m²) if the mesh has as
     /// many vertices as a uniform one of a round outline, else for n = O(m), on the safe side.
     pub fn check(n: usize, m: usize, memory: Memory) -> Result<(), TableError> {
         let (bytes, budget) = (Self::bytes(n, m), memory.table_bytes);
@@ -68,7 +68,7 @@ impl HarmonicTable {
         Err(TableError::TooLarge { rows: n, columns: m, bytes, budget, fitting_samples })
     }
 
-    /// Solves for all coordinates; `progress` is told the per cent that are done. Call [`Self::check`] first.
+    /// Solves for all coordinates; `progress` is called with the completed percentage. Call [`Self::check`] first.
     ///
     /// Cost: m/8 sweeps of eight lanes.
     pub(super) fn new(
@@ -115,7 +115,7 @@ impl HarmonicTable {
         &self.values
     }
 
-    /// From the values of an n×m table; `None` if there are not n·m of them.
+    /// The table from the values of an n×m one; `None` if there are not n·m of them.
     #[cfg(feature = "io")]
     pub(super) fn from_values(values: Vec<f64>, n: usize, m: usize) -> Option<Self> {
         (n.checked_mul(m) == Some(values.len())).then_some(Self { columns: m, values })

@@ -1,9 +1,10 @@
-//! The images of a surface's vertices on another surface, by way of the unit disk.
+//! The images of a surface's vertices on another surface, through the unit disk.
 //!
-//! Both surfaces go to the disk, each by its own measure (see `disk_coordinates`): f = g₂⁻¹ ∘ g₁ takes x₁ to x₂
-//! and y₁ to y₂. Boundary vertices go where the matched measures say, which keeps the digits that the disk rounds
-//! away; an interior vertex goes to the point of the other surface that lies at its place in the disk. A walk finds it
-//! from where a neighbour lies; what no walk finds is a stray, and goes to the nearest point in the disk.
+//! Both surfaces are mapped to the disk, each by its own measure (see `disk_coordinates`): f = g₂⁻¹ ∘ g₁ takes x₁ to x₂
+//! and y₁ to y₂. Boundary vertices are mapped by the matched measures, which keep the digits that the disk rounds
+//! away; an interior vertex goes to the point of the other surface that has the same position in the disk. A walk from
+//! triangle to triangle locates it, starting near a neighbor; a vertex that no walk locates is a stray, and goes to the
+//! nearest point in the disk.
 
 use super::{BoundaryCorrespondence, MeshedSurface, PerSide, Side};
 use crate::geometry::{DVec2, DVec3};
@@ -12,13 +13,13 @@ use crate::mesh::{BarycentricPoint, DiskLayout, NO_TRIANGLE, TriMesh, TriangleId
 use crate::surface::SurfaceTree;
 use std::sync::OnceLock;
 
-/// Steps of walks, and triangles looked at, between two looks at the clock: 0.3 ms.
+/// Steps of walks, and triangles visited, between two checks of the deadline: 0.3 ms.
 const BLOCK: usize = 4096;
 
-/// A vertex that is not yet located.
+/// The value for a vertex that is not located yet.
 const NOWHERE: BarycentricPoint = BarycentricPoint::new(TriangleId::new(NO_TRIANGLE), [0.0; 3]);
 
-/// Where the vertices of a mapped surface go on the other one; one point and its place for each vertex.
+/// The images of a mapped surface's vertices on the other one; one point and its position for each vertex.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SurfaceImages {
     points: Vec<BarycentricPoint>,
@@ -26,23 +27,23 @@ pub struct SurfaceImages {
 }
 
 impl SurfaceImages {
-    /// The points of the other surface.
+    /// The images as points of the other surface.
     pub fn points(&self) -> &[BarycentricPoint] {
         &self.points
     }
 
-    /// Where they lie in space.
+    /// The positions of the images in space.
     pub fn places(&self) -> &[DVec3] {
         &self.places
     }
 }
 
-/// A side in the unit disk.
+/// The image of a side in the unit disk.
 #[derive(Debug, Default)]
 pub(super) struct DiskImage {
     /// g at the vertices.
     places: Vec<DVec2>,
-    /// For nearest points; made when a vertex strays.
+    /// The search tree for nearest points; built for the first stray.
     tree: OnceLock<SurfaceTree>,
 }
 
@@ -52,52 +53,52 @@ impl DiskImage {
         &self.places
     }
 
-    /// For nearest points among its `triangles`; made when it is first asked for.
+    /// The search tree for nearest points among `triangles`; built on the first call.
     fn tree(&self, triangles: &[[u32; 3]]) -> &SurfaceTree {
         let place = |v: u32| self.places[v as usize].extend(0.0);
         self.tree.get_or_init(|| SurfaceTree::of(triangles.iter().map(|corners| corners.map(place)).collect()))
     }
 
-    /// To be overwritten.
+    /// g at the vertices, for overwriting. The search tree is dropped.
     pub fn places_mut(&mut self) -> &mut Vec<DVec2> {
         self.tree.take();
         &mut self.places
     }
 }
 
-/// What a map between two surfaces has beside that of its sides: those of the last complete update, and those
-/// of the one under way.
+/// The data of a map between two surfaces beyond those of its sides: those of the last complete update, and those
+/// of the update in progress.
 #[derive(Debug, Default)]
 pub(super) struct ThroughDisk {
     /// Both sides in the disk.
     pub disks: PerSide<DiskImage>,
     pub images: SurfaceImages,
-    /// Those of the update under way, of the sides that it renews.
+    /// The images, in the update in progress, of the sides that it recomputes.
     pub coming_disks: PerSide<DiskImage>,
     coming: SurfaceImages,
-    /// By boundary edge of a side, the triangle at it; made when the side is first mapped onto.
+    /// By boundary edge of a side, the triangle at it; computed when the side is first mapped onto.
     edge_triangles: PerSide<Vec<u32>>,
     search: Search,
 }
 
-/// How far the location of the vertices has come.
+/// The progress of locating the vertices.
 #[derive(Debug, Default)]
 struct Search {
-    /// The first triangle of the mapped surface whose corners were not looked for.
+    /// The first triangle of the mapped surface whose corners are not processed.
     next: usize,
-    /// By vertex, whether it was looked for.
+    /// By vertex, whether it was processed.
     is_done: Vec<bool>,
-    /// The triangle of the other surface where a vertex was found last.
+    /// The triangle of the other surface in which a vertex was located last.
     last: Option<TriangleId>,
-    /// Vertices that no walk has found.
+    /// Vertices that no walk has located.
     strays: Vec<u32>,
-    /// How many of them have their nearest point.
+    /// How many of the strays have their nearest point.
     settled: usize,
 }
 
 impl ThroughDisk {
-    /// Begins to locate so many `vertices` in the other surface, `side` of the map: those of the boundary go where they
-    /// are matched.
+    /// Starts locating this number of `vertices` in the other surface, `side` of the map; those of the boundary are
+    /// placed as they are matched.
     pub fn begin(&mut self, vertices: usize, (other, side): (&MeshedSurface, Side), matched: &BoundaryCorrespondence) {
         let mesh = other.mesh();
         let edge_triangles = &mut self.edge_triangles[side];
@@ -120,7 +121,7 @@ impl ThroughDisk {
         points.resize(vertices, NOWHERE);
     }
 
-    /// Goes on with it until all vertices are located (true) or `deadline` is over.
+    /// Continues until all vertices are located (true) or `deadline` has passed.
     pub fn advance(
         &mut self,
         (mapped, side): (&MeshedSurface, Side),
@@ -144,7 +145,7 @@ impl ThroughDisk {
         true
     }
 
-    /// The update under way is complete.
+    /// Makes the results of a complete update visible.
     pub fn commit(&mut self, is_coming: PerSide<bool>) {
         for side in Side::BOTH.into_iter().filter(|side| is_coming[*side]) {
             let (shown, coming) = (&mut self.disks[side], &mut self.coming_disks[side]);
@@ -166,7 +167,7 @@ fn triangles_at_edges(mesh: &TriMesh<DVec3>) -> Vec<u32> {
 }
 
 impl Search {
-    /// Begins with so many vertices, of which the first are `located`.
+    /// Starts with this number of vertices, of which the first are `located`.
     fn begin(&mut self, located: &[BarycentricPoint], vertices: usize) {
         self.next = 0;
         self.is_done.clear();
@@ -177,12 +178,12 @@ impl Search {
         self.settled = 0;
     }
 
-    /// Where a walk starts if it has nothing nearer.
+    /// The triangle at which a walk starts if none nearer is known.
     fn start(&self) -> TriangleId {
         self.last.unwrap_or(TriangleId::new(0))
     }
 
-    /// Walks to the vertices, triangle by triangle, until all were looked for (true) or `deadline` is over.
+    /// Walks to the vertices, triangle by triangle, until all are processed (true) or `deadline` has passed.
     fn walk(
         &mut self,
         triangles: &[[u32; 3]],
@@ -210,7 +211,7 @@ impl Search {
         true
     }
 
-    /// Walks to a corner of a triangle from another one that was found.
+    /// Walks to a corner of a triangle, starting from another corner that is located.
     fn walk_to(
         &mut self,
         v: u32,
@@ -230,8 +231,8 @@ impl Search {
         }
     }
 
-    /// Gives each stray the nearest point of the other surface in the disk (where triangles are flipped, one of those
-    /// over it), until all have one (true) or `deadline` is over.
+    /// Assigns to each stray the nearest point of the other surface in the disk (where triangles are flipped, one of
+    /// those that cover it), until all are done (true) or `deadline` has passed.
     fn settle(
         &mut self,
         here: &[DVec2],
@@ -242,7 +243,7 @@ impl Search {
     ) -> bool {
         while let Some(&v) = self.strays.get(self.settled) {
             let tree = there.tree(triangles);
-            // a place that is not finite is in every triangle, and no stray
+            // a position that is not finite passes the test of every triangle, so it is no stray
             let nearest = tree.nearest(here[v as usize].extend(0.0)).map(|(point, _)| point);
             points[v as usize] = nearest.unwrap_or(BarycentricPoint::new(self.start(), [1.0, 0.0, 0.0]));
             self.settled += 1;
@@ -270,7 +271,7 @@ mod tests {
         Arc::new(prepare_surface(mesh, SurfaceSettings::default(), &mut |_| ()).unwrap())
     }
 
-    /// A flat strip of so many squares along and across, all cut alike.
+    /// A flat strip with this number of squares along and across, all divided along the same diagonal.
     fn strip(along: u32, across: u32) -> Surface {
         let row = along + 1;
         let vertices =
@@ -282,7 +283,7 @@ mod tests {
         Surface { vertices, triangles: triangles.collect(), notes: Vec::new() }
     }
 
-    /// Where a strip crowds, most of its vertices and triangles fall together in the disk.
+    /// On a crowded strip, most vertices and triangles coincide in the disk.
     #[test]
     fn few_walks_get_lost_against_a_strip() {
         let hemisphere = prepared(&SurfacePreset::Hemisphere.surface(100).unwrap());
@@ -295,7 +296,7 @@ mod tests {
                 println!("{way:?}: {strays} of {vertices}");
                 assert!(images.places().iter().all(|p| p.is_finite()));
                 assert!(10 * strays <= vertices, "{way:?}: {strays} of {vertices}");
-                // in pieces, strays too, the images are the same
+                // computed in pieces, the images are the same, strays included
                 let mut pieces = ConformalMap::unmapped(Arc::clone(&strip), Arc::clone(&hemisphere));
                 let settings = MapSettings::from(way);
                 while !pieces.advance(&at, settings, Deadline::in_ms(0.0)).unwrap() {}

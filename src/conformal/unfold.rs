@@ -1,22 +1,22 @@
 //! The ring of triangles around a point of a surface, unfolded into the plane where it is flat.
 //!
-//! Harmonic functions on a flat piece of a surface are harmonic in the plane that it unfolds to
-//! (isometrically, so conformally). There file `stencil` interpolates as sharply as in a planar
-//! mesh; a flat mesh in space and its bent copy give the same kernel as the planar one.
+//! Harmonic functions on a flat piece of a surface are harmonic in the plane into which it unfolds
+//! (isometrically, so conformally). There file `stencil` interpolates with the same accuracy as in a planar
+//! mesh: a flat mesh in space and a bent copy of it have the same kernel as the planar one.
 
 use super::stencil::{self, Stencil};
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::{BarycentricPoint, TriMesh, TriangleId};
 
-/// A ring is flat if unfolding it around a vertex closes up to this part of an edge. Coordinates
-/// computed in f64 close to 1e-14; a curvature that closes to 1e-9 moves the weights by no more.
+/// A ring is flat if unfolding it around a vertex closes up to this fraction of an edge. With coordinates
+/// computed in f64 it closes up to 1e-14; a curvature with a gap of 1e-9 changes the weights by no more than that.
 const FLAT: f64 = 1e-9;
 
-/// Vertices with their places in the plane.
+/// Vertices with their positions in the plane.
 pub(super) type UnfoldedPlaces = Vec<(u32, DVec2)>;
 
-/// The weights of the vertices around `x` into `stencil`: of the ring where it is flat and interior, else of
-/// the three corners. `places` is working memory.
+/// Writes the weights of the vertices around `x` into `stencil`: those of the ring if it is flat and interior, else
+/// those of the three corners. `places` is working memory.
 pub(super) fn around(mesh: &TriMesh<DVec3>, x: BarycentricPoint, stencil: &mut Stencil, places: &mut UnfoldedPlaces) {
     stencil.clear();
     let corners = mesh.triangles()[x.triangle().index()];
@@ -32,12 +32,12 @@ pub(super) fn around(mesh: &TriMesh<DVec3>, x: BarycentricPoint, stencil: &mut S
     stencil.extend(corners.into_iter().zip(x.weights()));
 }
 
-/// Where a vertex was placed; rings have about 12.
+/// The position of a vertex that is already unfolded; rings have about 12 vertices.
 fn known(places: &UnfoldedPlaces, vertex: u32) -> Option<DVec2> {
     places.iter().find(|(known, _)| *known == vertex).map(|&(_, place)| place)
 }
 
-/// Places the corners of `start` and all vertices of the triangles at them; `None` if one of them
+/// Unfolds the corners of `start` and all vertices of the triangles at them; `None` if one of them
 /// is on the boundary or the ring is not flat.
 fn unfold(mesh: &TriMesh<DVec3>, start: TriangleId, places: &mut UnfoldedPlaces) -> Option<()> {
     places.clear();

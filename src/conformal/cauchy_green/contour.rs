@@ -17,7 +17,7 @@
 use crate::geometry::{DVec2, orientation};
 use std::f64::consts::TAU;
 
-/// Edges are taken by blocks that stay in registers and the first-level cache.
+/// Edges are processed in blocks that fit into registers and the first-level cache.
 pub(super) const BLOCK: usize = 64;
 
 /// Up to this |q|² (an edge seen from four times its length) [`SERIES`] terms of E are enough:
@@ -25,11 +25,11 @@ pub(super) const BLOCK: usize = 64;
 const FAR: f64 = 1.0 / 64.0;
 const SERIES: usize = 8;
 
-/// Up to this |q|² (23 times its length) four terms are: E is off by q¹⁰/11 < 2⁻⁵³ |L|.
+/// Up to this |q|² (23 times its length) four terms are enough: E is off by q¹⁰/11 < 2⁻⁵³ |L|.
 const VERY_FAR: f64 = 1.0 / 2048.0;
 const SHORT_SERIES: usize = 4;
 
-/// L and E of a block of edges, real and imaginary parts apart.
+/// L and E of a block of edges, with separate real and imaginary parts.
 #[derive(Debug, Clone)]
 pub(super) struct Logs {
     pub(super) log: [[f64; BLOCK]; 2],
@@ -43,7 +43,7 @@ impl Logs {
         Self { log: [[0.0; BLOCK]; 2], rest: [[0.0; BLOCK]; 2], nearness: [0.0; BLOCK] }
     }
 
-    /// From q in `log`: E into `rest`, L into `log`.
+    /// With q in `log`: writes E into `rest` and L into `log`.
     fn expand<const TERMS: usize>(&mut self) {
         let ([x, y], [u, v]) = (&mut self.log, &mut self.rest);
         for k in 0..BLOCK {
@@ -59,7 +59,7 @@ impl Logs {
     }
 }
 
-/// A closed polygon, counter-clockwise, over whose edges Cauchy's integral is taken.
+/// A closed polygon, counter-clockwise, over whose edges Cauchy's integral is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contour {
     /// v_0 … v_{m−1}, v_0, by coordinate.
@@ -88,9 +88,9 @@ impl Contour {
         self.squared_lengths.is_empty()
     }
 
-    /// The Cauchy–Green coordinates γ_k(z) into `gamma` (length m; x + iy), equation (15).
+    /// Writes the Cauchy–Green coordinates γ_k(z) into `gamma` (length m; x + iy), equation (15).
     ///
-    /// Σγ_k = 1 and Σγ_k v_k = z to rounding for z inside, however near to the boundary;
+    /// Σγ_k = 1 and Σγ_k v_k = z up to rounding for z inside, however near to the boundary;
     /// on the boundary they are the limits from inside. Outside, both sums are 0. Cost O(m).
     pub fn coordinates(&self, z: DVec2, gamma: &mut Vec<DVec2>) {
         let m = self.len();
@@ -119,13 +119,13 @@ impl Contour {
         }
     }
 
-    /// L and E of a block; what stands behind its `count` edges has no meaning.
+    /// L and E of a block; entries after its first `count` edges are meaningless.
     fn block(&self, z: DVec2, first: usize, count: usize, logs: &mut Logs) {
         let (x, y) = (&self.points[0][first..=first + count], &self.points[1][first..=first + count]);
         let squares = &self.squared_lengths[first..first + count];
         let (mut far, mut very_far) = (true, true);
         for k in 0..count {
-            // differences first: nothing is lost where z is near
+            // differences first: no cancellation where z is near
             let (ax, ay, bx, by) = (x[k] - z.x, y[k] - z.y, x[k + 1] - z.x, y[k + 1] - z.y);
             let (sx, sy, dx, dy) = (ax + bx, ay + by, x[k + 1] - x[k], y[k + 1] - y[k]);
             let inverse = 1.0 / (sx * sx + sy * sy);
@@ -154,13 +154,13 @@ impl Contour {
         DVec2::new(self.points[0][k], self.points[1][k])
     }
 
-    /// L and E of edge `k` seen from near by.
+    /// L and E of edge `k` seen from nearby.
     ///
-    /// On the edge's inside the angle tends to +π. At a vertex, a → 0 on the edge that begins
+    /// On the inner side of the edge the angle tends to +π. At a vertex, a → 0 on the edge that starts
     /// there and b → 0 on the one that ends there: a log a → 0, so Q = 1 on the former and
     /// P = −1 on the latter, while the logarithms of the small number cancel in P + Q' = L + L'
     /// = log |d|/|d'| + i(2π − α), α the interior angle: all angles together are 2π, and the
-    /// other edges are seen under α. The edge that begins there takes the angle.
+    /// other edges are seen under α. The edge that starts there takes the angle.
     fn near(&self, z: DVec2, k: usize) -> (DVec2, DVec2) {
         let (from, to) = (self.point(k), self.point(k + 1));
         let (a, b) = (from - z, to - z);

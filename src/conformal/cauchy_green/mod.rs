@@ -6,7 +6,7 @@
 //! the boundary value of a holomorphic function. On the boundary f̂ is the limit from inside,
 //! so the boundary vertices are mapped too, and may leave the other outline slightly.
 //!
-//! | file | what |
+//! | file | content |
 //! |---|---|
 //! | `contour` | logarithms of an edge, γ_k(z), limits on the boundary |
 //! | `values` | the images w_k, and f̂(z) in f64 without storing γ |
@@ -28,43 +28,43 @@ use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
-/// Γ is stored up to this size: a mesh of 90,000 vertices with 700 samples. A 32-bit address
-/// space (the web) has to hold the rest of the page in 4 GiB.
+/// The largest size of a stored Γ: a mesh of 90,000 vertices with 700 samples. A 32-bit address
+/// space (the web) has to hold the rest of the page in 4 GiB too.
 pub const STORED_BYTES: usize = if usize::BITS > 32 { 512 << 20 } else { 256 << 20 };
 
-/// Terms (vertex × sample) between two looks at the clock: about 4 ms of building on one
+/// Terms (vertex × sample) between two checks of the clock: about 4 ms of building on one
 /// thread, 0.5 ms of applying.
 const CHUNK_TERMS: usize = 1 << 18;
 
-/// Fewer terms than this (about 10 µs) are not worth a task of their own.
+/// Fewer terms than this (about 10 µs) do not justify a task of their own.
 const LEAST_TERMS_PER_TASK: usize = 1 << 13;
 
-/// Where γ comes from.
+/// Whether γ is stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum CauchyGreenMode {
-    /// Γ is kept in f32: a product per map. Images are within 1e-6 of the extent of the f64 ones.
+    /// Γ is stored in f32: one product per map. Images are within 1e-6 of the extent of the f64 ones.
     Stored,
-    /// γ is computed for every map, in f64; no memory.
+    /// γ is computed for every map, in f64, and not stored.
     OnTheFly,
 }
 
 /// The Cauchy–Green coordinates of the vertices of a mesh.
 ///
-/// Γ is built chunk by chunk, the first time that a vertex is evaluated. All results are
+/// Γ is built chunk by chunk, when a vertex is first evaluated. All results are
 /// independent of the chunks and of the number of threads, bit for bit.
 #[derive(Debug)]
 pub struct CauchyGreen {
     domain: Arc<MeshedDomain>,
     contour: Contour,
     mode: CauchyGreenMode,
-    /// Rows of Γ, [`Self::chunk_rows`] to a block, from vertex 0 on.
+    /// Rows of Γ, [`Self::chunk_rows`] to a block, starting with vertex 0.
     blocks: Vec<Vec<f32>>,
 }
 
 impl CauchyGreen {
-    /// For the mesh of `domain`; stores Γ if that takes at most `budget_bytes`. Cost O(m).
+    /// The coordinates for the mesh of `domain`; stores Γ if that takes at most `budget_bytes`. Cost O(m).
     pub fn new(domain: Arc<MeshedDomain>, budget_bytes: usize) -> Self {
         let contour = Contour::new(&domain.samples().points);
         let bytes = Self::estimate_bytes(contour.len(), domain.mesh().vertices().len());
@@ -72,7 +72,7 @@ impl CauchyGreen {
         Self { domain, contour, mode, blocks: Vec::new() }
     }
 
-    /// What storing Γ of so many vertices takes: 8 bytes a term.
+    /// The memory for storing Γ with this number of vertices: 8 bytes per term.
     pub fn estimate_bytes(m: usize, vertices: usize) -> usize {
         vertices.saturating_mul(table::row_length(m).saturating_mul(size_of::<f32>()))
     }
@@ -82,7 +82,7 @@ impl CauchyGreen {
         self.mode
     }
 
-    /// What is stored so far.
+    /// The bytes that are stored so far.
     pub fn stored_bytes(&self) -> usize {
         self.blocks.iter().map(|block| size_of_val(block.as_slice())).sum()
     }
@@ -98,10 +98,10 @@ impl CauchyGreen {
     }
 
     /// Maps the vertices from `from` on, chunk by chunk, into `images` (length m+n), storing
-    /// the rows of Γ that are not stored yet. After each chunk `go_on` hears the fraction
-    /// that is done and may stop. Returns the first vertex that is not done.
+    /// the rows of Γ that are not stored yet. After each chunk `go_on` is called with the
+    /// completed fraction and may stop. Returns the first vertex that is not done.
     ///
-    /// If the memory for Γ is not to be had, what is stored is given up and the mode is
+    /// If the memory for Γ cannot be allocated, the stored rows are freed and the mode is
     /// [`CauchyGreenMode::OnTheFly`] from then on.
     pub fn advance(
         &mut self,
@@ -126,8 +126,8 @@ impl CauchyGreen {
         done
     }
 
-    /// Maps a range of vertices: stored rows where there are, else in f64. `images` has the
-    /// length of the range. Pure in its inputs.
+    /// Maps a range of vertices: with stored rows if they exist, else in f64. `images` has the
+    /// length of the range. The result depends on the arguments and the stored rows alone.
     pub fn apply(&self, vertices: Range<usize>, values: &BoundaryValues, images: &mut [DVec2]) {
         let (rows, length) = (self.chunk_rows(), table::row_length(self.contour.len()));
         let points = &self.domain.mesh().vertices()[vertices.clone()];
@@ -142,7 +142,7 @@ impl CauchyGreen {
         images.par_iter_mut().zip(points).enumerate().with_min_len(least).for_each(map);
     }
 
-    /// Builds the blocks of Γ before vertex `end`; `None` where there is no memory.
+    /// Builds the blocks of Γ before vertex `end`; `None` if memory cannot be allocated.
     fn store_up_to(&mut self, end: usize) -> Option<()> {
         let (rows, length) = (self.chunk_rows(), table::row_length(self.contour.len()));
         while self.blocks.len() * rows < end {

@@ -1,19 +1,20 @@
 //! Rows of Γ in f32, real parts before imaginary parts, and their product with the images.
 //!
-//! The product streams through memory once. Lanes of f32 take [`RUN`] terms each, then add up
-//! in f64: the rounding of γ, 6e-8 of each term, stays the largest error.
+//! The product reads memory once, in order. Lanes of f32 add [`RUN`] terms each, which are then summed
+//! in f64: the rounding of γ, 6e-8 of each term, remains the largest error.
 
 use super::contour::Contour;
 use super::values::BoundaryValues;
 use crate::geometry::DVec2;
 
-/// Sums side by side: a 256-bit register, or two of 128 bits.
+/// Sums computed in parallel: a 256-bit register, or two of 128 bits.
 const LANES: usize = 8;
 
-/// Terms that a lane adds in f32 before it is emptied: their rounding is random, below 3e-7 of what the lane holds.
+/// Terms that a lane adds in f32 before the sum is moved to f64: their rounding is random, below 3e-7 of the lane's
+/// sum.
 const RUN: usize = 32;
 
-/// m rounded up to whole lanes.
+/// m rounded up to a multiple of [`LANES`].
 pub(super) fn padded(m: usize) -> usize {
     m.next_multiple_of(LANES)
 }
@@ -23,7 +24,7 @@ pub(super) fn row_length(m: usize) -> usize {
     2 * padded(m)
 }
 
-/// γ(z) into a row (of [`row_length`]).
+/// Writes γ(z) into a row (of [`row_length`]).
 pub(super) fn fill_row(contour: &Contour, z: DVec2, gamma: &mut Vec<DVec2>, row: &mut [f32]) {
     contour.coordinates(z, gamma);
     let (re, im) = row.split_at_mut(padded(contour.len()));
@@ -32,7 +33,7 @@ pub(super) fn fill_row(contour: &Contour, z: DVec2, gamma: &mut Vec<DVec2>, row:
     }
 }
 
-/// Σ γ_k w_k over a stored row.
+/// Σ γ_k w_k for a stored row.
 pub(super) fn apply_row(row: &[f32], values: &BoundaryValues) -> DVec2 {
     let (re, im) = row.split_at(row.len() / 2);
     let runs = re.chunks(RUN * LANES).zip(im.chunks(RUN * LANES));
@@ -47,7 +48,7 @@ pub(super) fn apply_row(row: &[f32], values: &BoundaryValues) -> DVec2 {
 fn run(re: &[f32], im: &[f32], x: &[f32], y: &[f32]) -> [f64; 2] {
     let (re, im) = (re.as_chunks::<LANES>().0, im.as_chunks::<LANES>().0);
     let (x, y) = (x.as_chunks::<LANES>().0, y.as_chunks::<LANES>().0);
-    // four sums rather than two: as re·x − im·y in one step the compiler pairs the wrong lanes
+    // four sums rather than two: written as re·x − im·y in one step, the compiler pairs the wrong lanes
     let mut sums = [[0.0_f32; LANES]; 4];
     for (((re, im), x), y) in re.iter().zip(im).zip(x).zip(y) {
         for (sum, (a, b)) in sums.iter_mut().zip([(re, x), (im, y), (re, y), (im, x)]) {

@@ -1,4 +1,4 @@
-//! Facts about Cauchy–Green coordinates: what they reproduce, their limits, their formula, their order.
+//! Properties of Cauchy–Green coordinates: reproduction, limits, formula, order of convergence.
 
 use super::*;
 use crate::conformal::{PrepareSettings, prepare};
@@ -8,7 +8,7 @@ use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
 use std::f64::consts::TAU;
 
-/// Σγ and Σγv are sums of about a hundred terms of size ≤ 4 (log 1e-9 / 2π), each known to 4 roundings.
+/// Σγ and Σγv are sums of about a hundred terms of size ≤ 4 (log 1e-9 / 2π), each accurate to 4 roundings.
 const ROUNDING: f64 = 2e-13;
 
 fn coordinates(polygon: &[DVec2], z: DVec2) -> Vec<DVec2> {
@@ -21,7 +21,7 @@ fn points(list: &[[f64; 2]]) -> Vec<DVec2> {
     list.iter().map(|&p| DVec2::from_array(p)).collect()
 }
 
-/// Convex, reflex and straight corners; a needle, a slit, a spike next to a short edge.
+/// Polygons with convex, reflex and straight corners; a needle, a slit, a spike next to a short edge.
 fn polygons() -> Vec<(&'static str, Vec<DVec2>)> {
     vec![
         ("square", points(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])),
@@ -36,7 +36,7 @@ fn polygons() -> Vec<(&'static str, Vec<DVec2>)> {
     ]
 }
 
-/// The unit vector from vertex `k` into the domain, halving its angle.
+/// The unit vector from vertex `k` into the domain, along the bisector of its angle.
 fn inwards(polygon: &[DVec2], k: usize) -> DVec2 {
     let m = polygon.len();
     let (to, from) = (polygon[(k + 1) % m] - polygon[k], polygon[(k + m - 1) % m] - polygon[k]);
@@ -102,7 +102,7 @@ fn corner_of_a_square_has_the_closed_form() {
 
 #[test]
 fn coordinates_are_those_of_the_paper() {
-    // equation (15) as it is printed, where no logarithm of it is near its cut
+    // equation (15) as printed, where none of its logarithms is near its branch cut
     let polygon: Vec<DVec2> =
         (0..40).map(|k| DVec2::from_angle(TAU * f64::from(k) / 40.0) * (1.0 + 0.3 * f64::from(k % 3))).collect();
     let v = |k: usize| complex(polygon[k % 40]);
@@ -115,7 +115,7 @@ fn coordinates_are_those_of_the_paper() {
             let left = (before - z) / (here - before) * ((here - z) / (before - z)).ln();
             let expected = (right - left) / Complex::new(0.0, TAU);
             let error = (complex(value) - expected).norm();
-            // the printed difference cancels a few digits
+            // the printed difference loses a few digits by cancellation
             assert!(error < 1e-14, "k = {k}, z = {z:?}: {value} and {expected:?}");
         }
     }
@@ -123,7 +123,7 @@ fn coordinates_are_those_of_the_paper() {
 
 #[test]
 fn far_and_near_edges_have_the_same_logarithm() {
-    // an edge of length h seen from r: the series ends at r = 4h, and shortens at r = 23h
+    // an edge of length h at distance r: the series is used from r = 4h on, and the shorter one from r = 23h on
     for r in [3.98, 4.02, 22.5, 22.7, 1e3, 1e6] {
         for angle in [0.1, 1.3, 2.9, -1.0] {
             let (v, w) = (DVec2::from_angle(angle) * r - 0.5 * DVec2::X, DVec2::from_angle(angle) * r + 0.5 * DVec2::X);
@@ -181,7 +181,7 @@ fn whole(coordinates: &mut CauchyGreen, values: &BoundaryValues) -> Vec<DVec2> {
     images
 }
 
-/// Boundary values that are rough and of every size: what an early drag may ask for.
+/// Boundary values that are rough and of all sizes, as they may occur in a drag.
 fn rough(m: usize) -> BoundaryValues {
     BoundaryValues::new((0..m).map(|k| DVec2::from_angle(k as f64 * k as f64) * (1.0 + k as f64 / m as f64) + 1e3))
 }
@@ -199,7 +199,7 @@ fn stored_coordinates_agree_with_f64_ones() {
         assert_eq!((stored.stored_bytes(), exact.stored_bytes()), (bytes, 0));
         let error = a.iter().zip(&b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
         println!("{}: f32 is off by {:.1e} of the extent", preset.name(), error / 4.0);
-        // 6e-8 of Σ|γ| ≤ 8, of images of extent 4
+        // 6e-8 of Σ|γ| ≤ 8, for images of extent 4
         assert!(error < 4.0 * 1e-6, "{}: {error:e}", preset.name());
     }
 }
@@ -245,7 +245,7 @@ fn chunks_and_threads_do_not_change_a_bit() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
         let alone = pool.install(|| whole(&mut CauchyGreen::new(Arc::clone(&domain), budget), &values));
         assert!(threaded == expected && alone == expected);
-        // a range of its own gives the same as the whole
+        // a separate range gives the same as the whole
         let mut part = vec![DVec2::NAN; 37];
         at_once.apply(11..48, &values, &mut part);
         assert_eq!(part, expected[11..48]);

@@ -1,7 +1,7 @@
-//! The boundary images w_k as the sums over them need them.
+//! The boundary images w_k, prepared for the sums over them.
 //!
 //! Because Σγ_k = 1, f̂ = c + s Σγ_k (w_k − c)/s for any c and s. With c the middle and s the
-//! size of the images a constant is reproduced exactly, and f32 holds the rest to 6e-8 of s.
+//! size of the images a constant is reproduced exactly, and f32 represents the rest to 6e-8 of s.
 
 use super::contour::{Contour, over_two_pi_i};
 use crate::geometry::{Bounds, DVec2};
@@ -59,7 +59,7 @@ impl BoundaryValues {
         self.len() == 0
     }
 
-    /// From the centred and scaled sum to the value.
+    /// The value for the centered and scaled sum.
     pub(super) fn restore(&self, sum: DVec2) -> DVec2 {
         self.centre + self.scale * sum
     }
@@ -68,7 +68,7 @@ impl BoundaryValues {
 impl Contour {
     /// f̂(z) = Σ_k γ_k(z) w_k in f64, without storing γ: Σ (L (w_k + w_{k+1})/2 − E (w_{k+1} − w_k))/(2πi).
     ///
-    /// z on the boundary gives the limit from inside; z outside is not meant.
+    /// z on the boundary gives the limit from inside; z must not lie outside.
     pub fn evaluate(&self, z: DVec2, values: &BoundaryValues) -> DVec2 {
         debug_assert_eq!(values.len(), self.len(), "a value per vertex");
         let (mut re, mut im) = (0.0, 0.0);
@@ -77,7 +77,7 @@ impl Contour {
             let (mx, my) = (&values.means[0][range.clone()], &values.means[1][range.clone()]);
             let (sx, sy) = (&values.steps[0][range.clone()], &values.steps[1][range]);
             let ([lx, ly], [ex, ey]) = (&logs.log, &logs.rest);
-            // two lanes: the compiler may not reorder a sum by itself
+            // two lanes: the compiler must not reorder a sum by itself
             let mut sums = [[0.0; 2]; 2];
             for k in 0..count {
                 let sum = &mut sums[k % 2];
