@@ -1,6 +1,6 @@
-//! A solver's factor as flat arrays, for a worker's border, and back.
+//! Conversion of a solver's factor to flat arrays, for the transfer between workers, and back.
 //!
-//! What comes back is checked: `None` for arrays that no factor makes.
+//! Arrays are checked when they are read: `None` if they are not a valid factor.
 
 use super::Ordering;
 use super::factor::Factor;
@@ -21,7 +21,7 @@ pub struct FactorBuffers {
 }
 
 impl Factor {
-    /// As flat arrays.
+    /// Converts the factor to flat arrays.
     pub fn to_buffers(&self) -> FactorBuffers {
         let chunks = self.chunks.list.iter().flat_map(|c| [c.column, c.width, c.rows, c.row_count, c.values]).collect();
         FactorBuffers {
@@ -32,7 +32,7 @@ impl Factor {
         }
     }
 
-    /// From flat arrays; `None` if they are not consistent.
+    /// The factor from flat arrays; `None` if they are not consistent.
     pub fn from_buffers(buffers: FactorBuffers) -> Option<Self> {
         let n = buffers.forward.len();
         let mut inverse = vec![u32::MAX; n];
@@ -54,24 +54,24 @@ impl Factor {
 /// A [`Pcg`] as flat arrays.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PcgBuffers {
-    /// Where the rows start.
+    /// The index of the first entry of each row.
     pub starts: Vec<u32>,
-    /// The columns.
+    /// The column of each entry.
     pub columns: Vec<u32>,
     /// The entries of L̂.
     pub matrix: Vec<f64>,
-    /// The entries of the factor.
+    /// The entries of the incomplete factor.
     pub factor: Vec<f64>,
 }
 
 impl Pcg {
-    /// As flat arrays.
+    /// Converts the solver to flat arrays.
     pub fn to_buffers(&self) -> PcgBuffers {
         let Self { starts, columns, matrix, factor } = self.clone();
         PcgBuffers { starts, columns, matrix, factor }
     }
 
-    /// From flat arrays; `None` if they are not consistent.
+    /// The solver from flat arrays; `None` if they are not consistent.
     pub fn from_buffers(buffers: PcgBuffers) -> Option<Self> {
         let PcgBuffers { starts, columns, matrix, factor } = buffers;
         let solver = Self { starts, columns, matrix, factor };

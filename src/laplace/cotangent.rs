@@ -3,8 +3,8 @@
 //! Off-diagonal entries are −½(cot α + cot β), α and β the angles opposite to the
 //! edge; the diagonal makes the rows of [L̂ L̄] sum to zero. On a Delaunay mesh
 //! every off-diagonal entry is ≤ 0: L̂ is an M-matrix. The edges of a planar mesh
-//! are Delaunay by exact predicates, so a weight that comes out negative is the
-//! rounding of a needle's cotangent, and is taken as 0. Surfaces give their cotangents by edge
+//! are Delaunay by exact predicates, so a negative computed weight is the
+//! rounding of a needle's cotangent, and is set to 0. For surfaces the cotangents come from edge
 //! lengths; where edges were not flipped to Delaunay, negative weights are kept.
 
 use super::LaplaceError;
@@ -28,13 +28,13 @@ pub struct DirichletLaplacian {
 trait Angles {
     fn triangles(&self) -> &[[u32; 3]];
 
-    /// The triangle and corner across the edge opposite to corner `i`.
+    /// The triangle and corner across the edge opposite to corner `i`; `None` for a boundary edge.
     fn across(&self, t: usize, i: usize) -> Option<(usize, usize)>;
 
     /// The cotangent of the angle at corner `i`.
     fn cotangent(&self, t: usize, i: usize) -> f64;
 
-    /// Whether negative weights are rounding.
+    /// Whether the triangulation is Delaunay, so that negative weights are rounding errors.
     fn is_delaunay(&self) -> bool;
 }
 
@@ -90,7 +90,7 @@ impl DirichletLaplacian {
         &self.coupling
     }
 
-    /// As [`Self::coupling`].
+    /// [`Self::coupling`] by value.
     pub(crate) fn into_coupling(self) -> CsMatI<f64, u32> {
         self.coupling
     }
@@ -103,8 +103,8 @@ impl DirichletLaplacian {
         })
     }
 
-    /// As [`Self::assemble`], of a surface. If the mesh is not Delaunay, weights may be negative:
-    /// L̂ is positive definite all the same, but no M-matrix.
+    /// As [`Self::assemble`], for a surface. If the mesh is not Delaunay, weights may be negative:
+    /// L̂ is still positive definite, but no M-matrix.
     pub(crate) fn assemble_intrinsic(mesh: &IntrinsicMesh) -> Result<Self, LaplaceError> {
         Self::of(mesh, mesh.boundary_count, mesh.vertex_count, &|vertex| LaplaceError::DegenerateAt {
             vertex: VertexId::new(vertex),
@@ -141,8 +141,8 @@ impl DirichletLaplacian {
     }
 }
 
-/// Every edge `(a, b, weight)` once, `a < b`; the weight is ½(cot α + cot β). An edge from a vertex to
-/// itself has no part in the Laplacian and is left out.
+/// Every edge `(a, b, weight)` once, `a < b`; the weight is ½(cot α + cot β). An edge that joins a vertex to
+/// itself does not contribute to the Laplacian and is left out.
 fn weighted_edges(mesh: &impl Angles, boundary_count: u32) -> Vec<(u32, u32, f64)> {
     let triangles = mesh.triangles();
     let mut edges = Vec::with_capacity(triangles.len() * 3 / 2 + boundary_count as usize);
@@ -164,7 +164,7 @@ fn weighted_edges(mesh: &impl Angles, boundary_count: u32) -> Vec<(u32, u32, f64
     edges
 }
 
-/// A compressed-column matrix from entries `(row, column, value)`; those at one place are added
+/// A compressed-column matrix from entries `(row, column, value)`; entries at the same position are added
 /// (an intrinsic triangulation may have several edges between two vertices).
 fn by_columns(rows: usize, columns: usize, entries: &[(u32, u32, f64)]) -> Result<CsMatI<f64, u32>, LaplaceError> {
     let starts = |key: &dyn Fn(&(u32, u32, f64)) -> u32, count: usize| {
@@ -197,7 +197,7 @@ fn by_columns(rows: usize, columns: usize, entries: &[(u32, u32, f64)]) -> Resul
         .map_err(|(_, _, _, error)| LaplaceError::Structure(error.to_string()))
 }
 
-/// Adds up the values of equal rows in each column; the new column pointers.
+/// Adds the values of equal rows in each column; returns the new column pointers.
 fn add_repeated(pointers: &[u32], indices: &mut Vec<u32>, values: &mut Vec<f64>) -> Vec<u32> {
     let (mut kept, mut shortened) = (0, Vec::with_capacity(pointers.len()));
     shortened.push(0);

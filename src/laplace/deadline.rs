@@ -1,22 +1,23 @@
-//! Until when a piece of work may go on before it lets its caller do something else.
+//! Deadlines for interruptible computations.
 
 use web_time::{Duration, Instant};
 
-/// A moment, or none: work looks at it between its steps.
+/// A time, or none, that a computation checks between its steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Deadline(Option<Instant>);
 
 impl Deadline {
-    /// The work goes on until it is done.
+    /// No deadline: the computation runs to completion.
     pub const NEVER: Self = Self(None);
 
-    /// In `ms` milliseconds from now: at once if that is not positive, never if it is beyond the clock.
+    /// `ms` milliseconds from now: already passed if that is not positive, never if it is beyond the range of the
+    /// clock.
     pub fn in_ms(ms: f64) -> Self {
         let wait = Duration::try_from_secs_f64(ms.max(0.0) * 1e-3).ok();
         Self(wait.and_then(|wait| Instant::now().checked_add(wait)))
     }
 
-    /// Whether it has come. Cost: a look at the clock, if there is a deadline.
+    /// Whether the deadline has passed. Cost: reading the clock, if there is a deadline.
     pub fn is_over(&self) -> bool {
         self.0.is_some_and(|end| Instant::now() >= end)
     }

@@ -1,8 +1,8 @@
-//! The Cholesky factor L̂ = Pᵀ L Lᵀ P as flat arrays: structure by faer, numbers by `multifrontal`.
+//! The Cholesky factor L̂ = Pᵀ L Lᵀ P as flat arrays: its structure comes from faer, its entries from `multifrontal`.
 //!
 //! [`Factor::solve`] is pruned: its forward sweep visits only the root paths of
 //! the right-hand side in the elimination tree, its backward sweep only the root
-//! paths of what is wanted. With three non-zero entries on the right and the
+//! paths of the wanted unknowns. With three non-zero entries on the right and the
 //! boundary's neighbours wanted, that is a small part of L.
 
 use super::supernode::Chunks;
@@ -15,11 +15,11 @@ use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 
-/// Chunks between two looks at the clock. The widest there are have 8 columns of some thousand rows:
-/// 256 of them take about 5 ms; those of a small mesh take 20 µs, a look at the clock 0.05 µs.
+/// Chunks between two checks of the deadline. The widest have 8 columns of some thousand rows:
+/// 256 of them take about 5 ms; those of a small mesh take 20 µs, reading the clock 0.05 µs.
 const BLOCK: usize = 256;
 
-/// The root of the elimination tree has no parent.
+/// The parent of the root of the elimination tree.
 const NO_PARENT: u32 = u32::MAX;
 
 /// The Cholesky factor of L̂.
@@ -37,7 +37,7 @@ pub struct Factor {
 /// A set of root paths in the elimination tree of a [`Factor`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RootPaths {
-    /// Ascending.
+    /// The chunks on the paths, ascending.
     chunks: Vec<u32>,
     seen: Vec<bool>,
 }
@@ -54,8 +54,8 @@ impl RootPaths {
 }
 
 impl Factor {
-    /// Factors L̂ in the given ordering, whose entries may take `budget_bytes` (the fronts take a
-    /// fraction of that for the time of the work).
+    /// Factors L̂ in the given ordering, within `budget_bytes` for the entries (the fronts temporarily
+    /// take a fraction of that).
     /// Errors: [`LaplaceError::NotPositiveDefinite`], [`LaplaceError::TooLarge`].
     pub fn new(laplacian: &DirichletLaplacian, ordering: Ordering, budget_bytes: u64) -> Result<Self, LaplaceError> {
         let n = laplacian.interior.cols();
@@ -111,7 +111,7 @@ impl Factor {
         self.ordering.forward.len()
     }
 
-    /// Where an unknown stands in the vectors that [`Self::solve`] works on.
+    /// The position of an unknown in the vectors of [`Self::solve`].
     pub fn position(&self, unknown: u32) -> usize {
         self.ordering.inverse[unknown as usize] as usize
     }
@@ -121,7 +121,7 @@ impl Factor {
         &self.ordering.forward
     }
 
-    /// All of the tree: what [`Self::solve`] is asked for when every unknown is wanted.
+    /// The whole tree: the argument of [`Self::solve`] if every unknown is wanted.
     pub fn everything(&self) -> &RootPaths {
         &self.everything
     }
@@ -147,9 +147,9 @@ impl Factor {
         self.chunks.backward(&wanted.chunks, x);
     }
 
-    /// Goes on with [`Self::solve`] until it is done (true) or `deadline` is over; at least a block
-    /// of chunks is. `visited` counts the chunks that are behind, 0 at the beginning; the other
-    /// arguments must be the same until the end. The solution is the same to the bit.
+    /// Continues [`Self::solve`] until it is complete (true) or `deadline` has passed; processes at least one block
+    /// of chunks. `visited` counts the processed chunks and is 0 at the start; the other
+    /// arguments must not change until the end. The solution is bit-identical to that of [`Self::solve`].
     pub(super) fn advance<const K: usize>(
         &self,
         visited: &mut usize,

@@ -2,7 +2,7 @@
 //!
 //! [`DirichletLaplacian`] holds the blocks L̂ and L̄ of the paper's appendix A;
 //! `Factor` is the Cholesky factor of L̂ as flat arrays, with sweeps that visit
-//! only what a sparse right-hand side, or a sparse question, needs. `Solver` is
+//! only what a sparse right-hand side, or a sparse set of wanted unknowns, needs. `Solver` is
 //! that factor or, where it does not fit, conjugate gradients; a solve of either can be
 //! interrupted at a [`Deadline`].
 
@@ -46,18 +46,18 @@ pub enum LaplaceError {
     /// The assembled pattern is not a valid sparse matrix: the mesh is inconsistent.
     #[error("the mesh is inconsistent: {0}")]
     Structure(String),
-    /// A triangle so thin that it has no angles.
+    /// A planar triangle is too thin to have angles.
     #[error("a triangle near ({x}, {y}) is too thin to have angles: use more samples, or a less narrow outline")]
     Degenerate {
-        /// Where.
+        /// The x coordinate of a corner.
         x: f64,
-        /// Where.
+        /// The y coordinate of a corner.
         y: f64,
     },
-    /// A triangle of a surface so thin that it has no angles.
+    /// A triangle of a surface is too thin to have angles.
     #[error("a triangle at vertex {vertex} of the surface is too thin to have angles")]
     DegenerateAt {
-        /// One of its corners, as the mesh numbers them.
+        /// One of its corners, in the numbering of the mesh.
         vertex: VertexId,
     },
     /// A pivot of the Cholesky factorisation is not positive.
@@ -66,7 +66,7 @@ pub enum LaplaceError {
         /// The interior vertex, `0 … n−1`.
         vertex: usize,
     },
-    /// The factor does not fit into the memory that it may take, or has more entries than a 32-bit index counts.
+    /// The factor does not fit into its memory limit, or has more entries than a 32-bit index can count.
     #[error(
         "the factor of {unknowns} unknowns takes {} MB, more than fits: use fewer samples, graded sizing, \
          or the iterative solver", bytes / 1_000_000
@@ -74,7 +74,7 @@ pub enum LaplaceError {
     TooLarge {
         /// The number of interior vertices, `n`.
         unknowns: usize,
-        /// What the factor would take; 0 if not even its structure could be found.
+        /// The memory that the factor needs; 0 if not even its structure could be computed.
         bytes: u64,
     },
 }

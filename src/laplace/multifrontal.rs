@@ -1,10 +1,10 @@
 //! The numeric Cholesky factorisation, multifrontal (Duff & Reid 1983; Liu 1992).
 //!
 //! Each supernode s gathers its columns of L̂ and its children's update matrices
-//! into a front, factors its w columns and hands the Schur complement on to its
-//! parent. The rows of a front stand in tiles of four, the columns of a tile one
+//! into a front, factors its w columns and passes the Schur complement to its
+//! parent. The rows of a front are stored in tiles of four, the columns of a tile one
 //! after the other, so that every step is arithmetic on `[f64; 4]`: it compiles to
-//! SIMD natively and for the web alike (faer's dense kernels, behind the same
+//! SIMD both natively and on the web (faer's dense kernels, with the same
 //! structure, are 2.3 times slower in wasm than natively). The pivots are padded
 //! to whole tiles, so that a tile never holds pivots and update rows together.
 
@@ -14,13 +14,13 @@ use super::{LaplaceError, Ordering};
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use sprs::CsMatI;
 
-/// Rows of a tile, and columns of a block of pivots.
+/// The number of rows of a tile, and of columns of a block of pivots.
 pub(super) const TILE: usize = 4;
 
 /// One column of a tile.
 type Column = [f64; TILE];
 
-/// No supernode.
+/// The end of a list of supernodes.
 const NONE: u32 = u32::MAX;
 
 /// Factors P L̂ Pᵀ, whose factor has the given structure, into chunks; L̂ is given by its upper triangle.
@@ -56,7 +56,7 @@ pub(super) fn factor(
     Ok(chunks)
 }
 
-/// The lower triangle of P L̂ Pᵀ by columns, of which L̂ stores the upper one.
+/// The lower triangle of P L̂ Pᵀ by columns, from L̂, of which the upper triangle is stored.
 struct LowerColumns {
     starts: Vec<u32>,
     entries: Vec<(u32, f64)>,
@@ -80,7 +80,7 @@ impl LowerColumns {
             sum += *start;
             *start = sum;
         }
-        // each column is filled from its end, which turns the ends into the starts
+        // filling each column from its end turns the ends into the starts
         let mut entries = vec![(0, 0.0); matrix.nnz()];
         for (row, column, value) in places() {
             starts[column as usize] -= 1;
@@ -94,14 +94,14 @@ impl LowerColumns {
     }
 }
 
-/// The supernodes' elimination tree, from parents to children.
+/// The supernodes' elimination tree: the children of each supernode.
 struct Children {
     first: Vec<u32>,
     next: Vec<u32>,
 }
 
 impl Children {
-    /// The parent of a supernode is the one that holds its first row below the pivots.
+    /// The parent of a supernode is the supernode that contains its first row below the pivots.
     fn new(structure: &SymbolicSupernodalCholesky<u32>) -> Self {
         let count = structure.n_supernodes();
         let (mut first, mut next) = (vec![NONE; count], vec![NONE; count]);
@@ -120,12 +120,12 @@ impl Children {
     }
 }
 
-/// What a supernode subtracts from its ancestors: the lower triangle of a square
+/// The update of a supernode's ancestors, to be subtracted: the lower triangle of a square
 /// matrix over its rows, by columns of length `stride`, a multiple of [`TILE`].
 #[derive(Debug, Clone, Default)]
 struct Update {
     stride: usize,
-    /// At least stride² of them; above the diagonal tiles they mean nothing.
+    /// At least stride² values; those above the diagonal tiles are meaningless.
     values: Vec<f64>,
 }
 
@@ -139,7 +139,7 @@ impl Update {
     }
 }
 
-/// Storage of finished update matrices, by powers of two: fresh memory is slow to touch.
+/// Reusable storage of finished update matrices, by powers of two; touching fresh memory is slow.
 #[derive(Debug)]
 struct Pool {
     spare: [Vec<Vec<f64>>; usize::BITS as usize],
@@ -150,7 +150,7 @@ impl Pool {
         Self { spare: std::array::from_fn(|_| Vec::new()) }
     }
 
-    /// At least `size` values, whatever they are.
+    /// At least `size` values with arbitrary content.
     fn take(&mut self, size: usize) -> Vec<f64> {
         let class = size.next_power_of_two();
         self.spare[class.ilog2() as usize].pop().unwrap_or_else(|| vec![0.0; class])
@@ -168,13 +168,13 @@ impl Pool {
 struct Front {
     /// The number of pivots.
     width: usize,
-    /// Its columns of L: tile after tile, `width` columns each; first the tiles of the pivots.
+    /// The supernode's columns of L: tile after tile, `width` columns each; first the tiles of the pivots.
     tiles: Vec<Column>,
     update: Update,
 }
 
 impl Front {
-    /// An empty front over the given columns and rows; notes in `place` where each row stands.
+    /// An empty front over the given columns and rows; stores in `place` the position of each row.
     fn begin(&mut self, columns: std::ops::Range<u32>, rows: &[u32], place: &mut [u32], pool: &mut Pool) {
         let padded = columns.len().next_multiple_of(TILE);
         self.width = columns.len();
@@ -222,7 +222,8 @@ impl Front {
         }
     }
 
-    /// Factors the pivots' columns, a block of [`TILE`] columns at a time; the error is the pivot that is not positive.
+    /// Factors the pivots' columns, a block of [`TILE`] columns at a time; the error is the first pivot that is not
+    /// positive.
     fn factor(&mut self) -> Result<(), usize> {
         let width = self.width;
         for (block, start) in (0..width).step_by(TILE).enumerate() {
@@ -284,7 +285,7 @@ fn add_scaled(sum: &mut Column, column: &Column, factor: f64) {
 }
 
 /// The Cholesky factor of a block of pivots, in place and returned by columns with
-/// the reciprocal diagonal; the error is the pivot that is not positive.
+/// the reciprocal diagonal; the error is the first pivot that is not positive.
 fn cholesky(block: &mut [Column]) -> Result<[Column; TILE], usize> {
     let mut lower = [[0.0; TILE]; TILE];
     for j in 0..block.len() {

@@ -5,12 +5,12 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-/// A permutation of the unknowns that keeps the factor sparse.
+/// A permutation of the unknowns that limits the fill of the factor.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Ordering {
-    /// `new → old`.
+    /// The old index at each new one.
     pub forward: Vec<u32>,
-    /// `old → new`.
+    /// The new index of each old one.
     pub inverse: Vec<u32>,
 }
 

@@ -10,30 +10,30 @@ use super::pcg_run::PcgRun;
 use super::{Deadline, DirichletLaplacian, Lanes, LaplaceError};
 use std::ops::Range;
 
-/// A solve did not reach its tolerance.
+/// The error of a solve that did not reach its tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("the iterative solver did not converge: its relative residual is {residual:.1e}")]
 #[non_exhaustive]
 pub struct NotConverged {
-    /// The relative residual that it has come to.
+    /// The relative residual that was reached.
     pub residual: f64,
 }
 
 /// L̂ and its incomplete Cholesky factor.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Pcg {
-    /// Where the rows of the lower triangles start (n+1).
+    /// The index of the first entry of each row of the lower triangles (length n+1).
     pub(super) starts: Vec<u32>,
     /// The columns of each row, ascending; the last is the diagonal.
     pub(super) columns: Vec<u32>,
-    /// L̂.
+    /// The entries of L̂.
     pub(super) matrix: Vec<f64>,
-    /// The factor, with the reciprocal diagonal.
+    /// The entries of the incomplete factor, with the reciprocal diagonal.
     pub(super) factor: Vec<f64>,
 }
 
 impl Pcg {
-    /// Factors L̂ incompletely. Cost O(n). Errors: [`LaplaceError::NotPositiveDefinite`].
+    /// Computes the incomplete factor of L̂. Cost O(n). Errors: [`LaplaceError::NotPositiveDefinite`].
     pub fn new(laplacian: &DirichletLaplacian) -> Result<Self, LaplaceError> {
         // the upper triangle by columns is the lower one by rows
         let (starts, columns) = (laplacian.interior.proper_indptr(), laplacian.interior.indices());
@@ -74,7 +74,7 @@ impl Pcg {
         Ok(())
     }
 
-    /// The product of two pieces of rows of the factor.
+    /// The inner product of two parts of rows of the factor.
     fn overlap(&self, mut a: Range<usize>, mut b: Range<usize>) -> f64 {
         let mut sum = 0.0;
         while !a.is_empty() && !b.is_empty() {
@@ -91,13 +91,13 @@ impl Pcg {
         sum
     }
 
-    /// Solves L̂ x = b in place, lane after lane. Errors: [`NotConverged`]; `x` then holds the last iterate.
+    /// Solves L̂ x = b in place, one lane after another. Errors: [`NotConverged`]; `x` then holds the last iterate.
     pub fn solve<const K: usize>(&self, x: &mut [Lanes<K>]) -> Result<(), NotConverged> {
         self.advance(&mut PcgRun::default(), x, Deadline::NEVER).map(|_| ())
     }
 
-    /// `product = L̂ x`, by blocks of `rows` from the first to the last; a block needs nothing of `x` after itself,
-    /// and touches nothing of `product` there.
+    /// `product = L̂ x`, by blocks of `rows` from the first to the last; a block reads no entry of `x` after its rows
+    /// and writes no entry of `product` after them.
     pub(super) fn multiply(&self, rows: Range<usize>, x: &[f64], product: &mut [f64]) {
         for row in rows {
             let range = self.row(row);
@@ -105,14 +105,15 @@ impl Pcg {
             for entry in range.start..range.end - 1 {
                 let column = self.columns[entry] as usize;
                 sum += self.matrix[entry] * x[column];
-                // rows are ascending: the products of smaller columns are begun already
+                // rows are ascending: the products of smaller columns are already initialized
                 product[column] += self.matrix[entry] * x[row];
             }
             product[row] = sum;
         }
     }
 
-    /// The first half of solving with the incomplete factor, in place, by blocks of `rows` from the first to the last.
+    /// The forward half of a solve with the incomplete factor, in place, by blocks of `rows` from the first to the
+    /// last.
     pub(super) fn sweep_forward(&self, rows: Range<usize>, x: &mut [f64]) {
         for row in rows {
             let range = self.row(row);
@@ -124,7 +125,7 @@ impl Pcg {
         }
     }
 
-    /// The second half, by blocks of `rows` from the last to the first.
+    /// The backward half, by blocks of `rows` from the last to the first.
     pub(super) fn sweep_backward(&self, rows: Range<usize>, x: &mut [f64]) {
         for row in rows.rev() {
             let range = self.row(row);
@@ -136,7 +137,7 @@ impl Pcg {
         }
     }
 
-    /// Whether every row ends with its diagonal, after ascending columns, and the arrays have one length.
+    /// Whether columns ascend in every row and end with the diagonal, and the arrays have the same length.
     pub fn check_invariants(&self) -> bool {
         let count = self.columns.len();
         let framed = self.starts.first().is_none_or(|&first| first == 0)

@@ -1,8 +1,8 @@
-//! The iteration of conjugate gradients as a state that can be left and gone on with.
+//! The conjugate gradient iteration as a resumable state machine.
 //!
-//! Lane after lane, stage after stage of an iteration, a block of rows between two looks at the
-//! clock; every sum runs over the rows in their order, so what is computed does not depend
-//! on where it was interrupted. The vectors are reused from solve to solve.
+//! Lanes are solved one after another, each by the stages of its iterations, with a block of rows between two checks of
+//! the deadline; every sum is taken over the rows in order, so the result does not depend
+//! on where the solve was interrupted. The vectors are reused from solve to solve.
 
 use super::pcg::{NotConverged, Pcg};
 use super::{Deadline, Lanes};
@@ -12,39 +12,40 @@ use std::ops::Range;
 /// of the recurrence reaches 1e-14 to 1e-13 on meshes of 10⁴ to 10⁶ unknowns.
 const TOLERANCE: f64 = 1e-12;
 
-/// Iterations per √n before a solve is given up; meshes of 10³ to 10⁵ unknowns take 1 to 2.
+/// The iteration limit per √n; meshes of 10³ to 10⁵ unknowns take 1 to 2.
 const PATIENCE: f64 = 20.0;
 
-/// Rows of one stage between two looks at the clock: 0.1 to 0.5 ms natively, three times that in
-/// wasm. An iteration of 10⁶ rows takes 20 to 30 ms. Fewer rows than that are looked after once per iteration.
+/// Rows of a stage between two checks of the deadline: 0.1 to 0.5 ms natively, three times that in
+/// wasm. An iteration of 10⁶ rows takes 20 to 30 ms. With fewer rows than this the deadline is checked once per
+/// iteration.
 const BLOCK_ROWS: usize = 1 << 15;
 
-/// The stages of an iteration, each of which goes once over the rows. z = M⁻¹ r stands in `product`.
+/// The stages of an iteration, each one pass over the rows. z = M⁻¹ r is stored in `product`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Stage {
-    /// The right-hand side is taken; once per lane.
+    /// Takes the right-hand side; once per lane.
     #[default]
     Begin,
-    /// The sweeps of M⁻¹.
+    /// The two sweeps of M⁻¹.
     Forward,
     Backward,
     /// rᵀ z.
     Energy,
-    /// The direction d renewed by z, then L̂ d in the place of z.
+    /// d = z + β d, then L̂ d in place of z.
     Multiply,
     /// dᵀ L̂ d.
     Length,
-    /// Along the direction, and |r|².
+    /// The step along d, and |r|².
     Step,
 }
 
-/// How far a solve has come.
+/// The progress of a solve.
 #[derive(Debug, Clone, Default)]
 pub(super) struct PcgRun {
-    /// The lane that is solved.
+    /// The lane being solved.
     lane: usize,
     stage: Stage,
-    /// The rows that the stage has gone over, and its sum over them.
+    /// The number of rows that the stage has processed, and its sum over them.
     done: usize,
     sum: f64,
     iterations: usize,
@@ -54,27 +55,27 @@ pub(super) struct PcgRun {
     product: Vec<f64>,
     /// The norm of the right-hand side.
     scale: f64,
-    /// rᵀ M⁻¹ r, and its part of what it was an iteration before.
+    /// rᵀ M⁻¹ r, and β, its ratio to the value of the previous iteration.
     energy: f64,
     share: f64,
-    /// How far the direction is gone along.
+    /// The step length along the direction.
     step: f64,
     /// The norm of the residual, relative to `scale`.
     relative: f64,
 }
 
 impl PcgRun {
-    /// The next step begins with the first lane.
+    /// Makes the next call start with the first lane.
     pub fn restart(&mut self) {
         (self.lane, self.stage) = (0, Stage::Begin);
     }
 
-    /// Takes the right-hand side.
+    /// Initializes a lane with its right-hand side.
     fn begin(&mut self, right: impl Iterator<Item = f64>) {
         self.residual.clear();
         self.residual.extend(right);
         self.product.clone_from(&self.residual);
-        // z + 0·d is z
+        // β = 0: the first direction is z + 0·d = z
         for zeros in [&mut self.solution, &mut self.direction] {
             zeros.clear();
             zeros.resize(self.residual.len(), 0.0);
@@ -89,18 +90,18 @@ impl PcgRun {
         (self.stage, self.done, self.sum) = (stage, 0, 0.0);
     }
 
-    /// Whether an iteration is complete and the next not begun.
+    /// Whether an iteration is complete and the next has not started.
     fn is_between(&self) -> bool {
         self.stage == Stage::Forward && self.done == 0
     }
 
-    /// Whether the lane has come to an end, good or bad.
+    /// Whether the lane is finished: converged or given up.
     fn is_over(&self) -> bool {
         let patience = (PATIENCE * (self.residual.len() as f64).sqrt()) as usize + 50;
         self.relative <= TOLERANCE || self.relative.is_nan() || self.iterations >= patience
     }
 
-    /// Goes over the next block of rows, and to the next stage after the last one.
+    /// Processes the next block of rows; after the last block, changes to the next stage.
     fn go_on(&mut self, pcg: &Pcg) {
         let n = self.residual.len();
         let rows = self.done..n.min(self.done + BLOCK_ROWS);
@@ -132,7 +133,7 @@ impl PcgRun {
         self.product[rows].copy_from_slice(residual);
     }
 
-    /// Draws the conclusion from a stage that has gone over all rows.
+    /// Computes the scalars that follow from a complete stage, and enters the next one.
     fn leave(&mut self) {
         let next = match self.stage {
             Stage::Begin | Stage::Forward => Stage::Backward,
@@ -158,7 +159,8 @@ impl PcgRun {
 }
 
 impl Pcg {
-    /// Goes on with [`Self::solve`] until it is done (true) or `deadline` is over; at least one block of rows is done.
+    /// Continues [`Self::solve`] until it is complete (true) or `deadline` has passed; at least one block of rows is
+    /// done.
     pub(super) fn advance<const K: usize>(
         &self,
         run: &mut PcgRun,
@@ -190,7 +192,7 @@ impl Pcg {
     }
 }
 
-/// `sum + aᵀ b`, added up in the rows' order.
+/// `sum + aᵀ b`, added in the order of the rows.
 fn add_products(sum: f64, a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(sum, |sum, (a, b)| sum + a * b)
 }

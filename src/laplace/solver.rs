@@ -3,44 +3,44 @@
 use super::pcg_run::PcgRun;
 use super::{Deadline, DirichletLaplacian, Factor, Lanes, LaplaceError, NotConverged, Ordering, Pcg, RootPaths};
 
-/// Which solver is wanted.
+/// The requested solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum SolverKind {
-    /// The complete Cholesky factor; where it does not fit into memory, as [`Self::Pcg`].
+    /// The complete Cholesky factor; if it does not fit into memory, as [`Self::Pcg`].
     #[default]
     Direct,
     /// Conjugate gradients with an incomplete Cholesky factor.
     Pcg,
 }
 
-/// A way to solve L̂ x = b.
+/// A solver of L̂ x = b.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Solver {
-    /// By a complete factor.
+    /// A complete factor.
     Direct(Factor),
-    /// By conjugate gradients; every solve visits every unknown.
+    /// Conjugate gradients; every solve visits every unknown.
     Pcg {
         /// The matrix and its incomplete factor.
         pcg: Pcg,
         /// `0, 1, …, n−1`.
         unknowns: Vec<u32>,
-        /// The empty set.
+        /// The empty set of paths.
         nothing: RootPaths,
     },
 }
 
-/// How far a solve has come that is interrupted: see [`Solver::advance`]. Reused, it allocates nothing.
+/// The progress of an interrupted solve: see [`Solver::advance`]. No allocation when it is reused.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SolveRun {
-    /// The chunks that a direct solve has visited.
+    /// The number of chunks that a direct solve has visited.
     visited: usize,
     pcg: PcgRun,
 }
 
 impl SolveRun {
-    /// The next [`Solver::advance`] begins a new solve.
+    /// Makes the next [`Solver::advance`] start a new solve.
     pub(crate) fn restart(&mut self) {
         self.visited = 0;
         self.pcg.restart();
@@ -48,7 +48,7 @@ impl SolveRun {
 }
 
 impl Solver {
-    /// The direct one.
+    /// The direct solver.
     pub(crate) fn direct(
         laplacian: &DirichletLaplacian,
         ordering: Ordering,
@@ -57,12 +57,12 @@ impl Solver {
         Factor::new(laplacian, ordering, budget_bytes).map(Self::Direct)
     }
 
-    /// The iterative one.
+    /// The iterative solver.
     pub(crate) fn pcg(laplacian: &DirichletLaplacian) -> Result<Self, LaplaceError> {
         Pcg::new(laplacian).map(Self::from)
     }
 
-    /// Which one it is.
+    /// The kind of this solver.
     pub fn kind(&self) -> SolverKind {
         match self {
             Self::Direct(_) => SolverKind::Direct,
@@ -75,7 +75,7 @@ impl Solver {
         self.unknowns().len()
     }
 
-    /// Where an unknown stands in the vectors that [`Self::solve`] works on.
+    /// The position of an unknown in the vectors of [`Self::solve`].
     pub fn position(&self, unknown: u32) -> usize {
         match self {
             Self::Direct(factor) => factor.position(unknown),
@@ -91,7 +91,7 @@ impl Solver {
         }
     }
 
-    /// What [`Self::solve`] is asked for when every unknown is wanted.
+    /// The argument of [`Self::solve`] if every unknown is wanted.
     pub fn everything(&self) -> &RootPaths {
         match self {
             Self::Direct(factor) => factor.everything(),
@@ -99,7 +99,7 @@ impl Solver {
         }
     }
 
-    /// Collects into `paths` what [`Self::solve`] visits for the `unknowns`.
+    /// Collects into `paths` the chunks that [`Self::solve`] visits for the `unknowns`.
     pub(crate) fn root_paths(&self, unknowns: impl IntoIterator<Item = u32>, paths: &mut RootPaths) {
         if let Self::Direct(factor) = self {
             factor.root_paths(unknowns, paths);
@@ -108,7 +108,7 @@ impl Solver {
 
     /// Solves L̂ x = b in place, `x` ordered by [`Self::position`]. On entry it holds b,
     /// zero outside the unknowns of `given`; on exit the solution at those of `wanted`.
-    /// Errors: [`NotConverged`], only of the iterative solver.
+    /// Errors: [`NotConverged`], from the iterative solver only.
     pub fn solve<const K: usize>(
         &self,
         given: &RootPaths,
@@ -124,12 +124,12 @@ impl Solver {
         }
     }
 
-    /// Goes on with [`Self::solve`] until it is done (true) or `deadline` is over. Between two looks
-    /// at the clock lie some milliseconds at most: some hundred supernodes, or one block of rows of an
-    /// iteration of conjugate gradients; so much is done by every call.
+    /// Continues [`Self::solve`] until it is complete (true) or `deadline` has passed. The deadline is checked
+    /// every few milliseconds at most: after some hundred supernodes, or one block of rows of an
+    /// iteration of conjugate gradients; every call does at least that much.
     ///
-    /// The first call after [`SolveRun::restart`] finds b in `x`; until the end all arguments but the
-    /// deadline must stay as they are. The solution is the same to the bit however often it was
+    /// The first call after [`SolveRun::restart`] reads b from `x`; until the end all arguments except the
+    /// deadline must not change. The solution is bit-identical however often the solve was
     /// interrupted. After the end, or an error, `run` is ready for another solve.
     pub(crate) fn advance<const K: usize>(
         &self,

@@ -15,13 +15,13 @@ pub(super) const WIDTHS: [u32; 4] = [8, 4, 2, 1];
 pub(super) struct Chunk {
     /// The first column.
     pub column: u32,
-    /// How many, one of [`WIDTHS`].
+    /// The number of columns, one of [`WIDTHS`].
     pub width: u32,
-    /// Where its rows below the diagonal block start in the row list.
+    /// The index of its rows below the diagonal block in the row list.
     pub rows: u32,
-    /// How many rows there are.
+    /// The number of these rows.
     pub row_count: u32,
-    /// Where its values start: the width×width lower triangle (row-major, whole,
+    /// The index of its values: the width×width lower triangle (row-major, stored as a full square,
     /// with the reciprocal diagonal), then the rows.
     pub values: u32,
 }
@@ -35,7 +35,7 @@ pub(super) struct Chunks {
 }
 
 impl Chunks {
-    /// None yet, with room for about `values` entries.
+    /// No chunks, with capacity for about `values` entries.
     pub fn with_capacity(values: usize) -> Self {
         Self { values: Vec::with_capacity(values), ..Self::default() }
     }
@@ -90,7 +90,7 @@ impl Chunks {
         }
     }
 
-    /// Appends W columns of a block, from row and column `offset` on, row by row.
+    /// Appends W columns of a block, starting at row and column `offset`, row by row.
     fn push_rows<const W: usize>(&mut self, block: Block<'_>, offset: usize) {
         let first = self.values.len();
         let (pivots, below) = block.tiles.split_at(block.pivot_tiles * block.columns);

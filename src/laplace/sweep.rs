@@ -1,7 +1,7 @@
 //! Triangular sweeps through the chunks of a factor, one or two right-hand sides at once.
 //!
 //! `Lanes<K>` interleaves K right-hand sides: each entry of L is loaded once for K
-//! multiply-adds. Sums of numbers of one sign stay of that sign: for an M-matrix
+//! multiply-adds. Sums of numbers of one sign keep that sign: for an M-matrix
 //! and a non-negative right-hand side no step cancels, so the solution is
 //! accurate componentwise, down to the smallest normal numbers.
 
@@ -25,7 +25,7 @@ impl Chunks {
         }
     }
 
-    /// Solves `Lᵀ x = y` on the chunks in `visit` (ascending; it goes through them backwards), in place.
+    /// Solves `Lᵀ x = y` on the chunks in `visit` (ascending; they are processed in reverse), in place.
     pub(super) fn backward<const K: usize>(&self, visit: &[u32], x: &mut [Lanes<K>]) {
         for &c in visit.iter().rev() {
             let chunk = self.list[c as usize];

@@ -1,4 +1,4 @@
-//! The Laplacian and its factor on a grid whose matrix is known: the five-point stencil.
+//! The Laplacian and its factor on a grid with a known matrix: the five-point stencil.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
@@ -6,7 +6,7 @@ use super::*;
 use crate::geometry::DVec2;
 use crate::mesh::{NO_TRIANGLE, TriMesh};
 
-/// The unit square, k×k cells, each cut along the same diagonal; boundary first, counter-clockwise.
+/// The unit square, k×k cells, each divided along the same diagonal; boundary first, counter-clockwise.
 fn grid(k: u32) -> TriMesh {
     let ring: Vec<(u32, u32)> = (0..k)
         .map(|i| (i, 0))
@@ -142,7 +142,7 @@ fn conjugate_gradients_agree_with_the_factor() {
     pcg.solve(&mut x).unwrap();
     for (unknown, lanes) in x.iter().enumerate() {
         for (value, exact) in lanes.iter().zip(exact[factor.position(unknown as u32)]) {
-            // the residual of 1e-12 times the condition of about 31² in the worst direction
+            // the relative residual of 1e-12 times the condition number of about 31²
             assert!((value - exact).abs() < 1e-9, "unknown {unknown}: {value} and {exact}");
         }
     }
@@ -170,7 +170,7 @@ fn a_factor_above_the_budget_is_refused_with_its_size() {
     }
 }
 
-/// The steps of a solve that is interrupted wherever it can be.
+/// The number of calls of a solve that is interrupted wherever it can be.
 fn interrupted<const K: usize>(solver: &Solver, run: &mut SolveRun, given: &RootPaths, x: &mut [[f64; K]]) -> usize {
     let (deadline, mut calls) = (Deadline::in_ms(0.0), 1);
     while !solver.advance(run, given, solver.everything(), x, deadline).unwrap() {
@@ -214,7 +214,7 @@ fn a_solve_can_be_left_for_another_one() {
     }
 }
 
-/// Three blocks of rows and a part of one: a chain with the diagonal 3, preconditioned by its diagonal.
+/// Three blocks of rows and part of a fourth: a chain with the diagonal 3, preconditioned by its diagonal.
 fn long_chain() -> Solver {
     let n = 3 * 32_768 + 1000;
     let entries = |first: f64, below: f64, diagonal: f64| {
@@ -238,7 +238,7 @@ fn large_iterations_are_interrupted_block_by_block() {
     solver.solve(solver.everything(), solver.everything(), &mut whole).unwrap();
     let calls = interrupted(&solver, &mut SolveRun::default(), solver.everything(), &mut pieces);
     assert_eq!(whole, pieces);
-    // 6 stages of 4 blocks each; at a condition of 5 it takes about 30 iterations
+    // 6 stages of 4 blocks each; with a condition number of 5 it takes about 30 iterations
     assert!(calls > 20 * 6 * 4, "{calls} calls");
     for k in 0..n {
         let [before, after] =

@@ -1,9 +1,9 @@
-//! Short loops of constant length, written out.
+//! Short loops of constant length, unrolled.
 //!
-//! The app for the web is compiled for size, where the compiler leaves such loops as they are; in the
-//! innermost steps of the factorisation and of the sweeps that costs a factor of two (measured).
+//! The web app is compiled for size, and the compiler then does not unroll such loops; in the
+//! innermost steps of the factorization and of the sweeps that costs a factor of two (measured).
 
-/// Carries out `body` with `index` = 0, 1, … below `count`, which is a constant of at most 8.
+/// Executes `body` with `index` = 0, 1, … below `count`, which is a constant of at most 8.
 macro_rules! unrolled {
     ($index:ident < $count:expr => $body:expr) => {
         unrolled!(@steps $index, $count, $body, 0 1 2 3 4 5 6 7)
@@ -20,7 +20,7 @@ pub(super) use unrolled;
 
 #[cfg(test)]
 mod tests {
-    /// The steps that are taken, in order.
+    /// The values of the index, in order.
     fn steps<const N: usize>() -> Vec<usize> {
         let mut taken = Vec::new();
         unrolled!(k < N => taken.push(k));

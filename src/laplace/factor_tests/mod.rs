@@ -1,4 +1,4 @@
-//! The multifrontal factor against faer's own on random Laplacians, and on matrices that have no factor.
+//! The multifrontal factor compared with faer's own on random Laplacians, and matrices without a Cholesky factor.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -16,7 +16,7 @@ use proptest::sample::Index;
 use spade::{DelaunayTriangulation, Point2, Triangulation as _};
 use sprs::TriMatI;
 
-/// A symmetric matrix given by its diagonal and, once for both of its places, what is off it.
+/// A symmetric matrix: its diagonal, and its off-diagonal entries, each given once for both places.
 #[derive(Debug, Clone)]
 struct Symmetric {
     diagonal: Vec<f64>,
@@ -53,7 +53,7 @@ impl Symmetric {
         (ordering.clone(), Factor::new(&laplacian, ordering, u64::MAX))
     }
 
-    /// The solution by faer, in an ordering of its own; `None` where it finds no factor.
+    /// The solution by faer, in its own ordering; `None` if faer finds no factor.
     fn solution_by_faer(&self, right: &[f64]) -> Option<Vec<f64>> {
         let triplets: Vec<_> = self.triplets().map(|(row, column, value)| Triplet::new(row, column, value)).collect();
         let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(self.len(), self.len(), &triplets).unwrap();
@@ -62,7 +62,8 @@ impl Symmetric {
     }
 }
 
-/// Weights over twelve orders of magnitude; every vertex has an edge to one before it, and some to the boundary.
+/// Weights over twelve orders of magnitude; every vertex has an edge to a previous one, and some have one to the
+/// boundary.
 fn graphs(vertices: std::ops::Range<usize>) -> impl Strategy<Value = Symmetric> {
     let weight = || (-6.0..6.0_f64).prop_map(|exponent| 10_f64.powf(exponent));
     let vertex = (any::<Index>(), weight(), prop_oneof![3 => Just(0.0), 1 => weight()]);
@@ -80,7 +81,7 @@ fn graphs(vertices: std::ops::Range<usize>) -> impl Strategy<Value = Symmetric> 
     )
 }
 
-/// The cotangent Laplacian of the Delaunay triangulation of `points`, its hull being the boundary.
+/// The cotangent Laplacian of the Delaunay triangulation of `points`, with their hull as the boundary.
 fn delaunay(points: &[DVec2]) -> Symmetric {
     let mut triangulation = DelaunayTriangulation::<Point2<f64>>::new();
     for point in points {
@@ -105,7 +106,7 @@ fn delaunay(points: &[DVec2]) -> Symmetric {
     Symmetric::laplacian(grounds, &edges)
 }
 
-/// Points in a square, and points of a lattice, of which many fours have a common circle.
+/// Points in a square, and points of a lattice, which has many cocircular quadruples.
 fn meshes() -> impl Strategy<Value = Symmetric> {
     let anywhere = prop::collection::vec((0.0..1.0_f64, 0.0..1.0_f64).prop_map(DVec2::from), 3..600);
     let lattice = prop::collection::vec((0..24_u8, 0..24_u8), 3..600);

@@ -1,11 +1,11 @@
-//! Matrices that are not positive definite are refused, by the vertex of the first pivot that is not positive.
+//! Matrices that are not positive definite are refused, with the vertex of the first pivot that is not positive.
 
 use super::*;
 use proptest::test_runner::TestCaseError;
 use std::cell::Cell;
 
 impl Symmetric {
-    /// The pivots of plain elimination in the given order, as far as they are positive, and the first that is not.
+    /// The pivots of plain elimination in the given order, up to and including the first that is not positive.
     fn pivots(&self, order: &[u32]) -> Vec<f64> {
         let n = self.len();
         let mut place = vec![0; n];
@@ -38,7 +38,7 @@ fn assert_refused(matrix: &Symmetric, vertex: usize) {
     assert!(error.to_string().contains(&format!("not positive definite at interior vertex {vertex}:")), "{error}");
 }
 
-/// Of a tree with equal weights every pivot is exact: those of a part that nothing joins to the boundary end with 0.
+/// For a tree with equal weights every pivot is exact: in a component without boundary the last one is 0.
 #[test]
 fn a_part_without_boundary_is_singular_and_refused_at_one_of_its_vertices() {
     let tree = |size: usize| prop::collection::vec(any::<Index>(), size);
@@ -62,7 +62,8 @@ fn a_part_without_boundary_is_singular_and_refused_at_one_of_its_vertices() {
     runner(100).run(&sizes, refused).unwrap();
 }
 
-/// A Laplacian less a multiple of the identity: refused where plain elimination meets the first pivot that is not positive.
+/// A Laplacian minus a multiple of the identity is refused at the first pivot of plain elimination that is not
+/// positive.
 #[test]
 fn what_is_indefinite_is_refused_at_its_first_pivot_that_is_not_positive() {
     let counts = Cell::new([0_usize; 2]);
@@ -110,7 +111,7 @@ fn what_is_no_number_or_zero_or_too_large_is_refused_where_it_is() {
         let mut matrix = sound.clone();
         matrix.entries[entry].2 = value;
         let (a, b, _) = matrix.entries[entry];
-        // the pivot of the one that comes first does not know of it
+        // the pivot of the earlier vertex does not depend on this entry
         let later = matrix.factor().0.inverse[a].cmp(&matrix.factor().0.inverse[b]);
         assert_refused(&matrix, if later.is_lt() { b } else { a });
     }

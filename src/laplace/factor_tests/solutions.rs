@@ -1,10 +1,10 @@
-//! Solutions are those of faer, in every lane, and where the sweeps are pruned.
+//! Solutions agree with those of faer, in every lane, and with pruned sweeps.
 
 use super::*;
 use std::cell::Cell;
 
 impl Symmetric {
-    /// The largest residual, relative to the sizes of what is added up in its row.
+    /// The largest residual, relative to the sum of the absolute terms of its row.
     fn backward_error(&self, x: &[f64], right: &[f64]) -> f64 {
         let mut sums: Vec<[f64; 2]> = right.iter().map(|b| [-b, b.abs()]).collect();
         let mut add = |row: usize, product: f64| {
@@ -21,7 +21,7 @@ impl Symmetric {
     }
 }
 
-/// Factored and solved with K equal right-hand sides but for their sizes.
+/// The solutions for 1, 2, … K times the right-hand side.
 fn solved<const K: usize>(factor: &Factor, right: &[f64]) -> [Vec<f64>; K] {
     let mut x = vec![[0.0; K]; factor.len()];
     for (unknown, &value) in right.iter().enumerate() {
@@ -31,7 +31,7 @@ fn solved<const K: usize>(factor: &Factor, right: &[f64]) -> [Vec<f64>; K] {
     std::array::from_fn(|lane| (0..right.len()).map(|unknown| x[factor.position(unknown as u32)][lane]).collect())
 }
 
-/// The right-hand sides of signs that differ, and of one sign at a few vertices.
+/// A right-hand side with both signs, and one with a single sign at a few vertices.
 fn right_hand_sides(n: usize) -> [Vec<f64>; 2] {
     [(0..n).map(|k| (k as f64 * 0.7).sin()).collect(), (0..n).map(|k| f64::from(u8::from(k % 50 == 3))).collect()]
 }
@@ -47,7 +47,7 @@ fn random_meshes_are_solved_as_by_faer() {
         });
         let scale = mixed.iter().fold(0.0_f64, |scale, (_, expected)| scale.max(expected.abs()));
         let in_norm = mixed.iter().map(|(x, expected)| (x - expected).abs() / scale).fold(0.0, f64::max);
-        // of one sign, they agree however small they are
+        // for a single sign, the entries agree to relative accuracy however small they are
         let each = spots.iter().filter(|(x, expected)| x != expected);
         let each = each.map(|(x, expected)| ((x - expected) / expected).abs()).fold(0.0, f64::max);
         let [a, b] = worst.get();
@@ -59,7 +59,7 @@ fn random_meshes_are_solved_as_by_faer() {
     println!("[of the largest, of each]: {:?}", worst.get().map(|error| format!("{error:.1e}")));
 }
 
-/// The condition is up to 10¹⁵ here: what is small is the residual, by faer and by the factor alike.
+/// The condition number is up to 10¹⁵ here: faer and the factor both give a small residual, not a small error.
 #[test]
 fn random_graphs_are_solved_as_well_as_by_faer() {
     let worst = Cell::new([0.0_f64; 2]);
@@ -79,7 +79,7 @@ fn random_graphs_are_solved_as_well_as_by_faer() {
     println!("relative residuals, faer's: {:?}", worst.get().map(|error| format!("{error:.1e}")));
 }
 
-/// One supernode each, cut into chunks of all widths.
+/// Each graph is one supernode, divided into chunks of all widths.
 #[test]
 fn complete_graphs_of_every_size_are_solved() {
     for n in 1..=70 {
@@ -107,7 +107,7 @@ fn lanes_are_solved_alike_and_pruned_sweeps_give_the_same_bits() {
         let [alone] = solved(&factor, &right);
         let ([first, second], eight) = (solved(&factor, &right), solved::<8>(&factor, &right));
         prop_assert!(first == alone && eight[0] == alone);
-        // twice and four times are exact
+        // multiplication by two and four is exact
         prop_assert!(alone.iter().zip(&second).all(|(x, twice)| 2.0 * x == *twice) && eight[1] == second);
         prop_assert!(alone.iter().zip(&eight[3]).all(|(x, fourfold)| 4.0 * x == *fourfold));
         let [mut from, mut to] = [RootPaths::default(), RootPaths::default()];
