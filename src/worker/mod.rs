@@ -1,6 +1,6 @@
-//! What a worker is asked and what it answers: preparations and studies.
+//! Requests to a worker and its responses: preparations and studies.
 //!
-//! The engine is pure: it runs in a web worker, and natively on a thread. Every
+//! The engine has no side effects; it runs in a web worker, and natively on a thread. Every
 //! message carries the generation of its request; the receiver drops stale ones.
 
 mod rehearsal;
@@ -20,20 +20,20 @@ use std::sync::Arc;
 /// A request to prepare something.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
-    /// Counts up with every request about the same side.
+    /// Incremented with every request about the same side.
     pub generation: u64,
-    /// What to prepare.
+    /// The side to prepare.
     pub task: Task,
 }
 
 impl Request {
-    /// Whether what is to be prepared is a surface.
+    /// Whether the side to prepare is a surface.
     pub fn is_of_surface(&self) -> bool {
         matches!(self.task, Task::Surface { .. })
     }
 }
 
-/// A side to prepare.
+/// The kind of side to prepare.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Task {
     /// The inside of an outline.
@@ -47,54 +47,54 @@ pub enum Task {
     Surface {
         /// Its triangles.
         source: SurfaceSource,
-        /// Whether to make the repairs that are safe.
+        /// Whether to make the safe repairs.
         repair: bool,
         /// How to discretise it.
         settings: SurfaceSettings,
     },
 }
 
-/// Where the triangles of a surface come from.
+/// The source of a surface's triangles.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SurfaceSource {
-    /// A formula.
+    /// A built-in surface, given by a formula.
     Preset {
-        /// Which one.
+        /// The name of the built-in surface.
         preset: SurfacePreset,
-        /// About how many boundary vertices.
+        /// The approximate number of boundary vertices.
         boundary: u32,
     },
-    /// A file, not yet read.
+    /// A file that is not read yet.
     File {
-        /// Its name.
+        /// The name of the file.
         name: String,
-        /// Its content.
+        /// The content of the file.
         bytes: Arc<Vec<u8>>,
     },
 }
 
-/// An answer.
+/// A message from the worker.
 #[derive(Debug)]
 pub enum Response {
-    /// A stage begins.
+    /// The start of a stage.
     Progress(Stage),
-    /// A side is done; with what the reader of a surface noticed.
+    /// The prepared side, with the notes from reading a surface.
     Prepared(Box<PreparedSide>, Vec<Message>),
-    /// Not to be done.
+    /// The preparation failed.
     Failed(Failure),
 }
 
-/// Why something was not prepared.
+/// Why a side was not prepared.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Failure {
-    /// In words for the person.
+    /// The reason, for the user.
     pub text: Message,
-    /// Whether safe repairs would make it a surface that can be prepared.
+    /// Whether safe repairs would turn the input into a surface that can be prepared.
     pub repairable: bool,
 }
 
 impl Failure {
-    /// A failure without a way out.
+    /// A failure that safe repairs cannot resolve.
     pub fn new<'a, E: ?Sized>(error: &'a E) -> Self
     where
         Message: From<&'a E>,
@@ -103,7 +103,7 @@ impl Failure {
     }
 }
 
-/// Carries out `request`, emitting `(generation, response)`.
+/// Processes `request`, emitting `(generation, response)`.
 pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
     let generation = request.generation;
     let progress = &mut |stage| emit(generation, Response::Progress(stage));
@@ -117,7 +117,7 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
 }
 
 impl SurfaceSource {
-    /// The surface as it is given: read, or made. Errors: in words for the person.
+    /// The surface, read from the file or generated. Errors: with a text for the user.
     pub fn surface(&self) -> Result<Surface, Failure> {
         match self {
             Self::Preset { preset, boundary } => preset.surface(*boundary).map_err(|error| Failure::new(&error)),

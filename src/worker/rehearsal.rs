@@ -1,4 +1,5 @@
-//! What a web worker does while nobody waits for it, for nobody: a browser compiles a function when it is first called.
+//! A warm-up computation for an idle web worker, whose result is discarded: a browser compiles a function on its first
+//! call.
 
 use super::{Request, SurfaceSource, Task};
 use crate::conformal::SurfaceSettings;
@@ -6,10 +7,11 @@ use crate::surface::SurfacePreset;
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-/// The vertices of the rehearsal's boundary: of some thousand triangles every step is taken, in a few milliseconds.
+/// The number of boundary vertices: the mesh has some thousand triangles, which exercise every step in a few
+/// milliseconds.
 const BOUNDARY: u32 = 120;
 
-/// A surface from a small file: reading, checking, flips, assembly, ordering and factorization.
+/// A request to prepare a surface from a small file: reading, checking, flips, assembly, ordering and factorization.
 pub fn rehearsal() -> Request {
     let mut text = String::new();
     if let Ok(surface) = SurfacePreset::AnimalHead.surface(BOUNDARY) {

@@ -1,6 +1,6 @@
-//! Longer computations beside the map: rows of the paper's tables, of its convergence figure.
+//! Longer computations besides the map: rows of the paper's tables and of its convergence figure.
 //!
-//! A study is asked for row by row, so that what is there can be shown and the rest dropped.
+//! A study is requested row by row, so that finished rows can be shown and the others canceled.
 
 use crate::figures::{BenchRow, ConvergenceRow, ConvergenceStudy, Detail, FigureError, Measurement};
 use crate::language::{Message, key};
@@ -9,21 +9,21 @@ use crate::language::{Message, key};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Study {
-    /// Of Table 1 or 2.
+    /// A row of Table 1 or 2.
     Bench {
-        /// Which one.
+        /// The row to measure.
         row: BenchRow,
-        /// How often it is measured.
+        /// The number of measurements.
         runs: usize,
     },
-    /// Of Figure 15.
+    /// A resolution of Figure 15.
     Convergence {
-        /// Boundary samples of the V-shape.
+        /// The number of boundary samples of the V-shape.
         m: u32,
     },
 }
 
-/// What came out.
+/// The result of a study.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Finding {
@@ -31,12 +31,12 @@ pub enum Finding {
     Bench(Measurement),
     /// The four rows of one resolution.
     Convergence(Vec<ConvergenceRow>),
-    /// Why there is nothing.
+    /// Why there is no result.
     Failed(Message),
 }
 
 impl Study {
-    /// Carries it out.
+    /// Runs the study.
     pub fn run(self) -> Finding {
         self.try_run().unwrap_or_else(|error| Finding::Failed(Message::from(&error)))
     }
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
     use crate::figures::BenchSetting;
 
-    /// Findings cross to another thread as text.
+    /// Findings are sent to another thread as text.
     #[test]
     fn findings_survive_as_text() {
         let rows = [
