@@ -1,8 +1,8 @@
-//! A coarse stand-in for a map that is too slow to follow a drag.
+//! A coarse substitute for a map that is too slow to follow a drag.
 //!
-//! Prepared on the spot, from the same outlines, when it is first needed (about 10 ms):
-//! in such a drag, or for outlines whose full map is not there yet. It has a disk grid of
-//! its own. The full map takes its place when it is complete.
+//! The coarse domains are prepared synchronously, from the same outlines, when they are first needed (about 10 ms):
+//! in such a drag, or for outlines whose full map is not complete. The coarse map has a disk grid of
+//! its own. The full map replaces it when it is complete.
 
 use crate::conformal::{
     ConformalMap, Constraints, InteriorPoint, MapSettings, PrepareSettings, PreparedSide, Side, prepare,
@@ -14,7 +14,7 @@ use crate::outline::Sampling;
 use crate::session::OutlineSpec;
 use std::sync::Arc;
 
-/// Few enough for 2 ms a frame and 10 ms of preparation in a browser, enough to know the map by.
+/// Coarse enough for 2 ms a frame and 10 ms of preparation in a browser, fine enough to recognize the map.
 const SETTINGS: PrepareSettings = PrepareSettings {
     sampling: Sampling::Adaptive { target: Some(250) },
     sizing: Sizing::Graded(0.25),
@@ -22,62 +22,62 @@ const SETTINGS: PrepareSettings = PrepareSettings {
     solver: crate::laplace::SolverKind::Direct,
 };
 
-/// The distance that an interior point keeps from the coarse boundary, in sizes of the domain.
+/// The minimum distance of an interior point from the coarse boundary, in sizes of the domain.
 const INSET: f64 = 0.004;
 
-/// The coarse domains, as long as the outlines stay, and the map while it is shown.
+/// The coarse domains, kept while the outlines do not change, and the coarse map while it is shown.
 #[derive(Debug, Default)]
 pub struct Draft {
     domains: [Option<Arc<PreparedSide>>; 2],
-    /// Whether the domains were prepared, or found not to be.
+    /// Whether a preparation of the domains was attempted.
     is_tried: bool,
     map: Option<ConformalMap>,
-    /// Counts what the map has followed.
+    /// The number of updates of the map.
     generation: u64,
-    /// The revision of the map that it has followed, or could not.
+    /// The revision that the map was last updated to, or could not be.
     revision: u64,
     grid: DiskGrid,
 }
 
 impl Draft {
-    /// The coarse map, while it stands in.
+    /// The coarse map, while it replaces the full one.
     pub fn map(&self) -> Option<&ConformalMap> {
         self.map.as_ref()
     }
 
-    /// The coarse map, while it stands in.
+    /// The coarse map, while it replaces the full one.
     pub fn map_mut(&mut self) -> Option<&mut ConformalMap> {
         self.map.as_mut()
     }
 
-    /// The disk coordinates of the coarse map, once [`Self::make_grid`] has made them.
+    /// The disk coordinates of the coarse map, if [`Self::make_grid`] has computed them.
     pub fn grid(&self) -> &DiskGrid {
         &self.grid
     }
 
-    /// Makes the disk coordinates of the coarse map, if it stands in (about 2 ms).
+    /// Computes the disk coordinates of the coarse map, if there is one (about 2 ms).
     pub fn make_grid(&mut self) {
         if let Some(map) = &self.map {
             self.grid.advance(map, self.generation, Deadline::NEVER);
         }
     }
 
-    /// Other outlines: nothing of this fits any more.
+    /// Drops the domains and the map, because the outlines have changed.
     pub fn forget(&mut self) {
         *self = Self { generation: self.generation, revision: self.revision, ..Self::default() };
     }
 
-    /// The full map is shown again; whether the coarse one was.
+    /// Drops the coarse map, because the full one is shown again; returns whether there was one.
     pub fn retire(&mut self) -> bool {
         self.map.take().is_some()
     }
 
-    /// Whether the coarse map stands in and has followed this revision; from now on it has, or could not.
+    /// Whether the coarse map is shown and was updated to this revision, which is recorded as handled.
     pub fn has_followed(&mut self, revision: u64) -> bool {
         std::mem::replace(&mut self.revision, revision) == revision && self.map.is_some()
     }
 
-    /// Brings the coarse map to `constraints`; false where it cannot stand in.
+    /// Updates the coarse map to `constraints`; false if that is not possible.
     pub fn follow(&mut self, outlines: [&OutlineSpec; 2], constraints: &Constraints, settings: MapSettings) -> bool {
         if !std::mem::replace(&mut self.is_tried, true) {
             self.domains = outlines.map(coarse);

@@ -1,4 +1,4 @@
-//! What the model is asked for: commands, files, remedies; requests to the workers and their answers.
+//! The inputs of the model: commands, files, quick fixes; requests to the workers and their responses.
 
 use crate::conformal::{PerSide, Side};
 use crate::geometry::DVec2;
@@ -12,12 +12,12 @@ use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, DomainSpec, OutlineSpec, Session, Touched};
 use crate::worker::{Request, Response};
 
-/// The distance from the boundary that a point is pushed to, in sizes of the domain: nearer, the map
-/// squeezes nearly everything into a place too small to be seen.
+/// The distance from the boundary to which a point is moved, in sizes of the domain: nearer, the map
+/// compresses nearly everything into a region too small to be seen.
 const PUSH: f64 = 0.05;
 
 impl Model {
-    /// Carries out a command, or begins to: what needs a preparation takes effect when it is done.
+    /// Carries out a command, or starts to: one that needs a preparation takes effect when that is complete.
     pub fn dispatch(&mut self, command: Command, now: f64) {
         match command {
             Command::SetOutline { side, outline } => {
@@ -50,7 +50,8 @@ impl Model {
         }
     }
 
-    /// Shows another session: at once but for its domains, which come with their points when they are prepared.
+    /// Opens another session: immediately except for its domains, which follow with their points when they are
+    /// prepared.
     fn open(&mut self, session: &Session) {
         for side in Side::BOTH {
             self.sides[side].surface.gives_way = false;
@@ -82,35 +83,35 @@ impl Model {
         self.side_mut(side).want_outline(outline, notes);
     }
 
-    /// Begins to prepare another form of an outline; while that is in someone's hand, coarsely.
+    /// Starts preparing a reshaped outline, coarsely while it is being dragged.
     pub fn reshape(&mut self, side: Side, outline: OutlineSpec, reshaped: Reshaped) {
         self.sides[side].incoming_points = None;
         self.side_mut(side).want_reshaped(outline, reshaped);
     }
 
-    /// Begins to prepare an outline that was read from a file.
+    /// Starts preparing an outline that was read from a file.
     pub fn want_loaded(&mut self, side: Side, outline: Outline) {
         let notes = outline.notes.clone();
         self.want_outline(side, outline.into(), notes);
     }
 
-    /// What is wrong with a side's outline, and with its surface.
+    /// The errors of a side's outline and of its surface.
     pub fn user_errors(&self, side: Side) -> impl Iterator<Item = &UserError> {
         let ModelSide { outline, surface, .. } = &self.sides[side];
         outline.error.iter().chain(&surface.preparation.error)
     }
 
-    /// What was noticed when a side's outline was read and, where one stands, when its surface was.
+    /// The notes from reading a side's outline and, if one is shown, its surface.
     pub fn notes(&self, side: Side) -> impl Iterator<Item = Message> {
         self.side(side).notes.iter().map(Message::from).chain(self.surface_notes(side))
     }
 
-    /// Whether something is prepared for a side.
+    /// Whether a preparation for a side is in progress.
     pub fn is_preparing(&self, side: Side) -> bool {
         self.sides[side].is_busy()
     }
 
-    /// Does what the message about a side offers.
+    /// Applies the quick fix that the message about a side offers.
     pub fn quick_fix(&mut self, side: Side) {
         let ModelSide { outline, surface, .. } = &mut self.sides[side];
         if surface.preparation.error.as_ref().is_some_and(|user_error| user_error.quick_fix.is_some()) {
@@ -132,7 +133,7 @@ impl Model {
 
     /// The requests that are due, at most one for each side.
     pub fn take_requests(&mut self, now: f64) -> Vec<(Side, Request)> {
-        // what is in a hand is prepared anew when the picture shows it, or none of it would be seen
+        // a dragged outline is prepared again only when the picture shows the last one; otherwise none would be shown
         let shows = !self.is_pending() && !self.sides_changed;
         let mut requests = Vec::new();
         for side in Side::BOTH {
@@ -144,12 +145,12 @@ impl Model {
         requests
     }
 
-    /// When the next request will be due.
+    /// The time at which the next request is due.
     pub fn next_due(&self) -> Option<f64> {
         self.sides.iter().filter_map(|(_, side)| side.due()).reduce(f64::min)
     }
 
-    /// Takes in an answer of a side's worker.
+    /// Processes a response of a side's worker.
     pub fn accept(&mut self, side: Side, generation: u64, response: Response) {
         if self.sides[side].surface.preparation.pending_request().awaits(generation) {
             return self.accept_surface(side, generation, response);
@@ -163,7 +164,7 @@ impl Model {
             self.take_reshaped(side, spec, reshaped);
         } else if let Progress::Ready { spec, new_outline, .. } = progress {
             if new_outline && spec.outline != self.session.domain(side).outline {
-                // a surface that is opened with it, or is there before it, stays
+                // a surface that was opened with the outline, or before it, stays
                 let outline = spec.outline;
                 self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor: 0.0 });
             }
@@ -181,7 +182,7 @@ impl Model {
         }
     }
 
-    /// A reshaped outline is prepared. The view stays as it is, and the settings while the outline is in a hand.
+    /// Applies a prepared reshaped outline. The view does not change, nor do the settings while the outline is dragged.
     fn take_reshaped(&mut self, side: Side, spec: DomainSpec, reshaped: Reshaped) {
         let Reshaped { interior, anchor, in_hand } = reshaped;
         let interior = interior.and_then(|point| self.pushed_inside(side, point));
@@ -192,8 +193,8 @@ impl Model {
         self.change_sides();
     }
 
-    /// The interior point of a side that was reshaped: where the outline has run over it, well inside,
-    /// for a map that has anything to see.
+    /// The interior point of a reshaped side: if the outline no longer contains it, moved well inside,
+    /// so that details of the map can be seen.
     fn pushed_inside(&self, side: Side, point: DVec2) -> Option<DVec2> {
         if self.interior_near(side, point)?.distance(point) == 0.0 {
             return Some(point);
@@ -202,7 +203,7 @@ impl Model {
         Some(self.domain(side)?.nearest_inside(point, PUSH * (high - low).max_element()))
     }
 
-    /// The worker of a side stopped.
+    /// Handles the death of a side's worker.
     pub fn worker_died(&mut self, side: Side, reason: &Message) {
         self.side_mut(side).worker_died(reason);
         self.sides[side].surface.preparation.worker_died(reason);

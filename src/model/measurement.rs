@@ -1,19 +1,19 @@
-//! The distortion of the map that is shown, measured at once or a frame's share at a time.
+//! The distortion of the map that is shown, measured at once or incrementally, frame by frame.
 
 use crate::conformal::{ConformalMap, Quality, TriangleDistortion};
 use crate::laplace::Deadline;
 use web_time::Instant;
 
-/// What was measured last, and what is being measured.
+/// The last complete measurement, and the one in progress.
 ///
-/// Invariants: quality and triangles are of one map, that of `generation`; `coming` is of the map of
+/// Invariants: quality and triangles belong to the same map, that of `generation`; `coming` belongs to the map of
 /// `coming_generation` alone.
 #[derive(Debug, Default)]
 pub struct Measurement {
     quality: Option<Quality>,
     triangles: Vec<TriangleDistortion>,
     generation: u64,
-    /// What a measurement under way has come to.
+    /// The results so far of the measurement in progress.
     coming: Vec<TriangleDistortion>,
     coming_generation: u64,
     milliseconds: f64,
@@ -31,38 +31,39 @@ impl Measurement {
         &self.triangles
     }
 
-    /// The generation of the map that was measured.
+    /// The generation of the measured map.
     pub fn generation(&self) -> u64 {
         self.generation
     }
 
-    /// How long it took, in ms.
+    /// How long the measurement took, in ms.
     pub fn milliseconds(&self) -> f64 {
         self.milliseconds
     }
 
-    /// Whether the map has moved since.
+    /// Whether the map has changed since.
     pub fn is_stale(&self) -> bool {
         self.is_stale
     }
 
-    /// The map has moved.
+    /// Marks the measurement as stale, because the map has changed.
     pub fn expire(&mut self) {
         self.is_stale = true;
     }
 
-    /// Another mesh is mapped: nothing that was measured fits its triangles.
+    /// Drops the results, because another mesh is mapped and they do not belong to its triangles.
     pub fn clear(&mut self) {
         self.triangles.clear();
         self.quality = None;
     }
 
-    /// Begins anew with what is under way.
+    /// Restarts the measurement in progress.
     pub fn restart(&mut self) {
         self.coming.clear();
     }
 
-    /// Goes on until `deadline` is over with the map of a generation, anew if what is under way is of another one.
+    /// Continues with the map of a generation until `deadline` has passed; restarts if the measurement in progress is
+    /// of another one.
     pub fn advance(&mut self, map: Option<&ConformalMap>, generation: u64, deadline: Deadline) {
         let start = Instant::now();
         if std::mem::replace(&mut self.coming_generation, generation) != generation {
@@ -79,7 +80,7 @@ impl Measurement {
         self.milliseconds = spent + start.elapsed().as_secs_f64() * 1e3;
     }
 
-    /// Takes a measurement to have taken this long.
+    /// Sets the duration of the measurement.
     #[cfg(test)]
     pub fn set_milliseconds(&mut self, milliseconds: f64) {
         self.milliseconds = milliseconds;

@@ -1,9 +1,9 @@
-//! The state behind the picture: session, the two sides, the map.
+//! The state of the app without its user interface: session, the two sides, the map.
 //!
-//! No egui and no wgpu in this room. Commands come in through [`Model::dispatch`] (file `commands`),
-//! worker answers through [`Model::accept`]; [`Model::refresh`] (file `refresh`)
-//! then brings the map up to date and says what has to be uploaded; an update that takes longer
-//! than a frame goes on in the next one (file `update`). While a side is prepared,
+//! This module uses neither egui nor wgpu. Commands arrive through [`Model::dispatch`] (file `commands`),
+//! worker responses through [`Model::accept`]; [`Model::refresh`] (file `refresh`)
+//! then updates the map and returns what has to be uploaded; an update that takes longer
+//! than a frame continues in the next one (file `update`). While a side is being prepared,
 //! the last good map stays and follows its handles.
 
 pub mod coarse;
@@ -42,25 +42,25 @@ use crate::model::under_way::MapUnderWay;
 use crate::session::{Command, Session};
 use std::sync::Arc;
 
-/// The distance that a handle keeps from the boundary, in sizes of the domain:
-/// 0.004 is two pixels in a domain of 500, closer than a dot can be told from
+/// The minimum distance of a handle from the boundary, in sizes of the domain:
+/// 0.004 is two pixels in a domain of 500, too close to distinguish a dot from
 /// the edge, and still several boundary edges away from it.
 const INSET: f64 = 0.004;
 
-/// What a frame spends on an update, in ms; one that takes longer goes on in the next frame, and does
-/// not follow a drag: a coarse map stands in. With a step that is longer than the clock asks for
+/// The time per frame for an update, in ms; one that takes longer continues in the next frame, and cannot
+/// follow a drag: a coarse map replaces the full one. With a step that overruns the deadline
 /// (10 ms in a browser), the coarse map and the drawing, a frame stays below the 50 ms
-/// from which on a hand feels that something lags.
+/// above which a user perceives lag.
 const UPDATE_MS: f64 = 20.0;
 
 /// What a refresh changed, for the upload.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Changes {
-    /// A domain, the direction or the pattern's home is another one: meshes and outlines.
+    /// A domain, the direction or the pattern's home has changed: meshes and outlines.
     pub meshes: bool,
-    /// The map is another one: the boundary moved.
+    /// The map has changed: the boundary moved.
     pub map: bool,
-    /// Images of vertices moved: with the map, or because they were refined.
+    /// Images of vertices have changed: with the map, or because they were refined.
     pub images: bool,
 }
 
@@ -72,7 +72,7 @@ impl std::ops::BitOrAssign for Changes {
     }
 }
 
-/// When an extension that is not complete is gone on with.
+/// When an incomplete extension is refined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Refines {
     /// In every [`Model::refresh`].
@@ -81,19 +81,19 @@ pub enum Refines {
     AtRest,
 }
 
-/// What evaluates an extension.
+/// The processor that evaluates an extension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Processor {
-    /// A compute shader, in every frame.
+    /// A compute shader, evaluating all of it in every frame.
     Gpu,
-    /// The processor, over several frames.
+    /// The CPU, over several frames.
     Cpu,
 }
 
-/// Session, sides and map.
+/// The session, its sides and the map.
 ///
-/// Invariant: a side of the map that is shown is a surface only where the session shows that surface.
+/// Invariant: a side of the map that is shown is a surface only if the session shows that surface.
 #[derive(Debug)]
 pub struct Model {
     session: Session,
@@ -105,16 +105,16 @@ pub struct Model {
     overlay_state: OverlayState,
     refines: Refines,
     pub(super) update_ms: f64,
-    /// What the map said about a constraint that it could not take.
+    /// The map's error about a constraint that it rejected.
     map_error: Option<(Side, Message)>,
-    /// The session's points or settings are others than when the map was last asked for.
+    /// Whether the session's points or settings have changed since the map was last requested.
     points_changed: bool,
-    /// What stands on a side is another thing than when the map was last begun.
+    /// Whether the geometry of a side has changed since the map was last started.
     sides_changed: bool,
 }
 
 impl Model {
-    /// Wants both of the session's domains, and its surface.
+    /// A model that requests both of the session's domains, and its surfaces.
     pub fn new(session: Session) -> Self {
         let surfaces = PerSide::from_fn(|side| session.surface(side).cloned());
         let session = session.and(Side::BOTH.map(Command::CloseSurface));
@@ -140,8 +140,8 @@ impl Model {
         model
     }
 
-    /// Another model of the same session, on the same prepared sides, with a map of its own. It asks for nothing:
-    /// what is being prepared for this one does not come to it.
+    /// Another model of the same session, on the same prepared sides, with a map of its own. It makes no requests:
+    /// preparations in progress for this model do not reach it.
     #[must_use]
     pub fn twin(&self) -> Self {
         let mut twin = Self::new(self.session.clone().and(Side::BOTH.map(Command::CloseSurface)));
@@ -151,7 +151,7 @@ impl Model {
         twin
     }
 
-    /// What the map on the screen is made from.
+    /// The session that the map on the screen is computed from.
     pub fn session(&self) -> &Session {
         &self.session
     }
@@ -166,12 +166,12 @@ impl Model {
         &mut self.sides[side].outline
     }
 
-    /// The inside of a side's outline, the last good one, also while a surface stands in the outline's place.
+    /// The meshed domain of a side's last good outline, also while a surface replaces the outline.
     pub fn domain(&self, side: Side) -> Option<&Arc<MeshedDomain>> {
         self.side(side).domain()
     }
 
-    /// What stands on a side, prepared: the surface, else the last good outline.
+    /// The prepared geometry of a side: the surface if there is one, else the last good outline.
     pub fn prepared(&self, side: Side) -> Option<&Arc<PreparedSide>> {
         match self.session.surface(side) {
             Some(_) => self.sides[side].surface.prepared(),
@@ -184,8 +184,8 @@ impl Model {
         Side::BOTH.into_iter().all(|side| self.session.surface(side).is_none())
     }
 
-    /// The map that is shown, as soon as there is one: the full one, or a coarse one
-    /// while the full one is computed or too slow for the drag that is under way.
+    /// The map that is shown; `None` before the first. It is the full map, or a coarse one
+    /// while the full one is being computed or is too slow for the current drag.
     pub fn map(&self) -> Option<&ConformalMap> {
         self.coarse.map().or(self.shown.map.as_ref())
     }
@@ -195,66 +195,66 @@ impl Model {
         self.coarse.map().is_some()
     }
 
-    /// Whether the full map is not there yet: [`Self::refresh`] goes on with it, but not while dragging.
+    /// Whether the full map is incomplete: [`Self::refresh`] continues it, except during a drag.
     pub fn is_pending(&self) -> bool {
         self.under_way.is_pending()
     }
 
-    /// The domain of a side that is shown: that of the map, before there is one the prepared one.
+    /// The domain of a side that is shown: that of the map, or the prepared one before there is a map.
     pub fn shown_domain(&self, side: Side) -> Option<&Arc<MeshedDomain>> {
         self.map().and_then(|map| map.domain(side)).or_else(|| self.domain(side))
     }
 
-    /// The disk coordinates of the map that is shown, where [`Self::pattern_home`] asks for them.
+    /// The disk coordinates of the map that is shown, if [`Self::pattern_home`] requires them.
     pub fn shown_grid(&self) -> &DiskGrid {
         if self.is_draft() { self.coarse.grid() } else { &self.overlay_state.grid }
     }
 
-    /// The side where the pattern in the picture lives; `None`: in the disk. It follows the
-    /// session as soon as there are disk coordinates.
+    /// The side on which the pattern in the picture is defined; `None`: in the disk. It follows the
+    /// session when disk coordinates are available.
     pub fn pattern_home(&self) -> Option<Side> {
         self.shown.pattern_home
     }
 
-    /// Angle distortion of the map; of the last one that was measured while a drag is under way;
-    /// none before another large mesh has rested.
+    /// Angle distortion of the map; during a drag, that of the last measurement;
+    /// none for a new large mesh until the map rests.
     pub fn quality(&self) -> Option<Quality> {
         self.measurement.quality()
     }
 
-    /// The distortion of every triangle of the mapped mesh, when [`Self::quality`] was measured.
+    /// The distortion of every triangle of the mapped mesh, at the time of [`Self::quality`].
     pub fn triangles(&self) -> &[TriangleDistortion] {
         self.measurement.triangles()
     }
 
-    /// The [`Self::generation`] of the map whose [`Self::triangles`] these are.
+    /// The [`Self::generation`] of the map that [`Self::triangles`] belongs to.
     pub fn measured_generation(&self) -> u64 {
         self.measurement.generation()
     }
 
-    /// How many times the images have changed: with the map, or because they were refined.
+    /// Incremented when the images change: with the map, or because they were refined.
     pub fn generation(&self) -> u64 {
         self.shown.generation
     }
 
-    /// How many times another mesh was mapped.
+    /// Incremented when another mesh is mapped.
     pub fn mesh_generation(&self) -> u64 {
         self.shown.mesh_generation
     }
 
-    /// What the map said about a constraint that it could not take.
+    /// The map's error about a constraint that it rejected.
     pub fn map_error(&self) -> Option<(Side, &Message)> {
         self.map_error.as_ref().map(|(side, message)| (*side, message))
     }
 
-    /// Whether a side shows a new outline since the last call: its viewport fits it.
+    /// Whether a side shows a new outline since the last call, so that its viewport has to fit it.
     pub fn take_refit(&mut self, side: Side) -> bool {
         let comes = self.under_way.is_pending() && self.under_way.next.is_some();
         let shows_the_old_one = comes && self.shown.map.is_some() && !self.is_draft();
         !shows_the_old_one && std::mem::take(&mut self.sides[side].refit)
     }
 
-    /// The full map of what is asked for is shown and nothing is being prepared.
+    /// Whether the full map for the session is shown and no preparation is in progress.
     pub fn is_ready(&self) -> bool {
         let is_busy = self.sides.iter().any(|(_, side)| side.is_busy());
         self.shown.map.is_some() && !self.is_pending() && !is_busy
@@ -265,7 +265,7 @@ impl Model {
         self.domain(side).map(|domain| bounds(&domain.samples().points))
     }
 
-    /// The interior point of what stands on a side: of the surface, else of the outline.
+    /// The interior point of a side: of the surface if there is one, else of the outline.
     pub fn point(&self, side: Side) -> Option<InteriorPoint> {
         match self.surface(side) {
             Some((surface, state)) => surface.point(state).map(InteriorPoint::from),
@@ -273,19 +273,19 @@ impl Model {
         }
     }
 
-    /// The interior point of a side's outline, where its handle is.
+    /// The interior point of a side's outline: the position of its handle.
     pub fn interior(&self, side: Side) -> Option<DVec2> {
         let domain = self.domain(side)?;
         Some(self.session.side(side).interior.unwrap_or(domain.default_point()))
     }
 
-    /// The boundary point of a side's outline, where its handle is.
+    /// The boundary point of a side's outline: the position of its handle.
     pub fn anchor(&self, side: Side) -> Option<DVec2> {
         let samples = self.domain(side)?.samples();
         Some(samples.position(samples.at_fraction(self.session.side(side).anchor)))
     }
 
-    /// Where the interior handle goes when the pointer is at `x`: there, or along the boundary.
+    /// The position of the interior handle for a pointer at `x`: there, or the nearest one inside the boundary.
     pub fn interior_near(&self, side: Side, x: DVec2) -> Option<DVec2> {
         let domain = self.domain(side)?;
         let (low, high) = self.extent(side)?;

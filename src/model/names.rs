@@ -1,11 +1,11 @@
-//! The names that outlines and surfaces have in sessions and messages, in English whatever the screen's language.
+//! The names of outlines and surfaces in sessions and messages, in English whatever the screen's language.
 
 use crate::language::{self, Value};
 use crate::outline::Preset;
 use crate::session::{OutlineSpec, SurfaceShape};
 use crate::surface::SurfacePreset;
 
-/// Ends the name of an outline that was reshaped.
+/// The mark at the end of a reshaped outline's name.
 pub const EDITED: char = '*';
 /// The name of an outline that was drawn.
 pub const DRAWN: &str = "Drawing";
@@ -70,7 +70,7 @@ pub fn surface_in_message(shape: &SurfaceShape) -> Value {
     }
 }
 
-/// The name that an outline has once it is reshaped: marked, but not twice.
+/// The name of an outline after reshaping: with the mark, but not twice.
 pub fn edited(of: &OutlineSpec) -> String {
     let name = outline(of);
     format!("{}{EDITED}", name.strip_suffix(EDITED).unwrap_or(name))

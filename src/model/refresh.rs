@@ -1,4 +1,4 @@
-//! A frame of the model: the map is brought up to date (file `update`), refined, measured, and taught with.
+//! A frame of the model: the map is updated (file `update`), refined and measured, and the overlays follow.
 
 use crate::conformal::{ConformalMap, PerSide, Side};
 use crate::laplace::Deadline;
@@ -7,18 +7,18 @@ use crate::model::overlays::{OverlayState, Situation};
 use crate::model::{Changes, Model, Refines, pattern};
 use crate::session::{Colouring, Session};
 
-/// The quality is computed with every update when it takes less than this, else when the drag rests.
+/// If the quality takes less than this, it is computed with every update, else when a drag rests.
 const CHEAP_QUALITY_MS: f64 = 1.0;
 
-/// Another mesh with more triangles is measured when the map rests: these take 10 ms.
+/// A new mesh with more triangles is measured when the map rests; this number takes 10 ms.
 const MEASURED_AT_ONCE: usize = 200_000;
 
-/// What a frame spends on an extension that is not complete: half of a frame at 60 Hz. The app
-/// asks for another frame whenever images changed, and so goes on until it is.
+/// The time per frame for an incomplete extension: half of a frame at 60 Hz. The app
+/// requests another frame whenever images have changed, and so continues to the end.
 const REFINE_MS: f64 = 8.0;
 
 impl Model {
-    /// Brings the map up to date with session and domains, or goes on with that; `dragging`: a dot moves.
+    /// Updates the map to session and domains, or continues an update; `dragging`: a dot is being moved.
     pub fn refresh(&mut self, dragging: bool) -> Changes {
         let mut changes = Changes::default();
         if std::mem::take(&mut self.sides_changed) {
@@ -45,7 +45,7 @@ impl Model {
         changes
     }
 
-    /// The pattern in the picture lives where it is wanted, once there are coordinates; whether that is elsewhere.
+    /// Moves the pattern in the picture to its requested home, once the coordinates exist; returns whether it changed.
     fn follow_pattern(&mut self) -> bool {
         let home = pattern::home(&self.session);
         if home.is_none() {
@@ -55,12 +55,12 @@ impl Model {
         is_there && std::mem::replace(&mut self.shown.pattern_home, home) != home
     }
 
-    /// When to refine an extension: at rest, where the picture has it from elsewhere.
+    /// Sets when to refine an extension: at rest, if the picture evaluates it by other means.
     pub fn set_refines(&mut self, refines: Refines) {
         self.refines = refines;
     }
 
-    /// Goes on with an extension that [`Self::refresh`] leaves alone.
+    /// Refines an extension that [`Self::refresh`] does not.
     pub fn refine_at_rest(&mut self) -> Changes {
         let images = self.refines == Refines::AtRest && self.refine();
         if images {
@@ -69,18 +69,18 @@ impl Model {
         Changes { images, ..Changes::default() }
     }
 
-    /// How far the images are those of the extension that was asked for, from 0 to 1.
+    /// The fraction of the images that belong to the requested extension, from 0 to 1.
     pub fn extension_progress(&self) -> f64 {
         self.map().map_or(1.0, ConformalMap::extension_progress)
     }
 
-    /// Notes that images moved.
+    /// Counts a change of the images, and measures the distortion if that is cheap.
     pub(super) fn count_images(&mut self, another_mesh: bool) {
         self.shown.generation += 1;
         self.measurement.expire();
-        // what the picture does not show is not worth a number
+        // images that the picture does not show are not measured
         let shown = self.refines == Refines::InRefresh || self.extension_progress() == 1.0;
-        // Another mesh has other triangles: the old ones' distortions fit nothing any more.
+        // The distortions of the previous mesh's triangles do not belong to this one.
         if another_mesh && self.is_large() {
             self.measurement.clear();
         } else if another_mesh || (shown && self.measurement.milliseconds() < CHEAP_QUALITY_MS) {
@@ -88,31 +88,31 @@ impl Model {
         }
     }
 
-    /// Whether a frame is too short to measure the map, and the picture does not need it.
+    /// Whether measuring the map takes longer than a frame, and the picture does not need it.
     fn is_large(&self) -> bool {
         let count = self.shown().map_or(0, |map| map.triangles.len());
         count > MEASURED_AT_ONCE && self.session.colouring() == Colouring::Texture
     }
 
-    /// What the overlays show.
+    /// The state of the overlays.
     pub fn overlay_state(&self) -> &OverlayState {
         &self.overlay_state
     }
 
-    /// Does something with the random walks.
+    /// Applies an action to the random walks.
     pub fn act_on_walks(&mut self, action: WalkAction) {
         self.overlay_state.walks.act(action);
     }
 
-    /// Brings the overlays up to date at the time `now` (seconds); in how many seconds to come back, if at all.
+    /// Updates the overlays to the time `now` (seconds); returns in how many seconds to call again, if at all.
     pub fn advance_overlays(&mut self, now: f64) -> Option<f64> {
-        // A coarse map has boundaries of its own: what is shown waits for the full one.
+        // The coarse map has other boundaries, so the overlays wait for the full one.
         let map = self.shown.map.as_ref().filter(|_| !self.under_way.is_pending())?;
         let situation = situation(map, &self.session, self.shown.map_generation)?;
         self.overlay_state.advance(&situation, self.session.comparison(), now)
     }
 
-    /// Whether [`Self::measure`] would tell something new.
+    /// Whether [`Self::measure`] would give a new result.
     pub fn is_quality_stale(&self) -> bool {
         self.measurement.is_stale()
     }
@@ -123,7 +123,7 @@ impl Model {
         self.advance_measure(Deadline::NEVER);
     }
 
-    /// Spends a frame's share on measuring the map's distortion, until it is not stale any more.
+    /// Spends one frame's time on measuring the map's distortion; to be called until it is not stale.
     pub fn measure_at_rest(&mut self) {
         self.advance_measure(Deadline::in_ms(self.update_ms));
     }
@@ -133,7 +133,7 @@ impl Model {
         self.measurement.advance(map, self.shown.generation, deadline);
     }
 
-    /// Goes on with the extension in the picture if it is not complete; whether images changed.
+    /// Refines the extension in the picture if it is incomplete; returns whether images changed.
     fn refine(&mut self) -> bool {
         let full = self.shown.map.as_mut().filter(|_| !self.under_way.is_pending());
         let Some(map) = self.coarse.map_mut().or(full) else { return false };

@@ -1,35 +1,35 @@
-//! The map that is shown, for those to whom its sides make no difference.
+//! The map that is shown, as data independent of the kind of its sides.
 
 use crate::conformal::{ConformalMap, Direction, FrameTimings, Side};
 use crate::geometry::DVec2;
 use crate::model::Model;
 
-/// The last full map that is complete, and what of it is in the picture.
+/// The last complete full map, and its state in the picture.
 ///
-/// Invariants: `revision` is that of the picture; while the map has gone on to a later one, `map_revision`, and its
-/// disk coordinates are not there yet, the picture is not told. The generations only count up.
+/// Invariants: `revision` is that of the picture; while the map is at a later one, `map_revision`, and its
+/// disk coordinates are incomplete, the picture is not updated. The generations never decrease.
 #[derive(Debug)]
 pub struct ShownMap {
-    /// The map.
+    /// The last complete full map.
     pub map: Option<ConformalMap>,
-    /// What the map was asked for when it was brought up to date.
+    /// The revision of the request that the map was last updated to.
     pub map_revision: u64,
-    /// The revision of the map when the picture was told last.
+    /// The revision of the map when the picture was last updated.
     pub revision: u64,
     /// The direction of the map in the picture.
     pub direction: Direction,
-    /// Where the pattern in the picture lives.
+    /// The side on which the pattern in the picture is defined; `None`: in the disk.
     pub pattern_home: Option<Side>,
-    /// How many times the images have changed.
+    /// Incremented when the images change.
     pub generation: u64,
-    /// How many times another mesh was mapped.
+    /// Incremented when another mesh is mapped.
     pub mesh_generation: u64,
-    /// How many times the boundary map has changed.
+    /// Incremented when the boundary map changes.
     pub map_generation: u64,
 }
 
 impl ShownMap {
-    /// None yet.
+    /// No map.
     pub fn new(pattern_home: Option<Side>) -> Self {
         Self {
             map: None,
@@ -47,17 +47,17 @@ impl ShownMap {
 /// The mapped mesh's triangles and the images of its vertices.
 #[derive(Debug, Clone, Copy)]
 pub struct Shown<'a> {
-    /// Which way it goes; a surface is always mapped backward.
+    /// The direction of the map; a surface is always mapped backward.
     pub direction: Direction,
     /// The triangles of the mapped mesh.
     pub triangles: &'a [[u32; 3]],
-    /// The places of its vertices, where it lies in the plane.
+    /// The positions of its vertices, if they lie in the plane.
     pub planar: Option<&'a [DVec2]>,
     /// The images of its vertices, in the other domain.
     pub images: &'a [DVec2],
     /// The number of its boundary vertices, which come first.
     pub boundary_count: usize,
-    /// What the last update took.
+    /// The timings of the last update.
     pub timings: FrameTimings,
 }
 
@@ -67,14 +67,14 @@ impl<'a> Shown<'a> {
         self.direction.mapped_side()
     }
 
-    /// Where the mapped mesh's vertices lie on a side; `None` on that of a surface.
+    /// The positions of the mapped mesh's vertices on a side; `None` on the side of a surface.
     pub fn places(&self, side: Side) -> Option<&'a [DVec2]> {
         if side == self.mapped_side() { self.planar } else { Some(self.images) }
     }
 }
 
 impl Model {
-    /// The map on the screen, as soon as there is one.
+    /// The map on the screen; `None` before the first.
     pub fn shown(&self) -> Option<Shown<'_>> {
         let map = self.map()?;
         let mapped = map.mapped();

@@ -1,30 +1,30 @@
-//! The map under way: what it was asked for, and what it is coming to.
+//! The map update in progress: the constraints that were requested, and those that it is computed for.
 
 use crate::conformal::{ConformalMap, Constraints};
 
-/// What the full map is on its way to.
+/// The state of the full map's update.
 ///
-/// Invariants: `next` is a map between what stands on the two sides now; `held` is there only while pending.
+/// Invariants: `next` is a map between the present geometries of the two sides; `held` is set only while pending.
 #[derive(Debug, Default)]
 pub struct MapUnderWay {
-    /// The full map of other sides, until its first update is complete.
+    /// The full map of changed sides, until its first update is complete.
     pub next: Option<ConformalMap>,
-    /// While the full map is behind the session: how many frames have gone on with it.
+    /// The number of frames spent on the update; `None` if the full map is up to date.
     frames: Option<u32>,
-    /// Counts what the map has been asked for.
+    /// Incremented with every request to the map.
     pub revision: u64,
-    /// What a map that nothing stands in for is coming to: where the points were when it began.
+    /// The request that a map without a coarse substitute is computed for: the constraints when its update started.
     held: Option<Asked>,
-    /// How many times in a row a frame was too short for an update.
+    /// The number of successive frames that were too short for an update.
     pub unfinished: u32,
 }
 
-/// What the map is asked for.
+/// A request to the map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asked {
-    /// Where the points are to be.
+    /// The requested points.
     pub constraints: Constraints,
-    /// When that was.
+    /// The revision of the request.
     pub revision: u64,
 }
 
@@ -34,19 +34,21 @@ impl MapUnderWay {
         self.frames.is_some()
     }
 
-    /// The full map is behind the session.
+    /// Records that the full map is behind the session.
     pub fn want(&mut self) {
         self.frames = Some(0);
     }
 
-    /// One frame more goes on with it. What it is coming to: `constraints`, or, if it is to hold them, those of when it began.
+    /// Counts one more frame of the update. Returns its request: for `constraints` or, if it `holds` its request, for
+    /// those at its start.
     pub fn go_on(&mut self, constraints: Constraints, holds: bool) -> Asked {
         self.frames = self.frames.map(|frames| frames + 1);
         let asked = Asked { constraints, revision: self.revision };
         if holds { *self.held.get_or_insert(asked) } else { asked }
     }
 
-    /// It is complete. If the points have gone on since it began, so does it; whether it has caught up.
+    /// Ends the update. If the requested points have changed since a held update started, starts the next one; returns
+    /// whether the map is up to date now.
     pub fn finish(&mut self, wanted: Option<Constraints>) -> bool {
         if self.frames.take() == Some(1) {
             self.unfinished = 0;
@@ -58,12 +60,12 @@ impl MapUnderWay {
         !is_behind
     }
 
-    /// It could not be made.
+    /// Ends an update that failed.
     pub fn give_up(&mut self) {
         (self.frames, self.held) = (None, None);
     }
 
-    /// Other sides: `next` is to be their map.
+    /// Starts the update of the map `next` of changed sides.
     pub fn restart(&mut self, next: Option<ConformalMap>) {
         (self.next, self.held, self.unfinished) = (next, None, 0);
     }

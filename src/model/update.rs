@@ -1,11 +1,12 @@
-//! The full map, a frame's share at a time; what takes longer lets a coarse one stand in.
+//! The update of the full map, within a time limit per frame; a coarse map replaces one that takes longer.
 //!
 //! The picture is always that of one complete map: the last full one, the draft, or the
-//! new full one. Only a direct map's second frame in a row that was too short lets the draft be
-//! seen: a browser compiles what it runs for the first time.
+//! new full one. With the direct solver, the draft is shown only from the second successive frame that was too short:
+//! in the first one a browser may be compiling code that it runs for the first time.
 //!
-//! Surfaces differ from outlines in one thing here, [`Model::has_stand_in`]: nothing coarse stands in for their map.
-//! So it holds what it was asked for until it is there, and then goes on to where the points are by now.
+//! Surfaces differ from outlines in one respect here, [`Model::has_stand_in`]: there is no coarse substitute for their
+//! map. Its update keeps the constraints that it started with until it is complete; then the next one takes the present
+//! ones.
 
 use crate::conformal::{ConformalMap, Constraints, MapError, Side};
 use crate::language::Message;
@@ -15,12 +16,12 @@ use crate::session::{Command, SidePoints};
 use std::sync::Arc;
 
 impl Model {
-    /// Whether a coarse map can stand in for the full one: one between the same outlines.
+    /// Whether a coarse map can replace the full one: only one between the same outlines.
     fn has_stand_in(&self) -> bool {
         self.is_planar()
     }
 
-    /// Another thing stands on a side. A map of what is not there any more is not shown; one of outlines may be.
+    /// Records a change of a side's geometry. A map of other geometry is no longer shown, except between outlines.
     pub(super) fn change_sides(&mut self) {
         self.sides_changed = true;
         let fits = |map: &ConformalMap, side| {
@@ -34,7 +35,7 @@ impl Model {
         }
     }
 
-    /// Begins with the map of other sides; whether the picture changes at once.
+    /// Starts the map of changed sides; returns whether the picture changes now.
     pub(super) fn take_sides(&mut self) -> bool {
         let retired = self.coarse.retire();
         self.coarse.forget();
@@ -45,7 +46,7 @@ impl Model {
         self.has_stand_in() && (retired || self.shown.map.is_none())
     }
 
-    /// Goes on with what is pending: in a drag that is too fast for the full map, with the draft alone.
+    /// Continues a pending update: in a drag that is too fast for the full map, with the draft alone.
     pub(super) fn go_on(&mut self, dragging: bool) -> Changes {
         let mut changes = Changes::default();
         if dragging && self.is_slow() {
@@ -67,8 +68,8 @@ impl Model {
         changes
     }
 
-    /// Spends a frame's share on the full map and, where the pattern needs them, its disk
-    /// coordinates; whether all is there.
+    /// Spends one frame's time on the full map and, if the pattern needs them, its disk
+    /// coordinates; returns whether both are complete.
     fn advance(&mut self) -> Result<bool, MapError> {
         let Some(wanted) = self.constraints() else { return Ok(true) };
         let asked = self.under_way.go_on(wanted, !self.has_stand_in());
@@ -89,7 +90,7 @@ impl Model {
         wanted && !self.overlay_state.grid.is_of(self.shown.map_revision)
     }
 
-    /// The full map is complete: it is the one in the picture.
+    /// Shows the full map, which is complete.
     fn show_full(&mut self) -> Changes {
         let has_caught_up = self.under_way.finish(self.constraints());
         let replaced = self.under_way.next.is_some();
@@ -114,7 +115,7 @@ impl Model {
         Changes { meshes, map, images: map }
     }
 
-    /// The full map could not be made: the last good one stays.
+    /// Handles an error of the full map: the last good one stays.
     fn give_up(&mut self, error: &MapError) -> Changes {
         self.under_way.give_up();
         if self.under_way.next.is_none() {
@@ -129,8 +130,8 @@ impl Model {
         Changes { meshes, map: meshes, images: meshes }
     }
 
-    /// The first map of a surface was refused, and no points of before fit: tries once more with the default ones,
-    /// unless they were those that failed.
+    /// After the first map of a surface was rejected there are no previous valid points: tries once more with the
+    /// default ones, unless these were the rejected ones.
     fn begin_at_the_default_points(&mut self) {
         for side in Side::BOTH {
             let (is_set, points) = match self.session.side(side).points() {
@@ -146,15 +147,15 @@ impl Model {
         }
     }
 
-    /// Whether the full map is too slow for a drag. One frame that was too short says so of the
-    /// iterative solver only.
+    /// Whether the full map is too slow for a drag. For the iterative solver one frame that was too short is sufficient
+    /// evidence, for the direct one two are needed.
     fn is_slow(&self) -> bool {
         let is_iterative = |side| self.prepared(side).is_some_and(|prepared| prepared.solver_kind() == SolverKind::Pcg);
         let most = u32::from(!Side::BOTH.into_iter().any(is_iterative));
         self.has_stand_in() && self.under_way.unfinished > most
     }
 
-    /// Lets the coarse map follow, if it has not; where it cannot, the last full one is in the picture.
+    /// Updates the coarse map, unless it is up to date; if that fails, the last full one is shown.
     fn follow_coarsely(&mut self) -> Changes {
         if self.coarse.has_followed(self.under_way.revision) {
             return Changes::default();
@@ -170,13 +171,13 @@ impl Model {
         Changes { meshes: retired, map: retired, images: retired }
     }
 
-    /// Where the points of both sides are.
+    /// The constraints from the points of both sides.
     fn constraints(&self) -> Option<Constraints> {
         let of_side = |side| Some((self.point(side)?, self.session.side(side).points().anchor()));
         Some(Constraints::new(of_side(Side::Source)?, of_side(Side::Target)?))
     }
 
-    /// A point that was set may lie outside a coarser polygon of the same outline.
+    /// Moves interior points inside the domains: a point may lie outside a coarser polygon of the same outline.
     pub(super) fn keep_points_inside(&mut self) {
         for side in Side::BOTH {
             if let Some(point) = self.session.side(side).interior
