@@ -1,6 +1,6 @@
-//! What a screen reader is told: the state of the picture, and the control that has the keyboard.
+//! The text for screen readers: the state of the picture, and the focused control.
 //!
-//! egui draws on a canvas, which a screen reader cannot look into: in the browser these sentences stand beside
+//! egui draws on a canvas, which a screen reader cannot read: in the browser these sentences are placed beside
 //! it in the page. On the desktop the system's accessibility interface reads the widgets themselves.
 
 use crate::app::RiemapApp;
@@ -11,7 +11,7 @@ use crate::language::{key, number, say, tr};
 use crate::model::Model;
 use egui::{Role, WidgetInfo};
 
-/// The picture in a few sentences.
+/// A description of the picture in a few sentences.
 pub fn state(app: &RiemapApp) -> String {
     let model = &app.model;
     let mut sentences = vec![shown(model)];
@@ -54,7 +54,7 @@ fn points(model: &Model, side: Side) -> Option<String> {
     Some(say(&key::points_of_side(x, place, y, along)))
 }
 
-/// A control, as it is read out when it gets the keyboard or changes.
+/// The description of a control, for when it gets the focus or changes.
 pub fn control(info: &WidgetInfo) -> String {
     let label = info.label.clone().unwrap_or_default();
     let role = match info.role {

@@ -1,4 +1,4 @@
-//! What the page around the app is told, each new error once, and what a screen reader is told.
+//! What is reported to the page around the app, each new error once, and to a screen reader.
 
 use super::frame::REST_SECONDS;
 use super::input::preferences::Preferences;
@@ -6,7 +6,7 @@ use super::{RiemapApp, accessibility, message_bar};
 use crate::language::Message;
 use crate::platform::{self, PageEvent};
 
-/// What was told.
+/// The reports so far.
 #[derive(Debug, Default)]
 pub struct Announced {
     errors: Vec<Message>,
@@ -24,14 +24,14 @@ struct News {
     errors: Vec<Message>,
     /// The step of the tour.
     step: Option<usize>,
-    /// The language is one of them.
+    /// The preferences, which include the language.
     preferences: Preferences,
-    /// When the notice ends.
+    /// The time at which the notice ends.
     notice_until: Option<f64>,
 }
 
 impl Announced {
-    /// Of the errors that are shown now, those that were not a frame ago.
+    /// The errors of this frame that were not shown in the previous one.
     fn news(&mut self, errors: Vec<Message>) -> Vec<Message> {
         let news = errors.iter().filter(|error| !self.errors.contains(error)).cloned().collect();
         self.errors = errors;
@@ -40,7 +40,7 @@ impl Announced {
 }
 
 impl RiemapApp {
-    /// Tells the page the errors that are new in this frame, and those who hear the screen the control that was used.
+    /// Reports to the page the errors that are new in this frame, and to a screen reader the control that was used.
     pub(super) fn announce(&mut self, ui: &egui::Ui) {
         message_bar::end(self, ui.ctx());
         let errors = self.errors();
@@ -54,11 +54,11 @@ impl RiemapApp {
         }
     }
 
-    /// Tells those who hear the screen what is on it, whenever something else is and has come to rest.
+    /// Describes the screen to a screen reader whenever its state has changed and rests.
     pub(super) fn describe(&mut self, context: &egui::Context, now: f64) {
         let rested = now - self.last_change;
         if rested < REST_SECONDS {
-            // a drag collects no news
+            // a drag is not described while it lasts
             context.request_repaint_after_secs((REST_SECONDS - rested) as f32);
             return;
         }

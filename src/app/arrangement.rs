@@ -1,4 +1,4 @@
-//! How the two pictures share their place, and what of each is left free for words, messages, legend and edit bar.
+//! How the two pictures divide their area, and the room in each for titles, messages, legend and edit bar.
 
 use super::{RiemapApp, editing};
 use crate::app::panels::header;
@@ -7,35 +7,35 @@ use crate::app::viewport::view::{DESK_MARGINS, Margins, PHONE_MARGINS, free_belo
 use crate::conformal::{PerSide, Side};
 use egui::{Rect, Ui};
 
-/// The viewport that has the legend of the colours.
+/// The side whose viewport shows the legend of the colors.
 pub const LEGEND_SIDE: Side = Side::Target;
 
-/// Pictures lower than this have no row for the words of the dots.
+/// Below this height, pictures have no row for the legend of the dots.
 const LOW: f32 = 260.0;
 
-/// How the screen is divided.
+/// The layout of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Arrangement {
-    /// As on a phone: the controls are a sheet.
+    /// The phone layout: the controls are in a sheet.
     pub narrow: bool,
-    /// The pictures lie one above the other, else side by side.
+    /// Whether the pictures lie one above the other, or side by side.
     pub stacked: bool,
 }
 
 impl Arrangement {
-    /// For what is left of the screen before a message takes its part of that: neither a message nor the sheet of a
-    /// phone turns the pictures.
+    /// The layout for the area that is left before a message takes its part: neither a message nor the sheet of a
+    /// phone changes the direction of the division.
     pub fn new(ui: &Ui, narrow: bool) -> Self {
         let place = if narrow { ui.ctx().content_rect() } else { ui.available_rect_before_wrap() };
         Self { narrow, stacked: place.width() < place.height() }
     }
 
-    /// Whether a picture has little room: on a phone, or where it is low.
+    /// Whether a picture has little room: on a phone, or if its height is small.
     pub fn is_tight(self, rect: Rect) -> bool {
         self.narrow || rect.height() < LOW
     }
 
-    /// The places of source and target.
+    /// The areas of source and target.
     pub fn divide(self, rect: Rect) -> PerSide<Rect> {
         if self.stacked {
             let y = rect.center().y.round();
@@ -46,8 +46,8 @@ impl Arrangement {
         }
     }
 
-    /// Free space around the picture. Where the pictures lie one above the other, there is none beside them: legend
-    /// and edit bar have theirs below. Where they lie side by side, the edit bar has it if the outline would reach there.
+    /// Free space around the picture. In stacked pictures, legend and edit bar have a margin of their own at the
+    /// bottom. In pictures side by side, the edit bar has one only if the outline would reach into its area.
     pub fn margins(self, app: &RiemapApp, ui: &Ui, side: Side, rect: Rect) -> Margins {
         let usual = if self.is_tight(rect) { PHONE_MARGINS } else { DESK_MARGINS };
         let above_legend = Margins { bottom: usual.bottom.max(self.legend_height(app, side, rect)), ..usual };
@@ -61,13 +61,13 @@ impl Arrangement {
         if self.stacked || reaches { with_bar } else { without_bar }
     }
 
-    /// Where the edit bar has its place: above the legend and the words of the dots.
+    /// The area whose lower edge carries the edit bar: above the legends of colors and dots.
     pub fn edit_room(self, app: &RiemapApp, side: Side, rect: Rect) -> Rect {
         let words = if self.is_tight(rect) { 0.0 } else { header::LEGEND_HEIGHT };
         rect.with_max_y(rect.bottom() - self.legend_height(app, side, rect).max(words))
     }
 
-    /// Where messages have theirs: from below the title to above the edit bar.
+    /// The area for messages: between the title and the edit bar.
     pub fn message_room(self, app: &RiemapApp, ui: &Ui, side: Side, title: f32) -> Rect {
         let rect = app.pictures.views[side].rect;
         let low = if app.editor.side() == Some(side) {
@@ -78,7 +78,7 @@ impl Arrangement {
         rect.with_min_y(title).with_max_y(low.max(title))
     }
 
-    /// The room that the legend of the colours takes at the lower edge of a picture.
+    /// The height of the legend of the colors at the lower edge of a picture; 0 without a legend.
     fn legend_height(self, app: &RiemapApp, side: Side, rect: Rect) -> f32 {
         let is_there = side == LEGEND_SIDE && app.pictures.cells.scale().is_some();
         if is_there { legend::height(rect, self.is_tight(rect)) } else { 0.0 }

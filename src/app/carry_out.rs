@@ -1,5 +1,5 @@
-//! The one place where actions become changes. What the panels, the keyboard and the page ask for is done to the
-//! session, the points in motion, the editor, files and windows. Nothing is computed here.
+//! The one place where actions become changes. Requests of the panels, the keyboard and the page are applied to the
+//! session, the points in motion, the editor, files and windows. This file computes nothing itself.
 
 use super::RiemapApp;
 use crate::app::input::action::{Action, Actions, EditAction, ExploreAction};
@@ -16,11 +16,11 @@ use crate::platform;
 use crate::session::{Command, Session, Touched};
 
 impl RiemapApp {
-    /// The one place where actions become changes; a locked action is refused with a message.
+    /// Carries out all actions; a locked one is refused with a message.
     pub(super) fn carry_out(&mut self, context: &egui::Context, actions: Actions) {
         let locks = Locks::of(context);
         for action in actions {
-            // what is grey asks for nothing: this came by a key or from the clipboard
+            // a disabled widget emits no action: a locked action came from a key or the clipboard
             match locks.refused(&action) {
                 Some(control) => self.refuse(control),
                 None => self.act(context, action),
@@ -28,7 +28,7 @@ impl RiemapApp {
         }
     }
 
-    /// Keeps actions for the start of the next frame, and requests that frame at once.
+    /// Queues actions for the start of the next frame, and requests that frame at once.
     pub(super) fn ask(&mut self, context: &egui::Context, actions: Actions) {
         if !actions.is_empty() {
             self.input.asked.extend(actions);
@@ -103,7 +103,7 @@ impl RiemapApp {
 
     fn edit(&mut self, action: EditAction) {
         if let EditAction::Draw(side, _) = action {
-            // a message about the last outline would lie where the new one is drawn
+            // a message about the previous outline would cover the place where the new one is drawn
             self.model.dismiss(side);
         }
         if matches!(action, EditAction::Close | EditAction::TakePasted) {
@@ -115,7 +115,7 @@ impl RiemapApp {
 
     pub(super) fn explore(&mut self, action: ExploreAction) {
         let action = match action {
-            // it is about to take the tour's place; the picture from before would take its
+            // the surface being read will replace the tour; restoring the session from before the tour would cancel it
             ExploreAction::LeaveTour { .. } if self.model.surface_side(Side::Target).preparation.awaits_file() => {
                 ExploreAction::LeaveTour { keeps: true }
             }
@@ -134,13 +134,14 @@ impl RiemapApp {
         }
     }
 
-    /// Another picture takes the tour's place: it stays, and what the tour has set in motion does not.
+    /// Ends the tour because another picture replaces it: the session stays, and the random walks that the tour started
+    /// stop.
     pub(super) fn end_tour(&mut self) {
         self.explore(ExploreAction::LeaveTour { keeps: true });
     }
 
-    /// Closes the message. Which file a link waits for may have been hidden by another one: it is said until it has
-    /// been closed itself.
+    /// Closes the message. The name of a missing file of a link may have been hidden by this message: that is shown
+    /// again, until it is closed itself.
     fn dismiss_message(&mut self) {
         let closed = self.messages.common.take();
         self.messages.common = closed.and_then(|closed| self.persistence.unread_after(&closed));
@@ -152,7 +153,7 @@ impl RiemapApp {
         preferences.remember();
     }
 
-    /// Folds the panels away or brings them back; a page around the app has none.
+    /// Hides the panels or shows them; an embedded app has none.
     fn fold_panels(&mut self) {
         self.screen.panels_open = !self.screen.panels_open && !self.options.embed;
     }

@@ -1,4 +1,4 @@
-//! What the app does with the window of exports.
+//! The app's side of the export window.
 
 use crate::app::RiemapApp;
 use crate::app::input::action::{Actions, ExportAction};
@@ -13,7 +13,7 @@ use crate::render::OrbitCamera;
 use egui::Context;
 
 impl RiemapApp {
-    /// Shows the window, if it is open.
+    /// Shows the export window, if it is open.
     pub(in crate::app) fn show_exporter(&mut self, context: &Context, actions: &mut Actions) {
         let around = Surroundings {
             map: self.map_state(),
@@ -31,7 +31,7 @@ impl RiemapApp {
         }
     }
 
-    /// Does what the window asks for.
+    /// Carries out an action of the export window.
     pub(in crate::app) fn export(&mut self, action: ExportAction, context: &Context) {
         match action {
             ExportAction::Open => self.windows.exporter.open(),
@@ -42,11 +42,11 @@ impl RiemapApp {
         }
     }
 
-    /// Saves what is chosen, or begins to make it.
+    /// Saves the selected export, or starts a job that creates it.
     fn save_export(&mut self, context: &Context) {
         let Some(request) = self.windows.exporter.file_request() else { return self.begin_job(context) };
         if !scene::is_complete(&self.model) {
-            return; // what is shown is not yet what would be written
+            return; // the picture does not show yet what would be written
         }
         match file(&self.model, request) {
             Some(Ok(file)) => {
@@ -71,7 +71,7 @@ impl RiemapApp {
         context.request_repaint();
     }
 
-    /// The eye that sees the surface on the screen, in a viewport of this width over height.
+    /// The camera of the surface on the screen, in a viewport with this ratio of width to height.
     fn camera(&self, aspect: f64) -> Option<OrbitCamera> {
         let side = self.model.side_of_surface()?;
         let scene = self.model.surface(side)?.0.scene()?;
@@ -83,7 +83,7 @@ impl RiemapApp {
         Some(camera)
     }
 
-    /// Goes on with what is being made, and saves it when it is there.
+    /// Continues the export job, and saves the file when it is complete.
     pub(in crate::app) fn work_on_export(&mut self, context: &Context) {
         if !self.windows.exporter.is_busy() {
             return;

@@ -1,4 +1,4 @@
-//! What the app knows of itself: the numbers on the screen, errors and notes, where the dots are.
+//! The app's state as data: the numbers on the screen, errors and notes, positions of the dots.
 
 use super::{RiemapApp, editing};
 use crate::app::overlays;
@@ -46,7 +46,7 @@ impl RiemapApp {
         HandlePositions { x1, x2, y1, y2 }
     }
 
-    /// Where a side's interior point and its boundary point are.
+    /// The positions of a side's interior point and boundary point.
     fn places_of_dots(&self, side: Side) -> [Option<[f32; 2]>; 2] {
         let places = if self.model.surface(side).is_some() {
             let orbit = &self.pictures.orbits[side];
@@ -58,12 +58,12 @@ impl RiemapApp {
         places.map(|place| place.map(|place| self.css_pixels(place)))
     }
 
-    /// A place on the screen as the page measures it.
+    /// A position on the screen in the page's CSS pixels.
     fn css_pixels(&self, place: egui::Pos2) -> [f32; 2] {
         [place.x * self.screen.zoom, place.y * self.screen.zoom]
     }
 
-    /// All that is said to be wrong: beside the inputs, over the pictures, in the panel and in the windows.
+    /// All errors that are shown: beside the inputs, over the pictures, in the panel and in the windows.
     pub(super) fn errors(&self) -> Vec<Message> {
         let sides = Side::BOTH
             .into_iter()
@@ -81,7 +81,7 @@ impl RiemapApp {
         Side::BOTH.into_iter().flat_map(|side| self.model.notes(side)).collect()
     }
 
-    /// Where the Cauchy–Green extension in the picture comes from, if it is asked for.
+    /// The processor that evaluates the Cauchy–Green extension in the picture, if that extension is requested.
     pub(super) fn cauchy_green(&self) -> Option<Processor> {
         let on_gpu = self.pictures.gpu.as_ref().is_some_and(|gpu| gpu.extends(&self.model));
         let asked = self.model.session().extension() == Extension::CauchyGreen;

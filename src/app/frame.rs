@@ -1,5 +1,5 @@
-//! The stages of a frame: input is read, the update sends what is due to the workers, brings the map up to date and
-//! uploads what changed, the pictures are painted. At rest it does nothing and asks for no other frame.
+//! The stages of a frame: input is read, the update sends due requests to the workers, updates the map and
+//! uploads what changed, the pictures are painted. At rest it does nothing and requests no further frame.
 
 use super::arrangement::Arrangement;
 use super::incoming::WORDS_FOLLOW_AFTER;
@@ -11,11 +11,11 @@ use crate::language::key;
 use crate::model::{Changes, Refines};
 use crate::platform;
 
-/// How long the map must rest before an expensive quality is computed, in seconds.
+/// How long the map must be unchanged before an expensive quality is computed, in seconds.
 pub(super) const REST_SECONDS: f64 = 0.15;
 
 impl RiemapApp {
-    /// Lays out the panels and takes in gestures and keys: what the person asks for, and how the screen is divided.
+    /// Lays out the panels and reads gestures and keys; returns the layout and the requested actions.
     pub(super) fn take_input(&mut self, ui: &mut egui::Ui, cpu_usage: Option<f32>) -> (Arrangement, Actions) {
         self.take_dropped(ui.ctx());
         self.screen.zoom = ui.ctx().zoom_factor();
@@ -26,20 +26,20 @@ impl RiemapApp {
         self.plots.begin_frame(&self.model);
         message_bar::begin(self, ui);
         let (arrangement, asked) = layout::show(self, ui);
-        // what a hand moved comes before what a key or a panel asks: an undo takes it back, and not the other way round
+        // changes by a drag come before those of keys and panels, so that an undo reverts the drag
         let mut actions = Actions::new();
         pictures::interact(self, ui, arrangement, &mut actions);
         actions.extend(asked);
         (arrangement, actions)
     }
 
-    /// Paints the pictures and windows in what the panels leave of the screen.
+    /// Paints the pictures and windows in the area that the panels leave.
     pub(super) fn paint(&mut self, ui: &mut egui::Ui, arrangement: Arrangement) {
         let asked = egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(self, ui, arrangement)).inner;
         self.ask(ui.ctx(), asked);
     }
 
-    /// Sends what is due to the workers, updates the map, uploads.
+    /// Sends due requests to the workers, updates the map, uploads.
     pub(super) fn advance(&mut self, context: &egui::Context) {
         let now = context.input(|input| input.time);
         self.editor.follow(&mut self.model, &mut self.pictures.views);
@@ -77,11 +77,11 @@ impl RiemapApp {
         if self.player.is_playing() {
             context.request_repaint();
         }
-        // A dot that is held still rests.
+        // a dot that is held without moving counts as at rest
         self.player.is_moving() || (is_held && !self.is_resting(now))
     }
 
-    /// Whether the map has not changed for a while.
+    /// Whether the map has not changed for [`REST_SECONDS`].
     fn is_resting(&self, now: f64) -> bool {
         now - self.last_change >= REST_SECONDS
     }
@@ -95,7 +95,7 @@ impl RiemapApp {
         }
     }
 
-    /// Sends the requests that are due to the workers. It follows the update of the map, so that an outline being
+    /// Sends due requests to the workers. It follows the update of the map, so that an outline being
     /// dragged is prepared again in the frame that shows it.
     fn send_requests(&mut self, context: &egui::Context, now: f64) {
         for (side, request) in self.model.take_requests(now) {
@@ -157,7 +157,7 @@ impl RiemapApp {
         self.plots.update(&self.model);
     }
 
-    /// What has another shape is seen as a whole again.
+    /// Fits the view of every side with a new shape.
     fn refit(&mut self, context: &egui::Context) {
         for side in Side::BOTH {
             if self.model.take_refit(side) {
@@ -171,7 +171,7 @@ impl RiemapApp {
         }
     }
 
-    /// Another surface is seen from where it shows the most.
+    /// Chooses the camera of a new surface so that most of it is visible.
     fn look_at_surface(&mut self, side: Side) {
         let orbit = &mut self.pictures.orbits[side];
         let seen = self.model.surface(side);
@@ -180,8 +180,8 @@ impl RiemapApp {
         }
     }
 
-    /// Uploads, and asks for another frame: the status line was laid out before the change. That one waits a little:
-    /// where the processor draws, it would keep the first from the screen.
+    /// Uploads, and requests another frame, because the status line was laid out before the change. That frame is
+    /// delayed: with a software renderer, it would otherwise postpone the display of this one.
     fn show_changes(&mut self, context: &egui::Context, changes: Changes) {
         context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
         if let Some(gpu) = &mut self.pictures.gpu

@@ -1,4 +1,4 @@
-//! The app as the platform starts it and as the page around it reads it.
+//! The interface of the app for the platform that starts it and for the page around it.
 
 use super::RiemapApp;
 use crate::app::input::address_options::AddressOptions;
@@ -9,14 +9,14 @@ use crate::model::files::FilePurpose;
 use crate::platform::{self, Failure, Host, Mailbox};
 use crate::session::Session;
 
-/// Starts the app, in a window or in the page's canvas; in a web worker the engine that prepares sides.
+/// Starts the app in a window or in the page's canvas, or, in a web worker, the engine that prepares sides.
 ///
-/// Errors: there is no window, in words.
+/// Errors: there is no window, with a text for the user.
 pub fn start() -> Result<(), String> {
     platform::start::<RiemapApp>()
 }
 
-/// What the page's address asks for.
+/// The options in the page's address.
 pub(super) fn address_options() -> AddressOptions {
     let pairs = platform::address_query();
     AddressOptions::parse(pairs.iter().map(|[name, value]| (name.as_str(), value.as_str())))
@@ -52,7 +52,7 @@ impl Host for RiemapApp {
             Failure::NoGraphics(cause) => format!("{} ({cause})", tr(key::no_graphics())),
             Failure::GraphicsLost => tr(key::graphics_lost()).into(),
             Failure::Stopped(cause) => say(&key::stopped(cause)),
-            // on the terminal, as all that is said there
+            // in English, like all output on the terminal
             Failure::NoWindow(cause) => key::no_window(cause).english(),
         }
     }

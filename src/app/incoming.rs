@@ -1,4 +1,4 @@
-//! What comes in from outside of a frame: the workers' answers, files, links.
+//! Events from outside of a frame: the workers' responses, files, links.
 
 use super::RiemapApp;
 use crate::app::input::locks::Control;
@@ -16,12 +16,13 @@ use crate::platform::{self, Event};
 use crate::session::{Command, SurfaceShape, SurfaceSpec, TextureKind};
 use std::sync::Arc;
 
-/// When what the panels say follows the pictures, in seconds: sooner than anyone reads.
+/// The delay of the frame in which the panels are updated after the pictures, in seconds; too short to be noticed.
 pub(super) const WORDS_FOLLOW_AFTER: f32 = 0.05;
 
 impl RiemapApp {
-    /// What happened since the last frame; the panels follow in another one, but for stages, of which they say
-    /// nothing. That frame waits a little: where the processor draws, it would keep the pictures from the screen.
+    /// Processes the events since the last frame, and requests a frame that updates the panels; not for stages, which
+    /// they do not show. That frame is delayed: with a software renderer, it would otherwise postpone the display of
+    /// the pictures.
     pub(super) fn take_events(&mut self, context: &egui::Context) {
         while let Ok(event) = self.workers.events.try_recv() {
             if !event.is_stage() {
@@ -53,14 +54,14 @@ impl RiemapApp {
         }
     }
 
-    /// Takes in a file between two frames.
+    /// Processes a file between two frames.
     pub fn take_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
         self.read_file(purpose, name, bytes);
         let requests = self.model.take_requests(f64::NEG_INFINITY);
         if requests.is_empty() {
             self.workers.mailbox.wake();
         } else {
-            // a frame would show little that is new, and take the processor from the worker
+            // a frame would show little news, and use the processor that the worker needs
             self.workers.mailbox.wake_for_stages();
         }
         for (side, request) in requests {
@@ -76,7 +77,7 @@ impl RiemapApp {
         }
         match content {
             Ok(Content::Outline(..) | Content::Session(_)) => self.begin_change(),
-            // it takes the tour's place when it is there: it is read by its worker
+            // the worker has yet to read it: the tour ends when the surface is shown
             Ok(Content::Surface { .. }) => self.persistence.touch(),
             Ok(Content::Image { .. }) | Err(_) => {}
         }
@@ -96,13 +97,13 @@ impl RiemapApp {
         matches!(state.spec.shape, SurfaceShape::File { .. }).then(|| state.spec.clone())
     }
 
-    /// What the person has brought changes the session.
+    /// Prepares for a change of the session by the user: ends the tour, and starts a history entry.
     pub(super) fn begin_change(&mut self) {
         self.end_tour();
         self.persistence.touch();
     }
 
-    /// An image was decoded, or could not be.
+    /// Processes a decoded image, or the error of its decoding.
     fn take_image(&mut self, purpose: FilePurpose, name: String, pixels: Result<image::RgbaImage, Message>) {
         if pixels.is_ok() {
             self.begin_change();
@@ -122,7 +123,7 @@ impl RiemapApp {
         }
     }
 
-    /// Traces the picture that has just become the texture.
+    /// Traces the picture that was last set as the texture.
     pub(super) fn trace_image(&mut self) {
         if let Some(offer) = self.messages.offer.take() {
             self.persistence.touch();
@@ -147,7 +148,7 @@ impl RiemapApp {
         }
     }
 
-    /// Whether a control may be changed from outside of the panels; if not, that is said.
+    /// Whether a control may be changed from outside of the panels; if not, a message says so.
     fn may(&mut self, control: Control) -> bool {
         let locked = self.options.locks.holds(control);
         if locked {
@@ -156,7 +157,7 @@ impl RiemapApp {
         !locked
     }
 
-    /// Says that a control is locked.
+    /// Shows the message that a control is locked.
     pub(super) fn refuse(&mut self, control: Control) {
         self.messages.common = Some(key::address_keeps(control.name()));
     }
@@ -175,7 +176,7 @@ impl RiemapApp {
         }
     }
 
-    /// Reads the files that were dropped, for the side that they were dropped over.
+    /// Reads the dropped files for the side over which they were dropped.
     pub(super) fn take_dropped(&mut self, context: &egui::Context) {
         let place = platform::drop_position(context);
         let over_target = place.is_some_and(|place| self.pictures.views[Side::Target].rect.contains(place));
@@ -186,7 +187,7 @@ impl RiemapApp {
     }
 }
 
-/// What a file would change, or could if it were repaired.
+/// The controls that a file would change, or could change after a repair.
 fn locked_by(content: &Result<Content, FileError>, purpose: FilePurpose) -> &'static [Control] {
     match content {
         Ok(Content::Outline(..) | Content::Surface { .. }) | Err(FileError::Outline(..)) => Control::OF_SHAPES,
@@ -244,7 +245,7 @@ mod tests {
         step_until(&mut harness, is_sorted);
     }
 
-    /// The app when no frame is asked for any more.
+    /// The app in a state in which it requests no frame.
     fn app_at_rest() -> Harness<'static, RiemapApp> {
         let mut harness = ready_app([1200.0, 800.0]);
         harness.try_run().unwrap();
@@ -305,7 +306,7 @@ mod tests {
         assert_eq!(app.errors().len(), 1);
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
         assert!(app.errors().is_empty(), "{:?}", app.errors());
-        // and the other way round
+        // and in the reverse order
         app.take_file(FilePurpose::Outline(Side::Target), "broken.obj", Ok(b"v 0 0 0\nf 1 2 3\n".to_vec()));
         step_until(&mut harness, |app| !app.model.surface_side(Side::Target).preparation.pending_request().is_busy());
         let app = harness.state_mut();
@@ -319,7 +320,7 @@ mod tests {
         let mut harness = ready_app([1200.0, 800.0]);
         let context = harness.ctx.clone();
         let app = harness.state_mut();
-        // too many of no order for a link
+        // too many points for a link, without a pattern that could be compressed
         let jagged = |k: u32| 1.0 + 0.2 * f64::from(k * 7919 % 1000) / 1000.0;
         let points: Vec<_> =
             (0..6000).map(|k| jagged(k) * crate::geometry::DVec2::from_angle(f64::from(k) * 1e-3)).collect();

@@ -1,5 +1,5 @@
-//! How the screen is divided: on a desk bars, panel and two viewports side by
-//! side with the plots below; on a phone a sheet of controls or plots, and upright
+//! The division of the screen: on a desktop bars, panel and two viewports side by
+//! side with the plots below; on a phone a sheet of controls or plots, and in portrait orientation
 //! the viewports one above the other.
 
 use super::arrangement::Arrangement;
@@ -18,17 +18,17 @@ use egui::{Event, Frame, Id, Key, Margin, Panel, RichText, ScrollArea, Stroke, U
 
 /// The width of the side panel.
 const PANEL_WIDTH: f32 = 268.0;
-/// Room for the scroll bar beside the controls.
+/// The width of the scroll bar beside the controls.
 const SCROLL_BAR: f32 = 8.0;
-/// The height of the sheet's handle, enough for a thumb.
+/// The height of the sheet's handle, a touch target.
 const SHEET_HANDLE: f32 = 44.0;
-/// The height of the strip that is free for the page's own link, where the app is embedded.
+/// The height of the strip that is left free for the page's own link, if the app is embedded.
 const LINK_STRIP: f32 = 28.0;
-/// How much of the screen the open sheet takes besides.
+/// The share of the screen's height that the open sheet takes in addition to its handle.
 const SHEET_SHARE: f32 = 0.42;
 
-/// Bars, panels and the message below the pictures, around what is left for the pictures; with what they and the keys
-/// ask for. Changes only the pointer's place in the plots and the focus of the tour's buttons.
+/// Lays out bars, panels and the message below the pictures, and collects the actions of the panels and of the
+/// keys. Changes only the pointer's position in the plots and the focus of the tour's buttons.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
     let narrow = ui.available_width() < PHONE_WIDTH;
     theme::suit_pointer(ui.ctx(), narrow || app.screen.has_fingers || ui.input(egui::InputState::has_touch_screen));
@@ -48,7 +48,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
         }
     }
     if app.options.embed {
-        // the page's link to the whole app lies there
+        // the page's link to the whole app is at this place
         let strip = if app.screen.has_fingers { theme::FINGER_HEIGHT } else { LINK_STRIP };
         let frame = Frame::new().fill(Palette::of(ui.visuals()).panel);
         Panel::bottom("link").exact_size(strip).resizable(false).frame(frame).show(ui, |_| {});
@@ -63,7 +63,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
     (arrangement, actions)
 }
 
-/// P opens the plots or closes them, unless a control has the keyboard.
+/// The key P opens or closes the plots, unless a control has the focus.
 fn keys(app: &RiemapApp, ui: &Ui, actions: &mut Actions) {
     let is_p = |event: &Event| {
         let Event::Key { key, pressed, repeat, modifiers, .. } = event else { return false };
@@ -107,7 +107,7 @@ fn image_name(app: &RiemapApp) -> Option<&str> {
     app.pictures.image.as_ref().map(|image| image.name.as_str())
 }
 
-/// The plots below the viewports; they stay when the panels fold away.
+/// The plots below the viewports; they stay when the panels are hidden.
 fn dock(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new().fill(palette.panel).inner_margin(Margin { left: 14, right: 14, top: 6, bottom: 4 });
@@ -140,7 +140,7 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     });
 }
 
-/// The sheet's handle, in two halves; returns whether the plots were asked for, or the controls.
+/// The sheet's handle, in two halves; returns the half that was clicked: true for the plots, false for the controls.
 fn sheet_tabs(ui: &mut Ui, open: bool, plots: bool) -> Option<bool> {
     let palette = Palette::of(ui.visuals());
     let mut asked = None;

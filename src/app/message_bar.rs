@@ -1,5 +1,5 @@
-//! What is said about both sides: a message or an offer below the pictures, which make room for it, so that it covers
-//! nothing; and a notice over them, which goes by itself.
+//! Messages that belong to both sides: a message or an offer below the pictures, which shrink so that nothing is
+//! covered; and a notice over the pictures, which disappears after some seconds.
 
 use crate::app::RiemapApp;
 use crate::app::input::action::{Action, Actions};
@@ -10,23 +10,23 @@ use crate::app::theme::widgets::{message_box, notice_box};
 use crate::language::Message;
 use egui::{Context, Frame, Margin, Panel, Rect, Ui, UiBuilder, pos2, vec2};
 
-/// The width of a line that is easy to read.
+/// The largest width of a message: lines that are easy to read.
 const WIDEST: f32 = 720.0;
-/// How much of the height that is left for the pictures all of it takes at most: in a frame of 320 points the pictures
-/// keep 175, on a phone five lines are read at once.
+/// The largest share of the height left for the pictures that message and offer may take: in a frame of 320 points the
+/// pictures keep 175, on a phone five lines fit.
 const MOST_SHARE: f32 = 0.4;
-/// The height that it leaves them if it can, and more for one that is edited.
+/// The height that they leave to the pictures if possible, and the larger one while an outline is edited.
 const LEAST_PICTURES: f32 = 150.0;
 const LEAST_EDITED: f32 = 230.0;
-/// The size of a notice, and how far its upper edge lies above the pictures' lower one.
+/// The size of a notice, and the distance of its upper edge from the lower edge of the pictures.
 const NOTICE: [f32; 2] = [140.0, 34.0];
 const NOTICE_ABOVE: f32 = 64.0;
 
-/// The height of the offer, and of the frame around all of it.
+/// The height of the offer, and of the frame around message and offer.
 const OFFER: f32 = 46.0;
 const FRAME: f32 = 12.0;
 
-/// What is shown in this frame. It does not come or grow while the pointer holds something, for the pictures shrink.
+/// The content in this frame. It neither appears nor grows while a pointer button is down, because the pictures shrink.
 #[derive(Debug, Default)]
 pub struct MessageBar {
     message: Option<Message>,
@@ -47,14 +47,14 @@ impl MessageBar {
     }
 }
 
-/// Decides what this frame shows of message and offer.
+/// Determines the message and the offer of this frame.
 pub fn begin(app: &mut RiemapApp, ui: &Ui) {
     offer::expire(ui, &mut app.messages.offer);
     let held = ui.input(|input| input.pointer.any_down());
     app.messages.bar.take_in(app.messages.common.as_ref(), app.messages.offer.is_some(), held);
 }
 
-/// Asks for another frame if there is more to show by now; where something is held, its release does.
+/// Requests another frame if the content has changed since; while a pointer button is down, its release does so.
 pub fn end(app: &RiemapApp, context: &Context) {
     let has_changed =
         app.messages.bar.message != app.messages.common || app.messages.bar.has_offer != app.messages.offer.is_some();
@@ -63,7 +63,7 @@ pub fn end(app: &RiemapApp, context: &Context) {
     }
 }
 
-/// Shows what was decided.
+/// Shows the message and the offer.
 pub fn show(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     let MessageBar { message, has_offer } = &app.messages.bar;
     if message.is_none() && !has_offer {
@@ -87,7 +87,7 @@ pub fn show(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) {
     });
 }
 
-/// Shows what has gone well over the middle of the pictures, for a while.
+/// Shows the notice, the confirmation of an action, over the middle of the pictures until it expires.
 pub fn notice(app: &RiemapApp, ui: &mut Ui) {
     let Some(Notice { text, until }) = app.messages.notice else { return };
     let left = until - ui.input(|input| input.time);

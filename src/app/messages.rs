@@ -4,7 +4,7 @@ use super::message_bar::MessageBar;
 use super::panels::offer::Offer;
 use crate::language::{Label, Message};
 
-/// How long a notice is shown, in seconds: two words are read in one, once they have been seen.
+/// How long a notice is shown, in seconds: once it is noticed, two words are read in one second.
 const NOTICE_SECONDS: f64 = 3.0;
 
 /// A short text that confirms an action without a visible result.

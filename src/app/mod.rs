@@ -1,13 +1,13 @@
 //! The app: panels, viewports, handles.
 //!
-//! A frame is the lines of `RiemapApp::ui`: **input** lays out the panels and collects what the person asks for as
-//! [`Action`]s, **commands** carries them out in one place (`carry_out`), **events** takes in what happened outside of a
-//! frame (workers, files; `incoming`), **update** brings the map up to date and uploads what changed (`frame`), **paint**
-//! paints the pictures (`pictures`), **announce** tells the page and those who hear the screen. The
+//! A frame is the lines of `RiemapApp::ui`: **input** lays out the panels and collects the user's requests as
+//! [`Action`]s, **commands** carries them out in one place (`carry_out`), **events** handles what happened outside a
+//! frame (workers, files; `incoming`), **update** brings the map up to date and uploads changes (`frame`), **paint**
+//! paints the pictures (`pictures`), **announce** reports to the page and to a screen reader. The
 //! actions of buttons in pictures and windows, which are laid out while painting, are carried out at the start of the
 //! next frame. The fields of a window (a pasted text, the settings of an export) and the cameras are changed in place.
-//! Panels that have more to say after an update do so in a frame that follows. At rest nothing is computed and nothing
-//! drawn.
+//! If an update changes the panels' content, they are laid out again in a following frame. At rest nothing is computed
+//! and nothing drawn.
 
 mod accessibility;
 mod announced;
@@ -87,7 +87,7 @@ pub struct RiemapApp {
 }
 
 impl RiemapApp {
-    /// Goes on from `startup` on a screen.
+    /// The app on a screen, continuing from `startup`.
     pub fn new(
         creation: &eframe::CreationContext<'_>,
         startup: Startup,
@@ -124,13 +124,13 @@ impl RiemapApp {
         })
     }
 
-    /// What the map on the screen is made from.
+    /// The session that the map on the screen is computed from.
     pub fn session(&self) -> &Session {
         self.model.session()
     }
 
-    /// Shows another session in place of this one; what it shares is not prepared again. Where sessions are locked, only
-    /// the page around the app may do so: its session is the one to begin with, and no undo leads behind it.
+    /// Replaces the session; sides that both share are not prepared again. If sessions are locked, only
+    /// the page around the app may do so: its session then becomes the first one of the history.
     pub fn open_session(&mut self, session: Session) {
         self.end_tour();
         if self.options.locks.holds(Control::Session) {
@@ -161,7 +161,7 @@ impl eframe::App for RiemapApp {
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
         self.input.touches.take_in(&mut input.events);
-        // egui would draw two frames for what stays in here
+        // egui would draw two frames as long as files stay in its input
         self.input.dropped.append(&mut input.dropped_files);
         let folds = self.input.keyboard.take_in(context, input);
         if folds % 2 == 1 && !Locks::of(context).holds(Control::Panels) {

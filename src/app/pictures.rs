@@ -1,4 +1,4 @@
-//! The two pictures of a frame: gestures over them, and, once the map is up to date, how they are painted.
+//! The two pictures of a frame: gestures over them, and painting after the map is updated.
 
 use super::arrangement::{Arrangement, LEGEND_SIDE};
 use super::theme::Palette;
@@ -13,7 +13,7 @@ use crate::model::Model;
 use crate::render::{BoundingSphere, Pace, TextureStyle};
 use egui::{Stroke, Ui, UiBuilder};
 
-/// Places the pictures in what the panels leave of the screen, and turns gestures over them into actions.
+/// Places the pictures in the area that the panels leave, and turns gestures over them into actions.
 pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {
     let place = UiBuilder::new().id_salt("gestures").max_rect(ui.available_rect_before_wrap());
     let ui = &mut ui.new_child(place);
@@ -32,7 +32,7 @@ pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, acti
         pointed = pointed.or(boundary.map(|fraction| (side, fraction)));
     }
     if app.plots.point_at(pointed) {
-        // The plots were laid out before.
+        // the plots were laid out before this
         ui.request_repaint();
     }
 }
@@ -40,7 +40,7 @@ pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, acti
 /// Paints both pictures, their buttons and messages, and the windows; returns the actions of the buttons.
 pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement) -> Actions {
     let (context, mut actions) = (ui.ctx().clone(), Actions::new());
-    // commands and events may have changed what there is to see
+    // commands and events may have changed margins and extents
     place_views(app, ui, arrangement);
     paint(app, ui, arrangement, &mut actions);
     message_bar::notice(app, ui);
@@ -51,7 +51,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement) -> Actio
     actions
 }
 
-/// Gives both views their places.
+/// Sets the areas of both views.
 fn place_views(app: &mut RiemapApp, ui: &Ui, arrangement: Arrangement) {
     let rects = arrangement.divide(ui.max_rect());
     for side in Side::BOTH {
@@ -65,7 +65,7 @@ fn place_views(app: &mut RiemapApp, ui: &Ui, arrangement: Arrangement) {
     }
 }
 
-/// What of a side's surface is to be seen, where one is shown.
+/// The bounding sphere of a side's surface; `None` for an outline.
 fn scene_of(model: &Model, side: Side) -> Option<BoundingSphere> {
     model.surface(side)?.0.scene()
 }
@@ -88,7 +88,7 @@ fn paint(app: &RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut A
     ui.painter().line_segment(edge, Stroke::new(1.0, Palette::of(ui.visuals()).border));
 }
 
-/// Whether a surface stands in this side's place.
+/// Whether this side shows a surface.
 fn is_solid(app: &RiemapApp, side: Side) -> bool {
     app.model.surface(side).is_some()
 }
@@ -98,7 +98,7 @@ fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>)
     let now = ui.input(|input| input.time);
     let pace = app.pictures.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
     if is_solid(app, side) {
-        // until its first map is there, the GPU may have another one
+        // until its first map is complete, the GPU may hold that of another surface
         let style = style.filter(|_| app.model.map().is_some());
         surface::viewport::paint_surface(ui, &app.pictures.orbits[side], style, app.pictures.cells.style(), pace);
     } else {
@@ -131,12 +131,12 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
     title
 }
 
-/// The dots, what a plot points at, and what is edited.
+/// The dots, the mark of the plots' pointer, and the outline being edited.
 fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
     let view = &app.pictures.views[side];
     let marked = app.plots.marked().map(|marked| marked[side]);
     if app.editor.drawing(side).is_some() {
-        // the dots are those of the outline under the sheet
+        // the dots belong to the outline that the sheet covers
     } else if is_solid(app, side) {
         marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.pictures.orbits[side], at));
         surface::viewport::paint_dots(ui, &app.model, &app.pictures.orbits[side], &app.input.handles);
@@ -154,7 +154,7 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
     }
 }
 
-/// What lies over all of a picture: messages from below its `title` on, the edit bar, frames and progress.
+/// The widgets over a picture: messages below its `title`, the edit bar, frames and progress.
 fn show_tools(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangement, title: f32, actions: &mut Actions) {
     let view = &app.pictures.views[side];
     header::messages(ui, side, &app.model, arrangement.message_room(app, ui, side, title), actions);

@@ -1,4 +1,4 @@
-//! What the app does with whole sessions: steps, files, links, and keeping them.
+//! Operations on whole sessions: undo and redo, files, links, and storing them.
 
 use super::RiemapApp;
 use super::messages::Notice;
@@ -9,7 +9,7 @@ use crate::platform::{self, Kept, PageEvent};
 use crate::session::{Command, Session, file, link};
 
 impl RiemapApp {
-    /// Goes to another step.
+    /// Goes to another entry of the history: `to` is undo or redo.
     pub(super) fn step(&mut self, to: impl Fn(&mut Persistence, Option<&Session>) -> Option<Session>) {
         let at_rest = self.model.is_ready().then(|| self.model.session());
         let Some(session) = to(&mut self.persistence, at_rest) else { return };
@@ -17,7 +17,7 @@ impl RiemapApp {
         self.show_session(session);
     }
 
-    /// Takes another session in place of this one, and lets go of what is being dragged; whose change that is, is for
+    /// Replaces the session, and releases whatever is being dragged. The caller records the change in the history.
     /// the caller to say.
     pub(super) fn show_session(&mut self, session: Session) {
         self.player.pause();
@@ -50,12 +50,12 @@ impl RiemapApp {
         }
     }
 
-    /// The link of this session, if it carries all of its outlines and no disk stands in for one.
+    /// The link of this session, if it contains all of its outlines and none is replaced by a placeholder disk.
     pub fn link(&self) -> Option<String> {
         persistence::whole_link(self.model.session(), self.persistence.missing())
     }
 
-    /// Shows what another link carries.
+    /// Opens the session of another link, or shows why that fails.
     pub(super) fn open_link(&mut self, address: &str) {
         if let Err(reason) = self.try_link(address) {
             self.messages.common = Some(key::link_not_opened(reason));
@@ -63,14 +63,14 @@ impl RiemapApp {
         }
     }
 
-    /// What stands in the address was refused.
+    /// Replaces the rejected address by that of the present session.
     pub(super) fn correct_address(&mut self) {
         if let Some(fragment) = self.persistence.correct_address() {
             platform::show_link(fragment.trim_start_matches('#'));
         }
     }
 
-    /// The same; the error is why the link cannot be opened.
+    /// As [`Self::open_link`], but returns the reason if the link cannot be opened.
     pub fn try_link(&mut self, address: &str) -> Result<(), Message> {
         let decoded = link::decode(address).map_err(|error| Message::from(&error))?;
         self.messages.common = persistence::missing_text(&decoded.missing);
@@ -79,10 +79,10 @@ impl RiemapApp {
         Ok(())
     }
 
-    /// Keeps the session once it has come to rest.
+    /// Stores the session when it is at rest.
     pub(super) fn keep(&mut self, context: &egui::Context) {
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
-        // the tour's pictures are not the person's: a reload brings the own one back
+        // the tour's sessions are not stored: a reload restores the user's own
         let passes = self.player.is_playing() || self.windows.explore.is_touring();
         if held || passes || !self.model.is_ready() {
             return;

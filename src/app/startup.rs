@@ -1,4 +1,4 @@
-//! What needs no screen: the session and the workers, begun while the graphics start.
+//! The part of the app that needs no screen: the session and the workers, started while the graphics initialize.
 
 use crate::app::input::preferences::Preferences;
 use crate::language::{self, Message};
@@ -9,12 +9,12 @@ use crate::session::Session;
 use crate::session::link::MissingOutline;
 use std::sync::mpsc;
 
-/// What needs no screen: the session's state and the workers.
+/// The parts of the app that need no screen: the session's state and the workers.
 pub struct Startup {
     pub(super) model: Model,
-    /// Whether the session goes on where the last one ended, and is kept for the next.
+    /// Whether the session is the stored one of the last run, and is stored for the next.
     pub(super) resumes: bool,
-    /// The outlines that the session's link only names.
+    /// The outlines that the session's link contains by name only.
     pub(super) missing: Vec<MissingOutline>,
     pub(super) message: Option<Message>,
     pub(super) preferences: Preferences,
@@ -24,7 +24,7 @@ pub struct Startup {
 }
 
 impl Startup {
-    /// Begins with the preparations of `session`: they run while the graphics start.
+    /// Starts the preparations of `session`, which run while the graphics initialize.
     pub fn start(session: Session) -> Self {
         let (mailbox, events) = Mailbox::new();
         let (mut model, mut preparer) = (Model::new(session), Preparer::new(mailbox.clone()));
@@ -43,18 +43,18 @@ impl Startup {
         }
     }
 
-    /// As [`Self::start`], with the session and the preferences that the address or the last time has left; what went
-    /// wrong with the session is shown.
+    /// As [`Self::start`], with the session and the preferences from the address or the last run; an
+    /// error of the session is shown.
     pub fn resume() -> Self {
         let preferences = Preferences::remembered();
-        // the screen's own begins with it: graphics that cannot start are said in it too
+        // the language of the screen is set first: it also applies to errors of the graphics
         language::set(preferences.with(&crate::app::host::address_options()).language());
         let Start { session, missing, message } =
             persistence::first_session(platform::link().as_deref(), platform::remembered(Kept::Session).as_deref());
         Self { missing, message, resumes: true, preferences, ..Self::start(session) }
     }
 
-    /// Where events for the app are posted.
+    /// The sending end of the app's event channel.
     pub fn mailbox(&self) -> Mailbox {
         self.mailbox.clone()
     }

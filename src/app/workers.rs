@@ -1,4 +1,4 @@
-//! The handles of the workers that prepare sides and run studies, and the channel of their answers.
+//! The handles of the workers that prepare sides and run studies, and the channel of their responses.
 
 use crate::platform::{Event, Mailbox, Preparer, StudyRunner};
 use std::sync::mpsc;
