@@ -70,7 +70,7 @@ impl RiemapApp {
         }
     }
 
-    /// As [`Self::open_link`], but returns the reason if the link cannot be opened.
+    /// Opens the session of another link; the error is the reason why the link cannot be opened.
     pub fn try_link(&mut self, address: &str) -> Result<(), Message> {
         let decoded = link::decode(address).map_err(|error| Message::from(&error))?;
         self.messages.common = persistence::missing_text(&decoded.missing);
