@@ -134,7 +134,7 @@ impl ConformalMap {
     }
 
     /// Angle distortion and flips of [`Self::distortions`]; for a surface, shapes are those of the triangles as given,
-    /// not of the flipped ones. Cost O(triangles), so it is not computed with every update.
+    /// not of the flipped ones. Cost O(triangles); call it only when the result is shown.
     pub fn quality(&self) -> Quality {
         Quality::summary(&self.distortions())
     }
