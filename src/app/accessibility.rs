@@ -5,7 +5,7 @@
 
 use crate::app::RiemapApp;
 use crate::app::language::words;
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::geometry::DVec2;
 use crate::language::{key, number, say, tr};
 use crate::model::Model;
@@ -30,13 +30,14 @@ pub fn state(app: &RiemapApp) -> String {
 }
 
 fn shown(model: &Model) -> String {
-    let source = words::outline(&model.session().domain(Side::Source).outline);
-    if let Some((_, surface)) = model.surface(Side::Target) {
-        let surface = words::surface(&surface.spec.shape);
-        return say(&key::accessible_surface_map(surface, &*source));
+    let surfaces = PerSide::from_fn(|side| Some(words::surface(&model.surface(side)?.1.spec.shape)));
+    let outline = |side: Side| words::outline(&model.session().domain(side).outline);
+    match (surfaces.source, surfaces.target) {
+        (Some(source), Some(target)) => say(&key::accessible_map_of_surfaces(source, target)),
+        (Some(surface), None) => say(&key::accessible_surface_map(surface, &*outline(Side::Target))),
+        (None, Some(surface)) => say(&key::accessible_surface_map(surface, &*outline(Side::Source))),
+        (None, None) => say(&key::accessible_map(&*outline(Side::Source), &*outline(Side::Target))),
     }
-    let target = words::outline(&model.session().domain(Side::Target).outline);
-    say(&key::accessible_map(&*source, &*target))
 }
 
 fn points(model: &Model, side: Side) -> Option<String> {

@@ -89,11 +89,7 @@ impl RiemapApp {
 
     /// Fits the view of a side to its whole domain or surface.
     fn fit(&mut self, side: Side) {
-        if self.model.surface(side).is_some() {
-            self.pictures.orbits[side].fit();
-        } else {
-            self.pictures.views[side].fit();
-        }
+        self.pictures.of_mut(&self.model, side).fit();
     }
 
     fn paste(&mut self, text: String) {
@@ -116,9 +112,7 @@ impl RiemapApp {
     pub(super) fn explore(&mut self, action: ExploreAction) {
         let action = match action {
             // it is about to take the tour's place; the picture from before would take its
-            ExploreAction::LeaveTour { .. } if self.model.surface_side(Side::Target).preparation.awaits_file() => {
-                ExploreAction::LeaveTour { keeps: true }
-            }
+            ExploreAction::LeaveTour { .. } if self.awaits_surface_file() => ExploreAction::LeaveTour { keeps: true },
             other => other,
         };
         if matches!(action, ExploreAction::Tour(_)) {
@@ -132,6 +126,10 @@ impl RiemapApp {
         if walks.is_some_and(|run| run != self.model.overlay_state().walks.is_running()) {
             self.model.act_on_walks(WalkAction::Toggle);
         }
+    }
+
+    fn awaits_surface_file(&self) -> bool {
+        Side::BOTH.into_iter().any(|side| self.model.surface_side(side).preparation.awaits_file())
     }
 
     /// Another picture takes the tour's place: it stays, and what the tour has set in motion does not.

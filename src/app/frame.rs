@@ -115,8 +115,8 @@ impl RiemapApp {
         if refined.images {
             self.show_changes(context, refined);
         }
-        if let Some(side) = self.model.side_of_surface().filter(|_| self.model.map().is_some()) {
-            self.model.surface_side(side).sort_at_rest();
+        if self.model.map().is_some() {
+            self.model.sort_surfaces_at_rest();
         }
         if self.model.is_ready() {
             self.workers.preparer.warm();

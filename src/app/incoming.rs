@@ -29,9 +29,9 @@ impl RiemapApp {
             }
             match event {
                 Event::Worker { side, generation, response } => {
-                    let before = self.surface_file();
+                    let before = self.surface_file(side);
                     self.model.accept(side, generation, response);
-                    if self.surface_file().is_some_and(|file| before != Some(file)) {
+                    if self.surface_file(side).is_some_and(|file| before != Some(file)) {
                         self.end_tour();
                     }
                 }
@@ -90,9 +90,9 @@ impl RiemapApp {
         }
     }
 
-    /// The surface on the screen, if it came from a file.
-    fn surface_file(&self) -> Option<SurfaceSpec> {
-        let (_, state) = self.model.surface(Side::Target)?;
+    /// The surface that stands on a side, if it came from a file.
+    fn surface_file(&self, side: Side) -> Option<SurfaceSpec> {
+        let (_, state) = self.model.surface(side)?;
         matches!(state.spec.shape, SurfaceShape::File { .. }).then(|| state.spec.clone())
     }
 
@@ -138,7 +138,10 @@ impl RiemapApp {
                 self.messages.common = None;
                 self.open_session(*session);
             }
-            Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(Side::Target, &name, bytes),
+            Ok(Content::Surface { side, name, bytes }) => {
+                let side = self.model.side_for_surface(side, &name);
+                self.model.want_surface_file(side, &name, bytes);
+            }
             Err(FileError::Outline(side, user_error)) => {
                 self.model.dismiss(side);
                 self.model.side_mut(side).error = Some(user_error);
@@ -294,7 +297,7 @@ mod tests {
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
         app.carry_out(&context, vec![Action::Explore(ExploreAction::LeaveTour { keeps: false })]);
         assert!(!app.windows.explore.is_touring() && app.model.surface_side(Side::Target).preparation.is_busy());
-        step_until(&mut harness, |app| app.surface_file().is_some());
+        step_until(&mut harness, |app| app.surface_file(Side::Target).is_some());
     }
 
     #[test]

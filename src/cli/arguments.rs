@@ -110,9 +110,10 @@ pub struct SessionArguments {
     /// The target's outline, likewise.
     #[arg(long, value_name = "FILE")]
     pub target: Option<String>,
-    /// The surface, where the session's comes from a file.
+    /// The surface, where the session's comes from a file; where both sides' do, the source's first and then once more the
+    /// target's.
     #[arg(long, value_name = "FILE")]
-    pub surface: Option<String>,
+    pub surface: Vec<String>,
 }
 
 /// `riemap render LINK`.

@@ -1,6 +1,6 @@
 //! What the model is asked for: commands, files, remedies; requests to the workers and their answers.
 
-use crate::conformal::{PerSide, Side};
+use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::language::Message;
 use crate::model::Model;
@@ -209,15 +209,18 @@ impl Model {
     }
 
     fn swap(&mut self) {
-        if !self.is_planar() || Side::BOTH.into_iter().any(|side| self.is_preparing(side)) {
+        if Side::BOTH.into_iter().any(|side| self.is_preparing(side)) {
             return;
         }
         self.session.apply(Command::Swap);
-        let PerSide { source, target } = &mut self.sides;
-        std::mem::swap(&mut source.outline, &mut target.outline);
-        let generation =
-            Side::BOTH.map(|side| self.side(side).pending_request().generation()).into_iter().max().unwrap_or(0);
+        self.sides.swap();
+        let newest = |side: &ModelSide| {
+            let (outline, surface) = (side.outline.pending_request(), side.surface.preparation.pending_request());
+            outline.generation().max(surface.generation())
+        };
+        let generation = self.sides.iter().map(|(_, side)| newest(side)).max().unwrap_or(0);
         for side in Side::BOTH {
+            // a surface's next request follows its outline's
             self.side_mut(side).skip_to(generation);
             self.sides[side].refit = true;
         }

@@ -34,8 +34,7 @@ pub fn kind_of_file(purpose: FilePurpose) -> Label {
     match purpose {
         FilePurpose::Image | FilePurpose::Trace(_) => key::images(),
         FilePurpose::Session => key::sessions(),
-        FilePurpose::Outline(Side::Source) => key::outlines(),
-        FilePurpose::Outline(Side::Target) | FilePurpose::Dropped(_) => key::outlines_and_surfaces(),
+        FilePurpose::Outline(_) | FilePurpose::Dropped(_) => key::outlines_and_surfaces(),
     }
 }
 
@@ -44,10 +43,7 @@ pub fn endings(purpose: FilePurpose) -> Vec<&'static str> {
     match purpose {
         FilePurpose::Image | FilePurpose::Trace(_) => IMAGE_ENDINGS.to_vec(),
         FilePurpose::Session => vec![file::EXTENSION],
-        FilePurpose::Outline(Side::Source) => OUTLINE_ENDINGS.to_vec(),
-        FilePurpose::Outline(Side::Target) | FilePurpose::Dropped(_) => {
-            [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS].concat()
-        }
+        FilePurpose::Outline(_) | FilePurpose::Dropped(_) => [&OUTLINE_ENDINGS[..], &SURFACE_ENDINGS].concat(),
     }
 }
 
@@ -75,6 +71,8 @@ pub enum Content {
     Session(Box<Session>),
     /// A surface, not yet read: that is work for its worker.
     Surface {
+        /// Where it was opened or dropped.
+        side: Side,
         /// The file's name.
         name: String,
         /// Its content.
@@ -114,7 +112,7 @@ pub fn read(purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) ->
         return Ok(Content::Session(Box::new(read)));
     }
     if has_ending(name, &SURFACE_ENDINGS) {
-        return Ok(Content::Surface { name: name.to_owned(), bytes });
+        return Ok(Content::Surface { side, name: name.to_owned(), bytes });
     }
     match parse(name, &bytes) {
         Ok(outline) => Ok(Content::Outline(side, outline)),

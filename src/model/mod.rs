@@ -181,7 +181,12 @@ impl Model {
 
     /// Whether two outlines are mapped: there is no surface on either side.
     pub fn is_planar(&self) -> bool {
-        Side::BOTH.into_iter().all(|side| self.session.surface(side).is_none())
+        self.surfaces() == PerSide::new(false, false)
+    }
+
+    /// Whether the map that is shown is one between two surfaces.
+    pub fn is_through_disk(&self) -> bool {
+        self.map().is_some_and(ConformalMap::is_through_disk)
     }
 
     /// The map that is shown, as soon as there is one: the full one, or a coarse one
@@ -305,6 +310,9 @@ pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
     (min, max)
 }
 
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod either_side_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod surface_tests;

@@ -1,10 +1,9 @@
 //! The surfaces that stand in the outlines' places: commands, answers, and where their points are.
 
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::geometry::DVec3;
 use crate::language::{Message, key};
 use crate::model::Model;
-use crate::model::side::user_error::UserError;
 use crate::model::side::{Arrival, SurfaceSide};
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::surface::RepairNote;
@@ -16,9 +15,16 @@ impl Model {
         Some((&self.sides[side].surface, self.session.surface(side)?))
     }
 
-    /// The side on which a surface stands.
-    pub fn side_of_surface(&self) -> Option<Side> {
-        Side::BOTH.into_iter().find(|side| self.session.surface(*side).is_some())
+    /// On which sides surfaces stand.
+    pub fn surfaces(&self) -> PerSide<bool> {
+        PerSide::from_fn(|side| self.session.surface(side).is_some())
+    }
+
+    /// Sorts the triangles of the surfaces that are shown, now that there is time for it.
+    pub fn sort_surfaces_at_rest(&self) {
+        for (surface, _) in Side::BOTH.into_iter().filter_map(|side| self.surface(side)) {
+            surface.sort_at_rest();
+        }
     }
 
     /// A side's way to a surface; also while none is shown.
@@ -38,13 +44,21 @@ impl Model {
         surface.anchor_place(state)
     }
 
+    /// Where a surface's file belongs that a person has brought to a side: there, unless a session waits for the file of
+    /// that name on the other side alone.
+    pub fn side_for_surface(&self, side: Side, name: &str) -> Side {
+        let awaits = |side: Side| {
+            self.sides[side].incoming_surface.as_ref().is_some_and(|state| is_file_of_name(&state.spec.shape, name))
+        };
+        if awaits(side.other()) && !awaits(side) { side.other() } else { side }
+    }
+
     /// Begins to prepare a surface that a person has opened or dropped; what was wrong with an outline for its place is
     /// past. If a session waits for the file of that name, it comes with the session's points.
     pub fn want_surface_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.sides[side].surface.gives_way = false;
         self.dismiss(side);
-        let is_awaited =
-            |state: &SurfaceState| matches!(&state.spec.shape, SurfaceShape::File { name: awaited } if awaited == name);
+        let is_awaited = |state: &SurfaceState| is_file_of_name(&state.spec.shape, name);
         match self.sides[side].incoming_surface.take().filter(is_awaited) {
             Some(state) => self.open_surface_file(side, state, bytes),
             None => self.sides[side].surface.preparation.want_file(name, bytes),
@@ -59,18 +73,10 @@ impl Model {
 
     /// Begins to prepare a surface for a side.
     pub(super) fn set_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
-        if side == Side::Source {
-            return self.refuse_on_source();
-        }
         self.sides[side].incoming_surface = None;
         self.sides[side].surface.gives_way = false;
         self.dismiss(side);
         self.want_surface(side, spec, now);
-    }
-
-    /// Says that a surface cannot be shown on the source's side: there the outline stays.
-    fn refuse_on_source(&mut self) {
-        self.side_mut(Side::Source).error = Some(UserError::new(key::no_surface_on_side().into()));
     }
 
     /// Begins to discretise the surface that is there in another way.
@@ -127,9 +133,6 @@ impl Model {
     /// Takes the surface of a session that is opened: at once, or when it is prepared.
     pub(super) fn open_surface(&mut self, side: Side, wanted: Option<SurfaceState>) {
         let Some(wanted) = wanted else { return self.close_surface(side) };
-        if side == Side::Source {
-            return self.refuse_on_source();
-        }
         self.sides[side].surface.gives_way = false;
         if self.sides[side].surface.preparation.want_spec(&wanted.spec, f64::NEG_INFINITY) {
             self.sides[side].incoming_surface = Some(wanted);
@@ -175,4 +178,8 @@ impl Model {
         let map = self.map().and_then(|map| map.note(side)).map(|note| Message::from(&note));
         surface.preparation.notes.iter().cloned().chain(repairs.map(words)).chain(map).collect()
     }
+}
+
+fn is_file_of_name(shape: &SurfaceShape, name: &str) -> bool {
+    matches!(shape, SurfaceShape::File { name: known } if known == name)
 }

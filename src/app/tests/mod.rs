@@ -6,6 +6,7 @@ mod frame;
 mod language;
 mod locks;
 mod playing;
+mod surfaces;
 
 use super::*;
 use crate::app::language::words;
