@@ -82,7 +82,7 @@ pub fn control(info: &WidgetInfo) -> String {
 mod tests {
     use super::*;
     use crate::app::input::action::{Action, EditAction, ExportAction, Report};
-    use crate::app::tests::ready_app;
+    use crate::app::tests::{ready_app, step_until};
     use crate::worker::Finding;
 
     #[test]
@@ -91,7 +91,10 @@ mod tests {
         let context = harness.ctx.clone();
         let app = harness.state_mut();
         assert_eq!(app.stats().screen.errors, [""; 0]);
-        app.carry_out(&context, vec![Action::PasteText(String::from("0,0 1,x")), Action::Export(ExportAction::Open)]);
+        app.carry_out(&context, vec![Action::PasteText(String::from("0,0 1,x"))]);
+        step_until(&mut harness, |app| !app.errors().is_empty());
+        let app = harness.state_mut();
+        app.carry_out(&context, vec![Action::Export(ExportAction::Open)]);
         app.windows.exporter.tell(Some(key::no_map().into()));
         app.windows.reports.open(Report::Convergence);
         assert!(app.windows.reports.take_study().is_some());

@@ -7,7 +7,6 @@ use crate::app::input::locks::Locks;
 use crate::app::input::preferences::Preferences;
 use crate::app::input::presentation;
 use crate::app::windows::explore::Consequences;
-use crate::conformal::Side;
 use crate::language::tr;
 use crate::model::files::{FilePurpose, kind_of_file};
 use crate::model::overlays::walks::WalkAction;
@@ -52,7 +51,7 @@ impl RiemapApp {
             Action::OpenImage => self.pick_file(FilePurpose::Image),
             Action::Fit(side) => self.fit(side),
             Action::Edit(action) => self.edit(action),
-            Action::PasteText(text) => self.paste(text),
+            Action::PasteText(text) => self.editor.take_text(text, &mut self.model),
             Action::QuickFix(side) => self.model.quick_fix(side),
             Action::Dismiss(side) => self.model.dismiss(side),
             Action::OpenReport(report) => self.windows.reports.open(report),
@@ -76,7 +75,12 @@ impl RiemapApp {
     }
 
     fn command(&mut self, command: Command, now: f64) {
-        let touched = command.touches();
+        let touched = self.model.dispatch(command, now);
+        self.begin_change(touched);
+    }
+
+    /// The person changes these parts of the session, or begins to: the one place that says what follows.
+    pub(super) fn begin_change(&mut self, touched: Touched) {
         if touched.is_only(Touched::POINTS) {
             self.player.pause();
         }
@@ -84,7 +88,6 @@ impl RiemapApp {
             self.end_tour();
         }
         self.persistence.touch();
-        self.model.dispatch(command, now);
     }
 
     /// Fits the view of a side to its whole domain or surface.
@@ -92,27 +95,19 @@ impl RiemapApp {
         self.pictures.of_mut(&self.model, side).fit();
     }
 
-    fn paste(&mut self, text: String) {
-        self.begin_change();
-        self.editor.take_text(text, &mut self.model, &mut self.pictures.views);
-    }
-
     fn edit(&mut self, action: EditAction) {
         if let EditAction::Draw(side, _) = action {
             // a message about the last outline would lie where the new one is drawn
             self.model.dismiss(side);
         }
-        if matches!(action, EditAction::Close | EditAction::TakePasted) {
-            self.end_tour();
-        }
-        self.persistence.touch();
-        self.editor.act(action, &mut self.model, &mut self.pictures.views);
+        let touched = self.editor.act(action, &mut self.model, &mut self.pictures.views);
+        self.begin_change(touched);
     }
 
     pub(super) fn explore(&mut self, action: ExploreAction) {
         let action = match action {
             // it is about to take the tour's place; the picture from before would take its
-            ExploreAction::LeaveTour { .. } if self.awaits_surface_file() => ExploreAction::LeaveTour { keeps: true },
+            ExploreAction::LeaveTour { .. } if self.model.awaits_file() => ExploreAction::LeaveTour { keeps: true },
             other => other,
         };
         if matches!(action, ExploreAction::Tour(_)) {
@@ -126,10 +121,6 @@ impl RiemapApp {
         if walks.is_some_and(|run| run != self.model.overlay_state().walks.is_running()) {
             self.model.act_on_walks(WalkAction::Toggle);
         }
-    }
-
-    fn awaits_surface_file(&self) -> bool {
-        Side::BOTH.into_iter().any(|side| self.model.surface_side(side).preparation.awaits_file())
     }
 
     /// Another picture takes the tour's place: it stays, and what the tour has set in motion does not.

@@ -1,13 +1,13 @@
-//! What the model is asked for: commands, files, remedies; requests to the workers and their answers.
+//! What the model is asked for: commands, quick fixes; requests to the workers and their answers.
 
 use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::language::Message;
 use crate::model::Model;
 use crate::model::editing::Reshaped;
-use crate::model::side::ModelSide;
 use crate::model::side::preparation::Progress;
 use crate::model::side::user_error::{QuickFix, UserError};
+use crate::model::side::{ModelSide, OutlineRequest};
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, DomainSpec, OutlineSpec, Session, Touched};
 use crate::worker::{Request, Response};
@@ -17,8 +17,10 @@ use crate::worker::{Request, Response};
 const PUSH: f64 = 0.05;
 
 impl Model {
-    /// Carries out a command, or begins to: what needs a preparation takes effect when it is done.
-    pub fn dispatch(&mut self, command: Command, now: f64) {
+    /// Carries out a command, or begins to: what needs a preparation takes effect when it is done. Returns what it
+    /// touches, now or then; nothing where it is about a surface that is not there.
+    pub fn dispatch(&mut self, command: Command, now: f64) -> Touched {
+        let touched = command.touches();
         match command {
             Command::SetOutline { side, outline } => {
                 self.want_outline(side, outline, Vec::new());
@@ -27,7 +29,11 @@ impl Model {
                 self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false });
             }
             Command::SetSurface { side, surface } => self.set_surface(side, surface, now),
-            Command::RefineSurface { side, surface } => self.refine_surface(side, surface, now),
+            Command::RefineSurface { side, surface } => {
+                if !self.refine_surface(side, surface, now) {
+                    return Touched::NOTHING;
+                }
+            }
             Command::CloseSurface(side) => self.close_surface(side),
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
@@ -46,13 +52,16 @@ impl Model {
             | Command::SetComparison(_) => {
                 let touched = self.session.apply(command);
                 self.points_changed |= touched.touches(Touched::POINTS | Touched::SETTINGS);
+                return touched;
             }
         }
+        touched
     }
 
     /// Shows another session: at once but for its domains, which come with their points when they are prepared.
     fn open(&mut self, session: &Session) {
         for side in Side::BOTH {
+            self.stop_reading(side);
             self.sides[side].surface.gives_way = false;
             let points = session.side(side).outline_points();
             let has_to_come = self.side_mut(side).want_spec(session.domain(side));
@@ -71,6 +80,7 @@ impl Model {
     }
 
     fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+        self.stop_reading(side);
         self.sides[side].incoming_surface = None;
         self.sides[side].surface.preparation.give_up();
         if self.session.surface(side).is_some() && self.side(side).wanted().outline == outline {
@@ -88,7 +98,7 @@ impl Model {
         self.side_mut(side).want_reshaped(outline, reshaped);
     }
 
-    /// Begins to prepare an outline that was read from a file.
+    /// Begins to prepare an outline that was read, drawn or traced.
     pub fn want_loaded(&mut self, side: Side, outline: Outline) {
         let notes = outline.notes.clone();
         self.want_outline(side, outline.into(), notes);
@@ -102,7 +112,7 @@ impl Model {
 
     /// What was noticed when a side's outline was read and, where one stands, when its surface was.
     pub fn notes(&self, side: Side) -> impl Iterator<Item = Message> {
-        self.side(side).notes.iter().map(Message::from).chain(self.surface_notes(side))
+        self.side(side).notes.iter().cloned().chain(self.surface_notes(side))
     }
 
     /// Whether something is prepared for a side.
@@ -119,6 +129,7 @@ impl Model {
         match outline.error.take().and_then(|user_error| user_error.quick_fix) {
             Some(QuickFix::Retry) => outline.retry(),
             Some(QuickFix::Repaired(outline)) => self.want_loaded(side, *outline),
+            Some(QuickFix::ReadAgain(opened)) => self.read_again(side, opened),
             Some(QuickFix::RepairSurface) | None => {}
         }
     }
@@ -149,35 +160,44 @@ impl Model {
         self.sides.iter().filter_map(|(_, side)| side.due()).reduce(f64::min)
     }
 
-    /// Takes in an answer of a side's worker.
+    /// Takes in an answer of a side's worker. [`Self::take_arrived`] says what has come of a file with it.
     pub fn accept(&mut self, side: Side, generation: u64, response: Response) {
+        if self.sides[side].reading.pending_request().awaits(generation) {
+            return self.accept_read(side, generation, response);
+        }
         if self.sides[side].surface.preparation.pending_request().awaits(generation) {
             return self.accept_surface(side, generation, response);
         }
-        let progress = self.side_mut(side).accept(generation, response);
-        if matches!(progress, Progress::Failed) {
-            self.sides[side].incoming_points = None;
-            self.sides[side].surface.gives_way = false;
+        match self.side_mut(side).accept(generation, response) {
+            Progress::Nothing => {}
+            Progress::Failed => {
+                self.sides[side].incoming_points = None;
+                self.sides[side].surface.gives_way = false;
+            }
+            Progress::Ready { request: OutlineRequest { spec, reshaped: Some(reshaped), .. }, .. } => {
+                self.take_reshaped(side, spec, reshaped);
+            }
+            Progress::Ready { request, is_new } => self.take_prepared(side, request.spec, is_new),
         }
-        if let Progress::Ready { spec, reshaped: Some(reshaped), .. } = progress {
-            self.take_reshaped(side, spec, reshaped);
-        } else if let Progress::Ready { spec, new_outline, .. } = progress {
-            if new_outline && spec.outline != self.session.domain(side).outline {
-                // a surface that is opened with it, or is there before it, stays
-                let outline = spec.outline;
-                self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor: 0.0 });
-            }
-            if std::mem::take(&mut self.sides[side].surface.gives_way) {
-                self.session.apply(Command::CloseSurface(side));
-            }
-            self.session.apply(Command::SetSettings { side, settings: spec.settings });
-            if let Some(points) = self.sides[side].incoming_points.take() {
-                self.session.apply(Command::PlacePoints { side, points });
-            }
-            if self.session.surface(side).is_none() {
-                self.sides[side].refit |= new_outline;
-                self.change_sides();
-            }
+    }
+
+    /// An outline is prepared, with the points that a session has for it.
+    fn take_prepared(&mut self, side: Side, spec: DomainSpec, is_new: bool) {
+        if is_new && spec.outline != self.session.domain(side).outline {
+            // a surface that is opened with it, or is there before it, stays
+            let outline = spec.outline;
+            self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor: 0.0 });
+        }
+        if std::mem::take(&mut self.sides[side].surface.gives_way) {
+            self.session.apply(Command::CloseSurface(side));
+        }
+        self.session.apply(Command::SetSettings { side, settings: spec.settings });
+        if let Some(points) = self.sides[side].incoming_points.take() {
+            self.session.apply(Command::PlacePoints { side, points });
+        }
+        if self.session.surface(side).is_none() {
+            self.sides[side].refit |= is_new;
+            self.change_sides();
         }
     }
 
@@ -204,6 +224,7 @@ impl Model {
 
     /// The worker of a side stopped.
     pub fn worker_died(&mut self, side: Side, reason: &Message) {
+        self.reader_died(side, reason);
         self.side_mut(side).worker_died(reason);
         self.sides[side].surface.preparation.worker_died(reason);
     }
@@ -213,15 +234,8 @@ impl Model {
             return;
         }
         self.session.apply(Command::Swap);
-        self.sides.swap();
-        let newest = |side: &ModelSide| {
-            let (outline, surface) = (side.outline.pending_request(), side.surface.preparation.pending_request());
-            outline.generation().max(surface.generation())
-        };
-        let generation = self.sides.iter().map(|(_, side)| newest(side)).max().unwrap_or(0);
+        ModelSide::swap(&mut self.sides);
         for side in Side::BOTH {
-            // a surface's next request follows its outline's
-            self.side_mut(side).skip_to(generation);
             self.sides[side].refit = true;
         }
         self.change_sides();

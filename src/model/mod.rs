@@ -15,6 +15,7 @@ pub mod files;
 mod measurement;
 pub mod motion;
 pub mod names;
+pub mod opening;
 pub mod overlays;
 pub mod pattern;
 pub mod persistence;
@@ -27,17 +28,18 @@ mod under_way;
 mod update;
 
 use crate::conformal::{
-    ConformalMap, InteriorPoint, MeshedDomain, PerSide, PreparedSide, Quality, Side, TriangleDistortion,
+    ConformalMap, InteriorPoint, MeshedDomain, PerSide, PreparedSide, Quality, Side, Stage, TriangleDistortion,
 };
 use crate::geometry::{Bounds, DVec2};
 use crate::language::Message;
 use crate::model::coarse::Draft;
 use crate::model::measurement::Measurement;
+use crate::model::opening::Arrived;
 use crate::model::overlays::OverlayState;
 use crate::model::pattern::disk_grid::DiskGrid;
 use crate::model::shown::ShownMap;
-use crate::model::side::ModelSide;
 use crate::model::side::preparation::Preparation;
+use crate::model::side::{ModelSide, OutlineRequest};
 use crate::model::under_way::MapUnderWay;
 use crate::session::{Command, Session};
 use std::sync::Arc;
@@ -111,6 +113,8 @@ pub struct Model {
     points_changed: bool,
     /// What stands on a side is another thing than when the map was last begun.
     sides_changed: bool,
+    /// What has come of a file with the last answer, for the app to act on.
+    arrived: Option<Arrived>,
 }
 
 impl Model {
@@ -131,6 +135,7 @@ impl Model {
             map_error: None,
             points_changed: false,
             sides_changed: false,
+            arrived: None,
         };
         for (side, surface) in surfaces.iter() {
             if surface.is_some() {
@@ -157,13 +162,18 @@ impl Model {
     }
 
     /// The preparation of a side's outline.
-    pub fn side(&self, side: Side) -> &Preparation {
+    pub fn side(&self, side: Side) -> &Preparation<OutlineRequest> {
         &self.sides[side].outline
     }
 
     /// The preparation of a side's outline.
-    pub fn side_mut(&mut self, side: Side) -> &mut Preparation {
+    pub fn side_mut(&mut self, side: Side) -> &mut Preparation<OutlineRequest> {
         &mut self.sides[side].outline
+    }
+
+    /// What a side's worker does that is worth showing: the stage, and for how many seconds it has had the request.
+    pub fn worker_stage(&self, side: Side) -> Option<(Option<Stage>, f64)> {
+        self.sides[side].under_way()
     }
 
     /// The inside of a side's outline, the last good one, also while a surface stands in the outline's place.

@@ -99,7 +99,7 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
         line(ui, &words::sizes(prepared), &explained);
         let wanted = model.session().domain(side).settings.solver;
         let cautions = words::cautions(prepared, wanted).map(Message::from);
-        model.side(side).notes.iter().map(Message::from).chain(cautions).collect()
+        model.side(side).notes.iter().cloned().chain(cautions).collect()
     };
     for note in &notes {
         let note = say(note);

@@ -1,7 +1,7 @@
 //! The menu of preset outlines and surfaces with their pictures; below them drawing, pasting, tracing and opening.
 
 use crate::app::input::action::{Action, Actions, EditAction};
-use crate::app::input::locks::{Control, guarded_by, menu_entry};
+use crate::app::input::locks::{guarded_by, menu_entry};
 use crate::app::language::words;
 use crate::app::theme::text_metrics::{menu_label, scroll_beyond};
 use crate::app::theme::widgets::chevron;
@@ -12,7 +12,7 @@ use crate::language::{key, tr};
 use crate::model::editing::Pen;
 use crate::model::{Model, bounds};
 use crate::outline::Preset;
-use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec};
+use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec, Touched};
 use crate::surface::SurfacePreset;
 use egui::containers::menu::MenuButton;
 use egui::{
@@ -91,7 +91,7 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
         ui.label(RichText::new(tr(key::surfaces())).small().color(palette.weak));
         cells(ui, &SurfacePreset::ALL.map(Shown::Surface), columns, side, current, actions);
     };
-    scroll_beyond(ui, BESIDES, |ui| guarded_by(ui, Control::OF_SHAPES, all));
+    scroll_beyond(ui, BESIDES, |ui| guarded_by(ui, Touched::ANOTHER_SHAPE, all));
     ui.separator();
     ui.horizontal_wrapped(|ui| by_hand(ui, side, actions));
 }

@@ -46,6 +46,18 @@ fn finish_preparations(model: &mut Model) {
     model.refresh(false);
 }
 
+/// Steps until a worker's response has taken effect.
+pub fn step_until(harness: &mut Harness<'_, RiemapApp>, is_there: impl Fn(&RiemapApp) -> bool) {
+    for _ in 0..600 {
+        harness.step();
+        if is_there(harness.state()) {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert!(is_there(harness.state()), "after 600 frames: {:?}", harness.state().stats());
+}
+
 /// Clicks on `label` in the side panel and returns the emitted actions.
 fn click_in_panel(model: &Model, label: &str) -> Actions {
     let mut actions = Actions::new();

@@ -219,15 +219,7 @@ pub fn paint_hint(ui: &Ui, rect: Rect, places: [Option<Pos2>; 2]) {
 /// Draws the progress of a preparation: a thin line along the upper edge, and the name of the stage near the lower one.
 /// Nothing is drawn for the first [`STAGES_SHOWN_AFTER`] seconds.
 pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
-    let (surface, outline) = (&model.surface_side(side).preparation, model.side(side));
-    let (stage, seconds) = if surface.is_busy() {
-        (surface.pending_request().stage(), surface.pending_request().seconds_under_way())
-    } else if !outline.is_in_hand() {
-        (outline.pending_request().stage(), outline.pending_request().seconds_under_way())
-    } else {
-        return;
-    };
-    let Some(seconds) = seconds else { return };
+    let Some((stage, seconds)) = model.worker_stage(side) else { return };
     let left = f64::from(STAGES_SHOWN_AFTER) - seconds;
     if left > 0.0 {
         ui.ctx().request_repaint_after_secs(left as f32);

@@ -135,7 +135,7 @@ keys_of_labels! {
     // words
     cauchy_green_gpu, cauchy_green_cpu, pending, pending_tooltip, size_tooltip, quality_tooltip, flipped_tooltip,
     frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,
-    reading_surface, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
+    reading, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
     mesh_is_coarser,
 }
 
