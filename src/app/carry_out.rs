@@ -7,6 +7,7 @@ use crate::app::input::locks::Locks;
 use crate::app::input::preferences::Preferences;
 use crate::app::input::presentation;
 use crate::app::windows::explore::Consequences;
+use crate::conformal::Side;
 use crate::language::tr;
 use crate::model::files::{FilePurpose, kind_of_file};
 use crate::model::overlays::walks::WalkAction;
@@ -52,7 +53,7 @@ impl RiemapApp {
             Action::Fit(side) => self.fit(side),
             Action::Edit(action) => self.edit(action),
             Action::PasteText(text) => self.editor.take_text(text, &mut self.model),
-            Action::QuickFix(side) => self.model.quick_fix(side),
+            Action::QuickFix(side) => self.quick_fix(side),
             Action::Dismiss(side) => self.model.dismiss(side),
             Action::OpenReport(report) => self.windows.reports.open(report),
             Action::CloseReport => self.windows.reports.close(),
@@ -93,6 +94,13 @@ impl RiemapApp {
     /// Fits the view of a side to its whole domain or surface.
     fn fit(&mut self, side: Side) {
         self.pictures.of_mut(&self.model, side).fit();
+    }
+
+    fn quick_fix(&mut self, side: Side) {
+        let touched = self.model.quick_fix(side);
+        if touched != Touched::NOTHING {
+            self.begin_change(touched);
+        }
     }
 
     fn edit(&mut self, action: EditAction) {

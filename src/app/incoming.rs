@@ -269,6 +269,34 @@ mod tests {
     }
 
     #[test]
+    fn a_repaired_outline_ends_the_tour() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let app = harness.state_mut();
+        app.carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
+        let spike = b"0,0\n2,0\n2,1\n3,1\n2,1\n2,2\n0,2\n".to_vec();
+        app.take_file(FilePurpose::Outline(Side::Source), "spike.csv", Ok(spike));
+        step_until(&mut harness, |app| !app.errors().is_empty());
+        let app = harness.state_mut();
+        assert!(app.windows.explore.is_touring());
+        app.carry_out(&context, vec![Action::QuickFix(Side::Source)]);
+        assert!(!app.windows.explore.is_touring() && app.errors().is_empty());
+    }
+
+    #[test]
+    fn a_session_that_is_read_is_opened_and_ends_the_tour() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let app = harness.state_mut();
+        let session = app.session().clone().and([Command::SetTextureScale(21.0)]);
+        app.carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
+        let bytes = crate::session::file::write(&session).unwrap().into_bytes();
+        app.take_file(FilePurpose::Dropped(Side::Target), "a.riemap", Ok(bytes));
+        step_until(&mut harness, |app| app.session().texture_scale() == 21.0 && app.model.is_ready());
+        assert!(!harness.state().windows.explore.is_touring());
+    }
+
+    #[test]
     fn a_surface_ends_the_tour_when_it_is_there_and_a_broken_one_does_not() {
         let mut harness = ready_app([1200.0, 800.0]);
         let context = harness.ctx.clone();

@@ -120,18 +120,23 @@ impl Model {
         self.sides[side].is_busy()
     }
 
-    /// Does what the message about a side offers.
-    pub fn quick_fix(&mut self, side: Side) {
+    /// Does what the message about a side offers; what of the session that changes, but for what is prepared again.
+    pub fn quick_fix(&mut self, side: Side) -> Touched {
         let ModelSide { outline, surface, .. } = &mut self.sides[side];
         if surface.preparation.error.as_ref().is_some_and(|user_error| user_error.quick_fix.is_some()) {
-            return surface.preparation.quick_fix();
+            surface.preparation.quick_fix();
+            return Touched::NOTHING;
         }
         match outline.error.take().and_then(|user_error| user_error.quick_fix) {
             Some(QuickFix::Retry) => outline.retry(),
-            Some(QuickFix::Repaired(outline)) => self.want_loaded(side, *outline),
             Some(QuickFix::ReadAgain(opened)) => self.read_again(side, opened),
+            Some(QuickFix::Repaired(outline)) => {
+                self.want_loaded(side, *outline);
+                return Touched::ANOTHER_SHAPE;
+            }
             Some(QuickFix::RepairSurface) | None => {}
         }
+        Touched::NOTHING
     }
 
     /// Closes the messages about a side.
