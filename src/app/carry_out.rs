@@ -80,7 +80,8 @@ impl RiemapApp {
         self.begin_change(touched);
     }
 
-    /// The person changes these parts of the session, or begins to: the one place that says what follows.
+    /// The one place for what follows from a change of these parts of the session: motion pauses, the tour ends, undo
+    /// gets a step.
     pub(super) fn begin_change(&mut self, touched: Touched) {
         if touched.is_only(Touched::POINTS) {
             self.player.pause();

@@ -51,7 +51,7 @@ impl RiemapApp {
         }
     }
 
-    /// The one place that takes the workers' answers; the model drops those that are stale.
+    /// The one place that takes the workers' responses; the model drops stale ones.
     fn take_answer(&mut self, side: Side, generation: u64, response: Response) {
         self.model.accept(side, generation, response);
         match self.model.take_arrived() {
@@ -62,7 +62,7 @@ impl RiemapApp {
                     self.editor.end_paste(&mut self.model, &mut self.pictures.views);
                 }
             }
-            // the change began when it was opened
+            // the change began when the file was opened
             Some(Arrived::Surface) => self.end_tour(),
             Some(Arrived::Session(session)) => {
                 self.messages.common = None;
@@ -73,7 +73,7 @@ impl RiemapApp {
         }
     }
 
-    /// Takes in a file between two frames, and sends it to the worker that reads it.
+    /// Takes in a file between two frames and sends it to the worker that parses it.
     pub fn take_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
         self.open_file(purpose, name, bytes);
         if self.workers.send_due(&mut self.model, f64::NEG_INFINITY) {
@@ -84,7 +84,7 @@ impl RiemapApp {
         }
     }
 
-    /// Begins to read a file as what it is; what it changes is said when that is there.
+    /// Begins to read a file; what it changes follows when its content has arrived.
     fn open_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
         let kind = FileKind::of(purpose, name);
         if !self.may(kind.touches()) {
@@ -113,7 +113,7 @@ impl RiemapApp {
         }
     }
 
-    /// Says what is wrong with a file, beside the side that it was for.
+    /// Shows what is wrong with a file, beside the side that it was for.
     fn refuse_file(&mut self, kind: FileKind, error: UserError) {
         match kind.side() {
             Some(side) => self.refuse_outline(side, error),
@@ -141,7 +141,7 @@ impl RiemapApp {
         }
         let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
         self.messages.offer = Some(Offer::new(side, &picture));
-        self.end_tour(); // a picture of one's own takes its place
+        self.end_tour(); // the texture replaces the tour's picture
         self.use_image(picture);
     }
 
@@ -163,7 +163,7 @@ impl RiemapApp {
         }
     }
 
-    /// Whether these parts of the session may be changed from outside of the panels; if not, that is said.
+    /// Whether no lock keeps these parts of the session from being changed by a file or a link; if one does, says so.
     fn may(&mut self, touched: Touched) -> bool {
         let held = self.options.locks.keeps(touched);
         if let Some(control) = held {

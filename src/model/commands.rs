@@ -17,8 +17,8 @@ use crate::worker::{Request, Response};
 const PUSH: f64 = 0.05;
 
 impl Model {
-    /// Carries out a command, or begins to: what needs a preparation takes effect when it is done. Returns what it
-    /// touches, now or then; nothing where it is about a surface that is not there.
+    /// Carries out a command; one that needs a preparation takes effect when that is done. Returns the parts of the
+    /// session that are touched, now or then; [`Touched::NOTHING`] if the command needs a surface that is not there.
     pub fn dispatch(&mut self, command: Command, now: f64) -> Touched {
         let touched = command.touches();
         match command {
@@ -120,7 +120,7 @@ impl Model {
         self.sides[side].is_busy()
     }
 
-    /// Does what the message about a side offers; what of the session that changes, but for what is prepared again.
+    /// Applies the quick fix of a side's user error. Returns what it touches; nothing for a request that is repeated.
     pub fn quick_fix(&mut self, side: Side) -> Touched {
         let ModelSide { outline, surface, .. } = &mut self.sides[side];
         if surface.preparation.error.as_ref().is_some_and(|user_error| user_error.quick_fix.is_some()) {

@@ -1,6 +1,6 @@
-//! Files that came in: which are outlines, images, surfaces or sessions, told by purpose and name alone.
+//! The kind of an opened file (outline, surface, image or session), by its purpose and its name.
 //!
-//! None is read here: outlines, surfaces and sessions are read by a side's worker (`model/side`), images by the platform.
+//! No file is parsed here: a side's worker parses outlines, surfaces and sessions, the platform decodes images.
 
 use crate::conformal::Side;
 use crate::language::{Label, Message, key};
@@ -58,7 +58,7 @@ pub struct Picture {
     pub pixels: image::RgbaImage,
 }
 
-/// What a file is read as.
+/// The kind as which a file is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileKind {
     /// An outline for a side.
@@ -74,7 +74,7 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// What a file is by its purpose; a dropped one is told by its name, and a surface and a session always are.
+    /// The kind of a file; the name decides for a dropped file, and wherever it is that of a surface or a session.
     pub fn of(purpose: FilePurpose, name: &str) -> Self {
         match purpose {
             FilePurpose::Image => Self::Texture,
@@ -92,7 +92,7 @@ impl FileKind {
         }
     }
 
-    /// The side beside which it is said what is wrong with it, if it is about one.
+    /// The side beside which a failure is shown; `None` for the common message.
     pub fn side(self) -> Option<Side> {
         match self {
             Self::Outline(side) | Self::Surface(side) | Self::Trace(side) => Some(side),
@@ -100,7 +100,7 @@ impl FileKind {
         }
     }
 
-    /// What the command touches that it ends in.
+    /// The parts of the session that the resulting command touches.
     pub fn touches(self) -> Touched {
         match self {
             Self::Outline(_) | Self::Surface(_) | Self::Trace(_) => Touched::ANOTHER_SHAPE,
@@ -110,7 +110,7 @@ impl FileKind {
     }
 }
 
-/// The outline of the largest shape in a picture. Errors: why there is none, for the side.
+/// The outline of the largest shape in a picture. Errors: the user error for the side.
 pub fn traced(picture: &Picture) -> Result<Outline, UserError> {
     let stem = picture.name.rsplit_once('.').map_or(picture.name.as_str(), |(stem, _)| stem);
     tracing::trace(stem, &picture.pixels)

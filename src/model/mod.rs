@@ -113,7 +113,7 @@ pub struct Model {
     points_changed: bool,
     /// What stands on a side is another thing than when the map was last begun.
     sides_changed: bool,
-    /// What has come of a file with the last answer, for the app to act on.
+    /// The result of an opened file that the last response completed, for the app.
     arrived: Option<Arrived>,
 }
 
@@ -171,7 +171,7 @@ impl Model {
         &mut self.sides[side].outline
     }
 
-    /// What a side's worker does that is worth showing: the stage, and for how many seconds it has had the request.
+    /// The stage of a side's request in flight and the seconds since it was sent, for the progress line.
     pub fn worker_stage(&self, side: Side) -> Option<(Option<Stage>, f64)> {
         self.sides[side].under_way()
     }

@@ -1,8 +1,7 @@
-//! Files and pasted texts that a person has opened: read by a side's worker, and what is in them.
+//! Opened files and pasted texts: a side's worker parses them, the model accepts what is in them.
 //!
-//! An outline takes its place in the model as soon as it is read; its inside is prepared by the same request. What
-//! the app has to do about a file (the tour ends, a session is opened) is an [`Arrived`], which it takes after each
-//! answer of a worker.
+//! An outline is requested as soon as it is parsed, and the same request prepares it. What is left for the app to do
+//! (end the tour, open a session, show an error) is an [`Arrived`], which the app takes after each response.
 
 use crate::conformal::Side;
 use crate::language::{Message, key};
@@ -15,23 +14,23 @@ use crate::session::Session;
 use crate::worker::{NamedFile, Response, Unread};
 use std::sync::Arc;
 
-/// What has come of a file, or of a pasted text.
+/// The result of parsing a file or a pasted text.
 #[derive(Debug)]
 pub enum Arrived {
-    /// An outline: it is being prepared.
+    /// An outline, which is now being prepared.
     Outline(Origin),
-    /// A surface: it is prepared, and stands on its side.
+    /// A surface, which is prepared and shown on its side.
     Surface,
     /// A session.
     Session(Box<Session>),
-    /// A session's file is none.
+    /// A session file could not be read.
     NoSession(Message),
-    /// A pasted text is no outline for this side.
+    /// A text pasted for this side is no outline.
     NoOutline(Side, Message),
 }
 
 impl Model {
-    /// Begins to read an outline's file for a side.
+    /// Begins to read an outline file for a side.
     pub fn open_outline(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.read(side, Origin::OutlineFile, name, bytes);
     }
@@ -41,7 +40,7 @@ impl Model {
         self.read(side, Origin::PastedText, names::PASTED, text.as_bytes().to_vec());
     }
 
-    /// Begins to read a session's file.
+    /// Begins to read a session file, in the source's worker.
     pub fn open_session_file(&mut self, name: &str, bytes: Vec<u8>) {
         self.read(Side::Source, Origin::SessionFile, name, bytes);
     }
@@ -55,7 +54,7 @@ impl Model {
         self.sides[side].reading.want(opened);
     }
 
-    /// Something else is wanted on a side: a file that is read for it is not, nor is a session.
+    /// Cancels the file that is being read for a side, and a session file, because something else was chosen.
     pub(super) fn stop_reading(&mut self, side: Side) {
         for (at, state) in Side::BOTH.into_iter().zip(self.sides.as_mut().into_array()) {
             if at == side || state.reading.is_of(Origin::SessionFile) {
@@ -64,7 +63,7 @@ impl Model {
         }
     }
 
-    /// Whether something from a file, or a pasted text, is on its way to a side.
+    /// Whether a file or pasted text is being read, or a surface from a file prepared.
     pub fn awaits_file(&self) -> bool {
         self.sides.iter().any(|(_, side)| side.reading.is_busy() || side.surface.preparation.awaits_file())
     }
@@ -74,12 +73,12 @@ impl Model {
         self.sides[side].reading.is_of(Origin::PastedText)
     }
 
-    /// What has come of a file with the last answer.
+    /// The result that the last response completed, if any.
     pub fn take_arrived(&mut self) -> Option<Arrived> {
         self.arrived.take()
     }
 
-    /// Takes in an answer about a file that is read.
+    /// Accepts a response about the file being read.
     pub(super) fn accept_read(&mut self, side: Side, generation: u64, response: Response) {
         let reading = &mut self.sides[side].reading;
         match reading.take_in(generation, response) {
@@ -93,7 +92,7 @@ impl Model {
                     self.refuse(side, &opened, unread);
                 }
             }
-            _ => {} // a stage, which the request remembers
+            _ => {} // stale, or a stage, which the request keeps
         }
     }
 
@@ -106,7 +105,7 @@ impl Model {
         self.arrived = Some(Arrived::Outline(origin));
     }
 
-    /// What is said of a file, in the place for it. The good state stays, and what was under way goes on.
+    /// Reports a file that cannot be used, in the place for its origin; the side's postponed requests are due again.
     fn refuse(&mut self, side: Side, opened: &OpenedFile, Unread { text, repaired }: Unread) {
         let name = &opened.file.name;
         match opened.origin {
@@ -120,7 +119,7 @@ impl Model {
         }
     }
 
-    /// The worker is gone that was reading: the file can be read again.
+    /// The worker stopped while it read a file: the quick fix reads the file again.
     pub(super) fn reader_died(&mut self, side: Side, reason: &Message) {
         if let Some(InFlight { opened, .. }) = self.sides[side].reading.end().end() {
             let text = key::about(&opened.file.name, key::preparation_stopped(reason.clone()));

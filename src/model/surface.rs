@@ -83,7 +83,7 @@ impl Model {
         self.want_surface(side, spec, now);
     }
 
-    /// Begins to discretise the surface that is there in another way; whether it is that surface.
+    /// Begins to discretise the present surface in another way; returns whether `spec` is of that surface.
     pub(super) fn refine_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) -> bool {
         let surface = &self.sides[side].surface;
         let stays = self.session.surface(side).is_some() && !surface.gives_way;

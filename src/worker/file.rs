@@ -1,7 +1,7 @@
-//! Files that a worker reads: outlines and sessions, and why there is none in a file.
+//! Outline and session files, parsed in a worker.
 //!
-//! What has been read keeps its proof: an [`Outline`]'s polygon is checked here and not again. To the page it crosses
-//! as flat arrays ([`FlatOutline`], [`FlatSession`]).
+//! An [`Outline`]'s polygon is validated here and not again: it is transferred to the page as flat arrays
+//! ([`FlatOutline`], [`FlatSession`]), whose polygons are known to be simple.
 
 use crate::conformal::{PerSide, Side};
 use crate::geometry::{DVec2, SimplePolygon};
@@ -13,13 +13,13 @@ use std::sync::Arc;
 /// A file's name and its content.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedFile {
-    /// Its name; for an outline it says the format, and for a surface too.
+    /// Its name, whose ending tells the format of an outline or a surface.
     pub name: String,
     /// Its content.
     pub bytes: Arc<Vec<u8>>,
 }
 
-/// Why a file holds nothing that can be used.
+/// Why a file could not be read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unread {
     /// In words for the person.
@@ -29,7 +29,7 @@ pub struct Unread {
 }
 
 impl NamedFile {
-    /// The outline that is in it, or what it would be once repaired.
+    /// Parses an outline. Errors: why it is none, with the outline that safe repairs give, if they do.
     pub fn outline(&self) -> Result<Outline, Unread> {
         parse(&self.name, &self.bytes).map_err(|error| Unread {
             text: Message::from(&error),
@@ -37,16 +37,16 @@ impl NamedFile {
         })
     }
 
-    /// The session that is in it.
+    /// Reads a session. Errors: why the file is none.
     pub fn session(&self) -> Result<Session, Unread> {
         file::read(&self.bytes).map_err(|error| Unread { text: Message::from(&error), repaired: None })
     }
 }
 
-/// An outline on its way from a worker: its points as they lie in memory, the rest as JSON.
+/// An outline in transferable form: its coordinates as one array, the rest as JSON.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlatOutline {
-    /// The coordinates of the vertices, in turn.
+    /// The vertices' coordinates: x and y of the first, of the second, …
     pub points: Vec<f64>,
     /// Name and notes.
     pub text: String,
@@ -61,8 +61,8 @@ impl From<&Outline> for FlatOutline {
 }
 
 impl FlatOutline {
-    /// The outline; `None` if the text is not what [`Self::from`] makes. The points are taken for those of a simple
-    /// polygon: that was checked where they were read.
+    /// The outline; `None` if the text is malformed. The points must be those of a simple polygon, as [`Self::from`]
+    /// makes them.
     pub fn outline(&self) -> Option<Outline> {
         let (name, notes) = serde_json::from_str(&self.text).ok()?;
         let polygon = SimplePolygon::known_simple(self.points.chunks_exact(2).map(DVec2::from_slice).collect());
@@ -70,17 +70,17 @@ impl FlatOutline {
     }
 }
 
-/// A session on its way from a worker: its loaded outlines flat, the rest as JSON, in which presets stand in for them.
+/// A session in transferable form: loaded outlines as flat arrays, the rest as JSON with a preset in their place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlatSession {
-    /// The outlines that were loaded.
+    /// The loaded outlines.
     pub outlines: PerSide<Option<FlatOutline>>,
-    /// All else.
+    /// The rest of the session.
     pub text: String,
 }
 
 impl FlatSession {
-    /// Of a session that was read from a file; `None` if that is not one that can be written.
+    /// The form of a session; `None` if its numbers are out of range, which those of a session that was read are not.
     pub fn of(session: &Session) -> Option<Self> {
         let mut light = session.clone();
         let outlines = PerSide::from_fn(|side| {
@@ -91,7 +91,7 @@ impl FlatSession {
         Some(Self { outlines, text: file::write_object(&light).ok()? })
     }
 
-    /// The session; `None` if it is not what [`Self::of`] makes.
+    /// The session; `None` if the text is malformed.
     pub fn session(&self) -> Option<Session> {
         let mut session = file::read_object(&self.text).ok()?;
         for (side, outline) in self.outlines.iter() {
@@ -104,7 +104,7 @@ impl FlatSession {
     }
 }
 
-/// Puts another outline on a side of a session, and leaves points and surface as they are.
+/// The command that replaces a side's outline and keeps its points and surface.
 fn reshaped(session: &Session, side: Side, outline: OutlineSpec) -> Command {
     let points = session.side(side).outline_points();
     let interior = if let SidePoints::Outline { interior, .. } = points { interior } else { None };

@@ -1,4 +1,4 @@
-//! What a worker is asked and what it answers: files that are read, preparations, studies.
+//! Requests to a worker and its responses: files to parse, preparations, studies.
 //!
 //! The engine is pure: it runs in a web worker, and natively on a thread. Every
 //! message carries the generation of its request; the receiver drops stale ones.
@@ -47,14 +47,14 @@ pub enum Task {
         /// How to discretise it.
         settings: PrepareSettings,
     },
-    /// The inside of the outline that is in a file.
+    /// The inside of an outline that is parsed from a file first.
     OutlineFile {
         /// The file.
         file: NamedFile,
         /// How to discretise it.
         settings: PrepareSettings,
     },
-    /// The session that is in a file: it is read, no more.
+    /// A session file, which is only read.
     SessionFile(NamedFile),
     /// A surface.
     Surface {
@@ -91,11 +91,11 @@ pub enum SurfaceSource {
 pub enum Response {
     /// A stage begins.
     Progress(Stage),
-    /// The outline of a file is read; its inside is prepared next.
+    /// The outline of a file is parsed; its inside is prepared next.
     Outline(Box<Outline>),
     /// The session of a file is read.
     Session(Box<Session>),
-    /// There is no outline or session in the file.
+    /// The file could not be read.
     Unread(Unread),
     /// A side is done; with what the reader of a surface noticed.
     Prepared(Box<PreparedSide>, Vec<Message>),
@@ -123,7 +123,7 @@ impl Failure {
 }
 
 impl Response {
-    /// Whether more is to come in answer to the same request.
+    /// Whether more responses to the same request follow.
     pub fn goes_on(&self) -> bool {
         matches!(self, Self::Progress(_) | Self::Outline(_))
     }

@@ -1,4 +1,4 @@
-//! Files that a side's worker reads: what the model asks, and what it does with the answers.
+//! Files that a side's worker parses: the model's requests, and what it does with the responses.
 
 use super::*;
 use crate::conformal::PrepareSettings;
@@ -24,7 +24,7 @@ fn planar() -> Model {
     model
 }
 
-/// Answers a request; what has come of a file by then.
+/// Answers a request; returns the result of a file.
 fn answer(model: &mut Model, side: Side, request: &Request) -> Option<Arrived> {
     let mut arrived = None;
     run(request, &mut |generation, response| {
@@ -34,7 +34,7 @@ fn answer(model: &mut Model, side: Side, request: &Request) -> Option<Arrived> {
     arrived
 }
 
-/// Answers all requests; what has come of a file.
+/// Answers all requests; returns the result of a file.
 fn settle(model: &mut Model) -> Option<Arrived> {
     let mut arrived = None;
     while let requests @ [_, ..] = model.take_requests(f64::INFINITY).as_slice() {

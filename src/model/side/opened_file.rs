@@ -1,27 +1,27 @@
-//! A file, or a pasted text, that a person has opened as an outline or as a session: the side's worker reads it.
+//! A file or a pasted text, opened as an outline or a session, that the side's worker parses.
 //!
-//! It is read at once, before anything else that the side waits for; what the worker had to do instead goes on when
-//! there is nothing in the file. An outline that is found is prepared by the same request.
+//! The request is sent at once and postpones the side's other requests; they are sent again if the file cannot be
+//! used. The same request prepares an outline that was parsed.
 
 use crate::conformal::PrepareSettings;
 use crate::model::side::request::{Generations, PendingRequest};
 use crate::worker::{NamedFile, Request, Response, Task};
 
-/// Where the bytes come from, and beside what is said that they cannot be used.
+/// The source of the bytes, which decides where a failure is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// A file for an outline: beside its side.
+    /// An outline file: beside its side.
     OutlineFile,
-    /// A pasted text for an outline: in the window for it.
+    /// A text pasted as an outline: in the paste window.
     PastedText,
-    /// A session's file: of neither side.
+    /// A session file: in the common message.
     SessionFile,
 }
 
-/// What is to be read.
+/// A file or text to parse.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpenedFile {
-    /// Where it comes from.
+    /// Its source.
     pub origin: Origin,
     /// Its name and content.
     pub file: NamedFile,
@@ -37,16 +37,16 @@ impl OpenedFile {
     }
 }
 
-/// What the worker reads.
+/// What the worker parses.
 #[derive(Debug)]
 pub struct InFlight {
     /// The file.
     pub opened: OpenedFile,
-    /// How an outline in it is prepared.
+    /// The settings with which an outline in it is prepared.
     pub settings: PrepareSettings,
 }
 
-/// The file that is to be read, or is being read; the newest one.
+/// The newest opened file, due or in flight.
 #[derive(Debug, Default)]
 pub struct Reading {
     next: Option<OpenedFile>,
@@ -54,29 +54,29 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// Wants a file to be read, in place of another one.
+    /// Requests that a file be parsed; it replaces the previous one.
     pub fn want(&mut self, opened: OpenedFile) {
         self.pending_request.end();
         self.next = Some(opened);
     }
 
-    /// Whether a file is to be read or being read.
+    /// Whether a file is due or in flight.
     pub fn is_busy(&self) -> bool {
         self.next.is_some() || self.pending_request.is_busy()
     }
 
-    /// Whether that is one of this origin.
+    /// Whether a file of this origin is due or in flight.
     pub fn is_of(&self, origin: Origin) -> bool {
         let read = self.pending_request.under_way().map(|in_flight| &in_flight.opened);
         self.next.as_ref().or(read).is_some_and(|opened| opened.origin == origin)
     }
 
-    /// Whether a request is to be made, at once.
+    /// Whether a request is due.
     pub fn is_due(&self) -> bool {
         self.next.is_some()
     }
 
-    /// What is with the worker.
+    /// The request in flight.
     pub fn pending_request(&self) -> &PendingRequest<InFlight> {
         &self.pending_request
     }
@@ -88,12 +88,12 @@ impl Reading {
         Some(self.pending_request.send(InFlight { opened, settings }, task, generations))
     }
 
-    /// Takes in an answer of the worker: that which says what is in the file comes back.
+    /// Accepts a response; returns it unless it is stale or only reports a stage.
     pub fn take_in(&mut self, generation: u64, response: Response) -> Option<Response> {
         self.pending_request.take_in(generation, response)
     }
 
-    /// No file is read any more; that which was, and its request, for an outline's preparation to take over.
+    /// Cancels the file; returns the request in flight, which an outline's preparation may take over.
     pub fn end(&mut self) -> PendingRequest<InFlight> {
         std::mem::take(self).pending_request
     }

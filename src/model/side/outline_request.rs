@@ -1,4 +1,4 @@
-//! What is requested of an outline: itself, how its inside is discretised, and how it came from the one before.
+//! The request for an outline: the outline, how its inside is discretised, and how it was reshaped.
 
 use crate::conformal::{MeshedDomain, PrepareSettings};
 use crate::language::{Message, key};
@@ -14,11 +14,11 @@ use std::sync::Arc;
 /// An outline that is to be prepared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OutlineRequest {
-    /// The outline and its settings; as it is sent, coarser ones while a hand reshapes it.
+    /// The outline and its settings; coarser settings in the form that is sent during a drag.
     pub spec: DomainSpec,
-    /// What was noticed when the outline was read.
+    /// The reader's notes.
     pub(super) notes: Vec<OutlineNote>,
-    /// How the outline came from the one before, until it is prepared as it is to stay.
+    /// How the outline was reshaped, until it is prepared with its final settings.
     pub reshaped: Option<Reshaped>,
 }
 
@@ -49,12 +49,12 @@ impl Requested for OutlineRequest {
         self.spec.outline == other.spec.outline
     }
 
-    /// What is prepared coarsely is.
+    /// A coarse preparation takes milliseconds.
     fn is_soon_done(&self) -> bool {
         self.is_in_hand()
     }
 
-    /// The outline in a hand is prepared anew when it is let go.
+    /// An outline that is being dragged is prepared again at the end of the drag.
     fn goes_on(&self) -> bool {
         self.is_in_hand()
     }
@@ -63,7 +63,7 @@ impl Requested for OutlineRequest {
         self.notes.iter().map(Message::from).collect()
     }
 
-    /// What was reshaped is prepared as it is to stay, or not to be had; what is in hand goes on.
+    /// The reshaping is finished unless the drag continues.
     fn settle(&mut self) {
         self.reshaped = self.reshaped.filter(|reshaped| reshaped.in_hand);
     }
@@ -72,7 +72,7 @@ impl Requested for OutlineRequest {
         self.spec.clone().into()
     }
 
-    /// Goes back to the last good outline; the settings stay as the person left them.
+    /// Reverts to the last good outline but keeps the settings.
     fn fail(&mut self, failure: Failure, good: Option<&Self>) -> UserError {
         self.settle();
         if let Some(good) = good {
@@ -88,14 +88,14 @@ impl Requested for OutlineRequest {
 }
 
 impl Preparation<OutlineRequest> {
-    /// Wants `spec`, at once.
+    /// Requests `spec` at once.
     pub fn new(spec: DomainSpec) -> Self {
         let mut preparation = Self::of(spec.into());
         preparation.pending_request.want_now();
         preparation
     }
 
-    /// What the panels show.
+    /// The requested outline and settings, which the panels show.
     pub fn wanted(&self) -> &DomainSpec {
         &self.wanted.spec
     }
@@ -105,21 +105,21 @@ impl Preparation<OutlineRequest> {
         self.prepared()?.domain()
     }
 
-    /// Whether the outline is being reshaped: what is prepared is coarse, and followed by more.
+    /// Whether the outline is being dragged: its preparations are coarse, and another one follows.
     pub fn is_in_hand(&self) -> bool {
         self.wanted.is_in_hand()
     }
 
-    /// Wants another outline, at once.
+    /// Requests another outline at once.
     pub fn want_outline(&mut self, outline: OutlineSpec, notes: Vec<OutlineNote>) {
         let spec = DomainSpec { outline, settings: self.wanted.spec.settings };
         self.want(OutlineRequest { spec, notes, reshaped: None }, f64::NEG_INFINITY);
     }
 
-    /// Goes on with the request that has read the outline that is wanted: the worker prepares it with these settings.
+    /// Takes over the request that parsed the requested outline: the worker is preparing it with `settings`.
     pub fn take_over<W>(&mut self, reading: &PendingRequest<W>, settings: PrepareSettings) {
         if self.pending_request.due().is_none() {
-            return; // it is there, and only a surface hid it
+            return; // already prepared, and only hidden by a surface
         }
         let mut sent = self.wanted.clone();
         sent.spec.settings = settings;
@@ -129,7 +129,7 @@ impl Preparation<OutlineRequest> {
         }
     }
 
-    /// Wants the outline in another form, as soon as the one under way is done.
+    /// Requests a reshaped outline as soon as the request in flight is done.
     pub fn want_reshaped(&mut self, outline: OutlineSpec, reshaped: Reshaped) {
         self.forget_error();
         let spec = DomainSpec { outline, settings: self.wanted.spec.settings };
@@ -137,7 +137,7 @@ impl Preparation<OutlineRequest> {
         self.pending_request.want_now();
     }
 
-    /// Wants `spec`, at once; whether it has to be prepared.
+    /// Requests `spec` at once; returns whether it has to be prepared.
     pub fn want_spec(&mut self, spec: &DomainSpec) -> bool {
         if !self.is_busy() && self.good().is_some_and(|good| good.spec == *spec) {
             self.forget_error();
@@ -148,7 +148,7 @@ impl Preparation<OutlineRequest> {
         true
     }
 
-    /// Wants another discretisation, once the request has rested.
+    /// Requests other settings once they have not changed for [`SETTLE_SECONDS`].
     pub fn want_settings(&mut self, settings: PrepareSettings, now: f64) {
         if settings != self.wanted.spec.settings {
             self.forget_error();

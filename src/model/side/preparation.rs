@@ -1,11 +1,11 @@
 //! The preparation of an outline or a surface: what is requested, the request in flight, the last good side, user error.
 //!
-//! The panels show what is *wanted*; the map uses the last side that was *prepared*. A new request supersedes the one
-//! under way ([`PendingRequest`]). After a failure the last good side stays and the message says why.
+//! The panels show the *requested* settings (`wanted`); the map uses the last side that was *prepared*. A new request
+//! supersedes the one in flight ([`PendingRequest`]). After a failure the last good side stays, with a user error.
 //!
-//! A side has two of these, since it may need both at once: an outline waits, prepared, behind the surface in its
-//! place, and each of them has its own message. What differs between the two is said by what they request
-//! ([`Requested`]): an [`OutlineRequest`](super::OutlineRequest), or perhaps a
+//! A side has two values of this type, one for its outline and one for its surface, because a session can need both at
+//! once: the outline stays prepared behind the surface, and each has a user error of its own. What differs between
+//! them is in the type of the request ([`Requested`]): [`OutlineRequest`](super::OutlineRequest), or an optional
 //! [`SurfaceRequest`](super::SurfaceRequest).
 
 use crate::conformal::PreparedSide;
@@ -15,68 +15,69 @@ use crate::model::side::user_error::{QuickFix, UserError};
 use crate::worker::{Failure, Request, Response, Task};
 use std::sync::Arc;
 
-/// What can be requested of a side's worker.
+/// A request that a side's worker can be sent.
 pub trait Requested: Clone {
-    /// What is sent; `None` where nothing is requested.
+    /// The task for the worker; `None` if nothing is requested.
     fn task(&self) -> Option<Task>;
 
-    /// The request as it is sent now.
+    /// The request in the form in which it is sent.
     #[must_use]
     fn sent(&self) -> Self {
         self.clone()
     }
 
-    /// Whether the other one is of the same outline or surface, with whatever settings.
+    /// Whether both requests are for the same outline or surface; settings are not compared.
     fn is_of_same_shape(&self, other: &Self) -> bool;
 
-    /// Whether it is soon done: to supersede it would cost a browser the worker with all that it has compiled.
+    /// Whether the preparation takes milliseconds: it is then waited for, because superseding it costs a browser the
+    /// worker and the code compiled there.
     fn is_soon_done(&self) -> bool {
         false
     }
 
-    /// Whether more follows when this is prepared.
+    /// Whether another request will follow this one.
     fn goes_on(&self) -> bool {
         false
     }
 
-    /// What was noticed when it was read, before the worker was asked.
+    /// The reader's notes, for a shape that was read before the request was sent.
     fn notes(&self) -> Vec<Message> {
         Vec::new()
     }
 
-    /// Nothing is due after what has come.
+    /// Called when the response has arrived and no further request is due.
     fn settle(&mut self) {}
 
-    /// What is remembered of it once it is prepared.
+    /// The part of the request that is kept with the prepared side.
     #[must_use]
     fn kept(&self) -> Self {
         self.clone()
     }
 
-    /// It could not be prepared: says why, and goes back to what is `good` but for what a quick fix needs.
+    /// Reverts to the last `good` request, except for what a quick fix needs, and returns the user error.
     fn fail(&mut self, failure: Failure, good: Option<&Self>) -> UserError;
 
-    /// What is said when the worker stopped.
+    /// The text of the user error when the worker stopped.
     fn stopped(reason: Message) -> Message;
 }
 
-/// What an answer of the worker changed.
+/// What a response changed.
 #[derive(Debug, PartialEq)]
 pub enum Progress<R> {
-    /// A stale answer, or one more stage.
+    /// The response was stale, or reported a stage.
     Nothing,
-    /// What was requested is there.
+    /// The requested side is prepared.
     Ready {
-        /// The request, as it was sent.
+        /// The request in the form in which it was sent.
         request: R,
-        /// Whether it is another outline or surface than before.
+        /// Whether the outline or surface differs from the previous one.
         is_new: bool,
     },
-    /// It could not be prepared; the message is in [`Preparation::error`].
+    /// The preparation failed; the user error is [`Preparation::error`].
     Failed,
 }
 
-/// The last side that could be prepared, and from what.
+/// The last side that was prepared, and its request.
 #[derive(Debug, Clone)]
 struct LastGood<R> {
     request: R,
@@ -89,16 +90,16 @@ pub struct Preparation<R> {
     pub(super) wanted: R,
     pub(super) pending_request: PendingRequest<R>,
     last_good: Option<LastGood<R>>,
-    /// What to say about the last request, if it failed.
+    /// The user error beside the side, about the last request or about a file.
     pub error: Option<UserError>,
-    /// Whether it is a preparation that has failed: another one that succeeds makes up for that.
+    /// Whether `error` is about a preparation: the next one that succeeds clears it.
     has_failed: bool,
-    /// What was noticed when the last good side was read.
+    /// The reader's notes on the last good side.
     pub notes: Vec<Message>,
 }
 
 impl<R: Requested> Preparation<R> {
-    /// `wanted`, of which nothing is due yet.
+    /// A preparation of `wanted` without a request due.
     pub(super) fn of(wanted: R) -> Self {
         Self {
             wanted,
@@ -110,7 +111,7 @@ impl<R: Requested> Preparation<R> {
         }
     }
 
-    /// The last good side alone: nothing else is wanted or under way.
+    /// A copy of the last good side, without any request.
     #[must_use]
     pub fn twin(&self) -> Self {
         let wanted = self.good().unwrap_or(&self.wanted).clone();
@@ -122,29 +123,29 @@ impl<R: Requested> Preparation<R> {
         self.last_good.as_ref().map(|good| &good.side)
     }
 
-    /// What the last good side was prepared from.
+    /// The request of the last good side.
     pub(super) fn good(&self) -> Option<&R> {
         self.last_good.as_ref().map(|good| &good.request)
     }
 
-    /// Whether something is wanted that is not there yet.
+    /// Whether a request is due, in flight or to follow.
     pub fn is_busy(&self) -> bool {
         self.pending_request.is_busy() || self.wanted.goes_on()
     }
 
-    /// What is with the worker.
+    /// The request due or in flight.
     pub fn pending_request(&self) -> &PendingRequest<R> {
         &self.pending_request
     }
 
-    /// Lets what is under way wait: the side's worker has something else to do first.
+    /// Makes the request in flight due again, because the side's worker is given another task first.
     pub fn postpone(&mut self) {
         if self.pending_request.end().is_some() {
             self.pending_request.want_now();
         }
     }
 
-    /// Wants something else at the time `due`; what is under way is not wanted any more.
+    /// Requests `wanted` at the time `due`; the request in flight becomes stale.
     pub(super) fn want(&mut self, wanted: R, due: f64) {
         self.forget_error();
         self.wanted = wanted;
@@ -152,18 +153,18 @@ impl<R: Requested> Preparation<R> {
         self.pending_request.want(due);
     }
 
-    /// Asks for the same once more.
+    /// Repeats the last request.
     pub fn retry(&mut self) {
         self.forget_error();
         self.pending_request.want_now();
     }
 
-    /// Whether what is under way is better waited for.
+    /// Whether the request in flight is to be waited for.
     fn is_soon_done(&self) -> bool {
         self.pending_request.under_way().is_some_and(R::is_soon_done)
     }
 
-    /// When [`Self::take_request`] should be called again.
+    /// When [`Self::take_request`] is to be called next.
     pub fn due(&self) -> Option<f64> {
         self.pending_request.due().filter(|_| !self.is_soon_done())
     }
@@ -179,14 +180,14 @@ impl<R: Requested> Preparation<R> {
         Some(self.pending_request.send(sent, task, generations))
     }
 
-    /// Takes in an answer of the worker; a stale one changes nothing.
+    /// Accepts a response of the worker; a stale one changes nothing.
     pub fn accept(&mut self, generation: u64, response: Response) -> Progress<R> {
         match self.pending_request.take_in(generation, response) {
             Some(Response::Prepared(side, notes)) => self.finish(*side, notes),
             Some(Response::Failed(failure)) => {
                 self.pending_request.end();
                 if self.pending_request.due().is_some() {
-                    return Progress::Nothing; // what is wanted by now is another thing
+                    return Progress::Nothing; // another request has replaced it
                 }
                 self.error = Some(self.wanted.fail(failure, self.last_good.as_ref().map(|good| &good.request)));
                 self.has_failed = true;
@@ -212,7 +213,7 @@ impl<R: Requested> Preparation<R> {
         Progress::Ready { request, is_new }
     }
 
-    /// The worker is gone; what it was doing is lost, nothing else.
+    /// The worker stopped: the request in flight is lost and can be repeated.
     pub fn worker_died(&mut self, reason: &Message) {
         if self.pending_request.end().is_some() {
             let text = R::stopped(reason.clone());

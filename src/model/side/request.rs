@@ -1,7 +1,7 @@
 //! What a worker is sent for: when it is to go, what it has in hand, and which of its answers count.
 //!
-//! A side has one worker. All that asks for it numbers its requests by the side's [`Generations`], so that an answer
-//! belongs to one of them; [`PendingRequest::take_in`] is the one place where stale answers are dropped.
+//! A side has one worker. All requests to it take their generation from the side's [`Generations`], so that a response
+//! belongs to exactly one request; [`PendingRequest::take_in`] is the one place where stale responses are dropped.
 
 use crate::conformal::Stage;
 use crate::worker::{Request, Response, Task};
@@ -11,7 +11,7 @@ use web_time::Instant;
 /// per frame (0.017 s), a person who waits for the result notices 0.3 s.
 pub const SETTLE_SECONDS: f64 = 0.12;
 
-/// Numbers the requests to a side's worker: no two have one number, and a later one has a higher one.
+/// Numbers the requests to a side's worker, in ascending order and each once.
 #[derive(Debug, Default)]
 pub struct Generations(u64);
 
@@ -76,7 +76,7 @@ impl<W> PendingRequest<W> {
         Request { generation, task }
     }
 
-    /// Goes on with the request that `other` had with the worker, for `in_flight`; nothing is due any more.
+    /// Takes over the request that `other` had in flight, for `in_flight`; no request is due any more.
     pub fn take_over<V>(&mut self, other: &PendingRequest<V>, in_flight: W) {
         if let Some(&Running { generation, since, stage, .. }) = other.running.as_ref() {
             (self.due, self.running) = (None, Some(Running { generation, since, in_flight, stage }));

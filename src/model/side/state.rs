@@ -1,4 +1,4 @@
-//! One side of the model: its two preparations, the file that is read for it, and what of a session is on its way.
+//! One side of the model: its two preparations, the file being parsed, and the parts of a session still to come.
 
 use crate::conformal::{PerSide, Stage};
 use crate::model::side::SurfaceSide;
@@ -11,16 +11,16 @@ use crate::worker::Request;
 
 /// One side.
 ///
-/// Invariants: `incoming_points` are there only while the outline is being prepared; the side's worker has at most one
-/// request, and no two of them have one generation.
+/// Invariants: `incoming_points` is `Some` only while the outline is being prepared; the side's worker has at most one
+/// request, and every request has a generation of its own.
 #[derive(Debug)]
 pub struct ModelSide {
     generations: Generations,
-    /// The file that is to be read, or is being read.
+    /// The opened file that the worker parses.
     pub reading: Reading,
     /// The outline's preparation.
     pub outline: Preparation<OutlineRequest>,
-    /// The surface's, and the surface that is shown.
+    /// The surface's preparation, and the surface that is shown.
     pub surface: SurfaceSide,
     /// The points of a session whose outline is being prepared.
     pub incoming_points: Option<SidePoints>,
@@ -68,8 +68,9 @@ impl ModelSide {
         }
     }
 
-    /// The request for this side's worker that is due, if any: for a file, else for a surface, else for the outline,
-    /// which waits until the worker is done with those. What is in a hand waits until it `shows`.
+    /// The request for the side's worker that is due, if any: for a file, else for a surface, else for the outline,
+    /// which waits until the worker is done with those. An outline that is being dragged waits until the picture
+    /// `shows` the last one.
     pub fn take_request(&mut self, now: f64, shows: bool) -> Option<Request> {
         let Self { generations, reading, outline, surface, .. } = self;
         let surface = &mut surface.preparation;
@@ -100,13 +101,13 @@ impl ModelSide {
         self.surface.preparation.due().into_iter().chain(outline).reduce(f64::min)
     }
 
-    /// Whether something is being read or prepared.
+    /// Whether a request of any kind is due, in flight or to follow.
     pub fn is_busy(&self) -> bool {
         self.reading.is_busy() || self.outline.is_busy() || self.surface.preparation.is_busy()
     }
 
-    /// What the worker does that is worth showing: the stage, and for how many seconds it has had the request. What is
-    /// in a hand is there in a moment.
+    /// The stage of the request in flight and the seconds since it was sent, for the progress line; `None` during a
+    /// drag, whose requests take milliseconds.
     pub fn under_way(&self) -> Option<(Option<Stage>, f64)> {
         let (reading, surface) = (self.reading.pending_request(), self.surface.preparation.pending_request());
         let outline = self.outline.pending_request();

@@ -36,22 +36,22 @@ pub struct SurfaceSide {
 }
 
 impl SurfaceSide {
-    /// Wants a file that was opened. Another one of the same name is called anew: "head (2).obj".
+    /// Requests the surface of an opened file. A different file of the same name is renamed: "head (2).obj".
     pub fn want_file(&mut self, name: &str, bytes: Vec<u8>) {
         let NamedFile { name, bytes } = self.files.keep(name, bytes);
         let spec = SurfaceSpec { shape: SurfaceShape::File { name: name.clone() }, ..SurfaceSpec::default() };
         self.preparation.want_surface(spec, SurfaceSource::File { name, bytes }, f64::NEG_INFINITY);
     }
 
-    /// Wants what `spec` says, with the file that it names.
+    /// Requests the surface that `spec` describes, from the file that it names.
     pub fn want_file_of(&mut self, spec: SurfaceSpec, bytes: Vec<u8>) {
         let SurfaceShape::File { name } = &spec.shape else { return };
         let NamedFile { name, bytes } = self.files.keep(name, bytes);
         self.preparation.want_surface(spec, SurfaceSource::File { name, bytes }, f64::NEG_INFINITY);
     }
 
-    /// Wants what `spec` says: at once, or after `now` when another resolution of a formula has rested. Whether
-    /// it has to be prepared. A file's triangles must be here already: a file that is not is asked for.
+    /// Requests the surface that `spec` describes: at once, or after `now` if only a preset's resolution changes. Returns
+    /// whether it has to be prepared. The person is asked for a file that is not kept.
     pub fn want_spec(&mut self, spec: &SurfaceSpec, now: f64) -> bool {
         if self.preparation.want_last_good(spec) {
             return false;

@@ -1,4 +1,4 @@
-//! The files of surfaces that a person has opened, to go back to: undo does.
+//! The surface files that were opened, kept so that undo can return to them.
 
 use crate::session::SurfaceShape;
 use crate::worker::{NamedFile, SurfaceSource};
@@ -15,7 +15,7 @@ pub struct SurfaceFiles {
 }
 
 impl SurfaceFiles {
-    /// Keeps a file. Another one of the same name is called anew: "head (2).obj".
+    /// Keeps a file. A different file of the same name is renamed: "head (2).obj".
     pub fn keep(&mut self, name: &str, bytes: Vec<u8>) -> NamedFile {
         let numbered = |number: usize| match (number, name.rsplit_once('.')) {
             (1, _) => name.to_owned(),
@@ -34,7 +34,7 @@ impl SurfaceFiles {
         file
     }
 
-    /// The triangles of a shape; `None` where they are in a file that is not here.
+    /// The source of a shape's triangles; `None` if it is a file that is not kept.
     pub fn source(&self, shape: &SurfaceShape) -> Option<SurfaceSource> {
         match shape {
             SurfaceShape::Preset { preset, boundary } => {

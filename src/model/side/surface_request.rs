@@ -1,4 +1,4 @@
-//! What is requested of a surface: what the session will say of it, and its triangles.
+//! The request for a surface: its specification for the session, and the source of its triangles.
 
 use crate::conformal::PreparedSide;
 use crate::language::{Message, key};
@@ -13,9 +13,9 @@ use std::sync::Arc;
 /// A surface that is to be prepared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceRequest {
-    /// What the session will say.
+    /// The specification for the session.
     pub spec: SurfaceSpec,
-    /// Its triangles.
+    /// The source of its triangles.
     pub(super) source: SurfaceSource,
 }
 
@@ -25,13 +25,13 @@ impl Requested for Option<SurfaceRequest> {
         Some(Task::Surface { source: source.clone(), repair: spec.repair, settings: spec.settings })
     }
 
-    /// Whether the triangles are the same.
+    /// Whether the given triangles are the same.
     fn is_of_same_shape(&self, other: &Self) -> bool {
         let source = |request: &Self| request.as_ref().map(|request| request.source.clone());
         source(self) == source(other)
     }
 
-    /// The request stays while its message offers a quick fix.
+    /// Keeps the request while its user error offers a repair.
     fn fail(&mut self, failure: Failure, good: Option<&Self>) -> UserError {
         let Failure { text, repairable } = failure;
         let name = self.as_ref().map(|request| names::surface_in_message(&request.spec.shape));
@@ -47,7 +47,7 @@ impl Requested for Option<SurfaceRequest> {
     }
 }
 
-/// Nothing is requested.
+/// No surface is requested.
 impl Default for Preparation<Option<SurfaceRequest>> {
     fn default() -> Self {
         Self::of(None)
@@ -55,7 +55,7 @@ impl Default for Preparation<Option<SurfaceRequest>> {
 }
 
 impl Preparation<Option<SurfaceRequest>> {
-    /// What the panels show.
+    /// The requested surface, which the panels show.
     pub fn wanted(&self) -> Option<&SurfaceSpec> {
         self.wanted.as_ref().map(|request| &request.spec)
     }
@@ -69,25 +69,25 @@ impl Preparation<Option<SurfaceRequest>> {
         self.prepared()
     }
 
-    /// The triangles of [`Self::surface`] as they were given.
+    /// The source of the triangles of [`Self::surface`].
     pub fn source(&self) -> Option<&SurfaceSource> {
         self.last_good().map(|request| &request.source)
     }
 
-    /// Whether a surface from a file is on its way.
+    /// Whether a surface from a file is requested and not prepared yet.
     pub fn awaits_file(&self) -> bool {
         self.is_busy() && self.wanted().is_some_and(|spec| matches!(spec.shape, SurfaceShape::File { .. }))
     }
 
-    /// Wants a surface, whose triangles are those of `source`: at once, or after `now` when another resolution of a
-    /// formula has rested.
+    /// Requests a surface with the triangles of `source`: at once, or [`SETTLE_SECONDS`] after `now` if only the
+    /// resolution of a preset changes.
     pub fn want_surface(&mut self, spec: SurfaceSpec, source: SurfaceSource, now: f64) {
         let slides = self.wanted().is_some_and(|old| old.shape != spec.shape && old.shape.is_like(&spec.shape));
         let due = if slides { now + SETTLE_SECONDS } else { f64::NEG_INFINITY };
         self.want(Some(SurfaceRequest { spec, source }), due);
     }
 
-    /// Wants the last good surface, if it is what `spec` says; whether it is.
+    /// Requests the last good surface if it is the one that `spec` describes; returns whether it is.
     pub fn want_last_good(&mut self, spec: &SurfaceSpec) -> bool {
         let is_there = self.last_good().is_some_and(|good| good.spec == *spec);
         if is_there {
@@ -97,19 +97,19 @@ impl Preparation<Option<SurfaceRequest>> {
         is_there
     }
 
-    /// The file of a surface is not here: it is asked for.
+    /// Asks the person for the file of a surface, which is not at hand.
     pub fn ask_for_file(&mut self, name: &str) {
         self.pending_request.forget();
         self.error = Some(UserError::new(key::about(name, key::open_surface_file())));
     }
 
-    /// Does not want a surface any more; the one that is there is kept for the next time.
+    /// Cancels the request; the last good surface is kept.
     pub fn give_up(&mut self) {
         self.pending_request.forget();
         self.forget_error();
     }
 
-    /// Closes the message: what could not be prepared is not wanted any more.
+    /// Closes the user error and withdraws the request that failed.
     pub fn dismiss(&mut self) {
         if self.error.is_some() && !self.is_busy() {
             self.wanted = self.good().cloned().flatten();
@@ -117,7 +117,7 @@ impl Preparation<Option<SurfaceRequest>> {
         self.forget_error();
     }
 
-    /// Does what the message offers.
+    /// Applies the quick fix of the user error.
     pub fn quick_fix(&mut self) {
         let quick_fix = self.error.take().and_then(|user_error| user_error.quick_fix);
         if let Some(request) = &mut self.wanted {
@@ -144,7 +144,7 @@ mod tests {
         SurfaceSpec { shape, ..SurfaceSpec::default() }
     }
 
-    /// The surface that has come, and whether it is new.
+    /// The prepared surface, and whether it is new.
     fn answer(side: &mut SurfaceSide, request: &Request) -> Option<(SurfaceSpec, bool)> {
         let mut last = Progress::Nothing;
         run(request, &mut |generation, response| last = side.preparation.accept(generation, response));
