@@ -1,6 +1,6 @@
 //! What crosses a worker's border: a prepared side as flat arrays, which are transferred, and a short text.
 //!
-//! The arrays are those of [`PreparedSide::to_buffers`], in its order; the text is the surface's repairs as JSON.
+//! The arrays are those of `PreparedSide::to_buffers`, in its order; the text is the surface's repairs as JSON.
 
 use crate::conformal::{FlatBuffers, PreparedSide};
 
