@@ -22,7 +22,7 @@ impl Model {
         PerSide::from_fn(|side| self.session.surface(side).is_some())
     }
 
-    /// Sorts the triangles of the surfaces that are shown, now that there is time for it.
+    /// Builds the search trees of the surfaces that are shown, if they are not too large.
     pub fn sort_surfaces_at_rest(&self) {
         for (surface, _) in Side::BOTH.into_iter().filter_map(|side| self.surface(side)) {
             surface.sort_at_rest();
@@ -46,8 +46,8 @@ impl Model {
         surface.anchor_place(state)
     }
 
-    /// Where a surface's file belongs that a person has brought to a side: there, unless a session waits for the file of
-    /// that name on the other side alone.
+    /// The side that gets a surface's file which was opened for or dropped over `side`: that side, unless only the other
+    /// one waits for a file of this name.
     pub fn side_for_surface(&self, side: Side, name: &str) -> Side {
         let awaits = |side: Side| {
             self.sides[side].incoming_surface.as_ref().is_some_and(|state| is_file_of_name(&state.spec.shape, name))

@@ -37,13 +37,13 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     }
 }
 
-/// The group's name; of two, with the side.
+/// The heading of the group; it names the side if both are surfaces.
 fn heading(side: Side, model: &Model) -> String {
     let name = tr(key::surface());
     if model.surfaces()[side.other()] { format!("{name} · {}", words::side(side)) } else { name.into() }
 }
 
-/// Where the surface is mapped to; between two surfaces it is said once.
+/// The sentence that says where the surface is mapped; for two surfaces only in the first group.
 fn direction(side: Side, model: &Model) -> Option<Words> {
     match (side, model.surfaces().into_array()) {
         (Side::Source, [true, true]) => Some(key::surfaces_direction()),

@@ -186,7 +186,7 @@ impl Gpu {
     }
 }
 
-/// What a viewport shows beside what was uploaded.
+/// Camera, size, texture style and background of one kind of viewport.
 pub enum ViewportFrame {
     /// Of a plane.
     Plane(PlanarFrame),

@@ -1,5 +1,6 @@
-//! The picture of a side: of a plane or of a surface in space. Whoever shows a side, or takes gestures over it, asks
-//! here, and does not ask what stands there.
+//! The picture of a side, of a plane or of a surface in space: gestures, drawing, dots.
+//!
+//! Drawing and gestures distinguish the two kinds of viewport here only.
 
 use super::surface::OrbitView;
 use super::view::View;
@@ -11,7 +12,7 @@ use crate::model::Model;
 use crate::render::{CellStyle, Pace, TextureStyle};
 use egui::{Pos2, Ui};
 
-/// What a side is looked at with: by reference, to paint it, or by mutable reference, to take gestures.
+/// The camera of a side's viewport: by reference to draw it, by mutable reference to handle gestures.
 pub enum Picture<P, S> {
     /// A plane.
     Plane(P),
@@ -38,7 +39,7 @@ impl Pictures {
 }
 
 impl Picture<&mut View, &mut OrbitView> {
-    /// Shows all of what stands there from now on.
+    /// Fits the view to the whole domain or surface.
     pub fn fit(self) {
         match self {
             Self::Plane(view) => view.fit(),
@@ -64,7 +65,7 @@ impl Picture<&mut View, &mut OrbitView> {
 }
 
 impl Picture<&View, &OrbitView> {
-    /// Whether all of what stands there is shown.
+    /// Whether the view is fitted to the whole domain or surface.
     pub fn is_fitted(&self) -> bool {
         match self {
             Self::Plane(view) => view.is_fitted(),
@@ -72,7 +73,7 @@ impl Picture<&View, &OrbitView> {
         }
     }
 
-    /// Where the interior point and the boundary point are on the screen.
+    /// The positions of the interior point and the boundary point on the screen.
     pub fn places_of_dots(&self, model: &Model, side: Side) -> [Option<Pos2>; 2] {
         match self {
             Self::Plane(view) => [model.interior(side), model.anchor(side)].map(|point| Some(view.to_screen(point?))),
@@ -82,7 +83,7 @@ impl Picture<&View, &OrbitView> {
         }
     }
 
-    /// Draws the textured mesh; triangles as `cells` say where the GPU does not know it from elsewhere.
+    /// Draws the textured mesh. `cells` is the style of a surface's triangles; planar ones have it from the upload.
     pub fn paint(
         &self,
         ui: &Ui,
@@ -94,7 +95,7 @@ impl Picture<&View, &OrbitView> {
         match self {
             Self::Plane(view) => planar::paint_mesh(ui, side, view, style, pace),
             Self::Space(orbit) => {
-                // until its first map is there, the GPU may have another one
+                // before the first map, the GPU may still hold another surface
                 let mapped = model.shown().map(|map| map.mapped_side());
                 let (style, cells) = (style.filter(|_| mapped.is_some()), cells.filter(|_| mapped == Some(side)));
                 surface::viewport::paint_surface(ui, side, orbit, style, cells, pace);

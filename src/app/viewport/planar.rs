@@ -237,7 +237,7 @@ pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
     painter.text(place, Align2::CENTER_CENTER, name, caption_font(ui), palette.weak);
 }
 
-/// While a file is dragged over the viewport: what will happen to it here.
+/// Draws what dropping would do, while a file is dragged over the viewport.
 pub fn paint_drop_target(ui: &Ui, rect: Rect) {
     let over = crate::platform::drop_position(ui.ctx()).is_some_and(|place| rect.contains(place));
     if !over || ui.input(|input| input.raw.hovered_files.is_empty()) {

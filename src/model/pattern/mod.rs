@@ -6,7 +6,7 @@
 //! pulled back from the target. If it is the other side's, the images are what it looks up.
 //! The conformal pattern lives in the disk: both sides look up their own disk coordinates. With one surface the home
 //! is the plane, whichever side that is; between two surfaces every pattern lives in the disk, through which they are
-//! mapped, so that points that are mapped to each other have one colour.
+//! mapped, so that corresponding points have the same color.
 
 pub mod cells;
 pub mod colouring;
@@ -38,8 +38,8 @@ pub fn home(session: &Session) -> Option<Side> {
     (session.texture() != TextureKind::Conformal).then_some(side)
 }
 
-/// Whether the pattern of a session needs a [`disk_grid::DiskGrid`]: a map between two surfaces has disk coordinates
-/// of its own.
+/// Whether the pattern of a session needs a [`disk_grid::DiskGrid`]; a map between two surfaces computes its disk
+/// coordinates itself.
 pub fn needs_grid(session: &Session) -> bool {
     let through_disk = session.sides().iter().all(|(_, side)| side.surface.is_some());
     home(session).is_none() && !through_disk

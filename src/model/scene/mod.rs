@@ -198,7 +198,7 @@ impl Offscreen {
 /// The bytes of the files that a session's surfaces come from.
 pub type SurfaceFiles = PerSide<Option<Vec<u8>>>;
 
-/// A model that wants all of the session.
+/// A model that prepares all of the session.
 fn begin(session: &Session, surface_files: SurfaceFiles) -> Result<Model, StillError> {
     let from_file = |side| match session.surface(side) {
         Some(state @ SurfaceState { spec: SurfaceSpec { shape: SurfaceShape::File { name }, .. }, .. }) => {
