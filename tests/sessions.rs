@@ -127,6 +127,53 @@ fn a_surface_stands_on_the_right() {
 }
 
 #[test]
+fn surfaces_stand_on_the_left_or_on_both_sides() {
+    let folder = folder("surfaces");
+    let surface = |side, preset| {
+        let shape = SurfaceShape::Preset { preset, boundary: 60 };
+        Change::SetSurface { side, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } }
+    };
+    let left = coarse().and([surface(Side::Source, SurfacePreset::Hemisphere)]);
+    let both = left.clone().and([surface(Side::Target, SurfacePreset::Hemisphere)]);
+    let half = |picture: &RgbImage, half: u32| image::imageops::crop_imm(picture, 160 * half, 0, 160, 160).to_image();
+    let [one, two] = [&left, &both].map(|session| rendered(&folder, &link_of(session), &[]));
+    assert!(drawn(&one, 0) > 5000 && drawn(&one, 1) > 5000 && drawn(&two, 1) > 5000);
+    assert!(differences(&half(&one, 0), &half(&two, 0)) > 1000, "the pattern lies in the heart, or in the disk");
+    assert_eq!(half(&two, 0), half(&two, 1), "equal surfaces with equal points wear the same pattern");
+    // the mapped one alone has the colours of the distortion
+    let coloured = both.and([Change::SetColouring(Colouring::Angle)]);
+    let coloured = rendered(&folder, &link_of(&coloured), &[]);
+    assert_eq!(half(&coloured, 0), half(&two, 0));
+    assert!(differences(&half(&coloured, 1), &half(&two, 1)) > 3000);
+}
+
+#[test]
+fn surfaces_from_two_files_are_given_in_the_order_of_their_sides() {
+    let folder = folder("surface-files");
+    let pyramid = |height: f64| {
+        format!("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 {height}\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n")
+    };
+    let low = written(&folder, "low.obj", &pyramid(0.25));
+    let high = written(&folder, "high.obj", &pyramid(1.5));
+    let surface = |side, name: &str| {
+        let shape = SurfaceShape::File { name: name.into() };
+        Change::SetSurface { side, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } }
+    };
+    let link = link_of(&coarse().and([surface(Side::Source, "low.obj"), surface(Side::Target, "high.obj")]));
+    let out = folder.join("x.csv").display().to_string();
+    fails(&["render", &link, "--out", &out, "--surface", &low], 1, &["high.obj", "file"]);
+    succeeds(&["render", &link, "--out", &out, "--surface", &low, "--surface", &high]);
+    let table = std::fs::read_to_string(&out).unwrap();
+    assert!(table.starts_with("s1 (share of arc length)") && table.contains("z2 (target units)"), "{table}");
+    let out = folder.join("x.obj").display().to_string();
+    succeeds(&["render", &link, "--out", &out, "--surface", &low, "--surface", &high]);
+    let mesh = std::fs::read_to_string(&out).unwrap();
+    assert!(mesh.contains("v 0.5 0.5 1.5\n") && mesh.matches("\nvt ").count() == 5, "{mesh}");
+    let three = [&low, &high, &low].map(|name| ["--surface", name]).concat();
+    fails(&[&["render", &link, "--out", &out][..], &three].concat(), 1, &["no surface"]);
+}
+
+#[test]
 fn a_surface_from_a_file_is_asked_for() {
     let folder = folder("surface-file");
     let pyramid = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0.7\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";

@@ -5,7 +5,7 @@
 
 use crate::app::RiemapApp;
 use crate::app::language::words;
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::geometry::DVec2;
 use crate::language::{key, number, say, tr};
 use crate::model::Model;
@@ -30,13 +30,14 @@ pub fn state(app: &RiemapApp) -> String {
 }
 
 fn shown(model: &Model) -> String {
-    let source = words::outline(&model.session().domain(Side::Source).outline);
-    if let Some((_, surface)) = model.surface(Side::Target) {
-        let surface = words::surface(&surface.spec.shape);
-        return say(&key::accessible_surface_map(surface, &*source));
+    let surfaces = PerSide::from_fn(|side| Some(words::surface(&model.surface(side)?.1.spec.shape)));
+    let outline = |side: Side| words::outline(&model.session().domain(side).outline);
+    match (surfaces.source, surfaces.target) {
+        (Some(source), Some(target)) => say(&key::accessible_map_of_surfaces(source, target)),
+        (Some(surface), None) => say(&key::accessible_surface_map(surface, &*outline(Side::Target))),
+        (None, Some(surface)) => say(&key::accessible_surface_map(surface, &*outline(Side::Source))),
+        (None, None) => say(&key::accessible_map(&*outline(Side::Source), &*outline(Side::Target))),
     }
-    let target = words::outline(&model.session().domain(Side::Target).outline);
-    say(&key::accessible_map(&*source, &*target))
 }
 
 fn points(model: &Model, side: Side) -> Option<String> {
@@ -81,7 +82,7 @@ pub fn control(info: &WidgetInfo) -> String {
 mod tests {
     use super::*;
     use crate::app::input::action::{Action, EditAction, ExportAction, Report};
-    use crate::app::tests::ready_app;
+    use crate::app::tests::{ready_app, step_until};
     use crate::worker::Finding;
 
     #[test]
@@ -90,7 +91,10 @@ mod tests {
         let context = harness.ctx.clone();
         let app = harness.state_mut();
         assert_eq!(app.stats().screen.errors, [""; 0]);
-        app.carry_out(&context, vec![Action::PasteText(String::from("0,0 1,x")), Action::Export(ExportAction::Open)]);
+        app.carry_out(&context, vec![Action::PasteText(String::from("0,0 1,x"))]);
+        step_until(&mut harness, |app| !app.errors().is_empty());
+        let app = harness.state_mut();
+        app.carry_out(&context, vec![Action::Export(ExportAction::Open)]);
         app.windows.exporter.tell(Some(key::no_map().into()));
         app.windows.reports.open(Report::Convergence);
         assert!(app.windows.reports.take_study().is_some());

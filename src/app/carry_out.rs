@@ -52,8 +52,8 @@ impl RiemapApp {
             Action::OpenImage => self.pick_file(FilePurpose::Image),
             Action::Fit(side) => self.fit(side),
             Action::Edit(action) => self.edit(action),
-            Action::PasteText(text) => self.paste(text),
-            Action::QuickFix(side) => self.model.quick_fix(side),
+            Action::PasteText(text) => self.editor.take_text(text, &mut self.model),
+            Action::QuickFix(side) => self.quick_fix(side),
             Action::Dismiss(side) => self.model.dismiss(side),
             Action::OpenReport(report) => self.windows.reports.open(report),
             Action::CloseReport => self.windows.reports.close(),
@@ -76,7 +76,13 @@ impl RiemapApp {
     }
 
     fn command(&mut self, command: Command, now: f64) {
-        let touched = command.touches();
+        let touched = self.model.dispatch(command, now);
+        self.begin_change(touched);
+    }
+
+    /// The one place for the consequences of a change of these parts of the session: motion pauses, the tour ends,
+    /// undo gets a step.
+    pub(super) fn begin_change(&mut self, touched: Touched) {
         if touched.is_only(Touched::POINTS) {
             self.player.pause();
         }
@@ -84,21 +90,18 @@ impl RiemapApp {
             self.end_tour();
         }
         self.persistence.touch();
-        self.model.dispatch(command, now);
     }
 
     /// Fits the view of a side to its whole domain or surface.
     fn fit(&mut self, side: Side) {
-        if self.model.surface(side).is_some() {
-            self.pictures.orbits[side].fit();
-        } else {
-            self.pictures.views[side].fit();
-        }
+        self.pictures.of_mut(&self.model, side).fit();
     }
 
-    fn paste(&mut self, text: String) {
-        self.begin_change();
-        self.editor.take_text(text, &mut self.model, &mut self.pictures.views);
+    fn quick_fix(&mut self, side: Side) {
+        let touched = self.model.quick_fix(side);
+        if touched != Touched::NOTHING {
+            self.begin_change(touched);
+        }
     }
 
     fn edit(&mut self, action: EditAction) {
@@ -106,19 +109,14 @@ impl RiemapApp {
             // a message about the previous outline would cover the place where the new one is drawn
             self.model.dismiss(side);
         }
-        if matches!(action, EditAction::Close | EditAction::TakePasted) {
-            self.end_tour();
-        }
-        self.persistence.touch();
-        self.editor.act(action, &mut self.model, &mut self.pictures.views);
+        let touched = self.editor.act(action, &mut self.model, &mut self.pictures.views);
+        self.begin_change(touched);
     }
 
     pub(super) fn explore(&mut self, action: ExploreAction) {
         let action = match action {
-            // the surface being read will replace the tour; restoring the session from before the tour would cancel it
-            ExploreAction::LeaveTour { .. } if self.model.surface_side(Side::Target).preparation.awaits_file() => {
-                ExploreAction::LeaveTour { keeps: true }
-            }
+            // the file being read will replace the tour; restoring the session from before the tour would cancel it
+            ExploreAction::LeaveTour { .. } if self.model.awaits_file() => ExploreAction::LeaveTour { keeps: true },
             other => other,
         };
         if matches!(action, ExploreAction::Tour(_)) {

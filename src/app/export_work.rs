@@ -4,6 +4,7 @@ use crate::app::RiemapApp;
 use crate::app::input::action::{Actions, ExportAction};
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::exporting::window::{MapState, Surroundings};
+use crate::conformal::{PerSide, Side};
 use crate::language::key;
 use crate::model::export::file;
 use crate::model::export::job::{Job, Scenery};
@@ -17,7 +18,7 @@ impl RiemapApp {
     pub(in crate::app) fn show_exporter(&mut self, context: &Context, actions: &mut Actions) {
         let around = Surroundings {
             map: self.map_state(),
-            on_surface: !self.model.is_planar(),
+            surfaces: self.model.surfaces(),
             max_side: self.pictures.gpu.as_ref().map_or(0, Gpu::max_texture_side),
         };
         self.windows.exporter.show(context, around, actions);
@@ -61,8 +62,9 @@ impl RiemapApp {
     fn begin_job(&mut self, context: &Context) {
         let request = *self.windows.exporter.request();
         let dark = context.theme() == egui::Theme::Dark;
-        let camera = self.camera(request.shot(dark).aspect());
-        let scenery = Scenery { image: self.pictures.image.as_ref().map(|image| image.pixels.clone()), camera, dark };
+        let aspect = request.shot(dark).aspect();
+        let image = self.pictures.image.as_ref().map(|image| image.pixels.clone());
+        let scenery = Scenery { image, cameras: PerSide::from_fn(|side| self.camera(side, aspect)), dark };
         let job = match &self.pictures.gpu {
             Some(gpu) => Job::begin(&self.model, &request, scenery, gpu.device()),
             None => Err(key::no_graphics_device().into()),
@@ -71,9 +73,8 @@ impl RiemapApp {
         context.request_repaint();
     }
 
-    /// The camera of the surface on the screen, in a viewport with this ratio of width to height.
-    fn camera(&self, aspect: f64) -> Option<OrbitCamera> {
-        let side = self.model.side_of_surface()?;
+    /// The camera of a side's surface on the screen, in a viewport with this ratio of width to height.
+    fn camera(&self, side: Side, aspect: f64) -> Option<OrbitCamera> {
         let scene = self.model.surface(side)?.0.scene()?;
         let orbit = &self.pictures.orbits[side];
         let mut camera = *orbit.camera()?;

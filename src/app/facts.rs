@@ -48,13 +48,7 @@ impl RiemapApp {
 
     /// The positions of a side's interior point and boundary point.
     fn places_of_dots(&self, side: Side) -> [Option<[f32; 2]>; 2] {
-        let places = if self.model.surface(side).is_some() {
-            let orbit = &self.pictures.orbits[side];
-            [self.model.surface_point(side), self.model.surface_anchor(side)].map(|point| orbit.to_screen(point?))
-        } else {
-            let view = &self.pictures.views[side];
-            [self.model.interior(side), self.model.anchor(side)].map(|point| Some(view.to_screen(point?)))
-        };
+        let places = self.pictures.of(&self.model, side).places_of_dots(&self.model, side);
         places.map(|place| place.map(|place| self.css_pixels(place)))
     }
 

@@ -98,9 +98,7 @@ impl RiemapApp {
     /// Sends due requests to the workers. It follows the update of the map, so that an outline being
     /// dragged is prepared again in the frame that shows it.
     fn send_requests(&mut self, context: &egui::Context, now: f64) {
-        for (side, request) in self.model.take_requests(now) {
-            self.workers.preparer.request(side, request);
-        }
+        self.workers.send_due(&mut self.model, now);
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
         }
@@ -115,8 +113,8 @@ impl RiemapApp {
         if refined.images {
             self.show_changes(context, refined);
         }
-        if let Some(side) = self.model.side_of_surface().filter(|_| self.model.map().is_some()) {
-            self.model.surface_side(side).sort_at_rest();
+        if self.model.map().is_some() {
+            self.model.sort_surfaces_at_rest();
         }
         if self.model.is_ready() {
             self.workers.preparer.warm();

@@ -10,10 +10,14 @@ use crate::conformal::Side;
 use crate::language::{Message, key};
 use crate::model::editing::tracing;
 use crate::model::files;
-use crate::model::files::{Content, FileError, FilePurpose, Picture};
+use crate::model::files::{FileKind, FilePurpose, Picture};
+use crate::model::opening::Arrived;
+use crate::model::side::opened_file::Origin;
 use crate::model::side::user_error::UserError;
+use crate::outline::Outline;
 use crate::platform::{self, Event};
-use crate::session::{Command, SurfaceShape, SurfaceSpec, TextureKind};
+use crate::session::{Command, TextureKind, Touched};
+use crate::worker::Response;
 use std::sync::Arc;
 
 /// The delay of the frame in which the panels are updated after the pictures, in seconds; too short to be noticed.
@@ -29,18 +33,12 @@ impl RiemapApp {
                 context.request_repaint_after_secs(WORDS_FOLLOW_AFTER);
             }
             match event {
-                Event::Worker { side, generation, response } => {
-                    let before = self.surface_file();
-                    self.model.accept(side, generation, response);
-                    if self.surface_file().is_some_and(|file| before != Some(file)) {
-                        self.end_tour();
-                    }
-                }
+                Event::Worker { side, generation, response } => self.take_answer(side, generation, response),
                 Event::WorkerDied { side, reason } => self.model.worker_died(side, &reason),
                 Event::Found { study, finding } => self.windows.reports.accept(study, finding),
-                Event::File { purpose, name, bytes } => self.read_file(purpose, &name, bytes),
+                Event::File { purpose, name, bytes } => self.open_file(purpose, &name, bytes),
                 Event::Link(address) => {
-                    if self.may(Control::Session) {
+                    if self.may(Touched::EVERYTHING) {
                         self.open_link(&address);
                     } else {
                         self.correct_address();
@@ -54,107 +52,125 @@ impl RiemapApp {
         }
     }
 
-    /// Processes a file between two frames.
+    /// The one place that takes the workers' responses; the model drops stale ones.
+    fn take_answer(&mut self, side: Side, generation: u64, response: Response) {
+        self.model.accept(side, generation, response);
+        match self.model.take_arrived() {
+            None => {}
+            Some(Arrived::Outline(origin)) => {
+                self.begin_change(Touched::ANOTHER_SHAPE);
+                if origin == Origin::PastedText {
+                    self.editor.end_paste(&mut self.model, &mut self.pictures.views);
+                }
+            }
+            // the change began when the file was opened
+            Some(Arrived::Surface) => self.end_tour(),
+            Some(Arrived::Session(session)) => {
+                self.messages.common = None;
+                self.open_session(*session);
+            }
+            Some(Arrived::NoSession(message)) => self.messages.common = Some(message),
+            Some(Arrived::NoOutline(side, message)) => self.editor.refuse_paste(side, message),
+        }
+    }
+
+    /// Processes a file between two frames: sends it to the worker that parses it.
     pub fn take_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
-        self.read_file(purpose, name, bytes);
-        let requests = self.model.take_requests(f64::NEG_INFINITY);
-        if requests.is_empty() {
-            self.workers.mailbox.wake();
-        } else {
+        self.open_file(purpose, name, bytes);
+        if self.workers.send_due(&mut self.model, f64::NEG_INFINITY) {
             // a frame would show little news, and use the processor that the worker needs
             self.workers.mailbox.wake_for_stages();
-        }
-        for (side, request) in requests {
-            self.workers.preparer.request(side, request);
+        } else {
+            self.workers.mailbox.wake();
         }
     }
 
-    fn read_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
-        let limit = self.pictures.gpu.as_ref().map_or(2048, Gpu::max_texture_side);
-        let content = files::read(purpose, name, bytes);
-        if !locked_by(&content, purpose).iter().all(|&control| self.may(control)) {
+    /// Starts reading a file; its changes take effect when its content arrives.
+    fn open_file(&mut self, purpose: FilePurpose, name: &str, bytes: Result<Vec<u8>, String>) {
+        let kind = FileKind::of(purpose, name);
+        if !self.may(kind.touches()) {
             return;
         }
-        match content {
-            Ok(Content::Outline(..) | Content::Session(_)) => self.begin_change(),
-            // the worker has yet to read it: the tour ends when the surface is shown
-            Ok(Content::Surface { .. }) => self.persistence.touch(),
-            Ok(Content::Image { .. }) | Err(_) => {}
-        }
-        match content {
-            Ok(Content::Image { name, bytes }) => {
-                self.messages.common = None;
-                let limit = if matches!(purpose, FilePurpose::Trace(_)) { tracing::MAX_SIDE } else { limit };
-                platform::decode_image(purpose, name, bytes, limit, self.workers.mailbox.clone());
+        let bytes = match bytes {
+            Ok(bytes) => bytes,
+            Err(cause) => return self.refuse_file(kind, UserError::new(key::about(name, key::file_unreadable(cause)))),
+        };
+        match kind {
+            FileKind::Outline(side) => self.model.open_outline(side, name, bytes),
+            FileKind::Session => self.model.open_session_file(name, bytes),
+            FileKind::Surface(side) => {
+                self.persistence.touch();
+                let side = self.model.side_for_surface(side, name);
+                self.model.want_surface_file(side, name, bytes);
             }
-            content => self.take(content),
+            FileKind::Texture | FileKind::Trace(_) => {
+                self.messages.common = None;
+                let limit = match kind {
+                    FileKind::Trace(_) => tracing::MAX_SIDE,
+                    _ => self.pictures.gpu.as_ref().map_or(2048, Gpu::max_texture_side),
+                };
+                platform::decode_image(purpose, name.to_owned(), bytes, limit, self.workers.mailbox.clone());
+            }
         }
     }
 
-    /// The surface on the screen, if it came from a file.
-    fn surface_file(&self) -> Option<SurfaceSpec> {
-        let (_, state) = self.model.surface(Side::Target)?;
-        matches!(state.spec.shape, SurfaceShape::File { .. }).then(|| state.spec.clone())
+    /// Shows the error of a file at the side that it was opened for.
+    fn refuse_file(&mut self, kind: FileKind, error: UserError) {
+        match kind.side() {
+            Some(side) => self.refuse_outline(side, error),
+            None => self.messages.common = Some(error.text),
+        }
     }
 
-    /// Prepares for a change of the session by the user: ends the tour, and starts a history entry.
-    pub(super) fn begin_change(&mut self) {
-        self.end_tour();
-        self.persistence.touch();
+    fn refuse_outline(&mut self, side: Side, error: UserError) {
+        self.model.dismiss(side);
+        self.model.side_mut(side).error = Some(error);
     }
 
     /// Processes a decoded image, or the error of its decoding.
     fn take_image(&mut self, purpose: FilePurpose, name: String, pixels: Result<image::RgbaImage, Message>) {
-        if pixels.is_ok() {
-            self.begin_change();
-        }
-        match (purpose, pixels) {
-            (FilePurpose::Trace(side), Ok(pixels)) => self.take(files::traced(side, &Picture { name, pixels })),
-            (FilePurpose::Trace(side), Err(reason)) => {
-                self.model.side_mut(side).error = Some(UserError::new(key::about(name, reason)));
+        let pixels = match pixels {
+            Ok(pixels) => pixels,
+            Err(reason) => {
+                let kind = FileKind::of(purpose, &name);
+                return self.refuse_file(kind, UserError::new(key::about(name, reason)));
             }
-            (_, Ok(pixels)) => {
-                let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
-                let picture = Picture { name, pixels };
-                self.messages.offer = Some(Offer::new(side, &picture));
-                self.use_image(picture);
-            }
-            (_, Err(reason)) => self.messages.common = Some(key::about(name, reason)),
+        };
+        let picture = Picture { name, pixels };
+        if let FilePurpose::Trace(side) = purpose {
+            return self.take_traced(side, files::traced(&picture));
         }
+        let side = if let FilePurpose::Dropped(side) = purpose { side } else { Side::Source };
+        self.messages.offer = Some(Offer::new(side, &picture));
+        self.end_tour(); // the texture replaces the tour's picture
+        self.use_image(picture);
     }
 
     /// Traces the picture that was last set as the texture.
     pub(super) fn trace_image(&mut self) {
         if let Some(offer) = self.messages.offer.take() {
-            self.persistence.touch();
-            self.take(offer.accept());
+            let (side, traced) = offer.accept();
+            self.take_traced(side, traced);
         }
     }
 
-    fn take(&mut self, content: Result<Content, FileError>) {
-        match content {
-            Ok(Content::Outline(side, outline)) => self.model.want_loaded(side, outline),
-            Ok(Content::Image { .. }) => {} // is decoded first
-            Ok(Content::Session(session)) => {
-                self.messages.common = None;
-                self.open_session(*session);
+    fn take_traced(&mut self, side: Side, traced: Result<Outline, UserError>) {
+        match traced {
+            Ok(outline) => {
+                self.begin_change(Touched::ANOTHER_SHAPE);
+                self.model.want_loaded(side, outline);
             }
-            Ok(Content::Surface { name, bytes }) => self.model.want_surface_file(Side::Target, &name, bytes),
-            Err(FileError::Outline(side, user_error)) => {
-                self.model.dismiss(side);
-                self.model.side_mut(side).error = Some(user_error);
-            }
-            Err(FileError::Common(message)) => self.messages.common = Some(message),
+            Err(error) => self.refuse_outline(side, error),
         }
     }
 
-    /// Whether a control may be changed from outside of the panels; if not, a message says so.
-    fn may(&mut self, control: Control) -> bool {
-        let locked = self.options.locks.holds(control);
-        if locked {
+    /// Whether no lock keeps a file or a link from changing these parts of the session; if one does, a message says so.
+    fn may(&mut self, touched: Touched) -> bool {
+        let held = self.options.locks.keeps(touched);
+        if let Some(control) = held {
             self.refuse(control);
         }
-        !locked
+        held.is_none()
     }
 
     /// Shows the message that a control is locked.
@@ -170,7 +186,8 @@ impl RiemapApp {
             Ok(()) => {
                 let Picture { name, pixels } = picture;
                 self.pictures.image = Some(TextureImage { name, pixels: Arc::new(pixels) });
-                self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
+                let touched = self.model.dispatch(Command::SetTexture(TextureKind::Image), 0.0);
+                self.begin_change(touched);
             }
             Err(error) => self.messages.common = Some(key::about(picture.name, Message::from(&error))),
         }
@@ -187,28 +204,16 @@ impl RiemapApp {
     }
 }
 
-/// The controls that a file would change, or could change after a repair.
-fn locked_by(content: &Result<Content, FileError>, purpose: FilePurpose) -> &'static [Control] {
-    match content {
-        Ok(Content::Outline(..) | Content::Surface { .. }) | Err(FileError::Outline(..)) => Control::OF_SHAPES,
-        Ok(Content::Image { .. }) if matches!(purpose, FilePurpose::Trace(_)) => Control::OF_SHAPES,
-        Ok(Content::Image { .. }) => &[Control::Pattern],
-        Ok(Content::Session(_)) => &[Control::Session],
-        Err(FileError::Common(_)) => &[],
-    }
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::*;
     use crate::app::Session;
     use crate::app::input::action::{Action, ExploreAction};
-    use crate::app::tests::ready_app;
+    use crate::app::tests::{ready_app, step_until};
     use crate::worker::{self, SurfaceSource, Task};
     use egui_kittest::Harness;
     use egui_kittest::kittest::Queryable;
-    use std::time::Duration;
 
     /// A small surface as an OBJ file.
     fn surface_file() -> Vec<u8> {
@@ -216,17 +221,6 @@ mod tests {
             panic!("the rehearsal reads a file")
         };
         bytes.to_vec()
-    }
-
-    fn step_until(harness: &mut Harness<'_, RiemapApp>, is_there: impl Fn(&RiemapApp) -> bool) {
-        for _ in 0..600 {
-            harness.step();
-            if is_there(harness.state()) {
-                return;
-            }
-            std::thread::sleep(Duration::from_millis(5));
-        }
-        assert!(is_there(harness.state()), "after 600 frames: {:?}", harness.state().stats());
     }
 
     #[test]
@@ -264,12 +258,43 @@ mod tests {
         let app = harness.state_mut();
         begin(app);
         app.take_file(FilePurpose::Outline(Side::Source), "bow.csv", Ok(b"0,0\n1,1\n1,0\n0,1\n".to_vec()));
-        assert!(app.windows.explore.is_touring() && !app.errors().is_empty());
+        step_until(&mut harness, |app| !app.errors().is_empty());
+        let app = harness.state_mut();
+        assert!(app.windows.explore.is_touring());
         app.open_session(Session::default());
         assert!(!app.windows.explore.is_touring());
         begin(app);
         app.take_file(FilePurpose::Outline(Side::Source), "square.csv", Ok(b"0,0\n1,0\n1,1\n0,1\n".to_vec()));
-        assert!(!app.windows.explore.is_touring());
+        assert!(app.windows.explore.is_touring(), "it is being read");
+        step_until(&mut harness, |app| !app.windows.explore.is_touring());
+    }
+
+    #[test]
+    fn a_repaired_outline_ends_the_tour() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let app = harness.state_mut();
+        app.carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
+        let spike = b"0,0\n2,0\n2,1\n3,1\n2,1\n2,2\n0,2\n".to_vec();
+        app.take_file(FilePurpose::Outline(Side::Source), "spike.csv", Ok(spike));
+        step_until(&mut harness, |app| !app.errors().is_empty());
+        let app = harness.state_mut();
+        assert!(app.windows.explore.is_touring());
+        app.carry_out(&context, vec![Action::QuickFix(Side::Source)]);
+        assert!(!app.windows.explore.is_touring() && app.errors().is_empty());
+    }
+
+    #[test]
+    fn a_session_that_is_read_is_opened_and_ends_the_tour() {
+        let mut harness = ready_app([1200.0, 800.0]);
+        let context = harness.ctx.clone();
+        let app = harness.state_mut();
+        let session = app.session().clone().and([Command::SetTextureScale(21.0)]);
+        app.carry_out(&context, vec![Action::Explore(ExploreAction::Tour(0))]);
+        let bytes = crate::session::file::write(&session).unwrap().into_bytes();
+        app.take_file(FilePurpose::Dropped(Side::Target), "a.riemap", Ok(bytes));
+        step_until(&mut harness, |app| app.session().texture_scale() == 21.0 && app.model.is_ready());
+        assert!(!harness.state().windows.explore.is_touring());
     }
 
     #[test]
@@ -295,7 +320,7 @@ mod tests {
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
         app.carry_out(&context, vec![Action::Explore(ExploreAction::LeaveTour { keeps: false })]);
         assert!(!app.windows.explore.is_touring() && app.model.surface_side(Side::Target).preparation.is_busy());
-        step_until(&mut harness, |app| app.surface_file().is_some());
+        step_until(&mut harness, |app| !app.model.is_planar());
     }
 
     #[test]
@@ -303,7 +328,8 @@ mod tests {
         let mut harness = ready_app([1200.0, 800.0]);
         let app = harness.state_mut();
         app.take_file(FilePurpose::Outline(Side::Target), "bow.csv", Ok(b"0,0\n1,1\n1,0\n0,1\n".to_vec()));
-        assert_eq!(app.errors().len(), 1);
+        step_until(&mut harness, |app| app.errors().len() == 1);
+        let app = harness.state_mut();
         app.take_file(FilePurpose::Outline(Side::Target), "head.obj", Ok(surface_file()));
         assert!(app.errors().is_empty(), "{:?}", app.errors());
         // and in the reverse order
@@ -311,7 +337,8 @@ mod tests {
         step_until(&mut harness, |app| !app.model.surface_side(Side::Target).preparation.pending_request().is_busy());
         let app = harness.state_mut();
         app.take_file(FilePurpose::Outline(Side::Target), "bow.csv", Ok(b"0,0\n1,1\n1,0\n0,1\n".to_vec()));
-        let errors = app.errors();
+        step_until(&mut harness, |app| !app.model.is_preparing(Side::Target));
+        let errors = harness.state().errors();
         assert!(errors.len() == 1 && errors[0].english().starts_with("bow.csv"), "{errors:?}");
     }
 
@@ -346,6 +373,7 @@ mod tests {
         let mut harness = app_at_rest();
         harness.state_mut().take_file(FilePurpose::Session, "a.riemap", Ok(vec![1, 2]));
         assert!(harness.ctx.has_requested_repaint());
+        step_until(&mut harness, |app| !app.errors().is_empty());
         harness.step();
         harness.get_by_label_contains("a.riemap: ");
     }

@@ -93,12 +93,12 @@ impl RiemapApp {
         startup: Startup,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         theme::install(&creation.egui_ctx);
-        let Startup { model, resumes, missing, message, preferences, preparer, mailbox, events } = startup;
+        let Startup { model, resumes, missing, message, preferences, workers } = startup;
         let options = host::address_options();
         let preferences = presentation::install(&creation.egui_ctx, preferences, &options);
-        mailbox.attach(&creation.egui_ctx);
+        workers.mailbox.attach(&creation.egui_ctx);
         if let Some(state) = &creation.wgpu_render_state {
-            platform::watch_graphics(&state.device, mailbox.clone());
+            platform::watch_graphics(&state.device, workers.mailbox.clone());
         }
         let mut persistence = Persistence::new(model.session().clone(), resumes);
         persistence.open_link(missing, platform::link());
@@ -108,7 +108,7 @@ impl RiemapApp {
         }
         Ok(Self {
             model,
-            workers: Workers::new(preparer, mailbox, events),
+            workers,
             input: Input::default(),
             pictures: Pictures { gpu: creation.wgpu_render_state.clone().map(Gpu::new), ..Pictures::default() },
             plots: Plots::default(),

@@ -6,7 +6,7 @@ use super::{RiemapApp, editing};
 use crate::app::input::action::Actions;
 use crate::app::panels::header;
 use crate::app::panels::header::Surroundings;
-use crate::app::viewport::{legend, planar, surface};
+use crate::app::viewport::{legend, planar};
 use crate::app::{message_bar, overlays};
 use crate::conformal::Side;
 use crate::model::Model;
@@ -20,14 +20,13 @@ pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, acti
     place_views(app, ui, arrangement);
     let mut pointed = None;
     for side in Side::BOTH {
-        let view = &mut app.pictures.views[side];
+        let handles = &mut app.input.handles;
         let boundary = if app.editor.side() == Some(side) {
-            editing::interact(ui, side, &app.model, view, &mut app.editor, &mut app.input.handles, actions);
+            let view = &mut app.pictures.views[side];
+            editing::interact(ui, side, &app.model, view, &mut app.editor, handles, actions);
             None
-        } else if scene_of(&app.model, side).is_some() {
-            surface::viewport::interact(ui, &app.model, &mut app.pictures.orbits[side], &mut app.input.handles, actions)
         } else {
-            planar::interact(ui, side, &app.model, view, &mut app.input.handles, actions)
+            app.pictures.of_mut(&app.model, side).interact(ui, side, &app.model, handles, actions)
         };
         pointed = pointed.or(boundary.map(|fraction| (side, fraction)));
     }
@@ -88,22 +87,12 @@ fn paint(app: &RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut A
     ui.painter().line_segment(edge, Stroke::new(1.0, Palette::of(ui.visuals()).border));
 }
 
-/// Whether this side shows a surface.
-fn is_solid(app: &RiemapApp, side: Side) -> bool {
-    app.model.surface(side).is_some()
-}
-
 fn paint_map(app: &RiemapApp, ui: &Ui, side: Side, style: Option<&TextureStyle>) {
     let view = &app.pictures.views[side];
     let now = ui.input(|input| input.time);
     let pace = app.pictures.gpu.as_ref().map_or(Pace::Full, |gpu| gpu.pace(now));
-    if is_solid(app, side) {
-        // until its first map is complete, the GPU may hold that of another surface
-        let style = style.filter(|_| app.model.map().is_some());
-        surface::viewport::paint_surface(ui, &app.pictures.orbits[side], style, app.pictures.cells.style(), pace);
-    } else {
-        planar::paint_mesh(ui, side, view, style, pace);
-    }
+    let picture = app.pictures.of(&app.model, side);
+    picture.paint(ui, (&app.model, side), style, app.pictures.cells.style(), pace);
     editing::paint_sheet(ui, side, view, &app.editor);
 }
 
@@ -117,7 +106,7 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
         folded: !app.screen.panels_open,
         embedded: app.options.embed,
     };
-    let is_fitted = if is_solid(app, side) { app.pictures.orbits[side].is_fitted() } else { view.is_fitted() };
+    let is_fitted = app.pictures.of(&app.model, side).is_fitted();
     let title = header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
     let scale = app.pictures.cells.scale().filter(|_| side == LEGEND_SIDE);
     if !tight {
@@ -133,16 +122,13 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
 
 /// The dots, the mark of the plots' pointer, and the outline being edited.
 fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
-    let view = &app.pictures.views[side];
+    let (view, picture) = (&app.pictures.views[side], app.pictures.of(&app.model, side));
     let marked = app.plots.marked().map(|marked| marked[side]);
     if app.editor.drawing(side).is_some() {
-        // the dots belong to the outline that the sheet covers
-    } else if is_solid(app, side) {
-        marked.inspect(|&at| surface::viewport::paint_boundary_mark(ui, &app.model, &app.pictures.orbits[side], at));
-        surface::viewport::paint_dots(ui, &app.model, &app.pictures.orbits[side], &app.input.handles);
+        // the dots are those of the outline under the sheet
     } else {
-        marked.inspect(|&at| planar::paint_boundary_mark(ui, side, &app.model, view, at));
-        planar::paint_dots(ui, side, &app.model, view, &app.input.handles);
+        marked.inspect(|&at| picture.paint_boundary_mark(ui, side, &app.model, at));
+        picture.paint_dots(ui, side, &app.model, &app.input.handles);
     }
     editing::paint(ui, side, view, &app.editor);
     if side == Side::Source
@@ -150,7 +136,7 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
         && app.model.shown().is_some()
         && app.editor.side().is_none()
     {
-        planar::paint_hint(ui, &app.model, view);
+        planar::paint_hint(ui, view.rect, picture.places_of_dots(&app.model, side));
     }
 }
 
@@ -161,5 +147,5 @@ fn show_tools(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangement
     editing::show_bar(ui, side, view, arrangement.edit_room(app, side, view.rect), &app.editor, actions);
     planar::paint_focus(ui, side, view.rect, &app.input.handles);
     planar::paint_progress(ui, side, &app.model, view.rect);
-    planar::paint_drop_target(ui, side, view.rect);
+    planar::paint_drop_target(ui, view.rect);
 }

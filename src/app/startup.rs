@@ -1,13 +1,13 @@
 //! The part of the app that needs no screen: the session and the workers, started while the graphics initialize.
 
 use crate::app::input::preferences::Preferences;
+use crate::app::workers::Workers;
 use crate::language::{self, Message};
 use crate::model::persistence::Start;
 use crate::model::{Model, persistence};
-use crate::platform::{self, Event, Kept, Mailbox, Preparer};
+use crate::platform::{self, Kept, Mailbox};
 use crate::session::Session;
 use crate::session::link::MissingOutline;
-use std::sync::mpsc;
 
 /// The parts of the app that need no screen: the session's state and the workers.
 pub struct Startup {
@@ -18,29 +18,15 @@ pub struct Startup {
     pub(super) missing: Vec<MissingOutline>,
     pub(super) message: Option<Message>,
     pub(super) preferences: Preferences,
-    pub(super) preparer: Preparer,
-    pub(super) mailbox: Mailbox,
-    pub(super) events: mpsc::Receiver<Event>,
+    pub(super) workers: Workers,
 }
 
 impl Startup {
     /// Starts the preparations of `session`, which run while the graphics initialize.
     pub fn start(session: Session) -> Self {
-        let (mailbox, events) = Mailbox::new();
-        let (mut model, mut preparer) = (Model::new(session), Preparer::new(mailbox.clone()));
-        for (side, request) in model.take_requests(0.0) {
-            preparer.request(side, request);
-        }
-        Self {
-            model,
-            resumes: false,
-            missing: Vec::new(),
-            message: None,
-            preferences: Preferences::fixed(),
-            preparer,
-            mailbox,
-            events,
-        }
+        let (mut model, mut workers) = (Model::new(session), Workers::start());
+        workers.send_due(&mut model, 0.0);
+        Self { model, resumes: false, missing: Vec::new(), message: None, preferences: Preferences::fixed(), workers }
     }
 
     /// As [`Self::start`], with the session and the preferences from the address or the last run; an
@@ -56,6 +42,6 @@ impl Startup {
 
     /// The sending end of the app's event channel.
     pub fn mailbox(&self) -> Mailbox {
-        self.mailbox.clone()
+        self.workers.mailbox.clone()
     }
 }

@@ -1,5 +1,9 @@
 //! The handles of the workers that prepare sides and run studies, and the channel of their responses.
+//!
+//! [`Workers::send_due`] is the one place that sends requests to the workers of the sides; `take_answer` in `incoming`
+//! is the one that processes their responses.
 
+use crate::model::Model;
 use crate::platform::{Event, Mailbox, Preparer, StudyRunner};
 use std::sync::mpsc;
 
@@ -13,8 +17,24 @@ pub struct Workers {
 }
 
 impl Workers {
-    /// Adds the study runner to a preparer that posts into `mailbox`; `events` is the receiver of `mailbox`.
-    pub fn new(preparer: Preparer, mailbox: Mailbox, events: mpsc::Receiver<Event>) -> Self {
-        Self { preparer, study_runner: StudyRunner::new(mailbox.clone()), mailbox, events }
+    /// Starts the workers, with a mailbox for their responses.
+    pub fn start() -> Self {
+        let (mailbox, events) = Mailbox::new();
+        Self {
+            preparer: Preparer::new(mailbox.clone()),
+            study_runner: StudyRunner::new(mailbox.clone()),
+            mailbox,
+            events,
+        }
+    }
+
+    /// Sends the requests that are due at the time `now` to the workers of the sides; returns whether any was.
+    pub fn send_due(&mut self, model: &mut Model, now: f64) -> bool {
+        let requests = model.take_requests(now);
+        let sends = !requests.is_empty();
+        for (side, request) in requests {
+            self.preparer.request(side, request);
+        }
+        sends
     }
 }

@@ -6,6 +6,7 @@ use super::output::{check_paths, write_all};
 use super::picture::failed;
 use super::progress::Progress;
 use super::render::offscreen;
+use crate::conformal::{PerSide, Side};
 use crate::family::{Loop, Path};
 use crate::model::scene::{Offscreen, Shot};
 use crate::render::{Film, FilmFormat, FilmSettings, Studio};
@@ -24,8 +25,12 @@ pub fn run(arguments: &AnimateArguments) -> Result<(), CliError> {
     let progress = Progress::new("reading");
     let offscreen = offscreen(&arguments.session, &shot, &progress)?;
     let way = offscreen.way(path(arguments.path)).ok_or_else(|| {
-        let message = "--path target-interior: the target is a surface, whose point is not moved along a loop";
-        CliError::Usage(String::from(message))
+        let (name, side) = if arguments.path == PathArgument::Interior {
+            ("interior", Side::Source)
+        } else {
+            ("target-interior", Side::Target)
+        };
+        CliError::Usage(format!("--path {name}: the {side} is a surface, whose point is not moved along a loop"))
     })?;
     progress.enter("the animation");
     let bytes = Making { film, frames: settings.frames, shot: &shot, progress: &progress }.make(offscreen, &way)?;
@@ -66,7 +71,9 @@ impl Making<'_> {
         for k in 0..self.frames {
             offscreen.go(way.at(f64::from(k) / f64::from(self.frames))).map_err(|error| input(&error))?;
             let picture = studio
-                .shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), self.shot, None, None))
+                .shoot(|renderer, device, queue| {
+                    offscreen.draw(renderer, (device, queue), self.shot, None, PerSide::default())
+                })
                 .map_err(|error| failed(&error))?;
             self.film.push(&picture).map_err(|error| input(&error))?;
             self.progress.report(f64::from(k + 1) / f64::from(self.frames));

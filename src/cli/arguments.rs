@@ -2,9 +2,8 @@
 
 use super::CliError;
 use super::side::{SideAnchor, SidePoint};
-use crate::conformal::{KernelMode, MeshedDomain, PrepareSettings, Side};
-use crate::figures::Figure;
-use crate::geometry::DVec2;
+use super::values::{FigureNumber, Size, SizingArgument};
+use crate::conformal::{KernelMode, PrepareSettings, Side};
 use crate::laplace::SolverKind;
 use crate::mesh::Sizing;
 use crate::outline::{self, Outline, Preset, Sampling};
@@ -52,26 +51,12 @@ pub struct MapArguments {
     pub source: String,
     /// The target, likewise.
     pub target: String,
-    /// x₁, inside the source: X,Y in an outline [default: its pole of inaccessibility]; in a surface vertex V, or triangle F
-    /// with weights, or the point nearest to X,Y,Z [default: the vertex farthest from the boundary].
-    #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
-    pub source_point: Option<SidePoint>,
-    /// x₂, inside the target, the image of x₁, likewise.
-    #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
-    pub target_point: Option<SidePoint>,
-    /// y₁: the boundary point nearest to X,Y, or of a surface to X,Y,Z, or its boundary vertex V; or at fraction S of the
-    /// boundary's length from the first point.
-    #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
-    pub source_anchor: SideAnchor,
-    /// y₂, the image of y₁, likewise on the target.
-    #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
-    pub target_anchor: SideAnchor,
-    /// Boundary samples of the source.
-    #[arg(long, value_name = "N", conflicts_with = "samples")]
-    pub source_samples: Option<u32>,
-    /// Boundary samples of the target.
-    #[arg(long, value_name = "N", conflicts_with = "samples")]
-    pub target_samples: Option<u32>,
+    /// x₁, x₂, y₁ and y₂.
+    #[command(flatten)]
+    pub points: PointArguments,
+    /// How many boundary samples each side has.
+    #[command(flatten)]
+    pub samples: SampleArguments,
     /// Cut off small loops and spikes of a file's outline instead of refusing it, and make the repairs of a surface that
     /// are safe.
     #[arg(long)]
@@ -99,6 +84,36 @@ pub struct MapArguments {
     pub json: bool,
 }
 
+/// The constraints of a map.
+#[derive(Debug, clap::Args)]
+pub struct PointArguments {
+    /// x₁, inside the source: X,Y in an outline [default: its pole of inaccessibility]; in a surface vertex V, or triangle F
+    /// with weights, or the point nearest to X,Y,Z [default: the vertex farthest from the boundary].
+    #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
+    pub source_point: Option<SidePoint>,
+    /// x₂, inside the target, the image of x₁, likewise.
+    #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
+    pub target_point: Option<SidePoint>,
+    /// y₁: the boundary point nearest to X,Y, or of a surface to X,Y,Z, or its boundary vertex V; or at fraction S of the
+    /// boundary's length from the first point.
+    #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub source_anchor: SideAnchor,
+    /// y₂, the image of y₁, likewise on the target.
+    #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
+    pub target_anchor: SideAnchor,
+}
+
+/// Numbers of boundary samples, for each side its own.
+#[derive(Debug, clap::Args)]
+pub struct SampleArguments {
+    /// Boundary samples of the source.
+    #[arg(long, value_name = "N", conflicts_with = "samples")]
+    pub source_samples: Option<u32>,
+    /// Boundary samples of the target.
+    #[arg(long, value_name = "N", conflicts_with = "samples")]
+    pub target_samples: Option<u32>,
+}
+
 /// A session, with what travels as files of its own.
 #[derive(Debug, clap::Args)]
 pub struct SessionArguments {
@@ -110,9 +125,10 @@ pub struct SessionArguments {
     /// The target's outline, likewise.
     #[arg(long, value_name = "FILE")]
     pub target: Option<String>,
-    /// The surface, where the session's comes from a file.
+    /// The surface, where the session's comes from a file; where both sides' do, the source's first and then once more the
+    /// target's.
     #[arg(long, value_name = "FILE")]
-    pub surface: Option<String>,
+    pub surface: Vec<String>,
 }
 
 /// `riemap render LINK`.
@@ -329,104 +345,6 @@ pub enum ExtensionArgument {
 pub enum SamplingArgument {
     Uniform,
     Adaptive,
-}
-
-/// A point in the plane, `X,Y`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point(pub DVec2);
-
-impl FromStr for Point {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (x, y) = text.split_once(',').ok_or("expected X,Y, such as 0.5,-0.2")?;
-        let number = |s: &str| s.trim().parse::<f64>().ok().filter(|v| v.is_finite());
-        match (number(x), number(y)) {
-            (Some(x), Some(y)) => Ok(Self(DVec2::new(x, y))),
-            _ => Err("expected two finite numbers X,Y, such as 0.5,-0.2".to_owned()),
-        }
-    }
-}
-
-/// A boundary point: `X,Y` or `@S`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Anchor {
-    /// The boundary point nearest to this point.
-    Nearest(DVec2),
-    /// At this fraction of the arc length from the outline's first point.
-    Fraction(f64),
-}
-
-impl FromStr for Anchor {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let Some(fraction) = text.strip_prefix('@') else { return Ok(Self::Nearest(text.parse::<Point>()?.0)) };
-        match fraction.parse::<f64>() {
-            Ok(s) if s.is_finite() => Ok(Self::Fraction(s)),
-            _ => Err("expected @S with a finite fraction S of the arc length, such as @0.25".to_owned()),
-        }
-    }
-}
-
-impl Anchor {
-    /// The fraction of the outline's arc length.
-    pub fn fraction(self, domain: &MeshedDomain) -> f64 {
-        match self {
-            Self::Nearest(x) => domain.samples().fraction_at(domain.samples().nearest(x)),
-            Self::Fraction(s) => s.rem_euclid(1.0),
-        }
-    }
-}
-
-/// `uniform` or `graded:G`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SizingArgument(pub Sizing);
-
-impl FromStr for SizingArgument {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == "uniform" {
-            return Ok(Self(Sizing::Uniform));
-        }
-        match text.strip_prefix("graded:").and_then(|g| g.parse::<f64>().ok()) {
-            Some(g) if g.is_finite() && g > 0.0 && g <= 1.0 => Ok(Self(Sizing::Graded(g))),
-            _ if text == "graded" => Ok(Self(Sizing::default())),
-            _ => Err("expected uniform or graded:G with 0 < G ≤ 1, such as graded:0.15".to_owned()),
-        }
-    }
-}
-
-/// The number of a figure that riemap can reproduce.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct FigureNumber(pub Figure);
-
-impl FromStr for FigureNumber {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        text.parse().ok().and_then(Figure::of_number).map(Self).ok_or_else(|| {
-            let numbers = Figure::ALL.map(|figure| figure.number().to_string());
-            format!("expected one of {}", numbers.join(", "))
-        })
-    }
-}
-
-/// A size in pixels, `WxH`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Size(pub [u32; 2]);
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let sides = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-        match sides {
-            Some(size) if size.iter().all(|s| (16..=8192).contains(s)) => Ok(Self(size)),
-            _ => Err("expected WIDTHxHEIGHT, each from 16 to 8192, such as 1600x900".to_owned()),
-        }
-    }
 }
 
 /// An outline named on the command line.

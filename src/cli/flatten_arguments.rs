@@ -1,7 +1,8 @@
 //! The arguments of `riemap flatten`, and their conversion to the core's types.
 
 use super::CliError;
-use super::arguments::{Anchor, Discretisation, Point, Size, read_file};
+use super::arguments::{Discretisation, read_file};
+use super::values::{Anchor, Point, Size};
 use crate::conformal::MeshedSurface;
 use crate::counted::counted;
 use crate::geometry::DVec3;

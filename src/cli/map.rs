@@ -58,16 +58,16 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
         Asked {
             name: &arguments.source,
             title: &titles.source,
-            samples: arguments.source_samples,
-            point: ("--source-point", arguments.source_point),
-            anchor: ("--source-anchor", arguments.source_anchor),
+            samples: arguments.samples.source_samples,
+            point: ("--source-point", arguments.points.source_point),
+            anchor: ("--source-anchor", arguments.points.source_anchor),
         },
         Asked {
             name: &arguments.target,
             title: &titles.target,
-            samples: arguments.target_samples,
-            point: ("--target-point", arguments.target_point),
-            anchor: ("--target-anchor", arguments.target_anchor),
+            samples: arguments.samples.target_samples,
+            point: ("--target-point", arguments.points.target_point),
+            anchor: ("--target-anchor", arguments.points.target_anchor),
         },
     ];
     // report errors in either side's arguments before preparing the first one

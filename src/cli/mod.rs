@@ -21,6 +21,7 @@ mod render;
 mod side;
 mod surface_picture;
 mod tables;
+mod values;
 
 pub use arguments::{Arguments, Subcommand};
 use std::process::ExitCode;

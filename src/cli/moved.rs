@@ -13,17 +13,16 @@ const ROUNDING: f64 = 1e-9;
 
 /// Reports on stderr which points of `wanted` the picture replaces.
 pub fn say_moved(wanted: &Session, offscreen: &Offscreen) {
-    let used = offscreen.session();
-    for side in Side::BOTH.into_iter().filter(|&side| used.surface(side).is_none()) {
-        let [wanted, used] = [wanted, used].map(|session| session.side(side).interior);
-        if let Some(note) = wanted.and_then(|wanted| planar(side, wanted, used)) {
+    for side in Side::BOTH {
+        let note = if let Some(surface) = wanted.surface(side) {
+            surface.point.and_then(|wanted| on_surface(wanted, offscreen.surface_point(side)?))
+        } else {
+            let [wanted, used] = [wanted, offscreen.session()].map(|session| session.side(side).interior);
+            wanted.and_then(|wanted| planar(side, wanted, used))
+        };
+        if let Some(note) = note {
             eprintln!("riemap: {note}");
         }
-    }
-    let wanted = wanted.surface(Side::Target).and_then(|surface| surface.point);
-    let used = offscreen.surface_point().filter(|(used, _)| wanted.is_some_and(|wanted| wanted != *used));
-    if let (Some(wanted), Some((_, count))) = (wanted, used) {
-        eprintln!("riemap: {}", on_surface(wanted, count));
     }
 }
 
@@ -37,13 +36,17 @@ fn planar(side: Side, wanted: DVec2, used: Option<DVec2>) -> Option<String> {
     Some(format!("the {side} point ({x}, {y}) is outside of the {side} outline, or next to it: {place} stands in"))
 }
 
-fn on_surface(wanted: BarycentricPoint, count: usize) -> String {
+/// What stands in is the point that is `used`, of a surface with so many triangles.
+fn on_surface(wanted: BarycentricPoint, (used, count): (BarycentricPoint, usize)) -> Option<String> {
+    if wanted == used {
+        return None;
+    }
     let (triangle, [a, b, c]) = (wanted.triangle(), wanted.weights());
     let triangles = triangles(count);
-    format!(
+    Some(format!(
         "({a}, {b}, {c}) in triangle {triangle} is no inner point of the surface, which has {triangles}: the \
          vertex farthest from its boundary stands in"
-    )
+    ))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::CliError;
 use crate::export::Panel;
-use crate::model::scene::compose::{Look, PlanarPart, background, compose};
+use crate::model::scene::compose::{Look, PlanarPart, ScenePart, background, compose};
 use crate::render::{Pattern, RenderError, Studio, TextureStyle};
 use image::RgbaImage;
 use std::io::Cursor;
@@ -18,9 +18,9 @@ pub fn png(panels: &[Panel<'_>; 2], cells: f64, size: [u32; 2]) -> Result<Vec<u8
     };
     let radius_px = 0.011 * size[0].min(2 * size[1]) as f32;
     let look = Look { style, background: background(true), image: None, stroke: None, radius_px };
-    let parts = panels.map(|panel| PlanarPart { panel, cells: None });
-    let picture = compose(&parts, None, &look, size, |surface, scene| {
-        Studio::new()?.shoot(|renderer, device, queue| renderer.draw(device, queue, surface, scene, size))
+    let parts = panels.map(|panel| ScenePart::Plane(PlanarPart { panel, cells: None }));
+    let picture = compose(&parts, &look, size, |scene| {
+        Studio::new()?.shoot(|renderer, device, queue| renderer.draw(device, queue, scene, size))
     });
     encode(&picture.map_err(|error| failed(&error))?)
 }

@@ -8,10 +8,11 @@ use super::moved::say_moved;
 use super::output::{check_paths, print, write_all};
 use super::picture::{encode, failed};
 use super::progress::Progress;
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::export::FileFormat;
+use crate::language::{Message, key};
 use crate::model::export::FileRequest;
-use crate::model::scene::{Doing, Offscreen, Shot};
+use crate::model::scene::{Doing, Offscreen, Shot, SurfaceFiles};
 use crate::render::Studio;
 use crate::session::link::{Decoded, MissingOutline, decode, encode as link_of, is_link};
 use crate::session::{Command, Session, SurfaceShape, SurfaceSpec, TextureKind, file};
@@ -69,8 +70,8 @@ fn shot(arguments: &RenderArguments) -> Shot {
 /// Loads the session that the arguments name and computes its map.
 pub fn offscreen(arguments: &SessionArguments, shot: &Shot, progress: &Progress) -> Result<Offscreen, CliError> {
     let mut session = with_files(open(&arguments.link)?, arguments)?;
-    let surface = surface_file(&mut session, arguments)?;
-    let offscreen = Offscreen::telling(session.clone(), surface, shot.pixels_per_point(), &mut |doing| match doing {
+    let surfaces = surface_files(&mut session, arguments)?;
+    let offscreen = Offscreen::telling(&session, surfaces, shot.pixels_per_point(), &mut |doing| match doing {
         Doing::PreparingOutline(side, stage) => progress.preparing(&format!("the {side}"))(stage),
         Doing::PreparingSurface(_, stage) => progress.preparing("the surface")(stage),
         Doing::Mapping => progress.enter("the map"),
@@ -85,7 +86,8 @@ pub fn offscreen(arguments: &SessionArguments, shot: &Shot, progress: &Progress)
 
 fn picture(offscreen: &Offscreen, shot: &Shot) -> Result<Vec<u8>, CliError> {
     let mut studio = Studio::new().map_err(|error| failed(&error))?;
-    let picture = studio.shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), shot, None, None));
+    let picture = studio
+        .shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), shot, None, PerSide::default()));
     encode(&picture.map_err(|error| failed(&error))?)
 }
 
@@ -127,19 +129,34 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
     Ok(session)
 }
 
-/// Reads the surface's file. Its name determines the format and appears in errors; if it has no known extension, the
-/// file name stored in the session is used instead.
-fn surface_file(session: &mut Session, arguments: &SessionArguments) -> Result<Option<Vec<u8>>, CliError> {
-    let Some(name) = &arguments.surface else { return Ok(None) };
-    let side = Side::Target;
-    let state = session.surface(side).filter(|state| matches!(state.spec.shape, SurfaceShape::File { .. }));
-    if let Some(state) = state.filter(|_| names_format(name)) {
-        let (points, shape) = (state.points(), SurfaceShape::File { name: name.clone() });
-        let surface = SurfaceSpec { shape, ..state.spec.clone() };
-        session.apply(Command::SetSurface { side, surface });
-        session.apply(Command::PlacePoints { side, points });
+/// Reads the files of the surfaces, the source's first. A file's name determines its format and appears in errors; if it
+/// has no known extension, the file name stored in the session is used instead.
+fn surface_files(session: &mut Session, arguments: &SessionArguments) -> Result<SurfaceFiles, CliError> {
+    let mut files = SurfaceFiles::default();
+    let sides = Side::BOTH.into_iter().filter(|&side| is_from_file(session, side)).collect::<Vec<_>>();
+    if arguments.surface.len() > sides.len() {
+        return Err(CliError::Input(Message::from(key::no_surface_from_file()).english()));
     }
-    read_file(name, MAX_BYTES).map(Some)
+    for (side, name) in sides.into_iter().zip(&arguments.surface) {
+        if names_format(name) {
+            rename_surface(session, side, name);
+        }
+        files[side] = Some(read_file(name, MAX_BYTES)?);
+    }
+    Ok(files)
+}
+
+fn is_from_file(session: &Session, side: Side) -> bool {
+    session.surface(side).is_some_and(|state| matches!(state.spec.shape, SurfaceShape::File { .. }))
+}
+
+/// The surface of a side with its points, under another file's name.
+fn rename_surface(session: &mut Session, side: Side, name: &str) {
+    let Some(state) = session.surface(side) else { return };
+    let (points, shape) = (state.points(), SurfaceShape::File { name: name.into() });
+    let surface = SurfaceSpec { shape, ..state.spec.clone() };
+    session.apply(Command::SetSurface { side, surface });
+    session.apply(Command::PlacePoints { side, points });
 }
 
 fn refuse_missing(missing: &[MissingOutline]) -> Result<(), CliError> {

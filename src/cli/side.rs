@@ -1,10 +1,11 @@
 //! A side given on the command line, an outline or a surface: reading, preparing and locating its points.
 
 use super::CliError;
-use super::arguments::{Anchor, Discretisation, NamedOutline, Point, read_outline};
+use super::arguments::{Discretisation, NamedOutline, read_outline};
 use super::flatten_arguments::{self, SurfaceAnchor, SurfacePoint, preset};
 use super::output::{say_solver, warn_if_coarse};
 use super::progress::Progress;
+use super::values::{Anchor, Point};
 use crate::conformal::{
     InteriorPoint, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings, prepare, prepare_surface,
 };

@@ -1,5 +1,5 @@
-//! A picture of a parameterized surface: the textured surface beside the plane, which shows the same texture and
-//! the surface's edges.
+//! Pictures of maps of surfaces: the textured surface beside the plane, which shows the same texture and the surface's
+//! edges; or two surfaces with a texture of the disk.
 
 use super::CliError;
 use super::flatten_arguments::preset;
@@ -8,7 +8,7 @@ use crate::conformal::{ConformalMap, Constraints, MeshedDomain, MeshedSurface, P
 use crate::export::Panel;
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::BarycentricPoint;
-use crate::model::scene::compose::{Look, PlanarPart, SurfacePart, background, compose};
+use crate::model::scene::compose::{Look, PlanarPart, ScenePart, SurfacePart, background, compose};
 use crate::outline::BoundaryPoint;
 use crate::render::{BoundingSphere, CellStyle, OrbitCamera, Pattern, SceneCells, StrokeStyle, Studio, TextureStyle};
 use crate::surface::SurfacePreset;
@@ -56,9 +56,11 @@ pub fn png(
         camera: camera(preset(name), surface, 0.5 * f64::from(size[0]) / f64::from(size[1])),
         handles: places(surface, x2, anchors[side]),
         cells: None,
-        right,
     };
-    encode(&drawn(&[PlanarPart { panel, cells: Some(layout) }], &solid, &look(style, scale), size)?)
+    let flat = ScenePart::Plane(PlanarPart { panel, cells: Some(layout) });
+    let solid = ScenePart::Space(solid);
+    let parts = if right { [flat, solid] } else { [solid, flat] };
+    encode(&drawn(&parts, &look(style, scale), size)?)
 }
 
 /// Draws the map between two surfaces side by side as PNG. The texture is defined on the disk, so that corresponding
@@ -69,30 +71,22 @@ pub fn png_of_two(
     constraints: &Constraints,
     size: [u32; 2],
 ) -> Result<Vec<u8>, CliError> {
-    // if the width is odd, the right half gets the middle column
-    let left = size[0] / 2;
-    let scale = size[1].min(left) as f32 / 900.0;
+    let aspect = 0.5 * f64::from(size[0]) / f64::from(size[1]);
     let bounds = TextureStyle::DISK;
     let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds, pole: DVec2::ZERO, dark: true };
-    let mut whole = RgbaImage::new(size[0], size[1]);
-    for (side, (from, to)) in Side::BOTH.into_iter().zip([(0, left), (left, size[0])]) {
-        let half = [to - from, size[1]];
-        let (Some(surface), Some(point), Some(coordinates)) =
-            (map.side(side).surface(), constraints.points[side].on_surface(), map.disk(side))
-        else {
-            return Err(no_plane());
-        };
-        let solid = SurfacePart {
+    let part = |side: Side| {
+        let (surface, point) = (map.side(side).surface()?, constraints.points[side].on_surface()?);
+        Some(ScenePart::Space(SurfacePart {
             surface,
-            coordinates,
-            camera: camera(preset(names[side]), surface, f64::from(half[0]) / f64::from(half[1])),
+            coordinates: map.disk(side)?,
+            camera: camera(preset(names[side]), surface, aspect),
             handles: places(surface, point, map.measure(side).anchor()),
             cells: None,
-            right: false,
-        };
-        image::imageops::replace(&mut whole, &drawn(&[], &solid, &look(style, scale), half)?, i64::from(from), 0);
-    }
-    encode(&whole)
+        }))
+    };
+    let parts = PerSide::from_fn(part).both().ok_or_else(no_plane)?.into_array();
+    let scale = size[1].min(size[0] / 2) as f32 / 900.0;
+    encode(&drawn(&parts, &look(style, scale), size)?)
 }
 
 fn no_plane() -> CliError {
@@ -104,14 +98,9 @@ fn look<'a>(style: TextureStyle, scale: f32) -> Look<'a> {
     Look { style, background: background(true), image: None, stroke, radius_px: 9.0 * scale.max(0.4) }
 }
 
-fn drawn(
-    planar: &[PlanarPart<'_>],
-    solid: &SurfacePart<'_>,
-    look: &Look<'_>,
-    size: [u32; 2],
-) -> Result<RgbaImage, CliError> {
-    let picture = compose(planar, Some(solid), look, size, |surface, scene| {
-        Studio::new()?.shoot(|renderer, device, queue| renderer.draw(device, queue, surface, scene, size))
+fn drawn(parts: &[ScenePart<'_>], look: &Look<'_>, size: [u32; 2]) -> Result<RgbaImage, CliError> {
+    let picture = compose(parts, look, size, |scene| {
+        Studio::new()?.shoot(|renderer, device, queue| renderer.draw(device, queue, scene, size))
     });
     picture.map_err(|error| failed(&error))
 }

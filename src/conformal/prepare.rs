@@ -110,7 +110,7 @@ impl Default for Memory {
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Stage {
-    /// Reading a surface and checking its topology.
+    /// Reading an outline or a surface and checking that it is valid.
     Read,
     /// Sampling the boundary.
     Sample,

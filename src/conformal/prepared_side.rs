@@ -60,14 +60,6 @@ impl SideGeometry {
             Self::Space(surface) => surface.mesh().triangles(),
         }
     }
-
-    /// The triangle across each edge, as in [`crate::mesh::TriMesh`].
-    pub fn neighbours(&self) -> &[[u32; 3]] {
-        match self {
-            Self::Plane(domain) => domain.mesh().neighbours(),
-            Self::Space(surface) => surface.mesh().neighbours(),
-        }
-    }
 }
 
 impl PreparedSide {

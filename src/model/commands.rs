@@ -1,13 +1,13 @@
-//! The inputs of the model: commands, files, quick fixes; requests to the workers and their responses.
+//! The inputs of the model: commands, quick fixes; requests to the workers and their responses.
 
-use crate::conformal::{PerSide, Side};
+use crate::conformal::Side;
 use crate::geometry::DVec2;
 use crate::language::Message;
 use crate::model::Model;
 use crate::model::editing::Reshaped;
-use crate::model::side::ModelSide;
 use crate::model::side::preparation::Progress;
 use crate::model::side::user_error::{QuickFix, UserError};
+use crate::model::side::{ModelSide, OutlineRequest};
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, DomainSpec, OutlineSpec, Session, Touched};
 use crate::worker::{Request, Response};
@@ -17,8 +17,10 @@ use crate::worker::{Request, Response};
 const PUSH: f64 = 0.05;
 
 impl Model {
-    /// Carries out a command, or starts to: one that needs a preparation takes effect when that is complete.
-    pub fn dispatch(&mut self, command: Command, now: f64) {
+    /// Carries out a command; one that needs a preparation takes effect when that is done. Returns the parts of the
+    /// session that it touches, now or then; [`Touched::NOTHING`] if the command needs a surface and there is none.
+    pub fn dispatch(&mut self, command: Command, now: f64) -> Touched {
+        let touched = command.touches();
         match command {
             Command::SetOutline { side, outline } => {
                 self.want_outline(side, outline, Vec::new());
@@ -27,7 +29,11 @@ impl Model {
                 self.reshape(side, outline, Reshaped { interior, anchor, in_hand: false });
             }
             Command::SetSurface { side, surface } => self.set_surface(side, surface, now),
-            Command::RefineSurface { side, surface } => self.refine_surface(side, surface, now),
+            Command::RefineSurface { side, surface } => {
+                if !self.refine_surface(side, surface, now) {
+                    return Touched::NOTHING;
+                }
+            }
             Command::CloseSurface(side) => self.close_surface(side),
             Command::SetSettings { side, settings } => self.side_mut(side).want_settings(settings, now),
             Command::Swap => self.swap(),
@@ -46,14 +52,17 @@ impl Model {
             | Command::SetComparison(_) => {
                 let touched = self.session.apply(command);
                 self.points_changed |= touched.touches(Touched::POINTS | Touched::SETTINGS);
+                return touched;
             }
         }
+        touched
     }
 
     /// Opens another session: immediately except for its domains, which follow with their points when they are
     /// prepared.
     fn open(&mut self, session: &Session) {
         for side in Side::BOTH {
+            self.stop_reading(side);
             self.sides[side].surface.gives_way = false;
             let points = session.side(side).outline_points();
             let has_to_come = self.side_mut(side).want_spec(session.domain(side));
@@ -72,6 +81,7 @@ impl Model {
     }
 
     fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+        self.stop_reading(side);
         self.sides[side].incoming_surface = None;
         self.sides[side].surface.preparation.give_up();
         if self.session.surface(side).is_some() && self.side(side).wanted().outline == outline {
@@ -89,7 +99,7 @@ impl Model {
         self.side_mut(side).want_reshaped(outline, reshaped);
     }
 
-    /// Starts preparing an outline that was read from a file.
+    /// Starts preparing an outline that was read, drawn or traced.
     pub fn want_loaded(&mut self, side: Side, outline: Outline) {
         let notes = outline.notes.clone();
         self.want_outline(side, outline.into(), notes);
@@ -103,7 +113,7 @@ impl Model {
 
     /// The notes from reading a side's outline and, if one is shown, its surface.
     pub fn notes(&self, side: Side) -> impl Iterator<Item = Message> {
-        self.side(side).notes.iter().map(Message::from).chain(self.surface_notes(side))
+        self.side(side).notes.iter().cloned().chain(self.surface_notes(side))
     }
 
     /// Whether a preparation for a side is in progress.
@@ -111,17 +121,23 @@ impl Model {
         self.sides[side].is_busy()
     }
 
-    /// Applies the quick fix that the message about a side offers.
-    pub fn quick_fix(&mut self, side: Side) {
+    /// Applies the quick fix of a side's user error. Returns what it touches: nothing if it only repeats a request.
+    pub fn quick_fix(&mut self, side: Side) -> Touched {
         let ModelSide { outline, surface, .. } = &mut self.sides[side];
         if surface.preparation.error.as_ref().is_some_and(|user_error| user_error.quick_fix.is_some()) {
-            return surface.preparation.quick_fix();
+            surface.preparation.quick_fix();
+            return Touched::NOTHING;
         }
         match outline.error.take().and_then(|user_error| user_error.quick_fix) {
             Some(QuickFix::Retry) => outline.retry(),
-            Some(QuickFix::Repaired(outline)) => self.want_loaded(side, *outline),
+            Some(QuickFix::ReadAgain(opened)) => self.read_again(side, opened),
+            Some(QuickFix::Repaired(outline)) => {
+                self.want_loaded(side, *outline);
+                return Touched::ANOTHER_SHAPE;
+            }
             Some(QuickFix::RepairSurface) | None => {}
         }
+        Touched::NOTHING
     }
 
     /// Closes the messages about a side.
@@ -150,35 +166,44 @@ impl Model {
         self.sides.iter().filter_map(|(_, side)| side.due()).reduce(f64::min)
     }
 
-    /// Processes a response of a side's worker.
+    /// Processes a response of a side's worker. [`Self::take_arrived`] returns the file that it completed, if any.
     pub fn accept(&mut self, side: Side, generation: u64, response: Response) {
+        if self.sides[side].reading.pending_request().awaits(generation) {
+            return self.accept_read(side, generation, response);
+        }
         if self.sides[side].surface.preparation.pending_request().awaits(generation) {
             return self.accept_surface(side, generation, response);
         }
-        let progress = self.side_mut(side).accept(generation, response);
-        if matches!(progress, Progress::Failed) {
-            self.sides[side].incoming_points = None;
-            self.sides[side].surface.gives_way = false;
+        match self.side_mut(side).accept(generation, response) {
+            Progress::Nothing => {}
+            Progress::Failed => {
+                self.sides[side].incoming_points = None;
+                self.sides[side].surface.gives_way = false;
+            }
+            Progress::Ready { request: OutlineRequest { spec, reshaped: Some(reshaped), .. }, .. } => {
+                self.take_reshaped(side, spec, reshaped);
+            }
+            Progress::Ready { request, is_new } => self.take_prepared(side, request.spec, is_new),
         }
-        if let Progress::Ready { spec, reshaped: Some(reshaped), .. } = progress {
-            self.take_reshaped(side, spec, reshaped);
-        } else if let Progress::Ready { spec, new_outline, .. } = progress {
-            if new_outline && spec.outline != self.session.domain(side).outline {
-                // a surface that was opened with the outline, or before it, stays
-                let outline = spec.outline;
-                self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor: 0.0 });
-            }
-            if std::mem::take(&mut self.sides[side].surface.gives_way) {
-                self.session.apply(Command::CloseSurface(side));
-            }
-            self.session.apply(Command::SetSettings { side, settings: spec.settings });
-            if let Some(points) = self.sides[side].incoming_points.take() {
-                self.session.apply(Command::PlacePoints { side, points });
-            }
-            if self.session.surface(side).is_none() {
-                self.sides[side].refit |= new_outline;
-                self.change_sides();
-            }
+    }
+
+    /// Applies a prepared outline, with the points that a session has for it.
+    fn take_prepared(&mut self, side: Side, spec: DomainSpec, is_new: bool) {
+        if is_new && spec.outline != self.session.domain(side).outline {
+            // a surface that was opened with the outline, or before it, stays
+            let outline = spec.outline;
+            self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor: 0.0 });
+        }
+        if std::mem::take(&mut self.sides[side].surface.gives_way) {
+            self.session.apply(Command::CloseSurface(side));
+        }
+        self.session.apply(Command::SetSettings { side, settings: spec.settings });
+        if let Some(points) = self.sides[side].incoming_points.take() {
+            self.session.apply(Command::PlacePoints { side, points });
+        }
+        if self.session.surface(side).is_none() {
+            self.sides[side].refit |= is_new;
+            self.change_sides();
         }
     }
 
@@ -205,21 +230,18 @@ impl Model {
 
     /// Handles the death of a side's worker.
     pub fn worker_died(&mut self, side: Side, reason: &Message) {
+        self.reader_died(side, reason);
         self.side_mut(side).worker_died(reason);
         self.sides[side].surface.preparation.worker_died(reason);
     }
 
     fn swap(&mut self) {
-        if !self.is_planar() || Side::BOTH.into_iter().any(|side| self.is_preparing(side)) {
+        if Side::BOTH.into_iter().any(|side| self.is_preparing(side)) {
             return;
         }
         self.session.apply(Command::Swap);
-        let PerSide { source, target } = &mut self.sides;
-        std::mem::swap(&mut source.outline, &mut target.outline);
-        let generation =
-            Side::BOTH.map(|side| self.side(side).pending_request().generation()).into_iter().max().unwrap_or(0);
+        ModelSide::swap(&mut self.sides);
         for side in Side::BOTH {
-            self.side_mut(side).skip_to(generation);
             self.sides[side].refit = true;
         }
         self.change_sides();

@@ -15,6 +15,7 @@ pub mod files;
 mod measurement;
 pub mod motion;
 pub mod names;
+pub mod opening;
 pub mod overlays;
 pub mod pattern;
 pub mod persistence;
@@ -27,17 +28,18 @@ mod under_way;
 mod update;
 
 use crate::conformal::{
-    ConformalMap, InteriorPoint, MeshedDomain, PerSide, PreparedSide, Quality, Side, TriangleDistortion,
+    ConformalMap, InteriorPoint, MeshedDomain, PerSide, PreparedSide, Quality, Side, Stage, TriangleDistortion,
 };
 use crate::geometry::{Bounds, DVec2};
 use crate::language::Message;
 use crate::model::coarse::Draft;
 use crate::model::measurement::Measurement;
+use crate::model::opening::Arrived;
 use crate::model::overlays::OverlayState;
 use crate::model::pattern::disk_grid::DiskGrid;
 use crate::model::shown::ShownMap;
-use crate::model::side::ModelSide;
 use crate::model::side::preparation::Preparation;
+use crate::model::side::{ModelSide, OutlineRequest};
 use crate::model::under_way::MapUnderWay;
 use crate::session::{Command, Session};
 use std::sync::Arc;
@@ -111,6 +113,8 @@ pub struct Model {
     points_changed: bool,
     /// Whether the geometry of a side has changed since the map was last started.
     sides_changed: bool,
+    /// The result of an opened file that the last response completed, for the app.
+    arrived: Option<Arrived>,
 }
 
 impl Model {
@@ -131,6 +135,7 @@ impl Model {
             map_error: None,
             points_changed: false,
             sides_changed: false,
+            arrived: None,
         };
         for (side, surface) in surfaces.iter() {
             if surface.is_some() {
@@ -157,13 +162,18 @@ impl Model {
     }
 
     /// The preparation of a side's outline.
-    pub fn side(&self, side: Side) -> &Preparation {
+    pub fn side(&self, side: Side) -> &Preparation<OutlineRequest> {
         &self.sides[side].outline
     }
 
     /// The preparation of a side's outline.
-    pub fn side_mut(&mut self, side: Side) -> &mut Preparation {
+    pub fn side_mut(&mut self, side: Side) -> &mut Preparation<OutlineRequest> {
         &mut self.sides[side].outline
+    }
+
+    /// The stage of a side's request in flight and the seconds since it was sent, for the progress line.
+    pub fn worker_stage(&self, side: Side) -> Option<(Option<Stage>, f64)> {
+        self.sides[side].under_way()
     }
 
     /// The meshed domain of a side's last good outline, also while a surface replaces the outline.
@@ -181,7 +191,12 @@ impl Model {
 
     /// Whether two outlines are mapped: there is no surface on either side.
     pub fn is_planar(&self) -> bool {
-        Side::BOTH.into_iter().all(|side| self.session.surface(side).is_none())
+        self.surfaces() == PerSide::new(false, false)
+    }
+
+    /// Whether the map that is shown is one between two surfaces.
+    pub fn is_through_disk(&self) -> bool {
+        self.map().is_some_and(ConformalMap::is_through_disk)
     }
 
     /// The map that is shown; `None` before the first. It is the full map, or a coarse one
@@ -305,6 +320,9 @@ pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
     (min, max)
 }
 
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod either_side_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod surface_tests;

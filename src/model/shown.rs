@@ -47,14 +47,16 @@ impl ShownMap {
 /// The mapped mesh's triangles and the images of its vertices.
 #[derive(Debug, Clone, Copy)]
 pub struct Shown<'a> {
-    /// The direction of the map; a surface is always mapped backward.
+    /// The direction of the map; with one surface, the surface is mapped.
     pub direction: Direction,
     /// The triangles of the mapped mesh.
     pub triangles: &'a [[u32; 3]],
     /// The positions of its vertices, if they lie in the plane.
     pub planar: Option<&'a [DVec2]>,
-    /// The images of its vertices, in the other domain.
+    /// The images of its vertices in the plane: in the other domain or, between two surfaces, in the disk.
     pub images: &'a [DVec2],
+    /// Whether the other side is a surface too, on which its vertices lie in space.
+    pub is_through_disk: bool,
     /// The number of its boundary vertices, which come first.
     pub boundary_count: usize,
     /// The timings of the last update.
@@ -69,7 +71,7 @@ impl<'a> Shown<'a> {
 
     /// The positions of the mapped mesh's vertices on a side; `None` on the side of a surface.
     pub fn places(&self, side: Side) -> Option<&'a [DVec2]> {
-        if side == self.mapped_side() { self.planar } else { Some(self.images) }
+        if side == self.mapped_side() { self.planar } else { (!self.is_through_disk).then_some(self.images) }
     }
 }
 
@@ -83,6 +85,7 @@ impl Model {
             triangles: mapped.triangles(),
             planar: mapped.domain().map(|domain| domain.mesh().vertices()),
             images: map.images(),
+            is_through_disk: map.is_through_disk(),
             boundary_count: mapped.boundary_count(),
             timings: map.timings(),
         })

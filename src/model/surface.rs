@@ -1,11 +1,12 @@
 //! The surfaces that stand in the outlines' places: commands, answers, and where their points are.
 
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::geometry::DVec3;
 use crate::language::{Message, key};
 use crate::model::Model;
-use crate::model::side::user_error::UserError;
-use crate::model::side::{Arrival, SurfaceSide};
+use crate::model::opening::Arrived;
+use crate::model::side::SurfaceSide;
+use crate::model::side::preparation::Progress;
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::surface::RepairNote;
 use crate::worker::Response;
@@ -16,9 +17,16 @@ impl Model {
         Some((&self.sides[side].surface, self.session.surface(side)?))
     }
 
-    /// The side on which a surface stands.
-    pub fn side_of_surface(&self) -> Option<Side> {
-        Side::BOTH.into_iter().find(|side| self.session.surface(*side).is_some())
+    /// On which sides surfaces stand.
+    pub fn surfaces(&self) -> PerSide<bool> {
+        PerSide::from_fn(|side| self.session.surface(side).is_some())
+    }
+
+    /// Builds the search trees of the surfaces that are shown, if they are not too large.
+    pub fn sort_surfaces_at_rest(&self) {
+        for (surface, _) in Side::BOTH.into_iter().filter_map(|side| self.surface(side)) {
+            surface.sort_at_rest();
+        }
     }
 
     /// A side's way to a surface; also while none is shown.
@@ -38,47 +46,50 @@ impl Model {
         surface.anchor_place(state)
     }
 
+    /// The side that gets a surface's file which was opened for or dropped over `side`: that side, unless only the other
+    /// one waits for a file of this name.
+    pub fn side_for_surface(&self, side: Side, name: &str) -> Side {
+        let awaits = |side: Side| {
+            self.sides[side].incoming_surface.as_ref().is_some_and(|state| is_file_of_name(&state.spec.shape, name))
+        };
+        if awaits(side.other()) && !awaits(side) { side.other() } else { side }
+    }
+
     /// Begins to prepare a surface that a person has opened or dropped; what was wrong with an outline for its place is
     /// past. If a session waits for the file of that name, it comes with the session's points.
     pub fn want_surface_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
+        self.stop_reading(side);
         self.sides[side].surface.gives_way = false;
         self.dismiss(side);
-        let is_awaited =
-            |state: &SurfaceState| matches!(&state.spec.shape, SurfaceShape::File { name: awaited } if awaited == name);
+        let is_awaited = |state: &SurfaceState| is_file_of_name(&state.spec.shape, name);
         match self.sides[side].incoming_surface.take().filter(is_awaited) {
             Some(state) => self.open_surface_file(side, state, bytes),
-            None => self.sides[side].surface.preparation.want_file(name, bytes),
+            None => self.sides[side].surface.want_file(name, bytes),
         }
     }
 
     /// Takes the surface of a session, whose triangles come from a file.
     pub fn open_surface_file(&mut self, side: Side, state: SurfaceState, bytes: Vec<u8>) {
-        self.sides[side].surface.preparation.want_file_of(state.spec.clone(), bytes);
+        self.sides[side].surface.want_file_of(state.spec.clone(), bytes);
         self.sides[side].incoming_surface = Some(state);
     }
 
     /// Begins to prepare a surface for a side.
     pub(super) fn set_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
-        if side == Side::Source {
-            return self.refuse_on_source();
-        }
+        self.stop_reading(side);
         self.sides[side].incoming_surface = None;
         self.sides[side].surface.gives_way = false;
         self.dismiss(side);
         self.want_surface(side, spec, now);
     }
 
-    /// Says that a surface cannot be shown on the source's side: there the outline stays.
-    fn refuse_on_source(&mut self) {
-        self.side_mut(Side::Source).error = Some(UserError::new(key::no_surface_on_side().into()));
-    }
-
-    /// Begins to discretise the surface that is there in another way.
-    pub(super) fn refine_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
+    /// Begins to discretise the present surface in another way; returns whether `spec` is of that surface.
+    pub(super) fn refine_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) -> bool {
         let surface = &self.sides[side].surface;
         let stays = self.session.surface(side).is_some() && !surface.gives_way;
         let wanted = surface.preparation.wanted().filter(|_| stays);
-        if wanted.is_some_and(|wanted| wanted.is_like(&spec)) {
+        let is_there = wanted.is_some_and(|wanted| wanted.is_like(&spec));
+        if is_there {
             let incoming = self.sides[side].incoming_surface.as_mut();
             if let Some(incoming) = incoming.filter(|incoming| incoming.spec.is_like(&spec)) {
                 // a point is one of a triangle, and those may be others
@@ -87,10 +98,11 @@ impl Model {
             }
             self.want_surface(side, spec, now);
         }
+        is_there
     }
 
     fn want_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
-        if !self.sides[side].surface.preparation.want_spec(&spec, now) {
+        if !self.sides[side].surface.want_spec(&spec, now) {
             let is_new = self.session.surface(side).is_none_or(|shown| shown.spec.shape != spec.shape);
             self.take_surface(side, spec, is_new);
         }
@@ -127,11 +139,8 @@ impl Model {
     /// Takes the surface of a session that is opened: at once, or when it is prepared.
     pub(super) fn open_surface(&mut self, side: Side, wanted: Option<SurfaceState>) {
         let Some(wanted) = wanted else { return self.close_surface(side) };
-        if side == Side::Source {
-            return self.refuse_on_source();
-        }
         self.sides[side].surface.gives_way = false;
-        if self.sides[side].surface.preparation.want_spec(&wanted.spec, f64::NEG_INFINITY) {
+        if self.sides[side].surface.want_spec(&wanted.spec, f64::NEG_INFINITY) {
             self.sides[side].incoming_surface = Some(wanted);
         } else {
             self.place_surface(side, wanted);
@@ -141,9 +150,13 @@ impl Model {
 
     /// Takes in an answer about a side's surface.
     pub(super) fn accept_surface(&mut self, side: Side, generation: u64, response: Response) {
-        if let Some(Arrival { spec, is_new }) = self.sides[side].surface.preparation.accept(generation, response) {
-            self.take_surface(side, spec, is_new);
+        let progress = self.sides[side].surface.preparation.accept(generation, response);
+        let Progress::Ready { request: Some(request), is_new } = progress else { return };
+        let is_another = self.session.surface(side).is_none_or(|shown| shown.spec != request.spec);
+        if is_another && matches!(request.spec.shape, SurfaceShape::File { .. }) {
+            self.arrived = Some(Arrived::Surface);
         }
+        self.take_surface(side, request.spec, is_new);
     }
 
     fn show_surface(&mut self, side: Side, spec: SurfaceSpec, is_new: bool) {
@@ -175,4 +188,8 @@ impl Model {
         let map = self.map().and_then(|map| map.note(side)).map(|note| Message::from(&note));
         surface.preparation.notes.iter().cloned().chain(repairs.map(words)).chain(map).collect()
     }
+}
+
+fn is_file_of_name(shape: &SurfaceShape, name: &str) -> bool {
+    matches!(shape, SurfaceShape::File { name: known } if known == name)
 }

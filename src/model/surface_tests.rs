@@ -9,11 +9,11 @@ use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec, TextureKin
 use crate::surface::SurfacePreset;
 use crate::worker::Request;
 
-fn spec(preset: SurfacePreset, boundary: u32) -> SurfaceSpec {
+pub(super) fn spec(preset: SurfacePreset, boundary: u32) -> SurfaceSpec {
     SurfaceSpec { shape: SurfaceShape::Preset { preset, boundary }, ..SurfaceSpec::default() }
 }
 
-fn planar() -> Model {
+pub(super) fn planar() -> Model {
     let mut session = Session::default();
     let sampling = Sampling::Uniform { count: 100, keep_corners: false };
     let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.3), ..PrepareSettings::default() };
@@ -27,7 +27,7 @@ fn planar() -> Model {
 }
 
 /// Carries out all requests, and brings the map up to date.
-fn settle(model: &mut Model) -> Changes {
+pub(super) fn settle(model: &mut Model) -> Changes {
     // a side's outline waits for its worker until the surface is prepared
     while let requests @ [_, ..] = model.take_requests(f64::INFINITY).as_slice() {
         for (side, request) in requests {

@@ -79,15 +79,14 @@ impl Model {
             return Ok(false);
         }
         self.shown.map_revision = asked.revision;
-        let in_the_plane = pattern::home(&self.session).is_some();
-        Ok(in_the_plane || self.overlay_state.grid.advance(map, self.shown.map_revision, deadline))
+        let needs_grid = pattern::needs_grid(&self.session);
+        Ok(!needs_grid || self.overlay_state.grid.advance(map, self.shown.map_revision, deadline))
     }
 
     /// Whether the pattern needs disk coordinates that the full map does not have.
     pub(super) fn lacks_grid(&self) -> bool {
         let is_there = self.shown.map.is_some() && self.under_way.next.is_none();
-        let wanted = pattern::home(&self.session).is_none() && is_there;
-        wanted && !self.overlay_state.grid.is_of(self.shown.map_revision)
+        pattern::needs_grid(&self.session) && is_there && !self.overlay_state.grid.is_of(self.shown.map_revision)
     }
 
     /// Shows the full map, which is complete.
@@ -171,8 +170,8 @@ impl Model {
         Changes { meshes: retired, map: retired, images: retired }
     }
 
-    /// The constraints from the points of both sides.
-    fn constraints(&self) -> Option<Constraints> {
+    /// Where the points of both sides are.
+    pub(super) fn constraints(&self) -> Option<Constraints> {
         let of_side = |side| Some((self.point(side)?, self.session.side(side).points().anchor()));
         Some(Constraints::new(of_side(Side::Source)?, of_side(Side::Target)?))
     }

@@ -33,7 +33,8 @@ pub struct Outline {
 }
 
 /// Something that a reader of the file may want to know; no error.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum OutlineNote {
     /// The points ran clockwise and were reversed.

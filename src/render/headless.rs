@@ -3,7 +3,7 @@
 //! The pixels come back row by row. Works on any adapter, software ones included; the pixels of two
 //! adapters may differ by rounding.
 
-use super::{Readback, RenderError, SceneDescription, SceneRenderer, SceneSurface, guarded};
+use super::{Readback, RenderError, SceneDescription, SceneRenderer, guarded};
 use image::RgbaImage;
 
 /// A device on any adapter, hardware preferred, software accepted.
@@ -65,25 +65,14 @@ pub fn render_scene(scene: &SceneDescription, size: [u32; 2]) -> Result<RgbaImag
 
 /// Renders `scene` into an sRGB image of `size` pixels with straight alpha.
 ///
-/// Viewport k takes the columns from ⌊k·w/n⌋ to ⌊(k+1)·w/n⌋.
+/// Picture k of n takes the columns from ⌊k·w/n⌋ to ⌊(k+1)·w/n⌋.
 pub fn render_scene_with(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
     scene: &SceneDescription,
     size: [u32; 2],
 ) -> Result<RgbaImage, RenderError> {
-    render(device, queue, None, scene, size)
-}
-
-/// [`render_scene_with`], with a surface beside the viewports, of which there may be none, as wide as each of them.
-pub fn render_surface_with(
-    device: &wgpu::Device,
-    queue: &wgpu::Queue,
-    surface: &SceneSurface,
-    scene: &SceneDescription,
-    size: [u32; 2],
-) -> Result<RgbaImage, RenderError> {
-    render(device, queue, Some(surface), scene, size)
+    Studio::on(device, queue).shoot(|renderer, device, queue| renderer.draw(device, queue, scene, size))
 }
 
 /// A device of one's own and what draws on it, for many pictures.
@@ -115,14 +104,4 @@ impl Studio {
             draw(renderer, device, queue).and_then(|target| Readback::begin(device, queue, &target).wait(device))
         })
     }
-}
-
-fn render(
-    device: &wgpu::Device,
-    queue: &wgpu::Queue,
-    surface: Option<&SceneSurface>,
-    scene: &SceneDescription,
-    size: [u32; 2],
-) -> Result<RgbaImage, RenderError> {
-    Studio::on(device, queue).shoot(|renderer, device, queue| renderer.draw(device, queue, surface, scene, size))
 }

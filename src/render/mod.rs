@@ -58,11 +58,11 @@ pub use error::{ImageError, MeshFault, ReadbackFault, RenderError};
 pub use film::{Film, FilmError, FilmFormat, FilmSettings, MOST_FRAMES, SECONDS};
 pub use gpu::{Graphics, Target, sample_count};
 #[cfg(not(target_arch = "wasm32"))]
-pub use headless::{Studio, headless_device, render_scene, render_scene_with, render_surface_with};
+pub use headless::{Studio, headless_device, render_scene, render_scene_with};
 pub use orbit_camera::{BoundingSphere, OrbitCamera};
 pub use png_file::PngFile;
 pub use readback::{Readback, guarded};
-pub use scene::{SceneCells, SceneDescription, SceneRenderer, SceneViewport};
+pub use scene::{SceneCells, SceneDescription, ScenePicture, SceneRenderer, SceneViewport};
 pub use scene_surface::SceneSurface;
 pub use style::{CellStyle, Handle, Pattern, StrokeStyle, TextureStyle};
 pub use surface_viewport::{SurfaceGeometry, SurfaceHandle};

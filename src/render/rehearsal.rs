@@ -14,8 +14,8 @@ impl ViewportRenderer {
         }
         let (positions, triangles) = ([DVec3::ZERO, DVec3::X, DVec3::Y], [[0, 1, 2]]);
         let geometry = SurfaceGeometry { positions: &positions, triangles: &triangles, boundary_count: 3 };
-        self.set_surface(device, queue, &geometry);
-        self.set_surface_coordinates(queue, &positions.map(DVec3::truncate));
+        self.set_surface(device, queue, 0, &geometry);
+        self.set_surface_coordinates(queue, 0, &positions.map(DVec3::truncate));
         let frame = SpaceFrame {
             size_px: [64, 64],
             camera: OrbitCamera::before(&positions, &triangles, 1.0),
@@ -31,7 +31,7 @@ impl ViewportRenderer {
             background: [0.0; 4],
         };
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.prepare_surface(device, queue, &mut encoder, &frame, Pace::Full);
+        self.prepare_surface(device, queue, &mut encoder, 0, &frame, Pace::Full);
         queue.submit([encoder.finish()]);
     }
 }

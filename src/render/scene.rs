@@ -1,11 +1,11 @@
-//! Scenes: viewports side by side, and perhaps a surface, drawn into a texture of any size.
+//! Scenes: planar meshes and surfaces side by side, drawn into a texture of any size.
 //!
 //! A scene goes through the same `prepare` and `paint` as on screen, into a target like egui's.
 
 use super::targets::attachment;
 use super::{
-    Camera, CellCode, CellStyle, Handle, MeshFault, MeshGeometry, Pace, PlanarFrame, RenderError, SceneSurface,
-    StrokeStyle, TextureStyle, ViewportRenderer, sample_count,
+    Camera, CellCode, CellStyle, Graphics, Handle, MeshFault, MeshGeometry, Pace, PlanarFrame, RenderError,
+    SceneSurface, StrokeStyle, TextureStyle, ViewportRenderer, sample_count,
 };
 use glam::DVec2;
 use image::RgbaImage;
@@ -14,6 +14,27 @@ use image::RgbaImage;
 const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// One of the pictures of a scene.
+#[derive(Clone, Debug)]
+pub enum ScenePicture<'a> {
+    /// A mesh in the plane.
+    Plane(SceneViewport<'a>),
+    /// A surface in space.
+    Space(SceneSurface<'a>),
+}
+
+impl<'a> From<SceneViewport<'a>> for ScenePicture<'a> {
+    fn from(viewport: SceneViewport<'a>) -> Self {
+        Self::Plane(viewport)
+    }
+}
+
+impl<'a> From<SceneSurface<'a>> for ScenePicture<'a> {
+    fn from(surface: SceneSurface<'a>) -> Self {
+        Self::Space(surface)
+    }
+}
+
+/// A mesh in the plane.
 #[derive(Clone, Debug)]
 pub struct SceneViewport<'a> {
     /// The textured mesh.
@@ -45,11 +66,11 @@ pub struct SceneCells<'a> {
     pub style: CellStyle,
 }
 
-/// Viewports side by side, of equal width, on one background.
+/// Pictures side by side, of equal width, on one background.
 #[derive(Clone, Debug)]
 pub struct SceneDescription<'a> {
     /// From left to right.
-    pub viewports: &'a [SceneViewport<'a>],
+    pub pictures: &'a [ScenePicture<'a>],
     /// sRGB-encoded, straight alpha.
     pub background: [f32; 4],
     /// The image of `Pattern::Image`.
@@ -62,56 +83,53 @@ pub struct SceneDescription<'a> {
 #[derive(Debug)]
 pub struct SceneRenderer {
     renderer: ViewportRenderer,
-    /// How many planar viewports it has.
+    /// How many viewports it has.
     viewports: usize,
     target: Option<wgpu::Texture>,
 }
 
 impl SceneRenderer {
-    /// For scenes of any number of viewports.
+    /// For scenes of any number of pictures.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
         let viewports = 2;
         Self { renderer: renderer(device, queue, viewports), viewports, target: None }
     }
 
-    /// Draws `scene`, with `surface` beside its viewports if there is one, into a texture of `size` pixels: sRGB-encoded,
-    /// alpha premultiplied. [`super::Readback`] gives its pixels.
+    /// Draws `scene` into a texture of `size` pixels: sRGB-encoded, alpha premultiplied. [`super::Readback`] gives its
+    /// pixels.
     ///
     /// Of n pictures, number k takes the columns from ⌊k·w/n⌋ to ⌊(k+1)·w/n⌋.
     pub fn draw(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
-        surface: Option<&SceneSurface>,
         scene: &SceneDescription,
         size: [u32; 2],
     ) -> Result<wgpu::Texture, RenderError> {
-        surface.map_or(Ok(()), SceneSurface::check)?;
-        check(device, surface.is_some(), scene, size)?;
-        if scene.viewports.len() > self.viewports {
-            self.viewports = scene.viewports.len();
+        check(device, scene, size)?;
+        let count = scene.pictures.len();
+        if count > self.viewports {
+            self.viewports = count;
             self.renderer = renderer(device, queue, self.viewports);
         }
         if let Some(image) = scene.image {
             self.renderer.set_image(device, queue, image.as_raw(), image.width(), image.height())?;
         }
-        let columns = Columns::new(surface, scene);
         let renderer = &mut self.renderer;
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("scene") });
-        let size_of = |k| [columns.edge(k + 1, size[0]) - columns.edge(k, size[0]), size[1]];
-        if let (Some(surface), Some(column)) = (surface, columns.surface) {
-            surface.prepare(device, queue, renderer, &mut encoder, size_of(column), scene.background)?;
-        }
-        for (k, part) in scene.viewports.iter().enumerate() {
-            upload(device, queue, renderer, k, part)?;
-            let size_px = size_of(columns.of_viewport(k));
-            let camera = part.camera.unwrap_or_else(|| fitted(part.geometry.positions, size_px, scene.margin_px));
-            let frame = PlanarFrame { size_px, camera, style: part.style, background: scene.background };
-            renderer.prepare(device, queue, &mut encoder, k, &frame, Pace::Full);
+        for (k, picture) in scene.pictures.iter().enumerate() {
+            let size_px = [edge(k + 1, count, size[0]) - edge(k, count, size[0]), size[1]];
+            let (graphics, viewport) = ((device, queue), (&mut *renderer, k));
+            match picture {
+                ScenePicture::Plane(part) => part.prepare(graphics, viewport, &mut encoder, size_px, scene)?,
+                ScenePicture::Space(part) => {
+                    part.prepare(graphics, viewport, &mut encoder, size_px, scene.background)?;
+                }
+            }
         }
         let is_there = |target: &&wgpu::Texture| [target.width(), target.height()] == size;
         let target = self.target.as_ref().filter(is_there).cloned().unwrap_or_else(|| target_texture(device, size));
-        paint(&mut encoder, renderer, columns, &target);
+        paint(&mut encoder, renderer, scene.pictures, &target);
         queue.submit([encoder.finish()]);
         self.target = Some(target.clone());
         Ok(target)
@@ -122,49 +140,47 @@ fn renderer(device: &wgpu::Device, queue: &wgpu::Queue, viewports: usize) -> Vie
     ViewportRenderer::new(device, queue, TARGET_FORMAT, viewports, sample_count(device))
 }
 
-fn check(
-    device: &wgpu::Device,
-    with_surface: bool,
-    scene: &SceneDescription,
-    size: [u32; 2],
-) -> Result<(), RenderError> {
+fn check(device: &wgpu::Device, scene: &SceneDescription, size: [u32; 2]) -> Result<(), RenderError> {
     let [width, height] = size;
     let limit = device.limits().max_texture_dimension_2d;
     if width.min(height) == 0 || width.max(height) > limit {
         return Err(RenderError::Size { width, height, limit });
     }
-    let count = usize::from(with_surface) + scene.viewports.len();
+    let count = scene.pictures.len();
     if count == 0 || count > width as usize {
         return Err(RenderError::ViewportCount { count, limit: width });
     }
-    for (viewport, part) in scene.viewports.iter().enumerate() {
-        part.geometry.check().map_err(|fault| RenderError::Geometry { viewport, fault })?;
+    for (viewport, picture) in scene.pictures.iter().enumerate() {
+        match picture {
+            ScenePicture::Plane(part) => {
+                part.geometry.check().map_err(|fault| RenderError::Geometry { viewport, fault })?;
+            }
+            ScenePicture::Space(part) => part.check()?,
+        }
     }
     Ok(())
 }
 
-/// How a picture is divided from left to right.
-#[derive(Clone, Copy, Debug)]
-struct Columns {
-    count: usize,
-    /// The one that a surface has.
-    surface: Option<usize>,
+/// The left edge of picture `k` of `count` in a picture of this width.
+fn edge(k: usize, count: usize, width: u32) -> u32 {
+    (k as u64 * u64::from(width) / count as u64) as u32
 }
 
-impl Columns {
-    fn new(surface: Option<&SceneSurface>, scene: &SceneDescription) -> Self {
-        let planar = scene.viewports.len();
-        let place = surface.map(|surface| if surface.right { planar } else { 0 });
-        Self { count: planar + usize::from(surface.is_some()), surface: place }
-    }
-
-    /// The left edge of column `k` in a picture of this width.
-    fn edge(self, k: usize, width: u32) -> u32 {
-        (k as u64 * u64::from(width) / self.count as u64) as u32
-    }
-
-    fn of_viewport(self, k: usize) -> usize {
-        k + usize::from(self.surface == Some(0))
+impl SceneViewport<'_> {
+    /// Uploads it to a viewport, and records its rendering.
+    fn prepare(
+        &self,
+        (device, queue): Graphics<'_>,
+        (renderer, viewport): (&mut ViewportRenderer, usize),
+        encoder: &mut wgpu::CommandEncoder,
+        size_px: [u32; 2],
+        scene: &SceneDescription,
+    ) -> Result<(), RenderError> {
+        upload(device, queue, renderer, viewport, self)?;
+        let camera = self.camera.unwrap_or_else(|| fitted(self.geometry.positions, size_px, scene.margin_px));
+        let frame = PlanarFrame { size_px, camera, style: self.style, background: scene.background };
+        renderer.prepare(device, queue, encoder, viewport, &frame, Pace::Full);
+        Ok(())
     }
 }
 
@@ -199,7 +215,12 @@ fn fitted(positions: &[DVec2], size_px: [u32; 2], margin_px: f32) -> Camera {
     Camera::fit(bounds, size_px.map(|side| side as f32), margin_px)
 }
 
-fn paint(encoder: &mut wgpu::CommandEncoder, renderer: &ViewportRenderer, columns: Columns, target: &wgpu::Texture) {
+fn paint(
+    encoder: &mut wgpu::CommandEncoder,
+    renderer: &ViewportRenderer,
+    pictures: &[ScenePicture],
+    target: &wgpu::Texture,
+) {
     let view = target.create_view(&wgpu::TextureViewDescriptor::default());
     let clear = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
     let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -208,13 +229,12 @@ fn paint(encoder: &mut wgpu::CommandEncoder, renderer: &ViewportRenderer, column
         ..Default::default()
     });
     let mut pass = pass.forget_lifetime();
-    for k in 0..columns.count {
-        let [left, right] = [k, k + 1].map(|k| columns.edge(k, target.width()));
+    for (k, picture) in pictures.iter().enumerate() {
+        let [left, right] = [k, k + 1].map(|k| edge(k, pictures.len(), target.width()));
         pass.set_viewport(left as f32, 0.0, (right - left) as f32, target.height() as f32, 0.0, 1.0);
-        if columns.surface == Some(k) {
-            renderer.paint_surface(&mut pass);
-        } else {
-            renderer.paint(&mut pass, k - columns.of_viewport(0));
+        match picture {
+            ScenePicture::Plane(_) => renderer.paint(&mut pass, k),
+            ScenePicture::Space(_) => renderer.paint_surface(&mut pass, k),
         }
     }
 }

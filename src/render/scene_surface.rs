@@ -1,7 +1,7 @@
-//! A surface in a picture without a window, alone or beside planar viewports.
+//! A surface among the pictures of a scene.
 
 use super::{
-    CellCode, CellStyle, MeshFault, OrbitCamera, Pace, RenderError, SpaceFrame, StrokeStyle, SurfaceGeometry,
+    CellCode, CellStyle, Graphics, MeshFault, OrbitCamera, Pace, RenderError, SpaceFrame, StrokeStyle, SurfaceGeometry,
     SurfaceHandle, TextureStyle, ViewportRenderer,
 };
 use glam::DVec2;
@@ -9,8 +9,6 @@ use glam::DVec2;
 /// The surface of a scene.
 #[derive(Clone, Debug)]
 pub struct SceneSurface<'a> {
-    /// Whether it is right of the planar viewports; else it is left of them.
-    pub right: bool,
     /// The surface.
     pub geometry: SurfaceGeometry<'a>,
     /// Where each vertex looks the texture up: its image in the plane.
@@ -45,28 +43,27 @@ impl SceneSurface<'_> {
         Ok(())
     }
 
-    /// Uploads it, and records its rendering.
+    /// Uploads it to a viewport, and records its rendering.
     pub(super) fn prepare(
         &self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        renderer: &mut ViewportRenderer,
+        (device, queue): Graphics<'_>,
+        (renderer, viewport): (&mut ViewportRenderer, usize),
         encoder: &mut wgpu::CommandEncoder,
         size_px: [u32; 2],
         background: [f32; 4],
     ) -> Result<(), RenderError> {
-        let uploaded = renderer.set_surface(device, queue, &self.geometry)
-            && renderer.set_surface_coordinates(queue, self.texture_coordinates)
-            && (self.codes.is_empty() || renderer.set_surface_codes(queue, &mut self.codes.to_vec()));
+        let uploaded = renderer.set_surface(device, queue, viewport, &self.geometry)
+            && renderer.set_surface_coordinates(queue, viewport, self.texture_coordinates)
+            && (self.codes.is_empty() || renderer.set_surface_codes(queue, viewport, &mut self.codes.to_vec()));
         if !uploaded {
             let fault = MeshFault::TooLarge { triangles: self.geometry.triangles.len() };
             return Err(RenderError::Surface { fault });
         }
         let stroke = self.stroke.unwrap_or_else(|| StrokeStyle::themed(self.style.dark, 1.0));
-        renderer.set_surface_handles(self.handles);
+        renderer.set_surface_handles(viewport, self.handles);
         let (camera, style, cells) = (self.camera, self.style, self.cells);
         let frame = SpaceFrame { size_px, camera, style, cells, stroke, background };
-        renderer.prepare_surface(device, queue, encoder, &frame, Pace::Full);
+        renderer.prepare_surface(device, queue, encoder, viewport, &frame, Pace::Full);
         Ok(())
     }
 }

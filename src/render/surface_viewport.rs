@@ -1,16 +1,17 @@
-//! A viewport that shows a surface in space: the counterpart of the planar ones, in the same renderer.
+//! Viewports that show a surface in space instead of a planar mesh: any viewport of the renderer can.
 //!
-//! It is rendered in two passes (surface, edges and boundary loop, multisampled, with depth, and resolved; handles
-//! over the picture), then painted into the caller's pass. Pipelines and targets are made with the first surface.
-//! Inconsistent surfaces and counts that do not fit are refused: the methods answer `false`, nothing changes.
+//! One is rendered in two passes (surface, edges and boundary loop, multisampled, with depth, and resolved; handles
+//! over the picture), then painted into the caller's pass. The pipelines are made with the first surface, buffers and
+//! targets with a viewport's first one. A viewport index out of range, inconsistent surfaces and counts that do not fit
+//! are refused: the methods answer `false`, nothing changes.
 
-use super::disc_pass::DiscBuffers;
+use super::disc_pass::{DiscBuffers, DiscPass};
 use super::drawn::Drawn;
 use super::space_vertices::SpaceVertex;
 use super::surface_pass::{SurfaceBuffers, SurfacePass, SurfaceView};
 use super::surface_stroke::{SurfaceStrokeBuffers, SurfaceStrokePass};
 use super::targets::{SurfaceTargets, attachment, clamped_size};
-use super::viewport::{LINE_TO_STROKE, begin_pass, clear_colour};
+use super::viewport::{LINE_TO_STROKE, Viewport, begin_pass, clear_colour};
 use super::{Camera, CellCode, Detail, Handle, MeshFault, OrbitCamera, Pace, SpaceFrame, ViewportRenderer};
 use glam::{DVec2, DVec3};
 
@@ -55,131 +56,156 @@ pub struct SurfaceHandle {
     pub radius_px: f32,
 }
 
-/// Pipelines, buffers and targets.
+/// The pipelines of all surfaces.
+#[derive(Debug)]
+pub struct SurfacePasses {
+    surface: SurfacePass,
+    stroke: SurfaceStrokePass,
+    staging: Vec<SpaceVertex>,
+}
+
+/// The buffers and targets of one viewport's surface.
 #[derive(Debug)]
 pub struct SurfaceViewport {
-    pass: SurfacePass,
-    stroke_pass: SurfaceStrokePass,
     surface: SurfaceBuffers,
     stroke: SurfaceStrokeBuffers,
     discs: DiscBuffers,
     targets: Option<SurfaceTargets>,
     drawn: Drawn<SpaceFrame>,
     handles: Vec<SurfaceHandle>,
-    staging: Vec<SpaceVertex>,
 }
 
 impl ViewportRenderer {
-    /// Replaces the surface; all texture coordinates are (0, 0), and the codes have to be set anew. Buffers are kept where they
-    /// are large enough.
+    /// Replaces a viewport's surface; all texture coordinates are (0, 0), and the codes have to be set anew. Buffers are
+    /// kept where they are large enough.
     ///
     /// False, and the old surface stays, for an inconsistent one ([`SurfaceGeometry::check`]); false, and none is
     /// left, where it does not fit on the device.
-    pub fn set_surface(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, geometry: &SurfaceGeometry) -> bool {
+    pub fn set_surface(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        viewport: usize,
+        geometry: &SurfaceGeometry,
+    ) -> bool {
         if let Err(reason) = geometry.check() {
             log::error!("a surface was not uploaded: {reason}");
             return false;
         }
-        let viewport = self.provide_surface(device, queue);
-        viewport.outdate();
-        let SurfaceViewport { pass, surface, stroke, staging, .. } = viewport;
-        let boundary = &geometry.positions[..geometry.boundary_count as usize];
-        pass.set(device, queue, surface, staging, geometry) && stroke.set(device, queue, boundary, surface.frame)
-    }
-
-    fn provide_surface(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> &mut SurfaceViewport {
         let (samples, images, disc) = (self.samples, &self.images, &self.disc);
-        self.surface.get_or_insert_with(|| {
-            let pass = SurfacePass::new(device, queue, &images.layout, samples);
-            let stroke_pass = SurfaceStrokePass::new(device, samples);
-            let (surface, stroke) = (pass.buffers(device), stroke_pass.buffers(device));
-            let discs = disc.buffers(device);
-            let drawn = Drawn::default();
-            let (handles, staging) = (Vec::new(), Vec::new());
-            SurfaceViewport { pass, stroke_pass, surface, stroke, discs, targets: None, drawn, handles, staging }
-        })
+        let Some(viewport) = self.viewports.get_mut(viewport) else { return false };
+        let passes = self.surface_passes.get_or_insert_with(|| SurfacePasses {
+            surface: SurfacePass::new(device, queue, &images.layout, samples),
+            stroke: SurfaceStrokePass::new(device, samples),
+            staging: Vec::new(),
+        });
+        let shown = viewport.surface.get_or_insert_with(|| SurfaceViewport::new(device, passes, disc));
+        shown.outdate();
+        let boundary = &geometry.positions[..geometry.boundary_count as usize];
+        passes.surface.set(device, queue, &mut shown.surface, &mut passes.staging, geometry)
+            && shown.stroke.set(device, queue, boundary, shown.surface.frame)
     }
 
     /// Whether there has been a surface.
     pub(super) fn has_surface(&self) -> bool {
-        self.surface.is_some()
+        self.surface_passes.is_some()
     }
 
-    /// New texture coordinates for the surface, without reallocation: the images of its vertices.
+    /// New texture coordinates for a viewport's surface, without reallocation: the images of its vertices.
     ///
     /// False, and nothing changes, when the count is not the surface's.
-    pub fn set_surface_coordinates(&mut self, queue: &wgpu::Queue, coordinates: &[DVec2]) -> bool {
-        let Some(viewport) = &mut self.surface else { return false };
-        viewport.outdate();
-        viewport.surface.set_coordinates(queue, &mut self.staging, coordinates)
+    pub fn set_surface_coordinates(&mut self, queue: &wgpu::Queue, viewport: usize, coordinates: &[DVec2]) -> bool {
+        let Some(shown) = outdated(&mut self.viewports, viewport) else { return false };
+        shown.surface.set_coordinates(queue, &mut self.staging, coordinates)
     }
 
-    /// Colours the triangles of the surface; `codes` is padded on the way.
+    /// Colours the triangles of a viewport's surface; `codes` is padded on the way.
     ///
     /// False, and nothing changes, when the count is not the surface's.
-    pub fn set_surface_codes(&mut self, queue: &wgpu::Queue, codes: &mut Vec<CellCode>) -> bool {
-        let Some(viewport) = &mut self.surface else { return false };
-        viewport.outdate();
-        viewport.surface.set_codes(queue, codes)
+    pub fn set_surface_codes(&mut self, queue: &wgpu::Queue, viewport: usize, codes: &mut Vec<CellCode>) -> bool {
+        outdated(&mut self.viewports, viewport).is_some_and(|shown| shown.surface.set_codes(queue, codes))
     }
 
-    /// Replaces the discs drawn over the surface; those at or behind the eye are left out.
-    pub fn set_surface_handles(&mut self, handles: &[SurfaceHandle]) {
-        if let Some(viewport) = &mut self.surface {
-            viewport.outdate();
-            viewport.handles = handles.to_vec();
+    /// Replaces the discs drawn over a viewport's surface; those at or behind the eye are left out.
+    pub fn set_surface_handles(&mut self, viewport: usize, handles: &[SurfaceHandle]) {
+        if let Some(shown) = outdated(&mut self.viewports, viewport) {
+            shown.handles = handles.to_vec();
         }
     }
 
-    /// Records the rendering of the surface into its own target, where `frame` or the geometry is not what it shows;
-    /// returns how it was recorded, `None` where it stands or there was no [`Self::set_surface`].
+    /// Records the rendering of a viewport's surface into its own target, where `frame` or the geometry is not what it
+    /// shows; returns how it was recorded, `None` where it stands or there was no [`Self::set_surface`].
     ///
-    /// Once per submission: the uniform blocks hold one frame.
+    /// Once per viewport and submission: the uniform blocks hold one frame.
     /// A size beyond the device's textures is clamped, and `paint_surface` stretches.
     pub fn prepare_surface(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         encoder: &mut wgpu::CommandEncoder,
+        viewport: usize,
         frame: &SpaceFrame,
         pace: Pace,
     ) -> Option<Detail> {
-        let viewport = self.surface.as_mut()?;
+        let passes = self.surface_passes.as_ref()?;
+        let shown = self.viewports.get_mut(viewport)?.surface.as_mut()?;
         let size_px = clamped_size(device, frame.size_px);
-        let detail = viewport.drawn.due(SpaceFrame { size_px, ..*frame }, pace)?;
+        let detail = shown.drawn.due(SpaceFrame { size_px, ..*frame }, pace)?;
         let size_px = detail.size(size_px);
-        if viewport.targets.as_ref().is_none_or(|targets| targets.size_px != size_px) {
-            viewport.targets = Some(SurfaceTargets::new(device, &self.blit, size_px, self.samples));
+        if shown.targets.as_ref().is_none_or(|targets| targets.size_px != size_px) {
+            shown.targets = Some(SurfaceTargets::new(device, &self.blit, size_px, self.samples));
         }
-        viewport.write_frame(device, queue, frame, size_px, detail, self.image.aspect);
-        let targets = viewport.targets.as_ref()?;
+        shown.write_frame(device, queue, frame, size_px, detail, self.image.aspect);
+        let targets = shown.targets.as_ref()?;
         let mut pass = targets.begin(encoder, clear_colour(frame.background));
-        viewport.draw(&mut pass, frame, &self.image.group);
+        shown.draw(&mut pass, passes, frame, &self.image.group);
         drop(pass);
-        if !viewport.discs.is_empty() {
+        if !shown.discs.is_empty() {
             let mut pass = begin_pass(encoder, "handles", attachment(&targets.picture, wgpu::LoadOp::Load));
-            self.disc.draw(&mut pass, &viewport.discs);
+            self.disc.draw(&mut pass, &shown.discs);
         }
         Some(detail)
     }
 
-    /// Whether the picture of the surface is coarse, and is to be recorded in full when it rests.
-    pub fn is_surface_coarse(&self) -> bool {
-        self.surface.as_ref().is_some_and(|viewport| viewport.drawn.detail() == Detail::Coarse)
+    /// Whether the picture of a viewport's surface is coarse, and is to be recorded in full when it rests.
+    pub fn is_surface_coarse(&self, viewport: usize) -> bool {
+        self.surface(viewport).is_some_and(|shown| shown.drawn.detail() == Detail::Coarse)
     }
 
     /// Draws what [`Self::prepare_surface`] rendered over the whole viewport rectangle of
     /// `render_pass`; nothing when there was none.
-    pub fn paint_surface(&self, render_pass: &mut wgpu::RenderPass<'static>) {
-        let Some(viewport) = &self.surface else { return };
-        if let Some(targets) = &viewport.targets {
-            viewport.drawn.confirm();
+    pub fn paint_surface(&self, render_pass: &mut wgpu::RenderPass<'static>, viewport: usize) {
+        let Some(shown) = self.surface(viewport) else { return };
+        if let Some(targets) = &shown.targets {
+            shown.drawn.confirm();
             self.blit.draw(render_pass, &targets.picture_group);
         }
     }
+
+    fn surface(&self, viewport: usize) -> Option<&SurfaceViewport> {
+        self.viewports.get(viewport)?.surface.as_ref()
+    }
+}
+
+/// The surface of a viewport, whose picture does not stand any more.
+fn outdated(viewports: &mut [Viewport], viewport: usize) -> Option<&mut SurfaceViewport> {
+    let shown = viewports.get_mut(viewport)?.surface.as_mut()?;
+    shown.outdate();
+    Some(shown)
 }
 
 impl SurfaceViewport {
+    fn new(device: &wgpu::Device, passes: &SurfacePasses, disc: &DiscPass) -> Self {
+        Self {
+            surface: passes.surface.buffers(device),
+            stroke: passes.stroke.buffers(device),
+            discs: disc.buffers(device),
+            targets: None,
+            drawn: Drawn::default(),
+            handles: Vec::new(),
+        }
+    }
+
     /// The picture does not stand any more.
     pub(super) fn outdate(&mut self) {
         self.drawn.outdate();
@@ -226,17 +252,17 @@ impl SurfaceViewport {
         self.discs.write_frame(queue, &middle, size_px, detail.length(1.0));
     }
 
-    fn draw(&self, pass: &mut wgpu::RenderPass, frame: &SpaceFrame, image: &wgpu::BindGroup) {
+    fn draw(&self, pass: &mut wgpu::RenderPass, passes: &SurfacePasses, frame: &SpaceFrame, image: &wgpu::BindGroup) {
         if self.surface.is_empty() {
             return;
         }
         match frame.cells.and_then(|style| style.map) {
-            Some(map) => self.pass.draw_colours(pass, &self.surface, map),
-            None => self.pass.draw_texture(pass, &self.surface, frame.style.pattern, image),
+            Some(map) => passes.surface.draw_colours(pass, &self.surface, map),
+            None => passes.surface.draw_texture(pass, &self.surface, frame.style.pattern, image),
         }
         if frame.cells.is_some_and(|style| style.marks || style.wire.is_some()) {
-            self.pass.draw_overlay(pass, &self.surface);
+            passes.surface.draw_overlay(pass, &self.surface);
         }
-        self.stroke_pass.draw(pass, &self.stroke);
+        passes.stroke.draw(pass, &self.stroke);
     }
 }

@@ -15,7 +15,7 @@ use super::image_texture::{ImageTexture, ImageTextures};
 use super::mesh_pass::{MeshBuffers, MeshFrame, MeshPass};
 use super::stroke_pass::{StrokeBuffers, StrokePass};
 use super::style::linear_colour;
-use super::surface_viewport::SurfaceViewport;
+use super::surface_viewport::{SurfacePasses, SurfaceViewport};
 use super::targets::{Targets, attachment, clamped_size};
 use super::{
     CauchyGreenBuffers, CellCode, CellStyle, Detail, Handle, ImageError, MeshFault, Pace, Pattern, PlanarFrame,
@@ -63,14 +63,15 @@ pub struct ViewportRenderer {
     pub(super) blit: BlitPass,
     pub(super) images: ImageTextures,
     pub(super) image: ImageTexture,
-    viewports: Vec<Viewport>,
+    pub(super) viewports: Vec<Viewport>,
     /// Made when there is a surface.
-    pub(super) surface: Option<SurfaceViewport>,
+    pub(super) surface_passes: Option<SurfacePasses>,
     pub(super) staging: Vec<[f32; 2]>,
 }
 
+/// Buffers and targets of one viewport: of a planar mesh and, once it has shown one, of a surface.
 #[derive(Debug)]
-struct Viewport {
+pub(super) struct Viewport {
     mesh: MeshBuffers,
     cells: CellBuffers,
     cell_style: Option<CellStyle>,
@@ -79,6 +80,7 @@ struct Viewport {
     discs: DiscBuffers,
     targets: Option<Targets>,
     drawn: Drawn<PlanarFrame>,
+    pub(super) surface: Option<SurfaceViewport>,
 }
 
 impl ViewportRenderer {
@@ -106,9 +108,11 @@ impl ViewportRenderer {
             discs: disc.buffers(device),
             targets: None,
             drawn: Drawn::default(),
+            surface: None,
         };
         let viewports = (0..viewports).map(empty).collect();
-        Self { samples, mesh, cells, stroke, disc, blit, images, image, viewports, surface: None, staging: Vec::new() }
+        let (surface_passes, staging) = (None, Vec::new());
+        Self { samples, mesh, cells, stroke, disc, blit, images, image, viewports, surface_passes, staging }
     }
 
     /// Replaces a viewport's mesh; call it when the topology changes. Buffers
@@ -257,8 +261,10 @@ impl ViewportRenderer {
         height: u32,
     ) -> Result<(), ImageError> {
         self.image = self.images.load(device, queue, rgba, width, height)?;
-        self.viewports.iter_mut().for_each(|viewport| viewport.drawn.outdate());
-        self.surface.iter_mut().for_each(SurfaceViewport::outdate);
+        for viewport in &mut self.viewports {
+            viewport.drawn.outdate();
+            viewport.surface.iter_mut().for_each(SurfaceViewport::outdate);
+        }
         Ok(())
     }
 

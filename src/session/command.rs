@@ -69,7 +69,9 @@ pub enum Command {
 }
 
 impl Command {
-    /// The parts that the command may change. Points carried along by a reshaped outline do not count as touched.
+    /// The parts that the command is meant to change in any session; locks ask this. Points carried along by a
+    /// reshaped outline or a refined surface do not count as touched: the model keeps a point at its place in space.
+    /// [`Session::touched_by`] says where the session alone cannot.
     pub fn touches(&self) -> Touched {
         match self {
             Self::SetOutline { .. } | Self::SetSurface { .. } => Touched::ANOTHER_SHAPE,
@@ -92,13 +94,24 @@ impl Command {
 }
 
 impl Session {
-    /// Applies a command and returns what it touched: [`Command::touches`], or [`Touched::NOTHING`] if the command
-    /// needs a surface that the side does not have.
-    pub fn apply(&mut self, command: Command) -> Touched {
-        if !self.has_object_of(&command) {
+    /// The parts that a command would touch in this session: [`Command::touches`]; [`Touched::NOTHING`] if it needs a
+    /// surface that the side does not have; the interior point too if it refines a surface with a point set, whose
+    /// triangle is replaced.
+    pub fn touched_by(&self, command: &Command) -> Touched {
+        if !self.has_object_of(command) {
             return Touched::NOTHING;
         }
-        let touched = command.touches();
+        let drops_point = matches!(command, Command::RefineSurface { side, surface }
+            if self.surface(*side).is_some_and(|there| there.point.is_some() && there.spec.shape != surface.shape));
+        command.touches() | if drops_point { Touched::INTERIOR } else { Touched::NOTHING }
+    }
+
+    /// Applies a command and returns what it touched: [`Self::touched_by`] of the session before.
+    pub fn apply(&mut self, command: Command) -> Touched {
+        let touched = self.touched_by(&command);
+        if touched == Touched::NOTHING {
+            return touched;
+        }
         match command {
             Command::SetOutline { side, outline } => {
                 let settings = self.sides[side].domain.settings;

@@ -1,12 +1,14 @@
-//! Requests to a worker and its responses: preparations and studies.
+//! Requests to a worker and its responses: files to parse, preparations, studies.
 //!
 //! The engine has no side effects; it runs in a web worker, and natively on a thread. Every
 //! message carries the generation of its request; the receiver drops stale ones.
 
+mod file;
 mod rehearsal;
 mod study;
 mod transfer;
 
+pub use file::{FlatOutline, FlatSession, NamedFile, Unread};
 pub use rehearsal::rehearsal;
 pub use study::{Finding, Study};
 pub use transfer::Transfer;
@@ -14,15 +16,17 @@ pub use transfer::Transfer;
 use crate::conformal::{PrepareSettings, PreparedSide, Stage, SurfaceSettings, prepare, prepare_surface};
 use crate::geometry::SimplePolygon;
 use crate::language::Message;
+use crate::outline::Outline;
+use crate::session::Session;
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, read_surface};
 use std::sync::Arc;
 
-/// A request to prepare something.
+/// A request to read or to prepare something.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
     /// Incremented with every request about the same side.
     pub generation: u64,
-    /// The side to prepare.
+    /// What to do.
     pub task: Task,
 }
 
@@ -33,7 +37,7 @@ impl Request {
     }
 }
 
-/// The kind of side to prepare.
+/// A side to prepare, or a file to read.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Task {
     /// The inside of an outline.
@@ -43,6 +47,15 @@ pub enum Task {
         /// How to discretise it.
         settings: PrepareSettings,
     },
+    /// The inside of an outline that is parsed from a file first.
+    OutlineFile {
+        /// The file.
+        file: NamedFile,
+        /// How to discretise it.
+        settings: PrepareSettings,
+    },
+    /// A session file, which is only read.
+    SessionFile(NamedFile),
     /// A surface.
     Surface {
         /// Its triangles.
@@ -78,7 +91,13 @@ pub enum SurfaceSource {
 pub enum Response {
     /// The start of a stage.
     Progress(Stage),
-    /// The prepared side, with the notes from reading a surface.
+    /// The outline of a file is parsed; its inside is prepared next.
+    Outline(Box<Outline>),
+    /// The session of a file is read.
+    Session(Box<Session>),
+    /// The file could not be read.
+    Unread(Unread),
+    /// A side is done; with what the reader of a surface noticed.
     Prepared(Box<PreparedSide>, Vec<Message>),
     /// The preparation failed.
     Failed(Failure),
@@ -103,17 +122,46 @@ impl Failure {
     }
 }
 
+impl Response {
+    /// Whether more responses to the same request follow.
+    pub fn goes_on(&self) -> bool {
+        matches!(self, Self::Progress(_) | Self::Outline(_))
+    }
+}
+
 /// Processes `request`, emitting `(generation, response)`.
 pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
-    let generation = request.generation;
-    let progress = &mut |stage| emit(generation, Response::Progress(stage));
-    let result = match &request.task {
-        Task::Outline { polygon, settings } => prepare(polygon, settings, progress)
-            .map(|side| Response::Prepared(Box::new(side), Vec::new()))
-            .map_err(|error| Failure::new(&error)),
-        Task::Surface { source, repair, settings } => surface(source, *repair, *settings, progress),
+    let answer = &mut |response| emit(request.generation, response);
+    let last = match &request.task {
+        Task::Outline { polygon, settings } => outline(polygon, settings, answer),
+        Task::OutlineFile { file, settings } => outline_file(file, settings, answer),
+        Task::SessionFile(file) => match file.session() {
+            Ok(session) => Response::Session(Box::new(session)),
+            Err(unread) => Response::Unread(unread),
+        },
+        Task::Surface { source, repair, settings } => {
+            surface(source, *repair, *settings, &mut |stage| answer(Response::Progress(stage)))
+                .unwrap_or_else(Response::Failed)
+        }
     };
-    emit(generation, result.unwrap_or_else(Response::Failed));
+    answer(last);
+}
+
+fn outline(polygon: &SimplePolygon, settings: &PrepareSettings, answer: &mut dyn FnMut(Response)) -> Response {
+    match prepare(polygon, settings, &mut |stage| answer(Response::Progress(stage))) {
+        Ok(side) => Response::Prepared(Box::new(side), Vec::new()),
+        Err(error) => Response::Failed(Failure::new(&error)),
+    }
+}
+
+fn outline_file(file: &NamedFile, settings: &PrepareSettings, answer: &mut dyn FnMut(Response)) -> Response {
+    answer(Response::Progress(Stage::Read));
+    let read = match file.outline() {
+        Ok(read) => read,
+        Err(unread) => return Response::Unread(unread),
+    };
+    answer(Response::Outline(Box::new(read.clone())));
+    outline(&read.polygon, settings, answer)
 }
 
 impl SurfaceSource {
@@ -172,6 +220,19 @@ mod tests {
         let Response::Prepared(side, notes) = last(file(square), false) else { panic!() };
         assert_eq!(side.surface().unwrap().mesh().triangles().len(), 2);
         assert_eq!(notes, [key::surface_note_triangulated(1_u32)]);
+    }
+
+    #[test]
+    fn an_outline_of_a_file_is_said_before_its_inside_is_prepared() {
+        let file = NamedFile { name: "a.csv".into(), bytes: Arc::new(b"0,0\n1,0\n0,1\n".to_vec()) };
+        let task = Task::OutlineFile { file: file.clone(), settings: PrepareSettings::default() };
+        let mut answers = Vec::new();
+        run(&Request { generation: 3, task }, &mut |_, response| answers.push(response));
+        assert!(matches!(answers[0], Response::Progress(Stage::Read)) && answers[0].goes_on());
+        assert!(matches!(&answers[1], Response::Outline(outline) if **outline == file.outline().unwrap()));
+        let last = answers.pop().unwrap();
+        assert!(matches!(&last, Response::Prepared(side, _) if side.domain().is_some()) && !last.goes_on());
+        assert!(answers.iter().all(Response::goes_on));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The transferable form of a prepared side: flat arrays, which are moved between workers, and a short text.
 //!
-//! The arrays are those of [`PreparedSide::to_buffers`], in its order; the text is the surface's repairs as JSON.
+//! The arrays are those of `PreparedSide::to_buffers`, in its order; the text is the surface's repairs as JSON.
 
 use crate::conformal::{FlatBuffers, PreparedSide};
 

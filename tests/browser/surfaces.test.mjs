@@ -65,6 +65,38 @@ withEachBackend('surfaces', (bench) => {
     }),
   );
 
+  for (const [sides, surfaces] of Object.entries({
+    'the source': { source: surface('half-torus', 100) },
+    'both sides': { source: surface('hemisphere', 100), target: surface('animal-head', 120) },
+  })) {
+    test(
+      `a surface on ${sides} is mapped, dragged, and kept in the address`,
+      bench.withApp(async (app) => {
+        const { generation } = await app.stats();
+        await app.openSession(await ofVersion2(app, surfaces));
+        const is_there = (stats, last) => stats.ready && stats.surface_ms !== null && stats.generation > last;
+        const shown = await app.atRest('it is mapped', is_there, generation);
+        assert.deepEqual([shown.errors, shown.flipped, shown.source.m], [[], 0, 100]);
+        assertShowsSomething(await app.picture(`${backend}-surface-on-${sides.replaceAll(' ', '-')}`));
+        assertMapsPoint(shown);
+        for (const handle of Object.keys(surfaces).map((side) => (side === 'source' ? 'x1' : 'x2'))) {
+          const before = await app.stats();
+          const [x, y] = before.handles[handle];
+          await app.drag([x, y], [x + 25, y + 20]);
+          const moved = await app.atRest(`the map has followed ${handle}`, is_there, before.generation);
+          assert.ok(Math.hypot(moved.handles[handle][0] - x, moved.handles[handle][1] - y) > 10, `${handle} has moved`);
+          assertMapsPoint(moved);
+        }
+        await app.until('the address has it', () => window.location.hash === window.riemap.link());
+        const session = await app.session();
+        assert.equal(session.version, 2);
+        await app.reload();
+        await app.until('it is there again', (stats) => stats.ready && stats.surface_ms !== null && stats.source.m === 100);
+        assert.deepEqual(await app.session(), session);
+      }),
+    );
+  }
+
   test(
     'a drag beside the dots turns the surface and leaves the map',
     bench.withApp(async (app) => {
@@ -186,7 +218,14 @@ withEachBackend('surfaces', (bench) => {
   );
 });
 
-/** Checks the constraint on the interior points: the surface's point is mapped to the outline's. */
+/** Returns the app's session with these surfaces, by side, as an object of version 2. */
+async function ofVersion2(app, surfaces) {
+  const { source, target, interior, anchor } = await app.session();
+  const side = (outline, k, name) => ({ ...outline, interior: interior[k], anchor: anchor[k], surface: surfaces[name] ?? null });
+  return { version: 2, source: side(source, 0, 'source'), target: side(target, 1, 'target') };
+}
+
+/** Checks the constraint on the interior points: the mapped side's point is mapped to the other side's. */
 function assertMapsPoint({ image_of_mapped_point: image, expected }) {
   const distance = Math.hypot(image[0] - expected[0], image[1] - expected[1]);
   assert.ok(distance < 0.03, `image ${image}, expected ${expected}, distance ${distance}`);

@@ -111,8 +111,8 @@ fn a_flat_colour_arrives_as_asked() {
 fn a_transparent_background_stays_transparent() {
     let Some(gpu) = gpu() else { return };
     let asked = [0.8, 0.4, 0.2, 0.5];
-    let viewports = [square(style(Pattern::Checker, 4.0))];
-    let scene = SceneDescription { viewports: &viewports, background: asked, image: None, margin_px: 0.0 };
+    let pictures = [square(style(Pattern::Checker, 4.0)).into()];
+    let scene = SceneDescription { pictures: &pictures, background: asked, image: None, margin_px: 0.0 };
     let image = render_scene_with(&gpu.0, &gpu.1, &scene, [100, 100]).unwrap();
     // premultiplying by one half costs one more bit
     assert_pixel(&image, [3, 3], bytes(asked), 3, "background");
@@ -130,8 +130,8 @@ fn half_covered_pixels_on_a_transparent_ground_have_straight_colours() {
     let image = RgbaImage::from_pixel(4, 4, flat);
     // an invisible background must not leave traces of its color either
     let background = [0.1, 0.9, 0.9, 0.0];
-    let viewports = [viewport];
-    let scene = SceneDescription { viewports: &viewports, background, image: Some(&image), margin_px: 0.0 };
+    let pictures = [viewport.into()];
+    let scene = SceneDescription { pictures: &pictures, background, image: Some(&image), margin_px: 0.0 };
     let picture = render_scene_with(&gpu.0, &gpu.1, &scene, [100, 100]).unwrap();
     let mut half = 0;
     for (x, y, pixel) in picture.enumerate_pixels().filter(|(.., pixel)| (40..=215).contains(&pixel.0[3])) {
@@ -166,8 +166,12 @@ fn stroke_width(gpu: &Gpu, units_per_pixel: f64, points: &[DVec2], width_px: f32
     viewport.boundary = points;
     viewport.boundary_style = Some(white);
     viewport.camera = Some(Camera { center: DVec2::new(-1.0, 0.05), units_per_pixel });
-    let scene =
-        SceneDescription { viewports: &[viewport], background: [0.0, 0.0, 0.0, 1.0], image: None, margin_px: 0.0 };
+    let scene = SceneDescription {
+        pictures: &[viewport.into()],
+        background: [0.0, 0.0, 0.0, 1.0],
+        image: None,
+        margin_px: 0.0,
+    };
     let image = render_scene_with(&gpu.0, &gpu.1, &scene, [40, 40]).unwrap();
     (0..40).map(|x| linear(image.get_pixel(x, 20).0[0])).sum()
 }
@@ -222,16 +226,16 @@ fn a_handle_is_a_coloured_disc_in_a_white_ring() {
 #[test]
 fn impossible_scenes_are_refused_with_the_reason() {
     let Some((device, queue, _)) = gpu() else { return };
-    let scene = |viewports| SceneDescription { viewports, background: BACKGROUND, image: None, margin_px: 0.0 };
-    let good = [square(style(Pattern::Checker, 4.0))];
+    let scene = |pictures| SceneDescription { pictures, background: BACKGROUND, image: None, margin_px: 0.0 };
+    let good = [square(style(Pattern::Checker, 4.0)).into()];
     assert!(matches!(render_scene_with(device, queue, &scene(&good), [0, 10]), Err(RenderError::Size { .. })));
     assert!(matches!(render_scene_with(device, queue, &scene(&good), [10, 1 << 30]), Err(RenderError::Size { .. })));
     assert!(matches!(
         render_scene_with(device, queue, &scene(&[]), [10, 10]),
         Err(RenderError::ViewportCount { count: 0, .. })
     ));
-    let mut bad = good.clone();
-    bad[0].geometry.triangles = &[[0, 1, 4]];
-    let error = render_scene_with(device, queue, &scene(&bad), [10, 10]).unwrap_err();
+    let mut bad = square(style(Pattern::Checker, 4.0));
+    bad.geometry.triangles = &[[0, 1, 4]];
+    let error = render_scene_with(device, queue, &scene(&[bad.into()]), [10, 10]).unwrap_err();
     assert!(error.to_string().contains("triangle 0 [0, 1, 4]"), "{error}");
 }

@@ -3,8 +3,8 @@
 use glam::DVec2;
 use image::RgbaImage;
 use riemap::render::{
-    Camera, Detail, MeshGeometry, Pace, Pattern, PlanarFrame, SceneDescription, SceneViewport, TextureStyle,
-    ViewportRenderer, headless_device, render_scene_with,
+    Camera, Detail, MeshGeometry, Pace, Pattern, PlanarFrame, SceneDescription, ScenePicture, SceneViewport,
+    TextureStyle, ViewportRenderer, headless_device, render_scene_with,
 };
 use std::sync::OnceLock;
 
@@ -60,7 +60,8 @@ pub fn square(style: TextureStyle) -> SceneViewport<'static> {
 }
 
 pub fn render(gpu: &Gpu, viewports: &[SceneViewport], image: Option<&RgbaImage>, size: [u32; 2]) -> RgbaImage {
-    let scene = SceneDescription { viewports, background: BACKGROUND, image, margin_px: 16.0 };
+    let pictures: Vec<_> = viewports.iter().cloned().map(ScenePicture::from).collect();
+    let scene = SceneDescription { pictures: &pictures, background: BACKGROUND, image, margin_px: 16.0 };
     render_scene_with(&gpu.0, &gpu.1, &scene, size).unwrap()
 }
 

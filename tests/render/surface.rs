@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 use image::{Rgba, RgbaImage};
 use riemap::render::{
     BoundingSphere, CellCode, CellStyle, ColourMap, Detail, OrbitCamera, Pace, Pattern, REFINED_AFTER,
-    SceneDescription, SceneSurface, SpaceFrame, StrokeStyle, SurfaceGeometry, SurfaceHandle, TextureStyle,
-    ViewportRenderer, render_surface_with,
+    SceneDescription, ScenePicture, SceneSurface, SpaceFrame, StrokeStyle, SurfaceGeometry, SurfaceHandle,
+    TextureStyle, ViewportRenderer, render_scene_with,
 };
 use riemap::surface::{SurfaceMesh, SurfacePreset};
 
@@ -40,7 +40,6 @@ impl Squares {
 
     fn scene(&self) -> SceneSurface<'_> {
         SceneSurface {
-            right: false,
             geometry: SurfaceGeometry {
                 positions: &self.positions,
                 triangles: &self.triangles,
@@ -74,8 +73,13 @@ fn columns(colours: &[[u8; 4]]) -> RgbaImage {
 }
 
 fn picture(gpu: &Gpu, surface: &SceneSurface, image: Option<&RgbaImage>) -> RgbaImage {
-    let scene = SceneDescription { viewports: &[], background: BACKGROUND, image, margin_px: 0.0 };
-    render_surface_with(&gpu.0, &gpu.1, surface, &scene, [SIZE, SIZE]).unwrap()
+    row(gpu, &[surface.clone().into()], image)
+}
+
+/// The pictures side by side, each a square of [`SIZE`].
+fn row(gpu: &Gpu, pictures: &[ScenePicture], image: Option<&RgbaImage>) -> RgbaImage {
+    let scene = SceneDescription { pictures, background: BACKGROUND, image, margin_px: 0.0 };
+    render_scene_with(&gpu.0, &gpu.1, &scene, [SIZE * pictures.len() as u32, SIZE]).unwrap()
 }
 
 const ORANGE: [u8; 4] = [230, 150, 60, 255];
@@ -226,7 +230,6 @@ fn hemisphere() -> (SurfaceMesh, Vec<DVec2>) {
 fn hemisphere_scene<'a>(mesh: &'a SurfaceMesh, images: &'a [DVec2], towards_eye: DVec3) -> SceneSurface<'a> {
     let mesh = mesh.mesh();
     SceneSurface {
-        right: false,
         geometry: SurfaceGeometry {
             positions: mesh.vertices(),
             triangles: mesh.triangles(),
@@ -298,16 +301,17 @@ fn live_frame_of(scene: &SceneSurface) -> SpaceFrame {
 fn recorded(gpu: &Gpu, renderer: &mut ViewportRenderer, frame: &SpaceFrame, pace: Pace) -> Option<Detail> {
     let (device, queue, _) = gpu;
     let prepare = |renderer: &mut ViewportRenderer, encoder: &mut wgpu::CommandEncoder| {
-        renderer.prepare_surface(device, queue, encoder, frame, pace)
+        renderer.prepare_surface(device, queue, encoder, 0, frame, pace)
     };
-    one_frame(gpu, renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, ViewportRenderer::paint_surface).0
+    one_frame(gpu, renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, |renderer, pass| renderer.paint_surface(pass, 0))
+        .0
 }
 
 #[test]
 fn an_unchanged_surface_is_not_recorded_and_every_change_is() {
     let Some(gpu) = gpu() else { return };
     let (device, queue, _) = gpu;
-    let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 0, 1);
+    let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 1, 1);
     let squares = Squares::new(&[(-DVec2::ONE, DVec2::ONE, 0.0)]);
     let scene = squares.scene();
     let frame = live_frame_of(&scene);
@@ -315,10 +319,10 @@ fn an_unchanged_surface_is_not_recorded_and_every_change_is() {
     let handle = SurfaceHandle { position: DVec3::ZERO, hidden: false, colour: GREEN, radius_px: 4.0 };
     let mut codes = vec![CellCode::FLIPPED; 2];
     let mut changes: Vec<Change> = vec![
-        ("set_surface", Box::new(|r| r.set_surface(device, queue, &scene.geometry))),
-        ("set_surface_coordinates", Box::new(|r| r.set_surface_coordinates(queue, &squares.coordinates))),
-        ("set_surface_codes", Box::new(|r| r.set_surface_codes(queue, &mut codes))),
-        ("set_surface_handles", Box::new(|r| (r.set_surface_handles(&[handle]), true).1)),
+        ("set_surface", Box::new(|r| r.set_surface(device, queue, 0, &scene.geometry))),
+        ("set_surface_coordinates", Box::new(|r| r.set_surface_coordinates(queue, 0, &squares.coordinates))),
+        ("set_surface_codes", Box::new(|r| r.set_surface_codes(queue, 0, &mut codes))),
+        ("set_surface_handles", Box::new(|r| (r.set_surface_handles(0, &[handle]), true).1)),
         ("set_image", Box::new(|r| r.set_image(device, queue, &[0; 16], 2, 2).is_ok())),
     ];
     for (name, change) in &mut changes {
@@ -329,9 +333,9 @@ fn an_unchanged_surface_is_not_recorded_and_every_change_is() {
     let turned = SpaceFrame { camera: camera(DVec3::new(1.0, 0.0, 1.0)), ..frame };
     let at = |now| Pace::CoarseFirst { now };
     assert_eq!(recorded(gpu, &mut renderer, &turned, at(1.0)), Some(Detail::Coarse));
-    assert!(renderer.is_surface_coarse());
+    assert!(renderer.is_surface_coarse(0));
     assert_eq!(recorded(gpu, &mut renderer, &turned, at(1.0 + 2.0 * REFINED_AFTER)), Some(Detail::Full));
-    assert!(!renderer.is_surface_coarse());
+    assert!(!renderer.is_surface_coarse(0));
 }
 
 #[test]
@@ -342,18 +346,41 @@ fn a_surface_looks_the_same_whether_its_drawing_was_rehearsed_or_not() {
     let scene = hemisphere_scene(&mesh, &images, DVec3::new(0.3, -0.8, 0.9).normalize());
     let frame = live_frame_of(&scene);
     let painted = |rehearses: bool| {
-        let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 0, 1);
+        let mut renderer = ViewportRenderer::new(device, queue, wgpu::TextureFormat::Rgba8Unorm, 1, 1);
         if rehearses {
             renderer.rehearse_surface(device, queue);
         }
-        assert!(renderer.set_surface(device, queue, &scene.geometry));
-        assert!(renderer.set_surface_coordinates(queue, &images));
+        assert!(renderer.set_surface(device, queue, 0, &scene.geometry));
+        assert!(renderer.set_surface_coordinates(queue, 0, &images));
         let prepare = |renderer: &mut ViewportRenderer, encoder: &mut wgpu::CommandEncoder| {
-            renderer.prepare_surface(device, queue, encoder, &frame, Pace::Full)
+            renderer.prepare_surface(device, queue, encoder, 0, &frame, Pace::Full)
         };
-        one_frame(gpu, &mut renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, ViewportRenderer::paint_surface).1
+        one_frame(gpu, &mut renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, |renderer, pass| {
+            renderer.paint_surface(pass, 0)
+        })
+        .1
     };
     let (at_once, rehearsed) = (painted(false), painted(true));
     assert!(at_once.pixels().any(|pixel| pixel.0 == bytes(LOOP.colour)), "something is drawn");
     assert!(at_once == rehearsed);
+}
+
+#[test]
+fn two_surfaces_and_a_plane_side_by_side_are_as_each_alone() {
+    let Some(gpu) = gpu() else { return };
+    let (mesh, images) = hemisphere();
+    let eyes = [DVec3::new(0.3, -0.8, 0.9), DVec3::new(-0.6, 0.2, 0.7)].map(DVec3::normalize);
+    let codes = vec![CellCode::at(0.4); mesh.mesh().triangles().len()];
+    let mut surfaces = eyes.map(|eye| hemisphere_scene(&mesh, &images, eye));
+    surfaces[1].codes = &codes;
+    surfaces[1].cells =
+        Some(CellStyle { map: Some(ColourMap::Cividis), wire: Some(WIRE), marks: false, pixels_per_point: 1.0 });
+    let plane = ScenePicture::from(square(style(Pattern::Checker, 8.0)));
+    let pictures = [surfaces[0].clone().into(), plane, surfaces[1].clone().into()];
+    let together = row(gpu, &pictures, None);
+    for (k, one) in pictures.into_iter().enumerate() {
+        let alone = row(gpu, &[one], None);
+        let part = image::imageops::crop_imm(&together, SIZE * k as u32, 0, SIZE, SIZE).to_image();
+        assert!(part == alone, "picture {k} is another one beside others");
+    }
 }

@@ -24,6 +24,7 @@ use crate::language::{Message, key};
 use crate::model::editing::{Change, Crossing, Drawing, Hold, Reshaping};
 use crate::model::{Model, names};
 use crate::outline::Outline;
+use crate::session::Touched;
 use egui::vec2;
 use paste::Paste;
 
@@ -106,6 +107,8 @@ impl Editor {
 
     /// Restarts from the side's outline if it was changed by other means; ends the editing if a surface replaced it.
     pub fn follow(&mut self, model: &mut Model, views: &mut PerSide<View>) {
+        // the text is no longer read: something else was chosen meanwhile
+        self.paste.take_if(|paste| paste.is_being_read() && !model.reads_pasted(paste.side()));
         let Some(Work::Reshaping(reshaping)) = &mut self.work else { return };
         let hidden = model.surface(reshaping.side()).is_some();
         if hidden {
@@ -115,8 +118,10 @@ impl Editor {
         }
     }
 
-    /// Carries out an action; one that does not apply to the current state is ignored.
-    pub fn act(&mut self, action: EditAction, model: &mut Model, views: &mut PerSide<View>) {
+    /// Carries out an action; one that does not apply to the current state is ignored. Returns the parts of the session
+    /// that it changes or begins to change. A drawing touches the session when it is closed, a pasted text only when a
+    /// worker has read an outline in it.
+    pub fn act(&mut self, action: EditAction, model: &mut Model, views: &mut PerSide<View>) -> Touched {
         match action {
             EditAction::Toggle(side) if self.reshaping(side).is_some() => self.leave(model, views),
             EditAction::Toggle(side) => self.begin(side, model, views),
@@ -128,10 +133,9 @@ impl Editor {
             EditAction::OpenPaste(side) => self.paste = Some(Paste::new(side)),
             EditAction::ClosePaste => self.paste = None,
             EditAction::TakePasted => {
-                if let Some((side, outline)) = self.paste.as_mut().and_then(Paste::take) {
-                    self.paste = None;
-                    self.leave(model, views);
-                    model.want_loaded(side, outline);
+                if let Some(paste) = &mut self.paste {
+                    let side = paste.side();
+                    model.open_pasted(side, paste.begin_reading());
                 }
             }
             _ => match &self.work {
@@ -141,23 +145,39 @@ impl Editor {
                         views[reshaping.side()].stay();
                     }
                     self.reshape(action, model);
+                    return action.leads_to();
                 }
-                Some(Work::Drawing(_)) => self.draw(action, model, views),
+                Some(Work::Drawing(_)) => return self.draw(action, model, views),
                 None => {}
             },
         }
+        Touched::NOTHING
     }
 
-    /// Reads a text that was pasted while no text field was focused, as an outline for the side of the paste window, or
-    /// else for the source. A text that is no outline is shown in the window with the error.
-    pub fn take_text(&mut self, text: String, model: &mut Model, views: &mut PerSide<View>) {
-        let side = self.paste.as_ref().map_or(Side::Source, Paste::side);
-        self.paste = Some(Paste::with(side, text));
-        self.act(EditAction::TakePasted, model, views);
+    /// Begins to read a text that was pasted while no text field was focused, as an outline for the side of the paste
+    /// window, or else for the source. A text that is no outline is shown in the window with the error.
+    pub fn take_text(&mut self, text: String, model: &mut Model) {
+        let open = self.paste.as_ref().filter(|paste| !paste.is_being_read());
+        let side = open.map_or(Side::Source, Paste::side);
+        let mut paste = Paste::with(side, text);
+        model.open_pasted(side, paste.begin_reading());
+        self.paste = Some(paste);
     }
 
-    fn draw(&mut self, action: EditAction, model: &mut Model, views: &mut PerSide<View>) {
-        let Some(Work::Drawing(drawing)) = &mut self.work else { return };
+    /// Closes the paste window: the text was an outline, which the side now requests.
+    pub fn end_paste(&mut self, model: &mut Model, views: &mut PerSide<View>) {
+        self.paste = None;
+        self.leave(model, views);
+    }
+
+    /// Shows in the paste window why the text for a side is no outline.
+    pub fn refuse_paste(&mut self, side: Side, why: Message) {
+        self.paste.get_or_insert_with(|| Paste::new(side)).refuse(why);
+    }
+
+    /// Continues a drawing. Returns what it touches once it is closed and requested as an outline.
+    fn draw(&mut self, action: EditAction, model: &mut Model, views: &mut PerSide<View>) -> Touched {
+        let Some(Work::Drawing(drawing)) = &mut self.work else { return Touched::NOTHING };
         match action {
             EditAction::Point(point) => drawing.add(point),
             EditAction::TakeBack => drawing.take_back(),
@@ -171,10 +191,12 @@ impl Editor {
                     let outline = Outline { name: String::from(names::DRAWN), polygon, notes: Vec::new() };
                     model.want_loaded(side, outline);
                     self.leave(model, views);
+                    return action.leads_to();
                 }
             }
             _ => {}
         }
+        Touched::NOTHING
     }
 
     fn reshape(&mut self, action: EditAction, model: &mut Model) {

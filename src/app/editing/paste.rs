@@ -1,15 +1,13 @@
 //! Outlines from text: the paste window, and pasting while no text field is focused.
 //!
-//! All text formats of outline files are read. A text longer than [`LONGEST_SHOWN`] is read at once and never shown in
-//! the field.
+//! All text formats of outline files are read, by the side's worker; the window is hidden meanwhile. A text longer than
+//! [`LONGEST_SHOWN`] is read at once and never shown in the field.
 
 use super::Editor;
 use crate::app::input::action::{Action, Actions, EditAction};
 use crate::app::theme::{Palette, ROUNDING};
 use crate::conformal::Side;
 use crate::language::{Label as Words, Message, key, say, tr};
-use crate::model::names;
-use crate::outline::{Outline, parse};
 use egui::{
     Align2, Button, Context, CornerRadius, Event, FontId, Frame, Key, Label, RichText, ScrollArea, Stroke, TextEdit,
     Ui, Window, vec2,
@@ -33,6 +31,7 @@ pub struct Paste {
     text: String,
     /// The reason why the text is no outline.
     error: Option<Message>,
+    is_being_read: bool,
 }
 
 impl Paste {
@@ -43,7 +42,7 @@ impl Paste {
 
     /// A field with a text.
     pub fn with(side: Side, text: String) -> Self {
-        Self { side, text, error: None }
+        Self { side, text, error: None, is_being_read: false }
     }
 
     /// The side that gets the outline.
@@ -62,21 +61,27 @@ impl Paste {
         self.error.as_ref()
     }
 
-    /// Parses the text. On failure the error is kept for [`Self::error()`], and a text longer than [`LONGEST_SHOWN`] is
-    /// cleared.
-    pub fn take(&mut self) -> Option<(Side, Outline)> {
-        let error = match parse(names::PASTED, self.text.as_bytes()) {
-            Ok(outline) => return Some((self.side, outline)),
-            Err(error) => error,
-        };
+    /// Whether a worker is reading the text.
+    pub fn is_being_read(&self) -> bool {
+        self.is_being_read
+    }
+
+    /// Hides the window and returns the text for a worker to read.
+    pub fn begin_reading(&mut self) -> &str {
+        (self.is_being_read, self.error) = (true, None);
+        &self.text
+    }
+
+    /// Keeps why the text is no outline; a text longer than [`LONGEST_SHOWN`] is cleared.
+    pub fn refuse(&mut self, why: Message) {
+        self.is_being_read = false;
         let length = self.text.len();
         self.error = Some(if length > LONGEST_SHOWN {
             self.text = String::new();
-            key::pasted_text_not_shown(Message::from(&error), length, LONGEST_SHOWN)
+            key::pasted_text_not_shown(why, length, LONGEST_SHOWN)
         } else {
-            Message::from(&error)
+            why
         });
-        None
     }
 }
 
@@ -94,7 +99,7 @@ pub fn pasted(ui: &Ui) -> Option<String> {
 
 /// Shows the window while it is open.
 pub fn show(context: &Context, editor: &mut Editor, actions: &mut Actions) {
-    let Some(paste) = &mut editor.paste else { return };
+    let Some(paste) = editor.paste.as_mut().filter(|paste| !paste.is_being_read) else { return };
     let width = (context.content_rect().width() - 40.0).min(460.0);
     let mut open = true;
     let title = match paste.side {

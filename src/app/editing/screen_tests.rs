@@ -3,7 +3,7 @@
 use super::*;
 use crate::app::RiemapApp;
 use crate::app::status::stats::Stats;
-use crate::app::tests::ready_app;
+use crate::app::tests::{ready_app, step_until};
 use crate::model::editing::Pen;
 use crate::session::OutlineSpec;
 use egui_kittest::Harness;
@@ -109,6 +109,7 @@ fn a_long_text_pasted_into_the_field_is_not_shown_in_it() {
     for (text, shown) in [(String::from("M 0 0"), 5), ("no outline ".repeat(10_000), 0)] {
         harness.event(egui::Event::Paste(text));
         harness.run_steps(2);
+        step_until(&mut harness, |app| !app.model.is_preparing(SIDE));
         assert_eq!(harness.state().editor.paste.as_ref().unwrap().text().len(), shown);
     }
     let message = harness.state().stats().screen.editing.unwrap().message.unwrap();

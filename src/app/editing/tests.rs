@@ -6,6 +6,7 @@ use crate::geometry::DVec2;
 use crate::geometry::SimplePolygon;
 use crate::mesh::Sizing;
 use crate::model::editing::Pen;
+use crate::model::opening::Arrived;
 use crate::outline::{Preset, Sampling};
 use crate::session::{Command, OutlineSpec, Session};
 use crate::worker::{Request, Task, run};
@@ -56,7 +57,14 @@ impl Bench {
 
     fn answer(&mut self, requests: Vec<(Side, Request)>) {
         for (side, request) in requests {
-            run(&request, &mut |generation, response| self.model.accept(side, generation, response));
+            run(&request, &mut |generation, response| {
+                self.model.accept(side, generation, response);
+                match self.model.take_arrived() {
+                    Some(Arrived::Outline(_)) => self.editor.end_paste(&mut self.model, &mut self.views),
+                    Some(Arrived::NoOutline(side, why)) => self.editor.refuse_paste(side, why),
+                    _ => {}
+                }
+            });
         }
         while self.model.refresh(false).images || self.model.is_pending() {}
     }
@@ -357,7 +365,7 @@ fn a_drawing_that_crosses_itself_stays_until_it_is_mended_and_a_stroke_begins_an
 fn pasted_text_becomes_the_outline_and_other_text_is_shown_with_its_error() {
     let mut bench = Bench::square();
     let take = |bench: &mut Bench, text: &str| {
-        bench.editor.take_text(text.into(), &mut bench.model, &mut bench.views);
+        bench.editor.take_text(text.into(), &mut bench.model);
         bench.answer_all();
     };
     take(&mut bench, "M 0 0 h 4 v 1 h -4 z");
@@ -383,10 +391,11 @@ fn a_long_text_is_read_without_being_shown() {
     };
     let text = ring(3000);
     assert!(text.len() > paste::LONGEST_SHOWN, "{}", text.len());
-    bench.editor.take_text(text.clone(), &mut bench.model, &mut bench.views);
+    bench.editor.take_text(text.clone(), &mut bench.model);
     bench.answer_all();
     assert!(bench.editor.paste.is_none() && bench.points().len() == 3000);
-    bench.editor.take_text(text + "and so on", &mut bench.model, &mut bench.views);
+    bench.editor.take_text(text + "and so on", &mut bench.model);
+    bench.answer_all();
     let paste = bench.editor.paste.as_ref().unwrap();
     let error = paste.error().unwrap().english();
     assert!(error.contains("line 3001") && error.contains(" bytes") && error.contains("50000"), "{error}");

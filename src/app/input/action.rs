@@ -6,7 +6,7 @@ use crate::geometry::DVec2;
 use crate::model::editing::{Change, Hold, Pen};
 use crate::model::motion::PlayAction;
 use crate::model::overlays::walks::WalkAction;
-use crate::session::Command;
+use crate::session::{Command, Touched};
 
 /// A request of the user. All requests go through one queue and are carried out in one place.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,6 +73,44 @@ pub enum Action {
     TogglePresentation,
 }
 
+impl Action {
+    /// The parts of the session that the action changes, or that the commands change in which it ends.
+    pub fn leads_to(&self) -> Touched {
+        match self {
+            Self::Session(command) => command.touches(),
+            Self::Edit(action) => action.leads_to(),
+            Self::New
+            | Self::OpenSession
+            | Self::Explore(ExploreAction::Gallery | ExploreAction::Figures | ExploreAction::Tour(_)) => {
+                Touched::EVERYTHING
+            }
+            Self::OpenOutline(_) | Self::OpenTrace(_) | Self::TraceImage | Self::PasteText(_) => Touched::ANOTHER_SHAPE,
+            Self::OpenImage => Touched::PATTERN,
+            Self::Play(_) => Touched::POINTS,
+            Self::Undo
+            | Self::Redo
+            | Self::SaveSession
+            | Self::CopyLink
+            | Self::DismissOffer
+            | Self::Fit(_)
+            | Self::QuickFix(_)
+            | Self::Dismiss(_)
+            | Self::OpenReport(_)
+            | Self::CloseReport
+            | Self::DismissMessage
+            | Self::Export(_)
+            | Self::Walks(_)
+            | Self::Explore(ExploreAction::Shortcuts | ExploreAction::Close | ExploreAction::LeaveTour { .. })
+            | Self::Prefer(_)
+            | Self::TogglePanels
+            | Self::OpenSheet(_)
+            | Self::Plots(_)
+            | Self::ToggleFullScreen
+            | Self::TogglePresentation => Touched::NOTHING,
+        }
+    }
+}
+
 /// The requests of a frame, in the order in which they were made.
 pub type Actions = Vec<Action>;
 
@@ -111,6 +149,18 @@ pub enum EditAction {
     TakePasted,
     /// Close the paste window.
     ClosePaste,
+}
+
+impl EditAction {
+    /// The parts of the session that the commands touch in which the action ends: another outline, or another form of
+    /// the present one, which carries its points along. Mirroring moves the points.
+    pub fn leads_to(self) -> Touched {
+        match self {
+            Self::Draw(..) | Self::Close | Self::OpenPaste(_) | Self::TakePasted => Touched::ANOTHER_SHAPE,
+            Self::Change(Change::Mirror) => Touched::SHAPES | Touched::POINTS,
+            _ => Touched::SHAPES,
+        }
+    }
 }
 
 /// The actions of the gallery, the figures, the list of shortcuts and the tour.

@@ -4,10 +4,9 @@
 //! ([`Locks::refused`]), dots and pictures do not follow the pointer, and its widgets are grayed with the
 //! reason as tooltip. Locks do not apply to the page that embeds the app.
 
-use crate::app::input::action::{Action, EditAction, ExploreAction};
+use crate::app::input::action::Action;
 use crate::app::input::handles::HandleKind;
 use crate::language::{Label, key, tr};
-use crate::model::editing::Change;
 use crate::session::Touched;
 use egui::{Button, Context, Id, Sense, Ui};
 
@@ -57,9 +56,6 @@ impl Control {
         Self::Panels,
     ];
 
-    /// The controls that a new outline or surface changes: it comes with its own interior and boundary point.
-    pub const OF_SHAPES: &[Self] = &[Self::Outline, Self::Interior, Self::Boundary];
-
     /// The name in the URL.
     pub fn name(self) -> &'static str {
         match self {
@@ -83,42 +79,16 @@ impl Control {
         !matches!(self, Self::View | Self::Theme | Self::Panels)
     }
 
-    /// The control that an action other than a session command belongs to; `None` if no lock applies.
-    fn of(action: &Action) -> Option<Self> {
-        Some(match action {
-            Action::New
-            | Action::OpenSession
-            | Action::Explore(ExploreAction::Gallery | ExploreAction::Figures | ExploreAction::Tour(_)) => {
-                Self::Session
-            }
-            Action::OpenOutline(_)
-            | Action::OpenTrace(_)
-            | Action::TraceImage
-            | Action::Edit(_)
-            | Action::PasteText(_) => Self::Outline,
-            Action::Play(_) => Self::Interior,
-            Action::OpenImage => Self::Pattern,
-            Action::Fit(_) => Self::View,
-            Action::OpenReport(_) | Action::Walks(_) => Self::Comparison,
-            Action::Prefer(_) => Self::Theme,
-            Action::TogglePanels => Self::Panels,
-            Action::Session(_)
-            | Action::Undo
-            | Action::Redo
-            | Action::SaveSession
-            | Action::CopyLink
-            | Action::Dismiss(_)
-            | Action::QuickFix(_)
-            | Action::DismissMessage
-            | Action::DismissOffer
-            | Action::Export(_)
-            | Action::CloseReport
-            | Action::OpenSheet(_)
-            | Action::Plots(_)
-            | Action::Explore(ExploreAction::Shortcuts | ExploreAction::Close | ExploreAction::LeaveTour { .. })
-            | Action::ToggleFullScreen
-            | Action::TogglePresentation => return None,
-        })
+    /// The control that an action on the screen belongs to, one that does not change the session; `None` if no lock
+    /// applies.
+    fn of_screen(action: &Action) -> Option<Self> {
+        match action {
+            Action::Fit(_) => Some(Self::View),
+            Action::OpenReport(_) | Action::Walks(_) => Some(Self::Comparison),
+            Action::Prefer(_) => Some(Self::Theme),
+            Action::TogglePanels => Some(Self::Panels),
+            _ => None,
+        }
     }
 
     /// The controls whose locks refuse a change of these parts of the session; a refusal names the first locked one.
@@ -179,28 +149,12 @@ impl Locks {
 
     /// The first lock that refuses `action`; `None` if it may be carried out.
     pub fn refused(self, action: &Action) -> Option<Control> {
-        if let Action::Session(command) = action {
-            return Control::of_touched(command.touches()).find(|&control| self.holds(control));
-        }
-        let also: &[Control] = match action {
-            Action::Play(_) => &[Control::Boundary],
-            Action::OpenOutline(_)
-            | Action::OpenTrace(_)
-            | Action::TraceImage
-            | Action::PasteText(_)
-            | Action::Edit(
-                EditAction::Draw(..)
-                | EditAction::Close
-                | EditAction::OpenPaste(_)
-                | EditAction::TakePasted
-                | EditAction::Change(Change::Mirror),
-            ) => Control::OF_SHAPES,
-            _ => &[],
-        };
-        if let Some(&held) = also.iter().find(|&&control| self.holds(control)) {
-            return Some(held);
-        }
-        Control::of(action).filter(|&control| self.holds(control))
+        Control::of_touched(action.leads_to()).chain(Control::of_screen(action)).find(|&control| self.holds(control))
+    }
+
+    /// The first locked control among those that change these parts of the session.
+    pub fn keeps(self, touched: Touched) -> Option<Control> {
+        Control::of_touched(touched).find(|&control| self.holds(control))
     }
 
     /// Whether the dots of this kind are locked.
@@ -231,13 +185,17 @@ pub const REFUSAL: Label = key::locked();
 
 /// Shows widgets, disabled and with the reason as tooltip while `control` is locked.
 pub fn guarded<R>(ui: &mut Ui, control: Control, show: impl FnOnce(&mut Ui) -> R) -> R {
-    guarded_by(ui, &[control], show)
+    let locked = Locks::of(ui.ctx()).holds(control);
+    shown(ui, locked, show)
 }
 
-/// As [`guarded`], for widgets that are disabled while any of `controls` is locked.
-pub fn guarded_by<R>(ui: &mut Ui, controls: &[Control], show: impl FnOnce(&mut Ui) -> R) -> R {
-    let locks = Locks::of(ui.ctx());
-    let locked = controls.iter().any(|&control| locks.holds(control));
+/// As [`guarded`], for widgets that are disabled while a part of the session that they change is locked.
+pub fn guarded_by<R>(ui: &mut Ui, touched: Touched, show: impl FnOnce(&mut Ui) -> R) -> R {
+    let locked = Locks::of(ui.ctx()).keeps(touched).is_some();
+    shown(ui, locked, show)
+}
+
+fn shown<R>(ui: &mut Ui, locked: bool, show: impl FnOnce(&mut Ui) -> R) -> R {
     let shown = ui.add_enabled_ui(!locked, show);
     if locked {
         let id = shown.response.id.with("why it is locked");
@@ -260,6 +218,7 @@ pub fn menu_entry(ui: &mut Ui, enabled: bool, button: Button<'_>, tooltip: Label
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::input::action::EditAction;
     use crate::conformal::Side;
     use crate::model::editing::Change;
     use crate::session::{Command, SurfaceSpec, TextureKind};

@@ -19,7 +19,7 @@ pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
     }
     let (share, words) = match stage {
         None => (0.03, key::waiting_worker()),
-        Some(Stage::Read) => (0.05, key::reading_surface()),
+        Some(Stage::Read) => (0.05, key::reading()),
         Some(Stage::Sample) => (0.1, key::sampling_boundary()),
         Some(Stage::Mesh) => (0.25, key::triangulating()),
         Some(Stage::Assemble) => (0.6, key::assembling_laplacian()),

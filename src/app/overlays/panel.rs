@@ -12,6 +12,7 @@ use crate::model::Model;
 use crate::model::overlays::disk_comparison::{DiskComparison, Found};
 use crate::model::overlays::overlay::Origin;
 use crate::model::overlays::walks::{SPEEDS, WalkAction, Walks};
+use crate::model::pattern::needs_grid;
 use crate::session::{Command, Comparison, DiskWay, Session, TextureKind};
 use egui::{Label, RichText, Ui};
 
@@ -63,8 +64,7 @@ pub fn pattern(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     {
         actions.push(Action::Session(Command::SetTexture(kind)));
     }
-    if session.texture() == TextureKind::Conformal {
-        // The conformal polar grid is defined in the disk, so there is no side to choose.
+    if needs_grid(session) {
         problem(ui, model.shown_grid().error());
     } else if model.is_planar()
         && let Some(home) = segmented(ui, &HOMES, session.texture_side())
@@ -95,7 +95,7 @@ pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 /// The errors that the controls show.
 pub fn errors(model: &Model) -> impl Iterator<Item = &Message> {
     let session = model.session();
-    let grid = model.shown_grid().error().filter(|_| session.texture() == TextureKind::Conformal);
+    let grid = model.shown_grid().error().filter(|_| needs_grid(session));
     let disk = DiskWay::ALL.into_iter().filter(|way| session.comparison().shows(*way));
     let of_plane = disk
         .filter_map(|way| model.overlay_state().disk_comparison.error(way))

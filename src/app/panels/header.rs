@@ -18,17 +18,6 @@ use egui::{Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollAr
 
 /// The tooltip of the button that hides and shows the panels.
 pub const PANELS_TOOLTIP: Words = key::panels_tooltip();
-/// The reason why a surface and an outline cannot be swapped.
-const SWAP_REFUSED: Words = key::swap_refused();
-
-/// The tooltip that names the files which the dialog accepts: outlines, for the target also surfaces.
-pub fn open_tooltip(side: Side) -> Words {
-    match side {
-        Side::Source => key::open_outline_tooltip(),
-        Side::Target => key::open_shape_tooltip(),
-    }
-}
-
 /// The facts about the screen that decide which buttons are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Surroundings {
@@ -110,7 +99,7 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
         line(ui, &words::sizes(prepared), &explained);
         let wanted = model.session().domain(side).settings.solver;
         let cautions = words::cautions(prepared, wanted).map(Message::from);
-        model.side(side).notes.iter().map(Message::from).chain(cautions).collect()
+        model.side(side).notes.iter().cloned().chain(cautions).collect()
     };
     for note in &notes {
         let note = say(note);
@@ -158,14 +147,10 @@ fn narrow_row(ui: &Ui, side: Side) -> f32 {
 }
 
 fn swap_button(ui: &mut Ui, model: &Model, actions: &mut Actions) {
-    let (planar, swap) = (model.is_planar(), Action::Session(Command::Swap));
+    let swap = Action::Session(Command::Swap);
     let is_locked = Locks::of(ui.ctx()).refused(&swap).is_some();
-    let refusal = match (is_locked, planar) {
-        (true, _) => REFUSAL,
-        (false, true) => key::swap_waits(),
-        (false, false) => SWAP_REFUSED,
-    };
-    let button = ui.add_enabled(!is_locked && planar && model.is_ready(), egui::Button::new(tr(key::swap())));
+    let refusal = if is_locked { REFUSAL } else { key::swap_waits() };
+    let button = ui.add_enabled(!is_locked && model.is_ready(), egui::Button::new(tr(key::swap())));
     if button.on_hover_text(tr(key::swap_tooltip())).on_disabled_hover_text(tr(refusal)).clicked() {
         actions.push(swap);
     }
@@ -181,7 +166,7 @@ fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings,
     }
     if around.has_room {
         let open = Action::OpenOutline(side);
-        if menu_entry(ui, true, egui::Button::new(tr(key::open())), open_tooltip(side), &open) {
+        if menu_entry(ui, true, egui::Button::new(tr(key::open())), key::open_shape_tooltip(), &open) {
             actions.push(open);
         }
         shapes::menu_button(ui, tr(key::shapes()), side, model, actions);

@@ -8,6 +8,8 @@ use crate::language::{key, tr};
 use crate::model::editing::tracing;
 use crate::model::files;
 use crate::model::files::Picture;
+use crate::model::side::user_error::UserError;
+use crate::outline::Outline;
 use egui::{Button, Ui, vec2};
 
 /// How long the offer is shown, in seconds: a sentence and two buttons are read in five.
@@ -35,9 +37,9 @@ impl Offer {
         Self { side, picture: Picture { name: picture.name.clone(), pixels }, until: None }
     }
 
-    /// Traces the image.
-    pub fn accept(&self) -> Result<files::Content, files::FileError> {
-        files::traced(self.side, &self.picture)
+    /// Traces the image; returns the side that the outline is for.
+    pub fn accept(&self) -> (Side, Result<Outline, UserError>) {
+        (self.side, files::traced(&self.picture))
     }
 }
 

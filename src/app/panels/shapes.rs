@@ -1,7 +1,7 @@
 //! The menu of preset outlines and surfaces with their pictures; below them drawing, pasting, tracing and opening.
 
 use crate::app::input::action::{Action, Actions, EditAction};
-use crate::app::input::locks::{Control, guarded_by, menu_entry};
+use crate::app::input::locks::{guarded_by, menu_entry};
 use crate::app::language::words;
 use crate::app::theme::text_metrics::{menu_label, scroll_beyond};
 use crate::app::theme::widgets::chevron;
@@ -12,7 +12,7 @@ use crate::language::{key, tr};
 use crate::model::editing::Pen;
 use crate::model::{Model, bounds};
 use crate::outline::Preset;
-use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec};
+use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec, Touched};
 use crate::surface::SurfacePreset;
 use egui::containers::menu::MenuButton;
 use egui::{
@@ -55,7 +55,7 @@ impl Shown {
         match self {
             Self::Outline(preset) => Command::SetOutline { side, outline: OutlineSpec::Preset(preset) },
             Self::Surface(preset) => Command::SetSurface {
-                side: Side::Target,
+                side,
                 surface: SurfaceSpec { shape: SurfaceShape::preset(preset), ..SurfaceSpec::default() },
             },
         }
@@ -86,14 +86,12 @@ fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
     let all = |ui: &mut Ui| {
         cells(ui, &Preset::ALL.map(Shown::Outline), columns, side, current, actions);
-        if side == Side::Target {
-            ui.separator();
-            let palette = Palette::of(ui.visuals());
-            ui.label(RichText::new(tr(key::surfaces_mapped_source())).small().color(palette.weak));
-            cells(ui, &SurfacePreset::ALL.map(Shown::Surface), columns, side, current, actions);
-        }
+        ui.separator();
+        let palette = Palette::of(ui.visuals());
+        ui.label(RichText::new(tr(key::surfaces())).small().color(palette.weak));
+        cells(ui, &SurfacePreset::ALL.map(Shown::Surface), columns, side, current, actions);
     };
-    scroll_beyond(ui, BESIDES, |ui| guarded_by(ui, Control::OF_SHAPES, all));
+    scroll_beyond(ui, BESIDES, |ui| guarded_by(ui, Touched::ANOTHER_SHAPE, all));
     ui.separator();
     ui.horizontal_wrapped(|ui| by_hand(ui, side, actions));
 }
@@ -107,7 +105,7 @@ fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
         (tr(key::draw_curve()), key::draw_curve_tooltip(), draw(Pen::Curve)),
         (tr(key::paste()), key::paste_tooltip(), Action::Edit(EditAction::OpenPaste(side))),
         (tr(key::trace_picture()), key::trace_picture_tooltip(), Action::OpenTrace(side)),
-        (tr(key::open_file()), crate::app::panels::header::open_tooltip(side), Action::OpenOutline(side)),
+        (tr(key::open_file()), key::open_shape_tooltip(), Action::OpenOutline(side)),
     ];
     for (label, tooltip, action) in ways {
         let button = egui::Button::new(label).frame_when_inactive(true);

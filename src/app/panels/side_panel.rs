@@ -4,7 +4,7 @@
 
 use super::surface_panel;
 use crate::app::input::action::{Action, Actions};
-use crate::app::input::locks::{Control, Locks, guarded};
+use crate::app::input::locks::{Control, guarded, guarded_by};
 use crate::app::language::words;
 use crate::app::overlays;
 use crate::app::panels::{method, play_panel};
@@ -16,7 +16,7 @@ use crate::mesh::Sizing;
 use crate::model::Model;
 use crate::model::motion::Player;
 use crate::outline::Sampling;
-use crate::session::{CELLS, Colouring, Command, GROWTH, SAMPLES, TextureKind};
+use crate::session::{CELLS, Colouring, Command, GROWTH, SAMPLES, TextureKind, Touched};
 use egui::{RichText, Ui};
 
 const DIRECTIONS: [Segment<Direction>; 2] = [
@@ -39,21 +39,22 @@ const TEXTURES: [Segment<TextureKind>; 4] = [
 
 /// Shows all groups.
 pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str>, actions: &mut Actions) {
-    let planar = model.is_planar();
-    if planar {
+    let surfaces = model.surfaces();
+    // one surface is mapped, whichever way the session's direction goes
+    if surfaces.source == surfaces.target {
         group_heading(ui, tr(key::map()));
         let direction = guarded(ui, Control::Method, |ui| segmented(ui, &DIRECTIONS, model.session().direction()));
         actions.extend(direction.map(|direction| Action::Session(Command::SetDirection(direction))));
-    } else {
-        surface_panel::show(ui, model, actions);
+    }
+    for side in Side::BOTH {
+        ui.push_id(("surface", side), |ui| surface_panel::show(ui, side, model, actions));
     }
     guarded(ui, Control::Colours, |ui| shown(ui, model, actions));
     guarded(ui, Control::Pattern, |ui| texture(ui, model, image_name, actions));
-    let held = if Locks::of(ui.ctx()).holds(Control::Boundary) { Control::Boundary } else { Control::Interior };
-    guarded(ui, held, |ui| play_panel::show(ui, model, player, actions));
+    guarded_by(ui, Touched::POINTS, |ui| play_panel::show(ui, model, player, actions));
     guarded(ui, Control::Method, |ui| method::show(ui, model, actions));
     guarded(ui, Control::Comparison, |ui| overlays::panel::show(ui, model, actions));
-    for side in Side::BOTH.into_iter().filter(|side| planar || *side == Side::Source) {
+    for side in Side::BOTH.into_iter().filter(|side| !surfaces[*side]) {
         ui.push_id(side, |ui| guarded(ui, Control::Method, |ui| resolution(ui, side, model, actions)));
     }
 }

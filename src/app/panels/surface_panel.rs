@@ -1,7 +1,8 @@
-//! The controls of a surface: its discretization, and the return to the plane.
+//! The controls of a side's surface: its discretization, and the return to the plane.
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, menu_entry};
+use crate::app::language::words;
 use crate::app::language::words::grouped;
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::{captioned_slider, group_heading};
@@ -19,21 +20,40 @@ const MAP_TOOLTIP: Words = key::surface_map_tooltip();
 
 const DELAUNAY_TOOLTIP: Words = key::delaunay_tooltip();
 
-/// Shows the group that replaces the map's direction while the target is a surface.
-pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
-    let Some(spec) = model.surface_side(Side::Target).preparation.wanted() else { return };
-    let weak = Palette::of(ui.visuals()).weak;
-    group_heading(ui, tr(key::surface()));
-    let words = key::surface_direction();
-    ui.add(Label::new(RichText::new(tr(words)).small().color(weak)).wrap()).on_hover_text(tr(MAP_TOOLTIP));
-    guarded(ui, Control::Method, |ui| discretisation(ui, spec, actions));
-    let back = Action::Session(Command::CloseSurface(Side::Target));
+/// Shows the group of a side's surface; nothing while the side is planar.
+pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
+    let Some(spec) = model.surface_side(side).preparation.wanted().filter(|_| model.surface(side).is_some()) else {
+        return;
+    };
+    group_heading(ui, &heading(side, model));
+    if let Some(explained) = direction(side, model) {
+        let weak = Palette::of(ui.visuals()).weak;
+        ui.add(Label::new(RichText::new(tr(explained)).small().color(weak)).wrap()).on_hover_text(tr(MAP_TOOLTIP));
+    }
+    guarded(ui, Control::Method, |ui| discretisation(ui, side, spec, actions));
+    let back = Action::Session(Command::CloseSurface(side));
     if menu_entry(ui, true, Button::new(tr(key::back_plane())), key::back_plane_tooltip(), &back) {
         actions.push(back);
     }
 }
 
-fn discretisation(ui: &mut Ui, spec: &SurfaceSpec, actions: &mut Actions) {
+/// The heading of the group; it names the side if both are surfaces.
+fn heading(side: Side, model: &Model) -> String {
+    let name = tr(key::surface());
+    if model.surfaces()[side.other()] { format!("{name} · {}", words::side(side)) } else { name.into() }
+}
+
+/// The sentence that says where the surface is mapped; for two surfaces only in the first group.
+fn direction(side: Side, model: &Model) -> Option<Words> {
+    match (side, model.surfaces().into_array()) {
+        (Side::Source, [true, true]) => Some(key::surfaces_direction()),
+        (Side::Target, [true, true]) => None,
+        (Side::Source, _) => Some(key::surface_direction_right()),
+        (Side::Target, _) => Some(key::surface_direction()),
+    }
+}
+
+fn discretisation(ui: &mut Ui, side: Side, spec: &SurfaceSpec, actions: &mut Actions) {
     let mut wanted = spec.clone();
     if let SurfaceShape::Preset { boundary, .. } = &mut wanted.shape {
         let shown = say(&key::along_boundary(grouped(*boundary as usize)));
@@ -44,18 +64,16 @@ fn discretisation(ui: &mut Ui, spec: &SurfaceSpec, actions: &mut Actions) {
     ui.checkbox(&mut wanted.settings.intrinsic_delaunay, tr(key::intrinsic_delaunay()))
         .on_hover_text(tr(DELAUNAY_TOOLTIP));
     if wanted != *spec {
-        actions.push(Action::Session(Command::RefineSurface { side: Side::Target, surface: wanted }));
+        actions.push(Action::Session(Command::RefineSurface { side, surface: wanted }));
     }
 }
 
-/// The action that changes the settings of the requested surface; `None` if the target is not a surface.
-pub fn with_settings(model: &Model, change: impl Fn(&mut SurfaceSpec)) -> Option<Action> {
-    let mut spec = model
-        .surface_side(Side::Target)
-        .preparation
-        .wanted()
-        .filter(|_| model.surface(Side::Target).is_some())?
-        .clone();
-    change(&mut spec);
-    Some(Action::Session(Command::RefineSurface { side: Side::Target, surface: spec }))
+/// The actions that change the settings of the requested surfaces.
+pub fn with_settings(model: &Model, change: impl Fn(&mut SurfaceSpec)) -> impl Iterator<Item = Action> {
+    Side::BOTH.into_iter().filter_map(move |side| {
+        model.surface(side)?;
+        let mut surface = model.surface_side(side).preparation.wanted()?.clone();
+        change(&mut surface);
+        Some(Action::Session(Command::RefineSurface { side, surface }))
+    })
 }

@@ -68,7 +68,7 @@ pub struct PreparationStats {
     pub target: DomainSize,
     /// How long the stages of the preparation took, in ms.
     pub prepare_ms: [PrepareTimings; 2],
-    /// The times of the surface's preparation, in ms; `None` where no surface is shown.
+    /// The times of the mapped surface's preparation, in ms; `None` where no surface is shown.
     pub surface_ms: Option<PrepareTimings>,
 }
 
@@ -81,9 +81,9 @@ pub struct MapStats {
     pub frame_ms: FrameTimings,
     /// How far the map's own images are those of the extension that is asked for, from 0 to 1.
     pub extension_progress: f64,
-    /// The image of the mapped side's interior point under the piecewise linear map.
+    /// The image of the mapped side's interior point under the piecewise linear map; between two surfaces in the disk.
     pub image_of_mapped_point: Option<[f64; 2]>,
-    /// The expected value of [`Self::image_of_mapped_point`]: the other side's interior point.
+    /// The expected value of [`Self::image_of_mapped_point`]: the other side's interior point, or the disk's center.
     pub expected: Option<[f64; 2]>,
     /// `Σ (k + 1)/m · (x_k + y_k)` over the images of the mapped side's boundary vertices.
     pub boundary_checksum: f64,
@@ -219,7 +219,8 @@ fn map(model: &Model) -> MapStats {
         frame_ms: model.shown().map(|map| map.timings).unwrap_or_default(),
         extension_progress: model.extension_progress(),
         image_of_mapped_point: image_of_point(model, mapped),
-        expected: model.interior(mapped.other()).map(|point| point.to_array()),
+        expected: if model.is_through_disk() { Some(DVec2::ZERO) } else { model.interior(mapped.other()) }
+            .map(|point| point.to_array()),
         boundary_checksum: boundary_checksum(model),
     }
 }

@@ -3,7 +3,7 @@
 use crate::app::input::action::EditAction;
 use crate::app::input::locks::{Control, Locks, guarded};
 use crate::app::panels::offer::Offer;
-use crate::app::tests::ready_app;
+use crate::app::tests::{ready_app, step_until};
 use crate::app::*;
 use crate::conformal::Side;
 use crate::model::files::FilePurpose;
@@ -108,6 +108,8 @@ fn a_file_that_could_be_repaired_is_not_offered_where_shapes_are_locked() {
         let app = harness.state_mut();
         app.options.locks = if locked { Locks::default().with(Control::Outline) } else { Locks::default() };
         app.take_file(FilePurpose::Outline(Side::Source), "spike.csv", Ok(spike.to_vec()));
+        step_until(&mut harness, |app| !app.model.is_preparing(Side::Source));
+        let app = harness.state();
         let quick_fix =
             app.model.side(Side::Source).error.as_ref().and_then(|user_error| user_error.quick_fix.as_ref());
         assert_eq!(quick_fix.is_some(), !locked);

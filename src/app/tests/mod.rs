@@ -6,6 +6,7 @@ mod frame;
 mod language;
 mod locks;
 mod playing;
+mod surfaces;
 
 use super::*;
 use crate::app::language::words;
@@ -43,6 +44,18 @@ fn finish_preparations(model: &mut Model) {
         }
     }
     model.refresh(false);
+}
+
+/// Steps until a worker's response has taken effect.
+pub fn step_until(harness: &mut Harness<'_, RiemapApp>, is_there: impl Fn(&RiemapApp) -> bool) {
+    for _ in 0..600 {
+        harness.step();
+        if is_there(harness.state()) {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert!(is_there(harness.state()), "after 600 frames: {:?}", harness.state().stats());
 }
 
 /// Clicks on `label` in the side panel and returns the emitted actions.

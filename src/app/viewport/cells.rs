@@ -2,7 +2,8 @@
 //! shown, and only what has changed.
 //!
 //! The mapped mesh is drawn on both sides: with its vertices on its own side, with their
-//! images on the other. The viewport of a surface has separate buffers.
+//! images on the other. The viewport of a surface has separate buffers; between two surfaces the mapped mesh is drawn
+//! on its own side only.
 
 use crate::app::viewport::gpu::Gpu;
 use crate::conformal::Side;
@@ -60,7 +61,7 @@ impl CellUploads {
             }
         }
         if self.cells.take_recoloured() || another_mesh {
-            gpu.colour_cells(self.cells.codes_mut());
+            gpu.colour_cells(map.mapped_side(), self.cells.codes_mut());
         }
         self.uploaded = wanted;
     }

@@ -11,7 +11,8 @@ use crate::geometry::DVec2;
 use crate::model::pattern::Moved;
 use crate::model::{Changes, Model, pattern};
 use crate::render::{
-    CellCode, CellStyle, ImageError, Pace, PlanarFrame, REFINED_AFTER, StrokeStyle, ViewportRenderer, sample_count,
+    CellCode, CellStyle, ImageError, Pace, PlanarFrame, REFINED_AFTER, SpaceFrame, StrokeStyle, ViewportRenderer,
+    sample_count,
 };
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
 
@@ -77,7 +78,9 @@ impl Gpu {
 
     /// Uploads what has changed; returns whether a surface fits on the device.
     pub fn upload(&mut self, model: &Model, changes: Changes) -> bool {
-        let upload = |renderer: &mut ViewportRenderer| surface::gpu::upload(&self.state, renderer, model, changes);
+        let upload = |renderer: &mut ViewportRenderer| {
+            Side::BOTH.map(|side| surface::gpu::upload(&self.state, renderer, model, side, changes)) == [true; 2]
+        };
         let fits = self.with_renderer(upload) != Some(false);
         if changes.meshes {
             for side in Side::BOTH {
@@ -138,13 +141,13 @@ impl Gpu {
         self.with_renderer(|renderer| renderer.set_cell_positions(&self.state.queue, VIEWPORTS[side], positions));
     }
 
-    /// Uploads the colors of the triangles on both sides and on the surface.
-    pub fn colour_cells(&self, codes: &mut Vec<CellCode>) {
+    /// Uploads the colors of the triangles: in the plane on both sides, in space on the `mapped` side.
+    pub fn colour_cells(&self, mapped: Side, codes: &mut Vec<CellCode>) {
         self.with_renderer(|renderer| {
             for side in Side::BOTH {
                 renderer.set_cell_codes(&self.state.queue, VIEWPORTS[side], codes);
             }
-            renderer.set_surface_codes(&self.state.queue, codes);
+            renderer.set_surface_codes(&self.state.queue, mapped as usize, codes);
         });
     }
 
@@ -183,12 +186,20 @@ impl Gpu {
     }
 }
 
+/// Camera, size, texture style and background of one kind of viewport.
+pub enum ViewportFrame {
+    /// Of a plane.
+    Plane(PlanarFrame),
+    /// Of a surface in space.
+    Space(SpaceFrame),
+}
+
 /// Draws one viewport inside egui's pass.
 pub struct ViewportCallback {
     /// The side of the viewport.
     pub side: Side,
     /// Camera, size, texture style and background.
-    pub frame: PlanarFrame,
+    pub frame: ViewportFrame,
     /// Whether it may be drawn coarsely first.
     pub pace: Pace,
     /// The context whose repaint is requested while the picture is coarse.
@@ -206,8 +217,17 @@ impl CallbackTrait for ViewportCallback {
     ) -> Vec<wgpu::CommandBuffer> {
         if let Some(renderer) = resources.get_mut::<ViewportRenderer>() {
             let viewport = VIEWPORTS[self.side];
-            renderer.prepare(device, queue, encoder, viewport, &self.frame, self.pace);
-            if renderer.is_coarse(viewport) {
+            let is_coarse = match &self.frame {
+                ViewportFrame::Plane(frame) => {
+                    renderer.prepare(device, queue, encoder, viewport, frame, self.pace);
+                    renderer.is_coarse(viewport)
+                }
+                ViewportFrame::Space(frame) => {
+                    renderer.prepare_surface(device, queue, encoder, viewport, frame, self.pace);
+                    renderer.is_surface_coarse(viewport)
+                }
+            };
+            if is_coarse {
                 self.context.request_repaint_after_secs(REFINED_AFTER as f32);
             }
         }
@@ -221,7 +241,10 @@ impl CallbackTrait for ViewportCallback {
         resources: &CallbackResources,
     ) {
         if let Some(renderer) = resources.get::<ViewportRenderer>() {
-            renderer.paint(pass, VIEWPORTS[self.side]);
+            match self.frame {
+                ViewportFrame::Plane(_) => renderer.paint(pass, VIEWPORTS[self.side]),
+                ViewportFrame::Space(_) => renderer.paint_surface(pass, VIEWPORTS[self.side]),
+            }
         }
     }
 }

@@ -6,6 +6,7 @@
 //! | gestures and dots over a planar domain | `planar` |
 //! | the viewport of a surface | `surface` |
 //! | the state of both pictures | `pictures` |
+//! | a side's picture: of a plane or of a surface | `picture` |
 //! | dragging and painting the dots | `dots` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
 //! | the legend of triangle colors | `legend` |
@@ -15,6 +16,7 @@ pub mod dots;
 pub mod gpu;
 mod gpu_extension;
 pub mod legend;
+mod picture;
 pub mod pictures;
 pub mod planar;
 pub mod surface;

@@ -13,7 +13,7 @@ use crate::app::theme::Palette;
 use crate::app::theme::widgets::caption_font;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
-use crate::app::viewport::gpu::ViewportCallback;
+use crate::app::viewport::gpu::{ViewportCallback, ViewportFrame};
 use crate::app::viewport::view::View;
 use crate::conformal::Side;
 use crate::language::{key, tr};
@@ -21,7 +21,7 @@ use crate::model::Model;
 use crate::platform::STAGES_SHOWN_AFTER;
 use crate::render::{Pace, PlanarFrame, TextureStyle};
 use crate::session::Command;
-use egui::{Align2, CornerRadius, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
+use egui::{Align2, CornerRadius, CursorIcon, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
 
 /// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
 pub const ZOOM_PER_POINT: f32 = 0.0025;
@@ -160,7 +160,7 @@ pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>
         style: *style,
         background: palette.canvas.to_normalized_gamma_f32(),
     };
-    let callback = ViewportCallback { side, frame, pace, context: ui.ctx().clone() };
+    let callback = ViewportCallback { side, frame: ViewportFrame::Plane(frame), pace, context: ui.ctx().clone() };
     painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
 }
 
@@ -193,15 +193,15 @@ pub fn paint_boundary_mark(ui: &Ui, side: Side, model: &Model, view: &View, frac
     dots::paint_mark(ui, &ui.painter_at(view.rect), side, place);
 }
 
-/// Draws the hint "drag a dot" below the source's interior dot, or below the boundary dot if the former is locked.
-pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
+/// Draws the hint "drag a dot" below the interior dot, or below the boundary dot if the former is locked; `places` are
+/// those of the two dots.
+pub fn paint_hint(ui: &Ui, rect: Rect, places: [Option<Pos2>; 2]) {
     let locks = Locks::of(ui.ctx());
-    let dots =
-        [(HandleKind::Interior, model.interior(Side::Source)), (HandleKind::Boundary, model.anchor(Side::Source))];
-    let free = dots.into_iter().find(|(kind, _)| !locks.holds_handle(*kind)).and_then(|(_, point)| point);
-    let Some(place) = free.map(|point| view.to_screen(point)) else { return };
+    let dots = [HandleKind::Interior, HandleKind::Boundary].into_iter().zip(places);
+    let mut free = dots.filter(|(kind, _)| !locks.holds_handle(*kind));
+    let Some(place) = free.next().and_then(|(_, place)| place) else { return };
     let palette = Palette::of(ui.visuals());
-    let painter = ui.painter_at(view.rect);
+    let painter = ui.painter_at(rect);
     let galley = painter.layout_no_wrap(
         String::from(tr(key::drag_dot())),
         egui::TextStyle::Body.resolve(ui.style()),
@@ -219,15 +219,7 @@ pub fn paint_hint(ui: &Ui, model: &Model, view: &View) {
 /// Draws the progress of a preparation: a thin line along the upper edge, and the name of the stage near the lower one.
 /// Nothing is drawn for the first [`STAGES_SHOWN_AFTER`] seconds.
 pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
-    let (surface, outline) = (&model.surface_side(side).preparation, model.side(side));
-    let (stage, seconds) = if surface.is_busy() {
-        (surface.pending_request().stage(), surface.pending_request().seconds_under_way())
-    } else if !outline.is_in_hand() {
-        (outline.pending_request().stage(), outline.pending_request().seconds_under_way())
-    } else {
-        return;
-    };
-    let Some(seconds) = seconds else { return };
+    let Some((stage, seconds)) = model.worker_stage(side) else { return };
     let left = f64::from(STAGES_SHOWN_AFTER) - seconds;
     if left > 0.0 {
         ui.ctx().request_repaint_after_secs(left as f32);
@@ -246,7 +238,7 @@ pub fn paint_progress(ui: &Ui, side: Side, model: &Model, rect: Rect) {
 }
 
 /// Draws what dropping would do, while a file is dragged over the viewport.
-pub fn paint_drop_target(ui: &Ui, side: Side, rect: Rect) {
+pub fn paint_drop_target(ui: &Ui, rect: Rect) {
     let over = crate::platform::drop_position(ui.ctx()).is_some_and(|place| rect.contains(place));
     if !over || ui.input(|input| input.raw.hovered_files.is_empty()) {
         return;
@@ -256,12 +248,12 @@ pub fn paint_drop_target(ui: &Ui, side: Side, rect: Rect) {
     let ground = palette.accent.gamma_multiply(0.25);
     let edge = Stroke::new(2.0, palette.accent_soft);
     painter.rect(rect.shrink(6.0), CornerRadius::same(10), ground, edge, StrokeKind::Inside);
-    let words = match side {
-        Side::Source => key::drop_for_source(),
-        Side::Target => key::drop_for_target(),
-    };
-    let galley =
-        painter.layout(tr(words).into(), egui::TextStyle::Body.resolve(ui.style()), palette.text, rect.width() - 60.0);
+    let galley = painter.layout(
+        tr(key::drop_for_side()).into(),
+        egui::TextStyle::Body.resolve(ui.style()),
+        palette.text,
+        rect.width() - 60.0,
+    );
     let label = Rect::from_center_size(rect.center(), galley.size() + vec2(24.0, 16.0));
     painter.rect_filled(label, CornerRadius::same(8), palette.raised);
     painter.galley(label.min + vec2(12.0, 8.0), galley, palette.text);

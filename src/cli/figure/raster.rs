@@ -3,8 +3,8 @@
 use crate::cli::CliError;
 use crate::geometry::{Bounds, DVec2};
 use crate::render::{
-    Camera, Handle, MeshGeometry, SceneDescription, SceneSurface, SceneViewport, TextureStyle, headless_device,
-    render_scene_with, render_surface_with,
+    Camera, Handle, MeshGeometry, SceneDescription, ScenePicture, SceneSurface, SceneViewport, TextureStyle,
+    headless_device, render_scene_with,
 };
 use image::RgbaImage;
 
@@ -51,25 +51,20 @@ impl Raster {
     /// Draws the panels side by side; `image` is the texture of `Pattern::Image`.
     pub fn row(&self, panels: &[RasterPanel<'_>], image: Option<&RgbaImage>) -> Result<RgbaImage, CliError> {
         let handles: Vec<Vec<Handle>> = panels.iter().map(RasterPanel::handles).collect();
-        let viewports: Vec<SceneViewport<'_>> =
-            panels.iter().zip(&handles).map(|(panel, handles)| panel.viewport(handles)).collect();
-        let scene = SceneDescription { viewports: &viewports, background: [1.0; 4], image, margin_px: 0.0 };
-        let size = [PANEL_PX * panels.len() as u32, PANEL_PX];
-        render_scene_with(&self.device, &self.queue, &scene, size).map_err(|error| CliError::Input(error.to_string()))
+        let pictures: Vec<_> =
+            panels.iter().zip(&handles).map(|(panel, handles)| panel.viewport(handles).into()).collect();
+        self.pictures(&pictures, image)
     }
-}
 
-impl Raster {
     /// Draws surfaces side by side.
     pub fn surfaces(&self, surfaces: &[SceneSurface<'_>]) -> Result<RgbaImage, CliError> {
-        let mut row = RgbaImage::new(PANEL_PX * surfaces.len() as u32, PANEL_PX);
-        let scene = SceneDescription { viewports: &[], background: [1.0; 4], image: None, margin_px: 0.0 };
-        for (k, surface) in surfaces.iter().enumerate() {
-            let picture = render_surface_with(&self.device, &self.queue, surface, &scene, [PANEL_PX; 2]);
-            let picture = picture.map_err(|error| CliError::Input(error.to_string()))?;
-            image::imageops::replace(&mut row, &picture, i64::from(PANEL_PX) * k as i64, 0);
-        }
-        Ok(row)
+        self.pictures(&surfaces.iter().cloned().map(ScenePicture::from).collect::<Vec<_>>(), None)
+    }
+
+    fn pictures(&self, pictures: &[ScenePicture<'_>], image: Option<&RgbaImage>) -> Result<RgbaImage, CliError> {
+        let scene = SceneDescription { pictures, background: [1.0; 4], image, margin_px: 0.0 };
+        let size = [PANEL_PX * pictures.len() as u32, PANEL_PX];
+        render_scene_with(&self.device, &self.queue, &scene, size).map_err(|error| CliError::Input(error.to_string()))
     }
 }
 

@@ -125,7 +125,6 @@ impl<'a> Shown<'a> {
         let cells =
             CellStyle { map: Some(ColourMap::Cividis), wire: None, marks: true, pixels_per_point: PIXELS_PER_POINT };
         SceneSurface {
-            right: false,
             geometry: SurfaceGeometry {
                 positions: mesh.vertices(),
                 triangles: mesh.triangles(),

@@ -99,7 +99,6 @@ export_tooltip = Bilder, Animationen, Vektorgrafik, Tabellen, Netze
 
 images = Bilder
 sessions = Sitzungen
-outlines = Umrisse
 outlines_and_surfaces = Umrisse und Flächen
 
 ## gallery
@@ -145,8 +144,6 @@ shapes = Formen
 swap = Tauschen
 swap_tooltip = Quelle und Ziel vertauschen
 panels_tooltip = Leisten wegklappen oder zurückholen (Tab)
-swap_refused = Eine Fläche ist immer das Ziel: Sie wird auf den Umriss links abgebildet
-open_outline_tooltip = Ein Umriss aus einer Datei: JSON, GeoJSON, SVG, CSV oder Text mit einem Punkt je Zeile
 open_shape_tooltip = Ein Umriss aus einer Datei (JSON, GeoJSON, SVG, CSV, Text) oder eine Fläche (OBJ, PLY, STL, OFF, glTF, GLB)
 interior_point_x1 = innerer Punkt x₁
 boundary_point_y1 = Randpunkt y₁
@@ -278,11 +275,13 @@ their_images = deren Bilder
 vertices = Ecken
 intrinsic_delaunay = Intrinsische Delaunay-Kanten
 back_plane = Zurück in die Ebene
-back_plane_tooltip = Wieder den Umriss des Ziels zeigen
+back_plane_tooltip = Wieder den Umriss dieser Seite zeigen
 along_boundary = { $count } entlang des Randes
-surface_map_tooltip = Die Fläche ist das Ziel. Ihr Laplace-Operator folgt aus den Längen ihrer Kanten; das harmonische Maß auf ihrem Rand wird mit dem des Umrisses abgeglichen, und jede Ecke erhält ihren Ort im Umriss: ihre Texturkoordinate
+surface_map_tooltip = Der Laplace-Operator einer Fläche folgt aus den Längen ihrer Kanten; das harmonische Maß auf ihrem Rand wird mit dem der anderen Seite abgeglichen. Über einem Umriss erhält jede Ecke ihren Ort darin: ihre Texturkoordinate; auf einer anderen Fläche einen Punkt von dieser
 delaunay_tooltip = Kanten werden innerhalb der Fläche umgeklappt, bis alle Kotangensgewichte positiv sind: Dann ist es auch das harmonische Maß, und der Rand behält seine Reihenfolge. Die Fläche selbst bleibt, wie sie ist
 surface_direction = Jeder Punkt der Fläche wird auf den Umriss links abgebildet
+surface_direction_right = Jeder Punkt der Fläche wird auf den Umriss rechts abgebildet
+surfaces_direction = Beide Flächen werden auf die Einheitskreisscheibe abgebildet und die Punkte der einen auf die der anderen, die dort am selben Ort liegen
 through_disk = Über die Scheibe
 random_walks_heading = Irrfahrten
 this_map_had_none = (diese Abbildung: keine)
@@ -336,7 +335,7 @@ x1_tooltip = Der innere Punkt der Quelle läuft auf einem Kreis, der innen bleib
 x2_tooltip = Der innere Punkt des Ziels läuft auf einem Kreis, der innen bleibt
 y1_tooltip = Der Randpunkt der Quelle läuft einmal um; gleiche Zeiten sind gleiche harmonische Maße: die Kreisscheibe dreht sich gleichmäßig
 all_tooltip = Alle zugleich, durch alle Abbildungen des einen Gebiets auf das andere
-no_plane = Das Ziel ist eine Fläche: ihr Punkt wird von Hand gezogen
+no_plane = Dieser Punkt liegt auf einer Fläche: er wird von Hand gezogen
 play_tooltip = Die Punkte auf einer Schleife laufen lassen oder anhalten, wo sie sind (Leertaste)
 seconds_for_turn = { $seconds } s je Umlauf
 stop_here = Hier anhalten
@@ -415,7 +414,6 @@ pictures_tooltip = Wie viele Bilder ein Umlauf hat
 
 ## shapes
 
-surfaces_mapped_source = Flächen, auf die Quelle abgebildet
 open_file = Datei öffnen…
 draw_freehand = Freihand zeichnen
 draw_freehand_tooltip = Die Form in einem Strich umfahren; Ecken bleiben Ecken (D)
@@ -536,6 +534,7 @@ accessible_quality = { $count ->
 being_prepared = Wird vorbereitet.
 problem = Problem: { $what }
 accessible_surface_map = Die Fläche { $surface }, konform abgebildet auf den Umriss { $outline }.
+accessible_map_of_surfaces = Konforme Abbildung von der Fläche { $source } auf die Fläche { $target }.
 accessible_map = Konforme Abbildung von { $source } nach { $target }.
 points_of_side = { $interior } bei ({ $place }), { $boundary } bei { $percent } % des Randes.
 button = Schaltfläche
@@ -594,8 +593,7 @@ repair = Reparieren
 ## viewport
 
 drag_dot = Punkt ziehen
-drop_for_source = Hier einen Umriss für diese Seite ablegen oder ein Bild als Textur
-drop_for_target = Hier einen Umriss oder eine Fläche für diese Seite ablegen oder ein Bild als Textur
+drop_for_side = Hier einen Umriss oder eine Fläche für diese Seite ablegen oder ein Bild als Textur
 
 ## widgets
 
@@ -624,6 +622,7 @@ png_tooltip = Das Bild in beliebiger Größe
 animated_png_tooltip = Ein Umlauf der Punkte ohne Ende, in allen Farben
 gif_tooltip = Ein Umlauf der Punkte ohne Ende, in 256 Farben
 svg_tooltip = Umrisse, Linien des Musters, die Punkte, und das Netz, wo es gezeigt wird
+disks_svg_tooltip = Beide Flächen, wie sie in der Einheitskreisscheibe liegen, mit den Linien des Musters, den Punkten und den Netzen, wo sie gezeigt werden
 csv_tooltip = Eine Tabelle von Randpunkten, die aufeinander abgebildet werden: Bogenlängen, Orte, harmonisches Maß
 obj_tooltip = Wavefront OBJ: das Netz im Ziel, seine Texturkoordinaten in der Quelle
 png = PNG
@@ -663,7 +662,7 @@ stage_assemble = aufstellen
 stage_order = ordnen
 stage_table = Tabelle
 waiting_worker = wartet auf den Hintergrundprozess…
-reading_surface = die Fläche wird gelesen…
+reading = wird gelesen…
 sampling_boundary = der Rand wird abgetastet…
 triangulating = es wird trianguliert…
 assembling_laplacian = der Laplace-Operator wird aufgestellt…

@@ -99,7 +99,6 @@ export_tooltip = Pictures, animations, vector graphics, tables, meshes
 
 images = Images
 sessions = Sessions
-outlines = Outlines
 outlines_and_surfaces = Outlines and surfaces
 
 ## gallery
@@ -145,8 +144,6 @@ shapes = Shapes
 swap = Swap
 swap_tooltip = Exchange source and target
 panels_tooltip = Fold the panels away, or bring them back (Tab)
-swap_refused = A surface is always the target: it is mapped to the outline on the left
-open_outline_tooltip = An outline from a file: JSON, GeoJSON, SVG, CSV or text with one point per line
 open_shape_tooltip = An outline from a file (JSON, GeoJSON, SVG, CSV, text), or a surface (OBJ, PLY, STL, OFF, glTF, GLB)
 interior_point_x1 = interior point x₁
 boundary_point_y1 = boundary point y₁
@@ -278,11 +275,13 @@ their_images = their images
 vertices = Vertices
 intrinsic_delaunay = Intrinsic Delaunay
 back_plane = Back to the plane
-back_plane_tooltip = Show the target's outline again
+back_plane_tooltip = Show this side's outline again
 along_boundary = { $count } along the boundary
-surface_map_tooltip = The surface is the target. Its Laplacian comes from the lengths of its edges; harmonic measure on its boundary loop is matched with the outline's, and every vertex gets its place in the outline: its texture coordinate
+surface_map_tooltip = A surface's Laplacian comes from the lengths of its edges; harmonic measure on its boundary loop is matched with the other side's. Over an outline every vertex gets its place there: its texture coordinate; on another surface, a point of that
 delaunay_tooltip = Edges are flipped within the surface until all cotangent weights are positive: then harmonic measure is too, and the boundary keeps its order. The surface itself stays as it is
 surface_direction = Every point of the surface is mapped to the outline on the left
+surface_direction_right = Every point of the surface is mapped to the outline on the right
+surfaces_direction = Both surfaces are mapped to the unit disk, and the points of one to those of the other that lie there too
 through_disk = Through the disk
 random_walks_heading = Random walks
 this_map_had_none = (this map: none)
@@ -336,7 +335,7 @@ x1_tooltip = The source's interior point goes around a circle that stays inside
 x2_tooltip = The target's interior point goes around a circle that stays inside
 y1_tooltip = The source's boundary point turns once; equal times are equal harmonic measures: the disk turns evenly
 all_tooltip = All of them at once, through all maps of one domain onto the other
-no_plane = The target is a surface: its point is dragged by hand
+no_plane = This point lies on a surface: it is dragged by hand
 play_tooltip = Let the points move along a loop, or stop them where they are (space)
 seconds_for_turn = { $seconds } s for a turn
 stop_here = Stop here
@@ -415,7 +414,6 @@ pictures_tooltip = How many pictures a turn has
 
 ## shapes
 
-surfaces_mapped_source = Surfaces, mapped to the source
 open_file = Open a file…
 draw_freehand = Draw freehand
 draw_freehand_tooltip = Around the shape in one stroke; corners stay corners (D)
@@ -536,6 +534,7 @@ accessible_quality = { $count ->
 being_prepared = Being prepared.
 problem = Problem: { $what }
 accessible_surface_map = The surface { $surface }, mapped conformally to the outline { $outline }.
+accessible_map_of_surfaces = Conformal map from the surface { $source } to the surface { $target }.
 accessible_map = Conformal map from { $source } to { $target }.
 points_of_side = { $interior } at ({ $place }), { $boundary } at { $percent } % of the boundary.
 button = button
@@ -594,8 +593,7 @@ repair = Repair it
 ## viewport
 
 drag_dot = drag a dot
-drop_for_source = Drop an outline for this side, or an image as the texture
-drop_for_target = Drop an outline or a surface for this side, or an image as the texture
+drop_for_side = Drop an outline or a surface for this side, or an image as the texture
 
 ## widgets
 
@@ -624,6 +622,7 @@ png_tooltip = The picture, of any size
 animated_png_tooltip = A turn of the points that goes on for ever, in all its colours
 gif_tooltip = A turn of the points that goes on for ever, in 256 colours
 svg_tooltip = Outlines, the pattern's lines, the points, and the mesh where it is shown
+disks_svg_tooltip = Both surfaces as they lie in the unit disk, with the lines of the pattern, the points, and the meshes where they are shown
 csv_tooltip = A table of boundary points that are mapped to each other: arc lengths, places, harmonic measure
 obj_tooltip = Wavefront OBJ: the mesh in the target, its texture coordinates in the source
 png = PNG
@@ -663,7 +662,7 @@ stage_assemble = assemble
 stage_order = order
 stage_table = table
 waiting_worker = waiting for the worker…
-reading_surface = reading the surface…
+reading = reading…
 sampling_boundary = sampling the boundary…
 triangulating = triangulating…
 assembling_laplacian = assembling the Laplacian…

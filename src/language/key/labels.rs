@@ -28,7 +28,7 @@ keys_of_labels! {
     open_session_tooltip, save_session, save_session_tooltip, copy_link, full_screen, presentation_size, desk_size,
     open_export, export_tooltip,
     // files
-    images, sessions, outlines, outlines_and_surfaces,
+    images, sessions, outlines_and_surfaces,
     // gallery
     saddle, crowding, gingerbread_heart, gingerbread_heart_about, square_circle, square_circle_about, polar_star,
     polar_star_about, around_corner, around_corner_about, leaf_flower, leaf_flower_about, hand_blob, hand_blob_about,
@@ -37,7 +37,7 @@ keys_of_labels! {
     // handles
     x1, x2, y1,
     // header
-    surface, panels, fit, fit_tooltip, shapes, swap, swap_tooltip, panels_tooltip, swap_refused, open_outline_tooltip,
+    surface, panels, fit, fit_tooltip, shapes, swap, swap_tooltip, panels_tooltip,
     open_shape_tooltip, interior_point_x1, boundary_point_y1, x2_f_x1, y2_f_y1, edit, edit_tooltip,
     // help menu
     help, language, theme, system, light, dark, system_tooltip, light_tooltip, dark_tooltip, open_gallery,
@@ -69,7 +69,7 @@ keys_of_labels! {
     sixty_equal_steps, their_images,
     // panel
     vertices, intrinsic_delaunay, back_plane, back_plane_tooltip, surface_map_tooltip, delaunay_tooltip,
-    surface_direction, through_disk, random_walks_heading, this_map_had_none, under_a_hundredth_percent, clear,
+    surface_direction, surface_direction_right, surfaces_direction, through_disk, random_walks_heading, this_map_had_none, under_a_hundredth_percent, clear,
     clear_tooltip, start, pause, conformal, euclidean, in_source, in_target, off, fresh, precomputed,
     conformal_tooltip, euclidean_tooltip, in_source_tooltip, in_target_tooltip, off_tooltip, fresh_tooltip,
     precomputed_tooltip, both_tooltip, through_disk_tooltip, walks_tooltip,
@@ -92,7 +92,7 @@ keys_of_labels! {
     transparent, transparent_tooltip, coordinates, size, width_pixels, height_pixels, motion, duration,
     duration_tooltip, pictures, pictures_tooltip,
     // shapes
-    surfaces_mapped_source, open_file, draw_freehand, draw_freehand_tooltip, draw_lines, draw_lines_tooltip,
+    open_file, draw_freehand, draw_freehand_tooltip, draw_lines, draw_lines_tooltip,
     draw_curve, draw_curve_tooltip, paste, paste_tooltip, trace_picture,
     // shortcuts
     mouse_fingers, drag_dot_gesture, drag_dot_gesture_about, drag_beside_dots, drag_beside_dots_about,
@@ -123,19 +123,19 @@ keys_of_labels! {
     // user error
     try_again, use_repaired, repair,
     // viewport
-    drag_dot, drop_for_source, drop_for_target,
+    drag_dot, drop_for_side,
     // widgets
     close_message,
     // window
     figures, swap_waits, export, gallery, keys_and_gestures, save, paper_figures,
     // request
     surface_obj_tooltip, surface_ply_tooltip, surface_glb_tooltip, surface_csv_tooltip, surface_svg_tooltip,
-    animated_png, png_tooltip, animated_png_tooltip, gif_tooltip, svg_tooltip, csv_tooltip, obj_tooltip, png, gif,
+    animated_png, png_tooltip, animated_png_tooltip, gif_tooltip, svg_tooltip, disks_svg_tooltip, csv_tooltip, obj_tooltip, png, gif,
     svg, csv, obj, ply, glb,
     // words
     cauchy_green_gpu, cauchy_green_cpu, pending, pending_tooltip, size_tooltip, quality_tooltip, flipped_tooltip,
     frame_tooltip, source, target, stage_sample, stage_assemble, stage_order, stage_table, waiting_worker,
-    reading_surface, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
+    reading, sampling_boundary, triangulating, assembling_laplacian, ordering, factoring, solved_iteratively,
     mesh_is_coarser,
 }
 
@@ -165,6 +165,7 @@ keys_of_messages! {
     resolution_of(side); automatic(value); per_distance(growth);
     // accessibility
     accessible_quality(mean, count); problem(what); accessible_surface_map(surface, outline); accessible_map(source, target);
+    accessible_map_of_surfaces(source, target);
     points_of_side(interior, place, boundary, percent);
     // status
     largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);

@@ -5,7 +5,7 @@ use super::{Label, Message, Value};
 keys_of_labels! {
     // app
     outline_crossed_itself, no_graphics_device, nothing_would_move, surface_too_large_to_show, image_not_in_link,
-    another_answer, no_map, no_surface_from_file, no_surface_on_side, open_surface_file,
+    another_answer, no_map, no_surface_from_file, open_surface_file,
     // platform
     internal_error, no_folder, browser_stores_nothing, no_page, no_canvas_for_image, size_does_not_fit,
     answer_unreadable, script_not_loaded, no_page_to_draw_in, page_without_canvas, no_such_row, dialog_too_late,
@@ -54,7 +54,7 @@ keys_of_messages! {
     verbatim(text); about(name, what); both_items(first, second); sentence(what); both_clauses(first, second);
     both_sentences(first, second); sentence_and(first, second); address_unknown(asked, option, known);
     address_unknown_and_more(asked, more, option, known); address_keeps(control); graphics_device_lost(reason);
-    planar_map_format(format); not_saved(name, reason); last_session_not_opened(reason); link_not_opened(reason);
+    planar_map_format(format); surfaces_map_format(format); not_saved(name, reason); last_session_not_opened(reason); link_not_opened(reason);
     link_misses_outline(side, name); session_not_kept(reason); pasted_text_not_shown(reason, bytes, limit);
     disk_stands_in(side, name); surface_not_in_link(name); link_copied_but(reasons); grey_in_colours(what);
     preparation_stopped(reason); session_not_saved(reason); no_link_to_session(reason); no_window(cause);

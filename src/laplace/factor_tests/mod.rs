@@ -24,7 +24,7 @@ struct Symmetric {
 }
 
 impl Symmetric {
-    /// The Laplacian of a graph with weighted `edges`; `grounds` are the weights of the vertices' edges to the boundary.
+    /// The Laplacian of a graph with weighted `edges`; `grounds` are the weights of the edges to the boundary.
     fn laplacian(grounds: Vec<f64>, edges: &[(usize, usize, f64)]) -> Self {
         let mut matrix = Self { diagonal: grounds, entries: Vec::new() };
         for &(a, b, weight) in edges {

@@ -1,8 +1,9 @@
 //! The map as a file of numbers or of vector graphics.
 
-use crate::conformal::Side;
-use crate::export::{FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_obj, svg};
+use crate::conformal::{ConformalMap, Side};
+use crate::export::{FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_obj, parts, svg};
 use crate::language::{Message, key};
+use crate::model::export::request::has_layout;
 use crate::model::{Model, pattern};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::SurfaceShape;
@@ -29,17 +30,19 @@ pub struct FileRequest {
 
 /// The map that is shown as a file. `None` while there is no map. Errors: in words.
 pub fn file(model: &Model, request: FileRequest) -> Option<Result<ReadyFile, Message>> {
-    if let Some(side) = model.side_of_surface() {
-        return surface_file(model, side, request);
-    }
     let map = model.map()?;
+    if has_layout(model.surfaces()) {
+        return surface_file(model, map.mapped_side(), request);
+    }
     let bytes = match request.format {
+        FileFormat::Svg if map.is_through_disk() => disks(model, map, request.side)?,
         FileFormat::Svg => drawing(model, request.side)?,
         FileFormat::Csv => boundary_csv(map),
         FileFormat::Obj => mapped_obj(map),
         FileFormat::Ply | FileFormat::Glb => {
             let format = request.format.extension();
-            return Some(Err(key::planar_map_format(format)));
+            let refusal = if map.is_through_disk() { key::surfaces_map_format } else { key::planar_map_format };
+            return Some(Err(refusal(format)));
         }
     };
     let name = format!("riemap.{}", request.format.extension());
@@ -71,6 +74,19 @@ fn drawing(model: &Model, side: Option<Side>) -> Option<String> {
     let sides = Side::BOTH.into_iter().filter(|at| side.is_none_or(|only| only == *at));
     let parts = sides.map(|side| Some(Part { side, panel: panel(model, side)?, wire: wire(model, side) }));
     Some(svg(&parts.collect::<Option<Vec<_>>>()?, Some(ruling(&style))))
+}
+
+/// Both surfaces as they lie in the unit disk.
+fn disks(model: &Model, map: &ConformalMap, side: Option<Side>) -> Option<String> {
+    let style = pattern::style(model, true, false)?;
+    let mut shown = parts(map, &model.constraints()?);
+    shown.retain(|part| side.is_none_or(|only| only == part.side));
+    if !model.session().wireframe() {
+        for part in &mut shown {
+            part.wire = None;
+        }
+    }
+    Some(svg(&shown, Some(ruling(&style))))
 }
 
 /// A side in the plane as it is drawn.

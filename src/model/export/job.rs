@@ -3,6 +3,7 @@
 //! It has a model of its own over the same prepared domains: what is on the screen goes on as it is. Nobody waits:
 //! the map comes to rest over several frames, pixels are asked for and come when they come.
 
+use crate::conformal::PerSide;
 use crate::family::Loop;
 use crate::language::{Message, key};
 use crate::model::Model;
@@ -21,8 +22,8 @@ const FRAME_MS: f64 = 12.0;
 pub struct Scenery {
     /// The texture of a session that has one.
     pub image: Option<Arc<RgbaImage>>,
-    /// From where a surface is seen.
-    pub camera: Option<OrbitCamera>,
+    /// From where surfaces are seen.
+    pub cameras: PerSide<Option<OrbitCamera>>,
     /// For a dark ground.
     pub dark: bool,
 }
@@ -115,10 +116,10 @@ impl Job {
                 Ok(None)
             }
             Stage::Draw => {
-                let Scenery { image, camera, .. } = &self.scenery;
+                let Scenery { image, cameras, .. } = &self.scenery;
                 let (offscreen, renderer) = (&self.offscreen, &mut self.renderer);
                 let pixels = guarded(gpu.0, || {
-                    let target = offscreen.draw(renderer, gpu, &self.shot, image.as_deref(), *camera)?;
+                    let target = offscreen.draw(renderer, gpu, &self.shot, image.as_deref(), *cameras)?;
                     Ok(Readback::begin(gpu.0, gpu.1, &target))
                 });
                 self.stage = Stage::Pixels(pixels.map_err(|error| Message::from(&error))?);

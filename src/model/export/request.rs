@@ -1,6 +1,6 @@
 //! What a person wants to have as a file.
 
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::export::FileFormat;
 use crate::family::Path;
 use crate::language::{Label, key};
@@ -27,6 +27,14 @@ impl Kind {
         Self::Film(FilmFormat::Png),
         Self::Film(FilmFormat::Gif),
     ];
+    const THROUGH_DISK: [Self; 6] = [
+        Self::Picture,
+        Self::File(FileFormat::Obj),
+        Self::File(FileFormat::Csv),
+        Self::File(FileFormat::Svg),
+        Self::Film(FilmFormat::Png),
+        Self::Film(FilmFormat::Gif),
+    ];
     const SURFACE: [Self; 8] = [
         Self::Picture,
         Self::File(FileFormat::Obj),
@@ -38,9 +46,13 @@ impl Kind {
         Self::Film(FilmFormat::Gif),
     ];
 
-    /// Those that there are of the map that is shown.
-    pub fn all(on_surface: bool) -> &'static [Self] {
-        if on_surface { &Self::SURFACE } else { &Self::PLANAR }
+    /// Those that there are of a map between sides of which these are `surfaces`.
+    pub fn all(surfaces: PerSide<bool>) -> &'static [Self] {
+        match surfaces.into_array() {
+            [false, false] => &Self::PLANAR,
+            [true, true] => &Self::THROUGH_DISK,
+            _ => &Self::SURFACE,
+        }
     }
 
     /// What is written on its button.
@@ -58,11 +70,13 @@ impl Kind {
     }
 
     /// What is in it.
-    pub fn explained(self, on_surface: bool) -> Label {
+    pub fn explained(self, surfaces: PerSide<bool>) -> Label {
+        let (through_disk, on_surface) = (surfaces == PerSide::new(true, true), has_layout(surfaces));
         match (self, on_surface) {
             (Self::Picture, _) => key::png_tooltip(),
             (Self::Film(FilmFormat::Png), _) => key::animated_png_tooltip(),
             (Self::Film(FilmFormat::Gif), _) => key::gif_tooltip(),
+            (Self::File(FileFormat::Svg), _) if through_disk => key::disks_svg_tooltip(),
             (Self::File(FileFormat::Svg), false) => key::svg_tooltip(),
             (Self::File(FileFormat::Svg), true) => key::surface_svg_tooltip(),
             (Self::File(FileFormat::Csv), false) => key::csv_tooltip(),
@@ -78,6 +92,12 @@ impl Kind {
     pub fn is_drawn(self) -> bool {
         !matches!(self, Self::File(_))
     }
+}
+
+/// Whether a map between sides of which these are `surfaces` lays one surface out in the plane: then there are texture
+/// coordinates.
+pub fn has_layout(surfaces: PerSide<bool>) -> bool {
+    surfaces.source != surfaces.target
 }
 
 /// All that can be chosen.

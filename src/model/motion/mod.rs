@@ -157,7 +157,7 @@ impl Run {
             place.is_none() || place == session.side(side).interior
         };
         Side::BOTH.into_iter().all(is_there)
-            && anchor.is_none_or(|fraction| fraction.rem_euclid(1.0) == session.side(Side::Source).anchor)
+            && anchor.is_none_or(|fraction| fraction.rem_euclid(1.0) == session.side(Side::Source).points().anchor())
     }
 }
 

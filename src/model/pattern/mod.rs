@@ -4,7 +4,9 @@
 //! positions. The other side shows the mapped mesh. If that is the home's, its vertices
 //! lie at their images and keep their own coordinates: pushed forward from the source,
 //! pulled back from the target. If it is the other side's, the images are what it looks up.
-//! The conformal pattern lives in the disk: both sides look up their own disk coordinates.
+//! The conformal pattern lives in the disk: both sides look up their own disk coordinates. With one surface the home
+//! is the plane, whichever side that is; between two surfaces every pattern lives in the disk, through which they are
+//! mapped, so that corresponding points have the same color.
 
 pub mod cells;
 pub mod colouring;
@@ -27,8 +29,20 @@ pub enum Moved<'a> {
 
 /// The side where the pattern of a session lives; `None`: in the disk. The picture has it from [`Model::pattern_home`].
 pub fn home(session: &Session) -> Option<Side> {
-    let side = if session.surface(Side::Target).is_some() { Side::Source } else { session.texture_side() };
+    let side = match session.sides().as_ref().map(|side| side.surface.is_some()).into_array() {
+        [false, false] => session.texture_side(),
+        [true, false] => Side::Target,
+        [false, true] => Side::Source,
+        [true, true] => return None,
+    };
     (session.texture() != TextureKind::Conformal).then_some(side)
+}
+
+/// Whether the pattern of a session needs a [`disk_grid::DiskGrid`]; a map between two surfaces computes its disk
+/// coordinates itself.
+pub fn needs_grid(session: &Session) -> bool {
+    let through_disk = session.sides().iter().all(|(_, side)| side.surface.is_some());
+    home(session).is_none() && !through_disk
 }
 
 /// The pattern as it is drawn on both sides, as soon as there is something; without an image a checkerboard in its place.
@@ -42,10 +56,12 @@ pub fn style(model: &Model, has_image: bool, dark: bool) -> Option<TextureStyle>
         TextureKind::Image if has_image => Pattern::Image,
         TextureKind::Checker | TextureKind::Image => Pattern::Checker,
     };
-    let home = model.pattern_home().unwrap_or(session.texture_side());
-    let (bounds, pole) = match pattern {
-        Pattern::Conformal => (TextureStyle::DISK, DVec2::ZERO),
-        _ => (model.extent(home)?, model.interior(home)?),
+    let (bounds, pole) = match model.pattern_home() {
+        None if pattern == Pattern::Conformal || model.is_through_disk() => (TextureStyle::DISK, DVec2::ZERO),
+        home => {
+            let home = home.unwrap_or(session.texture_side());
+            (model.extent(home)?, model.interior(home)?)
+        }
     };
     Some(TextureStyle { pattern, cells: session.texture_scale(), bounds, pole, dark })
 }
@@ -90,8 +106,9 @@ fn disk_coordinates(model: &Model, side: Side) -> Option<&[DVec2]> {
 /// Where the vertices of a side's surface look the pattern up.
 pub fn surface_coordinates(model: &Model, side: Side) -> Option<&[DVec2]> {
     let map = model.map().filter(|map| map.side(side).is_surface())?;
-    match model.pattern_home() {
-        Some(_) => Some(map.images()),
-        None => Some(model.shown_grid().of(side)),
+    match (map.disk(side), model.pattern_home()) {
+        (Some(disk), _) => Some(disk),
+        (None, Some(_)) => Some(map.images()),
+        (None, None) => Some(model.shown_grid().of(side)),
     }
 }

@@ -1,11 +1,11 @@
-//! Pictures put together: domains and a surface side by side, with their outlines and dots, as a scene.
+//! Pictures put together: domains and surfaces side by side, with their outlines and dots, as a scene.
 
 use crate::conformal::MeshedSurface;
 use crate::export::Panel;
 use crate::geometry::{DVec2, DVec3};
 use crate::render::{
-    CellCode, CellStyle, Handle, MeshGeometry, OrbitCamera, SceneCells, SceneDescription, SceneSurface, SceneViewport,
-    StrokeStyle, SurfaceGeometry, SurfaceHandle, TextureStyle,
+    CellCode, CellStyle, Handle, MeshGeometry, OrbitCamera, SceneCells, SceneDescription, ScenePicture, SceneSurface,
+    SceneViewport, StrokeStyle, SurfaceGeometry, SurfaceHandle, TextureStyle,
 };
 use image::RgbaImage;
 
@@ -35,6 +35,15 @@ pub struct Look<'a> {
     pub radius_px: f32,
 }
 
+/// What a picture shows of one side.
+#[derive(Debug, Clone, Copy)]
+pub enum ScenePart<'a> {
+    /// A domain in the plane.
+    Plane(PlanarPart<'a>),
+    /// A surface in space.
+    Space(SurfacePart<'a>),
+}
+
 /// A domain in the plane.
 #[derive(Debug, Clone, Copy)]
 pub struct PlanarPart<'a> {
@@ -57,28 +66,45 @@ pub struct SurfacePart<'a> {
     pub handles: [DVec3; 2],
     /// The codes of its triangles, and how they are shown.
     pub cells: Option<(&'a [CellCode], CellStyle)>,
-    /// Whether it is right of the plane.
-    pub right: bool,
 }
 
-/// Puts the parts of a picture of `size` pixels together, for `draw`.
+/// The dots of a part: in the plane or in space, the other list is empty.
+#[derive(Default)]
+struct Dots {
+    plane: Vec<Handle>,
+    space: Vec<SurfaceHandle>,
+}
+
+/// Puts the parts of a picture of `size` pixels together from left to right, for `draw`.
 pub fn compose<R>(
-    planar: &[PlanarPart<'_>],
-    surface: Option<&SurfacePart<'_>>,
+    parts: &[ScenePart<'_>],
     look: &Look<'_>,
     size: [u32; 2],
-    draw: impl FnOnce(Option<&SceneSurface>, &SceneDescription) -> R,
+    draw: impl FnOnce(&SceneDescription) -> R,
 ) -> R {
-    let dots: Vec<_> = planar.iter().map(|part| handles(&part.panel, look.radius_px)).collect();
-    let viewports: Vec<_> = planar.iter().zip(&dots).map(|(part, dots)| viewport(part, dots, look)).collect();
+    let dots: Vec<_> = parts.iter().map(|part| part.dots(look.radius_px)).collect();
+    let pictures: Vec<ScenePicture<'_>> =
+        parts.iter().zip(&dots).map(|(part, dots)| part.picture(dots, look)).collect();
     // free space around what is drawn
     let margin_px = 0.06 * size[1] as f32;
-    let scene = SceneDescription { viewports: &viewports, background: look.background, image: look.image, margin_px };
-    match surface {
-        None => draw(None, &scene),
-        Some(part) => {
-            let dots = surface_handles(part.surface, part.handles, &part.camera, look.radius_px);
-            draw(Some(&in_space(part, &dots, look)), &scene)
+    draw(&SceneDescription { pictures: &pictures, background: look.background, image: look.image, margin_px })
+}
+
+impl<'a> ScenePart<'a> {
+    fn dots(&self, radius_px: f32) -> Dots {
+        match self {
+            Self::Plane(part) => Dots { plane: handles(&part.panel, radius_px).to_vec(), ..Dots::default() },
+            Self::Space(part) => {
+                let space = surface_handles(part.surface, part.handles, &part.camera, radius_px).to_vec();
+                Dots { space, ..Dots::default() }
+            }
+        }
+    }
+
+    fn picture(&self, dots: &'a Dots, look: &Look<'a>) -> ScenePicture<'a> {
+        match self {
+            Self::Plane(part) => viewport(part, &dots.plane, look).into(),
+            Self::Space(part) => in_space(part, &dots.space, look).into(),
         }
     }
 }
@@ -104,7 +130,6 @@ fn in_space<'a>(part: &SurfacePart<'a>, handles: &'a [SurfaceHandle], look: &Loo
     let mesh = part.surface.mesh();
     let (codes, cells) = part.cells.unzip();
     SceneSurface {
-        right: part.right,
         geometry: SurfaceGeometry {
             positions: mesh.vertices(),
             triangles: mesh.triangles(),

@@ -8,7 +8,7 @@ mod shot;
 
 pub use shot::Shot;
 
-use crate::conformal::{MeshedSurface, Side, Stage};
+use crate::conformal::{MeshedSurface, PerSide, Side, Stage};
 use crate::family::{Loop, Path, Place};
 use crate::geometry::{DVec2, DVec3};
 use crate::language::{Message, key};
@@ -18,7 +18,7 @@ use crate::model::motion::looping;
 use crate::model::pattern::cells::Cells;
 use crate::model::{Changes, Model, export, pattern};
 use crate::render::{CellCode, CellStyle, MeshGeometry, OrbitCamera, TextureStyle};
-use crate::session::{Command, Session, SurfaceShape};
+use crate::session::{Command, Session, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::worker::{self, Response};
 
 /// A session whose map is complete.
@@ -64,7 +64,7 @@ pub struct OffscreenCells<'a> {
     pub style: CellStyle,
 }
 
-/// The surface in the target's place.
+/// A surface in the place of a side's outline.
 #[derive(Debug, Clone, Copy)]
 pub struct OffscreenSurface<'a> {
     /// It.
@@ -76,22 +76,22 @@ pub struct OffscreenSurface<'a> {
 }
 
 impl Offscreen {
-    /// Prepares and maps, which may take seconds. The triangles of a surface from a file come with
+    /// Prepares and maps, which may take seconds. The triangles of surfaces from files come with
     /// it. `pixels_per_point` scales what is drawn over the triangles.
     ///
     /// Errors: what the app would say beside an outline or a surface, in words for the person.
-    pub fn new(session: Session, surface_file: Option<Vec<u8>>, pixels_per_point: f32) -> Result<Self, StillError> {
-        Self::telling(session, surface_file, pixels_per_point, &mut |_| ())
+    pub fn new(session: &Session, surface_files: SurfaceFiles, pixels_per_point: f32) -> Result<Self, StillError> {
+        Self::telling(session, surface_files, pixels_per_point, &mut |_| ())
     }
 
     /// As [`Self::new`], telling what it begins to do.
     pub fn telling(
-        session: Session,
-        surface_file: Option<Vec<u8>>,
+        session: &Session,
+        surface_files: SurfaceFiles,
         pixels_per_point: f32,
         tell: &mut dyn FnMut(Doing),
     ) -> Result<Self, StillError> {
-        let mut model = begin(session, surface_file)?;
+        let mut model = begin(session, surface_files)?;
         model.update_ms = f64::INFINITY; // nobody waits for a frame
         settle(&mut model, tell)?;
         let mut offscreen = Self { model, cells: Cells::default(), pixels_per_point };
@@ -164,50 +164,58 @@ impl Offscreen {
         export::file(&self.model, request).unwrap_or_else(nothing).map_err(StillError)
     }
 
-    /// The mapped mesh on a side, where the session shows more of it than the texture.
+    /// The mapped mesh on a side, where the session shows more of it than the texture; between two surfaces it is shown
+    /// on its own side alone.
     pub fn cells(&self, side: Side) -> Option<OffscreenCells<'_>> {
         let (style, map) = (self.cells.style()?, self.model.shown()?);
-        Some(OffscreenCells { positions: map.places(side), triangles: map.triangles, codes: self.cells.codes(), style })
+        let positions = map.places(side);
+        let is_shown = positions.is_some() || side == map.mapped_side();
+        is_shown.then_some(OffscreenCells { positions, triangles: map.triangles, codes: self.cells.codes(), style })
     }
 
-    /// The surface, if there is one.
-    pub fn surface(&self) -> Option<OffscreenSurface<'_>> {
-        let side = self.model.side_of_surface()?;
+    /// The surface of a side, if one stands there.
+    pub fn surface(&self, side: Side) -> Option<OffscreenSurface<'_>> {
         Some(OffscreenSurface {
-            surface: self.model.surface_side(side).surface()?,
+            surface: self.model.surface(side)?.0.surface()?,
             coordinates: pattern::surface_coordinates(&self.model, side)?,
             points: [self.model.surface_point(side)?, self.model.surface_anchor(side)?],
         })
     }
 
-    /// The interior point of the surface as it is mapped, and how many triangles the surface has.
-    pub fn surface_point(&self) -> Option<(BarycentricPoint, usize)> {
-        let (surface, state) = self.model.surface(self.model.side_of_surface()?)?;
+    /// The interior point of a side's surface as it is mapped, and how many triangles the surface has.
+    pub fn surface_point(&self, side: Side) -> Option<(BarycentricPoint, usize)> {
+        let (surface, state) = self.model.surface(side)?;
         Some((surface.point(state)?, surface.surface()?.mesh().triangles().len()))
     }
 
-    /// From where the surface is seen at first, in a viewport of this width over height.
-    pub fn camera(&self, aspect: f64) -> Option<OrbitCamera> {
-        let (surface, state) = self.model.surface(self.model.side_of_surface()?)?;
+    /// From where the surface of a side is seen at first, in a viewport of this width over height.
+    pub fn camera(&self, side: Side, aspect: f64) -> Option<OrbitCamera> {
+        let (surface, state) = self.model.surface(side)?;
         surface.first_view(state, aspect)
     }
 }
 
-fn begin(session: Session, surface_file: Option<Vec<u8>>) -> Result<Model, StillError> {
-    let mut model = Model::new(session.clone().and([Command::CloseSurface(Side::Target)]));
-    match (session.surface(Side::Target), surface_file) {
-        (None, None) => {}
-        (Some(state), Some(bytes)) if matches!(state.spec.shape, SurfaceShape::File { .. }) => {
-            model.open_surface_file(Side::Target, state.clone(), bytes);
+/// The bytes of the files that a session's surfaces come from.
+pub type SurfaceFiles = PerSide<Option<Vec<u8>>>;
+
+/// A model that prepares all of the session.
+fn begin(session: &Session, surface_files: SurfaceFiles) -> Result<Model, StillError> {
+    let from_file = |side| match session.surface(side) {
+        Some(state @ SurfaceState { spec: SurfaceSpec { shape: SurfaceShape::File { name }, .. }, .. }) => {
+            Some((state, name))
         }
-        (Some(state), None) if matches!(state.spec.shape, SurfaceShape::Preset { .. }) => {
-            model.dispatch(Command::Open(Box::new(session)), 0.0);
+        _ => None,
+    };
+    let files = PerSide::from_fn(from_file);
+    let on_files = Side::BOTH.into_iter().filter(|side| files[*side].is_some()).map(Command::CloseSurface);
+    let mut model = Model::new(session.clone().and(on_files));
+    for (side, bytes) in Side::BOTH.into_iter().zip(surface_files.into_array()) {
+        match (files[side], bytes) {
+            (None, None) => {}
+            (Some((state, _)), Some(bytes)) => model.open_surface_file(side, state.clone(), bytes),
+            (Some((_, name)), None) => return Err(StillError(key::surface_travels_as_file(name))),
+            (None, Some(_)) => return Err(StillError(key::no_surface_from_file().into())),
         }
-        (Some(state), None) => {
-            let SurfaceShape::File { name } = &state.spec.shape else { return Ok(model) };
-            return Err(StillError(key::surface_travels_as_file(name)));
-        }
-        (_, Some(_)) => return Err(StillError(key::no_surface_from_file().into())),
     }
     Ok(model)
 }

@@ -1,8 +1,8 @@
 //! A still as a picture.
 
-use crate::conformal::Side;
+use crate::conformal::{PerSide, Side};
 use crate::model::export::panel;
-use crate::model::scene::compose::{Look, PlanarPart, SurfacePart, background, compose};
+use crate::model::scene::compose::{Look, PlanarPart, ScenePart, SurfacePart, background, compose};
 use crate::model::scene::{Offscreen, OffscreenCells, OffscreenSurface};
 use crate::render::{Graphics, OrbitCamera, RenderError, SceneCells, SceneRenderer, StrokeStyle, Target};
 use image::RgbaImage;
@@ -48,8 +48,8 @@ impl Shot {
 }
 
 impl Offscreen {
-    /// Draws it with `renderer`; `image` is the texture of a session that has one, `camera` sees the surface: from
-    /// where it is seen at first, if there is none.
+    /// Draws it with `renderer`; `image` is the texture of a session that has one, `cameras` see the surfaces: from
+    /// where they are seen at first, where there is none.
     ///
     /// Errors: what the renderer says; there is always something to draw.
     pub fn draw(
@@ -58,7 +58,7 @@ impl Offscreen {
         (device, queue): Graphics<'_>,
         shot: &Shot,
         image: Option<&RgbaImage>,
-        camera: Option<OrbitCamera>,
+        cameras: PerSide<Option<OrbitCamera>>,
     ) -> Result<Target, RenderError> {
         let nothing = || RenderError::ViewportCount { count: 0, limit: shot.size[0] };
         let scale = shot.pixels_per_point();
@@ -69,35 +69,21 @@ impl Offscreen {
             stroke: Some(StrokeStyle::themed(shot.dark, scale)),
             radius_px: DOT_RADIUS * scale,
         };
-        let surface = self.surface();
-        let planar: Option<Vec<_>> = Side::BOTH
-            .into_iter()
-            .filter(|&side| shot.shows(side) && (side == Side::Source || surface.is_none()))
-            .map(|side| self.planar_part(side))
-            .collect();
-        let solid = match surface.filter(|_| shot.shows(Side::Target)) {
-            Some(surface) => Some(self.surface_part(surface, camera, shot).ok_or_else(nothing)?),
-            None => None,
+        let shown = Side::BOTH.into_iter().filter(|&side| shot.shows(side));
+        let parts: Option<Vec<_>> = shown.map(|side| self.part(side, cameras[side], shot)).collect();
+        compose(&parts.ok_or_else(nothing)?, &look, shot.size, |scene| renderer.draw(device, queue, scene, shot.size))
+    }
+
+    /// What stands on a side.
+    fn part(&self, side: Side, camera: Option<OrbitCamera>, shot: &Shot) -> Option<ScenePart<'_>> {
+        let Some(surface) = self.surface(side) else {
+            let cells = self.cells(side).and_then(in_the_plane);
+            return Some(ScenePart::Plane(PlanarPart { panel: panel(&self.model, side)?, cells }));
         };
-        compose(&planar.ok_or_else(nothing)?, solid.as_ref(), &look, shot.size, |surface, scene| {
-            renderer.draw(device, queue, surface, scene, shot.size)
-        })
-    }
-
-    fn planar_part(&self, side: Side) -> Option<PlanarPart<'_>> {
-        Some(PlanarPart { panel: panel(&self.model, side)?, cells: self.cells(side).and_then(in_the_plane) })
-    }
-
-    fn surface_part<'a>(
-        &'a self,
-        surface: OffscreenSurface<'a>,
-        camera: Option<OrbitCamera>,
-        shot: &Shot,
-    ) -> Option<SurfacePart<'a>> {
         let OffscreenSurface { surface, coordinates, points } = surface;
-        let camera = camera.or_else(|| self.camera(shot.aspect()))?;
-        let cells = self.cells(Side::Target).map(|cells| (cells.codes, cells.style));
-        Some(SurfacePart { surface, coordinates, camera, handles: points, cells, right: true })
+        let camera = camera.or_else(|| self.camera(side, shot.aspect()))?;
+        let cells = self.cells(side).map(|cells| (cells.codes, cells.style));
+        Some(ScenePart::Space(SurfacePart { surface, coordinates, camera, handles: points, cells }))
     }
 }
 

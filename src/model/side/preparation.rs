@@ -1,395 +1,227 @@
-//! The preparation of an outline: requested settings, request in flight, last good domain, user error.
+//! The preparation of an outline or a surface: what is requested, the request in flight, the last good side, user error.
 //!
-//! The panels show what is *wanted*; the map uses the last domain that was
-//! *prepared*. A new request supersedes the one under way: its generation is
-//! higher ([`PendingRequest`]). After a failure the last good domain stays and the message says why.
+//! The panels show the *requested* settings (`wanted`); the map uses the last side that was *prepared*. A new request
+//! supersedes the one in flight ([`PendingRequest`]). After a failure the last good side stays, with a user error.
+//!
+//! A side has two values of this type, one for its outline and one for its surface, because a session can need both at
+//! once: the outline stays prepared behind the surface, and each has a user error of its own. What differs between
+//! them is in the type of the request ([`Requested`]): [`OutlineRequest`](super::OutlineRequest), or an optional
+//! [`SurfaceRequest`](super::SurfaceRequest).
 
-use crate::conformal::{MeshedDomain, PreparedSide};
-use crate::language::{Message, key};
-use crate::model::editing::Reshaped;
-use crate::model::side::request::{PendingRequest, SETTLE_SECONDS};
+use crate::conformal::PreparedSide;
+use crate::language::Message;
+use crate::model::side::request::{Generations, PendingRequest};
 use crate::model::side::user_error::{QuickFix, UserError};
-use crate::outline::OutlineNote;
-use crate::session::{DomainSpec, OutlineSpec};
-use crate::worker::{Request, Response, Task};
+use crate::worker::{Failure, Request, Response, Task};
 use std::sync::Arc;
 
-/// What an answer of the worker changed.
-#[derive(Debug)]
-pub enum Progress {
-    /// A stale answer, or one more stage.
+/// A request that a side's worker can be sent.
+pub trait Requested: Clone {
+    /// The task for the worker; `None` if nothing is requested.
+    fn task(&self) -> Option<Task>;
+
+    /// The request in the form in which it is sent.
+    #[must_use]
+    fn sent(&self) -> Self {
+        self.clone()
+    }
+
+    /// Whether both requests are for the same outline or surface; settings are not compared.
+    fn is_of_same_shape(&self, other: &Self) -> bool;
+
+    /// Whether the preparation takes milliseconds: it is then waited for, because superseding it costs a browser the
+    /// worker and the code compiled there.
+    fn is_soon_done(&self) -> bool {
+        false
+    }
+
+    /// Whether another request will follow this one.
+    fn goes_on(&self) -> bool {
+        false
+    }
+
+    /// The reader's notes, for a shape that was read before the request was sent.
+    fn notes(&self) -> Vec<Message> {
+        Vec::new()
+    }
+
+    /// Called when the response has arrived and no further request is due.
+    fn settle(&mut self) {}
+
+    /// The part of the request that is kept with the prepared side.
+    #[must_use]
+    fn kept(&self) -> Self {
+        self.clone()
+    }
+
+    /// Reverts to the last `good` request, except for what a quick fix needs, and returns the user error.
+    fn fail(&mut self, failure: Failure, good: Option<&Self>) -> UserError;
+
+    /// The text of the user error when the worker stopped.
+    fn stopped(reason: Message) -> Message;
+}
+
+/// What a response changed.
+#[derive(Debug, PartialEq)]
+pub enum Progress<R> {
+    /// The response was stale, or reported a stage.
     Nothing,
-    /// The wanted domain is there.
+    /// The requested side is prepared.
     Ready {
-        /// What it was prepared from.
-        spec: DomainSpec,
-        /// Whether its outline is another one than before.
-        new_outline: bool,
-        /// How the outline came from the one before, if a hand has reshaped that.
-        reshaped: Option<Reshaped>,
+        /// The request in the form in which it was sent.
+        request: R,
+        /// Whether the outline or surface differs from the previous one.
+        is_new: bool,
     },
-    /// It could not be prepared; the message is in [`Preparation::error`].
+    /// The preparation failed; the user error is [`Preparation::error`].
     Failed,
 }
 
-/// What is being prepared.
-#[derive(Debug)]
-pub struct InFlight {
-    spec: DomainSpec,
-    notes: Vec<OutlineNote>,
-    reshaped: Option<Reshaped>,
+/// The last side that was prepared, and its request.
+#[derive(Debug, Clone)]
+struct LastGood<R> {
+    request: R,
+    side: Arc<PreparedSide>,
 }
 
-/// The preparation of a side's outline: requested settings, request in flight, last good domain, user error.
+/// Requested settings, request in flight, last good side, user error.
 #[derive(Debug)]
-pub struct Preparation {
-    wanted: DomainSpec,
-    prepared_from: Option<DomainSpec>,
-    pending_request: PendingRequest<InFlight>,
-    domain: Option<Arc<PreparedSide>>,
-    /// What to say about the last request, if it failed.
+pub struct Preparation<R> {
+    pub(super) wanted: R,
+    pub(super) pending_request: PendingRequest<R>,
+    last_good: Option<LastGood<R>>,
+    /// The user error beside the side, about the last request or about a file.
     pub error: Option<UserError>,
-    /// Whether it is a preparation that has failed: another one that succeeds makes up for that.
+    /// Whether `error` is about a preparation: the next one that succeeds clears it.
     has_failed: bool,
-    /// What was noticed when the outline was read.
-    pub notes: Vec<OutlineNote>,
-    incoming_notes: Vec<OutlineNote>,
-    /// How the wanted outline came from the one before, until it is prepared as it is to stay.
-    reshaped: Option<Reshaped>,
+    /// The reader's notes on the last good side.
+    pub notes: Vec<Message>,
 }
 
-impl Preparation {
-    /// Wants `spec`, at once.
-    pub fn new(spec: DomainSpec) -> Self {
-        let mut pending_request = PendingRequest::default();
-        pending_request.want_now();
+impl<R: Requested> Preparation<R> {
+    /// A preparation of `wanted` without a request due.
+    pub(super) fn of(wanted: R) -> Self {
         Self {
-            wanted: spec,
-            prepared_from: None,
-            pending_request,
-            domain: None,
+            wanted,
+            pending_request: PendingRequest::default(),
+            last_good: None,
             error: None,
             has_failed: false,
             notes: Vec::new(),
-            incoming_notes: Vec::new(),
-            reshaped: None,
         }
     }
 
-    /// The last good domain alone: nothing is wanted or under way.
+    /// A copy of the last good side, without any request.
     #[must_use]
     pub fn twin(&self) -> Self {
-        let wanted = self.prepared_from.clone().unwrap_or_else(|| self.wanted.clone());
-        let prepared_from = self.prepared_from.clone();
-        Self {
-            prepared_from,
-            pending_request: PendingRequest::default(),
-            domain: self.domain.clone(),
-            ..Self::new(wanted)
-        }
+        let wanted = self.good().unwrap_or(&self.wanted).clone();
+        Self { last_good: self.last_good.clone(), ..Self::of(wanted) }
     }
 
-    /// What the panels show.
-    pub fn wanted(&self) -> &DomainSpec {
-        &self.wanted
-    }
-
-    /// The last good domain.
-    pub fn domain(&self) -> Option<&Arc<MeshedDomain>> {
-        self.domain.as_ref()?.domain()
-    }
-
-    /// The last good domain, prepared.
+    /// The last good side.
     pub fn prepared(&self) -> Option<&Arc<PreparedSide>> {
-        self.domain.as_ref()
+        self.last_good.as_ref().map(|good| &good.side)
     }
 
-    /// Whether something is wanted that is not there yet.
+    /// The request of the last good side.
+    pub(super) fn good(&self) -> Option<&R> {
+        self.last_good.as_ref().map(|good| &good.request)
+    }
+
+    /// Whether a request is due, in flight or to follow.
     pub fn is_busy(&self) -> bool {
-        self.pending_request.is_busy() || self.is_in_hand()
+        self.pending_request.is_busy() || self.wanted.goes_on()
     }
 
-    /// Whether the outline is being reshaped: what is prepared is coarse, and followed by more.
-    pub fn is_in_hand(&self) -> bool {
-        self.reshaped.is_some_and(|reshaped| reshaped.in_hand)
-    }
-
-    /// Whether a coarse preparation is under way: it is soon done, and to supersede it would cost
-    /// a browser the worker with all that it has compiled.
-    fn is_soon_done(&self) -> bool {
-        self.pending_request
-            .under_way()
-            .and_then(|in_flight| in_flight.reshaped)
-            .is_some_and(|reshaped| reshaped.in_hand)
-    }
-
-    /// What is with the worker.
-    pub fn pending_request(&self) -> &PendingRequest<InFlight> {
+    /// The request due or in flight.
+    pub fn pending_request(&self) -> &PendingRequest<R> {
         &self.pending_request
     }
 
-    /// Makes answers up to `generation` stale: after a swap the sides' workers answer for each other.
-    pub fn skip_to(&mut self, generation: u64) {
-        self.pending_request.skip_to(generation);
-    }
-
-    /// Lets what is under way wait: the side's worker has something else to do first.
+    /// Makes the request in flight due again, because the side's worker is given another task first.
     pub fn postpone(&mut self) {
-        if let Some(in_flight) = self.pending_request.end() {
-            if self.pending_request.due().is_none() {
-                self.incoming_notes = in_flight.notes;
-            }
+        if self.pending_request.end().is_some() {
             self.pending_request.want_now();
         }
     }
 
-    /// Wants another outline, at once.
-    pub fn want_outline(&mut self, outline: OutlineSpec, notes: Vec<OutlineNote>) {
+    /// Requests `wanted` at the time `due`; the request in flight becomes stale.
+    pub(super) fn want(&mut self, wanted: R, due: f64) {
         self.forget_error();
-        self.wanted.outline = outline;
-        self.incoming_notes = notes;
+        self.wanted = wanted;
         self.pending_request.end();
-        self.reshaped = None;
-        self.pending_request.want_now();
+        self.pending_request.want(due);
     }
 
-    /// Wants the outline in another form, as soon as the one under way is done.
-    pub fn want_reshaped(&mut self, outline: OutlineSpec, reshaped: Reshaped) {
-        self.forget_error();
-        self.wanted.outline = outline;
-        self.reshaped = Some(reshaped);
-        self.pending_request.want_now();
-    }
-
-    /// Wants `spec`, at once; whether it has to be prepared.
-    pub fn want_spec(&mut self, spec: &DomainSpec) -> bool {
-        self.forget_error();
-        let prepared = !self.is_busy() && self.prepared_from.as_ref() == Some(spec);
-        self.wanted = spec.clone();
-        self.reshaped = None;
-        if prepared {
-            return false;
-        }
-        self.incoming_notes = Vec::new();
-        self.pending_request.end();
-        self.pending_request.want_now();
-        true
-    }
-
-    /// Wants another discretisation, once the request has rested.
-    pub fn want_settings(&mut self, settings: crate::conformal::PrepareSettings, now: f64) {
-        if settings != self.wanted.settings {
-            self.forget_error();
-            self.wanted.settings = settings;
-            self.pending_request.want(now + SETTLE_SECONDS);
-        }
-    }
-
-    /// Asks for the same once more.
+    /// Repeats the last request.
     pub fn retry(&mut self) {
         self.forget_error();
         self.pending_request.want_now();
     }
 
-    /// When [`Self::take_request`] should be called again.
+    /// Whether the request in flight is to be waited for.
+    fn is_soon_done(&self) -> bool {
+        self.pending_request.under_way().is_some_and(R::is_soon_done)
+    }
+
+    /// When [`Self::take_request`] is to be called next.
     pub fn due(&self) -> Option<f64> {
         self.pending_request.due().filter(|_| !self.is_soon_done())
     }
 
     /// The request that is due, if any.
-    pub fn take_request(&mut self, now: f64) -> Option<Request> {
+    pub fn take_request(&mut self, now: f64, generations: &mut Generations) -> Option<Request> {
         if self.is_soon_done() || !self.pending_request.take_due(now) {
             return None;
         }
         self.pending_request.end();
-        let reshaped = self.reshaped;
-        let settings = Reshaped::settings(reshaped, self.wanted.settings);
-        let spec = DomainSpec { settings, ..self.wanted.clone() };
-        let polygon = spec.outline.polygon();
-        let in_flight = InFlight { spec, notes: std::mem::take(&mut self.incoming_notes), reshaped };
-        Some(self.pending_request.send(in_flight, Task::Outline { polygon, settings }))
+        let sent = self.wanted.sent();
+        let task = sent.task()?;
+        Some(self.pending_request.send(sent, task, generations))
     }
 
-    /// Takes in an answer of the worker; a stale one changes nothing.
-    pub fn accept(&mut self, generation: u64, response: Response) -> Progress {
+    /// Accepts a response of the worker; a stale one changes nothing.
+    pub fn accept(&mut self, generation: u64, response: Response) -> Progress<R> {
         match self.pending_request.take_in(generation, response) {
-            Some(Response::Prepared(domain, _)) => self.finish(*domain),
+            Some(Response::Prepared(side, notes)) => self.finish(*side, notes),
             Some(Response::Failed(failure)) => {
                 self.pending_request.end();
                 if self.pending_request.due().is_some() {
-                    return Progress::Nothing; // what is wanted by now is another thing
+                    return Progress::Nothing; // another request has replaced it
                 }
-                self.fail(failure.text);
+                self.error = Some(self.wanted.fail(failure, self.last_good.as_ref().map(|good| &good.request)));
+                self.has_failed = true;
                 Progress::Failed
             }
             _ => Progress::Nothing,
         }
     }
 
-    /// The worker is gone; what it was doing is lost, nothing else.
-    pub fn worker_died(&mut self, reason: &Message) {
-        if self.pending_request.end().is_some() {
-            let text = key::preparation_stopped(reason.clone());
-            (self.error, self.has_failed) = (Some(UserError { text, quick_fix: Some(QuickFix::Retry) }), true);
-        }
-    }
-
-    fn finish(&mut self, domain: PreparedSide) -> Progress {
-        let Some(InFlight { spec, notes, reshaped }) = self.pending_request.end() else { return Progress::Nothing };
-        let new_outline = self.prepared_from.as_ref().is_none_or(|old| old.outline != spec.outline);
-        if new_outline {
-            self.notes = notes;
+    fn finish(&mut self, side: PreparedSide, read: Vec<Message>) -> Progress<R> {
+        let Some(request) = self.pending_request.end() else { return Progress::Nothing };
+        let is_new = self.good().is_none_or(|good| !good.is_of_same_shape(&request));
+        if is_new {
+            self.notes = request.notes().into_iter().chain(read).collect();
         }
         if std::mem::take(&mut self.has_failed) {
             self.error = None;
         }
         if self.pending_request.due().is_none() {
-            self.forget_reshaping();
+            self.wanted.settle();
         }
-        self.domain = Some(Arc::new(domain));
-        self.prepared_from = Some(spec.clone());
-        Progress::Ready { spec, new_outline, reshaped }
+        self.last_good = Some(LastGood { request: request.kept(), side: Arc::new(side) });
+        Progress::Ready { request, is_new }
     }
 
-    /// What was reshaped is prepared as it is to stay, or not to be had; what is in hand goes on.
-    fn forget_reshaping(&mut self) {
-        self.reshaped = self.reshaped.filter(|reshaped| reshaped.in_hand);
+    /// The worker stopped: the request in flight is lost and can be repeated.
+    pub fn worker_died(&mut self, reason: &Message) {
+        if self.pending_request.end().is_some() {
+            let text = R::stopped(reason.clone());
+            (self.error, self.has_failed) = (Some(UserError { text, quick_fix: Some(QuickFix::Retry) }), true);
+        }
     }
 
-    fn forget_error(&mut self) {
+    pub(super) fn forget_error(&mut self) {
         (self.error, self.has_failed) = (None, false);
-    }
-
-    /// Goes back to the last good outline; the settings stay as the person left them.
-    fn fail(&mut self, message: Message) {
-        (self.error, self.has_failed) = (Some(UserError::new(message)), true);
-        self.forget_reshaping();
-        if let Some(good) = &self.prepared_from {
-            self.wanted.outline = good.outline.clone();
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
-    use super::*;
-    use crate::outline::{Preset, Sampling};
-    use crate::session::Session;
-    use crate::worker::{Failure, run};
-
-    fn answers(request: &Request) -> Vec<(u64, Response)> {
-        let mut all = Vec::new();
-        run(request, &mut |generation, response| all.push((generation, response)));
-        all
-    }
-
-    fn coarse() -> Preparation {
-        let mut spec = Session::default().domain(crate::conformal::Side::Source).clone();
-        spec.settings.sampling = Sampling::Uniform { count: 60, keep_corners: false };
-        Preparation::new(spec)
-    }
-
-    fn prepared() -> Preparation {
-        let mut side = coarse();
-        let request = side.take_request(0.0).unwrap();
-        for (generation, response) in answers(&request) {
-            side.accept(generation, response);
-        }
-        side
-    }
-
-    #[test]
-    fn what_is_wanted_becomes_a_domain() {
-        let mut side = coarse();
-        let request = side.take_request(0.0).unwrap();
-        assert!(side.pending_request().under_way().is_some() && side.domain().is_none());
-        let last = answers(&request).into_iter().map(|(g, r)| side.accept(g, r)).last();
-        assert!(matches!(last, Some(Progress::Ready { new_outline: true, .. })));
-        assert!(side.domain().is_some() && !side.is_busy());
-    }
-
-    #[test]
-    fn answers_to_a_superseded_request_change_nothing() {
-        let mut side = coarse();
-        let first = side.take_request(0.0).unwrap();
-        side.want_outline(OutlineSpec::Preset(Preset::Star), Vec::new());
-        let second = side.take_request(0.0).unwrap();
-        assert!(second.generation > first.generation);
-        for (generation, response) in answers(&first) {
-            assert!(matches!(side.accept(generation, response), Progress::Nothing));
-        }
-        assert!(side.domain().is_none() && side.pending_request().under_way().is_some());
-    }
-
-    #[test]
-    fn resolution_waits_until_the_slider_rests() {
-        let mut side = coarse();
-        side.take_request(0.0).unwrap();
-        let mut settings = side.wanted().settings;
-        settings.sampling = Sampling::Uniform { count: 80, keep_corners: false };
-        side.want_settings(settings, 1.0);
-        assert!(side.take_request(1.0).is_none());
-        assert!(side.take_request(1.0 + SETTLE_SECONDS).is_some());
-    }
-
-    #[test]
-    fn after_a_bad_outline_the_good_domain_and_its_outline_stay() {
-        let mut side = prepared();
-        let good = Arc::clone(side.domain().unwrap());
-        side.want_outline(OutlineSpec::Preset(Preset::Star), Vec::new());
-        let request = side.take_request(2.0).unwrap();
-        assert!(matches!(side.accept(request.generation, Response::Failed(Failure::new("no"))), Progress::Failed));
-        assert!(side.error.is_some());
-        assert!(Arc::ptr_eq(&good, side.domain().unwrap()));
-        assert_eq!(side.wanted().outline, OutlineSpec::Preset(Preset::Gingerbread));
-    }
-
-    #[test]
-    fn an_error_about_something_else_outlives_what_is_under_way() {
-        let mut side = coarse();
-        let request = side.take_request(0.0).unwrap();
-        side.error = Some(UserError::new("another file: no".into()));
-        for (generation, response) in answers(&request) {
-            side.accept(generation, response);
-        }
-        assert!(side.domain().is_some() && side.error.is_some());
-        side.want_outline(OutlineSpec::Preset(Preset::Gingerbread), Vec::new());
-        assert!(side.error.is_none());
-        // and one about a preparation ends with the next that succeeds
-        side.take_request(0.0).unwrap();
-        let mut settings = side.wanted().settings;
-        settings.sampling = Sampling::Uniform { count: 80, keep_corners: false };
-        side.want_settings(settings, 1.0);
-        side.worker_died(&"no memory".into());
-        let request = side.take_request(f64::INFINITY).unwrap();
-        assert!(side.error.is_some());
-        for (generation, response) in answers(&request) {
-            side.accept(generation, response);
-        }
-        assert!(side.error.is_none());
-    }
-
-    #[test]
-    fn what_fails_on_the_way_of_a_hand_does_not_take_back_where_it_ended() {
-        let mut side = prepared();
-        let reshaped = |in_hand| Reshaped { interior: None, anchor: 0.0, in_hand };
-        side.want_reshaped(OutlineSpec::Preset(Preset::Star), reshaped(true));
-        let under_way = side.take_request(0.0).unwrap();
-        side.want_reshaped(OutlineSpec::Preset(Preset::Disk), reshaped(false));
-        let failed = Response::Failed(Failure::new("too thin"));
-        assert!(matches!(side.accept(under_way.generation, failed), Progress::Nothing));
-        assert_eq!(side.wanted().outline, OutlineSpec::Preset(Preset::Disk));
-        assert!(side.error.is_none() && side.take_request(0.0).is_some());
-    }
-
-    #[test]
-    fn a_dead_worker_is_reported_and_can_be_asked_again() {
-        let mut side = coarse();
-        side.take_request(0.0).unwrap();
-        side.worker_died(&"out of memory".into());
-        assert!(side.error.as_ref().unwrap().text.english().contains("out of memory") && !side.is_busy());
-        side.retry();
-        assert!(side.take_request(1.0).is_some() && side.error.is_none());
     }
 }

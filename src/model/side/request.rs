@@ -1,7 +1,7 @@
 //! What a worker is sent for: when it is to go, what it has in hand, and which of its answers count.
 //!
-//! A newer request supersedes the one under way: its generation is higher, and [`PendingRequest::take_in`] is the
-//! one place where stale answers are dropped.
+//! A side has one worker. All requests to it take their generation from the side's [`Generations`], so that a response
+//! belongs to exactly one request; [`PendingRequest::take_in`] is the one place where stale responses are dropped.
 
 use crate::conformal::Stage;
 use crate::worker::{Request, Response, Task};
@@ -11,16 +11,27 @@ use web_time::Instant;
 /// per frame (0.017 s), a person who waits for the result notices 0.3 s.
 pub const SETTLE_SECONDS: f64 = 0.12;
 
+/// Numbers the requests to a side's worker, in ascending order and each once.
+#[derive(Debug, Default)]
+pub struct Generations(u64);
+
+impl Generations {
+    fn next(&mut self) -> u64 {
+        self.0 += 1;
+        self.0
+    }
+}
+
 /// A debounced, generation-tagged request to the worker for what `W` describes; stale responses are dropped.
 #[derive(Debug)]
 pub struct PendingRequest<W> {
     due: Option<f64>,
-    generation: u64,
     running: Option<Running<W>>,
 }
 
 #[derive(Debug)]
 struct Running<W> {
+    generation: u64,
     since: Instant,
     in_flight: W,
     stage: Option<Stage>,
@@ -28,7 +39,7 @@ struct Running<W> {
 
 impl<W> Default for PendingRequest<W> {
     fn default() -> Self {
-        Self { due: None, generation: 0, running: None }
+        Self { due: None, running: None }
     }
 }
 
@@ -59,15 +70,22 @@ impl<W> PendingRequest<W> {
     }
 
     /// The request to send for `W`, in flight from now on.
-    pub fn send(&mut self, in_flight: W, task: Task) -> Request {
-        self.generation += 1;
-        self.running = Some(Running { since: Instant::now(), in_flight, stage: None });
-        Request { generation: self.generation, task }
+    pub fn send(&mut self, in_flight: W, task: Task, generations: &mut Generations) -> Request {
+        let generation = generations.next();
+        self.running = Some(Running { generation, since: Instant::now(), in_flight, stage: None });
+        Request { generation, task }
+    }
+
+    /// Takes over the request that `other` had in flight, for `in_flight`; no request is due any more.
+    pub fn take_over<V>(&mut self, other: &PendingRequest<V>, in_flight: W) {
+        if let Some(&Running { generation, since, stage, .. }) = other.running.as_ref() {
+            (self.due, self.running) = (None, Some(Running { generation, since, in_flight, stage }));
+        }
     }
 
     /// Takes in an answer: a stage is remembered, a stale one dropped; what ends the request comes back.
     pub fn take_in(&mut self, generation: u64, response: Response) -> Option<Response> {
-        let running = self.running.as_mut().filter(|_| generation == self.generation)?;
+        let running = self.running.as_mut().filter(|running| running.generation == generation)?;
         let Response::Progress(stage) = response else { return Some(response) };
         running.stage = Some(stage);
         None
@@ -75,7 +93,7 @@ impl<W> PendingRequest<W> {
 
     /// Whether what is under way is the request of this generation.
     pub fn awaits(&self, generation: u64) -> bool {
-        self.running.is_some() && self.generation == generation
+        self.running.as_ref().is_some_and(|running| running.generation == generation)
     }
 
     /// Nothing is under way any more; what was.
@@ -102,16 +120,6 @@ impl<W> PendingRequest<W> {
     pub fn seconds_under_way(&self) -> Option<f64> {
         self.running.as_ref().map(|running| running.since.elapsed().as_secs_f64())
     }
-
-    /// The generation of the last request.
-    pub fn generation(&self) -> u64 {
-        self.generation
-    }
-
-    /// Makes answers up to `generation` stale, as when another worker answers from now on.
-    pub fn skip_to(&mut self, generation: u64) {
-        self.generation = self.generation.max(generation);
-    }
 }
 
 #[cfg(test)]
@@ -127,15 +135,20 @@ mod tests {
         assert!(!pending_request.take_due(0.5) && pending_request.is_busy());
         assert!(pending_request.take_due(1.0) && !pending_request.take_due(1.0) && !pending_request.is_busy());
         let failed = || Response::Failed(Failure::new("no"));
-        let first = pending_request.send("first", rehearsal().task).generation;
-        let second = pending_request.send("second", rehearsal().task).generation;
+        let mut generations = Generations::default();
+        let first = pending_request.send("first", rehearsal().task, &mut generations).generation;
+        let second = pending_request.send("second", rehearsal().task, &mut generations).generation;
         assert!(pending_request.take_in(first, failed()).is_none() && pending_request.under_way() == Some(&"second"));
         assert!(pending_request.take_in(second, Response::Progress(Stage::Mesh)).is_none());
         assert_eq!(pending_request.stage(), Some(Stage::Mesh));
         assert!(pending_request.take_in(second, failed()).is_some() && pending_request.end() == Some("second"));
         assert!(pending_request.take_in(second, failed()).is_none(), "it was answered");
-        pending_request.skip_to(9);
-        assert_eq!(pending_request.send("third", rehearsal().task).generation, 10);
+        let mut other = PendingRequest::default();
+        let third = other.send(3, rehearsal().task, &mut generations).generation;
+        assert!(third > second && other.awaits(third) && !pending_request.awaits(third));
+        pending_request.want_now();
+        pending_request.take_over(&other, "fourth");
+        assert!(pending_request.awaits(third) && pending_request.due().is_none());
         pending_request.forget();
         assert!(!pending_request.is_busy() && pending_request.seconds_under_way().is_none());
     }

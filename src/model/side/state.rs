@@ -1,19 +1,26 @@
-//! One side of the model: its two preparations, and what of a session is on its way to it.
+//! One side of the model: its two preparations, the file being parsed, and the parts of a session still to come.
 
+use crate::conformal::{PerSide, Stage};
 use crate::model::side::SurfaceSide;
+use crate::model::side::opened_file::Reading;
+use crate::model::side::outline_request::OutlineRequest;
 use crate::model::side::preparation::Preparation;
+use crate::model::side::request::Generations;
 use crate::session::{SidePoints, SideState, SurfaceState};
 use crate::worker::Request;
 
 /// One side.
 ///
-/// Invariants: `incoming_points` are there only while the outline is being prepared; of the two preparations at most
-/// one is with the side's worker, and no two of its requests have one generation.
+/// Invariants: `incoming_points` is `Some` only while the outline is being prepared; the side's worker has at most one
+/// request, and every request has a generation of its own.
 #[derive(Debug)]
 pub struct ModelSide {
+    generations: Generations,
+    /// The opened file that the worker parses.
+    pub reading: Reading,
     /// The outline's preparation.
-    pub outline: Preparation,
-    /// The surface's, and the surface that is shown.
+    pub outline: Preparation<OutlineRequest>,
+    /// The surface's preparation, and the surface that is shown.
     pub surface: SurfaceSide,
     /// The points of a session whose outline is being prepared.
     pub incoming_points: Option<SidePoints>,
@@ -29,6 +36,8 @@ impl ModelSide {
     /// Wants the outline of a session's side.
     pub fn new(state: &SideState) -> Self {
         Self {
+            generations: Generations::default(),
+            reading: Reading::default(),
             outline: Preparation::new(state.domain.clone()),
             surface: SurfaceSide::default(),
             incoming_points: None,
@@ -38,10 +47,18 @@ impl ModelSide {
         }
     }
 
+    /// Exchanges the two sides, for none of which a request is due or in flight. Each worker keeps counting on.
+    pub fn swap(sides: &mut PerSide<Self>) {
+        sides.swap();
+        std::mem::swap(&mut sides.source.generations, &mut sides.target.generations);
+    }
+
     /// What is prepared here, and nothing that is wanted or under way.
     #[must_use]
     pub fn twin(&self) -> Self {
         Self {
+            generations: Generations::default(),
+            reading: Reading::default(),
             outline: self.outline.twin(),
             surface: self.surface.twin(),
             incoming_points: None,
@@ -51,30 +68,57 @@ impl ModelSide {
         }
     }
 
-    /// The request for this side's worker that is due, if any. A surface takes an outline's place: the outline is
-    /// prepared when the worker is done with it. What is in a hand waits until it `shows`.
+    /// The request for the side's worker that is due, if any: for a file, else for a surface, else for the outline,
+    /// which waits until the worker is done with those. An outline that is being dragged waits until the picture
+    /// `shows` the last one.
     pub fn take_request(&mut self, now: f64, shows: bool) -> Option<Request> {
-        let Self { outline, surface, .. } = self;
-        surface.preparation.skip_to(outline.pending_request().generation());
-        if let Some(request) = surface.preparation.take_request(now) {
+        let Self { generations, reading, outline, surface, .. } = self;
+        let surface = &mut surface.preparation;
+        if let Some(request) = reading.take_request(outline.wanted().settings, generations) {
+            outline.postpone();
+            surface.postpone();
+            return Some(request);
+        }
+        if reading.is_busy() {
+            return None;
+        }
+        if let Some(request) = surface.take_request(now, generations) {
             outline.postpone();
             return Some(request);
         }
-        if surface.preparation.pending_request().under_way().is_some() || (outline.is_in_hand() && !shows) {
+        if surface.pending_request().under_way().is_some() || (outline.is_in_hand() && !shows) {
             return None;
         }
-        outline.skip_to(surface.preparation.pending_request().generation());
-        outline.take_request(now)
+        outline.take_request(now, generations)
     }
 
     /// When the next request will be due.
     pub fn due(&self) -> Option<f64> {
+        if self.reading.is_busy() {
+            return self.reading.is_due().then_some(f64::NEG_INFINITY);
+        }
         let outline = self.outline.due().filter(|_| self.surface.preparation.pending_request().under_way().is_none());
         self.surface.preparation.due().into_iter().chain(outline).reduce(f64::min)
     }
 
-    /// Whether something is being prepared.
+    /// Whether a request of any kind is due, in flight or to follow.
     pub fn is_busy(&self) -> bool {
-        self.outline.is_busy() || self.surface.preparation.is_busy()
+        self.reading.is_busy() || self.outline.is_busy() || self.surface.preparation.is_busy()
+    }
+
+    /// The stage of the request in flight and the seconds since it was sent, for the progress line; `None` during a
+    /// drag, whose requests take milliseconds.
+    pub fn under_way(&self) -> Option<(Option<Stage>, f64)> {
+        let (reading, surface) = (self.reading.pending_request(), self.surface.preparation.pending_request());
+        let outline = self.outline.pending_request();
+        if reading.is_busy() {
+            Some((reading.stage(), reading.seconds_under_way()?))
+        } else if surface.is_busy() {
+            Some((surface.stage(), surface.seconds_under_way()?))
+        } else if self.outline.is_in_hand() {
+            None
+        } else {
+            Some((outline.stage(), outline.seconds_under_way()?))
+        }
     }
 }

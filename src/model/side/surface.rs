@@ -3,9 +3,12 @@
 use crate::conformal::{MeshedSurface, PreparedSide};
 use crate::geometry::DVec3;
 use crate::mesh::BarycentricPoint;
-use crate::model::side::SurfacePreparation;
+use crate::model::side::preparation::Preparation;
+use crate::model::side::surface_files::SurfaceFiles;
+use crate::model::side::surface_request::SurfaceRequest;
 use crate::render::{BoundingSphere, OrbitCamera};
-use crate::session::{SurfaceShape, SurfaceState};
+use crate::session::{SurfaceShape, SurfaceSpec, SurfaceState};
+use crate::worker::{NamedFile, SurfaceSource};
 use std::sync::Arc;
 
 /// The share of a point's weight that corners on the boundary may have: nearer to the loop harmonic
@@ -22,8 +25,9 @@ const SORTED_AT_ONCE: usize = 150_000;
 /// The surface side of the model.
 #[derive(Debug, Default)]
 pub struct SurfaceSide {
-    /// The way to the next surface.
-    pub preparation: SurfacePreparation,
+    /// The preparation of the next surface.
+    pub preparation: Preparation<Option<SurfaceRequest>>,
+    files: SurfaceFiles,
     /// A person wants an outline in its place: it goes when the outline is there.
     pub gives_way: bool,
     /// The surface that is shown; its map may still be missing.
@@ -32,6 +36,34 @@ pub struct SurfaceSide {
 }
 
 impl SurfaceSide {
+    /// Requests the surface of an opened file. A different file of the same name is renamed: "head (2).obj".
+    pub fn want_file(&mut self, name: &str, bytes: Vec<u8>) {
+        let NamedFile { name, bytes } = self.files.keep(name, bytes);
+        let spec = SurfaceSpec { shape: SurfaceShape::File { name: name.clone() }, ..SurfaceSpec::default() };
+        self.preparation.want_surface(spec, SurfaceSource::File { name, bytes }, f64::NEG_INFINITY);
+    }
+
+    /// Requests the surface that `spec` describes, from the file that it names.
+    pub fn want_file_of(&mut self, spec: SurfaceSpec, bytes: Vec<u8>) {
+        let SurfaceShape::File { name } = &spec.shape else { return };
+        let NamedFile { name, bytes } = self.files.keep(name, bytes);
+        self.preparation.want_surface(spec, SurfaceSource::File { name, bytes }, f64::NEG_INFINITY);
+    }
+
+    /// Requests the surface that `spec` describes: at once, or after `now` if only a preset's resolution changes. Returns
+    /// whether it has to be prepared. The person is asked for a file that is not kept.
+    pub fn want_spec(&mut self, spec: &SurfaceSpec, now: f64) -> bool {
+        if self.preparation.want_last_good(spec) {
+            return false;
+        }
+        if let Some(source) = self.files.source(&spec.shape) {
+            self.preparation.want_surface(spec.clone(), source, now);
+        } else if let SurfaceShape::File { name } = &spec.shape {
+            self.preparation.ask_for_file(name);
+        }
+        true
+    }
+
     /// Takes over the surface that was prepared.
     pub fn renew(&mut self) {
         self.shown = self.preparation.surface().map(Arc::clone);

@@ -1,6 +1,7 @@
 //! What is said beside the input that caused it, and the way out that it offers.
 
 use crate::language::{Label, Message, key};
+use crate::model::side::opened_file::OpenedFile;
 use crate::outline::Outline;
 
 /// What a click can do about a user error.
@@ -8,6 +9,8 @@ use crate::outline::Outline;
 pub enum QuickFix {
     /// Prepare the same once more.
     Retry,
+    /// Read the same file once more.
+    ReadAgain(OpenedFile),
     /// Take the outline as the reader repaired it.
     Repaired(Box<Outline>),
     /// Make the repairs of the surface that are safe.
@@ -18,7 +21,7 @@ impl QuickFix {
     /// What is written on its button.
     pub fn label(&self) -> Label {
         match self {
-            Self::Retry => key::try_again(),
+            Self::Retry | Self::ReadAgain(_) => key::try_again(),
             Self::Repaired(_) => key::use_repaired(),
             Self::RepairSurface => key::repair(),
         }

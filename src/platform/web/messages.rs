@@ -1,12 +1,18 @@
 //! Requests and responses as JavaScript values: flat arrays, which are transferred instead of copied.
 //!
-//! A request is `{ generation, settings }` with `points`, or with `repair` and either `preset` or
-//! `name` and `bytes`; a response `{ generation }` with `stage`, `failed`, or `floats`, `indices`,
-//! `text` and `notes`; `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
+//! A request is `{ generation, settings }` with `points`, with `name` and `bytes` of an outline file, or with `repair`
+//! and either `preset` or `name` and `bytes`; for a session file it is `{ generation, name, bytes }`. A response is
+//! `{ generation }` with `stage`, `failed`, `outline`, `session`, `unread`, or `floats`, `indices`, `text` and `notes`.
+//! An outline is `{ points, text }`, a session `{ source, target, text }` with its loaded outlines, a failure to read
+//! `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
 //! a panic is reported by `{ died }`. Small enums are JSON text in serde's form.
 
+use crate::conformal::PerSide;
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::worker::{Finding, Request, Response, Study, SurfaceSource, Task, Transfer};
+use crate::session::Session;
+use crate::worker::{
+    Finding, FlatOutline, FlatSession, NamedFile, Request, Response, Study, SurfaceSource, Task, Transfer, Unread,
+};
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -21,17 +27,23 @@ pub fn encode_request(request: &Request) -> JsValue {
             let flat: Vec<f64> = polygon.vertices().iter().flat_map(DVec2::to_array).collect();
             object(&[number, ("points", Float64Array::from(flat.as_slice()).into()), ("settings", json(settings))])
         }
+        Task::OutlineFile { file, settings } => {
+            object(&[&[number, ("settings", json(settings))], &encode_file(&file.name, &file.bytes)[..]].concat())
+        }
+        Task::SessionFile(file) => object(&[&[number], &encode_file(&file.name, &file.bytes)[..]].concat()),
         Task::Surface { source, repair, settings } => {
             let common = [number, ("settings", json(settings)), ("repair", (*repair).into())];
             let shape = match source {
                 SurfaceSource::Preset { preset, boundary } => vec![("preset", json(&(preset, boundary)))],
-                SurfaceSource::File { name, bytes } => {
-                    vec![("name", name.into()), ("bytes", Uint8Array::from(bytes.as_slice()).into())]
-                }
+                SurfaceSource::File { name, bytes } => encode_file(name, bytes).to_vec(),
             };
             object(&[&common[..], &shape].concat())
         }
     }
+}
+
+fn encode_file(name: &str, bytes: &[u8]) -> [(&'static str, JsValue); 2] {
+    [("name", name.into()), ("bytes", Uint8Array::from(bytes).into())]
 }
 
 /// Decodes a request; `None` if [`encode_request`] did not make it.
@@ -41,9 +53,13 @@ pub fn decode_request(message: &JsValue) -> Option<Request> {
         let points: Vec<DVec2> = flat.chunks_exact(2).map(DVec2::from_slice).collect();
         // known to be simple: the page sends the vertices of a `SimplePolygon`
         Task::Outline { polygon: SimplePolygon::known_simple(points), settings: parsed(message, "settings")? }
+    } else if let Some(repair) = get(message, "repair") {
+        let (source, settings) = (decode_source(message)?, parsed(message, "settings")?);
+        Task::Surface { source, repair: repair.as_bool()?, settings }
+    } else if let Some(settings) = parsed(message, "settings") {
+        Task::OutlineFile { file: decode_file(message)?, settings }
     } else {
-        let repair = get(message, "repair")?.as_bool()?;
-        Task::Surface { source: decode_source(message)?, repair, settings: parsed(message, "settings")? }
+        Task::SessionFile(decode_file(message)?)
     };
     Some(Request { generation: generation_of(message)?, task })
 }
@@ -52,8 +68,13 @@ fn decode_source(message: &JsValue) -> Option<SurfaceSource> {
     if let Some((preset, boundary)) = parsed(message, "preset") {
         return Some(SurfaceSource::Preset { preset, boundary });
     }
+    let NamedFile { name, bytes } = decode_file(message)?;
+    Some(SurfaceSource::File { name, bytes })
+}
+
+fn decode_file(message: &JsValue) -> Option<NamedFile> {
     let bytes = Uint8Array::from(get(message, "bytes")?).to_vec();
-    Some(SurfaceSource::File { name: get(message, "name")?.as_string()?, bytes: Arc::new(bytes) })
+    Some(NamedFile { name: get(message, "name")?.as_string()?, bytes: Arc::new(bytes) })
 }
 
 /// Encodes a response, and lists the buffers to transfer with it.
@@ -63,6 +84,11 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
     let message = match response {
         Response::Progress(stage) => object(&[number, ("stage", json(&stage))]),
         Response::Failed(failure) => object(&[number, ("failed", json(&failure))]),
+        Response::Outline(outline) => {
+            object(&[number, ("outline", encode_outline(&FlatOutline::from(&*outline), &transfer))])
+        }
+        Response::Session(session) => object(&[number, ("session", encode_session(&session, &transfer))]),
+        Response::Unread(unread) => object(&[number, ("unread", encode_unread(&unread, &transfer))]),
         Response::Prepared(side, notes) => {
             let buffers = Transfer::from(&*side);
             drop(side);
@@ -70,6 +96,46 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
         }
     };
     (message, transfer)
+}
+
+fn encode_outline(FlatOutline { points, text }: &FlatOutline, transfer: &Array) -> JsValue {
+    let array = Float64Array::from(points.as_slice());
+    transfer.push(&array.buffer());
+    object(&[("points", array.into()), ("text", text.into())])
+}
+
+fn decode_outline(message: &JsValue) -> Option<FlatOutline> {
+    let points = Float64Array::from(get(message, "points")?).to_vec();
+    Some(FlatOutline { points, text: get(message, "text")?.as_string()? })
+}
+
+/// Encodes a session; every session that was read has a flat form, any other becomes an object that is not decodable.
+fn encode_session(session: &Session, transfer: &Array) -> JsValue {
+    let Some(FlatSession { outlines, text }) = FlatSession::of(session) else { return object(&[]) };
+    let mut fields = vec![("text", JsValue::from(text))];
+    for (name, outline) in [("source", &outlines.source), ("target", &outlines.target)] {
+        fields.extend(outline.iter().map(|outline| (name, encode_outline(outline, transfer))));
+    }
+    object(&fields)
+}
+
+fn decode_session(message: &JsValue) -> Option<Session> {
+    // an outline that is present but not decodable makes the session not decodable
+    let outline = |name| get(message, name).map_or(Some(None), |outline| decode_outline(&outline).map(Some));
+    let outlines = PerSide::new(outline("source")?, outline("target")?);
+    FlatSession { outlines, text: get(message, "text")?.as_string()? }.session()
+}
+
+fn encode_unread(Unread { text, repaired }: &Unread, transfer: &Array) -> JsValue {
+    let repaired =
+        repaired.iter().map(|outline| ("repaired", encode_outline(&FlatOutline::from(&**outline), transfer)));
+    let fields: Vec<_> = [("text", json(text))].into_iter().chain(repaired).collect();
+    object(&fields)
+}
+
+fn decode_unread(message: &JsValue) -> Option<Unread> {
+    let repaired = get(message, "repaired").and_then(|outline| decode_outline(&outline)?.outline()).map(Box::new);
+    Some(Unread { text: parsed(message, "text")?, repaired })
 }
 
 /// Each array is freed as soon as it is copied, so that a large surface takes 1.5 times its memory, not twice.
@@ -145,6 +211,12 @@ pub fn decode_response(message: &JsValue) -> Option<(u64, Response)> {
         Response::Progress(stage)
     } else if let Some(failure) = parsed(message, "failed") {
         Response::Failed(failure)
+    } else if let Some(outline) = get(message, "outline") {
+        Response::Outline(Box::new(decode_outline(&outline)?.outline()?))
+    } else if let Some(session) = get(message, "session") {
+        Response::Session(Box::new(decode_session(&session)?))
+    } else if let Some(unread) = get(message, "unread") {
+        Response::Unread(decode_unread(&unread)?)
     } else {
         let side = decode_buffers(message)?.into_side()?;
         Response::Prepared(Box::new(side), parsed(message, "notes")?)

@@ -7,7 +7,7 @@ use super::messages;
 use super::worker_handle::{Heard, State, WorkerHandle};
 use crate::conformal::{PerSide, Side};
 use crate::platform::{Event, Mailbox};
-use crate::worker::{Request, Response};
+use crate::worker::Request;
 
 /// Runs preparations in workers.
 pub struct Preparer {
@@ -50,7 +50,7 @@ impl Preparer {
         if slot.as_ref().is_none_or(|worker| worker.state() != State::Idle) {
             let read = move |message: &_| {
                 let (generation, response) = messages::decode_response(message)?;
-                let goes_on = matches!(response, Response::Progress(_));
+                let goes_on = response.goes_on();
                 Some(Heard { event: Event::Worker { side, generation, response }, goes_on })
             };
             let started = WorkerHandle::start(&self.mailbox, read, move |reason| Event::WorkerDied { side, reason });

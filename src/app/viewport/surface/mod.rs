@@ -4,7 +4,7 @@
 //! |---|---|
 //! | the camera around it | `orbit` |
 //! | gestures and dots | `viewport` |
-//! | uploads and the callback that draws it | `gpu` |
+//! | uploads | `gpu` |
 //! | small pictures of the presets | `picture` |
 
 pub mod gpu;

@@ -11,9 +11,9 @@ use crate::app::input::locks::{Control, Locks};
 use crate::app::theme::Palette;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
+use crate::app::viewport::gpu::{ViewportCallback, ViewportFrame};
 use crate::app::viewport::planar::{BOUNDARY_REACH, ZOOM_PER_POINT};
 use crate::app::viewport::surface::OrbitView;
-use crate::app::viewport::surface::gpu::SurfaceCallback;
 use crate::conformal::Side;
 use crate::geometry::DVec3;
 use crate::model::Model;
@@ -22,9 +22,6 @@ use crate::session::Command;
 use crate::surface::nearest_on_boundary_to_ray;
 use egui::{CornerRadius, CursorIcon, PointerButton, Pos2, Response, Sense, Ui, Vec2};
 
-/// The side that a surface takes.
-const SIDE: Side = Side::Target;
-
 /// How near the ray passages of the loop compete for the boundary handle, as a tangent: 14 points at arm's length.
 const REACH: f64 = 0.015;
 
@@ -32,29 +29,30 @@ const REACH: f64 = 0.015;
 /// pointer, as a fraction of the loop's length.
 pub fn interact(
     ui: &mut Ui,
+    side: Side,
     model: &Model,
     view: &mut OrbitView,
     handles: &mut HandleState,
     actions: &mut Actions,
 ) -> Option<f64> {
-    let response = ui.interact(view.rect, ui.scope_id().with("surface viewport"), Sense::click_and_drag());
+    let response = ui.interact(view.rect, ui.scope_id().with(("orbit", side)), Sense::click_and_drag());
     if pinch(ui, &response, view, handles) {
         return None;
     }
-    let places = [model.surface_point(SIDE), model.surface_anchor(SIDE)].map(|place| view.to_screen(place?));
-    dots::grab_and_release(ui, &response, SIDE, places, handles);
-    drag_handle(ui, model, view, handles, actions);
-    if let Some(key_step) = keyboard_navigation::of_dots(ui, SIDE, places, handles) {
-        actions.extend(stepped(model, view, key_step).map(Action::Session));
+    let places = [model.surface_point(side), model.surface_anchor(side)].map(|place| view.to_screen(place?));
+    dots::grab_and_release(ui, &response, side, places, handles);
+    drag_handle(ui, side, model, view, handles, actions);
+    if let Some(key_step) = keyboard_navigation::of_dots(ui, side, places, handles) {
+        actions.extend(stepped(side, model, view, key_step).map(Action::Session));
     }
     move_eye(ui, &response, view, handles);
-    match keyboard_navigation::of_viewport(ui, &response, SIDE, handles) {
+    match keyboard_navigation::of_viewport(ui, &response, side, handles) {
         Some(EyeMove::Step(step)) => view.turn(-step),
         Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
         Some(EyeMove::Fit) => view.fit(),
         None => {}
     }
-    boundary_under_pointer(&response, model, view, handles)
+    boundary_under_pointer(&response, side, model, view, handles)
 }
 
 /// Two fingers: pan and zoom, and let go of what one finger had. Returns whether there are two.
@@ -73,41 +71,39 @@ fn pinch(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &mut Handl
     true
 }
 
-fn drag_handle(ui: &Ui, model: &Model, view: &OrbitView, handles: &HandleState, actions: &mut Actions) {
-    let Some(grip) = handles.grip.filter(|grip| grip.handle.side == SIDE) else { return };
+fn drag_handle(ui: &Ui, side: Side, model: &Model, view: &OrbitView, handles: &HandleState, actions: &mut Actions) {
+    let Some(grip) = handles.grip.filter(|grip| grip.handle.side == side) else { return };
     let (moved, pointer) = ui.input(|input| (input.pointer.delta() != Vec2::ZERO, input.pointer.interact_pos()));
     let Some(pointer) = pointer.filter(|_| moved) else { return };
     let at = pointer + grip.offset;
     let command = match grip.handle.kind {
-        HandleKind::Interior => point_at(model, view, at),
-        HandleKind::Boundary => anchor_at(model, view, at).map(|fraction| Command::MoveAnchor { side: SIDE, fraction }),
+        HandleKind::Interior => point_at(side, model, view, at),
+        HandleKind::Boundary => anchor_at(side, model, view, at).map(|fraction| Command::MoveAnchor { side, fraction }),
     };
     actions.extend(command.map(Action::Session));
 }
 
-fn stepped(model: &Model, view: &OrbitView, key_step: KeyStep) -> Option<Command> {
+fn stepped(side: Side, model: &Model, view: &OrbitView, key_step: KeyStep) -> Option<Command> {
     match key_step {
-        KeyStep::Interior(step) => point_at(model, view, view.to_screen(model.surface_point(SIDE)?)? + step),
-        KeyStep::Boundary(step) => {
-            Some(Command::MoveAnchor { side: SIDE, fraction: model.surface(SIDE)?.1.anchor + step })
-        }
+        KeyStep::Interior(step) => point_at(side, model, view, view.to_screen(model.surface_point(side)?)? + step),
+        KeyStep::Boundary(step) => Some(Command::MoveAnchor { side, fraction: model.surface(side)?.1.anchor + step }),
     }
 }
 
 /// The interior point for a pointer at `at`: what it is over; beside the surface, what is nearest.
-fn point_at(model: &Model, view: &OrbitView, at: Pos2) -> Option<Command> {
-    let (side, _) = model.surface(SIDE)?;
+fn point_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<Command> {
+    let (surface, _) = model.surface(side)?;
     let (eye, direction) = view.ray(at)?;
-    let tree = side.surface()?.tree();
+    let tree = surface.surface()?.tree();
     let hit = tree.ray(eye, direction).or_else(|| {
-        let depth = (model.surface_point(SIDE)? - eye).dot(direction);
+        let depth = (model.surface_point(side)? - eye).dot(direction);
         tree.nearest(eye + depth * direction)
     });
-    side.interior_near(hit?.0).map(|point| Command::MoveInterior { side: SIDE, point: point.into() })
+    surface.interior_near(hit?.0).map(|point| Command::MoveInterior { side, point: point.into() })
 }
 
-fn anchor_at(model: &Model, view: &OrbitView, at: Pos2) -> Option<f64> {
-    let surface = model.surface(SIDE)?.0.surface()?;
+fn anchor_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<f64> {
+    let surface = model.surface(side)?.0.surface()?;
     let (eye, direction) = view.ray(at)?;
     Some(surface.fraction_at(nearest_on_boundary_to_ray(surface.mesh(), eye, direction, REACH)?))
 }
@@ -144,16 +140,29 @@ fn move_eye(ui: &Ui, response: &Response, view: &mut OrbitView, handles: &Handle
     }
 }
 
-fn boundary_under_pointer(response: &Response, model: &Model, view: &OrbitView, handles: &HandleState) -> Option<f64> {
+fn boundary_under_pointer(
+    response: &Response,
+    side: Side,
+    model: &Model,
+    view: &OrbitView,
+    handles: &HandleState,
+) -> Option<f64> {
     let pointer = response.hover_pos().filter(|_| handles.grip.is_none() && handles.hovered.is_none())?;
-    let surface = model.surface(SIDE)?.0.surface()?;
-    let fraction = anchor_at(model, view, pointer)?;
+    let surface = model.surface(side)?.0.surface()?;
+    let fraction = anchor_at(side, model, view, pointer)?;
     let place = view.to_screen(surface.boundary_position(surface.at_fraction(fraction)))?;
     (place.distance(pointer) <= BOUNDARY_REACH).then_some(fraction)
 }
 
 /// Draws the textured surface.
-pub fn paint_surface(ui: &Ui, view: &OrbitView, style: Option<&TextureStyle>, cells: Option<CellStyle>, pace: Pace) {
+pub fn paint_surface(
+    ui: &Ui,
+    side: Side,
+    view: &OrbitView,
+    style: Option<&TextureStyle>,
+    cells: Option<CellStyle>,
+    pace: Pace,
+) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter_at(view.rect);
     let (Some(style), Some(camera)) = (style, view.camera()) else {
@@ -168,18 +177,18 @@ pub fn paint_surface(ui: &Ui, view: &OrbitView, style: Option<&TextureStyle>, ce
         stroke: StrokeStyle::themed(ui.visuals().dark_mode, ui.pixels_per_point()),
         background: palette.canvas.to_normalized_gamma_f32(),
     };
-    let callback = SurfaceCallback { frame, pace, context: ui.ctx().clone() };
+    let callback = ViewportCallback { side, frame: ViewportFrame::Space(frame), pace, context: ui.ctx().clone() };
     painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
 }
 
 /// Draws the dots, over everything else in the viewport; fainter where the surface hides them.
-pub fn paint_dots(ui: &Ui, model: &Model, view: &OrbitView, handles: &HandleState) {
+pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &OrbitView, handles: &HandleState) {
     let painter = ui.painter_at(view.rect);
     let points =
-        [(HandleKind::Boundary, model.surface_anchor(SIDE)), (HandleKind::Interior, model.surface_point(SIDE))];
+        [(HandleKind::Boundary, model.surface_anchor(side)), (HandleKind::Interior, model.surface_point(side))];
     for (kind, point) in points {
-        let Some(dot) = point.and_then(|point| dot(model, view, point)) else { continue };
-        let handle = Handle { side: SIDE, kind };
+        let Some(dot) = point.and_then(|point| dot(side, model, view, point)) else { continue };
+        let handle = Handle { side, kind };
         let words = || {
             let p = point.unwrap_or_default();
             format!("{} = ({:.3}, {:.3}, {:.3})", handle.symbol(), p.x, p.y, p.z)
@@ -188,17 +197,17 @@ pub fn paint_dots(ui: &Ui, model: &Model, view: &OrbitView, handles: &HandleStat
     }
 }
 
-fn dot(model: &Model, view: &OrbitView, point: DVec3) -> Option<Dot> {
+fn dot(side: Side, model: &Model, view: &OrbitView, point: DVec3) -> Option<Dot> {
     let eye = view.camera()?.eye();
-    let surface = model.surface(SIDE)?.0.surface()?;
+    let surface = model.surface(side)?.0.surface()?;
     let hidden = surface.tree_if_made().is_some_and(|tree| tree.hides(eye, point));
     Some(Dot { place: view.to_screen(point)?, hidden })
 }
 
 /// Draws the mark at a fraction of the loop's length.
-pub fn paint_boundary_mark(ui: &Ui, model: &Model, view: &OrbitView, fraction: f64) {
-    let Some(surface) = model.surface(SIDE).and_then(|(side, _)| side.surface()) else { return };
+pub fn paint_boundary_mark(ui: &Ui, side: Side, model: &Model, view: &OrbitView, fraction: f64) {
+    let Some(surface) = model.surface(side).and_then(|(surface, _)| surface.surface()) else { return };
     if let Some(place) = view.to_screen(surface.boundary_position(surface.at_fraction(fraction))) {
-        dots::paint_mark(ui, &ui.painter_at(view.rect), SIDE, place);
+        dots::paint_mark(ui, &ui.painter_at(view.rect), side, place);
     }
 }

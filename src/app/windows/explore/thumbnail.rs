@@ -6,7 +6,7 @@
 use crate::conformal::{PrepareSettings, Side};
 use crate::geometry::{Bounds, DVec2, DVec3};
 use crate::mesh::Sizing;
-use crate::model::scene::{Offscreen, OffscreenSurface};
+use crate::model::scene::{Offscreen, OffscreenSurface, SurfaceFiles};
 use crate::outline::Sampling;
 use crate::render::{MeshGeometry, Pattern, TextureStyle};
 use crate::session::{Command, Comparison, Session, SurfaceShape, SurfaceSpec};
@@ -32,13 +32,14 @@ const DARKEST: f64 = 0.45;
 
 /// A thumbnail of a session's map on a transparent background; `None` if the session has no map.
 pub fn of(session: &Session) -> Option<ColorImage> {
-    let offscreen = Offscreen::new(coarse(session.clone()), None, 1.0).ok()?;
+    let offscreen = Offscreen::new(&coarse(session.clone()), SurfaceFiles::default(), 1.0).ok()?;
     let style = offscreen.style(false, true)?;
     let mut canvas = Canvas::new([SIZE[0] * DENSITY * FINE, SIZE[1] * DENSITY * FINE]);
-    canvas.plane(&offscreen.geometry(Side::Source)?, 0, &style);
-    match offscreen.surface() {
-        Some(surface) => canvas.solid(&surface, offscreen.camera(1.0)?.backward(), &style),
-        None => canvas.plane(&offscreen.geometry(Side::Target)?, 1, &style),
+    for (half, side) in Side::BOTH.into_iter().enumerate() {
+        match offscreen.surface(side) {
+            Some(surface) => canvas.solid(&surface, half, offscreen.camera(side, 1.0)?.backward(), &style),
+            None => canvas.plane(&offscreen.geometry(side)?, half, &style),
+        }
     }
     Some(canvas.averaged())
 }
@@ -91,14 +92,14 @@ impl Canvas {
         }
     }
 
-    /// Draws the surface in parallel projection along `towards_eye`, lit from there.
-    fn solid(&mut self, solid: &OffscreenSurface<'_>, towards_eye: DVec3, style: &TextureStyle) {
+    /// Draws the surface into a half, in parallel projection along `towards_eye`, lit from there.
+    fn solid(&mut self, solid: &OffscreenSurface<'_>, half: usize, towards_eye: DVec3, style: &TextureStyle) {
         let mesh = solid.surface.mesh();
         let right = DVec3::Z.cross(towards_eye).try_normalize().unwrap_or(DVec3::X);
         let up = towards_eye.cross(right);
         let flat = |p: &DVec3| DVec2::new(p.dot(right), p.dot(up));
         let flattened: Vec<DVec2> = mesh.vertices().iter().map(flat).collect();
-        let place = self.fit(&flattened, 1);
+        let place = self.fit(&flattened, half);
         for corners in mesh.triangles() {
             let corners = corners.map(|v| v as usize);
             let [a, b, c] = corners.map(|v| mesh.vertices()[v]);

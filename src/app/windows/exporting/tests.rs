@@ -2,6 +2,7 @@
 
 use crate::app::tests::{has_adapter, prepared_model, ready_app};
 use crate::app::windows::exporting::Exporter;
+use crate::conformal::PerSide;
 use crate::export::FileFormat;
 use crate::family::Path;
 use crate::model::Model;
@@ -18,7 +19,7 @@ use image::codecs::png::PngDecoder;
 use std::io::Cursor;
 
 fn scenery() -> Scenery {
-    Scenery { image: None, camera: None, dark: true }
+    Scenery { image: None, cameras: PerSide::default(), dark: true }
 }
 
 fn request(kind: Kind) -> ExportRequest {
@@ -54,10 +55,10 @@ fn a_picture_is_that_of_the_command_line_and_the_model_stays() {
     assert_eq!(file.name, "riemap.png");
     let picture = image::load_from_memory(&file.bytes).unwrap().into_rgba8();
     let shot = request.shot(true);
-    let offscreen = Offscreen::new(session.clone(), None, shot.pixels_per_point()).unwrap();
+    let offscreen = Offscreen::new(&session, PerSide::default(), shot.pixels_per_point()).unwrap();
     let expected = Studio::new()
         .unwrap()
-        .shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), &shot, None, None));
+        .shoot(|renderer, device, queue| offscreen.draw(renderer, (device, queue), &shot, None, PerSide::default()));
     assert_eq!(picture, expected.unwrap());
     assert_eq!(picture.get_pixel(0, 0).0[3], 0, "the background is transparent");
     assert_eq!((model.session(), model.generation()), (&session, generation));
@@ -114,10 +115,12 @@ fn invalid_animations_are_refused_with_a_message() {
 
 #[test]
 fn planar_maps_and_surfaces_have_their_own_formats() {
-    assert!(Kind::all(true).contains(&Kind::File(FileFormat::Glb)));
-    assert!(!Kind::all(false).contains(&Kind::File(FileFormat::Glb)));
-    for on_surface in [false, true] {
-        let labels: Vec<_> = Kind::all(on_surface).iter().map(|kind| kind.label().english()).collect();
+    let all = [[false, false], [false, true], [true, false], [true, true]];
+    let all = all.map(|[source, target]| PerSide::new(source, target));
+    let with_coordinates = all.map(|surfaces| Kind::all(surfaces).contains(&Kind::File(FileFormat::Glb)));
+    assert_eq!(with_coordinates, [false, true, true, false]);
+    for surfaces in all {
+        let labels: Vec<_> = Kind::all(surfaces).iter().map(|kind| kind.label().english()).collect();
         assert!(labels.contains(&"PNG") && labels.contains(&"GIF") && labels.contains(&"SVG"), "{labels:?}");
     }
 }

@@ -1,0 +1,165 @@
+//! Surfaces on either side of the screen: shown, dragged, chosen from the menu, swapped.
+
+use super::*;
+use crate::session::{SurfaceShape, SurfaceSpec};
+use crate::surface::SurfacePreset;
+use egui::{Vec2, pos2, vec2};
+
+/// Waits for the workers until `is_there`.
+fn step_until(harness: &mut Harness<'_, RiemapApp>, is_there: impl Fn(&Stats) -> bool) {
+    for _ in 0..600 {
+        harness.step();
+        if is_there(&harness.state().stats()) {
+            harness.run_steps(3); // dots are where the map is from the next frame on
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert!(is_there(&harness.state().stats()), "after 600 frames: {:?}", harness.state().stats());
+}
+
+/// The app with surfaces on these sides.
+fn app_with<const N: usize>(surfaces: [(Side, SurfacePreset); N]) -> Harness<'static, RiemapApp> {
+    let mut harness = ready_app([1200.0, 800.0]);
+    for (side, preset) in surfaces {
+        let shape = SurfaceShape::Preset { preset, boundary: 60 };
+        let surface = SurfaceSpec { shape, ..SurfaceSpec::default() };
+        let context = harness.ctx.clone();
+        let set = Action::Session(Command::SetSurface { side, surface });
+        harness.state_mut().carry_out(&context, vec![set]);
+    }
+    let wanted = surfaces.map(|(side, _)| side);
+    for _ in 0..600 {
+        harness.step();
+        let app = harness.state();
+        if app.model.is_ready() && wanted.iter().all(|&side| app.model.surface(side).is_some()) {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    harness.run_steps(3);
+    let app = harness.state();
+    assert!(app.model.is_ready() && app.stats().screen.errors.is_empty(), "{:?}", app.stats());
+    assert!(Side::BOTH.into_iter().all(|side| app.model.surface(side).is_some() == wanted.contains(&side)));
+    harness
+}
+
+/// Drags a dot, and waits for the map.
+fn drag(harness: &mut Harness<'_, RiemapApp>, [x, y]: [f32; 2], by: Vec2) {
+    let generation = harness.state().stats().map.generation;
+    let from = pos2(x, y);
+    harness.drag_at(from);
+    harness.step();
+    for step in 1..=4 {
+        harness.hover_at(from + by * (step as f32 / 4.0));
+        harness.step();
+    }
+    harness.drop_at(from + by);
+    step_until(harness, |stats| stats.preparation.ready && stats.map.generation > generation);
+}
+
+fn distance(a: Option<[f32; 2]>, b: Option<[f32; 2]>) -> f32 {
+    let [a, b] = [a, b].map(|place| Vec2::from(place.unwrap()));
+    (a - b).length()
+}
+
+#[test]
+fn a_surface_on_the_source_is_dragged_like_one_on_the_target() {
+    for side in Side::BOTH {
+        let mut harness = app_with([(side, SurfacePreset::Hemisphere)]);
+        let point = |harness: &Harness<'_, RiemapApp>| {
+            let handles = harness.state().stats().screen.handles;
+            match side {
+                Side::Source => [handles.x1, handles.y1],
+                Side::Target => [handles.x2, handles.y2],
+            }
+        };
+        let [x, y] = point(&harness);
+        drag(&mut harness, x.unwrap(), vec2(30.0, 20.0));
+        let [u, v] = point(&harness);
+        assert!((distance(x, u) - vec2(30.0, 20.0).length()).abs() < 1.0, "{side}: from {x:?} to {u:?}");
+        assert_eq!(y, v, "the boundary point stays");
+        assert!(harness.state().session().surface(side).unwrap().point.is_some());
+        drag(&mut harness, v.unwrap(), vec2(-30.0, 10.0));
+        assert!(
+            distance(point(&harness)[1], v) > 10.0 && harness.state().session().side(side).points().anchor() != 0.0
+        );
+        let quality = harness.state().model.quality().unwrap();
+        assert!(quality.q_mean < 1.2 && quality.flipped == 0, "{side}: {quality:?}");
+        // a key moves it too
+        let name = if side == Side::Source {
+            "x₁, interior point of the source"
+        } else {
+            "x₂, interior point of the target"
+        };
+        harness.get_by_label(name).focus();
+        harness.run_steps(3);
+        let [x, _] = point(&harness);
+        harness.key_press(egui::Key::ArrowRight);
+        harness.run_steps(4);
+        assert!((distance(point(&harness)[0], x) - 10.0).abs() < 0.5, "{side}");
+    }
+}
+
+#[test]
+fn two_surfaces_are_turned_one_by_one_and_dragged_on_both_sides() {
+    let mut harness = app_with([(Side::Source, SurfacePreset::Hemisphere), (Side::Target, SurfacePreset::Paraboloid)]);
+    let before = harness.state().stats();
+    for (handle, by) in [(before.screen.handles.x1, vec2(25.0, 20.0)), (before.screen.handles.x2, vec2(-20.0, 25.0))] {
+        drag(&mut harness, handle.unwrap(), by);
+    }
+    let dragged = harness.state().stats();
+    assert!(distance(before.screen.handles.x1, dragged.screen.handles.x1) > 20.0);
+    assert!(distance(before.screen.handles.x2, dragged.screen.handles.x2) > 20.0);
+    assert!(dragged.quality.q_mean.unwrap() < 1.3 && dragged.quality.flipped == Some(0), "{:?}", dragged.quality);
+    let [image, expected] = [dragged.map.image_of_mapped_point, dragged.map.expected].map(Option::unwrap);
+    assert!((glam::DVec2::from(image) - glam::DVec2::from(expected)).length() < 0.03, "{image:?}");
+    // beside the dots a drag turns the surface under the pointer, and the other one stays
+    let [x, y] = dragged.screen.handles.x1.unwrap();
+    harness.drag_at(pos2(x + 60.0, y + 60.0));
+    harness.step();
+    harness.hover_at(pos2(x + 20.0, y + 50.0));
+    harness.step();
+    harness.drop_at(pos2(x + 20.0, y + 50.0));
+    harness.run_steps(30);
+    let turned = harness.state().stats();
+    assert!(distance(dragged.screen.handles.x1, turned.screen.handles.x1) > 5.0);
+    assert_eq!(dragged.screen.handles.x2, turned.screen.handles.x2);
+    assert_eq!(dragged.map.boundary_checksum, turned.map.boundary_checksum);
+}
+
+#[test]
+fn undo_takes_back_a_drag_on_a_source_s_surface_and_swapping_exchanges_the_sides() {
+    let mut harness = app_with([(Side::Source, SurfacePreset::Hemisphere)]);
+    harness.run_steps(60);
+    let before = harness.state().session().clone();
+    let x = harness.state().stats().screen.handles.x1.unwrap();
+    drag(&mut harness, x, vec2(30.0, 20.0));
+    harness.run_steps(60);
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+    step_until(&mut harness, |stats| stats.preparation.ready);
+    assert_eq!(harness.state().session(), &before);
+    harness.get_by_label("Swap").click();
+    harness.run_steps(2);
+    step_until(&mut harness, |stats| stats.preparation.ready);
+    let session = harness.state().session();
+    assert_eq!(session.surface(Side::Target), before.surface(Side::Source));
+    assert!(session.surface(Side::Source).is_none());
+}
+
+#[test]
+fn the_panel_has_the_controls_of_each_surface_and_the_direction_between_two() {
+    let mut model = prepared_model();
+    let set = |side| {
+        let shape = SurfaceShape::Preset { preset: SurfacePreset::Saddle, boundary: 40 };
+        Command::SetSurface { side, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } }
+    };
+    model.dispatch(set(Side::Source), 0.0);
+    finish_preparations(&mut model);
+    let back = [Action::Session(Command::CloseSurface(Side::Source))];
+    assert_eq!(click_in_panel(&model, "Back to the plane"), back);
+    model.dispatch(set(Side::Target), 0.0);
+    finish_preparations(&mut model);
+    assert!(model.is_through_disk());
+    assert_eq!(click_in_panel(&model, "Forward"), [Action::Session(Command::SetDirection(Direction::Forward))]);
+}

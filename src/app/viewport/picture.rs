@@ -1,0 +1,121 @@
+//! The picture of a side, of a plane or of a surface in space: gestures, drawing, dots.
+//!
+//! Drawing and gestures distinguish the two kinds of viewport here only.
+
+use super::surface::OrbitView;
+use super::view::View;
+use super::{pictures::Pictures, planar, surface};
+use crate::app::input::action::Actions;
+use crate::app::input::handles::HandleState;
+use crate::conformal::Side;
+use crate::model::Model;
+use crate::render::{CellStyle, Pace, TextureStyle};
+use egui::{Pos2, Ui};
+
+/// The camera of a side's viewport: by reference to draw it, by mutable reference to handle gestures.
+pub enum Picture<P, S> {
+    /// A plane.
+    Plane(P),
+    /// A surface in space.
+    Space(S),
+}
+
+impl Pictures {
+    /// The picture of what stands on a side.
+    pub fn of(&self, model: &Model, side: Side) -> Picture<&View, &OrbitView> {
+        match model.surface(side) {
+            Some(_) => Picture::Space(&self.orbits[side]),
+            None => Picture::Plane(&self.views[side]),
+        }
+    }
+
+    /// The picture of what stands on a side, to be moved.
+    pub fn of_mut(&mut self, model: &Model, side: Side) -> Picture<&mut View, &mut OrbitView> {
+        match model.surface(side) {
+            Some(_) => Picture::Space(&mut self.orbits[side]),
+            None => Picture::Plane(&mut self.views[side]),
+        }
+    }
+}
+
+impl Picture<&mut View, &mut OrbitView> {
+    /// Fits the view to the whole domain or surface.
+    pub fn fit(self) {
+        match self {
+            Self::Plane(view) => view.fit(),
+            Self::Space(orbit) => orbit.fit(),
+        }
+    }
+
+    /// Turns gestures into actions and moves of the camera. Returns the boundary point under the pointer, as a fraction
+    /// of the boundary's length.
+    pub fn interact(
+        self,
+        ui: &mut Ui,
+        side: Side,
+        model: &Model,
+        handles: &mut HandleState,
+        actions: &mut Actions,
+    ) -> Option<f64> {
+        match self {
+            Self::Plane(view) => planar::interact(ui, side, model, view, handles, actions),
+            Self::Space(orbit) => surface::viewport::interact(ui, side, model, orbit, handles, actions),
+        }
+    }
+}
+
+impl Picture<&View, &OrbitView> {
+    /// Whether the view is fitted to the whole domain or surface.
+    pub fn is_fitted(&self) -> bool {
+        match self {
+            Self::Plane(view) => view.is_fitted(),
+            Self::Space(orbit) => orbit.is_fitted(),
+        }
+    }
+
+    /// The positions of the interior point and the boundary point on the screen.
+    pub fn places_of_dots(&self, model: &Model, side: Side) -> [Option<Pos2>; 2] {
+        match self {
+            Self::Plane(view) => [model.interior(side), model.anchor(side)].map(|point| Some(view.to_screen(point?))),
+            Self::Space(orbit) => {
+                [model.surface_point(side), model.surface_anchor(side)].map(|point| orbit.to_screen(point?))
+            }
+        }
+    }
+
+    /// Draws the textured mesh. `cells` is the style of a surface's triangles; planar ones have it from the upload.
+    pub fn paint(
+        &self,
+        ui: &Ui,
+        (model, side): (&Model, Side),
+        style: Option<&TextureStyle>,
+        cells: Option<CellStyle>,
+        pace: Pace,
+    ) {
+        match self {
+            Self::Plane(view) => planar::paint_mesh(ui, side, view, style, pace),
+            Self::Space(orbit) => {
+                // before the first map, the GPU may still hold another surface
+                let mapped = model.shown().map(|map| map.mapped_side());
+                let (style, cells) = (style.filter(|_| mapped.is_some()), cells.filter(|_| mapped == Some(side)));
+                surface::viewport::paint_surface(ui, side, orbit, style, cells, pace);
+            }
+        }
+    }
+
+    /// Draws the mark at a fraction of the boundary's length.
+    pub fn paint_boundary_mark(&self, ui: &Ui, side: Side, model: &Model, fraction: f64) {
+        match self {
+            Self::Plane(view) => planar::paint_boundary_mark(ui, side, model, view, fraction),
+            Self::Space(orbit) => surface::viewport::paint_boundary_mark(ui, side, model, orbit, fraction),
+        }
+    }
+
+    /// Draws the dots, over everything else in the picture.
+    pub fn paint_dots(&self, ui: &Ui, side: Side, model: &Model, handles: &HandleState) {
+        match self {
+            Self::Plane(view) => planar::paint_dots(ui, side, model, view, handles),
+            Self::Space(orbit) => surface::viewport::paint_dots(ui, side, model, orbit, handles),
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! The model while a surface stands in the source's place, or one on each side.
+
+use crate::conformal::{Direction, Side};
+use crate::export::FileFormat;
+use crate::mesh::BarycentricPoint;
+use crate::model::export::{FileRequest, file};
+use crate::model::surface_tests::{planar, settle, spec};
+use crate::model::*;
+use crate::render::{Pattern, TextureStyle};
+use crate::session::{Command, SurfaceShape, SurfaceSpec, TextureKind, link};
+use crate::surface::SurfacePreset;
+
+fn with(surfaces: impl IntoIterator<Item = (Side, SurfacePreset)>) -> Model {
+    let mut model = planar();
+    for (side, preset) in surfaces {
+        model.dispatch(Command::SetSurface { side, surface: spec(preset, 60) }, 0.0);
+    }
+    settle(&mut model);
+    assert!(model.is_ready(), "{:?}", model.map_error());
+    model
+}
+
+fn on_the_source() -> Model {
+    with([(Side::Source, SurfacePreset::Hemisphere)])
+}
+
+fn on_both_sides() -> Model {
+    with([(Side::Source, SurfacePreset::Hemisphere), (Side::Target, SurfacePreset::Paraboloid)])
+}
+
+/// An inner point of the triangle.
+fn inner(model: &Model, side: Side, triangle: u32) -> BarycentricPoint {
+    let point = BarycentricPoint::new(crate::mesh::TriangleId::new(triangle), [0.25, 0.25, 0.5]);
+    model.surface(side).unwrap().0.interior_near(point).unwrap()
+}
+
+#[test]
+fn a_surface_on_the_source_is_mapped_to_the_target_s_outline_which_shows_the_pattern() {
+    let model = on_the_source();
+    let map = model.map().unwrap();
+    assert_eq!((map.mapped_side(), model.session().direction()), (Side::Source, Direction::Backward));
+    assert_eq!(model.pattern_home(), Some(Side::Target));
+    assert_eq!(pattern::surface_coordinates(&model, Side::Source), Some(map.images()));
+    let shown = pattern::geometry(&model, Side::Target).unwrap();
+    assert_eq!(shown.positions, shown.texture_coordinates, "the plane shows its own pattern");
+    assert!(pattern::geometry(&model, Side::Source).is_none() && pattern::moved(&model, Side::Source).is_none());
+    let shown = model.shown().unwrap();
+    assert_eq!((shown.places(Side::Source), shown.places(Side::Target)), (None, Some(map.images())));
+    let quality = model.quality().unwrap();
+    assert!(quality.q_mean < 1.1 && quality.flipped == 0, "{quality:?}");
+}
+
+#[test]
+fn the_points_of_a_surface_on_the_source_move_the_map_and_opening_brings_them_back() {
+    let mut model = on_the_source();
+    let (before, session) = (model.shown().unwrap().images.to_vec(), model.session().clone());
+    let point = inner(&model, Side::Source, 7);
+    model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
+    assert!(model.refresh(true).map);
+    model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.4 }, 0.0);
+    assert!(model.refresh(true).map);
+    assert_ne!(model.shown().unwrap().images, before);
+    model.dispatch(Command::Open(Box::new(session)), 0.0);
+    settle(&mut model);
+    assert_eq!(model.shown().unwrap().images, before);
+}
+
+#[test]
+fn between_two_surfaces_every_pattern_lies_in_the_disk() {
+    let mut model = on_both_sides();
+    for texture in [TextureKind::Checker, TextureKind::Grid, TextureKind::Polar, TextureKind::Conformal] {
+        model.dispatch(Command::SetTexture(texture), 0.0);
+        model.refresh(false);
+        let map = model.map().unwrap();
+        assert!(map.is_through_disk() && model.is_ready() && model.pattern_home().is_none());
+        let style = pattern::style(&model, false, true).unwrap();
+        assert_eq!((style.bounds, style.pole), (TextureStyle::DISK, DVec2::ZERO));
+        assert_eq!(style.pattern == Pattern::Conformal, texture == TextureKind::Conformal);
+        for side in Side::BOTH {
+            assert_eq!(pattern::surface_coordinates(&model, side), map.disk(side), "{texture:?}");
+            assert!(pattern::geometry(&model, side).is_none() && pattern::moved(&model, side).is_none());
+            assert!(model.shown().unwrap().places(side).is_none());
+        }
+    }
+}
+
+#[test]
+fn the_direction_says_which_of_two_surfaces_is_mapped_and_all_points_move_the_map() {
+    let mut model = on_both_sides();
+    let count = |model: &Model, side: Side| model.surface(side).unwrap().0.prepared().unwrap().vertex_count();
+    for direction in [Direction::Forward, Direction::Backward] {
+        model.dispatch(Command::SetDirection(direction), 0.0);
+        assert!(model.refresh(false).meshes);
+        let map = model.map().unwrap();
+        assert_eq!(map.mapped_side(), direction.mapped_side());
+        assert_eq!(model.shown().unwrap().images.len(), count(&model, direction.mapped_side()));
+        assert_eq!(model.triangles().len(), map.mapped().triangles().len());
+        let quality = model.quality().unwrap();
+        assert!(quality.q_mean < 1.1 && quality.flipped == 0, "{direction:?}: {quality:?}");
+    }
+    for side in Side::BOTH {
+        let before = model.map().unwrap().surface_images().unwrap().clone();
+        let point = inner(&model, side, 9);
+        model.dispatch(Command::MoveInterior { side, point: point.into() }, 0.0);
+        let changes = model.refresh(true);
+        assert!(changes.map && !changes.meshes);
+        let moved = model.map().unwrap().surface_images().unwrap().clone();
+        assert_ne!(moved, before);
+        model.dispatch(Command::MoveAnchor { side, fraction: 0.3 }, 0.0);
+        assert!(model.refresh(true).map);
+        assert_ne!(*model.map().unwrap().surface_images().unwrap(), moved);
+    }
+}
+
+#[test]
+fn a_link_brings_surfaces_on_either_side_with_their_points() {
+    for make in [on_the_source, on_both_sides] {
+        let mut model = make();
+        let point = inner(&model, Side::Source, 5);
+        model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
+        model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.25 }, 0.0);
+        model.refresh(false);
+        let fragment = link::encode(model.session()).unwrap().fragment;
+        let session = link::decode(&fragment).unwrap().session;
+        assert_eq!(&session, model.session());
+        let mut opened = Model::new(session);
+        settle(&mut opened);
+        assert_eq!(opened.session(), model.session());
+        assert_eq!(opened.map().unwrap().images(), model.map().unwrap().images());
+    }
+}
+
+#[test]
+fn swapping_takes_the_surfaces_along() {
+    let mut model = on_the_source();
+    model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.3 }, 0.0);
+    model.refresh(false);
+    let images = model.map().unwrap().images().to_vec();
+    model.dispatch(Command::Swap, 0.0);
+    assert!(model.take_requests(f64::INFINITY).is_empty(), "nothing is prepared again");
+    assert!(model.refresh(false).meshes && model.is_ready());
+    assert!(model.surface(Side::Source).is_none() && model.surface(Side::Target).unwrap().1.anchor == 0.3);
+    assert_eq!(model.map().unwrap().mapped_side(), Side::Target);
+    assert_eq!(model.map().unwrap().images(), images);
+    // and what is prepared from now on reaches its new side
+    model.dispatch(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Hemisphere, 80) }, 0.0);
+    settle(&mut model);
+    assert_eq!(model.surface(Side::Target).unwrap().1.spec.shape, spec(SurfacePreset::Hemisphere, 80).shape);
+    assert!(model.is_ready());
+}
+
+#[test]
+fn a_surface_s_file_goes_where_it_is_dropped_unless_the_other_side_waits_for_it() {
+    let mut model = planar();
+    assert_eq!(Side::BOTH.map(|side| model.side_for_surface(side, "a.obj")), Side::BOTH);
+    let shape = SurfaceShape::File { name: "a.obj".into() };
+    let surface = SurfaceSpec { shape, ..SurfaceSpec::default() };
+    let waiting = model.session().clone().and([Command::SetSurface { side: Side::Source, surface }]);
+    model.dispatch(Command::Open(Box::new(waiting)), 0.0);
+    assert!(model.surface_side(Side::Source).preparation.error.is_some(), "the file is asked for");
+    assert_eq!(Side::BOTH.map(|side| model.side_for_surface(side, "a.obj")), [Side::Source; 2]);
+    assert_eq!(Side::BOTH.map(|side| model.side_for_surface(side, "b.obj")), Side::BOTH);
+}
+
+#[test]
+fn what_is_written_of_two_surfaces_lies_on_the_other_one() {
+    let model = on_both_sides();
+    let text = |format| {
+        let written = file(&model, FileRequest { format, side: None, unit: true }).unwrap();
+        written.map(|file| String::from_utf8(file.bytes).unwrap())
+    };
+    let places = model.map().unwrap().surface_images().unwrap().places();
+    let row = format!("vt {} {} {}\n", places[0].x, places[0].y, places[0].z);
+    assert!(text(FileFormat::Obj).unwrap().contains(&row), "{row}");
+    assert!(text(FileFormat::Csv).unwrap().contains("z2 (target units)"));
+    assert_eq!(text(FileFormat::Svg).unwrap().matches("class=\"domain\"").count(), 2);
+    assert!(text(FileFormat::Glb).unwrap_err().english().contains(".glb"));
+}

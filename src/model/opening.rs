@@ -1,0 +1,133 @@
+//! Opened files and pasted texts: a side's worker parses them, the model accepts what is in them.
+//!
+//! An outline is requested as soon as it is parsed, and the same request prepares it. What is left for the app to do
+//! (end the tour, open a session, show an error) is an [`Arrived`], which the app takes after each response.
+
+use crate::conformal::Side;
+use crate::language::{Message, key};
+use crate::model::Model;
+use crate::model::names;
+use crate::model::side::opened_file::{InFlight, OpenedFile, Origin};
+use crate::model::side::user_error::{QuickFix, UserError};
+use crate::outline::Outline;
+use crate::session::Session;
+use crate::worker::{NamedFile, Response, Unread};
+use std::sync::Arc;
+
+/// The result of parsing a file or a pasted text.
+#[derive(Debug)]
+pub enum Arrived {
+    /// An outline, which is now being prepared.
+    Outline(Origin),
+    /// A surface, which is prepared and shown on its side.
+    Surface,
+    /// A session.
+    Session(Box<Session>),
+    /// A session file could not be read.
+    NoSession(Message),
+    /// A text pasted for this side is no outline.
+    NoOutline(Side, Message),
+}
+
+impl Model {
+    /// Begins to read an outline file for a side.
+    pub fn open_outline(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
+        self.read(side, Origin::OutlineFile, name, bytes);
+    }
+
+    /// Begins to read a pasted text as an outline for a side.
+    pub fn open_pasted(&mut self, side: Side, text: &str) {
+        self.read(side, Origin::PastedText, names::PASTED, text.as_bytes().to_vec());
+    }
+
+    /// Begins to read a session file, in the source's worker.
+    pub fn open_session_file(&mut self, name: &str, bytes: Vec<u8>) {
+        self.read(Side::Source, Origin::SessionFile, name, bytes);
+    }
+
+    fn read(&mut self, side: Side, origin: Origin, name: &str, bytes: Vec<u8>) {
+        let file = NamedFile { name: name.to_owned(), bytes: Arc::new(bytes) };
+        self.read_again(side, OpenedFile { origin, file });
+    }
+
+    pub(super) fn read_again(&mut self, side: Side, opened: OpenedFile) {
+        self.sides[side].reading.want(opened);
+    }
+
+    /// Cancels the file that is being read for a side, and a session file, because something else was chosen.
+    pub(super) fn stop_reading(&mut self, side: Side) {
+        for (at, state) in Side::BOTH.into_iter().zip(self.sides.as_mut().into_array()) {
+            if at == side || state.reading.is_of(Origin::SessionFile) {
+                state.reading.end();
+            }
+        }
+    }
+
+    /// Whether a file or pasted text is being read, or a surface from a file prepared.
+    pub fn awaits_file(&self) -> bool {
+        self.sides.iter().any(|(_, side)| side.reading.is_busy() || side.surface.preparation.awaits_file())
+    }
+
+    /// Whether a pasted text is being read for a side.
+    pub fn reads_pasted(&self, side: Side) -> bool {
+        self.sides[side].reading.is_of(Origin::PastedText)
+    }
+
+    /// The result that the last response completed, if any.
+    pub fn take_arrived(&mut self) -> Option<Arrived> {
+        self.arrived.take()
+    }
+
+    /// Accepts a response about the file being read.
+    pub(super) fn accept_read(&mut self, side: Side, generation: u64, response: Response) {
+        let reading = &mut self.sides[side].reading;
+        match reading.take_in(generation, response) {
+            Some(Response::Outline(outline)) => self.take_outline(side, *outline),
+            Some(Response::Session(session)) => {
+                reading.end();
+                self.arrived = Some(Arrived::Session(session));
+            }
+            Some(Response::Unread(unread)) => {
+                if let Some(InFlight { opened, .. }) = reading.end().end() {
+                    self.refuse(side, &opened, unread);
+                }
+            }
+            _ => {} // stale, or a stage, which the request keeps
+        }
+    }
+
+    fn take_outline(&mut self, side: Side, outline: Outline) {
+        let request = self.sides[side].reading.end();
+        let Some(InFlight { opened, settings }) = request.under_way() else { return };
+        let (origin, settings) = (opened.origin, *settings);
+        self.want_loaded(side, outline);
+        self.side_mut(side).take_over(&request, settings);
+        self.arrived = Some(Arrived::Outline(origin));
+    }
+
+    /// Reports a file that cannot be used, in the place for its origin; the side's postponed requests are due again.
+    fn refuse(&mut self, side: Side, opened: &OpenedFile, Unread { text, repaired }: Unread) {
+        let name = &opened.file.name;
+        match opened.origin {
+            Origin::OutlineFile => {
+                self.dismiss(side);
+                let quick_fix = repaired.map(QuickFix::Repaired);
+                self.side_mut(side).error = Some(UserError { text: key::about(name, text), quick_fix });
+            }
+            Origin::PastedText => self.arrived = Some(Arrived::NoOutline(side, text)),
+            Origin::SessionFile => self.arrived = Some(Arrived::NoSession(key::about(name, text))),
+        }
+    }
+
+    /// The worker stopped while it read a file: the quick fix reads the file again.
+    pub(super) fn reader_died(&mut self, side: Side, reason: &Message) {
+        if let Some(InFlight { opened, .. }) = self.sides[side].reading.end().end() {
+            let text = key::about(&opened.file.name, key::preparation_stopped(reason.clone()));
+            self.side_mut(side).error = Some(UserError { text, quick_fix: Some(QuickFix::ReadAgain(opened)) });
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+mod tests;

@@ -1,0 +1,178 @@
+//! Files that a side's worker parses: the model's requests, and what it does with the responses.
+
+use super::*;
+use crate::conformal::PrepareSettings;
+use crate::mesh::Sizing;
+use crate::outline::{Preset, Sampling};
+use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec, file};
+use crate::surface::SurfacePreset;
+use crate::worker::{Request, Task, run};
+
+const SIDE: Side = Side::Target;
+const TRIANGLE: &[u8] = b"0,0\n0,1\n1,0\n";
+const BOW: &[u8] = b"0,0\n1,1\n1,0\n0,1\n";
+
+fn settings(count: u32) -> PrepareSettings {
+    let sampling = Sampling::Uniform { count, keep_corners: false };
+    PrepareSettings { sampling, sizing: Sizing::Graded(0.3), ..PrepareSettings::default() }
+}
+
+fn planar() -> Model {
+    let coarse = Side::BOTH.map(|side| Command::SetSettings { side, settings: settings(80) });
+    let mut model = Model::new(Session::with(coarse));
+    settle(&mut model);
+    model
+}
+
+/// Answers a request; returns the result of a file.
+fn answer(model: &mut Model, side: Side, request: &Request) -> Option<Arrived> {
+    let mut arrived = None;
+    run(request, &mut |generation, response| {
+        model.accept(side, generation, response);
+        arrived = arrived.take().or_else(|| model.take_arrived());
+    });
+    arrived
+}
+
+/// Answers all requests; returns the result of a file.
+fn settle(model: &mut Model) -> Option<Arrived> {
+    let mut arrived = None;
+    while let requests @ [_, ..] = model.take_requests(f64::INFINITY).as_slice() {
+        for (side, request) in requests {
+            arrived = arrived.or(answer(model, *side, request));
+        }
+    }
+    model.refresh(false);
+    arrived
+}
+
+fn only_request(model: &mut Model) -> Request {
+    let mut requests = model.take_requests(0.0);
+    assert!(requests.len() == 1, "{requests:?}");
+    requests.remove(0).1
+}
+
+fn hemisphere() -> Command {
+    let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 30 };
+    Command::SetSurface { side: SIDE, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } }
+}
+
+fn name(model: &Model) -> &str {
+    names::outline(&model.session().domain(SIDE).outline)
+}
+
+#[test]
+fn one_request_reads_an_outline_and_prepares_it() {
+    let mut model = planar();
+    model.open_outline(SIDE, "a.csv", TRIANGLE.to_vec());
+    assert!(model.is_preparing(SIDE) && model.awaits_file() && model.next_due() == Some(f64::NEG_INFINITY));
+    let request = only_request(&mut model);
+    assert!(matches!(request.task, Task::OutlineFile { .. }) && model.next_due().is_none());
+    assert!(matches!(answer(&mut model, SIDE, &request), Some(Arrived::Outline(Origin::OutlineFile))));
+    assert!(model.take_requests(f64::INFINITY).is_empty() && !model.is_preparing(SIDE));
+    assert_eq!((name(&model), model.notes(SIDE).count()), ("a", 1), "it was clockwise");
+}
+
+#[test]
+fn an_outline_that_is_read_closes_what_stood_in_its_place_when_it_is_prepared() {
+    let mut model = planar();
+    model.dispatch(hemisphere(), 0.0);
+    settle(&mut model);
+    assert!(!model.is_planar());
+    model.open_outline(SIDE, "a.csv", TRIANGLE.to_vec());
+    settle(&mut model);
+    assert!(model.is_planar() && model.is_ready() && name(&model) == "a");
+}
+
+#[test]
+fn what_was_under_way_goes_on_when_there_is_no_outline_in_a_file() {
+    let mut model = planar();
+    model.dispatch(hemisphere(), 0.0);
+    let superseded = only_request(&mut model);
+    model.open_outline(SIDE, "bow.csv", BOW.to_vec());
+    let reading = only_request(&mut model);
+    assert!(model.take_requests(f64::INFINITY).is_empty(), "the surface waits");
+    answer(&mut model, SIDE, &superseded);
+    assert!(model.is_planar(), "its worker was taken from it");
+    assert!(answer(&mut model, SIDE, &reading).is_none());
+    let errors: Vec<_> = model.user_errors(SIDE).map(|error| error.text.english()).collect();
+    assert!(errors.len() == 1 && errors[0].starts_with("bow.csv: "), "{errors:?}");
+    assert!(settle(&mut model).is_none());
+    assert!(!model.is_planar() && model.user_errors(SIDE).count() == 1, "the message is about another thing");
+}
+
+#[test]
+fn what_is_chosen_while_a_file_is_read_comes_in_its_place() {
+    let star = || Command::SetOutline { side: SIDE, outline: OutlineSpec::Preset(Preset::Star) };
+    let opened = || Command::Open(Box::new(Session::with([star()])));
+    for choose in [star(), hemisphere(), opened()] {
+        let mut model = planar();
+        model.open_outline(SIDE, "a.csv", TRIANGLE.to_vec());
+        let stale = only_request(&mut model);
+        model.dispatch(choose.clone(), 0.0);
+        assert!(answer(&mut model, SIDE, &stale).is_none(), "{choose:?}");
+        settle(&mut model);
+        assert!(name(&model) != "a" && model.is_ready(), "{choose:?}");
+    }
+}
+
+#[test]
+fn settings_that_change_while_a_file_is_read_are_those_of_its_outline() {
+    let mut model = planar();
+    model.open_outline(SIDE, "a.csv", TRIANGLE.to_vec());
+    let request = only_request(&mut model);
+    model.dispatch(Command::SetSettings { side: SIDE, settings: settings(60) }, 0.0);
+    answer(&mut model, SIDE, &request);
+    settle(&mut model);
+    assert_eq!((name(&model), model.session().domain(SIDE).settings), ("a", settings(60)));
+    assert_eq!(model.domain(SIDE).unwrap().samples().points.len(), 60);
+}
+
+#[test]
+fn a_spike_is_offered_to_be_cut_off() {
+    let mut model = planar();
+    model.open_outline(SIDE, "spike.csv", b"0,0\n2,0\n2,1\n3,1\n2,1\n2,2\n0,2\n".to_vec());
+    assert!(settle(&mut model).is_none());
+    assert!(matches!(model.side(SIDE).error.as_ref().unwrap().quick_fix, Some(QuickFix::Repaired(_))));
+    model.quick_fix(SIDE);
+    settle(&mut model);
+    assert!(name(&model) == "spike" && model.side(SIDE).error.is_none());
+}
+
+#[test]
+fn a_worker_that_dies_over_a_file_can_be_given_it_again() {
+    let mut model = planar();
+    model.open_outline(SIDE, "a.csv", TRIANGLE.to_vec());
+    only_request(&mut model);
+    model.worker_died(SIDE, &"out of memory".into());
+    let said = model.side(SIDE).error.as_ref().unwrap().text.english();
+    assert!(said.starts_with("a.csv: ") && said.contains("out of memory") && !model.is_preparing(SIDE), "{said}");
+    model.quick_fix(SIDE);
+    settle(&mut model);
+    assert!(name(&model) == "a" && model.side(SIDE).error.is_none());
+}
+
+#[test]
+fn a_pasted_text_is_refused_where_it_was_pasted() {
+    let mut model = planar();
+    model.open_pasted(SIDE, "no outline");
+    assert!(model.reads_pasted(SIDE) && !model.reads_pasted(Side::Source));
+    assert!(matches!(settle(&mut model), Some(Arrived::NoOutline(SIDE, _))));
+    assert!(model.side(SIDE).error.is_none() && !model.reads_pasted(SIDE));
+    model.open_pasted(SIDE, "M 0 0 h 4 v 1 z");
+    assert!(matches!(settle(&mut model), Some(Arrived::Outline(Origin::PastedText))));
+    assert_eq!(name(&model), names::PASTED);
+}
+
+#[test]
+fn a_session_is_read_for_the_app_and_nothing_is_changed_by_it() {
+    let mut model = planar();
+    let before = model.session().clone();
+    let wanted = before.clone().and([Command::SetTextureScale(21.0)]);
+    model.open_session_file("a.riemap", file::write(&wanted).unwrap().into_bytes());
+    let Some(Arrived::Session(session)) = settle(&mut model) else { panic!("no session") };
+    assert_eq!((&*session, model.session()), (&wanted, &before));
+    model.open_session_file("a.riemap", vec![1, 2]);
+    let Some(Arrived::NoSession(why)) = settle(&mut model) else { panic!("a session") };
+    assert!(why.english().starts_with("a.riemap: ") && model.is_ready());
+}

@@ -1,0 +1,100 @@
+//! A file or a pasted text, opened as an outline or a session, that the side's worker parses.
+//!
+//! The request is sent at once and postpones the side's other requests; they are sent again if the file cannot be
+//! used. The same request prepares an outline that was parsed.
+
+use crate::conformal::PrepareSettings;
+use crate::model::side::request::{Generations, PendingRequest};
+use crate::worker::{NamedFile, Request, Response, Task};
+
+/// The source of the bytes, which decides where a failure is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// An outline file: beside its side.
+    OutlineFile,
+    /// A text pasted as an outline: in the paste window.
+    PastedText,
+    /// A session file: in the common message.
+    SessionFile,
+}
+
+/// A file or text to parse.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenedFile {
+    /// Its source.
+    pub origin: Origin,
+    /// Its name and content.
+    pub file: NamedFile,
+}
+
+impl OpenedFile {
+    fn task(&self, settings: PrepareSettings) -> Task {
+        let file = self.file.clone();
+        match self.origin {
+            Origin::OutlineFile | Origin::PastedText => Task::OutlineFile { file, settings },
+            Origin::SessionFile => Task::SessionFile(file),
+        }
+    }
+}
+
+/// What the worker parses.
+#[derive(Debug)]
+pub struct InFlight {
+    /// The file.
+    pub opened: OpenedFile,
+    /// The settings with which an outline in it is prepared.
+    pub settings: PrepareSettings,
+}
+
+/// The newest opened file, due or in flight.
+#[derive(Debug, Default)]
+pub struct Reading {
+    next: Option<OpenedFile>,
+    pending_request: PendingRequest<InFlight>,
+}
+
+impl Reading {
+    /// Requests that a file be parsed; it replaces the previous one.
+    pub fn want(&mut self, opened: OpenedFile) {
+        self.pending_request.end();
+        self.next = Some(opened);
+    }
+
+    /// Whether a file is due or in flight.
+    pub fn is_busy(&self) -> bool {
+        self.next.is_some() || self.pending_request.is_busy()
+    }
+
+    /// Whether a file of this origin is due or in flight.
+    pub fn is_of(&self, origin: Origin) -> bool {
+        let read = self.pending_request.under_way().map(|in_flight| &in_flight.opened);
+        self.next.as_ref().or(read).is_some_and(|opened| opened.origin == origin)
+    }
+
+    /// Whether a request is due.
+    pub fn is_due(&self) -> bool {
+        self.next.is_some()
+    }
+
+    /// The request in flight.
+    pub fn pending_request(&self) -> &PendingRequest<InFlight> {
+        &self.pending_request
+    }
+
+    /// The request that is due, if any.
+    pub fn take_request(&mut self, settings: PrepareSettings, generations: &mut Generations) -> Option<Request> {
+        let opened = self.next.take()?;
+        let task = opened.task(settings);
+        Some(self.pending_request.send(InFlight { opened, settings }, task, generations))
+    }
+
+    /// Accepts a response; returns it unless it is stale or only reports a stage.
+    pub fn take_in(&mut self, generation: u64, response: Response) -> Option<Response> {
+        self.pending_request.take_in(generation, response)
+    }
+
+    /// Cancels the file; returns the request in flight, which an outline's preparation may take over.
+    pub fn end(&mut self) -> PendingRequest<InFlight> {
+        std::mem::take(self).pending_request
+    }
+}

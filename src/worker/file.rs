@@ -1,0 +1,159 @@
+//! Outline and session files, parsed in a worker.
+//!
+//! An [`Outline`]'s polygon is validated here and not again: it is transferred to the page as flat arrays
+//! ([`FlatOutline`], [`FlatSession`]), whose polygons are known to be simple.
+
+use crate::conformal::{PerSide, Side};
+use crate::geometry::{DVec2, SimplePolygon};
+use crate::language::Message;
+use crate::outline::{Outline, parse, parse_repaired};
+use crate::session::{Command, OutlineSpec, Session, SidePoints, file};
+use std::sync::Arc;
+
+/// A file's name and its content.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedFile {
+    /// Its name, whose ending tells the format of an outline or a surface.
+    pub name: String,
+    /// Its content.
+    pub bytes: Arc<Vec<u8>>,
+}
+
+/// Why a file could not be read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unread {
+    /// In words for the person.
+    pub text: Message,
+    /// The outline that safe repairs make of it.
+    pub repaired: Option<Box<Outline>>,
+}
+
+impl NamedFile {
+    /// Parses an outline. Errors: why it is none, with the outline that safe repairs give, if they do.
+    pub fn outline(&self) -> Result<Outline, Unread> {
+        parse(&self.name, &self.bytes).map_err(|error| Unread {
+            text: Message::from(&error),
+            repaired: parse_repaired(&self.name, &self.bytes).ok().map(Box::new),
+        })
+    }
+
+    /// Reads a session. Errors: why the file is none.
+    pub fn session(&self) -> Result<Session, Unread> {
+        file::read(&self.bytes).map_err(|error| Unread { text: Message::from(&error), repaired: None })
+    }
+}
+
+/// An outline in transferable form: its coordinates as one array, the rest as JSON.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlatOutline {
+    /// The vertices' coordinates: x and y of the first, of the second, …
+    pub points: Vec<f64>,
+    /// Name and notes.
+    pub text: String,
+}
+
+impl From<&Outline> for FlatOutline {
+    fn from(Outline { name, polygon, notes }: &Outline) -> Self {
+        // plain data: it always has a form as text
+        let text = serde_json::to_string(&(name, notes)).unwrap_or_default();
+        Self { points: polygon.vertices().iter().flat_map(DVec2::to_array).collect(), text }
+    }
+}
+
+impl FlatOutline {
+    /// The outline; `None` if the text is malformed. The points must be those of a simple polygon, as [`Self::from`]
+    /// makes them.
+    pub fn outline(&self) -> Option<Outline> {
+        let (name, notes) = serde_json::from_str(&self.text).ok()?;
+        let polygon = SimplePolygon::known_simple(self.points.chunks_exact(2).map(DVec2::from_slice).collect());
+        Some(Outline { name, polygon, notes })
+    }
+}
+
+/// A session in transferable form: loaded outlines as flat arrays, the rest as JSON with a preset in their place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlatSession {
+    /// The loaded outlines.
+    pub outlines: PerSide<Option<FlatOutline>>,
+    /// The rest of the session.
+    pub text: String,
+}
+
+impl FlatSession {
+    /// The form of a session; `None` if its numbers are out of range, which those of a session that was read are not.
+    pub fn of(session: &Session) -> Option<Self> {
+        let mut light = session.clone();
+        let outlines = PerSide::from_fn(|side| {
+            let OutlineSpec::Points { name, polygon } = session.domain(side).outline.clone() else { return None };
+            light.apply(reshaped(session, side, OutlineSpec::Preset(crate::outline::Preset::Disk)));
+            Some(FlatOutline::from(&Outline { name, polygon, notes: Vec::new() }))
+        });
+        Some(Self { outlines, text: file::write_object(&light).ok()? })
+    }
+
+    /// The session; `None` if the text is malformed.
+    pub fn session(&self) -> Option<Session> {
+        let mut session = file::read_object(&self.text).ok()?;
+        for (side, outline) in self.outlines.iter() {
+            if let Some(outline) = outline {
+                let command = reshaped(&session, side, outline.outline()?.into());
+                session.apply(command);
+            }
+        }
+        Some(session)
+    }
+}
+
+/// The command that replaces a side's outline and keeps its points and surface.
+fn reshaped(session: &Session, side: Side, outline: OutlineSpec) -> Command {
+    let points = session.side(side).outline_points();
+    let interior = if let SidePoints::Outline { interior, .. } = points { interior } else { None };
+    Command::ReshapeOutline { side, outline, interior, anchor: points.anchor() }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::conformal::Direction;
+    use crate::session::SurfaceSpec;
+
+    fn named(name: &str, text: &str) -> NamedFile {
+        NamedFile { name: name.into(), bytes: Arc::new(text.into()) }
+    }
+
+    #[test]
+    fn an_outline_crosses_as_it_was_read_with_its_notes() {
+        let outline = named("a.csv", "0,0\n0,2\n2,2\n2,0\n0,0\n").outline().unwrap();
+        assert!(outline.notes.len() == 2, "reversed and closed: {:?}", outline.notes);
+        assert_eq!(FlatOutline::from(&outline).outline().unwrap(), outline);
+        assert_eq!(FlatOutline { points: Vec::new(), text: "{".into() }.outline(), None);
+    }
+
+    #[test]
+    fn a_spike_can_be_cut_off_and_a_crossing_cannot() {
+        let spike = named("a.json", "[[0,0],[2,0],[2,1],[3,1],[2,1],[2,2],[0,2]]").outline().unwrap_err();
+        assert_eq!(spike.repaired.unwrap().name, "a");
+        // which part is meant is not for a machine to say
+        assert_eq!(named("a.json", "[[0,0],[2,2],[2,0],[0,3]]").outline().unwrap_err().repaired, None);
+    }
+
+    #[test]
+    fn a_session_crosses_bit_for_bit_with_its_loaded_outlines_points_and_surface() {
+        let outline = named("a.csv", "0,0\n0.1,0\n0.3,0.7\n").outline().unwrap();
+        let session = Session::with([
+            Command::SetOutline { side: Side::Target, outline: outline.into() },
+            Command::MoveInterior { side: Side::Target, point: DVec2::new(0.13, 1.0 / 7.0).into() },
+            Command::MoveAnchor { side: Side::Target, fraction: 1.0 / 3.0 },
+            Command::SetSurface { side: Side::Target, surface: SurfaceSpec::default() },
+            Command::MoveAnchor { side: Side::Target, fraction: 0.7 },
+            Command::SetDirection(Direction::Forward),
+        ]);
+        let flat = FlatSession::of(&session).unwrap();
+        assert!(flat.outlines[Side::Source].is_none() && flat.outlines[Side::Target].is_some());
+        assert_eq!(flat.session().unwrap(), session);
+        let file = named("a.riemap", &file::write(&session).unwrap());
+        assert_eq!(file.session().unwrap(), session);
+        assert!(named("a.riemap", "{}").session().is_err());
+    }
+}
