@@ -20,7 +20,7 @@ use crate::session::{Command, TextureKind, Touched};
 use crate::worker::Response;
 use std::sync::Arc;
 
-/// The delay of the frame in which the panels are updated after the pictures, in seconds; too short to be noticed.
+/// The delay of the frame that updates the panels after the pictures, in seconds: sooner than anyone reads them.
 pub(super) const WORDS_FOLLOW_AFTER: f32 = 0.05;
 
 impl RiemapApp {
