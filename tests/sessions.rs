@@ -170,7 +170,7 @@ fn surfaces_from_two_files_are_given_in_the_order_of_their_sides() {
     let mesh = std::fs::read_to_string(&out).unwrap();
     assert!(mesh.contains("v 0.5 0.5 1.5\n") && mesh.matches("\nvt ").count() == 5, "{mesh}");
     let three = [&low, &high, &low].map(|name| ["--surface", name]).concat();
-    fails(&[&["render", &link, "--out", &out][..], &three].concat(), 1, &["no surface"]);
+    fails(&[&["render", &link, "--out", &out][..], &three].concat(), 2, &["at most two"]);
 }
 
 #[test]

@@ -10,7 +10,6 @@ use super::picture::{encode, failed};
 use super::progress::Progress;
 use crate::conformal::{PerSide, Side};
 use crate::export::FileFormat;
-use crate::language::{Message, key};
 use crate::model::export::FileRequest;
 use crate::model::scene::{Doing, Offscreen, Shot, SurfaceFiles};
 use crate::render::Studio;
@@ -133,12 +132,14 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
 /// has no known extension, the file name stored in the session is used instead.
 fn surface_files(session: &mut Session, arguments: &SessionArguments) -> Result<SurfaceFiles, CliError> {
     let mut files = SurfaceFiles::default();
-    let sides = Side::BOTH.into_iter().filter(|&side| is_from_file(session, side)).collect::<Vec<_>>();
+    let mut sides = Side::BOTH;
+    // a file that is left goes to a side without a surface from a file, which is refused with the reason
+    sides.sort_by_key(|&side| !is_from_file(session, side));
     if arguments.surface.len() > sides.len() {
-        return Err(CliError::Input(Message::from(key::no_surface_from_file()).english()));
+        return Err(CliError::Usage(String::from("--surface: a session has at most two surfaces")));
     }
     for (side, name) in sides.into_iter().zip(&arguments.surface) {
-        if names_format(name) {
+        if names_format(name) && is_from_file(session, side) {
             rename_surface(session, side, name);
         }
         files[side] = Some(read_file(name, MAX_BYTES)?);
