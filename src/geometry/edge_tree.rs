@@ -1,11 +1,11 @@
 //! Signed distance to a closed chain, and its nearest point, in O(log k) for usual shapes.
 //!
-//! Boxes over runs of consecutive edges, four to one at each level. A box
-//! wholly to the right of a point settles the parity of its run by the run's
-//! two ends alone, so the side is as cheap as the distance; it is exact.
+//! A tree of boxes over runs of consecutive edges, four to one at each level. For
+//! a box wholly to the right of a point, the parity of its run's crossings follows from the run's
+//! two ends alone, so the side test costs no more than the distance; it is exact.
 //!
-//! Trees of the registries answer half of that: `kiddo` knows points, not segments; `rstar` knows segments and finds
-//! the nearest one, but the side would need a second search. Runs of a chain need no sorting either.
+//! Published trees answer half of that: `kiddo` knows points, not segments; `rstar` knows segments and finds
+//! the nearest one, but the side would need a second search. Runs of a chain also need no sorting.
 
 use glam::DVec2;
 
@@ -26,15 +26,15 @@ pub struct EdgeTree<P> {
 /// The point of a closed chain nearest to some other point: `(1 − fraction) v_edge + fraction v_{edge+1}`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearestPoint {
-    /// The edge.
+    /// Index of the edge, from `v_edge` to `v_{edge+1}`.
     pub edge: usize,
-    /// The position on it, in `[0, 1]`.
+    /// The position on the edge, in `[0, 1]`.
     pub fraction: f64,
-    /// The distance to it.
+    /// The distance from the given point to this one.
     pub distance: f64,
 }
 
-/// The nearest edge so far.
+/// The nearest edge found so far.
 struct Nearest {
     squared: f64,
     edge: usize,
@@ -47,7 +47,7 @@ struct Node {
 }
 
 impl<P: AsRef<[DVec2]>> EdgeTree<P> {
-    /// The tree over the edges `(v_k, v_{k+1})`, cyclic; there must be points. Cost O(k).
+    /// Builds the tree over the edges `(v_k, v_{k+1})`, cyclic; `points` must not be empty. Cost O(k).
     pub fn new(points: P) -> Self {
         let chain = points.as_ref();
         let n = chain.len();
@@ -72,7 +72,7 @@ impl<P: AsRef<[DVec2]>> EdgeTree<P> {
         self.bounds_of(self.root())
     }
 
-    /// The distance from `p` to the chain, positive strictly inside, else not positive.
+    /// The distance from `p` to the chain: positive strictly inside, zero or negative elsewhere.
     pub fn signed_distance(&self, p: DVec2) -> f64 {
         let distance = self.nearest_edge(p).squared.sqrt();
         if self.winds_around(self.root(), p) { distance } else { -distance }

@@ -16,19 +16,19 @@ pub enum PolygonError {
     /// Fewer than three points.
     #[error("an outline needs at least 3 points; this one has {count}")]
     TooFewPoints {
-        /// How many there were.
+        /// Number of points given.
         count: usize,
     },
     /// More than [`MAX_POINTS`] points.
     #[error("an outline may have at most {MAX_POINTS} points; this one has {count}")]
     TooManyPoints {
-        /// How many there were.
+        /// Number of points given.
         count: usize,
     },
     /// A coordinate is NaN or infinite.
     #[error("point {} is not finite: ({}, {})", .index + 1, .at.x, .at.y)]
     NotFinite {
-        /// The point.
+        /// Index of the point.
         index: usize,
         /// Its coordinates.
         at: DVec2,
@@ -36,12 +36,12 @@ pub enum PolygonError {
     /// A coordinate is too large to be squared and multiplied safely.
     #[error("point {} at ({:e}, {:e}) is too far out: coordinates up to {MAX_COORDINATE:e} can be used", .index + 1, .at.x, .at.y)]
     TooFarOut {
-        /// The point.
+        /// Index of the point.
         index: usize,
         /// Its coordinates.
         at: DVec2,
     },
-    /// All points lie in a box too small to compute in.
+    /// All points lie in a box too small for the arithmetic.
     #[error("the outline is only {extent:e} across; it must be at least {MIN_EXTENT:e}")]
     TooSmall {
         /// The longer side of the bounding box.
@@ -50,9 +50,9 @@ pub enum PolygonError {
     /// Two points are the same.
     #[error("points {} and {} are the same: ({}, {})", .first + 1, .second + 1, .at.x, .at.y)]
     RepeatedPoint {
-        /// The earlier one.
+        /// Index of the earlier point.
         first: usize,
-        /// The later one.
+        /// Index of the later point.
         second: usize,
         /// Their common position.
         at: DVec2,
@@ -63,7 +63,7 @@ pub enum PolygonError {
     /// The boundary turns back onto itself at a point.
     #[error("the outline folds back onto itself at point {}, ({}, {})", .index + 1, .at.x, .at.y)]
     FoldsBack {
-        /// The tip of the fold.
+        /// Index of the tip of the fold.
         index: usize,
         /// Its position.
         at: DVec2,
@@ -91,7 +91,7 @@ pub enum PolygonError {
 }
 
 impl PolygonError {
-    /// Where in the plane it happens, if it is at one place.
+    /// The position of the fault; `None` if it has no single position.
     pub fn place(&self) -> Option<DVec2> {
         match *self {
             Self::RepeatedPoint { at, .. }

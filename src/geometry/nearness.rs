@@ -1,13 +1,14 @@
-//! Points nearest to a place, however far away that is.
+//! The nearest of several points to a query point at any distance.
 //!
-//! From far away, distances to the points of a shape agree in all their digits. So they are not compared: the
-//! difference of their squares is, in a form that does not cancel; and a place beyond a million extents of the shape
-//! is looked at from there, in the same direction, where nothing overflows.
+//! From far away, distances to the points of a shape agree in all their digits, so distances are not compared.
+//! The sign of the difference of their squares is computed instead, in a form that does not cancel; and a query
+//! point beyond a million extents of the shape is moved to that distance in the same direction, so that nothing
+//! overflows.
 
 use super::{DVec2, DVec3};
 
-/// In extents of a shape: a place farther away sees it in the same direction up to 1e-6, and distances are
-/// resolved to 1e-10 of an extent.
+/// In extents of the shape. From any point farther away, the directions to the shape agree up to 1e-6; at this
+/// distance, differences are resolved to 1e-10 of an extent.
 const FAR: f64 = 1e6;
 
 /// Whether `p` is nearer to `x` than `q`: the sign of |p − x|² − |q − x|².
@@ -15,7 +16,7 @@ pub fn is_nearer(p: DVec3, q: DVec3, x: DVec3) -> bool {
     (p - q).dot(p.midpoint(q) - x) < 0.0
 }
 
-/// `x`, or, if it is farther than a million extents of the box from its middle, the place there in its direction.
+/// `x`; if it is farther than a million extents from the middle of the box, the point at that distance towards it.
 pub fn pulled_back(x: DVec3, low: DVec3, high: DVec3) -> DVec3 {
     let (middle, reach) = (low.midpoint(high), FAR * (high - low).max_element());
     let away = x - middle;
@@ -26,11 +27,11 @@ pub fn pulled_back(x: DVec3, low: DVec3, high: DVec3) -> DVec3 {
 /// A point of a closed chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ChainPoint {
-    /// On the edge from this vertex to the next one.
+    /// The edge that contains the point, named by its first vertex.
     pub edge: usize,
-    /// Which part of the edge is before it, in `[0, 1]`.
+    /// The position along the edge from its first vertex, in `[0, 1]`.
     pub along: f64,
-    /// Where it is.
+    /// The position of the point.
     pub place: DVec3,
 }
 

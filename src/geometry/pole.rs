@@ -1,9 +1,9 @@
 //! The pole of inaccessibility: the interior point farthest from the boundary.
 //!
 //! Best-first search over a quadtree, as in Agafonkin's polylabel: a cell of
-//! half-width h whose centre has signed distance d holds no point farther than
+//! half-width h whose center has signed distance d contains no point farther inside than
 //! d + h√2. The starting points come from scan lines, so that slivers, where
-//! the quadtree would need endless cells, have an interior point at once.
+//! the quadtree would need very many cells, have an interior point at once.
 
 use std::collections::BinaryHeap;
 use std::f64::consts::SQRT_2;
@@ -31,7 +31,7 @@ impl Cell {
         Self { center, half_width, distance: tree.signed_distance(center) }
     }
 
-    /// No point of the cell is farther inside than this.
+    /// Upper bound of the signed distance over the cell: d + h√2.
     fn reach(&self) -> f64 {
         self.distance + self.half_width * SQRT_2
     }
@@ -87,11 +87,11 @@ pub(super) fn pole_of_inaccessibility(polygon: &SimplePolygon, tolerance: f64) -
     climb(&tree, best, tolerance)
 }
 
-/// Compass search for a greater distance: ends the search of a corridor, where
-/// cells run out, on its middle line.
+/// Compass search for a greater distance: moves the best point of a corridor, where the
+/// cells ran out, onto its center line.
 fn climb(tree: &EdgeTree<&[DVec2]>, (mut point, mut distance): (DVec2, f64), tolerance: f64) -> DVec2 {
     let mut step = 0.25 * distance;
-    // Each halving allows a few moves; the bound only guards against crawling.
+    // Each halving allows a few moves; the bound only guards against very slow convergence.
     for _ in 0..200 {
         if step < 0.5 * tolerance {
             break;
@@ -106,8 +106,8 @@ fn climb(tree: &EdgeTree<&[DVec2]>, (mut point, mut distance): (DVec2, f64), tol
     point
 }
 
-/// A point strictly inside, with its distance: the best middle of a widest
-/// interior interval on a few scan lines.
+/// A point strictly inside, with its distance: of the midpoints of the widest interior
+/// intervals on a few scan lines, the one farthest from the boundary.
 fn start(polygon: &SimplePolygon, tree: &EdgeTree<&[DVec2]>) -> (DVec2, f64) {
     let bounds = tree.bounds();
     let evenly = (0..8).map(|k| bounds.min().y + bounds.size().y * (f64::from(k) + 0.5) / 8.0);
@@ -128,7 +128,7 @@ fn best_middle(polygon: &SimplePolygon, tree: &EdgeTree<&[DVec2]>, heights: impl
     middles.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((tree.bounds().center(), f64::NEG_INFINITY))
 }
 
-/// The middle of the widest interior interval at height `y`.
+/// The midpoint of the widest interior interval at height `y`.
 fn widest_middle(polygon: &SimplePolygon, y: f64) -> Option<DVec2> {
     let crossed = polygon.edges().filter(|(a, b)| (a.y > y) != (b.y > y));
     let mut xs: Vec<f64> = crossed.map(|(a, b)| a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y))).collect();

@@ -13,7 +13,7 @@ use super::{PolygonError, pole};
 
 /// A simple, counter-clockwise polygon `v_0 … v_{k-1}`; the edge `k` runs from `v_k` to `v_{k+1}`.
 ///
-/// Two are equal if their vertices are, whichever way round the given points ran.
+/// Two polygons are equal if their vertices are, even if one was given clockwise.
 #[derive(Debug, Clone)]
 pub struct SimplePolygon {
     vertices: Vec<DVec2>,
@@ -26,7 +26,7 @@ impl PartialEq for SimplePolygon {
     }
 }
 
-/// An axis-parallel box; its lower left corner is not above or right of the other, unless it is the box of no points.
+/// An axis-parallel box with `min ≤ max` in both coordinates; the box of no points is the exception.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     min: DVec2,
@@ -74,7 +74,7 @@ impl Bounds {
 impl TryFrom<Vec<DVec2>> for SimplePolygon {
     type Error = PolygonError;
 
-    /// Checks the points, and reverses them if they run clockwise. Cost O(k log k).
+    /// Checks the points, and reverses them if they are clockwise. Cost O(k log k).
     ///
     /// Coordinates below 2⁻¹⁴⁰ in magnitude become 0.
     fn try_from(vertices: Vec<DVec2>) -> Result<Self, PolygonError> {
@@ -87,9 +87,9 @@ impl TryFrom<Vec<DVec2>> for SimplePolygon {
 }
 
 impl SimplePolygon {
-    /// A polygon whose points are known to be valid and counter-clockwise.
-    /// Checked in debug builds only: for the built-in outlines, which the tests check, and for the
-    /// vertices of a polygon that has crossed to a worker.
+    /// A polygon from points known to be valid and counter-clockwise: those of the built-in outlines, which
+    /// the tests check, and vertices of a `SimplePolygon` that were sent to a worker. Checked in debug
+    /// builds only.
     pub(crate) fn known_simple(vertices: Vec<DVec2>) -> Self {
         debug_assert!(check(vertices.clone()).is_ok_and(|c| !c.clockwise), "not a counter-clockwise simple polygon");
         Self { vertices, was_clockwise: false }
@@ -100,7 +100,7 @@ impl SimplePolygon {
         &self.vertices
     }
 
-    /// Whether the given points ran clockwise and were reversed (the first point stays first).
+    /// Whether the given points were clockwise and have been reversed (the first point stays first).
     pub fn was_clockwise(&self) -> bool {
         self.was_clockwise
     }
@@ -128,7 +128,7 @@ impl SimplePolygon {
         Bounds::of(self.vertices.iter().copied())
     }
 
-    /// Whether `x` lies strictly inside, exactly; a point of the boundary does not. Cost O(k).
+    /// Whether `x` lies strictly inside, decided exactly; points of the boundary do not. Cost O(k).
     pub fn contains(&self, x: DVec2) -> bool {
         let mut inside = false;
         for (a, b) in self.edges() {
@@ -151,11 +151,10 @@ impl SimplePolygon {
     /// `tolerance` (absolute) of the greatest one.
     ///
     /// A best-first quadtree search, after Agafonkin's polylabel. It stops after
-    /// 2,400 cells (3 ms), which a long corridor of even width may need, with a
-    /// local maximum near the best point so far; tolerances below 10⁻⁹ of the
-    /// extent are raised to that. The point is strictly inside in every case,
-    /// except where the polygon is so thin that no `f64` point inside it is
-    /// found on its scan lines.
+    /// 2,400 cells (3 ms), a limit that a long corridor of even width can reach; the result is then
+    /// a local maximum near the best point so far. Tolerances below 10⁻⁹ of the
+    /// extent are raised to that. The point is always strictly inside, unless the polygon is so
+    /// thin that no `f64` point inside it is found on its scan lines.
     pub fn pole_of_inaccessibility(&self, tolerance: f64) -> DVec2 {
         pole::pole_of_inaccessibility(self, tolerance)
     }

@@ -1,4 +1,4 @@
-//! What a simple polygon is, and what is refused with its place.
+//! Which point lists are simple polygons, and which errors the others give, with their places.
 
 use std::f64::consts::TAU;
 
@@ -21,7 +21,7 @@ fn radial(n: u32, r: impl Fn(f64) -> f64) -> Vec<DVec2> {
     (0..n).map(|k| f64::from(k) / f64::from(n)).map(|t| r(t) * DVec2::from_angle(TAU * t)).collect()
 }
 
-/// Every pair of edges, with the same exact predicate: the slow truth.
+/// Reference answer: compares every pair of edges with the same exact predicate.
 fn is_simple_by_all_pairs(v: &[DVec2]) -> bool {
     use crate::geometry::{Side, on_segment, side};
     let n = v.len();

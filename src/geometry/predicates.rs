@@ -1,7 +1,7 @@
 //! Orientation of three points, decided exactly.
 //!
 //! The sign comes from Shewchuk's adaptive `orient2d` (crate `robust`): it is
-//! the sign of the exact determinant as long as no product under- or overflows,
+//! the sign of the exact determinant as long as no product overflows or underflows,
 //! which [`super::SimplePolygon`] rules out by the range of its coordinates.
 
 use glam::DVec2;

@@ -1,8 +1,8 @@
 //! The ordered list of edges that the sweep line of [`super::sweep`] meets.
 //!
-//! Kept as chunks of bounded length: insertion moves a few hundred small
+//! Stored as chunks of bounded length: insertion moves a few hundred small
 //! integers at most, and search takes O(log n) orientation tests. A balanced tree
-//! would gain nothing at 200,000 edges.
+//! would not be faster at 200,000 edges.
 
 const MAX_CHUNK: usize = 512;
 
@@ -40,20 +40,20 @@ impl Status {
         }
     }
 
-    /// The place one above.
+    /// The next place towards the top.
     pub fn next(&self, p: Place) -> Place {
         let length = self.chunks.get(p.chunk).map_or(0, Vec::len);
         if p.index + 1 < length { Place { index: p.index + 1, ..p } } else { Place { chunk: p.chunk + 1, index: 0 } }
     }
 
-    /// Puts `edge` in the place of the one that is there.
+    /// Replaces the edge at place `p` by `edge`.
     pub fn replace(&mut self, p: Place, edge: u32) {
         if let Some(slot) = self.chunks.get_mut(p.chunk).and_then(|c| c.get_mut(p.index)) {
             *slot = edge;
         }
     }
 
-    /// Inserts two edges, `lower` first, before the place.
+    /// Inserts two edges, `lower` first, before place `p`.
     pub fn insert_pair(&mut self, p: Place, lower: u32, upper: u32) {
         // The end of the list belongs to the last chunk.
         let (chunk, index) = match (self.chunks.get(p.chunk), self.chunks.last()) {
@@ -69,7 +69,7 @@ impl Status {
         }
     }
 
-    /// Removes the edge there and returns the place of the edge that was above it.
+    /// Removes the edge at place `p` and returns the place of the edge that was above it.
     pub fn remove(&mut self, p: Place) -> Place {
         if let Some(list) = self.chunks.get_mut(p.chunk)
             && p.index < list.len()

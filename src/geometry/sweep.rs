@@ -2,15 +2,15 @@
 //!
 //! Shamos and Hoey's sweep, for a polygon: points are visited in
 //! lexicographic order, and the edges over the sweep line are kept ordered from
-//! bottom to top. At most vertices an edge is replaced by its neighbour in
-//! place. Every decision is an exact sign, so the answer is right for every
-//! input in range, with cost O(n log n) whatever the shape.
+//! bottom to top. At most vertices an edge is replaced by its neighbor in
+//! place. Every decision is an exact sign, so the answer is exact for every
+//! input in range, at cost O(n log n) for every shape.
 //!
-//! Why it is complete: let `p` be the lexicographically first point common to
-//! two edges (other than the vertex that neighbours share). Before `p` the order
-//! is right, so the edges through `p` are neighbours in it and were compared
+//! Completeness: let `p` be the lexicographically first point common to two
+//! edges (other than the vertex that adjacent edges share). Before `p` the order
+//! is correct, so the edges through `p` are neighbors in it and were compared
 //! when they became so; or `p` is a vertex where two edges begin, and the search
-//! for its place finds the edge it lies on.
+//! for their place in the order finds the edge that contains `p`.
 
 use glam::DVec2;
 
@@ -18,7 +18,7 @@ use super::PolygonError;
 use super::predicates::{Side, in_box, orientation, side};
 use super::status::{Place, Status};
 
-/// The first contact found between two parts of the boundary, or `Ok`.
+/// The first contact found between two parts of the boundary as an error; `Ok` if there is none.
 ///
 /// `order` holds all point indices sorted by (x, y); no two points are equal.
 pub(super) fn check_simple(points: &[DVec2], order: &[u32]) -> Result<(), PolygonError> {
@@ -92,8 +92,8 @@ impl Sweep<'_> {
         self.compare(self.status.before(place), self.status.get(place))
     }
 
-    /// Guards the invariant that the edges which end at `k` are found at its
-    /// place: an edge found there instead passes through the same point.
+    /// Checks that the edges at `k`'s place in the order are those that end there: any other
+    /// edge found at that place passes through the same point.
     fn expect_edge(&self, k: u32, place: Place, expected: &[u32]) -> Result<(), PolygonError> {
         match self.status.get(place) {
             Some(found) if expected.contains(&found) => Ok(()),

@@ -1,9 +1,9 @@
 //! The checks that turn a list of points into a [`super::SimplePolygon`].
 //!
-//! They run from cheap to dear, and each error names the place. Coordinates
-//! within ±[`MAX_COORDINATE`] and a shape at least [`MIN_EXTENT`] across make
-//! every product in the exact predicates representable: nothing over- or
-//! underflows here or, with squared lengths and areas, further on.
+//! The cheapest checks come first, and each error names the place. Coordinates
+//! within ±[`MAX_COORDINATE`] and an extent of at least [`MIN_EXTENT`] make
+//! every product in the exact predicates representable: no overflow or
+//! underflow here, nor later in squared lengths and areas.
 
 use glam::DVec2;
 
@@ -20,21 +20,21 @@ pub const MAX_COORDINATE: f64 = 1e30;
 /// The smallest length of the longer side of an outline's bounding box.
 pub const MIN_EXTENT: f64 = 1e-30;
 
-/// Coordinates smaller than this are taken as 0. With them, differences would
-/// be multiples of less than 2⁻¹⁹², and the mesher's predicates refuse what is
-/// below 2⁻¹⁴²; an outline at least 1e-30 across is not changed visibly.
+/// Coordinates smaller than this are replaced by 0. If they were kept, differences could be
+/// multiples of less than 2⁻¹⁹², and the mesher's predicates refuse values
+/// below 2⁻¹⁴²; an outline at least 1e-30 across does not change visibly.
 const NEGLIGIBLE: f64 = 1.0 / (1u128 << 126) as f64 / (1 << 14) as f64;
 
-/// What is known of a valid list of points.
+/// A valid list of points and its orientation.
 #[derive(Debug)]
 pub(super) struct Checked {
     /// The points, with negligible coordinates and negative zeros replaced by 0.
     pub points: Vec<DVec2>,
-    /// Whether they run clockwise.
+    /// Whether the points are clockwise.
     pub clockwise: bool,
 }
 
-/// Checks everything that a simple polygon promises but its orientation, which is reported.
+/// Checks all invariants of a simple polygon except its orientation, which is reported.
 pub(super) fn check(mut points: Vec<DVec2>) -> Result<Checked, PolygonError> {
     check_count(points.len())?;
     check_range(&points)?;
@@ -71,7 +71,7 @@ fn check_range(points: &[DVec2]) -> Result<(), PolygonError> {
         (low, high) = (low.min(at), high.max(at));
     }
     let extent = (high - low).max_element();
-    // All points in one place is better told as a repeated point.
+    // If all points coincide, the error about repeated points says more.
     if extent > 0.0 && extent < MIN_EXTENT { Err(PolygonError::TooSmall { extent }) } else { Ok(()) }
 }
 
@@ -98,7 +98,7 @@ fn check_not_flat(points: &[DVec2]) -> Result<(), PolygonError> {
     if points[2..].iter().all(|&p| side(a, b, p) == Side::On) { Err(PolygonError::ZeroArea) } else { Ok(()) }
 }
 
-/// A fold is found by the sweep too, but often first as a touch, which says less.
+/// The sweep finds folds too, but often reports them first as a touch, which says less.
 fn check_no_folds(points: &[DVec2]) -> Result<(), PolygonError> {
     let n = points.len();
     let folds = |&index: &usize| {
@@ -108,7 +108,7 @@ fn check_no_folds(points: &[DVec2]) -> Result<(), PolygonError> {
     (0..n).find(folds).map_or(Ok(()), |index| Err(PolygonError::FoldsBack { index, at: points[index] }))
 }
 
-/// Orientation of a simple polygon: its turn at the lexicographically first vertex.
+/// Orientation of a simple polygon: the sign of the turn at its lexicographically first vertex.
 fn is_clockwise(points: &[DVec2], first: usize) -> bool {
     let n = points.len();
     let (a, b) = (points[(first + n - 1) % n], points[(first + 1) % n]);
