@@ -1,4 +1,4 @@
-//! Final numbering: vertices and triangles in a coherent order, neighbours filled in.
+//! Final numbering: vertices and triangles in a coherent order, neighbors filled in.
 
 use super::MeshError;
 use super::planar::Interior;
@@ -8,7 +8,7 @@ use crate::geometry::DVec2;
 /// Builds the mesh of `boundary` and `interior`.
 ///
 /// Triangles start with their smallest vertex and are sorted by it, so those at
-/// the boundary come first, in the boundary's order. Interior points in no
+/// the boundary come first, in the boundary's order. Interior points that belong to no
 /// triangle are dropped. Cost O(n).
 pub(super) fn assemble(boundary: &[DVec2], interior: Interior) -> Result<TriMesh, MeshError> {
     let m = boundary.len();
@@ -93,7 +93,7 @@ pub(super) fn neighbours_of(triangles: &[[u32; 3]], vertex_count: usize) -> Vec<
     neighbours
 }
 
-/// Rounding must not have spoiled the triangles at the boundary, nor their number.
+/// Checks the triangles at the boundary and their number, which rounding may have made inconsistent.
 fn check_disk(mesh: &TriMesh) -> Result<(), MeshError> {
     let m = mesh.boundary_count;
     let at_boundary = mesh.triangles.iter().take_while(|t| t[0] < m);

@@ -1,23 +1,23 @@
 //! Point location in a mesh whose vertices were laid out in the unit disk, its boundary on the circle.
 //!
-//! The layout of [`crate::conformal::disk_coordinates`] crowds and may have flipped triangles where a mesh has
-//! negative weights, so that the invariants of [`super::locate`] do not hold. A walk needs no scale: it goes as well
-//! where triangles are 1e-14 large. Boundary vertices lie on the circle, in order but for rounding where no measure is
-//! negative: only then is the boundary convex. So a point beyond a boundary edge is taken to be on it only if it lies
-//! between that chord and its arc; beyond a reversed edge lies most of the disk.
+//! The layout of [`crate::conformal::disk_coordinates`] crowds, and it may have flipped triangles where the mesh has
+//! negative weights, so that the invariants of [`super::locate`] do not hold. A walk does not depend on scale: it
+//! also works where triangles have a size of 1e-14. Boundary vertices lie on the circle, in order up to rounding if no
+//! measure is negative; only then is the boundary convex. So a point beyond a boundary edge is assigned to it only if
+//! the point lies between that chord and its arc; beyond a reversed edge lies most of the disk.
 
 use super::TriangleId;
 use super::locate::{BarycentricPoint, weights_in};
 use super::tri_mesh::NO_TRIANGLE;
 use crate::geometry::{DVec2, orientation};
 
-/// Steps that a walk may take beyond a multiple of √n: from a near start a few are usual.
+/// The number of steps that a walk may always take, besides a multiple of √n: from a near start a few are usual.
 const LEAST_STEPS: usize = 256;
 
-/// Of √n; across a disk of uniform triangles a walk takes 2 √n.
+/// The allowed multiple of √n; across a disk of uniform triangles a walk takes 2 √n.
 const STEPS_PER_SIDE: f64 = 16.0;
 
-/// What is nearer than this to the lens between a chord and its arc may lie in it: places are rounded at 1e-16, and
+/// A point closer than this to the lens between a chord and its arc may lie in it: positions are rounded at 1e-16, and
 /// those of vertices solved for to 1e-14.
 const ROUNDING: f64 = 1e-13;
 
@@ -28,14 +28,14 @@ pub(crate) struct DiskLayout<'a> {
     pub triangles: &'a [[u32; 3]],
     /// As in [`super::TriMesh`].
     pub neighbours: &'a [[u32; 3]],
-    /// Where the vertices lie.
+    /// The positions of the vertices.
     pub places: &'a [DVec2],
 }
 
 impl DiskLayout<'_> {
     /// The point of the mesh at `x` in the closed disk, walking from triangle `start`; between a boundary edge and the
-    /// circle, the edge's nearest point. `None` where the walk is lost among flipped triangles, leads out over a reversed
-    /// edge, or over one with more than half of the circle. `steps` counts its steps.
+    /// circle, the edge's nearest point. `None` if the walk does not end among flipped triangles, or leaves over a
+    /// reversed edge or over one that cuts off more than half of the circle. Adds the number of steps to `steps`.
     pub(crate) fn locate(&self, x: DVec2, start: TriangleId, steps: &mut usize) -> Option<BarycentricPoint> {
         let most = LEAST_STEPS + (STEPS_PER_SIDE * (self.triangles.len() as f64).sqrt()) as usize;
         let (mut triangle, mut from) = (start.number(), NO_TRIANGLE);
@@ -67,7 +67,7 @@ impl DiskLayout<'_> {
     }
 }
 
-/// The weights of `x` in a triangle that contains it; of one without area, of its nearest corner.
+/// The weights of `x` in a triangle that contains it; in a triangle without area, those of the corner nearest to `x`.
 fn inside(corners: [DVec2; 3], x: DVec2) -> [f64; 3] {
     let weights = weights_in(corners, x);
     if weights.iter().all(|w| w.is_finite()) {
@@ -77,8 +77,8 @@ fn inside(corners: [DVec2; 3], x: DVec2) -> [f64; 3] {
     std::array::from_fn(|i| if Some(i) == nearest { 1.0 } else { 0.0 })
 }
 
-/// Whether `x`, right of the boundary edge opposite to corner `i`, lies between that chord and its arc, of half of the
-/// circle at most.
+/// Whether `x`, right of the boundary edge opposite to corner `i`, lies between that chord and its arc; the arc is
+/// half of the circle at most.
 fn is_in_lens(corners: [DVec2; 3], i: usize, x: DVec2) -> bool {
     let (a, b) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
     let Some(direction) = (b - a).try_normalize() else { return x.distance(a) <= ROUNDING };
@@ -176,7 +176,7 @@ mod tests {
         let mesh = disk(60);
         let m = mesh.boundary_count as usize;
         let mut places = mesh.vertices.clone();
-        // one vertex far over its neighbours, and three at one place
+        // one vertex far beyond its neighbors, and three at one position
         places[m] = -places[m] + DVec2::new(0.3, 0.2);
         let [a, b, c] = mesh.triangles[mesh.triangles.len() - 1];
         for v in [b, c] {

@@ -1,20 +1,20 @@
-//! Corners that no interior vertex sees.
+//! Splits ears, so that no sharp corner is without an interior neighbor.
 //!
 //! An ear is a triangle with two boundary edges: the sharp convex corner between
-//! them has boundary neighbours only. There ψ is 0, and where the boundary map
+//! them has boundary neighbors only. There ψ is 0, and where the boundary map
 //! takes the corner to a straight stretch, the ear's image is a segment, Q = ∞.
-//! Splitting the ear's third edge in its middle gives the corner an interior
-//! neighbour; Lawson's flips make all edges Delaunay again, so that the
+//! Splitting the ear's third edge at its midpoint gives the corner an interior
+//! neighbor; Lawson's flips make all edges Delaunay again, so that the
 //! cotangent weights stay non-negative.
 
 use super::tri_mesh::{NO_TRIANGLE, TriMesh};
 use crate::geometry::DVec2;
 
-/// Cosine of the largest corner angle whose ear is split, 120°: the middle of the third edge
-/// of a blunter one would lie closer to the corner than half a boundary edge.
+/// Cosine of the largest corner angle whose ear is split, 120°: at a blunter corner the midpoint of
+/// the third edge would lie closer to the corner than half a boundary edge.
 const BLUNT: f64 = -0.5;
 
-/// Splits every ear with a sharp corner. `m + 2n − 2` stays the number of triangles.
+/// Splits every ear with a sharp corner. The number of triangles stays `m + 2n − 2`.
 pub(super) fn split_ears(mesh: &mut TriMesh) {
     for t in 0..mesh.triangles.len() as u32 {
         if let Some([i, j]) = sharp_ear(mesh, t) {
@@ -24,7 +24,7 @@ pub(super) fn split_ears(mesh: &mut TriMesh) {
     }
 }
 
-/// For a sharp ear, the corner opposite to its inner edge, in it and in the triangle across.
+/// For a sharp ear, the corner opposite to its inner edge: its index in the ear and in the triangle across.
 fn sharp_ear(mesh: &TriMesh, t: u32) -> Option<[usize; 2]> {
     let neighbours = mesh.neighbours[t as usize];
     let mut inner = (0..3).filter(|&i| neighbours[i] != NO_TRIANGLE);
@@ -45,7 +45,7 @@ fn cotangent(p: DVec2, [a, b]: [DVec2; 2]) -> f64 {
     (a - p).dot(b - p) / (a - p).perp_dot(b - p).abs()
 }
 
-/// Puts a vertex p into the middle of the edge (a, b) between the ear `t` = (c, a, b)
+/// Inserts a vertex p at the midpoint of the edge (a, b) between the ear `t` = (c, a, b)
 /// and `s` = (w, b, a): four triangles (c, a, p), (c, p, b), (w, b, p), (w, p, a).
 /// Returns the last two.
 fn split(mesh: &mut TriMesh, t: u32, i: usize, j: usize) -> [u32; 2] {
@@ -68,7 +68,7 @@ fn split(mesh: &mut TriMesh, t: u32, i: usize, j: usize) -> [u32; 2] {
     [s, s2]
 }
 
-/// Lawson's flips: the edges opposite to the newest vertex, until all are Delaunay.
+/// Lawson's flips of the edges opposite to the newest vertex, until all are Delaunay.
 fn restore_delaunay(mesh: &mut TriMesh, parts: [u32; 2]) {
     let p = mesh.vertices.len() as u32 - 1;
     let mut pending = parts.to_vec();
@@ -88,7 +88,7 @@ fn restore_delaunay(mesh: &mut TriMesh, parts: [u32; 2]) {
     }
 }
 
-/// Turns the edge (x, y) between `t` = (p, x, y) and `o` = (q, y, x) into (p, q):
+/// Flips the edge (x, y) between `t` = (p, x, y) and `o` = (q, y, x) to (p, q):
 /// `t` becomes (p, x, q) and `o` becomes (p, q, y).
 fn flip(mesh: &mut TriMesh, [t, o]: [u32; 2], k: usize, l: usize) {
     let corner = |t: u32, k: usize| mesh.triangles[t as usize][k % 3];
@@ -103,7 +103,7 @@ fn flip(mesh: &mut TriMesh, [t, o]: [u32; 2], k: usize, l: usize) {
     replace_neighbour(mesh, yp, t, o);
 }
 
-/// Tells triangle `t` (if it is one) that its neighbour `old` is now `new`.
+/// Replaces the neighbor `old` of triangle `t` (if it is one) by `new`.
 fn replace_neighbour(mesh: &mut TriMesh, t: u32, old: u32, new: u32) {
     if let Some(neighbours) = mesh.neighbours.get_mut(t as usize) {
         neighbours.iter_mut().filter(|n| **n == old).for_each(|n| *n = new);

@@ -9,29 +9,29 @@ pub enum MeshError {
     /// The samples do not form a simple polygon (too few of them for this outline).
     #[error("the sampled boundary crosses itself near ({x}, {y}): use more samples")]
     SelfCrossing {
-        /// Where.
+        /// x of the crossing, approximately.
         x: f64,
-        /// Where.
+        /// y of the crossing, approximately.
         y: f64,
     },
     /// Two boundary points coincide.
     #[error("two boundary samples coincide at ({x}, {y})")]
     RepeatedPoint {
-        /// Where.
+        /// x of the point.
         x: f64,
-        /// Where.
+        /// y of the point.
         y: f64,
     },
     /// Fewer than three boundary points.
     #[error("a boundary needs at least 3 points; this one has {count}")]
     TooFewPoints {
-        /// How many there were.
+        /// Number of points given.
         count: usize,
     },
     /// A coordinate is infinite or not a number.
     #[error("boundary point {index} is not finite")]
     NotFinite {
-        /// Which point.
+        /// Index of the point.
         index: usize,
     },
     /// The boundary encloses no positive area when it is traversed as given.
@@ -43,7 +43,7 @@ pub enum MeshError {
     /// The growth of the triangles is not in `[0.01, 1]`.
     #[error("the growth of the triangle size has to be between 0.01 and 1, not {grading}")]
     Grading {
-        /// What was asked for.
+        /// The requested growth.
         grading: f64,
     },
     /// The mesh would not fit into memory.
@@ -51,23 +51,23 @@ pub enum MeshError {
         "this mesh would have about {estimate:.2e} interior vertices; at most {limit} are made: use fewer samples, or graded triangles"
     )]
     TooManyVertices {
-        /// About how many there would be.
+        /// Approximate number of interior vertices.
         estimate: f64,
-        /// The limit.
+        /// The largest number allowed.
         limit: usize,
     },
     /// Rounding made the triangulation inconsistent: features near the limit of `f64`.
     #[error("the boundary is too thin near ({x}, {y}) to be triangulated in double precision")]
     TooThin {
-        /// Where.
+        /// x of the place.
         x: f64,
-        /// Where.
+        /// y of the place.
         y: f64,
     },
 }
 
 impl MeshError {
-    /// The boundary edge between vertices `a` and `b` could not be inserted: finds what it runs into.
+    /// The error for a boundary edge between vertices `a` and `b` that could not be inserted: finds what it crosses.
     pub(super) fn of_crossing(boundary: &[DVec2], a: usize, b: usize) -> Self {
         let m = boundary.len();
         let (p, q) = (boundary[a % m], boundary[b % m]);
@@ -82,7 +82,7 @@ impl MeshError {
         Self::SelfCrossing { x: place.x, y: place.y }
     }
 
-    /// Two points of the boundary coincide: finds them.
+    /// The error for two boundary points that coincide: finds them.
     pub(super) fn of_repeated_point(boundary: &[DVec2]) -> Self {
         let mut sorted = boundary.to_vec();
         sorted.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
@@ -90,7 +90,7 @@ impl MeshError {
         Self::RepeatedPoint { x: place.x, y: place.y }
     }
 
-    /// In the coordinates of the caller, who had them multiplied by `scale`.
+    /// The error in the caller's coordinates, which had been multiplied by `scale`.
     pub(super) fn unscaled(self, scale: f64) -> Self {
         match self {
             Self::SelfCrossing { x, y } => Self::SelfCrossing { x: x / scale, y: y / scale },

@@ -2,11 +2,11 @@
 //!
 //! The local size is the boundary's edge length plus `growth` times the distance
 //! from it. The first points are the apexes of nearly equilateral triangles on
-//! the boundary edges; every accepted point proposes six neighbours at its own
-//! size, 60° apart, and a proposal is accepted when nothing is nearer to it than
-//! [`SEPARATION`] sizes. So the points are layers along the boundary and nearly
-//! hexagonal between the seams where the layers of opposite sides meet.
-//! Guaranteed: points are strictly inside and the same for the same boundary.
+//! the boundary edges; every accepted point proposes six neighbors at its own
+//! size, 60° apart, and a proposal is accepted if no point is closer to it than
+//! [`SEPARATION`] sizes. The points form layers along the boundary and are nearly
+//! hexagonal except at the seams where the layers of opposite sides meet.
+//! Guaranteed: points are strictly inside, and the same boundary gives the same points.
 //! Cost O(n) for n points: a hashed grid with one level per power of two of the size.
 
 use super::MeshError;
@@ -22,17 +22,17 @@ const SEPARATION: f64 = 0.72;
 /// The height of the first layer's triangles over the edge, `√3/2` for equilateral ones.
 const APEX: f64 = 0.88;
 
-/// Between boundary points sizes grow by no more than this per distance, however
-/// suddenly the edge lengths change.
+/// Between boundary points sizes grow by at most this per distance, even where
+/// the edge lengths change suddenly.
 const BOUNDARY_GROWTH: f64 = 0.5;
 
-/// The next layer is `cos 30°` of an edge away, but proposals come along edges.
+/// The next layer is `cos 30°` of an edge away, but proposals are made along edges.
 const PATH_FACTOR: f64 = 0.93;
 
 /// A rotation by 60°.
 const SIXTH: DVec2 = DVec2::new(0.5, 0.866_025_403_784_438_6);
 
-/// Points whose spacing is the boundary's plus `growth` times the distance to it.
+/// Interior points whose spacing is the boundary's plus `growth` times the distance to it.
 pub(super) fn seeds(boundary: &[DVec2], growth: f64) -> Result<Vec<DVec2>, MeshError> {
     let mut front = Front::new(boundary, growth);
     let m = boundary.len();
@@ -55,7 +55,7 @@ struct Front<'a> {
     boundary: &'a [DVec2],
     slabs: Slabs,
     grid: LevelGrid,
-    /// The grid's points before this are on the boundary.
+    /// The number of boundary points, which come first in the grid.
     fixed: usize,
     /// A corner of the hexagon around each interior point.
     directions: Vec<DVec2>,
@@ -76,7 +76,7 @@ impl<'a> Front<'a> {
         Self { boundary, slabs: Slabs::new(boundary), grid, fixed, directions: Vec::new(), growth }
     }
 
-    /// Proposes the six neighbours of interior point `k`.
+    /// Proposes the six neighbors of interior point `k`.
     fn grow(&mut self, k: usize) {
         let id = (self.fixed + k) as u32;
         let (centre, size) = (self.grid.positions()[id as usize], self.grid.size(id));
@@ -101,7 +101,7 @@ impl<'a> Front<'a> {
     }
 }
 
-/// The geometric mean of the two edges at each vertex, limited in its growth along the boundary.
+/// The geometric mean of the two edges at each vertex, with the growth along the boundary limited.
 fn boundary_sizes(boundary: &[DVec2]) -> Vec<f64> {
     let m = boundary.len();
     let edge = |k: usize| boundary[k % m].distance(boundary[(k + 1) % m]);
@@ -116,7 +116,7 @@ fn boundary_sizes(boundary: &[DVec2]) -> Vec<f64> {
 }
 
 /// Inserts points along an edge that is much longer than the sizes at its ends,
-/// so that nothing is accepted next to it, nor beyond.
+/// so that no proposal next to the edge or beyond it is accepted.
 fn block_edge(grid: &mut LevelGrid, [a, b]: [DVec2; 2], [from, to]: [f64; 2]) {
     let length = a.distance(b);
     let size = |t: f64| (from + BOUNDARY_GROWTH * t).min(to + BOUNDARY_GROWTH * (length - t));
@@ -141,7 +141,7 @@ impl Slabs {
         let (low, high) = bounds(boundary);
         let (m, height) = (boundary.len(), high.y - low.y);
         let rises: f64 = (0..m).map(|k| (boundary[(k + 1) % m].y - boundary[k].y).abs()).sum();
-        // an edge stands in one slab and in one more for every slab it crosses: 32 m entries in all
+        // an edge is listed in one slab and in one more for every slab it crosses: 32 m entries in all
         let fitting = (31.0 * m as f64 * height / rises) as usize;
         let count = m.min(fitting).clamp(16, 4096);
         let mut slabs =

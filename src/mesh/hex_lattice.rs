@@ -27,7 +27,7 @@ pub(super) struct HexLattice {
     points: RowSpans,
     /// Corners of the triangles that are emitted directly.
     core: RowSpans,
-    /// Points all six triangles of which are emitted directly.
+    /// Points whose six triangles are all emitted directly.
     hidden: RowSpans,
 }
 
@@ -65,7 +65,7 @@ impl HexLattice {
         positions
     }
 
-    /// The row that a point belongs to, for numbering further points coherently.
+    /// The row nearest to a point, for numbering further points coherently.
     pub fn row_of(&self, p: DVec2) -> u32 {
         ((p.y - self.origin.y) / (ROW * self.spacing) + 0.5).max(0.0) as u32
     }
@@ -103,7 +103,7 @@ impl HexLattice {
         }
     }
 
-    /// The numbers of the points outside the core or on its edge.
+    /// The numbers of the points outside the core or on its rim.
     pub fn band(&self) -> Vec<u32> {
         let mut band = Vec::new();
         let mut spans = Vec::new();
@@ -131,7 +131,7 @@ impl HexLattice {
         edges
     }
 
-    /// The three edges that start at `(r, c)`; both ends of a core edge are on the rim.
+    /// Adds the core's edges among the three that start at `(r, c)`; both ends of such an edge are on the rim.
     fn core_edges_at(&self, r: usize, c: i32, edges: &mut Vec<[u32; 2]>) {
         let core = |r: usize, c: i32| self.core.index(r, c).is_some();
         // each with the two points that complete its triangles
@@ -155,7 +155,7 @@ impl HexLattice {
     }
 }
 
-/// The scanline: what each edge says about each row.
+/// The scanline's result: crossings and excluded columns for each row.
 struct Clip {
     origin: DVec2,
     spacing: f64,
@@ -217,7 +217,7 @@ impl Clip {
         });
     }
 
-    /// Removes the columns in the closed range that `range` gives for each row of `low ≤ y ≤ high`.
+    /// Excludes the columns in the closed range that `range` gives for each row of `low ≤ y ≤ high`.
     fn kill_rows(&mut self, low: f64, high: f64, range: impl Fn(f64) -> (f64, f64)) {
         let first = (low / ROW).ceil().max(0.0) as usize;
         let last = (high / ROW).floor().max(-1.0) as isize;

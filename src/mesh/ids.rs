@@ -1,11 +1,11 @@
-//! Which vertex, which triangle: numbers of two kinds that are not to be mixed up.
+//! Indices of vertices and of triangles, as two types that cannot be confused.
 //!
-//! They are typed where a function takes or returns them. The arrays of a mesh hold bare `u32`, as the GPU and a
-//! worker get them, and loops over those arrays use bare numbers.
+//! They are used where a function takes or returns an index. The arrays of a mesh hold bare `u32`, as the GPU and a
+//! worker receive them, and loops over those arrays use bare numbers.
 
 use std::fmt;
 
-/// A number of its own type, with what an index needs.
+/// Defines an index type: a `u32` with the conversions that an index needs.
 macro_rules! index_type {
     ($(#[$doc:meta])* $name:ident) => {
         $(#[$doc])*
@@ -14,17 +14,17 @@ macro_rules! index_type {
         pub struct $name(u32);
 
         impl $name {
-            /// The `number`-th, from 0.
+            /// The index with this number, counted from 0.
             pub const fn new(number: u32) -> Self {
                 Self(number)
             }
 
-            /// The number.
+            /// The index as a `u32`.
             pub const fn number(self) -> u32 {
                 self.0
             }
 
-            /// The number as an index into an array.
+            /// The index as a `usize`, for arrays.
             pub const fn index(self) -> usize {
                 self.0 as usize
             }
@@ -39,11 +39,11 @@ macro_rules! index_type {
 }
 
 index_type! {
-    /// A vertex of a mesh or of a surface, by its place in the list of vertices.
+    /// A vertex of a mesh or of a surface, by its position in the list of vertices.
     VertexId
 }
 
 index_type! {
-    /// A triangle of a mesh or of a surface, by its place in the list of triangles.
+    /// A triangle of a mesh or of a surface, by its position in the list of triangles.
     TriangleId
 }

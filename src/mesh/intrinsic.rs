@@ -1,4 +1,4 @@
-//! A triangulation known by its edge lengths alone.
+//! A triangulation given by its edge lengths alone.
 //!
 //! Its edges are shortest paths across the faces of a surface, so that it may have several
 //! edges between the same two vertices, or an edge from a vertex to itself: triangles
@@ -7,7 +7,7 @@
 use super::tri_mesh::{NO_TRIANGLE, TriMesh};
 use crate::geometry::DVec3;
 
-/// No half-edge on the other side: a boundary edge.
+/// Marks a half-edge without a twin: a boundary edge.
 pub(super) const NO_TWIN: u32 = u32::MAX;
 
 /// A triangulation of a disk by edge lengths; vertices `0 … m−1` are the boundary.
@@ -22,13 +22,13 @@ pub struct IntrinsicMesh {
     pub(super) twins: Vec<[u32; 3]>,
     /// The lengths of the edges opposite to the corners.
     pub(super) lengths: Vec<[f64; 3]>,
-    /// Twice the areas: they follow from the lengths, but not as accurately.
+    /// Twice the areas; stored because recomputing them from the lengths is less accurate.
     pub(super) double_areas: Vec<f64>,
     pub(super) delaunay: bool,
 }
 
 impl IntrinsicMesh {
-    /// The triangles of a mesh in space. Cost O(n).
+    /// The triangulation whose edge lengths are those of a mesh in space. Cost O(n).
     pub fn of(mesh: &TriMesh<DVec3>) -> Self {
         let corners = |t: &[u32; 3]| t.map(|v| mesh.vertices[v as usize]);
         let lengths = mesh.triangles.iter().map(corners).map(|[a, b, c]| [b.distance(c), c.distance(a), a.distance(b)]);
@@ -44,7 +44,7 @@ impl IntrinsicMesh {
         }
     }
 
-    /// Whether [`Self::make_delaunay`] came to its end: then no cotangent weight is negative, but for rounding.
+    /// Whether [`Self::make_delaunay`] finished: then no cotangent weight is negative beyond rounding.
     pub fn is_delaunay(&self) -> bool {
         self.delaunay
     }
@@ -58,19 +58,19 @@ impl IntrinsicMesh {
     /// The cotangent of the angle at corner `i`: (b² + c² − a²) / 4A by the law of cosines.
     pub fn cotangent(&self, triangle: usize, i: usize) -> f64 {
         let [a, b, c] = [0, 1, 2].map(|k| self.lengths[triangle][(i + k) % 3]);
-        // (b − c)² + 2bc − a², with the two squares' difference as a product
+        // (b − c)² + 2bc − a², with (b − c)² − a² as a product
         let (small, large) = (b.min(c), b.max(c));
         (small * small + (large - a) * (large + a)) / (2.0 * self.double_areas[triangle])
     }
 
-    /// The sum of the cotangents opposite to an inner edge, and what its rounding is relative to; `None` at the boundary.
+    /// The sum of the cotangents opposite to an inner edge, and the scale of its rounding; `None` at the boundary.
     pub(super) fn weight(&self, triangle: usize, i: usize) -> Option<(f64, f64)> {
         let (other, j) = self.across(triangle, i)?;
         let sum = self.cotangent(triangle, i) + self.cotangent(other, j);
         Some((sum, self.rounding_scale(triangle) + self.rounding_scale(other)))
     }
 
-    /// (a² + b² + c²) / 4A: a cotangent is a difference of such terms, and may be a right angle's.
+    /// (a² + b² + c²) / 4A: a cotangent is a difference of such terms, and is near 0 at a right angle.
     fn rounding_scale(&self, triangle: usize) -> f64 {
         self.lengths[triangle].iter().map(|length| length * length).sum::<f64>() / (2.0 * self.double_areas[triangle])
     }
@@ -82,7 +82,7 @@ impl IntrinsicMesh {
     }
 
     /// Checks that twins are mutual, join the same vertices in opposite directions and have the
-    /// same length, that areas are positive, and their number is that of a disk. Cost O(n).
+    /// same length, that areas are positive, and that the number of triangles is that of a disk. Cost O(n).
     #[cfg(test)]
     pub fn check_invariants(&self) -> bool {
         let ends = |t: usize, i: usize| [self.triangles[t][(i + 1) % 3], self.triangles[t][(i + 2) % 3]];
@@ -99,7 +99,7 @@ impl IntrinsicMesh {
     }
 }
 
-/// The half-edge on the other side of the edge opposite to corner `i`.
+/// The half-edge across the edge opposite to corner `i`, or [`NO_TWIN`].
 fn twin(mesh: &TriMesh<DVec3>, t: usize, i: usize) -> u32 {
     let other = mesh.neighbours[t][i];
     if other == NO_TRIANGLE {

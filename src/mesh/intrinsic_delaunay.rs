@@ -1,28 +1,28 @@
 //! Intrinsic Delaunay triangulation by edge flips (Fisher, Springborn, Schröder, Bobenko 2007).
 //!
 //! An inner edge whose opposite cotangents sum to less than 0 is flipped: its two triangles are laid
-//! out in the plane, and the other diagonal takes its place. The surface stays the same,
-//! its Dirichlet energy falls with each flip (Rippa 1990), so that the flips end. Afterwards
-//! all cotangent weights are non-negative, whatever the given triangles' shapes.
+//! out in the plane, and the other diagonal replaces the edge. The surface stays the same, and
+//! its Dirichlet energy falls with each flip (Rippa 1990), so that the flips terminate. Afterwards
+//! all cotangent weights are non-negative, for any shape of the given triangles.
 
 use super::intrinsic::{IntrinsicMesh, NO_TWIN};
 
-/// A weight below zero by less than this part of the terms that its cotangents are differences of is
-/// rounding: the squares of a grid come out at 1e-16, edges that an eye would flip at 1e-3.
+/// A negative weight is taken as rounding if it is smaller than this, relative to the terms whose
+/// difference a cotangent is: the squares of a grid reach 1e-16, edges that visibly need a flip 1e-3.
 const ROUNDING: f64 = 1e-12;
 
-/// Flips end after few per edge: 0.1 on scanned meshes, 2 on grids sheared by 7. This many are a failure.
+/// Usually there are few flips per edge: 0.1 on scanned meshes, 2 on grids sheared by 7. This many are a failure.
 const MOST_FLIPS_PER_EDGE: usize = 100;
 
-/// What the flips have done.
+/// The result of the flips.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub struct FlipReport {
     /// The number of edges flipped.
     pub flips: usize,
-    /// Inner edges with a negative cotangent weight, before.
+    /// The number of inner edges with a negative cotangent weight before the flips.
     pub negative_before: usize,
-    /// And after: 0 unless triangles are too flat for their angles to be known.
+    /// The same number after the flips: 0 unless triangles are too flat to determine their angles.
     pub negative_after: usize,
 }
 
@@ -67,8 +67,8 @@ impl IntrinsicMesh {
     }
 
     /// Replaces the edge (x, y) between t = (p, x, y) and o = (q, y, x) by (p, q): t becomes (p, x, q),
-    /// o becomes (p, q, y). Returns the half-edges around; `None`, and nothing changed, if
-    /// both sides are one triangle or a new one would have no area.
+    /// o becomes (p, q, y). Returns the four outer half-edges; `None`, with nothing changed, if
+    /// both sides are one triangle or a new triangle would have no area.
     fn flip(&mut self, t: usize, i: usize) -> Option<[u32; 4]> {
         let (o, j) = self.across(t, i).filter(|&(o, _)| o != t)?;
         let around = [(o, (j + 1) % 3), (t, (i + 2) % 3), (o, (j + 2) % 3), (t, (i + 1) % 3)];
@@ -87,7 +87,7 @@ impl IntrinsicMesh {
         Some(places)
     }
 
-    /// Moves four half-edges to new places; some of them may be each other's twins.
+    /// Moves four half-edges to new indices; some of them may be each other's twins.
     fn glue(&mut self, before: [u32; 4], after: [u32; 4]) {
         let twins = before.map(|half| self.twins[half as usize / 3][half as usize % 3]);
         for (twin, place) in twins.into_iter().zip(after) {
@@ -99,7 +99,7 @@ impl IntrinsicMesh {
         }
     }
 
-    /// The other diagonal of the two triangles in the plane, x in the origin, y on the axis, p above and q below it.
+    /// The other diagonal of the two triangles laid out in the plane: x at the origin, y on the axis, p above, q below.
     fn diagonal(&self, t: usize, i: usize, o: usize, [xq, px, qy, yp]: [f64; 4]) -> Option<Diagonal> {
         let base = self.lengths[t][i];
         let foot = |to_x: f64, to_y: f64| 0.5 * (base + (to_x - to_y) * ((to_x + to_y) / base));

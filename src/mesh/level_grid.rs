@@ -1,8 +1,8 @@
-//! Points with a size each, found by nearness at the scale of the size.
+//! Points, each with a size, found by distance at the scale of the size.
 //!
 //! One hashed grid per power of two: a point of size s is entered at its own
-//! level and at the two next to it, so a question asked at size s finds all
-//! points near by whose sizes differ by less than a factor of two. Points of
+//! level and at the two adjacent ones, so a query at size s finds all
+//! nearby points whose sizes differ by less than a factor of two. Points of
 //! very different size are missed. Buckets may hold points of other cells;
 //! callers compare distances anyway.
 
@@ -10,12 +10,12 @@ use crate::geometry::DVec2;
 
 const NONE: u32 = u32::MAX;
 
-/// The points, and where they are.
+/// The points, their sizes and the hash table.
 #[derive(Debug, Default)]
 pub(super) struct LevelGrid {
     positions: Vec<DVec2>,
     sizes: Vec<f64>,
-    /// The first entry of each bucket; a power of two of them.
+    /// The first entry of each bucket; the number of buckets is a power of two.
     heads: Vec<u32>,
     /// The entry after entry `3 point + slot` in its bucket.
     next: Vec<[u32; 3]>,
@@ -60,7 +60,7 @@ impl LevelGrid {
         (mix.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 32) as usize & (self.heads.len() - 1)
     }
 
-    /// Whether `test(distance, size)` holds for any point within `radius` of `p`, seen at size `radius`.
+    /// Whether `test(distance, size)` holds for any point within `radius` of `p`, searched at the level of `radius`.
     pub fn any_within(&self, p: DVec2, radius: f64, mut test: impl FnMut(f64, f64) -> bool) -> bool {
         let level = level(radius);
         let scale = cells_per_unit(level);
@@ -78,7 +78,7 @@ impl LevelGrid {
             }
             false
         };
-        // most answers are yes, because of a point in the same cell
+        // usually a point in the same cell answers yes
         if in_cell(own.0, own.1) {
             return true;
         }

@@ -1,23 +1,23 @@
 //! Point location by walking.
 //!
 //! A visibility walk (step across any edge that has the point on its far side)
-//! ends in a Delaunay mesh whatever the order of the edges. In a domain that is
-//! not convex it can run into the boundary first. Then the boundary polygon
-//! says, exactly, whether the point is inside; if so, the walk starts again from
-//! the boundary edge that the point sees on its left; and if that fails too, all
+//! ends in a Delaunay mesh for every order of the edges. In a domain that is
+//! not convex the walk can reach the boundary first. Then the boundary polygon
+//! decides exactly whether the point is inside; if so, the walk starts again from
+//! the boundary edge visible from the point on its left; if that fails too, all
 //! triangles are tried. Orientation tests are exact, so a point of the closed
-//! domain is always found, on edges and vertices too; points outside by no more
+//! domain is always found, also on edges and vertices; points outside by no more
 //! than rounding ([`BOUNDARY_TOLERANCE`]) are moved onto the boundary.
-//! Cost: a few steps from a near hint; O(m) when blocked; O(n) at the very worst.
+//! Cost: a few steps from a near hint; O(m) when blocked; O(n) in the worst case.
 
 use super::TriangleId;
 use super::tri_mesh::{NO_TRIANGLE, TriMesh};
 use crate::geometry::{DVec2, MAX_COORDINATE, nearest_of_polygon, on_segment, orientation};
 
-/// A point of a triangle, by the weights of its three corners.
+/// A point of a triangle, given by the weights of the triangle's three corners.
 ///
-/// Of a point that was found on a mesh, the weights are non-negative and sum to 1 up to rounding, and the triangle is one
-/// of the mesh. One that comes from a link or a file is checked where the mesh is known: by the map.
+/// For a point located on a mesh, the weights are non-negative and sum to 1 up to rounding, and the triangle is one
+/// of the mesh. A point from a link or a file is checked where the mesh is known: by the map.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct BarycentricPoint {
     triangle: TriangleId,
@@ -25,14 +25,14 @@ pub struct BarycentricPoint {
 }
 
 /// How far outside a point may be, relative to the largest coordinate: points
-/// computed on an edge are off by 1e-16, and nobody can see 1e-12.
+/// computed on an edge are off by 1e-16, and 1e-12 is invisible.
 pub(super) const BOUNDARY_TOLERANCE: f64 = 1e-12;
 
 /// The triangle that contains `x`, walking from triangle `hint`; `None` outside the mesh.
 ///
-/// Any `hint` gives a correct answer, and so does none; the last answer's triangle is the best one.
+/// Any `hint`, or none, gives a correct answer; the triangle of the previous answer is the fastest hint.
 pub fn locate(mesh: &TriMesh, x: DVec2, hint: Option<TriangleId>) -> Option<BarycentricPoint> {
-    // farther out than any outline the predicates would overflow; NaN is not ≤ either
+    // beyond the largest coordinate of an outline the predicates would overflow; NaN fails the comparison too
     if !(x.abs().max_element() <= MAX_COORDINATE && x.is_finite()) {
         return None;
     }
@@ -46,19 +46,19 @@ pub(super) fn containing(mesh: &TriMesh, x: DVec2, hint: u32) -> Option<u32> {
     walk(mesh, x, start).or_else(|| search(mesh, x))
 }
 
-/// Walks until the triangle contains `x`; `None` when the boundary is in the way.
+/// Walks until the triangle contains `x`; `None` when the walk reaches the boundary.
 fn walk(mesh: &TriMesh, x: DVec2, start: u32) -> Option<u32> {
     let (mut t, mut from) = (start, NO_TRIANGLE);
     // a visibility walk visits no triangle twice
     for step in 0..=mesh.triangles.len() {
         let neighbours = mesh.neighbours[t as usize];
-        // Alternating the first edge keeps the walk from hugging one side.
+        // Alternating the first edge keeps the walk from following one side.
         let mut edges = [0, 1, 2];
         edges.rotate_left(step % 3);
         let beyond = |&i: &usize| (neighbours[i] != from || from == NO_TRIANGLE) && is_beyond(mesh, x, t, i);
         let Some(i) = edges.into_iter().find(beyond) else { return Some(t) };
         if neighbours[i] == NO_TRIANGLE {
-            // perhaps another edge leads on
+            // the edge is on the boundary: another edge may have `x` on its far side
             let detour = edges.into_iter().filter(|&j| neighbours[j] != NO_TRIANGLE).find(beyond)?;
             (from, t) = (t, neighbours[detour]);
         } else {
@@ -83,7 +83,7 @@ fn search(mesh: &TriMesh, x: DVec2) -> Option<u32> {
     walk(mesh, x, start).or_else(all)
 }
 
-/// For an `x` of the closed domain, the boundary edge that it sees to its left (or is on); `None` outside.
+/// For an `x` of the closed domain, the first boundary edge to the left of it (or on it); `None` outside.
 fn edge_on_the_left(mesh: &TriMesh, x: DVec2) -> Option<u32> {
     let m = mesh.boundary_count as usize;
     let (mut inside, mut nearest) = (false, None);
@@ -123,7 +123,7 @@ pub(super) fn nearest_on_boundary(mesh: &TriMesh, x: DVec2) -> (u32, DVec2, f64)
     (edge, point, point.distance(x))
 }
 
-/// An `x` outside the mesh by rounding only, moved onto the boundary.
+/// A point outside the mesh by no more than rounding, moved onto the boundary; `None` if it is farther outside.
 fn at_boundary(mesh: &TriMesh, x: DVec2) -> Option<BarycentricPoint> {
     let (edge, point, distance) = nearest_on_boundary(mesh, x);
     let size = mesh.vertices[..mesh.boundary_count as usize].iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
@@ -139,7 +139,7 @@ fn barycentric(mesh: &TriMesh, x: DVec2, t: u32) -> BarycentricPoint {
     BarycentricPoint::new(TriangleId::new(t), weights_in(corners, x))
 }
 
-/// The weights of `x` in a counter-clockwise triangle that contains it up to rounding; not finite in one without area.
+/// The weights of `x` in a counter-clockwise triangle that contains it up to rounding; not finite if its area is 0.
 pub(super) fn weights_in([a, b, c]: [DVec2; 3], x: DVec2) -> [f64; 3] {
     let areas = [orientation(b, c, x), orientation(c, a, x), orientation(a, b, x)].map(|area| area.max(0.0));
     let total = areas[0] + areas[1] + areas[2];
@@ -152,7 +152,7 @@ impl BarycentricPoint {
         Self { triangle, weights }
     }
 
-    /// The triangle.
+    /// The triangle that contains the point.
     pub const fn triangle(&self) -> TriangleId {
         self.triangle
     }

@@ -1,4 +1,4 @@
-//! The interior point that a handle goes to when the pointer leaves the domain.
+//! The interior point to which a handle is moved when the pointer leaves the domain.
 
 use super::locate::{containing, nearest_on_boundary, triangle_at_edge};
 use super::tri_mesh::{NO_TRIANGLE, TriMesh};
@@ -10,22 +10,22 @@ const HALVINGS: usize = 40;
 /// Projections tried per inset: in a corner the first leads to one side, the second to the other.
 const PROJECTIONS: usize = 4;
 
-/// What is taken when the projections do not settle, as in spikes and channels
-/// narrower than twice the inset: this part of it.
+/// Part of the inset that is accepted when the projections do not converge, as in spikes and
+/// channels narrower than twice the inset.
 const LEAST_PART: f64 = 1.0 / 16.0;
 
-/// In a sharp corner the point that keeps the inset is `inset / sin(half the
-/// angle)` away; beyond 8 insets (14°) a handle would visibly jump.
+/// In a sharp corner the point at distance `inset` from both edges is `inset / sin(half the
+/// angle)` from the corner; beyond 8 insets (14°) a handle would visibly jump.
 const LONGEST_MITER: f64 = 8.0;
 
-/// A point strictly inside the mesh, near `x`, that keeps the distance `inset` from the boundary.
+/// A point strictly inside the mesh, near `x`, at distance `inset` from the boundary or more.
 ///
-/// An `x` far enough inside is returned as it is. Else it is moved to the
+/// An `x` far enough inside is returned unchanged. Otherwise it is moved to the
 /// nearest point of the boundary and inward from there along the normal (the
-/// bisector at a vertex), again if another side is too near then. Where the
-/// domain is too narrow the distance may be down to 1/16 of `inset`; where even that
-/// does not fit `inset` is halved, and at last the centroid of a triangle near by
-/// is taken. Cost O(m) in meshes of [`super::mesh_domain`].
+/// bisector at a vertex), again if it is then too near another side. Where the
+/// domain is too narrow the distance may be as small as 1/16 of `inset`; where even that
+/// does not fit, `inset` is halved, and the last fallback is the centroid of a nearby
+/// triangle. Cost O(m) in meshes of [`super::mesh_domain`].
 pub fn nearest_inside(mesh: &TriMesh, x: DVec2, inset: f64) -> DVec2 {
     let x = if x.is_finite() { x } else { DVec2::ZERO };
     let (edge, foot, _) = nearest_on_boundary(mesh, x);
@@ -35,7 +35,7 @@ pub fn nearest_inside(mesh: &TriMesh, x: DVec2, inset: f64) -> DVec2 {
     fitting.next().unwrap_or_else(|| centroid(mesh, triangle))
 }
 
-/// Moves `x` inward until it is `inset` away from every edge; after a few steps, the deepest point on the way.
+/// Moves `x` inward until it is `inset` away from every edge; if that fails, the deepest point of the attempts.
 fn project(mesh: &TriMesh, x: DVec2, inset: f64, hint: u32) -> Option<DVec2> {
     let (mut p, mut deepest) = (x, (LEAST_PART * inset, None));
     for _ in 0..=PROJECTIONS {
@@ -52,7 +52,7 @@ fn project(mesh: &TriMesh, x: DVec2, inset: f64, hint: u32) -> Option<DVec2> {
     deepest.1
 }
 
-/// From `foot` to the point at distance 1 from its edge, or from both edges where it is a vertex.
+/// The vector from `foot` to the point at distance 1 from its edge, or from both edges if `foot` is a vertex.
 fn inward(mesh: &TriMesh, edge: u32, foot: DVec2) -> DVec2 {
     let m = mesh.boundary_count;
     let vertex = |k: u32| mesh.vertices[(k % m) as usize];
@@ -71,7 +71,7 @@ fn inward(mesh: &TriMesh, edge: u32, foot: DVec2) -> DVec2 {
 }
 
 fn centroid(mesh: &TriMesh, triangle: u32) -> DVec2 {
-    // next to the boundary rather than at it where there is such a triangle
+    // prefer the triangle next to the one at the boundary, if there is one
     let inner = mesh.neighbours[triangle as usize].into_iter().find(|&t| t != NO_TRIANGLE).unwrap_or(triangle);
     let corners = mesh.triangles[inner as usize].map(|v| mesh.vertices[v as usize]);
     (corners[0] + corners[1] + corners[2]) / 3.0

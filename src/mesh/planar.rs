@@ -8,8 +8,8 @@
 //! edges that are much longer than their neighbours or that meet at a sharp
 //! angle, since no boundary edge is split.
 //!
-//! Coordinates are scaled by a power of two, which is exact, so outlines of any
-//! size and position are meshed alike.
+//! Coordinates are scaled by a power of two, which is exact, so the mesh does not depend
+//! on the outline's scale.
 
 use super::assemble::assemble;
 use super::ears::split_ears;
@@ -18,8 +18,8 @@ use super::triangulate::{Input, Output, triangulate};
 use super::{MeshError, TriMesh, graded};
 use crate::geometry::DVec2;
 
-/// The largest number of interior vertices that [`mesh_domain`] makes: a mesh of
-/// that size takes about 0.5 GB with its factor, what a browser tab still gets.
+/// The largest number of interior vertices that [`mesh_domain`] makes: such a mesh
+/// takes about 0.5 GB with its factor, which a browser tab can still allocate.
 pub const MAX_INTERIOR: usize = 3_000_000;
 
 /// How the size of the triangles varies over the domain.
@@ -39,29 +39,29 @@ impl Default for Sizing {
     }
 }
 
-/// What the refinement did.
+/// The result of the refinement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct RefineReport {
-    /// Whether every triangle meets the limits (else the vertex budget ran out).
+    /// Whether every triangle meets the limits (otherwise the vertex budget ran out).
     pub complete: bool,
-    /// How many interior vertices the refinement added to the seeds.
+    /// The number of interior vertices that the refinement added to the seeds.
     pub added: usize,
 }
 
-/// Lattice triangles have this part of the area limit h²/2: a little less than
-/// the limit, or rounding would make the refinement split every one of them.
+/// The area of lattice triangles as a part of the limit h²/2: a little less than
+/// 1, since rounding would otherwise make the refinement split every one of them.
 const LATTICE_AREA: f64 = 0.97;
 
-/// Sensible growths: from 1 on, neighbouring layers differ by a factor of two;
+/// Accepted growths: from 1 on, neighboring layers differ by a factor of two;
 /// at 0 the smallest edge would set the size everywhere.
 const GROWTH: std::ops::RangeInclusive<f64> = 0.01..=1.0;
 
 /// Meshes the inside of the counter-clockwise polygon `boundary`.
 ///
 /// The mesh's boundary vertices are exactly `boundary`, in order; the interior
-/// ones are numbered along rows (uniform) or a Hilbert curve (graded), but for the
-/// few that give sharp corners an interior neighbour: these come last. There are
+/// ones are numbered along rows (uniform) or a Hilbert curve (graded), except the
+/// few that give sharp corners an interior neighbor: these come last. There are
 /// `m + 2n − 2` triangles. Cost O(m + n log n) for n interior vertices.
 pub fn mesh_domain(boundary: &[DVec2], sizing: Sizing) -> Result<(TriMesh, RefineReport), MeshError> {
     let scale = normalising_scale(boundary)?;
@@ -100,11 +100,11 @@ fn normalising_scale(boundary: &[DVec2]) -> Result<f64, MeshError> {
     }
     let largest = boundary.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
     let scale = (-largest.log2().floor() - 1.0).exp2();
-    // beyond that, products of three coordinates over- or underflow in whatever uses the mesh
+    // beyond that, products of three coordinates overflow or underflow in the code that uses the mesh
     if (2f64.powi(-300)..2f64.powi(300)).contains(&largest) { Ok(scale) } else { Err(MeshError::OutOfRange) }
 }
 
-/// Coordinates below 2⁻¹²⁰ of the largest one are zero for spade, which rejects values below 2⁻¹⁴².
+/// Coordinates below 2⁻¹²⁰ of the largest one become 0, since spade rejects values below 2⁻¹⁴².
 fn flush_tiny(x: f64) -> f64 {
     if x.abs() < 2f64.powi(-120) { 0.0 } else { x }
 }
@@ -115,7 +115,7 @@ fn doubled_area(polygon: &[DVec2]) -> f64 {
     polygon.windows(2).map(|w| (w[0] - origin).perp_dot(w[1] - origin)).sum()
 }
 
-/// Area and mean edge length, or why there are none.
+/// Area and mean edge length; an error for polygons that cannot be meshed.
 fn measure(polygon: &[DVec2]) -> Result<(f64, f64), MeshError> {
     let area = 0.5 * doubled_area(polygon);
     let m = polygon.len();
@@ -134,10 +134,10 @@ pub(super) fn check_count(estimate: f64) -> Result<(), MeshError> {
     Ok(())
 }
 
-/// The refinement may at most add this many. The seeds have the right sizes
-/// already: on sampled outlines it adds a tenth of them. Around an edge of 10⁻⁹ of
-/// its neighbours it needs 40 vertices; between short edges and long ones that
-/// may not be split it can go on for ever.
+/// The largest number of vertices that the refinement may add. The seeds already have the right
+/// sizes: on sampled outlines it adds a tenth of them. Around an edge of 10⁻⁹ of
+/// its neighbors it needs 40 vertices; between short edges and long ones that
+/// may not be split it might not terminate.
 fn refinement_budget(m: usize, seeds: usize) -> usize {
     (4 * m + seeds + 1000).min(MAX_INTERIOR)
 }

@@ -3,7 +3,7 @@
 //! The hexagonal lattice of the uniform mesher is never stored point by point:
 //! a set is a sorted list of disjoint half-open column spans for each row, so
 //! that inside tests, erosion and numbering cost O(spans), and only the points
-//! that are really wanted are ever visited. Rows are skewed: point `(r, c)` sits
+//! that are needed are visited. Rows are skewed: point `(r, c)` is
 //! at `x = a (c + r/2)`, `y = r a √3/2`, so its six neighbours are `(r, c±1)`,
 //! `(r+1, c−1)`, `(r+1, c)`, `(r−1, c)` and `(r−1, c+1)`.
 
@@ -23,7 +23,7 @@ impl Span {
 /// A set of lattice points with consecutive numbers, row by row.
 #[derive(Debug, Clone, Default)]
 pub(super) struct RowSpans {
-    /// `spans[row_start[r] .. row_start[r+1]]` are row `r`'s.
+    /// Row `r` is `spans[row_start[r] .. row_start[r+1]]`.
     row_start: Vec<u32>,
     spans: Vec<Span>,
     /// The number of the first point of each span.
@@ -32,7 +32,7 @@ pub(super) struct RowSpans {
 }
 
 impl RowSpans {
-    /// From one sorted list of disjoint spans per row, in order of the rows.
+    /// Builds the set from one sorted list of disjoint spans per row, in order of the rows.
     pub fn build(rows: usize, mut row: impl FnMut(usize, &mut Vec<Span>)) -> Self {
         let mut set = Self { row_start: vec![0], ..Self::default() };
         let mut scratch = Vec::new();
@@ -58,7 +58,7 @@ impl RowSpans {
         self.row_start.len() - 1
     }
 
-    /// Row `r`; empty beyond the lattice.
+    /// The spans of row `r`; empty outside the lattice.
     pub fn row(&self, r: usize) -> &[Span] {
         if r >= self.rows() {
             return &[];
@@ -74,7 +74,7 @@ impl RowSpans {
         Some(self.first[self.row_start[r] as usize + k] + (c - span.start) as u32)
     }
 
-    /// The points all six neighbours of which belong to the set too.
+    /// The points whose six neighbors all belong to the set too.
     pub fn eroded(&self) -> Self {
         let (mut pair, mut triple) = (Vec::new(), Vec::new());
         Self::build(self.rows(), |r, out| {

@@ -1,4 +1,4 @@
-//! What the planar mesher promises, on the shapes that break meshers.
+//! The guarantees of the planar mesher, on outlines that are hard to mesh.
 
 use super::TriangleId;
 use super::*;
@@ -52,7 +52,7 @@ fn spiral(turns: f64, width: f64, m: usize) -> Vec<DVec2> {
     inner.chain((0..m).map(|k| arm((k as f64 + 1.0) / m as f64, width))).collect()
 }
 
-/// Meshes, checks every promise, and returns the mesh.
+/// Meshes the boundary, checks every guarantee, and returns the mesh.
 fn checked(boundary: &[DVec2], sizing: Sizing) -> TriMesh {
     let (mesh, report) = mesh_domain(boundary, sizing).unwrap();
     assert_eq!(mesh.check_invariants(), Ok(()));
@@ -297,14 +297,14 @@ proptest! {
         }
     }
 
-    /// Corridors: combs of random teeth and spirals of random width.
+    /// Narrow corridors: combs of random teeth and spirals of random width.
     #[test]
     fn random_combs_and_spirals_are_meshed(teeth in 1usize..40, gap in -6.0f64..-0.3, turns in 0.5f64..5.0, width in -5.0f64..-0.1, k in 0usize..4) {
         checked(&comb(teeth, 10f64.powf(gap)), SIZINGS[k]);
         checked(&spiral(turns, 10f64.powf(width), 200), SIZINGS[k]);
     }
 
-    /// Any closed polyline at all: a mesh or an error, never a panic.
+    /// Any closed polyline gives a mesh or an error, never a panic.
     #[test]
     fn arbitrary_polylines_do_not_panic(points in prop::collection::vec((-4i8..5, -4i8..5), 3..12), k in 0usize..4) {
         let points: Vec<DVec2> = points.iter().map(|&(x, y)| DVec2::new(f64::from(x), f64::from(y))).collect();

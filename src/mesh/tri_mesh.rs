@@ -1,16 +1,16 @@
-//! The triangle mesh: boundary vertices first, counter-clockwise triangles, neighbours.
+//! The triangle mesh: boundary vertices first, counter-clockwise triangles, neighbors.
 
 use super::{TriangleId, VertexId};
 use crate::geometry::{DVec2, orientation};
 
-/// No neighbour, in the arrays: the edge is a boundary edge.
+/// Marks a boundary edge in the neighbor arrays.
 pub(crate) const NO_TRIANGLE: u32 = u32::MAX;
 
 /// A triangle mesh of a simply connected domain.
 ///
 /// Vertices `0 … m−1` are the boundary, counter-clockwise and exactly the samples; `m … m+n−1` are interior. Every
-/// number in the arrays names a vertex or a triangle, and m is at least 3. Of a domain or a surface that is a disk,
-/// there are `m + 2n − 2` triangles: [`Self::check_invariants`].
+/// index in the arrays is in range, and m is at least 3. A domain or a surface that is a disk has `m + 2n − 2`
+/// triangles: [`Self::check_invariants`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct TriMesh<P = DVec2> {
     /// All vertices, boundary first.
@@ -24,7 +24,7 @@ pub struct TriMesh<P = DVec2> {
 }
 
 impl<P> TriMesh<P> {
-    /// From arrays whose numbers all name something; [`NO_TRIANGLE`] stands across a boundary edge.
+    /// From arrays whose indices are known to be in range; [`NO_TRIANGLE`] marks a boundary edge.
     pub(crate) fn known_sound(
         vertices: Vec<P>,
         boundary_count: u32,
@@ -36,7 +36,7 @@ impl<P> TriMesh<P> {
         mesh
     }
 
-    /// Whether every number in the arrays names something. Cost O(n).
+    /// Whether every index in the arrays is in range. Cost O(n).
     pub(crate) fn is_sound(&self) -> bool {
         (3..=self.vertices.len()).contains(&(self.boundary_count as usize))
             && self.triangles.len() == self.neighbours.len()
@@ -44,7 +44,7 @@ impl<P> TriMesh<P> {
             && self.neighbours.as_flattened().iter().all(|&t| t == NO_TRIANGLE || (t as usize) < self.triangles.len())
     }
 
-    /// From arrays that have been elsewhere; `None` if a number in them names nothing. Cost O(n).
+    /// From arrays of unknown origin, such as a worker's message; `None` if an index is out of range. Cost O(n).
     #[cfg(feature = "io")]
     pub(crate) fn checked(
         vertices: Vec<P>,
@@ -96,7 +96,7 @@ impl<P> TriMesh<P> {
         (across != NO_TRIANGLE).then_some(TriangleId::new(across))
     }
 
-    /// Whether the vertex is one of the boundary.
+    /// Whether the vertex is on the boundary.
     pub fn is_on_boundary(&self, vertex: VertexId) -> bool {
         vertex.number() < self.boundary_count
     }
@@ -106,14 +106,14 @@ impl<P> TriMesh<P> {
         self.neighbours[triangle.index()].contains(&NO_TRIANGLE)
     }
 
-    /// A triangle's corners.
+    /// The vertices at a triangle's corners.
     pub fn corners(&self, triangle: TriangleId) -> [VertexId; 3] {
         self.triangles[triangle.index()].map(VertexId::new)
     }
 }
 
 impl<P: Copy> TriMesh<P> {
-    /// Where a triangle's corners lie.
+    /// The positions of a triangle's corners.
     pub fn corner_places(&self, triangle: TriangleId) -> [P; 3] {
         self.triangles[triangle.index()].map(|v| self.vertices[v as usize])
     }
@@ -123,18 +123,18 @@ impl<P: Copy> TriMesh<P> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BrokenInvariant {
-    /// Not `m + 2n − 2` triangles.
+    /// The number of triangles is not `m + 2n − 2`.
     #[error("{found} triangles where a disk has {expected}")]
     Euler {
-        /// How many there are.
+        /// The number of triangles.
         found: usize,
-        /// How many there should be.
+        /// The expected number, `m + 2n − 2`.
         expected: usize,
     },
     /// A triangle is clockwise or has no area.
     #[error("triangle {0} is not counter-clockwise")]
     Orientation(u32),
-    /// The triangle across an edge does not know of it.
+    /// The neighbor relation is not mutual at an edge of this triangle.
     #[error("triangle {0} and its neighbour do not share the edge that they claim to share")]
     Neighbour(u32),
     /// A boundary edge `k → k+1` is in no triangle, or another edge has no neighbour.
@@ -171,7 +171,7 @@ impl TriMesh<DVec2> {
         used.iter().position(|used| !used).map_or(Ok(()), |v| Err(BrokenInvariant::Unused(v as u32)))
     }
 
-    /// Neighbours are mutual, open edges are the boundary, the others are Delaunay.
+    /// Neighbors are mutual, edges without a neighbor are the boundary, all others are Delaunay.
     fn check_edges(&self) -> Result<(), BrokenInvariant> {
         let m = self.boundary_count;
         let mut open = vec![false; m as usize];
@@ -210,7 +210,7 @@ impl TriMesh<DVec2> {
     }
 }
 
-/// A cotangent weight this far below zero is rounding: four cocircular points of
+/// A cotangent weight may be this far below zero by rounding: four cocircular points of
 /// a triangle with an aspect ratio of 1e3 reach 1e-13, an edge that should be
 /// flipped by a visible angle exceeds 1e-6.
 const COTANGENT_TOLERANCE: f64 = 1e-9;

@@ -14,13 +14,13 @@ const ANGLE_LIMIT_DEG: f64 = 20.0;
 
 type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// What is to be triangulated.
+/// The input of one triangulation.
 pub(super) struct Input<'a> {
     /// The boundary, counter-clockwise, simple.
     pub boundary: &'a [DVec2],
     /// Interior points.
     pub seeds: &'a [DVec2],
-    /// Edges between seeds (numbered from `m`) beyond which nothing is wanted.
+    /// Edges between seeds (numbered from `m`) that enclose regions not to be triangulated.
     pub holes: &'a [[u32; 2]],
     /// The largest area of a triangle, if limited.
     pub max_area: Option<f64>,
@@ -34,7 +34,7 @@ pub(super) struct Output {
     pub added: Vec<DVec2>,
     /// Counter-clockwise triples of vertex numbers: boundary, seeds, added.
     pub triangles: Vec<[u32; 3]>,
-    /// Whether the refinement ended by itself.
+    /// Whether the refinement finished before its vertex budget ran out.
     pub complete: bool,
 }
 
@@ -58,8 +58,8 @@ pub(super) fn triangulate(input: &Input) -> Result<Output, MeshError> {
     Ok(Output { added, triangles, complete })
 }
 
-/// Triangles below this area are left alone: no harm where edges are 1e-9 of
-/// their neighbours' length, and the circumcentre of a smaller one is noise.
+/// Triangles below this area are not refined: that does no harm where edges are 1e-9 of
+/// their neighbors' length, and the circumcenter of a smaller one is determined by rounding alone.
 fn min_area(boundary: &[DVec2]) -> f64 {
     let m = boundary.len();
     let shortest = (0..m).map(|k| boundary[k].distance_squared(boundary[(k + 1) % m])).fold(f64::INFINITY, f64::min);
