@@ -1,4 +1,4 @@
-//! Outlines: where they come from (files, presets) and how they are sampled.
+//! Outlines: reading them from files, the built-in ones, and sampling their boundary.
 //!
 //! `parse` and [`Preset::outline`] give an [`Outline`]; [`sample`] turns its
 //! polygon into the [`BoundarySamples`] on which everything else is computed.
@@ -21,39 +21,39 @@ pub use parse::{
 pub use preset::{Preset, UnknownPreset};
 pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};
 
-/// A named, valid outline with what was said about it on the way in.
+/// A valid outline with its name and the notes from reading it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     /// The file's stem, the name inside the file, or the preset's name.
     pub name: String,
     /// The boundary.
     pub polygon: SimplePolygon,
-    /// What was accepted but should be said (reversed, largest of several rings, …).
+    /// Changes that the reader made and the user should know (reversed, largest of several rings, …).
     pub notes: Vec<OutlineNote>,
 }
 
-/// Something that a reader of the file may want to know; no error.
+/// A change made while reading an outline; not an error.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum OutlineNote {
-    /// The points ran clockwise and were reversed.
+    /// The points were clockwise and have been reversed.
     Reversed,
     /// There were several rings; the largest was taken.
     LargestOf {
-        /// How many rings there were.
+        /// Number of rings in the file.
         rings: usize,
     },
     /// The last point repeated the first one and was dropped.
     ClosingPointDropped,
     /// The polygon had holes, which were left out.
     HolesIgnored {
-        /// How many.
+        /// Number of holes.
         holes: usize,
     },
-    /// Points where the outline met itself or folded back were cut off.
+    /// Points where the outline touched itself or folded back were removed.
     Repaired {
-        /// How many points were dropped.
+        /// Number of points dropped.
         dropped: usize,
     },
 }

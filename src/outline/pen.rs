@@ -9,7 +9,7 @@ use crate::geometry::{Bounds, DVec2};
 /// The turn from edge to edge on smooth curves, in radians.
 pub(super) const TURN: f64 = 0.012;
 
-/// How closely a polygon follows a smooth curve.
+/// How closely a polygon follows a smooth curve; a piece is bisected until it meets both limits.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fineness {
     /// The largest turn at the middle of a piece, in radians.
@@ -18,7 +18,7 @@ pub(super) struct Fineness {
     pub deficit: f64,
 }
 
-/// Looks smooth.
+/// Fine enough to look smooth; the length is not limited.
 pub(super) const SMOOTH: Fineness = Fineness { turn: TURN, deficit: f64::INFINITY };
 
 /// A growing chain of points.
@@ -28,7 +28,7 @@ pub(super) struct Pen {
 }
 
 impl Pen {
-    /// A chain that starts at `p`.
+    /// A chain that consists of the point `p`.
     pub fn at(p: DVec2) -> Self {
         Self { points: vec![p] }
     }
@@ -37,7 +37,7 @@ impl Pen {
         self.points.last().copied().unwrap_or_default()
     }
 
-    /// A straight edge to `p`; none if the pen is there.
+    /// A straight edge to `p`; nothing is added if the pen is at `p` already.
     pub fn line(&mut self, p: DVec2) -> &mut Self {
         if self.points.last().is_none_or(|q| q.distance(p) > 1e-12) {
             self.points.push(p);
@@ -45,7 +45,7 @@ impl Pen {
         self
     }
 
-    /// A cubic Bézier curve with inner control points `b` and `c`, to `d`.
+    /// A cubic Bézier curve from the pen's position to `d` with inner control points `b` and `c`.
     pub fn cubic(&mut self, b: DVec2, c: DVec2, d: DVec2) -> &mut Self {
         let a = self.position();
         self.curve(0.0, 1.0, SMOOTH, |t| a.lerp(b, t).lerp(b.lerp(c, t), t).lerp(b.lerp(c, t).lerp(c.lerp(d, t), t), t))
@@ -80,7 +80,7 @@ impl Pen {
 
     /// The curve `f` over `[from, to]`, bisected until each piece is fine enough. Its start is the pen's position.
     pub fn curve(&mut self, from: f64, to: f64, fineness: Fineness, f: impl Fn(f64) -> DVec2) -> &mut Self {
-        // Sixty-four pieces at least: an S can look straight from its middle.
+        // At least 64 pieces: judged by its middle alone, an S-shaped curve can look straight.
         let at = |k: u32| from + (to - from) * f64::from(k) / 64.0;
         for k in 0..64 {
             let (s, t) = (at(k), at(k + 1));
@@ -120,7 +120,7 @@ impl Pen {
 /// A closed polygon whose corners are rounded: each is a point and the radius
 /// of the arc that replaces it, tangent to both edges (0 keeps the corner).
 ///
-/// A radius too large for the edges is cut down to what fits both.
+/// If the radii are too large for an edge, the arcs are shortened in proportion to fit.
 pub(super) fn rounded(corners: &[(f64, f64, f64)]) -> Vec<DVec2> {
     let n = corners.len();
     let point = |k: usize| DVec2::new(corners[k % n].0, corners[k % n].1);

@@ -89,7 +89,7 @@ impl Preset {
         }
     }
 
-    /// The name for people.
+    /// The name shown to users.
     pub fn title(self) -> &'static str {
         match self {
             Self::Disk => "Disk",
@@ -139,7 +139,7 @@ impl Preset {
 #[error("there is no preset \"{name}\"; the presets are {}", Preset::ALL.map(Preset::name).join(", "))]
 #[non_exhaustive]
 pub struct UnknownPreset {
-    /// The name that was asked for.
+    /// The requested name.
     pub name: String,
 }
 

@@ -1,4 +1,4 @@
-//! The presets are what their formulas say.
+//! The presets agree with their formulas.
 
 use super::*;
 use crate::exact::{Complex, blob, vshape};

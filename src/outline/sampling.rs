@@ -19,12 +19,12 @@ pub enum Sampling {
     Uniform {
         /// The number of samples, `m`.
         count: u32,
-        /// Whether the outline's corners are samples too.
+        /// Whether the outline's corners are samples as well.
         keep_corners: bool,
     },
     /// Denser at corners, high curvature and narrow channels.
     Adaptive {
-        /// The number of samples aimed at; `None` takes what the outline needs.
+        /// The target number of samples; `None` lets the outline's shape decide.
         target: Option<u32>,
     },
 }
@@ -35,30 +35,30 @@ impl Default for Sampling {
     }
 }
 
-/// Why an outline cannot be sampled as asked.
+/// Why an outline cannot be sampled as requested.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SamplingError {
     /// Fewer than three samples were asked for.
     #[error("at least 3 boundary samples are needed, not {count}")]
     TooFew {
-        /// The number asked for.
+        /// The requested number.
         count: u32,
     },
-    /// More samples were asked for than can be dealt with.
+    /// More than [`MAX_SAMPLES`] samples were asked for.
     #[error("at most {limit} boundary samples are possible, not {count}")]
     TooMany {
-        /// The number asked for.
+        /// The requested number.
         count: u32,
         /// The limit.
         limit: u32,
     },
-    /// The corners alone are more than the samples asked for.
+    /// The outline has more corners than the requested number of samples.
     #[error("the outline has {corners} corners: {count} samples are too few to keep them")]
     MoreCornersThanSamples {
-        /// How many corners there are (with the first vertex).
+        /// Number of corners (counting the first vertex).
         corners: usize,
-        /// The number asked for.
+        /// The requested number.
         count: u32,
     },
 }
@@ -81,8 +81,8 @@ pub struct BoundaryPoint {
     fraction: f64,
 }
 
-/// As a part of an edge: rounding moves a sample by up to 1e-10 of the shortest edges
-/// (200,000 samples), a pointer by more than 1e-6.
+/// Points closer to a sample than this, relative to the edge, are that sample: rounding moves a sample by up to
+/// 1e-10 of the shortest edges (200,000 samples), a pointer by more than 1e-6.
 const SNAP: f64 = 1e-9;
 
 impl BoundarySamples {
@@ -91,7 +91,7 @@ impl BoundarySamples {
         self.points.len()
     }
 
-    /// Whether there are none (never so for samples made by [`sample`]).
+    /// Whether there are no samples (never the case for samples made by [`sample`]).
     pub fn is_empty(&self) -> bool {
         self.points.is_empty()
     }
@@ -106,7 +106,7 @@ impl BoundarySamples {
         &self.edge_lengths
     }
 
-    /// Where each sample lies on the outline: the fraction of the outline's arc length from its first point,
+    /// The position of each sample: its arc length along the outline from the first point, divided by the perimeter;
     /// strictly increasing in `[0, 1)`, starting at 0.
     pub fn fractions(&self) -> &[f64] {
         &self.fractions
@@ -138,7 +138,7 @@ impl BoundarySamples {
 }
 
 impl BoundaryPoint {
-    /// On the edge `0 ≤ edge < m`, at the part `fraction` of it, in `[0, 1)`: the edge's end is the next edge's start.
+    /// The point at the part `fraction`, in `[0, 1)`, of edge `0 ≤ edge < m`: an edge's end is the next edge's start.
     pub const fn new(edge: u32, fraction: f64) -> Self {
         debug_assert!(0.0 <= fraction && fraction < 1.0);
         Self { edge, fraction }
@@ -149,12 +149,12 @@ impl BoundaryPoint {
         self.edge
     }
 
-    /// The position inside it, in `[0, 1)`.
+    /// The position on the edge, in `[0, 1)`.
     pub const fn fraction(self) -> f64 {
         self.fraction
     }
 
-    /// A point of a closed chain of `m` points; the first of them if there is none.
+    /// The boundary point for a point of a closed chain of `m` points; the chain's first point for `None`.
     pub(crate) fn of_chain(point: Option<ChainPoint>, m: usize) -> Self {
         let (edge, fraction) = match point {
             Some(ChainPoint { edge, along: 1.0, .. }) => ((edge + 1) % m, 0.0),
@@ -190,7 +190,7 @@ pub const MAX_SAMPLES: u32 = 200_000;
 
 /// A vertex is a corner if it turns by more than 30°; this is the cosine. Hand-drawn outlines of
 /// 200 points turn by up to 20° where they are meant to be smooth; a regular
-/// octagon, the least cornered thing that is still drawn with corners, by 45°.
+/// octagon, the bluntest figure usually drawn with corners, turns by 45°.
 const CORNER_COSINE: f64 = 0.866_025_403_784_438_6;
 
 /// Samples the boundary of `polygon`. The first sample is the polygon's first vertex.

@@ -1,64 +1,64 @@
-//! Why a file is no outline, and where in it.
+//! Why a file is not an outline, and where in the file.
 //!
-//! Lines, columns, points and rings count from 1, as people do.
+//! Lines, columns, points and rings are counted from 1.
 
 use super::{GeoJsonFault, JsonFault, MAX_BYTES, PointFault, SvgFault};
 use crate::counted::counted;
 use crate::geometry::{DVec2, PolygonError};
 
-/// Why a file is no outline, and where in it.
+/// Why a file is not an outline, and where in the file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OutlineError {
-    /// More than [`MAX_BYTES`].
+    /// The file is larger than [`MAX_BYTES`].
     #[error("the file has {bytes} bytes; files up to {} MiB can be read", MAX_BYTES >> 20)]
     TooLarge {
-        /// Its size.
+        /// Size of the file.
         bytes: usize,
     },
-    /// Not text in UTF-8.
+    /// The file is not UTF-8 text.
     #[error("the file is not UTF-8 text: the byte at offset {offset} does not belong there")]
     NotUtf8 {
-        /// The first bad byte, from 0.
+        /// Offset of the first invalid byte, from 0.
         offset: usize,
     },
-    /// Nothing but blanks and comments.
+    /// The file holds nothing but blanks and comments.
     #[error("the file is empty")]
     Empty,
-    /// Not JSON.
+    /// The file is not valid JSON.
     #[error("this is no valid JSON: {message}, at line {line}, column {column}")]
     Json {
-        /// The line.
+        /// Line of the error.
         line: usize,
-        /// The column.
+        /// Column of the error.
         column: usize,
-        /// What the JSON reader found.
+        /// The JSON reader's message.
         message: String,
     },
-    /// A number beyond ±1.8e308, or no finite number.
+    /// A number beyond ±1.8e308, or NaN or infinity.
     #[error("the number at line {line}, column {column} is out of range")]
     NumberOutOfRange {
-        /// The line.
+        /// Line of the number.
         line: usize,
-        /// The column.
+        /// Column of the number.
         column: usize,
     },
-    /// Something else where a number was needed.
+    /// The text where a number was expected is not one.
     #[error("\"{found}\" at line {line}, column {column} is not a number")]
     NotANumber {
-        /// The line.
+        /// Line of the text.
         line: usize,
-        /// The column.
+        /// Column of the text.
         column: usize,
         /// The text there, shortened.
         found: String,
     },
-    /// A field without content.
+    /// A field is empty.
     #[error("a number is missing at line {line}, column {column}")]
     MissingNumber {
-        /// The line.
+        /// Line of the field.
         line: usize,
-        /// The column.
+        /// Column of the field.
         column: usize,
     },
     /// A line of a table without exactly two numbers.
@@ -68,61 +68,61 @@ pub enum OutlineError {
         "line {line} has {count} numbers; a point is two"
     ))]
     NumbersOnLine {
-        /// The line.
+        /// Number of the line.
         line: usize,
-        /// How many it has.
+        /// How many numbers the line has.
         count: usize,
     },
-    /// A line of points with a number too many, or too few.
+    /// A list of points on one line has an odd number of numbers.
     #[error("{}", counted!(
         *count,
         "this line has 1 number; a point is two",
         "this line has {count} numbers, an odd number; a point is two"
     ))]
     OddNumbers {
-        /// How many it has.
+        /// How many numbers the line has.
         count: usize,
     },
     /// An element of a list of points that is not `[x, y]`.
     #[error("point {point} {found}; a point is [x, y]")]
     NotAPoint {
-        /// Which one.
+        /// Number of the element.
         point: usize,
-        /// What it is instead.
+        /// What was found instead.
         found: PointFault,
     },
-    /// JSON of another kind.
+    /// Valid JSON that holds no outline.
     #[error("this JSON holds no outline ({found}): expected [[x, y], …], {{\"points\": [[x, y], …]}} or GeoJSON")]
     NotAnOutline {
-        /// What it holds.
+        /// What the JSON holds.
         found: JsonFault,
     },
-    /// `GeoJSON` without any polygon.
+    /// `GeoJSON` without a polygon.
     #[error("this GeoJSON holds no polygon (its type is {})", .kind.as_deref().unwrap_or("not given"))]
     NoPolygon {
         /// Its `type`, if it has one.
         kind: Option<String>,
     },
-    /// `GeoJSON` that is not built as its type says.
+    /// `GeoJSON` whose structure does not agree with its type.
     #[error("this GeoJSON is malformed: {fault}")]
     GeoJson {
-        /// What is wrong.
+        /// The structural error.
         fault: GeoJsonFault,
     },
     /// The last point of a ring is not its first.
     #[error("ring {ring} is not closed: it starts at ({}, {}) and ends at ({}, {})", .first.x, .first.y, .last.x, .last.y)]
     RingNotClosed {
-        /// Which one.
+        /// Number of the ring.
         ring: usize,
-        /// Its first point.
+        /// The ring's first point.
         first: DVec2,
-        /// Its last point.
+        /// The ring's last point.
         last: DVec2,
     },
-    /// Not SVG, or SVG that is too deep to read.
+    /// Invalid SVG, or SVG that is nested too deeply.
     #[error("this SVG cannot be read: {fault}")]
     Svg {
-        /// What is wrong.
+        /// The reader's error, or the limit exceeded.
         fault: SvgFault,
     },
     /// SVG without any path or shape.
@@ -131,10 +131,10 @@ pub enum OutlineError {
     /// SVG with open paths only.
     #[error("no path of this SVG is closed ({paths} open)")]
     NoClosedPath {
-        /// How many paths there are.
+        /// Number of open paths.
         paths: usize,
     },
-    /// The points are no simple polygon.
+    /// The points do not form a simple polygon.
     #[error(transparent)]
     Polygon(#[from] PolygonError),
 }

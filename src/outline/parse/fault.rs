@@ -1,4 +1,4 @@
-//! What is in an outline's file where something else should be.
+//! What an outline's file contains where something else is required.
 
 use crate::counted::counted;
 use serde_json::Value;
@@ -39,58 +39,58 @@ impl JsonKind {
     }
 }
 
-/// What stands where a point `[x, y]` should be.
+/// What was found where a point `[x, y]` is required.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum PointFault {
-    /// No list.
+    /// The value is not a list.
     #[error("is {0}")]
     NoList(JsonKind),
-    /// A list with something else than numbers.
+    /// The list contains something other than numbers.
     #[error("has {0} where a number should be")]
     NoNumber(JsonKind),
-    /// A list of another length.
+    /// The list has the wrong length.
     #[error("{}", counted!(*count, "has 1 number", "has {count} numbers"))]
     Numbers {
-        /// How long it is.
+        /// Length of the list.
         count: usize,
     },
 }
 
-/// What JSON holds in place of an outline.
+/// What a JSON file holds instead of an outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum JsonFault {
-    /// An object whose points are no list.
+    /// The object's `points` is not a list.
     #[error("\"points\" is {0}")]
     Points(JsonKind),
-    /// An object of another kind.
+    /// An object without `points`.
     #[error("an object without \"points\"")]
     NoPoints,
-    /// No object and no list.
+    /// Neither an object nor a list.
     #[error("{0}")]
     Value(JsonKind),
 }
 
-/// What is built otherwise in `GeoJSON` than its type says.
+/// A structural error in `GeoJSON`.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum GeoJsonFault {
-    /// A member is no list.
+    /// A member is not a list.
     #[error("\"{key}\" is {kind}, not a list")]
     NoList {
-        /// Its name.
+        /// Name of the member.
         key: &'static str,
-        /// What it is.
+        /// Kind of its value.
         kind: JsonKind,
     },
     /// A member is missing.
     #[error("\"{0}\" is missing")]
     Missing(&'static str),
-    /// A polygon is no list of rings.
+    /// A polygon is not a list of rings.
     #[error("a polygon is {0}, not a list")]
     Polygon(JsonKind),
-    /// A ring is no list of points.
+    /// A ring is not a list of points.
     #[error("a ring is {0}, not a list")]
     Ring(JsonKind),
-    /// A type that `GeoJSON` does not have.
+    /// The type is not one of `GeoJSON`.
     #[error("\"{0}\" is no GeoJSON type")]
     UnknownType(String),
     /// An object without a type.
@@ -101,16 +101,16 @@ pub enum GeoJsonFault {
     EmptyRing(usize),
 }
 
-/// Why SVG is not read.
+/// Why an SVG file was not read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SvgFault {
-    /// What the SVG reader found, with line and column where it knows them.
+    /// The SVG reader's message, with line and column if it knows them.
     #[error("{0}")]
     Reader(String),
-    /// Elements within elements, too many of them.
+    /// The elements are nested too deeply.
     #[error("elements are nested too deeply")]
     Elements,
-    /// Uses of what contains uses, too many of them.
+    /// The `use` references are nested too deeply.
     #[error("\"use\" elements are nested too deeply")]
     Uses,
 }

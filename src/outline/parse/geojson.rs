@@ -10,11 +10,11 @@ use super::ring::{Ring, largest};
 use super::{GeoJsonFault, JsonKind, OutlineError, OutlineNote};
 use crate::geometry::DVec2;
 
-/// What was collected on the way through the tree.
+/// The polygons collected while walking the tree.
 #[derive(Debug, Default)]
 struct Collected<'a> {
     outer_rings: Vec<Vec<DVec2>>,
-    /// How many holes each ring has.
+    /// Number of holes in each ring's polygon.
     holes: Vec<usize>,
     /// The `properties.name` of the feature around each ring.
     names: Vec<Option<&'a str>>,

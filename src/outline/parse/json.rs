@@ -1,4 +1,4 @@
-//! `[[x, y], …]` and `{"name": …, "points": [[x, y], …]}`; `GeoJSON` is handed on.
+//! `[[x, y], …]` and `{"name": …, "points": [[x, y], …]}`; `GeoJSON` is passed to its own reader.
 
 use serde_json::Value;
 
@@ -42,7 +42,7 @@ fn read_points(points: &[Value]) -> Result<Vec<DVec2>, OutlineError> {
         .collect()
 }
 
-/// The point `[x, y]`, with further numbers only if `more_allowed`; or what it is instead.
+/// The point `[x, y]`; further numbers are allowed only if `more_allowed`. Otherwise an error that says what was found.
 pub(super) fn position(value: &Value, more_allowed: bool) -> Result<DVec2, PointFault> {
     let Value::Array(numbers) = value else { return Err(PointFault::NoList(JsonKind::of(value))) };
     match numbers.as_slice() {

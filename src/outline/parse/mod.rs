@@ -1,9 +1,9 @@
 //! Outlines from files: JSON, `GeoJSON`, SVG, and tables of numbers.
 //!
 //! Every reader yields one closed chain of points, which then becomes a
-//! [`SimplePolygon`]; nothing is repaired silently: what was left out or turned
-//! round is a note, what cannot be an outline is an error with its place.
-//! No bytes make a reader panic, and none reads anything but these bytes.
+//! [`SimplePolygon`]. Nothing is repaired silently: what was left out or
+//! reversed is reported in a note, and what cannot be an outline is an error with its place.
+//! No input makes a reader panic, and readers access nothing but the given bytes.
 
 mod error;
 mod fault;
@@ -22,7 +22,7 @@ pub use error::OutlineError;
 pub use fault::{GeoJsonFault, JsonFault, JsonKind, PointFault, SvgFault};
 use ring::Ring;
 
-/// The largest file that is read.
+/// The largest accepted file size.
 pub const MAX_BYTES: usize = 64 << 20;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,7 +48,7 @@ enum Format {
 ///   with y upwards; of several closed subpaths the largest;
 /// - tables: two numbers on a line, between them spaces, a tab, a comma or a
 ///   semicolon; `#` begins a comment; the first line may be a header;
-/// - with another extension or none also the data of an SVG path (`M 0 0 L …`), and points on one
+/// - with any other extension or none, also the data of an SVG path (`M 0 0 L …`), and points on one
 ///   line, as in an SVG polygon.
 ///
 /// A last point equal to the first is dropped. Files may have up to
@@ -58,8 +58,8 @@ pub fn parse(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineError> {
     outline(ring, stem_and_extension(file_name).0)
 }
 
-/// Like [`parse`], but points where the outline meets itself in a vertex or
-/// folds back are cut off, and said in a note; what crosses stays an error.
+/// Like [`parse`], but where the outline touches itself in a vertex or folds back, the smaller part is
+/// removed and a note says so; crossings stay errors.
 pub fn parse_repaired(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineError> {
     let mut ring = read(file_name, bytes)?;
     let dropped = repair::cut_loops_and_spikes(&mut ring.points);

@@ -5,7 +5,7 @@ use super::ring::Ring;
 use super::table::number;
 use crate::geometry::DVec2;
 
-/// Whether `text` is one line with more numbers than one point has, and nothing but numbers.
+/// Whether `text` is one line that consists of numbers only, more than two of them.
 pub(super) fn is_one(text: &str) -> bool {
     text.trim().lines().count() == 1
         && fields(text).nth(2).is_some()

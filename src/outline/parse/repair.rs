@@ -1,13 +1,13 @@
-//! Cuts off what makes a chain touch itself in its own vertices.
+//! Removes loops and spikes with which a chain touches itself in its own vertices.
 //!
-//! Icons and coast lines often contain a repeated point, a tiny loop that comes
-//! back to where it began, or a spike without width. Crossings are left alone:
-//! there is no telling which side was meant.
+//! Icons and coast lines often contain a repeated point, a tiny loop that returns
+//! to its start, or a spike without width. Crossings are not repaired, since
+//! it is unknown which side was meant.
 
 use super::ring::area;
 use crate::geometry::{DVec2, PolygonError, SimplePolygon};
 
-/// Repairs at most; an outline that needs more has another fault.
+/// The largest number of repairs; an outline that needs more is faulty in another way.
 const MAX_CUTS: usize = 200;
 
 /// Removes repeated points with the smaller loop between them, and the tips of
@@ -24,7 +24,7 @@ pub(super) fn cut_loops_and_spikes(points: &mut Vec<DVec2>) -> usize {
     before - points.len()
 }
 
-/// Points `first` and `second` are the same: of the two loops through them the larger stays.
+/// Points `first` and `second` coincide: keeps the larger of the two loops through them.
 fn cut_smaller_loop(points: &mut Vec<DVec2>, first: usize, second: usize) {
     let inner: Vec<DVec2> = points[first..second].to_vec();
     let mut outer = points[..first].to_vec();

@@ -3,7 +3,7 @@
 use super::OutlineNote;
 use crate::geometry::DVec2;
 
-/// What a reader found.
+/// The chain found by a reader, with its notes.
 #[derive(Debug, Default)]
 pub(super) struct Ring {
     /// The name inside the file.
@@ -40,7 +40,7 @@ pub(super) fn largest(candidates: &[Vec<DVec2>]) -> Option<usize> {
     (0..areas.len()).rev().max_by(|&i, &j| areas[i].total_cmp(&areas[j]))
 }
 
-/// The area inside a chain, as far as it is representable; only compared.
+/// The area inside a chain, used for comparison only; overflow is possible.
 pub(super) fn area(points: &[DVec2]) -> f64 {
     let Some(&origin) = points.first() else { return 0.0 };
     let wrapped = points.iter().zip(points.iter().cycle().skip(1));

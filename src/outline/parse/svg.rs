@@ -2,9 +2,9 @@
 //!
 //! `usvg` resolves shapes, styles, transforms and `use`; its coordinates are
 //! single precision, about 1e-7 of the drawing's size. Images and external
-//! files are never opened, and paints, clips, masks, markers and filters, which
-//! do not change an outline, are cut off. Because `usvg` recurses over the
-//! document, nesting and chains of `use` are bounded here first.
+//! files are never opened; paints, clips, masks, markers and filters, which
+//! do not change an outline, are disabled. Because `usvg` recurses over the
+//! document, nesting and chains of `use` are checked against limits first.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,10 +15,10 @@ use super::ring::Ring;
 use super::svg_path::Subpath;
 use super::{OutlineError, SvgFault};
 
-/// Elements inside elements at most; drawings have about 10.
+/// The largest nesting depth of elements; drawings have about 10.
 const MAX_DEPTH: usize = 64;
 
-/// Uses of what contains uses, at most; drawings have 1 or 2.
+/// The largest nesting depth of `use` references; drawings have 1 or 2.
 const MAX_USE_CHAIN: usize = 4;
 
 const MAX_NODES: u32 = 1_000_000;
@@ -26,7 +26,7 @@ const MAX_NODES: u32 = 1_000_000;
 pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
     let failed = |message: String| OutlineError::Svg { fault: SvgFault::Reader(message) };
     let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
-    // As long as what it replaces, so that positions in messages stay right.
+    // The replacement has the same length, so that positions in messages stay correct.
     let text = text.replace("url(", "off(");
     let document = Document::parse_with_options(&text, options).map_err(|e| failed(e.to_string()))?;
     check_nesting(&document)?;
@@ -68,7 +68,7 @@ fn children(group: &Group) -> std::slice::Iter<'_, Node> {
     group.children().iter()
 }
 
-/// Bounds the depth of the document and of the references in it.
+/// Checks the nesting depth of the document and of the references in it.
 fn check_nesting(document: &Document) -> Result<(), OutlineError> {
     // An element's parent comes before it in document order.
     let mut depth: BTreeMap<u32, usize> = BTreeMap::new();

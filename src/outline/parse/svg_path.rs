@@ -1,8 +1,8 @@
 //! The subpaths of an SVG path as dense polygons, y upwards.
 //!
-//! Curves are cut into equal parameter steps: so many that chords stray from the
+//! Curves are cut into equal parameter steps, as many as needed for chords to deviate from the
 //! curve by less than 1e-5 of the subpath's size (Wang's bound for Bézier
-//! curves) and turn by about 0.04 from one to the next.
+//! curves) and to turn by about 0.04 from one to the next.
 
 use usvg::Transform;
 use usvg::tiny_skia_path::{Path, PathSegment, Point};
@@ -72,7 +72,7 @@ impl Subpath {
         self.segments.push(Segment::Cubic(inner));
     }
 
-    /// Whether the subpath was closed, or ends where it starts.
+    /// Whether the subpath was closed explicitly or ends where it starts.
     pub fn is_closed(&self) -> bool {
         self.closed_explicitly || self.end() == self.start
     }
@@ -84,7 +84,7 @@ impl Subpath {
         let mut coarseness = 1.0;
         loop {
             let points = self.flatten_to(size, coarseness);
-            // 64 times coarser is at most 8 chords a curve: the file itself is too long.
+            // 64 times coarser means at most 8 chords a curve: if that is too many, so are the file's own segments.
             if points.len() <= MAX_POINTS || coarseness >= 64.0 {
                 return points;
             }
@@ -146,13 +146,13 @@ fn bezier(a: DVec2, &[b, c, d]: &[DVec2; 3], t: f64) -> DVec2 {
     ab.lerp(bc, t).lerp(bc.lerp(cd, t), t)
 }
 
-/// How many chords the curve needs, not rounded.
+/// The number of chords that the curve needs, not rounded.
 fn chords(a: DVec2, &[b, c, d]: &[DVec2; 3], size: f64) -> f64 {
     let bend = (a - 2.0 * b + c).length().max((b - 2.0 * c + d).length());
     let flat = (0.75 * bend / (FLATNESS * size)).sqrt();
     let legs = [b - a, c - b, d - c];
     let turn = |u: DVec2, v: DVec2| if u == DVec2::ZERO || v == DVec2::ZERO { 0.0 } else { u.angle_to(v).abs() };
     let smooth = (turn(legs[0], legs[1]) + turn(legs[1], legs[2])) / TURN;
-    // NaN, from coordinates that overflow, becomes the maximum: the check of the polygon reports them.
+    // NaN, from coordinates that overflow, becomes the maximum; the polygon check reports such coordinates.
     flat.max(smooth).min(MAX_CHORDS)
 }

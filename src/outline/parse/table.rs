@@ -29,7 +29,7 @@ pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
 /// The fields of a line; an error where a comma or semicolon has no field before or after it.
 fn fields(content: &str, line: usize) -> Result<Vec<Field<'_>>, OutlineError> {
     let mut fields: Vec<Field> = Vec::new();
-    // Whether a comma or semicolon waits for its next field.
+    // Whether a separator was read and its next field is still missing.
     let mut open = true;
     let mut start = None;
     let columns = content.char_indices().chain([(content.len(), ' ')]);

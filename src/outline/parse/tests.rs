@@ -1,4 +1,4 @@
-//! Outlines are read from every format, and what is none is refused with its place.
+//! Outlines are read from every format; files that hold none give an error with its place.
 
 use proptest::prelude::*;
 
@@ -343,7 +343,7 @@ fn points_on_one_line_are_read_as_those_of_an_svg_polygon() {
     assert!(parse("pasted", b"0,0 2,0 1,x").is_err());
 }
 
-/// Outlines that people use.
+/// Icons and other outlines found in practice.
 mod shared_data {
     use super::*;
     use crate::test_data::shared_outlines;

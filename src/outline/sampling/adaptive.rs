@@ -1,9 +1,9 @@
-//! Adaptive samples: as dense as [`Spacing`] asks, as many as wanted, and simple.
+//! Adaptive samples: with the density of [`Spacing`], near the target number, and forming a simple polygon.
 //!
-//! The base spacing H is chosen so that the spacing asks for the wanted number;
+//! The base spacing H is chosen so that the spacing yields the target number;
 //! corners (and the first vertex) are samples, and each piece between them gets
 //! its share of the number. Where the chords would cross each other, vertices of
-//! the outline are added as samples until they do not; in the limit the chords are
+//! the outline are added as samples until they no longer cross; in the limit the chords are
 //! the outline itself.
 
 use super::CORNER_COSINE;
@@ -13,7 +13,7 @@ use super::spacing::{Spacing, Station, samples_between};
 use super::uniform::apportion;
 use std::ops::RangeInclusive;
 
-/// Without a target, H starts at the perimeter divided by this: what a circle gets.
+/// Without a target, H starts at the perimeter divided by this, so a circle gets this many samples.
 /// V-shape → blob has a mean image error of 9e-3 with 250, 1.5e-3 with 500.
 const BASE_SAMPLES: f64 = 500.0;
 
@@ -21,13 +21,13 @@ const BASE_SAMPLES: f64 = 500.0;
 /// mesh of a spiky leaf then has about 5,000 vertices, prepared in 20 ms.
 const ENOUGH_SAMPLES: f64 = 800.0;
 
-/// Spacings are computed for at most this many samples, and scaled beyond.
+/// Spacings are computed for at most this many samples; larger targets scale the result.
 const LARGEST_FIELD: f64 = 1500.0;
 
-/// The number of samples that the spacing asks for may differ this much from the wanted one.
+/// The number of samples that the spacing yields may differ this much from the target.
 const TOLERANCE: f64 = 0.1;
 
-/// Steps of the search for H: three suffice for every outline tried.
+/// The largest number of steps in the search for H: three suffice for every outline tried.
 const STEPS: usize = 5;
 
 /// The first guess at d ln(number) / d ln(H): spiky outlines have −0.5, round ones −1.
@@ -37,7 +37,7 @@ const FIRST_SLOPE: f64 = -0.7;
 const LEAST_BASE_SAMPLES: f64 = 8.0;
 
 /// Rounds of adding vertices where chords cross. Every round halves the chords
-/// in question; 20 take a chord of 10⁶ polygon edges apart.
+/// in question; 20 rounds resolve a chord over 10⁶ polygon edges.
 const ROUNDS: usize = 24;
 
 /// The arc lengths of the samples.
@@ -69,11 +69,11 @@ pub(super) fn positions(arc: &Arc, target: Option<u32>) -> Vec<f64> {
     positions
 }
 
-/// Adjusts H, from `base` on, until the spacing asks for a number of samples in `wanted`.
+/// Adjusts H, starting at `base`, until the spacing yields a number of samples in `wanted`.
 ///
 /// ln(number) is nearly linear in ln H, with a slope between −1 (smooth) and
-/// nearly 0 (corners only), so this is the secant method on it. What is left of
-/// the difference, [`place`] makes up for by scaling.
+/// nearly 0 (corners only), so this is the secant method on it. [`place`] removes the remaining
+/// difference by scaling.
 fn spacing_between(arc: &Arc, sharp: &[usize], mut base: f64, wanted: RangeInclusive<f64>) -> Spacing {
     let length = arc.length();
     let mut spacing = Spacing::new(arc, sharp, base);

@@ -1,4 +1,4 @@
-//! Do the chords between samples cross, and which vertices would part them?
+//! Finds chords between samples that cross, and the vertices that separate them when added as samples.
 
 use super::arc::Arc;
 use crate::geometry::{DVec2, on_segment, side};
@@ -6,8 +6,8 @@ use crate::geometry::{DVec2, on_segment, side};
 /// For each chord that meets another one, the arc length of the polygon vertex
 /// nearest to its middle, if there is any vertex inside. Exact tests, on the
 /// pairs of chords whose bounding boxes overlap. Cost O(m c) with c chords over the
-/// same x, but no more than [`BUDGET`] pairs are looked at: crossings beyond are
-/// left to the mesher, which names them.
+/// same x, but at most [`BUDGET`] such pairs are examined: further crossings are
+/// left to the mesher, which reports them.
 pub(super) fn first_vertices_to_add(arc: &Arc, positions: &[f64]) -> Vec<f64> {
     let points: Vec<DVec2> = positions.iter().map(|&s| arc.point(s)).collect();
     let mut crossing = vec![false; points.len()];
@@ -20,7 +20,7 @@ pub(super) fn first_vertices_to_add(arc: &Arc, positions: &[f64]) -> Vec<f64> {
     crossing.filter_map(|(k, _)| middle_vertex(arc, positions, k)).collect()
 }
 
-/// The vertex strictly between samples `k` and `k+1` that is nearest to the middle.
+/// The vertex strictly between samples `k` and `k+1` that is nearest to their middle in arc length.
 fn middle_vertex(arc: &Arc, positions: &[f64], k: usize) -> Option<f64> {
     let (start, end) = (positions[k], positions.get(k + 1).copied().unwrap_or(arc.length()));
     let middle = 0.5 * (start + end);
@@ -45,7 +45,7 @@ fn meet(points: &[DVec2], i: usize, j: usize) -> bool {
     touch || (parted(a, b, c, d) && parted(c, d, a, b))
 }
 
-/// A coastline of 1,500 chords has 2e4 pairs over the same x, the worst preset 1e5; this many take 0.1 s.
+/// Limit on examined pairs, 0.1 s; a coastline of 1,500 chords has 2e4 pairs over the same x, the worst preset 1e5.
 const BUDGET: usize = 20_000_000;
 
 /// Calls `visit` for pairs of chords whose bounding boxes overlap, by a sweep over x.

@@ -1,9 +1,9 @@
 //! The spacing h(s) of adaptive samples, as a function of arc length.
 //!
-//! h(s) is the least of: the base spacing H; the longest chord that the outline
-//! leaves by at most 3.75 % of its length ([`SAGITTA`]; on a circle of radius R
+//! h(s) is the least of: the base spacing H; the longest chord from which the outline
+//! deviates by at most 3.75 % of its length ([`SAGITTA`]; on a circle of radius R
 //! that is h = 0.3 R, at a corner the floor H/50); a quarter of the width of the
-//! domain across s; and then whatever keeps |dh/ds| ≤ 0.3. Deviations are measured on
+//! domain across s. It is then lowered so that |dh/ds| ≤ 0.3. Deviations are measured on
 //! windows as long as the spacing in question, so that wiggles much smaller than
 //! the spacing do not count and wiggles of its size do.
 //! Cost O(L/H), whatever the number of polygon vertices.
@@ -14,8 +14,8 @@ use super::width::limit_by_width;
 use crate::geometry::DVec2;
 
 /// The finest spacing is H divided by this. At a re-entrant right angle the
-/// density has the singularity r^(−1/3): 50 brings its share of the error below
-/// that of the smooth parts at m = 250, 10 does not.
+/// density has the singularity r^(−1/3): with 50 its share of the error is below
+/// that of the smooth parts at m = 250, with 10 it is not.
 const FLOOR: f64 = 50.0;
 
 /// Largest `|dh/ds|`: neighbouring edges differ by less than a factor of 1.35.
@@ -30,25 +30,25 @@ pub(super) const STEPS: usize = 64;
 /// Stations are this many steps apart.
 const STATION: usize = 4;
 
-/// A place on the outline and the spacing there.
+/// A place on the outline, by arc length, and the spacing there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Station {
     pub s: f64,
     pub h: f64,
 }
 
-/// The outline at equal steps.
+/// The outline tabulated at equal steps of arc length.
 pub(super) struct Table {
-    /// [`STEPS`] points from the end, then all of them, then as many from the start.
+    /// The last [`STEPS`] points, then all points, then the first [`STEPS`] again.
     padded: Vec<DVec2>,
     /// The number of steps around.
     pub count: usize,
-    /// The arc length of a step.
+    /// The arc length of one step.
     pub step: f64,
 }
 
 impl Table {
-    /// Steps of about `base/64`, a whole number of stations in all.
+    /// Tabulates with steps of about `base/64`, so that their number is a multiple of [`STATION`].
     fn new(arc: &Arc, base: f64) -> Self {
         let stations = (arc.length() / base * (STEPS / STATION) as f64).ceil().max(32.0);
         let count = stations as usize * STATION;
@@ -80,7 +80,7 @@ impl Table {
         for &p in window[1..2 * half].iter().skip(stride - 1).step_by(stride) {
             let offset = p - a;
             let along = offset.dot(chord);
-            // beyond the ends of the chord the outline has folded back
+            // the foot is beyond the ends of the chord: the outline has folded back
             let d2 = if along < 0.0 || along > length2 {
                 offset.length_squared().min((p - b).length_squared())
             } else {
@@ -95,7 +95,7 @@ impl Table {
 
 /// The spacing all around, and the corners that have to be samples.
 pub(super) struct Spacing {
-    /// In order of arc length; the first one at 0.
+    /// The stations in order of arc length, the first at 0.
     pub stations: Vec<Station>,
     /// Arc lengths and exterior angles of the corners.
     pub corners: Vec<(f64, f64)>,
@@ -117,7 +117,7 @@ impl Spacing {
         Self { stations, corners }
     }
 
-    /// `∫ ds/h`: the number of samples that this spacing asks for.
+    /// `∫ ds/h`: the number of samples that this spacing yields.
     pub fn count(&self, length: f64) -> f64 {
         let n = self.stations.len();
         (0..n).map(|k| samples_between(self.stations[k], self.station_after(k, length))).sum()
@@ -155,8 +155,8 @@ fn by_curvature(table: &Table, i: usize, base: f64) -> f64 {
     }
 }
 
-/// Where the outline turns sharply both at a vertex and over twice the floor
-/// around it (so sharp wiggles below the floor are no corners). Of corners nearer
+/// Vertices where the outline turns sharply both at the vertex and over twice the floor
+/// around it (so sharp wiggles below the floor are not corners). Of corners closer
 /// to each other than a quarter of the floor the first is taken.
 fn corners(arc: &Arc, sharp: &[usize], floor: f64) -> Vec<(f64, f64)> {
     let length = arc.length();
@@ -182,7 +182,7 @@ fn limit_gradation(stations: &mut [Station], length: f64) {
         let ds = ds.min(length - ds);
         stations[to].h = stations[to].h.min(stations[from].h + GRADATION * ds);
     };
-    // twice around: a limit may come from across the first point
+    // twice around: the limiting station may lie on the other side of the first point
     (0..2 * n).for_each(|k| relax(k % n, (k + 1) % n));
     (0..2 * n).rev().for_each(|k| relax((k + 1) % n, k % n));
 }

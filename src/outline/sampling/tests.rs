@@ -1,4 +1,4 @@
-//! What sampling promises, on formulas, presets and outlines that people use.
+//! The guarantees of sampling, on formulas, presets and outlines found in practice.
 
 use super::*;
 use crate::mesh::{Sizing, mesh_domain};
@@ -189,7 +189,7 @@ mod shared_data {
     use crate::outline::{OutlineError, parse};
     use crate::test_data::shared_outlines;
 
-    /// Those that are simple: all but one.
+    /// The outlines that are simple polygons: all but one.
     fn outlines() -> Vec<Named> {
         let read = |path: std::path::PathBuf| {
             let name = path.file_name().unwrap().to_string_lossy().into_owned();

@@ -27,12 +27,12 @@ pub(super) fn with_corners(arc: &Arc, count: u32) -> Result<Vec<f64>, SamplingEr
     Ok((0..corners.len()).flat_map(piece).collect())
 }
 
-/// Divides `count` seats among pieces, at least one each, nearly in proportion
-/// to their lengths (largest remainder; the first of equals wins).
+/// Divides `count` parts among the pieces, at least one each, nearly in proportion
+/// to their lengths (largest remainder; ties go to the first).
 pub(super) fn apportion(lengths: &[f64], count: usize) -> Vec<usize> {
     let free = count.saturating_sub(lengths.len());
     let total: f64 = lengths.iter().sum();
-    // a piece needs `quota` parts, one of which it has already
+    // one part of the quota is given in advance, the least that every piece gets
     let quota = |length: f64| (length / total * count as f64 - 1.0).max(0.0);
     let needed: f64 = lengths.iter().map(|&l| quota(l)).sum();
     let share: Vec<f64> = lengths.iter().map(|&l| quota(l) * (free as f64 / needed.max(f64::MIN_POSITIVE))).collect();

@@ -1,8 +1,8 @@
 //! Spacing in narrow channels: at most a quarter of the domain's width.
 //!
 //! The width at a point of the outline is the distance to the nearest other part
-//! of it that faces the point across the inside. Parts that are near along the
-//! outline as well are no other side, just the same bend.
+//! of it that faces the point across the inside. Parts that are also near along the
+//! outline do not count: they belong to the same bend.
 
 use super::spacing::Table;
 use crate::geometry::DVec2;
@@ -22,7 +22,7 @@ const DETOUR: f64 = 2.5;
 const FACING: f64 = 0.3;
 
 /// The width is measured at every fourth station, a quarter of the base spacing
-/// apart; the gradation limit fills in the others.
+/// apart; the gradation limit determines the others.
 const EVERY: usize = 4;
 
 /// Lowers `spacing`, given every `station` steps of the table, to a quarter of the width.
@@ -42,7 +42,7 @@ struct Grid<'a> {
     cell: f64,
     columns: usize,
     rows: usize,
-    /// Pieces in cell `c`: `pieces[start[c] .. start[c+1]]`.
+    /// The pieces in cell `c` are `pieces[start[c] .. start[c+1]]`.
     start: Vec<u32>,
     pieces: Vec<Piece>,
 }
@@ -55,7 +55,7 @@ struct Piece {
     first: usize,
 }
 
-/// A step of the outline with the inner normal there.
+/// A step of the outline with the inner normal at it.
 struct From {
     i: usize,
     p: DVec2,
@@ -102,7 +102,7 @@ impl<'a> Grid<'a> {
         let at = |k: isize| self.table.at(k);
         let (p, k) = (at(i as isize), i as isize);
         let from = From { i, p, normal: (at(k + 1) - at(k - 1)).perp().normalize_or_zero() };
-        // a piece is filed by its middle
+        // pieces are sorted into cells by their midpoints
         let reach = DVec2::splat(limit + 0.5 * self.stride as f64 * self.table.step);
         let ((c0, r0), (c1, r1)) = (self.position(p - reach), self.position(p + reach));
         let mut width = limit;
@@ -118,7 +118,7 @@ impl<'a> Grid<'a> {
     /// The distance from a step to a piece, if that is less than `limit` and across the inside.
     fn across(&self, from: &From, piece: &Piece, limit: f64) -> Option<f64> {
         let (along, edge) = (from.p - piece.a, piece.b - piece.a);
-        // most pieces are behind, or beside as the outline goes on
+        // skips most pieces: those with both ends behind the normal's plane
         if -along.dot(from.normal) <= 0.0 && (piece.b - from.p).dot(from.normal) <= 0.0 {
             return None;
         }

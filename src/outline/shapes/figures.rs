@@ -43,7 +43,7 @@ pub(in super::super) fn heart() -> Vec<DVec2> {
     pen.close()
 }
 
-/// A finger: root, tip (middle of the rounded end), width at the root and the tip.
+/// A finger: root, tip (middle of the rounded end), width at the root and at the tip.
 struct Finger {
     tip: DVec2,
     direction_degrees: f64,
