@@ -23,12 +23,12 @@ pub struct SurfaceMesh {
 }
 
 impl SurfaceMesh {
-    /// The surface as it is, if it is a disk. Cost O(n log d).
+    /// The surface unchanged; an error if it is not a disk. Cost O(n log d).
     pub fn new(surface: &Surface) -> Result<Self, TopologyError> {
         Self::ordered(Repaired::untouched(surface.clone()), surface.vertices.len())
     }
 
-    /// The surface after all repairs that are safe and needed, which are told in [`Self::repairs`].
+    /// The surface after all safe repairs that it needs; [`Self::repairs`] lists them.
     pub fn repaired(surface: &Surface) -> Result<Self, TopologyError> {
         Self::ordered(repair(surface.clone())?, surface.vertices.len())
     }
@@ -49,7 +49,7 @@ impl SurfaceMesh {
         &self.triangle_origins
     }
 
-    /// Which vertex of the surface as it was read this is; `None` if a repair has added it.
+    /// The vertex of the surface as it was read from which this one comes; `None` if a repair has added it.
     pub fn origin_of(&self, vertex: VertexId) -> Option<VertexId> {
         Some(self.vertex_origins[vertex.index()]).filter(|&origin| origin != ADDED).map(VertexId::new)
     }
@@ -59,8 +59,8 @@ impl SurfaceMesh {
         &self.repairs
     }
 
-    /// For each corner of a triangle, which corner of the same triangle it is in `surface`, which this was made
-    /// from: repairs turn some round.
+    /// For each corner of a triangle, which corner of the same triangle it is in `surface`, from which this mesh was
+    /// made: repairs reverse some triangles.
     pub fn corners_in(&self, surface: &Surface, triangle: TriangleId) -> [usize; 3] {
         let corners = self.mesh.corners(triangle).map(|v| self.vertex_origins[v.index()]);
         let given = surface.triangles.get(self.triangle_origins[triangle.index()] as usize);
@@ -91,7 +91,7 @@ impl SurfaceMesh {
         Ok(Self { mesh, vertex_origins, triangle_origins, repairs, numbers })
     }
 
-    /// From its parts, once they have been elsewhere; `None` if their sizes do not fit. `before` is
+    /// From parts of unknown origin, such as a worker's message; `None` if they do not fit together. `before` is
     /// [`Self::origin_count`].
     #[cfg(feature = "io")]
     pub(crate) fn from_parts(
@@ -109,7 +109,7 @@ impl SurfaceMesh {
         })
     }
 
-    /// The number here of a vertex of the surface as it was read; `None` if it was dropped or never there.
+    /// The number here of a vertex of the surface as it was read; `None` if it was dropped or did not exist.
     pub fn number_of(&self, origin: VertexId) -> Option<VertexId> {
         self.numbers.get(origin.index()).copied().filter(|&number| number != ADDED).map(VertexId::new)
     }
@@ -120,7 +120,7 @@ impl SurfaceMesh {
     }
 }
 
-/// For each of `before` vertices its place in `origins`, or [`ADDED`].
+/// For each of `before` vertices its position in `origins`, or [`ADDED`].
 fn numbers_of(origins: &[u32], before: usize) -> Vec<u32> {
     let mut numbers = vec![ADDED; before];
     for (k, &origin) in origins.iter().enumerate().filter(|(_, origin)| **origin != ADDED) {

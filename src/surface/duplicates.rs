@@ -1,13 +1,13 @@
-//! Triangles that have the same three corners as another one, whichever way they turn.
+//! Finds triangles that have the same three corners as another one, of either orientation.
 
 use super::edges::{EdgeTable, ends};
 
-/// Those after the first one of their corners, each with that one, in the order of the triangles; none of these may
+/// Pairs of a duplicate and the first triangle with the same corners, ordered by the duplicates. No triangle may
 /// name a vertex twice. Cost O(n log d) for n triangles, d at an edge.
 pub(super) fn duplicates(triangles: &[[u32; 3]], edges: &EdgeTable) -> Vec<[u32; 2]> {
     let (mut found, mut over_edge) = (Vec::new(), Vec::new());
     for edge in edges.edges().filter(|edge| edge.len() > 1) {
-        // every triangle is looked at over the edge opposite to its least corner
+        // every triangle is considered once, at the edge opposite to its least corner
         let least = ends(triangles, edge[0].1).into_iter().min().unwrap_or_default();
         let corner = |half: u32| triangles[half as usize / 3][half as usize % 3];
         over_edge.clear();

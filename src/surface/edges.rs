@@ -1,4 +1,4 @@
-//! Which triangles share an edge, in any set of triangles, however broken.
+//! Which triangles share an edge, for any set of triangles, manifold or not.
 //!
 //! Half-edge `3t + i` is the edge of triangle t opposite to its corner i, from corner i+1 to corner i+2.
 
@@ -7,7 +7,7 @@
 pub(super) struct EdgeTable {
     /// (larger vertex, half-edge), grouped by the smaller vertex and sorted.
     grouped: Vec<(u32, u32)>,
-    /// Where the group of each smaller vertex begins.
+    /// Where the group of each smaller vertex begins in `grouped`.
     starts: Vec<u32>,
 }
 
@@ -18,7 +18,7 @@ pub(super) fn ends(triangles: &[[u32; 3]], half: u32) -> [u32; 2] {
 }
 
 impl EdgeTable {
-    /// All indices must be below `vertices`. Cost O(n log d) for n triangles, d at a vertex.
+    /// Builds the table; all indices must be below `vertices`. Cost O(n log d) for n triangles, d at a vertex.
     pub(super) fn new(triangles: &[[u32; 3]], vertices: usize) -> Self {
         let halves = 0..3 * triangles.len() as u32;
         let mut starts = vec![0_u32; vertices + 1];
@@ -43,13 +43,13 @@ impl EdgeTable {
         Self { grouped, starts }
     }
 
-    /// For each edge its half-edges, `(larger vertex, half-edge)`, in a fixed order.
+    /// For each edge its half-edges as `(larger vertex, half-edge)`, in a fixed order.
     pub(super) fn edges(&self) -> impl Iterator<Item = &[(u32, u32)]> {
         let groups = self.starts.windows(2).map(|pair| &self.grouped[pair[0] as usize..pair[1] as usize]);
         groups.flat_map(|group| group.chunk_by(|a, b| a.0 == b.0))
     }
 
-    /// For each half-edge the other one of its edge, where there are exactly two; else `None`'s value [`u32::MAX`].
+    /// For each half-edge the other one of its edge if there are exactly two, else [`u32::MAX`].
     pub(super) fn twins(&self) -> Vec<u32> {
         let mut twins = vec![u32::MAX; self.grouped.len()];
         for edge in self.edges() {

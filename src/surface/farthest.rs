@@ -5,7 +5,7 @@ use crate::mesh::{BarycentricPoint, TriMesh, TriangleId, VertexId};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// A vertex with the length of the shortest known way to the boundary; the nearest is the greatest.
+/// A vertex with the length of the shortest known path to the boundary; ordered so that the nearest is the greatest.
 #[derive(Debug, PartialEq)]
 struct Reached {
     distance: f64,
@@ -26,7 +26,7 @@ impl Ord for Reached {
     }
 }
 
-/// The interior vertex whose shortest way along edges to the boundary is the longest, as a
+/// The interior vertex whose shortest path along edges to the boundary is the longest, as a
 /// corner of a triangle; without interior vertices the centroid of the first triangle. Cost O(n log n).
 pub fn farthest_from_boundary(mesh: &TriMesh<DVec3>) -> BarycentricPoint {
     let distances = distances(mesh);
@@ -36,7 +36,7 @@ pub fn farthest_from_boundary(mesh: &TriMesh<DVec3>) -> BarycentricPoint {
     at_corner.unwrap_or(BarycentricPoint::new(TriangleId::new(0), [1.0 / 3.0; 3]))
 }
 
-/// The vertex as a corner of the first triangle that has it. Cost O(n).
+/// The vertex as a corner of the first triangle that has it; `None` if no triangle has it. Cost O(n).
 pub fn at_vertex(mesh: &TriMesh<DVec3>, vertex: VertexId) -> Option<BarycentricPoint> {
     let triangle = mesh.triangles().iter().position(|corners| corners.contains(&vertex.number()))?;
     let weights = mesh.triangles()[triangle].map(|v| if v == vertex.number() { 1.0 } else { 0.0 });
@@ -67,7 +67,7 @@ fn distances(mesh: &TriMesh<DVec3>) -> Vec<f64> {
     distances
 }
 
-/// The vertices after each vertex around its triangles: every edge that is not on the boundary in both directions.
+/// For each vertex, the vertices that follow it in its triangles: interior edges appear in both directions.
 fn adjacency(mesh: &TriMesh<DVec3>) -> (Vec<u32>, Vec<u32>) {
     let mut starts = vec![0_u32; mesh.vertices().len() + 1];
     for &v in mesh.triangles().as_flattened() {

@@ -17,7 +17,7 @@ pub(super) fn fill_holes(repaired: &mut Repaired, loops: &[Vec<u32>]) {
     repaired.notes.push(RepairNote::FilledHoles { holes: reports, triangles });
 }
 
-/// The loop runs as its triangles do, so the new ones run against it.
+/// Fills one hole. The loop has the direction of its triangles, so the new triangles traverse it backwards.
 fn fill(repaired: &mut Repaired, hole: &[u32]) {
     let surface = &mut repaired.surface;
     if let &[a, b, c] = hole {

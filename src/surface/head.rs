@@ -1,4 +1,4 @@
-//! The head of an animal of no species, by formula: a sphere with bumps, open at the neck.
+//! The head of an unspecified animal, by formula: a sphere with bumps, open at the neck.
 //!
 //! The unit disk is wrapped around the sphere (azimuthal equidistant projection), and each
 //! direction d gets the distance `r(d) = 1 + Σ h exp(−|offset|²)`, the offset of d from a bump's
@@ -6,7 +6,7 @@
 
 use crate::geometry::{DVec2, DVec3};
 
-/// How far the wrapped disk reaches from its middle: what is left open is the neck.
+/// The angle from the middle of the wrapped disk to its boundary; the opening that remains is the neck.
 const REACH: f64 = 125.0 * std::f64::consts::PI / 180.0;
 
 /// The middle of the disk: the forehead. The head looks towards −y, z is up.
@@ -15,7 +15,7 @@ const FOREHEAD: DVec3 = DVec3::new(0.0, -0.45, 0.9);
 /// A bump: its direction, its widths sideways and upwards, its height.
 type Bump = (DVec3, f64, f64, f64);
 
-/// Those in the middle.
+/// The bumps in the plane of symmetry.
 const MIDDLE: [Bump; 4] = [
     (DVec3::new(0.0, -1.0, -0.30), 0.50, 0.50, 0.62),
     (DVec3::new(0.0, -1.0, -0.34), 0.34, 0.22, 0.14),
@@ -23,7 +23,7 @@ const MIDDLE: [Bump; 4] = [
     (DVec3::new(0.0, -0.80, -0.62), 0.35, 0.16, -0.10),
 ];
 
-/// Those on the right; each has a twin on the left. Ear, its hollow, brow, eye, cheek, nostril.
+/// The bumps on the right, mirrored to the left: ear, its hollow, brow, eye, cheek, nostril.
 const RIGHT: [Bump; 6] = [
     (DVec3::new(0.66, 0.05, 0.75), 0.22, 0.30, 0.85),
     (DVec3::new(0.62, -0.25, 0.74), 0.14, 0.16, -0.22),
@@ -42,7 +42,7 @@ pub(super) fn lifted(p: DVec2) -> DVec3 {
     radius * toward
 }
 
-/// The direction at p: its distance from the middle is the angle.
+/// The direction at p: its angle from the forehead is proportional to |p|.
 fn direction(p: DVec2) -> DVec3 {
     let forehead = FOREHEAD.normalize();
     let up = (DVec3::Z - DVec3::Z.dot(forehead) * forehead).normalize();
@@ -58,7 +58,7 @@ fn height((toward, wide, high, height): Bump, d: DVec3) -> f64 {
     let up = toward.cross(right);
     let offset = d - toward;
     let (x, y) = (offset.dot(right) / wide, offset.dot(up) / high);
-    // behind the head nothing of a bump is left
+    // makes a bump vanish on the other side of the head
     let depth = offset.dot(toward) / wide.max(high);
     height * (-(x * x + y * y + depth * depth)).exp()
 }

@@ -1,14 +1,14 @@
-//! Surfaces: triangle meshes in space, from files or formulas, made ready to be parameterized.
+//! Surfaces: triangle meshes in space, from files or formulas, prepared for parameterization.
 //!
 //! | step | file |
 //! |---|---|
 //! | bytes → [`Surface`] (feature `io`) | `read` |
-//! | what a reader did, and where in the file | `note` |
-//! | what its connectivity is, and what keeps it from being a disk | `survey`, `duplicates`, `topology_error` |
-//! | repairs that are safe, each told | `repair`, `fill` |
-//! | boundary loop first, interior after | `disk` |
+//! | changes made by a reader, positions in files | `note` |
+//! | connectivity, and reasons why a surface is not a disk | `survey`, `duplicates`, `topology_error` |
+//! | safe repairs, each reported | `repair`, `fill` |
+//! | numbering: boundary loop first, interior after | `disk` |
 //! | the default interior point | `farthest` |
-//! | the point under a ray, the point nearest to a place | `tree`, `nearest` |
+//! | the point under a ray, the point nearest to a given one | `tree`, `nearest` |
 //! | surfaces by formula | `preset`, `head` |
 //!
 //! Positions are [`DVec3`]; the map needs only the lengths of the edges.
@@ -51,13 +51,13 @@ pub use tree::SurfaceTree;
 
 use crate::geometry::DVec3;
 
-/// Triangles in space, as a file gives them: nothing is known about their connectivity.
+/// Triangles in space as a file gives them; their connectivity is unchecked.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Surface {
     /// The positions, finite, in the file's order.
     pub vertices: Vec<DVec3>,
-    /// Vertex triples; polygons of the file are cut into consecutive triangles.
+    /// Vertex triples; the triangles of one polygon of the file are consecutive.
     pub triangles: Vec<[u32; 3]>,
-    /// What was done to the file's contents.
+    /// Changes that the reader made to the file's contents.
     pub notes: Vec<SurfaceNote>,
 }

@@ -1,25 +1,25 @@
-//! The point of a triangle nearest to a place in space, and of a boundary loop nearest to a place or a ray.
+//! The point of a triangle nearest to a point in space, and of a boundary loop nearest to a point or a ray.
 
 use crate::geometry::{DVec2, DVec3, is_nearer, nearest_of_chain};
 use crate::mesh::TriMesh;
 use crate::outline::BoundaryPoint;
 
-/// The boundary point nearest to a place: its edge `k → k+1` and the part of it, in `[0, 1)`. Cost O(m).
+/// The boundary point nearest to a point: its edge `k → k+1` and the position on it, in `[0, 1)`. Cost O(m).
 pub fn nearest_on_boundary(mesh: &TriMesh<DVec3>, place: DVec3) -> BoundaryPoint {
     let boundary = &mesh.vertices()[..mesh.boundary_count() as usize];
     BoundaryPoint::of_chain(nearest_of_chain(boundary.iter().copied(), place), boundary.len())
 }
 
-/// At `along` of the edge `k → k+1`, in `[0, 1]`.
+/// The boundary point at `along`, in `[0, 1]`, of the edge `k → k+1`.
 fn boundary_point(k: usize, along: f64, m: usize) -> BoundaryPoint {
     let (k, fraction) = if along < 1.0 { (k, along) } else { ((k + 1) % m, 0.0) };
     BoundaryPoint::new(k as u32, fraction)
 }
 
-/// The boundary point seen nearest to a ray from `origin`: where the tangent of the angle between them is least.
+/// The boundary point that appears nearest to a ray from `origin`: the tangent of the angle between them is least.
 ///
 /// Where the loop passes the ray several times, and more than once within the tangent `reach` of the nearest
-/// passage, the passage that is nearest to `origin` is taken. `None` if the whole loop is behind
+/// passage, the passage nearest to `origin` is taken. `None` if the whole loop is behind
 /// `origin`, or the ray is not finite or has no direction. Cost O(m).
 pub fn nearest_on_boundary_to_ray(
     mesh: &TriMesh<DVec3>,
@@ -39,23 +39,23 @@ pub fn nearest_on_boundary_to_ray(
     Some(boundary_point(k, along, m))
 }
 
-/// The plane at depth 1 before an eye, in which a ray is the origin.
+/// The plane at depth 1 in front of an eye, with the ray as its origin.
 struct ImagePlane {
     eye: DVec3,
     axes: [DVec3; 3],
 }
 
-/// A point of an edge as it is seen.
+/// A point of an edge in the image plane.
 #[derive(Clone, Copy)]
 struct Seen {
-    /// Of the angle to the ray.
+    /// The tangent of the angle to the ray.
     tangent: f64,
     depth: f64,
-    /// In `[0, 1]`, on the edge in space.
+    /// The position on the edge in space, in `[0, 1]`.
     along: f64,
 }
 
-/// Edges are cut off where they get behind the eye: at this part of the depth of their end in front of it.
+/// Edges that go behind the eye are cut off at this part of the depth of their end in front of it.
 const NEAREST_DEPTH: f64 = 1e-6;
 
 impl ImagePlane {
@@ -65,7 +65,7 @@ impl ImagePlane {
         Some(Self { eye, axes: [right, up, ahead] })
     }
 
-    /// The point of the edge `a → b` that is seen nearest to the ray; `None` behind the eye.
+    /// The point of the edge `a → b` that appears nearest to the ray; `None` if the edge is behind the eye.
     fn nearest(&self, a: DVec3, b: DVec3) -> Option<Seen> {
         let [depth_a, depth_b] = [a, b].map(|p| (p - self.eye).dot(self.axes[2]));
         let deepest = depth_a.max(depth_b);
@@ -80,7 +80,7 @@ impl ImagePlane {
         let (q, far) = self.project(a.lerp(b, end), depth_b.max(cut));
         let span = q - p;
         let across = (-p.dot(span) / span.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-        // from the image back to the edge: depths weigh its ends
+        // perspective: from the position in the image to that on the edge, whose ends are weighted by depth
         let part = across * near / (across * near + (1.0 - across) * far);
         let depth = near + part * (far - near);
         Some(Seen { tangent: p.lerp(q, across).length(), depth, along: (start + part * (end - start)).clamp(0.0, 1.0) })
@@ -92,11 +92,11 @@ impl ImagePlane {
     }
 }
 
-/// The weights of the nearest point: of the foot on the plane if it is inside, else of the
+/// The weights of the nearest point: of the foot on the plane if it is inside, otherwise of the
 /// nearest of the feet on the edges.
 pub(super) fn nearest_in_triangle([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
     let normal = (b - a).cross(c - a);
-    // not (u − p)×(v − p), of which more cancels where p is far away
+    // not (u − p)×(v − p), which suffers more cancellation if p is far away
     let area = |u: DVec3, v: DVec3| (v - u).cross(p - u).dot(normal) / normal.length_squared();
     let inside = [area(b, c), area(c, a), area(a, b)];
     if inside.iter().all(|&w| w >= 0.0) {
@@ -179,7 +179,7 @@ mod tests {
         assert_eq!(seen([0.5, 0.5, 5.0], [0.0, 0.0, 1.0]), None);
         assert_eq!(seen([0.5, 0.5, 5.0], [0.0; 3]), None);
         assert_eq!(seen([f64::NAN; 3], [1.0; 3]), None);
-        // an eye between the ends: only what is in front counts
+        // an eye between the ends: only the part in front of it counts
         let half = seen([0.5, -1.0, 0.0], [1.0, 0.01, 0.0]).unwrap();
         assert_eq!(half.edge(), 1, "{half:?}");
     }

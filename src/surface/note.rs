@@ -1,14 +1,14 @@
-//! What a reader of surfaces did to a file's contents, and where in the file.
+//! Changes that a reader of surfaces made to a file's contents, and positions in files.
 
 use crate::counted::counted;
 
-/// Where in a file.
+/// A position in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
-    /// A line of text, from 1.
+    /// A line of text, counted from 1.
     Line(usize),
-    /// A byte, from 0.
+    /// A byte, counted from 0.
     Byte(usize),
     /// A part of a glTF document, such as `accessors[3]`.
     Part(String),
@@ -24,30 +24,30 @@ impl std::fmt::Display for Place {
     }
 }
 
-/// What a reader did that its user should know.
+/// A change made by a reader that its user should know.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SurfaceNote {
     /// Polygons were cut into triangles.
     #[error("{}", counted!(*polygons, "1 polygon was cut into triangles", "{polygons} polygons were cut into triangles"))]
     Triangulated {
-        /// How many.
+        /// Number of polygons.
         polygons: usize,
-        /// How many faces the file has.
+        /// Number of faces in the file.
         faces: usize,
     },
-    /// Vertices at exactly the same place were made one (formats that repeat them).
+    /// Vertices at exactly the same position were merged (in formats that repeat them).
     #[error("{before} corners at {after} places were made {after} vertices")]
     Welded {
-        /// How many the file has.
+        /// Number of vertices in the file.
         before: usize,
-        /// How many are left.
+        /// Number of vertices after merging.
         after: usize,
     },
-    /// The file goes on after all that it counts at its beginning.
+    /// The file continues after everything that its counts announce.
     #[error("{place}: more follows than the file says it has; it was passed over")]
     Surplus {
-        /// Where it begins.
+        /// Where the surplus begins.
         place: Place,
     },
 }

@@ -1,10 +1,10 @@
-//! Which triangles to turn round so that neighbours run along their edge in opposite directions.
+//! Decides which triangles to reverse so that neighbors traverse their common edge in opposite directions.
 
 use super::TopologyError;
 use super::edges::ends;
 
-/// Whether to turn each triangle: of each component those that are fewer. A surface with one side has no orientation.
-/// Cost O(n).
+/// Whether to reverse each triangle: in each component the minority. An error for one-sided surfaces, which have no
+/// orientation. Cost O(n).
 pub(super) fn turned(triangles: &[[u32; 3]], twins: &[u32]) -> Result<Vec<bool>, TopologyError> {
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
     for start in 0..triangles.len() {
@@ -20,7 +20,7 @@ pub(super) fn turned(triangles: &[[u32; 3]], twins: &[u32]) -> Result<Vec<bool>,
     Ok(turned.into_iter().map(|turned| turned == Some(true)).collect())
 }
 
-/// Which triangles of the component of `start` must be turned to agree with it; its members.
+/// Decides for the component of `start` which triangles must be reversed to agree with it; returns the members.
 fn orient_component(
     triangles: &[[u32; 3]],
     twins: &[u32],

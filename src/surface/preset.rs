@@ -56,7 +56,7 @@ impl SurfacePreset {
         }
     }
 
-    /// From where it looks well: the direction to the eye, and the direction that is up.
+    /// A good default view: the direction to the eye, and the direction that is up.
     pub fn view(self) -> [DVec3; 2] {
         match self {
             Self::Hemisphere | Self::Paraboloid | Self::Saddle | Self::HalfTorus => {
@@ -68,7 +68,7 @@ impl SurfacePreset {
         }
     }
 
-    /// The surface with about `boundary` vertices along its boundary (from 12 on).
+    /// The surface with about `boundary` vertices along its boundary (at least 12).
     pub fn surface(self, boundary: u32) -> Result<Surface, MeshError> {
         let boundary = self.outline(boundary.max(12));
         let mesh = mesh_domain(&boundary, Sizing::Uniform)?.0;
@@ -164,7 +164,7 @@ impl fmt::Display for SurfacePreset {
 #[error("there is no surface preset \"{name}\"; there are {}", SurfacePreset::ALL.map(SurfacePreset::name).join(", "))]
 #[non_exhaustive]
 pub struct UnknownSurfacePreset {
-    /// What was asked for.
+    /// The requested name.
     pub name: String,
 }
 

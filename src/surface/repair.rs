@@ -1,9 +1,9 @@
-//! Repairs that are safe, in a fixed order, each told in a [`RepairNote`].
+//! Repairs that are safe, in a fixed order, each reported in a [`RepairNote`].
 //!
 //! Triangles that name a vertex twice are dropped, and those with the corners of an earlier one; the rest is oriented
 //! consistently, as most of its triangles are; the component with the most triangles is kept; vertices
-//! in no triangle are dropped; all holes but the longest boundary loop are filled. What would
-//! need a guess (edges of three triangles, vertices that join parts, flat triangles) stays an error.
+//! in no triangle are dropped; all holes but the longest boundary loop are filled. Faults whose repair would
+//! need a guess (edges of three triangles, vertices that join parts, flat triangles) stay errors.
 
 use super::duplicates::duplicates;
 use super::edges::EdgeTable;
@@ -16,7 +16,7 @@ use crate::counted::counted;
 /// The origin of a vertex or triangle that a repair has added.
 pub(crate) const ADDED: u32 = u32::MAX;
 
-/// What a repair has done.
+/// A repair that was made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -28,7 +28,7 @@ pub enum RepairNote {
         "{count} triangles that name a vertex twice were dropped"
     ))]
     DroppedTriangles {
-        /// How many.
+        /// Number of triangles dropped.
         count: usize,
     },
     /// Triangles with the corners of an earlier one were dropped.
@@ -38,17 +38,17 @@ pub enum RepairNote {
         "{count} triangles with the same corners as another one were dropped"
     ))]
     DroppedDuplicates {
-        /// How many.
+        /// Number of triangles dropped.
         count: usize,
     },
-    /// Triangles were turned round.
+    /// The orientation of triangles was reversed.
     #[error("{}", counted!(
         *count,
         "1 triangle was turned round, so that all have the same orientation",
         "{count} triangles were turned round, so that all have the same orientation"
     ))]
     Oriented {
-        /// How many.
+        /// Number of triangles reversed.
         count: usize,
     },
     /// Only one component was kept.
@@ -58,9 +58,9 @@ pub enum RepairNote {
         "the largest of {components} components was kept; {dropped} triangles were dropped"
     ))]
     KeptLargest {
-        /// How many there were.
+        /// Number of components before.
         components: usize,
-        /// The triangles of the others.
+        /// Number of triangles in the dropped components.
         dropped: usize,
     },
     /// Vertices in no triangle were dropped.
@@ -70,15 +70,15 @@ pub enum RepairNote {
         "{count} vertices in no triangle were dropped"
     ))]
     DroppedVertices {
-        /// How many.
+        /// Number of vertices dropped.
         count: usize,
     },
-    /// Holes were closed.
+    /// Holes were filled.
     #[error("{}", filled(.holes.len(), *.triangles))]
     FilledHoles {
         /// Their boundary loops.
         holes: Vec<LoopReport>,
-        /// How many triangles were added.
+        /// Number of triangles added.
         triangles: usize,
     },
 }
@@ -90,7 +90,7 @@ fn filled(holes: usize, triangles: usize) -> String {
     counted!(triangles, "1 hole was filled with 1 triangle", "1 hole was filled with {triangles} triangles")
 }
 
-/// A repaired surface, with where its parts come from.
+/// A repaired surface, with the origin of each vertex and triangle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repaired {
     /// The surface.
@@ -99,19 +99,19 @@ pub struct Repaired {
     pub vertex_origins: Vec<u32>,
     /// For each triangle its index before, or [`ADDED`].
     pub triangle_origins: Vec<u32>,
-    /// What was done; empty if there was nothing to do.
+    /// The repairs made; empty if none was needed.
     pub notes: Vec<RepairNote>,
 }
 
 impl Repaired {
-    /// The surface as it is.
+    /// The surface unchanged, every vertex and triangle its own origin.
     pub(super) fn untouched(surface: Surface) -> Self {
         let vertex_origins = (0..surface.vertices.len() as u32).collect();
         let triangle_origins = (0..surface.triangles.len() as u32).collect();
         Self { surface, vertex_origins, triangle_origins, notes: Vec::new() }
     }
 
-    /// Keeps the triangles for which `keep` holds; how many were dropped.
+    /// Keeps the triangles for which `keep` holds, and returns how many were dropped.
     fn retain(&mut self, keep: impl Fn(usize, &[u32; 3]) -> bool) -> usize {
         let before = self.surface.triangles.len();
         let kept: Vec<bool> = self.surface.triangles.iter().enumerate().map(|(t, corners)| keep(t, corners)).collect();
@@ -123,8 +123,8 @@ impl Repaired {
     }
 }
 
-/// Repairs what can be repaired safely; an error for what cannot. The result may still be no
-/// disk (closed, with handles, with flat triangles): [`super::SurfaceMesh::new`] says so. Cost O(n log d).
+/// Makes the safe repairs; an error if a fault needs another. The result may still not be a
+/// disk (closed, with handles, with flat triangles): [`super::SurfaceMesh::new`] reports that. Cost O(n log d).
 pub fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
     check_values(&surface)?;
     let mut repaired = Repaired::untouched(surface);
@@ -142,7 +142,7 @@ pub fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
     Ok(repaired)
 }
 
-/// Drops of triangles with the same corners those after the first; the edges of the others.
+/// Of several triangles with the same corners keeps the first; returns the edge table of the kept triangles.
 fn drop_duplicates(repaired: &mut Repaired) -> EdgeTable {
     let edges_of = |surface: &Surface| EdgeTable::new(&surface.triangles, surface.vertices.len());
     let edges = edges_of(&repaired.surface);
@@ -150,7 +150,7 @@ fn drop_duplicates(repaired: &mut Repaired) -> EdgeTable {
     if found.is_empty() {
         return edges;
     }
-    // they are sorted by their triangles
+    // `found` is sorted by its first column, the duplicates
     let is_found = |t: usize| found.binary_search_by_key(&(t as u32), |&[triangle, _]| triangle).is_ok();
     let count = repaired.retain(|t, _| !is_found(t));
     repaired.notes.push(RepairNote::DroppedDuplicates { count });
@@ -165,7 +165,7 @@ fn twins_of(surface: &Surface, edges: &EdgeTable) -> Result<Vec<u32>, TopologyEr
     Ok(edges.twins())
 }
 
-/// Turns triangles round until neighbours agree; of each component, those that are fewer.
+/// Reverses triangles until neighbors agree; in each component, the minority.
 fn orient(repaired: &mut Repaired, edges: &EdgeTable) -> Result<(), TopologyError> {
     let twins = twins_of(&repaired.surface, edges)?;
     let triangles = &mut repaired.surface.triangles;
@@ -180,9 +180,9 @@ fn orient(repaired: &mut Repaired, edges: &EdgeTable) -> Result<(), TopologyErro
     Ok(())
 }
 
-/// Of equally large components, the one that comes first.
+/// Keeps the component with the most triangles, the first of equally large ones.
 fn keep_largest(repaired: &mut Repaired) {
-    // turning triangles round has renumbered their half-edges
+    // reversing triangles has renumbered their half-edges
     let surface = &repaired.surface;
     let twins = EdgeTable::new(&surface.triangles, surface.vertices.len()).twins();
     let (component, sizes) = components(&twins);

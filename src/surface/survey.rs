@@ -1,7 +1,7 @@
-//! The connectivity of a surface: everything that is wrong with it, and its loops, components, genus.
+//! The connectivity of a surface: all faults of its topology, and its loops, components, genus.
 //!
-//! The checks stand in an order in which each one may take for granted what those before
-//! it found: loops are walked only where every edge has at most two triangles of equal orientation.
+//! The order of the checks matters: each relies on what the earlier ones have established.
+//! For example, loops are walked only where every edge has at most two triangles of equal orientation.
 
 use super::duplicates::duplicates;
 use super::edges::{EdgeTable, ends};
@@ -9,18 +9,18 @@ use super::orient::turned;
 use super::{LoopReport, Surface, TopologyError};
 use crate::geometry::DVec3;
 
-/// Areas are made of fourth powers, which overflow beyond 1e77; it is no size of anything.
+/// Areas are computed from fourth powers, which overflow beyond 1e77; no real object has such a size.
 pub const MAX_COORDINATE: f64 = 1e75;
 
-/// The least extent: fourth powers underflow below 1e-81, and triangles are 1e-7 of a surface, or smaller.
+/// The least extent: fourth powers underflow below 1e-81, and triangles can be 1e-7 of a surface, or smaller.
 pub const MIN_EXTENT: f64 = 1e-70;
 
-/// A triangle whose height is less than this part of its longest edge has no angles that its
-/// coordinates determine: those of f32 files err by 1e-7, their thinnest triangles have 1e-6;
+/// A triangle whose height is less than this part of its longest edge is flat: its coordinates do not
+/// determine its angles. Coordinates of f32 files err by 1e-7, and their thinnest triangles have 1e-6;
 /// a collinear triple computed in f64 has 1e-16.
 const FLAT: f64 = 1e-12;
 
-/// A manifold, consistently oriented surface, whose connectivity can be walked.
+/// The connectivity of a manifold, consistently oriented surface.
 #[derive(Debug)]
 pub(super) struct Connectivity {
     /// For each half-edge `3t + i` the other one, or `u32::MAX` at the boundary.
@@ -31,7 +31,7 @@ pub(super) struct Connectivity {
     pub sizes: Vec<usize>,
 }
 
-/// The indices and positions alone.
+/// Checks the indices and positions alone.
 pub(super) fn check_values(surface: &Surface) -> Result<(), TopologyError> {
     let vertices = surface.vertices.len();
     if surface.triangles.is_empty() {
@@ -45,7 +45,7 @@ pub(super) fn check_values(surface: &Surface) -> Result<(), TopologyError> {
     if let Some(vertex) = surface.vertices.iter().position(|p| !sound(p)) {
         return Err(TopologyError::NotFinite { vertex: vertex as u32 });
     }
-    // vertices in no triangle are none of the surface; without any extent its triangles are named as flat
+    // unreferenced vertices do not count for the extent; if it is 0, the triangles are reported as flat later
     let first = surface.vertices[corners[0] as usize];
     let offsets = corners.iter().map(|&v| (surface.vertices[v as usize] - first).abs().max_element());
     match offsets.fold(0.0, f64::max) {
@@ -59,7 +59,7 @@ pub(super) fn repeats(&[a, b, c]: &[u32; 3]) -> bool {
     a == b || b == c || c == a
 }
 
-/// The shapes of the triangles.
+/// Checks the shapes of the triangles.
 pub(super) fn check_triangles(surface: &Surface) -> Result<(), TopologyError> {
     let first_of = |wrong: &dyn Fn(&[u32; 3]) -> bool| {
         let triangle = surface.triangles.iter().position(wrong)?;
@@ -81,7 +81,7 @@ fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
     double_area.is_nan() || double_area <= FLAT * longest
 }
 
-/// No two triangles have the same corners.
+/// Checks that no two triangles have the same corners.
 fn check_duplicates(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), TopologyError> {
     let found = duplicates(triangles, edges);
     let Some(&[triangle, other]) = found.first() else { return Ok(()) };
@@ -89,7 +89,7 @@ fn check_duplicates(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), Top
     Err(TopologyError::Duplicates { triangle, corners, other, count: found.len() })
 }
 
-/// Every edge has at most two triangles.
+/// Checks that every edge has at most two triangles.
 pub(super) fn check_edges(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), TopologyError> {
     let mut crowded = edges.edges().filter(|edge| edge.len() > 2);
     let Some(first) = crowded.next() else { return Ok(()) };
@@ -100,7 +100,7 @@ pub(super) fn check_edges(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(
     Err(TopologyError::NonManifoldEdge { edge, triangles: at, count: 1 + crowded.count() })
 }
 
-/// Neighbouring triangles run along their edge in opposite directions.
+/// Checks that neighboring triangles traverse their common edge in opposite directions.
 pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result<(), TopologyError> {
     let halves = (0..twins.len() as u32).zip(twins).filter(|&(half, &twin)| twin != u32::MAX && half < twin);
     let mut wrong = halves.filter(|&(half, &twin)| ends(triangles, half) == ends(triangles, twin));
@@ -110,7 +110,7 @@ pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result
     Err(TopologyError::Orientation { edge, triangles: [half / 3, twin / 3], count: 1 + wrong.count() })
 }
 
-/// The triangles at each vertex form one fan, open or closed.
+/// Checks that the triangles at each vertex form one fan, open or closed.
 pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: usize) -> Result<(), TopologyError> {
     let mut fans = vec![0_u32; vertices];
     let mut visited = vec![false; twins.len()];
@@ -128,7 +128,7 @@ pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: us
                 if twin == u32::MAX {
                     break;
                 }
-                // across half-edge i+1, the same vertex is the corner i+1 of the other one, and the reverse
+                // across half-edge i+1, the same vertex is the corner i+1 of the other triangle, and vice versa
                 at = 3 * (twin as usize / 3) + (twin as usize + turn) % 3;
                 if visited[at] {
                     break;
@@ -141,7 +141,7 @@ pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: us
     Err(TopologyError::NonManifoldVertex { vertex: vertex as u32, fans: fans[vertex] as usize, count })
 }
 
-/// Numbers the connected components; two triangles that share a vertex only are in different ones.
+/// Numbers the connected components; triangles that share only a vertex are in different ones.
 pub(super) fn components(twins: &[u32]) -> (Vec<u32>, Vec<usize>) {
     let mut component = vec![u32::MAX; twins.len() / 3];
     let (mut sizes, mut pending) = (Vec::new(), Vec::new());
@@ -198,7 +198,7 @@ pub(super) fn loop_length(surface: &Surface, vertices: &[u32]) -> f64 {
     vertices.iter().zip(next).map(|(&u, &v)| at(u).distance(at(v))).sum()
 }
 
-/// The checks of everything local; then the connectivity.
+/// Checks every local property, then computes the connectivity.
 pub(super) fn connectivity(surface: &Surface) -> Result<Connectivity, TopologyError> {
     check_values(surface)?;
     check_triangles(surface)?;
@@ -214,7 +214,7 @@ pub(super) fn connectivity(surface: &Surface) -> Result<Connectivity, TopologyEr
 }
 
 impl Connectivity {
-    /// One component, one loop, no handle, no vertex without triangle.
+    /// Checks for one component, one loop, no handle, no vertex without triangle.
     pub(super) fn check_disk(&self, surface: &Surface) -> Result<(), TopologyError> {
         if self.sizes.len() > 1 {
             let mut triangles = self.sizes.clone();
@@ -236,7 +236,7 @@ impl Connectivity {
         }
     }
 
-    /// Of a connected surface with b loops: V − E + F = 2 − 2g − b.
+    /// The genus g of a connected surface with b loops, from V − E + F = 2 − 2g − b.
     fn genus(&self, vertices: usize) -> usize {
         let halves = self.twins.len();
         let boundary = self.twins.iter().filter(|&&twin| twin == u32::MAX).count();

@@ -1,4 +1,4 @@
-//! Broken surfaces give the error that names what is wrong, and repairs do what they say.
+//! Broken surfaces give the error that names the fault, and repairs report what they change.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
@@ -175,7 +175,7 @@ fn loops_and_handles_are_counted() {
     let mut open = torus(8, 6);
     open.triangles.remove(0);
     assert_eq!(error(&open), TopologyError::Genus { genus: 1 });
-    // no two neighbours: another loop, and the handle is still what cannot be repaired
+    // a second hole, not adjacent to the first: the reported fault is still the handle, which cannot be repaired
     open.triangles.remove(40);
     assert_eq!(error(&open), TopologyError::Genus { genus: 1 });
     let mut surface = grid(4);

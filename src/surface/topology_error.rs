@@ -1,26 +1,26 @@
-//! What keeps a surface from being a disk, with all that is needed to find it.
+//! Why a surface is not a disk, with the data needed to find the place.
 
 use super::survey::{MAX_COORDINATE, MIN_EXTENT};
 use crate::counted::counted;
 use std::fmt;
 
-/// A boundary loop of a surface.
+/// A boundary loop of a surface, as shown in messages.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub struct LoopReport {
-    /// The number of its vertices (and edges).
+    /// Number of its vertices, equal to that of its edges.
     pub vertices: usize,
-    /// Its length.
+    /// Length of the loop.
     pub length: f64,
     /// One of its vertices.
     pub first: u32,
 }
 
-/// What keeps a surface from being a disk. Triangles and vertices count from 0.
+/// Why a surface is not a disk. Triangles and vertices are counted from 0.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TopologyError {
-    /// No triangle at all.
+    /// The surface has no triangles.
     #[error("the surface has no triangles")]
     Empty,
     /// A triangle names a vertex that does not exist.
@@ -30,23 +30,23 @@ pub enum TopologyError {
         "triangle {triangle} names vertex {vertex}, but there are {vertices} vertices"
     ))]
     IndexOutOfRange {
-        /// Which triangle.
+        /// Number of the triangle.
         triangle: u32,
-        /// What it names.
+        /// The vertex that it names.
         vertex: u32,
-        /// How many there are.
+        /// Number of vertices.
         vertices: usize,
     },
     /// A coordinate is NaN or infinite, or so large that areas overflow.
     #[error("vertex {vertex} is at no finite place that can be dealt with (up to ±{MAX_COORDINATE:e})")]
     NotFinite {
-        /// Which vertex.
+        /// Number of the vertex.
         vertex: u32,
     },
     /// The surface is so small that areas underflow.
     #[error("the surface is {extent:e} across: {MIN_EXTENT:e} at least can be dealt with")]
     TooSmall {
-        /// How far the vertices are from the first one, along an axis.
+        /// The greatest distance of the vertices from the first one, along an axis.
         extent: f64,
     },
     /// Triangles that name a vertex twice.
@@ -56,11 +56,11 @@ pub enum TopologyError {
         "{count} triangles name a vertex twice, the first is triangle {triangle} {corners:?}: drop them"
     ))]
     RepeatedCorner {
-        /// The first one.
+        /// The first such triangle.
         triangle: u32,
         /// Its corners.
         corners: [u32; 3],
-        /// How many there are.
+        /// Number of such triangles.
         count: usize,
     },
     /// Triangles without area.
@@ -70,11 +70,11 @@ pub enum TopologyError {
         "{count} triangles have no area, the first is triangle {triangle} {corners:?}"
     ))]
     Degenerate {
-        /// The first one.
+        /// The first such triangle.
         triangle: u32,
         /// Its corners.
         corners: [u32; 3],
-        /// How many there are.
+        /// Number of such triangles.
         count: usize,
     },
     /// Triangles with the corners of an earlier one, of the same orientation or the other.
@@ -85,13 +85,13 @@ pub enum TopologyError {
          triangle {other}: drop them"
     ))]
     Duplicates {
-        /// The first one.
+        /// The first such triangle.
         triangle: u32,
         /// Its corners.
         corners: [u32; 3],
-        /// The one that has them already.
+        /// The earlier triangle with the same corners.
         other: u32,
-        /// How many there are.
+        /// Number of such triangles.
         count: usize,
     },
     /// Edges with three triangles or more.
@@ -103,11 +103,11 @@ pub enum TopologyError {
         edge[1]
     ))]
     NonManifoldEdge {
-        /// The first one's ends.
+        /// The ends of the first such edge.
         edge: [u32; 2],
-        /// Its triangles.
+        /// The triangles at that edge.
         triangles: Vec<u32>,
-        /// How many such edges there are.
+        /// Number of such edges.
         count: usize,
     },
     /// Neighbours of different orientation, in a surface that can be oriented.
@@ -123,14 +123,14 @@ pub enum TopologyError {
         triangles[1]
     ))]
     Orientation {
-        /// The first one's ends.
+        /// The ends of the first such edge.
         edge: [u32; 2],
-        /// Its triangles.
+        /// The triangles at that edge.
         triangles: [u32; 2],
-        /// How many such edges there are.
+        /// Number of such edges.
         count: usize,
     },
-    /// A surface like a Möbius strip.
+    /// The surface has one side only, like a Möbius strip.
     #[error("the surface has one side only (as a Möbius strip): no orientation of triangle {triangle} fits")]
     OneSided {
         /// A triangle at which two orientations meet.
@@ -143,51 +143,51 @@ pub enum TopologyError {
         "{count} vertices join parts that share no edge, the first is vertex {vertex} with {fans} fans of triangles"
     ))]
     NonManifoldVertex {
-        /// The first one.
+        /// The first such vertex.
         vertex: u32,
-        /// Its fans.
+        /// Number of fans at that vertex.
         fans: usize,
-        /// How many such vertices there are.
+        /// Number of such vertices.
         count: usize,
     },
     /// More than one connected part.
     #[error("the surface has {} components (triangles: {}): keep the largest one", .triangles.len(), Listed(.triangles))]
     Components {
-        /// The number of triangles of each, largest first.
+        /// Number of triangles in each part, largest first.
         triangles: Vec<usize>,
     },
-    /// Vertices in no triangle.
+    /// Vertices that belong to no triangle.
     #[error("{}", counted!(
         *count,
         "vertex {vertex} is in no triangle: drop it",
         "{count} vertices are in no triangle, the first is vertex {vertex}: drop them"
     ))]
     Unreferenced {
-        /// The first one.
+        /// The first such vertex.
         vertex: u32,
-        /// How many there are.
+        /// Number of such vertices.
         count: usize,
     },
-    /// No boundary.
+    /// The surface has no boundary.
     #[error("the surface is closed (genus {genus}); it must have a boundary: cut it open")]
     Closed {
-        /// The number of its handles.
+        /// Number of handles.
         genus: usize,
     },
     /// More than one boundary loop.
     #[error("the surface has {} boundary loops where a disk has one ({}): fill all but the longest", .loops.len(), Listed(.loops))]
     Loops {
-        /// All of them, the longest first.
+        /// All loops, the longest first.
         loops: Vec<LoopReport>,
     },
-    /// Handles.
+    /// The surface has handles.
     #[error("{}", counted!(
         *genus,
         "the surface has 1 handle; a disk has none: cut it open",
         "the surface has {genus} handles; a disk has none: cut it open"
     ))]
     Genus {
-        /// How many.
+        /// Number of handles.
         genus: usize,
     },
 }
@@ -198,7 +198,7 @@ impl fmt::Display for LoopReport {
     }
 }
 
-/// How many items of a list a message shows.
+/// The largest number of items of a list that a message shows.
 pub const LISTED: usize = 12;
 
 struct Listed<'a, T>(&'a [T]);

@@ -1,11 +1,11 @@
-//! Where a ray meets a surface, and its point nearest to a place: a tree of boxes over the triangles.
+//! Where a ray meets a surface, and the surface's point nearest to a given one: a tree of boxes over the triangles.
 //!
-//! The tree is that of obvhs (parallel locally-ordered clustering, Meister and Bittner 2018). Its boxes are f32,
-//! of the surface scaled to unit size, and wider than the triangles; everything else is f64. Seen along a ray,
-//! vertices are points of a plane, and a triangle is hit if it contains the origin there, which is
-//! decided exactly: no ray slips through between two triangles (after Woop, Benthin, Wald: "Watertight
-//! ray/triangle intersection", 2013). Not exact: the vertices in that plane, so that a ray that grazes
-//! the silhouette by 1e-16 may hit or miss.
+//! The tree is that of obvhs (parallel locally-ordered clustering, Meister and Bittner 2018). Its boxes are in f32,
+//! for the surface scaled to unit size, and wider than the triangles; everything else is in f64. Projected along a ray,
+//! vertices are points of a plane, and a triangle is hit if it contains the origin of that plane, which is
+//! decided exactly: no ray passes between two adjacent triangles (after Woop, Benthin, Wald: "Watertight
+//! ray/triangle intersection", 2013). The projected vertices are rounded, so that a ray within 1e-16 of
+//! the silhouette may hit or miss.
 
 use super::nearest::nearest_in_triangle;
 use crate::geometry::{DVec2, DVec3, orientation, pulled_back};
@@ -14,34 +14,34 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::node::Bvh2Node;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
-/// The triangles of a surface, sorted into boxes. 170 bytes for each.
+/// The triangles of a surface, sorted into boxes; 170 bytes per triangle.
 #[derive(Debug, Clone)]
 pub struct SurfaceTree {
-    /// The root first; the children of a box are neighbours.
+    /// The root comes first; the two children of a box are adjacent.
     boxes: Vec<Bvh2Node>,
-    /// Triangle numbers, in which boxes have a range.
+    /// Triangle numbers; each box has a range of them.
     order: Vec<u32>,
     triangles: Vec<[DVec3; 3]>,
-    /// From the surface to the boxes: `(p − middle) · scale`.
+    /// The map from the surface to the boxes is `(p − middle) · scale`.
     middle: DVec3,
     scale: f64,
 }
 
-/// Boxes are wider than their triangles by this much on every side, of a surface of size 1: f32 is rounded by
+/// Boxes are wider than their triangles by this much on every side, for a surface of size 1: f32 is rounded by
 /// 3e-8 there, and the tests of boxes in f64 by less than 1e-14.
 const WIDENING: f64 = 1e-7;
 
-/// A point of the surface is hidden by what is nearer by more than this part of its distance: a point
+/// A point of the surface is hidden if the ray hits something nearer by more than this part of its distance: a point
 /// on a triangle is rounded by 1e-15, and within a pixel of a silhouette depths differ by 1e-4.
 const HIDDEN: f64 = 1e-5;
 
 impl SurfaceTree {
-    /// Sorts the triangles; all positions have to be finite. Cost O(n log n).
+    /// Sorts the triangles; all positions must be finite. Cost O(n log n).
     pub fn new(mesh: &TriMesh<DVec3>) -> Self {
         Self::of(mesh.triangles().iter().map(|t| t.map(|v| mesh.vertices()[v as usize])).collect())
     }
 
-    /// As [`Self::new`], of the corners of triangles.
+    /// As [`Self::new`], from the corners of triangles.
     pub(crate) fn of(triangles: Vec<[DVec3; 3]>) -> Self {
         let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (low, high) = triangles.iter().flatten().fold(ends, |(low, high), &p| (low.min(p), high.max(p)));
@@ -64,10 +64,10 @@ impl SurfaceTree {
         self.least(enters, |corners| ray.meets(corners))
     }
 
-    /// The point of the surface nearest to a place, and its distance; `None` if the place is not finite.
+    /// The point of the surface nearest to `place`, and its distance; `None` if `place` is not finite.
     ///
-    /// Of a place farther than a million extents of the surface, the point nearest to the place there in its
-    /// direction; a distance beyond 1e154 is ∞.
+    /// For a `place` farther than a million extents of the surface, the result is the point nearest to the position at
+    /// that distance in its direction; a distance beyond 1e154 is ∞.
     pub fn nearest(&self, place: DVec3) -> Option<(BarycentricPoint, f64)> {
         if !place.is_finite() {
             return None;
@@ -90,7 +90,7 @@ impl SurfaceTree {
         })
     }
 
-    /// Whether the surface lies between `eye` and `place`, which may be a point of it.
+    /// Whether the surface lies between `eye` and `place`, which may itself be a point of the surface.
     pub fn hides(&self, eye: DVec3, place: DVec3) -> bool {
         let distance = eye.distance(place);
         self.ray(eye, place - eye).is_some_and(|(_, first)| first < (1.0 - HIDDEN) * distance)
@@ -100,7 +100,7 @@ impl SurfaceTree {
         (place - self.middle) * self.scale
     }
 
-    /// The triangle of least distance, which `bound` gives from below for a box (∞: to be left out).
+    /// The triangle of least distance; `bound` gives a lower bound for a box (∞: skip the box).
     fn least(
         &self,
         bound: impl Fn(&Bvh2Node) -> f64,
@@ -144,11 +144,11 @@ fn corners(node: &Bvh2Node) -> (DVec3, DVec3) {
     (node.aabb.min.as_dvec3(), node.aabb.max.as_dvec3())
 }
 
-/// How far along a ray a box begins; ∞ where the ray misses it.
+/// The distance along a ray at which it enters a box; ∞ if it misses the box.
 fn enter(node: &Bvh2Node, start: DVec3, inverse: DVec3) -> f64 {
     let (low, high) = corners(node);
     let (near, far) = ((low - start) * inverse, (high - start) * inverse);
-    // no 0·∞: a ray in the plane of a side runs within the widening, where either answer is right
+    // 0·∞ need not be avoided: a ray in the plane of a side is within the widening, where either answer is correct
     let (enter, leave) = (near.min(far).max_element().max(0.0), near.max(far).min_element());
     if enter <= leave { enter } else { f64::INFINITY }
 }
@@ -157,7 +157,7 @@ fn weighted(corners: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
     corners.iter().zip(weights).map(|(&p, w)| w * p).sum()
 }
 
-/// A ray with the plane that is seen along it.
+/// A ray, with the plane onto which triangles are projected along it.
 struct Ray {
     origin: DVec3,
     direction: DVec3,
@@ -171,7 +171,7 @@ impl Ray {
         Some(Self { origin, direction, across: [right, up] })
     }
 
-    /// The weights of the point where the ray meets a triangle, and its distance; on its edges too.
+    /// The weights of the point where the ray meets a triangle (edges included), and its distance.
     fn meets(&self, corners: [DVec3; 3]) -> Option<([f64; 3], f64)> {
         let corners = corners.map(|p| p - self.origin);
         let [a, b, c] = corners.map(|p| DVec2::new(p.dot(self.across[0]), p.dot(self.across[1])));

@@ -1,4 +1,4 @@
-//! Rays and nearest points: exact on a cube, closed form on a sphere, the same as by looking at every triangle.
+//! Rays and nearest points: exact on a cube, closed form on a sphere, equal to a search over all triangles.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -28,7 +28,7 @@ fn rays_meet_a_cube_first_where_they_enter_from_outside_and_inside() {
     let mesh = cube();
     let tree = SurfaceTree::new(&mesh);
     let cases = [
-        // the top from above; through the open bottom against the top from inside; the side, and through it
+        // the top from above; through the open bottom to the top from inside; a side from outside, and from inside
         ([0.25, 0.5, 3.0], [0.0, 0.0, -1.0], Some(([0.25, 0.5, 1.0], 2.0))),
         ([0.25, 0.5, -3.0], [0.0, 0.0, 2.0], Some(([0.25, 0.5, 1.0], 4.0))),
         ([-1.0, 0.5, 0.75], [1.0, 0.0, 0.0], Some(([0.0, 0.5, 0.75], 1.0))),
@@ -102,7 +102,7 @@ fn rays_at_vertices_and_edges_do_not_slip_through() {
     }
 }
 
-/// As the tree, by looking at every triangle.
+/// Reference answer: the least distance over all triangles.
 fn nearest_by_force(mesh: &TriMesh<DVec3>, at: DVec3) -> f64 {
     let distance = |corners: &[u32; 3]| {
         let corners = corners.map(|v| mesh.vertices()[v as usize]);
@@ -149,7 +149,7 @@ proptest! {
         let (hit, expected) = (tree.ray(origin, direction), first_by_force(mesh, origin, direction));
         prop_assert_eq!(hit.is_some(), expected.is_some());
         if let (Some((point, distance)), Some(expected)) = (hit, expected) {
-            // grazing hits magnify rounding
+            // rays that graze the surface magnify rounding
             prop_assert!((distance - expected).abs() < 1e-9, "{} against {}", distance, expected);
             prop_assert!(place(mesh, point).distance(origin + distance * direction) < 1e-12);
         }
@@ -166,7 +166,7 @@ fn from_far_away_the_nearest_point_is_the_outermost_one() {
         for distance in [1e3, 1e8, 1e16, 1e100, 1e300] {
             let (point, _) = tree.nearest(distance * direction).unwrap();
             let reached = place(mesh, point).dot(direction);
-            // from the side, a point beside it by its distance squared
+            // seen from the side, a point at a small offset loses the square of the offset
             assert!(reached >= outermost - 1.0 / distance.min(1e6), "{k}, {distance:e}: {reached} of {outermost}");
         }
     }

@@ -1,36 +1,36 @@
-//! Why a file is no surface, and where in it.
+//! Why a file is not a surface, and where in the file.
 
 use super::faces::MAX_CORNERS;
 use super::{Fault, Item, MAX_BYTES, MAX_TRIANGLES, Unsupported};
 use crate::counted::counted;
 use crate::surface::Place;
 
-/// Why a file is no surface, and where in it.
+/// Why a file is not a surface, and where in the file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SurfaceError {
-    /// More than [`MAX_BYTES`].
+    /// The file is larger than [`MAX_BYTES`].
     #[error("the file has {bytes} bytes; surfaces up to {} MiB can be read", MAX_BYTES >> 20)]
     TooLarge {
-        /// Its size.
+        /// Size of the file.
         bytes: usize,
     },
-    /// More than [`MAX_TRIANGLES`].
+    /// The surface has more than [`MAX_TRIANGLES`].
     #[error("{place}: more than {MAX_TRIANGLES} triangles")]
     TooManyTriangles {
-        /// Where the first one too many is.
+        /// The place of the first triangle beyond the limit.
         place: Place,
     },
-    /// Neither the extension nor the first bytes say what it is.
+    /// Neither the extension nor the first bytes determine the format.
     #[error("\".{extension}\" is no surface format that is known: obj, ply, stl, off, gltf, glb")]
     UnknownFormat {
         /// The file's extension.
         extension: String,
     },
-    /// Something else where a number was needed.
+    /// The text where a number was expected is not one.
     #[error("{place}: \"{found}\" is not a number")]
     NotANumber {
-        /// Where.
+        /// The place in the file.
         place: Place,
         /// The text there, shortened.
         found: String,
@@ -38,17 +38,17 @@ pub enum SurfaceError {
     /// A coordinate that is NaN or infinite.
     #[error("{place}: a coordinate of vertex {vertex} is not a finite number")]
     NotFinite {
-        /// Where.
+        /// The place in the file.
         place: Place,
         /// The vertex, from 0.
         vertex: usize,
     },
-    /// Something is missing.
+    /// A required part of the file is missing.
     #[error("{place}: {what} is missing")]
     Missing {
-        /// Where.
+        /// The place in the file.
         place: Place,
-        /// What.
+        /// The missing part.
         what: Item,
     },
     /// A face names a vertex that does not exist.
@@ -58,11 +58,11 @@ pub enum SurfaceError {
         "{place}: a face names vertex {index}, but the file has {vertices} vertices"
     ))]
     IndexOutOfRange {
-        /// Where.
+        /// The place in the file.
         place: Place,
-        /// As the file writes it.
+        /// The index as written in the file.
         index: i64,
-        /// How many there are.
+        /// Number of vertices.
         vertices: usize,
     },
     /// A face with fewer than 3 corners or more than [`MAX_CORNERS`].
@@ -72,28 +72,28 @@ pub enum SurfaceError {
         "{place}: a face has {count} corners; 3 to {MAX_CORNERS} are possible"
     ))]
     Corners {
-        /// Where.
+        /// The place in the file.
         place: Place,
-        /// How many it has.
+        /// Number of corners.
         count: usize,
     },
-    /// Not built as the format says.
+    /// The structure of the file does not agree with its format.
     #[error("{place}: {fault}")]
     Malformed {
-        /// Where.
+        /// The place in the file.
         place: Place,
-        /// What is wrong.
+        /// The structural error.
         fault: Fault,
     },
-    /// A part of the format that is not read.
+    /// The file uses a part of the format that is not supported.
     #[error("{place}: {what} cannot be read")]
     Unsupported {
-        /// Where.
+        /// The place in the file.
         place: Place,
-        /// What it is.
+        /// The unsupported part.
         what: Unsupported,
     },
-    /// No face at all.
+    /// The file has no faces.
     #[error("the file has no faces")]
     NoTriangles,
 }

@@ -1,14 +1,14 @@
-//! Collects vertices and faces; cuts polygons into triangles once all vertices are known.
+//! Collects vertices and faces; cuts polygons into triangles after all vertices are read.
 
 use super::polygon::triangulate;
 use super::{MAX_TRIANGLES, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::{Surface, SurfaceNote};
 
-/// The most corners of a face: cutting ears off takes the square of it.
+/// The largest number of corners of a face: cutting off ears takes quadratic time.
 pub const MAX_CORNERS: usize = 1000;
 
-/// The index as one of `vertices` vertices.
+/// The index, checked to be one of `vertices` vertices.
 pub(super) fn vertex_of(index: i64, vertices: usize, place: impl Fn() -> Place) -> Result<u32, SurfaceError> {
     let vertex = u32::try_from(index).ok().filter(|&vertex| (vertex as usize) < vertices);
     vertex.ok_or_else(|| SurfaceError::IndexOutOfRange { place: place(), index, vertices })
@@ -22,7 +22,7 @@ pub(super) struct Faces {
     /// Where each face ends in `corners`.
     ends: Vec<u32>,
     triangles: usize,
-    /// Where the file goes on after all that it has counted.
+    /// Where the file continues after everything that its counts announce.
     pub surplus: Option<Place>,
 }
 
@@ -41,7 +41,7 @@ impl Faces {
         Ok(())
     }
 
-    /// The surface, its polygons cut into triangles.
+    /// The surface, with polygons cut into triangles.
     pub(super) fn finish(self) -> Surface {
         let Self { vertices, corners, ends, triangles: count, surplus } = self;
         let (faces, mut triangles, mut polygons, mut start) = (ends.len(), Vec::with_capacity(count), 0, 0);

@@ -1,58 +1,58 @@
-//! What is built otherwise in a surface file than its format says.
+//! Structural errors of a surface file: contents that do not agree with its format.
 
 use super::Item;
 use crate::counted::counted;
 
-/// What is not built as the format says. Words are those of the file, shortened.
+/// A structural error. Quoted words are those of the file, shortened.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Fault {
-    /// The first bytes of a GLB file are others.
+    /// The file does not begin with the signature of GLB.
     #[error("a GLB file begins with glTF")]
     NotGlb,
-    /// The document is not JSON, or not glTF: what its reader says.
+    /// The document is not JSON, or not glTF, with its reader's message.
     #[error("no glTF: {0}")]
     NotGltf(String),
     /// A node of glTF is its own descendant, or has two parents.
     #[error("the node stands twice in the tree")]
     NodeTwice,
-    /// The corners of a glTF primitive are no triples.
+    /// The number of corners of a glTF primitive is not a multiple of 3.
     #[error("{}", counted!(*count, "1 corner is no triangle", "{count} corners are no whole number of triangles"))]
     CornerCount {
-        /// How many there are.
+        /// Number of corners.
         count: usize,
     },
-    /// A glTF primitive of another mode than those of the standard.
+    /// The mode of a glTF primitive is not one of the standard.
     #[error("unknown mode {0}")]
     Mode(u32),
-    /// The numbers of a glTF accessor are of another type.
+    /// A glTF accessor has the wrong type.
     #[error("{found} of component type {component} where {needed} was needed")]
     AccessorType {
         /// The accessor's type.
         found: String,
-        /// Its component type.
+        /// The accessor's component type.
         component: u32,
-        /// The type that was needed.
+        /// The required type.
         needed: &'static str,
     },
-    /// A character that base 64 does not have.
+    /// A character that is not part of base 64.
     #[error("no base 64: character {position} of the data does not belong")]
     Base64 {
-        /// Where, from 0.
+        /// Position of the character, from 0.
         position: usize,
     },
-    /// The length of a PLY list is negative, broken or too large.
+    /// The length of a PLY list is negative, fractional or too large.
     #[error("a list of length {0}")]
     ListLength(f64),
-    /// The first word of a PLY file is another.
+    /// The file does not begin with `ply`.
     #[error("a PLY file begins with the word ply")]
     NotPly,
-    /// A line of a PLY header begins with another word than those of the standard.
+    /// A line of a PLY header begins with a word that is not part of the standard.
     #[error("unknown word {0}")]
     UnknownWord(String),
-    /// A PLY encoding that does not exist.
+    /// The PLY encoding is unknown.
     #[error("unknown format {0}")]
     UnknownFormat(String),
-    /// A PLY type that does not exist.
+    /// The PLY type is unknown.
     #[error("\"{0}\" is no type")]
     NoType(String),
     /// The length of a PLY list has a type with a fractional part.
@@ -61,9 +61,9 @@ pub enum Fault {
     /// A count is negative.
     #[error("{what} is {found}")]
     Count {
-        /// Of what.
+        /// The counted part.
         what: Item,
-        /// What stands there.
+        /// The text found.
         found: String,
     },
 }

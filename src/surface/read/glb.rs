@@ -7,7 +7,7 @@ use crate::surface::Surface;
 const JSON: u32 = 0x4E4F_534A;
 const BINARY: u32 = 0x004E_4942;
 
-/// Reads the two chunks; others are passed over.
+/// Reads the JSON chunk and the binary chunk; others are skipped.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     if !bytes.starts_with(b"glTF") {
         return Err(SurfaceError::malformed(Place::Byte(0), Fault::NotGlb));

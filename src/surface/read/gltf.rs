@@ -1,7 +1,7 @@
 //! glTF 2.0: the triangles of the default scene, in the scene's coordinates, welded.
 //!
-//! Buffers must be embedded (base 64) or in the GLB file: nothing but the given bytes is
-//! read. Not read: sparse accessors, compressed meshes; morph targets and skins have no effect.
+//! Buffers must be embedded (base 64) or in the GLB file: no bytes but the given ones are
+//! read. Not supported: sparse accessors, compressed meshes; morph targets and skins are ignored.
 
 use super::faces::Faces;
 use super::gltf_buffers::Buffers;
@@ -91,7 +91,7 @@ pub(super) struct Buffer {
     pub uri: Option<String>,
 }
 
-/// Extensions that change where positions or indices are, so that they cannot be passed over.
+/// Extensions that change where positions or indices are stored, so that they cannot be ignored.
 const COMPRESSIONS: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"];
 
 /// Reads a document; `binary` is the buffer of a GLB file.

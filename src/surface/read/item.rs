@@ -1,8 +1,8 @@
-//! The parts of a surface file that an error is about.
+//! The parts of a surface file that an error can name.
 
 use crate::counted::counted;
 
-/// A part of a file that is missing. Names and counts are those of the file.
+/// A missing part of a file. Names and counts are those of the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Item {
     /// GLB: the version.
@@ -20,7 +20,7 @@ pub enum Item {
     /// GLB: the bytes of a chunk.
     #[error("{}", counted!(*length, "a chunk of 1 byte", "a chunk of {length} bytes"))]
     Chunk {
-        /// How many.
+        /// Length of the chunk in bytes.
         length: usize,
     },
     /// GLB: the chunk with the document.
@@ -29,7 +29,7 @@ pub enum Item {
     /// glTF: a mesh that a node names.
     #[error("meshes[{0}]")]
     Mesh(usize),
-    /// glTF: the scene that is shown.
+    /// glTF: the default scene.
     #[error("the default scene")]
     DefaultScene,
     /// glTF: a node.
@@ -56,9 +56,9 @@ pub enum Item {
     /// glTF: an element of an accessor.
     #[error("element {index} of {count}")]
     Element {
-        /// Which one, from 0.
+        /// Index of the element, from 0.
         index: usize,
-        /// Of how many.
+        /// Number of elements.
         count: usize,
     },
     /// OFF: the line of a vertex.
@@ -67,27 +67,27 @@ pub enum Item {
     /// OFF: the line of a face.
     #[error("a face")]
     Face,
-    /// OFF: how many corners a face has.
+    /// OFF: the number of corners of a face.
     #[error("the number of corners")]
     CornerCount,
     /// OFF: a corner of a face.
     #[error("corner {index} of {count}")]
     Corner {
-        /// Which one, from 1.
+        /// Number of the corner, from 1.
         index: usize,
-        /// Of how many.
+        /// Number of corners of the face.
         count: usize,
     },
     /// OFF: the first word.
     #[error("the keyword OFF")]
     OffKeyword,
-    /// OFF: how many vertices there are.
+    /// OFF: the number of vertices.
     #[error("the number of vertices")]
     VertexCount,
-    /// OFF: how many faces there are.
+    /// OFF: the number of faces.
     #[error("the number of faces")]
     FaceCount,
-    /// PLY: how long a list is.
+    /// PLY: the length of a list.
     #[error("the length of a list")]
     ListLength,
     /// PLY: the value of a property.
@@ -96,19 +96,19 @@ pub enum Item {
     /// PLY: the items of a list.
     #[error("a list")]
     List,
-    /// PLY: a coordinate's property in the header.
+    /// PLY: the property of a coordinate in the header.
     #[error("the property {0} of the element vertex")]
     VertexProperty(&'static str),
-    /// PLY: a coordinate's value.
+    /// PLY: the value of a coordinate.
     #[error("a coordinate of a vertex")]
     VertexCoordinate,
-    /// PLY: the list of a face's corners in the header.
+    /// PLY: the property of a face's corner list in the header.
     #[error("the property vertex_indices of the element face")]
     FaceProperty,
-    /// PLY: a corner's value.
+    /// PLY: the value of a corner.
     #[error("a corner of a face")]
     FaceCorner,
-    /// PLY: how many elements there are.
+    /// PLY: the number of elements.
     #[error("the number of elements")]
     ElementCount,
     /// PLY: the element that a property belongs to.
@@ -123,7 +123,7 @@ pub enum Item {
     /// PLY: a property's name.
     #[error("the name of a property")]
     PropertyName,
-    /// STL: how many triangles there are.
+    /// STL: the number of triangles.
     #[error("the number of triangles")]
     TriangleCount,
     /// STL: a triangle's normal.
@@ -132,47 +132,47 @@ pub enum Item {
     /// STL: a triangle's corner.
     #[error("a corner of triangle {triangle} of {count}")]
     TriangleCorner {
-        /// Whose, from 0.
+        /// Index of the triangle, from 0.
         triangle: usize,
-        /// Of how many.
+        /// Number of triangles.
         count: usize,
     },
-    /// STL: what follows a triangle's corners.
+    /// STL: the bytes after a triangle's corners.
     #[error("the end of a triangle")]
     TriangleEnd,
-    /// STL: the end of a loop of corners, or of the surface.
+    /// STL: the keyword that ends a loop of corners, or the surface.
     #[error("{0}")]
     Keyword(&'static str),
-    /// OBJ, OFF, STL: a coordinate's value.
+    /// OBJ, OFF, STL: the value of a coordinate.
     #[error("the coordinate {0} of a vertex")]
     Coordinate(&'static str),
 }
 
-/// A part of a format that is not read.
+/// A part of a format that is not supported.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
-    /// GLB of another version.
+    /// GLB of an unsupported version.
     #[error("version {0} of glTF")]
     Version(u32),
-    /// An extension of glTF that changes where positions or indices are.
+    /// A glTF extension that changes where positions or indices are stored.
     #[error("{0}")]
     Extension(String),
-    /// glTF: values that replace a few others.
+    /// glTF: a sparse accessor.
     #[error("a sparse accessor")]
     SparseAccessor,
-    /// glTF: a buffer in a file of its own.
+    /// glTF: a buffer in a separate file.
     #[error("the separate file \"{0}\" (use .glb, or embed it)")]
     SeparateFile(String),
-    /// glTF: an embedded buffer in another encoding.
+    /// glTF: an embedded buffer with an encoding other than base 64.
     #[error("data that is not in base 64")]
     Encoding,
-    /// OFF of more dimensions, with its keyword.
+    /// OFF with another number of dimensions, with its keyword.
     #[error("a surface in 4 or n dimensions ({0})")]
     Dimensions(String),
     /// OFF in binary form.
     #[error("binary OFF")]
     BinaryOff,
-    /// PLY: strips of triangles.
+    /// PLY: triangle strips.
     #[error("the element tristrips")]
     Strips,
 }

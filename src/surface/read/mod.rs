@@ -1,7 +1,7 @@
 //! Surfaces from files: OBJ, PLY, STL, OFF, glTF and GLB.
 //!
-//! The readers are our own and small: a surface needs positions and faces only. No
-//! bytes make a reader panic, and none reads anything but these bytes. Looked at instead:
+//! The readers are our own and small: a surface needs positions and faces only. No input
+//! makes a reader panic, and readers access nothing but the given bytes. Crates considered instead:
 //!
 //! | crate | why not |
 //! |---|---|
@@ -35,7 +35,7 @@ pub use fault::Fault;
 pub use item::{Item, Unsupported};
 use text::lines;
 
-/// The largest file that is read.
+/// The largest accepted file size.
 pub const MAX_BYTES: usize = 512 << 20;
 
 /// The most triangles that a surface may have: their factor takes about 4 GB.
@@ -44,14 +44,14 @@ pub const MAX_TRIANGLES: usize = 4_000_000;
 /// Reads a surface from a file's name and bytes.
 ///
 /// The extension decides the format (`obj`, `ply`, `stl`, `off`, `gltf`, `glb`); with any
-/// other, the first bytes do. Formats that repeat a vertex for each face (STL, glTF)
-/// have their vertices welded where positions are exactly equal. Of OBJ files all objects, of
-/// glTF the default scene are read. Cost O(bytes).
+/// other, the first bytes do. In formats that repeat a vertex for each face (STL, glTF), vertices
+/// at exactly equal positions are merged. All objects of an OBJ file and the
+/// default scene of a glTF file are read. Cost O(bytes).
 pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
     if bytes.len() > MAX_BYTES {
         return Err(SurfaceError::TooLarge { bytes: bytes.len() });
     }
-    // editors put the mark of UTF-8 before text
+    // editors put a UTF-8 byte order mark before text
     let text = bytes.strip_prefix(b"\xEF\xBB\xBF").filter(|_| !stl::is_binary(bytes));
     let bytes = text.unwrap_or(bytes);
     let extension = extension_of(file_name);
@@ -75,7 +75,7 @@ pub fn names_format(file_name: &str) -> bool {
     ENDINGS.contains(&extension_of(file_name).as_str())
 }
 
-/// In small letters; empty if there is none.
+/// The extension in lower case; empty if there is none.
 fn extension_of(file_name: &str) -> String {
     file_name.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase()
 }

@@ -1,4 +1,4 @@
-//! Wavefront OBJ: `v` and `f`; every other keyword is passed over.
+//! Wavefront OBJ: `v` and `f`; every other keyword is skipped.
 
 use super::faces::Faces;
 use super::text::{Line, line_end, lines};
@@ -6,7 +6,7 @@ use super::{Place, SurfaceError};
 use crate::surface::Surface;
 use std::borrow::Cow;
 
-/// Whether a file of which this is the first word, comments apart, is an OBJ.
+/// Whether a file that begins with this word, after comments, is an OBJ file.
 pub(super) fn is_keyword(word: &[u8]) -> bool {
     matches!(word, b"v" | b"vt" | b"vn" | b"f" | b"o" | b"g" | b"s" | b"l" | b"mtllib" | b"usemtl")
 }
@@ -16,7 +16,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let bytes = joined(bytes);
     let mut faces = Faces::default();
     let mut corners = Vec::new();
-    // a face may come before its vertices: what it names is judged at the end
+    // a face may precede its vertices: its indices are checked at the end
     let mut largest = (0, 0);
     for line in lines(&bytes) {
         let mut words = line.words();
@@ -57,8 +57,8 @@ fn vertex_of(word: &[u8], line: Line<'_>, so_far: usize) -> Result<i64, SurfaceE
     Err(SurfaceError::IndexOutOfRange { place: line.place(), index, vertices: so_far })
 }
 
-/// A line that ends in a backslash goes on in the next one, unless that stands in a comment; the line
-/// feeds that this takes away follow after it, so that the lines' numbers stay right.
+/// Joins a line that ends in a backslash with the next one, unless the backslash is in a comment. The line
+/// feeds removed that way are added after the joined line, so that line numbers stay correct.
 fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
     if !bytes.contains(&b'\\') {
         return bytes.into();

@@ -1,4 +1,4 @@
-//! OFF, the object file format of Geomview: text; normals, colours and texture coordinates are passed over.
+//! OFF, the object file format of Geomview: text; normals, colors and texture coordinates are skipped.
 
 use super::faces::{Faces, vertex_of};
 use super::text::{Line, lines, shown};
@@ -6,7 +6,7 @@ use super::{Item, Place, SurfaceError, Unsupported};
 use crate::surface::Surface;
 use std::iter::Peekable;
 
-/// Reads `OFF` and its kin `COFF`, `NOFF`, `STOFF` …: a vertex and a face on each line.
+/// Reads `OFF` and its variants `COFF`, `NOFF`, `STOFF` …: one vertex or face per line.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let mut lines = lines(bytes).peekable();
     let (vertices, count) = header(&mut lines)?;
@@ -37,7 +37,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     Ok(faces.finish())
 }
 
-/// The numbers of vertices and faces, after the keyword or without one, on one line or several.
+/// The numbers of vertices and faces, with or without a keyword before them, on one line or several.
 fn header<'a>(lines: &mut Peekable<impl Iterator<Item = Line<'a>>>) -> Result<(usize, usize), SurfaceError> {
     let mut line = next(lines, 0, Item::OffKeyword)?;
     let mut words = line.words().peekable();
@@ -53,13 +53,13 @@ fn header<'a>(lines: &mut Peekable<impl Iterator<Item = Line<'a>>>) -> Result<(u
         *count = line.count(&mut words, what)?;
     }
     if words.next().is_none() {
-        // the number of edges means nothing; a vertex has three words at least
+        // the number of edges is ignored; a vertex has three words at least
         lines.next_if(|line| line.words().count() == 1);
     }
     Ok((counts[0], counts[1]))
 }
 
-/// What the keyword and the word after it say of a kind that is not read.
+/// Returns an error if the keyword and the word after it name a kind that is not supported.
 fn check_kind(place: Place, keyword: &[u8], after: Option<&[u8]>) -> Result<(), SurfaceError> {
     if is_of_other_dimension(keyword) {
         return Err(SurfaceError::unsupported(place, Unsupported::Dimensions(shown(keyword))));
@@ -72,12 +72,12 @@ fn check_kind(place: Place, keyword: &[u8], after: Option<&[u8]>) -> Result<(), 
     }
 }
 
-/// `OFF` in letters of either size, with or without letters before it.
+/// `OFF` in upper or lower case, with or without letters before it.
 pub(super) fn is_keyword(word: &[u8]) -> bool {
     word.len() >= 3 && word[word.len() - 3..].eq_ignore_ascii_case(b"OFF")
 }
 
-/// `4OFF` and `nOFF`, where `NOFF` has normals; in small letters they cannot be told apart.
+/// `4OFF` and `nOFF`, where `NOFF` has normals; in lower case they cannot be distinguished.
 fn is_of_other_dimension(keyword: &[u8]) -> bool {
     keyword.contains(&b'4') || keyword.contains(&b'n') && keyword.ends_with(b"OFF")
 }

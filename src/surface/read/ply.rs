@@ -1,7 +1,7 @@
 //! PLY, the polygon file format: text and binary in both byte orders.
 //!
-//! Read are `x`, `y`, `z` of the element `vertex` and the list `vertex_indices` (or
-//! `vertex_index`) of `face`; all other elements and properties are passed over.
+//! Reads `x`, `y`, `z` of the element `vertex` and the list `vertex_indices` (or
+//! `vertex_index`) of `face`; all other elements and properties are skipped.
 
 use super::faces::{Faces, MAX_CORNERS, vertex_of};
 use super::ply_header::{Body, Element, Encoding, Header, Property, Shape, header};
@@ -11,12 +11,12 @@ use super::{Fault, Item, Place, SurfaceError, Unsupported};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 
-/// Reads either kind.
+/// Reads text or binary PLY.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let Header { encoding, elements, body } = header(bytes)?;
     let mut numbers = Numbers::new(bytes, encoding, body);
     let mut faces = Faces::default();
-    // faces may come before the vertices that they name
+    // faces may precede the vertices that they name
     let of_vertices = elements.iter().filter(|element| element.name == "vertex");
     let vertices = of_vertices.fold(0_usize, |sum, element| sum.saturating_add(element.count));
     for element in &elements {
@@ -32,7 +32,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     Ok(faces.finish())
 }
 
-/// The rest of a body of text.
+/// The unread rest of a text body.
 struct Words<'a> {
     rest: &'a [u8],
     /// The line where it begins.
@@ -57,7 +57,7 @@ impl<'a> Words<'a> {
     }
 }
 
-/// The numbers of the body, one after another.
+/// The numbers of the body in sequence, text or binary.
 enum Numbers<'a> {
     Text(Words<'a>),
     Binary(Cursor<'a>),
@@ -82,7 +82,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// Where the rest begins, if there is more of it than blanks.
+    /// Where the rest begins, if it holds more than blanks.
     fn surplus(mut self) -> Option<Place> {
         match &mut self {
             Self::Text(words) => {
@@ -108,7 +108,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The length of a list.
+    /// Reads the length of a list.
     fn length(&mut self, scalar: Scalar) -> Result<usize, SurfaceError> {
         let place = self.place();
         let length = self.next(scalar, Item::ListLength)?;

@@ -4,7 +4,7 @@ use super::scalar::Scalar;
 use super::text::{Line, line_end, lines, shown};
 use super::{Fault, Item, Place, SurfaceError};
 
-/// How the numbers are written.
+/// How the numbers of the body are encoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Encoding {
     Text,
@@ -34,7 +34,7 @@ pub(super) struct Element {
     pub properties: Vec<Property>,
 }
 
-/// The header, and where the body begins.
+/// The header, and the position of the body.
 #[derive(Debug)]
 pub(super) struct Header {
     pub encoding: Encoding,
@@ -42,21 +42,21 @@ pub(super) struct Header {
     pub body: Body,
 }
 
-/// Where the body begins.
+/// The position of the body.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Body {
-    /// Its first byte.
+    /// Offset of the first byte.
     pub offset: usize,
     /// The line of that byte, from 1.
     pub line: usize,
-    /// What ends the lines of the header, and of a body of text.
+    /// The byte that ends the lines of the header, and those of a text body.
     pub line_end: u8,
 }
 
-/// Headers are shorter than this; so a binary body is not searched for lines.
+/// The longest header accepted, so that a long binary body is not searched for `end_header`.
 const LONGEST: usize = 1 << 20;
 
-/// Reads up to `end_header`.
+/// Reads the header up to `end_header`.
 pub(super) fn header(bytes: &[u8]) -> Result<Header, SurfaceError> {
     let body = body(bytes)?;
     let mut lines = lines(&bytes[..body.offset]);
@@ -90,7 +90,7 @@ fn body(bytes: &[u8]) -> Result<Body, SurfaceError> {
     const LAST: &[u8] = b"end_header";
     let searched = &bytes[..bytes.len().min(LONGEST)];
     let missing = || SurfaceError::missing(Place::Line(1), Item::HeaderEnd);
-    // a binary body may have line ends of either kind
+    // line ends are counted in the header alone: a binary body may contain both kinds
     let end = searched.windows(LAST.len()).position(|word| word == LAST).ok_or_else(missing)? + LAST.len();
     let line_end = line_end(&bytes[..(end + 2).min(bytes.len())]);
     let mut offset = 0;

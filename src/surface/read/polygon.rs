@@ -1,14 +1,14 @@
 //! A polygon in space cut into triangles, in the plane of its vector area (Newell's normal).
 //!
-//! A convex polygon becomes a fan; of any other, ears are cut off (Meisters 1975). A polygon
+//! A convex polygon becomes a fan; from any other, ears are cut off (Meisters 1975). A polygon
 //! that crosses itself, or has no area, may have no ear: then the rest becomes a fan, whose
-//! triangles are judged like all others.
+//! triangles are checked like all others.
 
 use crate::geometry::{DVec2, DVec3};
 
-/// Sines of the least turn that counts, the second where the first leaves no ear. Corners in the middle of an edge turn by
-/// what they are rounded by, 1e-7 to 1e-6 in files with six decimals, and would be the tips of triangles without
-/// area; of a corner that is meant, 1e-5 is a centimetre on a kilometre.
+/// Sines of the smallest turn of an ear's tip; the second applies if the first leaves no ear. Vertices in the middle of
+/// an edge turn by rounding only, 1e-7 to 1e-6 in files with six decimals, and would be the tips of triangles without
+/// area; as an intended corner, 1e-5 is a centimeter on a kilometer.
 const LEAST_TURNS: [f64; 2] = [1e-5, 1e-12];
 
 /// Appends the `corners.len() − 2` triangles of a polygon with at least 3 corners. Cost O(k), O(k²)
@@ -41,26 +41,26 @@ fn projected(vertices: &[DVec3], corners: &[u32]) -> Vec<DVec2> {
     points.iter().map(|p| DVec2::new(p.dot(x), p.dot(turned))).collect()
 }
 
-/// The sine of the angle between b − a and p − b: positive where the way turns left.
+/// The sine of the angle between b − a and p − b: positive for a left turn.
 fn turn(a: DVec2, b: DVec2, p: DVec2) -> f64 {
     let (along, on) = (b - a, p - b);
     let lengths = along.length() * on.length();
     if lengths > 0.0 { along.perp_dot(on) / lengths } else { 0.0 }
 }
 
-/// Whether every corner turns left; the fan of a polygon that also winds twice is as good as any.
+/// Whether every corner turns left. That includes polygons that wind twice, for which a fan is as good as any result.
 fn is_convex(points: &[DVec2]) -> bool {
     let m = points.len();
     (0..m).all(|k| turn(points[k], points[(k + 1) % m], points[(k + 2) % m]) > LEAST_TURNS[0])
 }
 
-/// Position `k` of the remaining polygon with its neighbours.
+/// The corner at position `k` of the remaining polygon, between its two neighbors.
 fn around(rest: &[usize], k: usize) -> [usize; 3] {
     let count = rest.len();
     [rest[(k + count - 1) % count], rest[k], rest[(k + 1) % count]]
 }
 
-/// Whether the corner turns left by more than `least`, and no other corner lies in its closed triangle or so near to it.
+/// Whether the corner turns left by more than `least`, with no other corner in its closed triangle or close to it.
 fn is_ear(points: &[DVec2], rest: &[usize], k: usize, least: f64) -> bool {
     let [i, j, l] = around(rest, k);
     let [a, b, c] = [points[i], points[j], points[l]];
@@ -78,7 +78,7 @@ mod tests {
         triangles.iter().map(|&[a, b, c]| 0.5 * (corner(b) - corner(a)).cross(corner(c) - corner(a)).length()).sum()
     }
 
-    /// In a plane that is parallel to no axis.
+    /// The points in a plane that is not parallel to any axis.
     fn lifted(points: &[[f64; 2]]) -> Vec<DVec3> {
         let (u, v) = (DVec3::new(2.0, 1.0, -2.0) / 3.0, DVec3::new(1.0, 2.0, 2.0) / 3.0);
         points.iter().map(|&[x, y]| DVec3::new(5.0, -3.0, 1.0) + x * u + y * v).collect()

@@ -2,7 +2,7 @@
 
 use super::{Item, Place, SurfaceError};
 
-/// The type of a number.
+/// The type of a number in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
@@ -30,7 +30,7 @@ impl Scalar {
         matches!(self, Self::F32 | Self::F64)
     }
 
-    /// The number that `bytes` begins with; exact, as every type fits into an f64.
+    /// Decodes the number at the start of `bytes`; exact, since every type fits into an f64.
     pub(super) fn decode(self, bytes: &[u8], big_endian: bool) -> Option<f64> {
         let mut little = [0_u8; 8];
         let own = little.get_mut(..self.size())?;
@@ -52,7 +52,7 @@ impl Scalar {
     }
 }
 
-/// A place in binary data that moves on as it is read.
+/// A reading position in binary data.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cursor<'a> {
     pub bytes: &'a [u8],
@@ -65,7 +65,7 @@ impl Cursor<'_> {
         Place::Byte(self.offset)
     }
 
-    /// The next number; `what` it is, for the error at the end of the file.
+    /// Reads the next number; `what` names it in the error at the end of the file.
     pub(super) fn number(&mut self, scalar: Scalar, what: Item) -> Result<f64, SurfaceError> {
         let rest = self.bytes.get(self.offset..).unwrap_or_default();
         let value = scalar.decode(rest, self.big_endian).ok_or_else(|| SurfaceError::missing(self.place(), what))?;
@@ -73,14 +73,14 @@ impl Cursor<'_> {
         Ok(value)
     }
 
-    /// Where the rest begins, if there is more of it than blanks and padding: zeros, or the Ctrl-Z of old systems.
+    /// Where the rest begins, if it holds more than blanks and padding: zeros, or the Ctrl-Z of old systems.
     pub(super) fn surplus(&self) -> Option<Place> {
         let rest = self.bytes.get(self.offset..).unwrap_or_default();
         let is_padding = |b: &u8| b.is_ascii_whitespace() || matches!(b, 0 | 0x1A);
         (!rest.iter().all(is_padding)).then(|| self.place())
     }
 
-    /// Passes over `count` bytes.
+    /// Skips `count` bytes.
     pub(super) fn skip(&mut self, count: usize, what: Item) -> Result<(), SurfaceError> {
         let end = self.offset.checked_add(count).filter(|&end| end <= self.bytes.len());
         self.offset = end.ok_or_else(|| SurfaceError::missing(self.place(), what))?;

@@ -1,4 +1,4 @@
-//! STL, text and binary: three corners for each triangle, welded afterwards.
+//! STL, text and binary: three corners for each triangle, merged afterwards.
 
 use super::faces::Faces;
 use super::scalar::{Cursor, Scalar};
@@ -8,24 +8,24 @@ use super::{Item, Place, SurfaceError};
 use crate::geometry::DVec3;
 use crate::surface::Surface;
 
-/// 80 bytes that mean nothing, and the number of triangles.
+/// 80 bytes without meaning, and the number of triangles.
 const HEADER: usize = 84;
-/// Normal and three corners of 12 bytes each, and two bytes that mean nothing.
+/// Normal and three corners of 12 bytes each, and two bytes without meaning.
 const RECORD: usize = 50;
 
-/// Whether the length is the one that a binary file of its number of triangles has; some of
-/// them begin with the `solid` of text files.
+/// Whether the length is that of a binary file with the stated number of triangles; some binary
+/// files begin with the `solid` of text files.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
     let count = bytes.get(80..).and_then(|rest| Scalar::U32.decode(rest, false));
     count.is_some_and(|count| HEADER + RECORD * count as usize == bytes.len())
 }
 
-/// Whether the first word is `solid`, in letters of any size.
+/// Whether the first word is `solid`, in upper or lower case.
 pub(super) fn begins_as_text(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
 }
 
-/// Reads either kind. The normals are passed over: corners are counter-clockwise from outside.
+/// Reads text or binary STL. Normals are ignored: corners are counter-clockwise seen from outside.
 pub(super) fn read(bytes: &[u8]) -> Result<Surface, SurfaceError> {
     let beginning = &bytes[..bytes.len().min(HEADER)];
     let text = begins_as_text(beginning) && !is_binary(bytes) && !beginning.contains(&0);
@@ -59,7 +59,7 @@ fn read_binary(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     Ok(faces)
 }
 
-/// `vertex x y z` between `outer loop` and `endloop`; all other words are passed over.
+/// Reads `vertex x y z` between `outer loop` and `endloop`; all other words are skipped.
 fn read_text(bytes: &[u8]) -> Result<Faces, SurfaceError> {
     let mut faces = Faces::default();
     let mut corners = Vec::new();

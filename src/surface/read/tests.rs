@@ -1,4 +1,4 @@
-//! One square in every format; errors with their places; no bytes make a reader panic.
+//! One square in every format; errors with their places; no input makes a reader panic.
 
 use super::*;
 use crate::geometry::DVec3;

@@ -1,21 +1,21 @@
-//! Lines and words of a text file; bytes that are no UTF-8 may stand in comments.
+//! Lines and words of a text file; comments may contain bytes that are not UTF-8.
 
 use super::{Fault, Item, Place, SurfaceError};
 use crate::geometry::DVec3;
 
-/// A line with something on it.
+/// A line that is neither blank nor only a comment.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Line<'a> {
-    /// From 1.
+    /// Line number, from 1.
     pub number: usize,
     bytes: &'a [u8],
 }
 
-/// By how much of a text its line ends are known.
+/// The number of bytes from which the kind of line end is determined.
 const BEGINNING: usize = 1 << 16;
 
-/// What ends the lines of a text: a carriage return where more of them stand alone than there are line feeds, as one
-/// of either may be astray; else a line feed, after a carriage return or not.
+/// The byte that ends the lines of a text: a carriage return if more of them stand alone than there are line feeds
+/// (a few stray ones of either kind do no harm); otherwise a line feed, with or without a carriage return before it.
 pub(super) fn line_end(text: &[u8]) -> u8 {
     let beginning = &text[..text.len().min(BEGINNING)];
     let count = |wanted: &dyn Fn(usize) -> bool| (0..beginning.len()).filter(|&k| wanted(k)).count();
@@ -24,7 +24,7 @@ pub(super) fn line_end(text: &[u8]) -> u8 {
     if returns > feeds { b'\r' } else { b'\n' }
 }
 
-/// The lines of `bytes` that hold more than blanks and a comment (from `#` on).
+/// The lines of `bytes` that contain more than blanks and a comment (from `#` on).
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
     let end = line_end(bytes);
     let numbered = bytes.split(move |&b| b == end).enumerate();

@@ -1,17 +1,17 @@
-//! Making one vertex of all those at exactly the same place.
+//! Merges vertices at exactly the same position.
 
 use crate::geometry::DVec3;
 use crate::surface::{Surface, SurfaceNote};
 use std::collections::HashMap;
 
-/// Welds; vertices keep the order in which they first appear. Cost O(n).
+/// Merges the vertices, which keep the order of their first occurrence. Cost O(n).
 pub(super) fn weld(surface: &mut Surface) {
     let before = surface.vertices.len();
     let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(before / 4);
     let mut places: Vec<DVec3> = Vec::new();
     let mut number = Vec::with_capacity(before);
     for &point in &surface.vertices {
-        // −0 and 0 are one place
+        // −0 and 0 are the same position
         let key = (point + DVec3::ZERO).to_array().map(f64::to_bits);
         let vertex = *known.entry(key).or_insert_with(|| {
             places.push(point);
