@@ -17,7 +17,7 @@ use std::str::FromStr;
 #[derive(Debug, clap::Parser)]
 #[command(version, about)]
 pub struct Arguments {
-    /// What to do headless.
+    /// The headless command.
     #[command(subcommand)]
     pub command: Option<Subcommand>,
 }
@@ -33,11 +33,11 @@ pub enum Subcommand {
     Render(Box<RenderArguments>),
     /// Makes an animation of a loop through all maps of one domain onto the other.
     Animate(Box<AnimateArguments>),
-    /// Prints the link of a session's file: what comes after the app's address and #.
+    /// Prints a session as a link: the text that follows the app's address and #.
     Link(LinkArguments),
-    /// Prepares one outline; prints counts and timings.
+    /// Prepares one outline and prints counts and timings.
     Prepare(PrepareArguments),
-    /// Makes a figure of the paper anew: a drawing and a table of its numbers.
+    /// Reproduces a figure of the paper: a drawing and a table of its numbers.
     Figure(FigureArguments),
     /// Measures Tables 1 and 2 of the paper on this machine.
     Bench(BenchArguments),
@@ -46,34 +46,35 @@ pub enum Subcommand {
 /// `riemap map SOURCE TARGET`.
 #[derive(Debug, clap::Args)]
 pub struct MapArguments {
-    /// The source: an outline, as a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`, or a surface, as a file (obj,
-    /// ply, stl, off, gltf, glb) or `preset:NAME[:M]` with M boundary vertices.
+    /// The source: an outline, as a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`; or a surface, as a file
+    /// (obj, ply, stl, off, gltf, glb) or `preset:NAME[:M]` with M boundary vertices.
     pub source: String,
-    /// The target, likewise.
+    /// The target: an outline or a surface, given like the source.
     pub target: String,
-    /// x₁, x₂, y₁ and y₂.
+    /// The constraints.
     #[command(flatten)]
     pub points: PointArguments,
-    /// How many boundary samples each side has.
+    /// The numbers of boundary samples.
     #[command(flatten)]
     pub samples: SampleArguments,
-    /// Cut off small loops and spikes of a file's outline instead of refusing it, and make the repairs of a surface that
-    /// are safe.
+    /// Cut off small loops and spikes of a file's outline instead of refusing it, and make all safe repairs of a
+    /// surface.
     #[arg(long)]
     pub repair: bool,
-    /// Use a surface's own cotangent weights, negative ones too, instead of flipping edges to be Delaunay.
+    /// Use a surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
     #[arg(long)]
     pub no_intrinsic_delaunay: bool,
-    /// How outlines are discretised; kernel and solver are the surfaces' too.
+    /// How outlines are discretised; kernel and solver apply to surfaces too.
     #[command(flatten)]
     pub discretisation: Discretisation,
-    /// Which mesh is mapped: the source's, or the target's back into the source. With one surface, the surface's.
+    /// Which mesh is mapped: the source's forward, or the target's backward into the source. If only one side is a
+    /// surface, its mesh is mapped.
     #[arg(long, default_value = "backward")]
     pub direction: DirectionArgument,
-    /// How the boundary map is extended into that mesh; with a surface, harmonically.
+    /// How the boundary map is extended into that mesh; with a surface, always harmonically.
     #[arg(long, default_value = "harmonic")]
     pub extension: ExtensionArgument,
-    /// Write the map; repeatable; the format follows the extension: json, csv, obj, svg, png.
+    /// Write the map to this file; may be repeated; the extension selects the format: json, csv, obj, svg, png.
     #[arg(long, value_name = "FILE")]
     pub out: Vec<PathBuf>,
     /// Size of a .png in pixels.
@@ -87,46 +88,46 @@ pub struct MapArguments {
 /// The constraints of a map.
 #[derive(Debug, clap::Args)]
 pub struct PointArguments {
-    /// x₁, inside the source: X,Y in an outline [default: its pole of inaccessibility]; in a surface vertex V, or triangle F
-    /// with weights, or the point nearest to X,Y,Z [default: the vertex farthest from the boundary].
+    /// x₁, inside the source. In an outline, X,Y [default: its pole of inaccessibility]; in a surface, vertex V,
+    /// triangle F with weights, or the point nearest to X,Y,Z [default: the vertex farthest from the boundary].
     #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
     pub source_point: Option<SidePoint>,
-    /// x₂, inside the target, the image of x₁, likewise.
+    /// x₂, the image of x₁, inside the target; same forms and defaults as x₁.
     #[arg(long, value_name = "X,Y|V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
     pub target_point: Option<SidePoint>,
-    /// y₁: the boundary point nearest to X,Y, or of a surface to X,Y,Z, or its boundary vertex V; or at fraction S of the
-    /// boundary's length from the first point.
+    /// y₁, on the boundary of the source: the boundary point nearest to X,Y (outline) or X,Y,Z (surface), a surface's
+    /// boundary vertex V, or the point at fraction S of the boundary's length from its first point.
     #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
     pub source_anchor: SideAnchor,
-    /// y₂, the image of y₁, likewise on the target.
+    /// y₂, the image of y₁, on the boundary of the target; same forms as y₁.
     #[arg(long, value_name = "X,Y|X,Y,Z|V|@S", default_value = "@0", allow_hyphen_values = true)]
     pub target_anchor: SideAnchor,
 }
 
-/// Numbers of boundary samples, for each side its own.
+/// Numbers of boundary samples, one for each side.
 #[derive(Debug, clap::Args)]
 pub struct SampleArguments {
-    /// Boundary samples of the source.
+    /// Number of boundary samples of the source.
     #[arg(long, value_name = "N", conflicts_with = "samples")]
     pub source_samples: Option<u32>,
-    /// Boundary samples of the target.
+    /// Number of boundary samples of the target.
     #[arg(long, value_name = "N", conflicts_with = "samples")]
     pub target_samples: Option<u32>,
 }
 
-/// A session, with what travels as files of its own.
+/// A session, and the files that its link does not contain.
 #[derive(Debug, clap::Args)]
 pub struct SessionArguments {
-    /// A link, or the part of it after #, or a session's file (.riemap).
+    /// The session: a link, the part of a link after #, or a session's file (.riemap).
     pub link: String,
-    /// The source's outline, where the link says that it travels as a file.
+    /// The source's outline, if the link says that it is a separate file.
     #[arg(long, value_name = "FILE")]
     pub source: Option<String>,
-    /// The target's outline, likewise.
+    /// The target's outline, if the link says that it is a separate file.
     #[arg(long, value_name = "FILE")]
     pub target: Option<String>,
-    /// The surface, where the session's comes from a file; where both sides' do, the source's first and then once more the
-    /// target's.
+    /// The surface, if the session's surface comes from a file; if both sides' do, the source's first and then the
+    /// target's, in an option of its own.
     #[arg(long, value_name = "FILE")]
     pub surface: Vec<String>,
 }
@@ -137,20 +138,21 @@ pub struct RenderArguments {
     /// The session.
     #[command(flatten)]
     pub session: SessionArguments,
-    /// The file; the format follows the extension: png, or svg (outlines, lines of the pattern, edges), csv (the boundary
-    /// correspondence), obj (the mapped mesh); of a surface with its texture coordinates obj, ply, glb, csv, svg.
+    /// The file to write; the extension selects the format: png, svg (outlines, lines of the pattern, edges), csv (the
+    /// boundary correspondence), obj (the mapped mesh); for a surface with its texture coordinates obj, ply, glb, csv,
+    /// svg.
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
     /// Size of a .png in pixels.
     #[arg(long, value_name = "WxH", default_value = "1600x900")]
     pub size: Size,
-    /// Dark or light ground of a .png.
+    /// Dark or light background of a .png.
     #[arg(long, default_value = "dark")]
     pub theme: ThemeArgument,
-    /// A .png without the ground.
+    /// Write a .png with a transparent background.
     #[arg(long)]
     pub transparent: bool,
-    /// Only one side of a .png or .svg [default: both, side by side].
+    /// Draw only this side in a .png or .svg [default: both, side by side].
     #[arg(long)]
     pub side: Option<SideArgument>,
 }
@@ -161,42 +163,42 @@ pub struct AnimateArguments {
     /// The session at which the loop begins and ends.
     #[command(flatten)]
     pub session: SessionArguments,
-    /// The animation; the format follows the extension: png (animated, all colours) or gif (256 colours a frame).
+    /// The file to write; the extension selects the format: png (animated, all colors) or gif (256 colors per frame).
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
-    /// Its size in pixels.
+    /// Size of the animation in pixels.
     #[arg(long, value_name = "WxH", default_value = "800x450")]
     pub size: Size,
-    /// How many pictures it has.
+    /// Number of frames.
     #[arg(long, value_name = "N", default_value_t = 60)]
     pub frames: u32,
-    /// How long a turn takes.
+    /// Duration of one loop in seconds.
     #[arg(long, value_name = "S", default_value_t = 4.0)]
     pub seconds: f64,
-    /// What moves.
+    /// Which points move along closed paths.
     #[arg(long, default_value = "boundary")]
     pub path: PathArgument,
-    /// Dark or light ground.
+    /// Dark or light background.
     #[arg(long, default_value = "dark")]
     pub theme: ThemeArgument,
-    /// Without the ground.
+    /// Make the background transparent.
     #[arg(long)]
     pub transparent: bool,
-    /// Only one side [default: both, side by side].
+    /// Draw only this side [default: both, side by side].
     #[arg(long)]
     pub side: Option<SideArgument>,
 }
 
-/// What moves in an animation.
+/// Which points move in an animation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum PathArgument {
-    /// x₁, around the largest circle through it that keeps a quarter of its radius from the source's outline.
+    /// x₁, around the largest circle through it whose distance from the source's outline is a quarter of its radius.
     Interior,
-    /// x₂, likewise in the target.
+    /// x₂, around a circle in the target, chosen in the same way.
     TargetInterior,
     /// y₁, once around the source: equal times are equal harmonic measures.
     Boundary,
-    /// All of them, x₂ the other way around.
+    /// All of them, x₂ in the opposite direction.
     #[value(alias = "both")]
     All,
 }
@@ -224,11 +226,11 @@ impl SideArgument {
 /// `riemap link SESSION.riemap`.
 #[derive(Debug, clap::Args)]
 pub struct LinkArguments {
-    /// The session's file (.riemap), or a link to be written anew.
+    /// The session's file (.riemap), or a link to rewrite in the current form.
     pub session: String,
 }
 
-/// The ground of a picture.
+/// The background of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 #[allow(missing_docs, reason = "clap shows the comments of values as help")]
 pub enum ThemeArgument {
@@ -239,7 +241,7 @@ pub enum ThemeArgument {
 /// `riemap prepare DOMAIN`.
 #[derive(Debug, clap::Args)]
 pub struct PrepareArguments {
-    /// The outline: a file or `preset:NAME`.
+    /// The outline, given as a file or `preset:NAME`.
     pub domain: String,
     /// Cut off small loops and spikes of a file's outline instead of refusing it.
     #[arg(long)]
@@ -261,11 +263,11 @@ pub struct FigureArguments {
     /// The figure's number in the paper: 6, 7, 8, 9, 10, 12, 14, 15, 16 or 17.
     pub number: FigureNumber,
     /// The surface of figures 16 and 17: a file (obj, ply, stl, off, gltf, glb) or `preset:NAME[:M]` [default: riemap's
-    /// own animal head, and its height field; the paper's meshes are not part of riemap].
+    /// animal head and its height field, since the paper's meshes are not part of riemap].
     #[arg(long, value_name = "FILE")]
     pub surface: Option<String>,
-    /// Write into this folder (made if absent), or to this file (.svg, .csv, and .png where meshes are shown);
-    /// repeatable [default: the current folder, all formats].
+    /// Write into this folder (created if absent), or to this file (.svg, .csv, and .png for figures that show meshes);
+    /// may be repeated [default: the current folder, all formats].
     #[arg(long, value_name = "FOLDER|FILE")]
     pub out: Vec<PathBuf>,
     /// Use a quarter of the paper's boundary samples.
@@ -276,10 +278,10 @@ pub struct FigureArguments {
 /// `riemap bench`.
 #[derive(Debug, clap::Args)]
 pub struct BenchArguments {
-    /// Print machine, times and the paper's times as JSON on stdout.
+    /// Print the machine, the times and the paper's times as JSON on stdout.
     #[arg(long)]
     pub json: bool,
-    /// Measure every row once instead of taking the median of five runs, and no table of Ψ.
+    /// Measure every row once instead of taking the median of five runs, and skip the table of Ψ.
     #[arg(long)]
     pub quick: bool,
 }
@@ -287,22 +289,23 @@ pub struct BenchArguments {
 /// Options that `map` and `prepare` share.
 #[derive(Debug, clap::Args)]
 pub struct Discretisation {
-    /// Boundary samples [default: what an adaptive sampling needs; the paper's number for a uniform one, else 500].
+    /// Number of boundary samples [default for adaptive sampling: as many as the outline needs; for uniform
+    /// sampling: the paper's number, or 500].
     #[arg(long, value_name = "N")]
     pub samples: Option<u32>,
-    /// Uniform in arc length, or denser where the outline needs it.
+    /// Spacing of the samples: uniform in arc length, or denser where the outline needs it.
     #[arg(long, default_value = "adaptive")]
     pub sampling: SamplingArgument,
-    /// Makes the outline's corners samples (adaptive sampling does so unless they are more than half of its samples).
+    /// Use the outline's corners as samples (adaptive sampling does so unless they are more than half of its samples).
     #[arg(long)]
     pub keep_corners: bool,
-    /// Triangle size: uniform, or growing by G per distance from the boundary [default: graded].
+    /// Triangle size: uniform, or growing by G per unit of distance from the boundary [default: graded].
     #[arg(long, value_name = "uniform|graded:G")]
     pub sizing: Option<SizingArgument>,
     /// How kernels are computed: by one adjoint solve each, or from the paper's table of all harmonic coordinates.
     #[arg(long, default_value = "adjoint")]
     pub kernel: KernelArgument,
-    /// How linear systems are solved: by a complete Cholesky factor, or iteratively with an incomplete one.
+    /// How linear systems are solved: with a complete Cholesky factor, or iteratively with an incomplete one.
     #[arg(long, default_value = "direct")]
     pub solver: SolverArgument,
 }
@@ -364,7 +367,7 @@ impl NamedOutline {
     }
 }
 
-/// Reads at most `most` + 1 bytes of a file; the reader rejects a file with more than `most`.
+/// Reads at most `most` + 1 bytes of a file, so that the parser sees, and rejects, one with more than `most`.
 pub fn read_file(name: &str, most: usize) -> Result<Vec<u8>, CliError> {
     let mut bytes = Vec::new();
     let read = std::fs::File::open(name).and_then(|file| file.take(most as u64 + 1).read_to_end(&mut bytes));
@@ -372,7 +375,7 @@ pub fn read_file(name: &str, most: usize) -> Result<Vec<u8>, CliError> {
     Ok(bytes)
 }
 
-/// Reads `preset:NAME` or a file. With `repair`, parts where it meets itself in a vertex are cut off and noted.
+/// Reads `preset:NAME` or a file. With `repair`, loops and spikes of an outline are cut off and noted.
 pub fn read_outline(name: &str, repair: bool) -> Result<NamedOutline, CliError> {
     if let Some(preset) = name.strip_prefix("preset:") {
         let preset = Preset::from_str(preset).map_err(|error| CliError::Input(error.to_string()))?;
@@ -385,7 +388,7 @@ pub fn read_outline(name: &str, repair: bool) -> Result<NamedOutline, CliError> 
 }
 
 impl Discretisation {
-    /// The settings for one outline; `samples` overrides the number that both sides share.
+    /// The settings for one outline; `samples` overrides the number for both sides.
     pub fn settings(&self, outline: &NamedOutline, samples: Option<u32>) -> PrepareSettings {
         let samples = samples.or(self.samples);
         let sampling = match self.sampling {
@@ -403,7 +406,7 @@ impl Discretisation {
         }
     }
 
-    /// The kernel mode that the argument means.
+    /// The selected kernel mode.
     pub fn kernel_mode(&self) -> KernelMode {
         match self.kernel {
             KernelArgument::Adjoint => KernelMode::Adjoint,
@@ -411,7 +414,7 @@ impl Discretisation {
         }
     }
 
-    /// The solver that the argument means.
+    /// The selected solver.
     pub fn solver_kind(&self) -> SolverKind {
         match self.solver {
             SolverArgument::Direct => SolverKind::Direct,

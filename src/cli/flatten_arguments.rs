@@ -18,35 +18,36 @@ pub struct FlattenArguments {
     pub surface: String,
     /// The outline of the texture domain: a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`.
     pub outline: String,
-    /// x₂, inside the surface: vertex V, or triangle F with weights, or the point nearest to X,Y,Z; V and F count from
-    /// 0 in the file's order, F what its faces are once they are cut into triangles [default: the vertex farthest from
-    /// the boundary].
+    /// x₂, inside the surface: vertex V, triangle F with weights, or the point nearest to X,Y,Z. V and F count from 0
+    /// in the file's order; F counts the triangles into which its faces are cut [default: the vertex farthest from the
+    /// boundary].
     #[arg(long, value_name = "V|F:A,B,C|X,Y,Z", allow_hyphen_values = true)]
     pub surface_point: Option<SurfacePoint>,
-    /// y₂, on the surface's boundary: vertex V, or the boundary point nearest to X,Y,Z, or at fraction S of its length.
+    /// y₂, on the surface's boundary: vertex V, the boundary point nearest to X,Y,Z, or the one at fraction S of
+    /// its length.
     #[arg(long, value_name = "V|X,Y,Z|@S", default_value = "@0", allow_hyphen_values = true)]
     pub surface_anchor: SurfaceAnchor,
-    /// x₁, inside the outline, the image of x₂ [default: its pole of inaccessibility].
+    /// x₁, the image of x₂, inside the outline [default: its pole of inaccessibility].
     #[arg(long, alias = "source-point", value_name = "X,Y", allow_hyphen_values = true)]
     pub outline_point: Option<Point>,
-    /// y₁, the image of y₂: the point of the outline nearest to X,Y, or at fraction S of its length.
+    /// y₁, the image of y₂: the point of the outline nearest to X,Y, or the one at fraction S of its length.
     #[arg(long, alias = "source-anchor", value_name = "X,Y|@S", default_value = "@0", allow_hyphen_values = true)]
     pub outline_anchor: Anchor,
-    /// Repair the surface where that is safe (drop doubled triangles and loose vertices, orient, keep the largest
+    /// Make all safe repairs of the surface (drop duplicate triangles and unused vertices, orient, keep the largest
     /// component, fill holes), and cut small loops and spikes off the outline.
     #[arg(long)]
     pub repair: bool,
-    /// Use the triangles' own cotangent weights, negative ones too, instead of flipping edges to be Delaunay.
+    /// Use the surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
     #[arg(long)]
     pub no_intrinsic_delaunay: bool,
-    /// How the outline is discretised; kernel and solver are the surface's too.
+    /// How the outline is discretised; kernel and solver apply to the surface too.
     #[command(flatten)]
     pub discretisation: Discretisation,
-    /// Texture coordinates: moved and scaled into the unit box, or the outline's own.
+    /// Texture coordinates: moved and scaled into the unit square, or left in the outline's coordinates.
     #[arg(long, default_value = "unit")]
     pub uv: UvArgument,
-    /// Write the surface with its texture coordinates; repeatable; the format follows the extension: obj, ply, glb,
-    /// csv (a line for each vertex), svg (the layout), png (the textured surface, and its layout beside it).
+    /// Write the surface with its texture coordinates to this file; may be repeated; the extension selects the format:
+    /// obj, ply, glb, csv (a line for each vertex), svg (the layout), png (the textured surface beside its layout).
     #[arg(long, value_name = "FILE")]
     pub out: Vec<PathBuf>,
     /// Size of a .png in pixels.
@@ -57,7 +58,7 @@ pub struct FlattenArguments {
     pub json: bool,
 }
 
-/// What texture coordinates are.
+/// The coordinate system of texture coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 #[allow(missing_docs, reason = "clap shows the comments of values as help")]
 pub enum UvArgument {
@@ -156,7 +157,7 @@ pub enum SurfaceAnchor {
     Vertex(u32),
     /// The boundary point nearest to this one.
     Nearest(DVec3),
-    /// At this fraction of the boundary loop's length, counted from its vertex of least index.
+    /// The point at this fraction of the boundary loop's length from its vertex of least index.
     Fraction(f64),
 }
 
@@ -177,7 +178,7 @@ impl FromStr for SurfaceAnchor {
 }
 
 impl SurfaceAnchor {
-    /// The fraction of the boundary's length.
+    /// The anchor as a fraction of the boundary's length, in `[0, 1)`.
     pub fn fraction(self, option: &str, surface: &MeshedSurface) -> Result<f64, CliError> {
         match self {
             Self::Fraction(s) => Ok(s.rem_euclid(1.0)),
