@@ -1,7 +1,7 @@
 //! Copies a finished picture into the caller's pass (`shaders/blit.wgsl`).
 //!
 //! egui's target holds sRGB-encoded bytes in a format whose hardware does not
-//! encode, so the shader does; on an sRGB format it leaves it to the hardware.
+//! encode, so the shader encodes; on an sRGB format the hardware does.
 
 use super::gpu::{self, PipelineSpec};
 
@@ -40,7 +40,7 @@ impl BlitPass {
         Self { layout, sampler, pipeline }
     }
 
-    /// The group that shows `picture`.
+    /// The bind group for drawing `picture`.
     pub fn group(&self, device: &wgpu::Device, picture: &wgpu::TextureView) -> wgpu::BindGroup {
         gpu::texture_group(device, &self.layout, picture, Some(&self.sampler))
     }

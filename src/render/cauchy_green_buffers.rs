@@ -1,8 +1,8 @@
-//! What `shaders/cauchy_green.wgsl` reads and writes for one contour.
+//! The buffers that `shaders/cauchy_green.wgsl` reads and writes for one contour.
 //!
-//! Positions are whole numbers: differences of them are exact on any GPU. They are rounded
-//! by up to 2⁻³¹ of the contour's extent, to even numbers, so that middles of edges are whole
-//! too. The extension is that of the moved polygon at the moved points: where f̂ stretches the
+//! Positions are integers, so that their differences are exact on any GPU. They are rounded
+//! by up to 2⁻³¹ of the contour's extent, to even numbers, so that midpoints of edges are integers
+//! too. The extension is that of the rounded polygon at the rounded points: where f̂ stretches the
 //! extent of the contour to s times that of the images, they are off by 5e-10 s.
 
 use super::RenderError;
@@ -38,7 +38,7 @@ pub struct CauchyGreenBuffers {
 }
 
 impl CauchyGreenBuffers {
-    /// `None` where a buffer is too large for the device, or would be empty.
+    /// `None` if a buffer is too large for the device, or would be empty.
     pub(super) fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
@@ -89,7 +89,7 @@ impl CauchyGreenBuffers {
         Some(result)
     }
 
-    /// Uploads the values at the contour's vertices, centred and scaled; false when their number is another.
+    /// Uploads the values at the contour's vertices, centered and scaled; false if their number is not the contour's.
     pub(super) fn set_values(&mut self, queue: &wgpu::Queue, values: impl IntoIterator<Item = DVec2>) -> bool {
         self.given.clear();
         self.given.extend(values);
@@ -115,7 +115,7 @@ impl CauchyGreenBuffers {
         &self.group
     }
 
-    /// How many points there are.
+    /// The number of points.
     pub fn point_count(&self) -> u32 {
         self.point_count
     }
@@ -130,8 +130,8 @@ impl CauchyGreenBuffers {
         self.origin
     }
 
-    /// Hands the images of the last submitted evaluation to `take` when they have come back:
-    /// natively during a later `Device::poll`, in a browser by itself.
+    /// Passes the images of the last submitted evaluation to `take` when they have been read back:
+    /// natively during a later `Device::poll`, in a browser without one.
     pub fn read_back(
         &self,
         device: &wgpu::Device,
@@ -168,7 +168,7 @@ fn middle_and_extent(points: &[DVec2]) -> (DVec2, f64) {
     (low.midpoint(high), (high - low).max_element())
 }
 
-/// Whole coordinates.
+/// The map from the plane to integer coordinates.
 struct Lattice {
     middle: DVec2,
     scale: f64,
@@ -180,13 +180,13 @@ impl Lattice {
         Self { middle, scale: REACH / extent }
     }
 
-    /// Half of the even coordinates; what is outside the bounds goes to their edge.
+    /// Half of the even coordinates; points outside the bounds are clamped to them.
     fn round(&self, p: DVec2) -> [i32; 2] {
         let reach = DVec2::splat(0.5 * REACH);
         ((p - self.middle) * self.scale).clamp(-reach, reach).round().to_array().map(|coordinate| coordinate as i32)
     }
 
-    /// Middle and half step of every edge.
+    /// Midpoint and half step of every edge.
     fn edges(&self, contour: &[DVec2]) -> Vec<[i32; 4]> {
         let next = contour.iter().skip(1).chain(contour.first());
         let edge = |(&v, &w): (&DVec2, &DVec2)| {
@@ -196,7 +196,7 @@ impl Lattice {
         contour.iter().zip(next).map(edge).collect()
     }
 
-    /// Position, and room for what the shader notes.
+    /// The position of every point, and two zeros into which the shader writes.
     fn points(&self, points: &[DVec2]) -> Vec<[i32; 4]> {
         points.iter().map(|&p| self.round(p)).map(|[x, y]| [2 * x, 2 * y, 0, 0]).collect()
     }

@@ -3,11 +3,11 @@
 //!
 //! A contour and the points inside it are uploaded once; a frame uploads the values at
 //! the contour's vertices and evaluates f̂ at all points, in f32, into a buffer from which
-//! `ViewportRenderer` copies: nothing is read back on the way to the screen. Γ is not stored.
+//! `ViewportRenderer` copies: no value is read back before it is drawn. Γ is not stored.
 //!
 //! The images differ from those of [`Contour::evaluate`](crate::conformal::Contour::evaluate)
-//! by at most [`CauchyGreenPass::ERROR`] of the values' extent, next to the boundary and on
-//! its vertices too. Constants are exact to the f32 of the result. Not for points outside.
+//! by at most [`CauchyGreenPass::ERROR`] of the values' extent, also next to the boundary and on
+//! its vertices. Constants are exact to the f32 of the result. Points outside are not supported.
 
 use super::cauchy_green_buffers::CauchyGreenBuffers;
 use super::gpu;
@@ -35,7 +35,7 @@ impl CauchyGreenPass {
     /// m = 1000). The rest is for other adapters, whose divisions may be coarser.
     pub const ERROR: f64 = 2e-6;
 
-    /// `None` where the device has no compute shaders of this size: with WebGL2.
+    /// `None` if the device has no compute shaders of this size, as with WebGL2.
     pub fn new(device: &wgpu::Device) -> Option<Self> {
         if !is_supported(&device.limits()) {
             return None;
@@ -61,7 +61,7 @@ impl CauchyGreenPass {
     }
 
     /// Uploads a closed polygon (simple, counter-clockwise) and the points at which f̂ will
-    /// be wanted, inside it or its vertices. `None` where they do not fit on the device, or
+    /// be evaluated, each inside it or one of its vertices. `None` if they do not fit on the device, or
     /// there are none.
     pub fn buffers(
         &self,
@@ -82,7 +82,7 @@ impl CauchyGreenPass {
     }
 
     /// Records the evaluation of f̂ at all points for the `values` at the contour's vertices.
-    /// Once per submission. False, and nothing is recorded, when their number is not the contour's.
+    /// Call it once per submission. False, with nothing recorded, if their number is not the contour's.
     pub fn evaluate(
         &self,
         queue: &wgpu::Queue,

@@ -1,4 +1,4 @@
-//! Places by vertex, codes by triangle and colours by code, as textures: what `shaders/cell_parts.wgsl` looks up.
+//! Positions by vertex, codes by triangle and colors by code, as the textures that `shaders/cell_parts.wgsl` reads.
 //!
 //! Rows are [`ROW`] texels long: WebGL2 guarantees no more, which allows for 4 million triangles.
 
@@ -37,8 +37,8 @@ impl Lookup {
         })
     }
 
-    /// Makes room for so many vertices, of this format, and triangles, where there is none. False, and nothing
-    /// is made, where the device has no textures of this size.
+    /// Allocates textures for these numbers of vertices, of this format, and triangles, unless present. False,
+    /// with nothing allocated, if the device has no textures of this size.
     pub fn provide(
         lookup: &mut Option<Self>,
         device: &wgpu::Device,

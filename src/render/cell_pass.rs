@@ -13,8 +13,8 @@ use super::style::linear_colour;
 use super::{Camera, CellCode, CellStyle, ColourMap, placement};
 use glam::DVec2;
 
-/// Edges of cells lower than the first vanish, of those higher than the second are
-/// drawn in full strength, in points: lines 3 points apart merge into a tint.
+/// Heights of cells, in points: edges of lower cells than the first vanish, those of higher cells than the second
+/// have full strength. Lines 3 points apart merge into a tint.
 const EDGES_VANISH: f32 = 2.5;
 const EDGES_SHOW: f32 = 6.0;
 
@@ -34,7 +34,7 @@ impl EdgeUniform {
         let [r, g, b, a] = linear_colour(colour);
         let scale = style.pixels_per_point;
         Self {
-            // Below a pixel the line keeps its width and loses strength.
+            // A line thinner than a pixel is drawn one pixel wide and fainter.
             wire: [r, g, b, a * width.min(1.0)],
             mark: linear_colour(flipped_colour()),
             size: [0.5 * width.max(1.0), EDGES_VANISH * scale, EDGES_SHOW * scale, 0.0],
@@ -105,7 +105,7 @@ impl CellPass {
         Self { uniform_layout, lookup_layout, colour, overlay, palettes }
     }
 
-    /// No triangles.
+    /// Buffers without triangles.
     pub fn buffers(&self, device: &wgpu::Device) -> CellBuffers {
         CellBuffers {
             uniform: Uniform::new(device, &self.uniform_layout, size_of::<CellUniform>()),
@@ -117,8 +117,8 @@ impl CellPass {
         }
     }
 
-    /// Replaces a viewport's triangles, of which each vertex has to exist; all of
-    /// them have code 0. False, and none are left, where they do not fit on the device.
+    /// Replaces a viewport's triangles, all vertices of which must exist; all of
+    /// them have code 0. False, with none left, if they do not fit on the device.
     pub fn set(
         &self,
         device: &wgpu::Device,
@@ -148,7 +148,7 @@ impl CellPass {
         self.draw(pass, cells, &self.colour, map);
     }
 
-    /// Draws edges and marks over what is there.
+    /// Draws edges and marks over the picture.
     pub fn draw_overlay(&self, pass: &mut wgpu::RenderPass, cells: &CellBuffers) {
         self.draw(pass, cells, &self.overlay, ColourMap::Cividis);
     }

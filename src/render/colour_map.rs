@@ -1,13 +1,13 @@
-//! Colours of numbers, made for eyes that confuse some of them.
+//! Color maps for numbers that remain readable with color vision deficiency.
 //!
 //! [`ColourMap::Cividis`] runs from dark blue to yellow in even steps of lightness
 //! and looks nearly the same with red–green blindness (Nuñez, Anderton, Renslow:
 //! "Optimizing colormaps with consideration for color vision deficiency", PLoS ONE
-//! 2018); ten of its colours are kept and joined by straight lines, in encoded
+//! 2018); ten of its colors are stored and interpolated linearly, in encoded
 //! sRGB. [`ColourMap::Diverging`] is our own: purple below, white in the middle,
 //! green above, of equal lightness at equal distance from the middle.
 
-/// From [0, 1] to a colour.
+/// A map from [0, 1] to a color.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColourMap {
     /// For quantities with a natural zero: dark is little, light is much.
@@ -34,12 +34,12 @@ const CIVIDIS: [[u8; 3]; 10] = [
 const DIVERGING: [[u8; 3]; 7] =
     [[82, 25, 108], [139, 95, 165], [201, 179, 213], [245, 244, 242], [168, 202, 170], [66, 130, 82], [2, 68, 30]];
 
-/// What a triangle's colour says that is no number: Okabe–Ito's vermillion for
-/// flipped ones, a dark grey for those whose image is a point.
+/// The colors of triangles that have no number: Okabe–Ito's vermillion for
+/// flipped ones, a dark gray for those whose image is a point.
 const FLIPPED_COLOUR: [u8; 3] = [213, 94, 0];
 const COLLAPSED_COLOUR: [u8; 3] = [64, 64, 64];
 
-/// How a triangle is coloured: a place in a palette of 256.
+/// The color of a triangle: an index into a palette of 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(transparent)]
 pub struct CellCode(u8);
@@ -50,7 +50,7 @@ impl CellCode {
     /// The orientation is reversed.
     pub const FLIPPED: Self = Self(255);
 
-    /// The colour at `t` of a map, rounded to one of 254; clamped to [0, 1], NaN is 0.
+    /// The code of the color at `t` of a map, rounded to one of 254; clamped to [0, 1], NaN is 0.
     pub fn at(t: f64) -> Self {
         Self((253.0 * t.clamp(0.0, 1.0)).round() as u8)
     }
@@ -71,7 +71,7 @@ impl ColourMap {
         [mix(0), mix(1), mix(2), 1.0]
     }
 
-    /// The colours of the codes.
+    /// The colors of all codes.
     pub(super) fn palette(self) -> [[u8; 4]; 256] {
         std::array::from_fn(|code| match code {
             0..=253 => self.at(code as f64 / 253.0).map(|component| (255.0 * component).round() as u8),

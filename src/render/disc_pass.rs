@@ -1,6 +1,6 @@
 //! Handles as discs with a white ring (`shaders/disc.wgsl`).
 //!
-//! The app lets egui draw its handles; images without a window need these.
+//! egui draws the app's handles; images made without a window need this pass.
 
 use super::gpu::{self, GrowingBuffer, PipelineSpec, Uniform};
 use super::style::linear_colour;
@@ -66,7 +66,7 @@ impl DiscPass {
         Self { layout, pipeline }
     }
 
-    /// No handles.
+    /// Buffers without handles.
     pub fn buffers(&self, device: &wgpu::Device) -> DiscBuffers {
         DiscBuffers {
             uniform: Uniform::new(device, &self.layout, size_of::<DiscUniform>()),

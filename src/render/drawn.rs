@@ -1,30 +1,30 @@
-//! What stands in a viewport's picture: it is recorded anew only where something of it has changed.
+//! The state of a viewport's picture: it is recorded again only if something in it has changed.
 //!
-//! Where the processor draws, a picture takes longer than a frame may. There one that has changed is recorded
-//! coarsely first, with a quarter of the pixels, and once in full when it has stayed as it is for a while.
-//! Geometry is not compared: whoever replaces it outdates the picture. What was recorded counts when it is painted:
-//! a frame for which the window has no surface at the moment is dropped with all that was recorded for it.
+//! On software adapters, recording a picture takes longer than a frame. There a picture that has changed is recorded
+//! coarsely first, with a quarter of the pixels, and in full when it has not changed for [`REFINED_AFTER`].
+//! Geometry is not compared: code that replaces it calls `Drawn::outdate`. A recording counts once it has been
+//! painted: if the window has no surface at the moment, the frame and everything recorded for it are dropped.
 
 use super::{Camera, CellStyle, OrbitCamera, StrokeStyle, TextureStyle};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// How long a coarse picture stays, in seconds, before it is recorded in full.
+/// How long a picture stays coarse, in seconds, before it is recorded in full.
 pub const REFINED_AFTER: f64 = 0.15;
 
-/// All of a planar viewport's picture but its geometry.
+/// The state of a planar viewport's picture, except its geometry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarFrame {
     /// The viewport's size in physical pixels.
     pub size_px: [u32; 2],
-    /// What it looks at.
+    /// The camera.
     pub camera: Camera,
-    /// How it is textured.
+    /// The texture.
     pub style: TextureStyle,
-    /// The ground: sRGB-encoded, straight alpha.
+    /// The background: sRGB-encoded, straight alpha.
     pub background: [f32; 4],
 }
 
-/// All of a surface's picture but its geometry.
+/// The state of a surface's picture, except its geometry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpaceFrame {
     /// The viewport's size in physical pixels.
@@ -33,11 +33,11 @@ pub struct SpaceFrame {
     pub camera: OrbitCamera,
     /// The texture.
     pub style: TextureStyle,
-    /// Colours, edges and marks of triangles; `None`: only the texture.
+    /// Colors, edges and marks of triangles; `None` shows only the texture.
     pub cells: Option<CellStyle>,
     /// The boundary loop's stroke; pattern lines keep a fixed proportion to it.
     pub stroke: StrokeStyle,
-    /// The ground: sRGB-encoded, straight alpha.
+    /// The background: sRGB-encoded, straight alpha.
     pub background: [f32; 4],
 }
 
@@ -46,9 +46,9 @@ pub struct SpaceFrame {
 pub enum Pace {
     /// At once.
     Full,
-    /// After it was coarse for [`REFINED_AFTER`].
+    /// After a coarse recording that lasts for [`REFINED_AFTER`].
     CoarseFirst {
-        /// The present, in seconds since any moment.
+        /// The present time, in seconds since an arbitrary moment.
         now: f64,
     },
 }
@@ -58,12 +58,12 @@ pub enum Pace {
 pub enum Detail {
     /// Every pixel.
     Full,
-    /// A quarter of the pixels, which `paint` stretches.
+    /// A quarter of the pixels, scaled up by `paint`.
     Coarse,
 }
 
 impl Detail {
-    /// How many pixels wide a recorded pixel is.
+    /// The width of a recorded pixel in pixels of the screen.
     fn pixel(self) -> u32 {
         match self {
             Self::Full => 1,
@@ -81,32 +81,32 @@ impl Detail {
         length_px / self.pixel() as f32
     }
 
-    /// The same stroke in the picture's pixels.
+    /// The stroke with its lengths in the picture's pixels.
     pub(super) fn stroke(self, stroke: StrokeStyle) -> StrokeStyle {
         StrokeStyle { width_px: self.length(stroke.width_px), ..stroke }
     }
 
-    /// The same cells in the picture's pixels.
+    /// The cell style with its lengths in the picture's pixels.
     pub(super) fn cells(self, cells: CellStyle) -> CellStyle {
         let wire = cells.wire.map(|wire| self.stroke(wire));
         CellStyle { wire, pixels_per_point: self.length(cells.pixels_per_point), ..cells }
     }
 
-    /// The same part of the world.
+    /// The camera that shows the same part of the world in the picture's pixels.
     pub(super) fn camera(self, camera: Camera) -> Camera {
         Camera { units_per_pixel: camera.units_per_pixel * f64::from(self.pixel()), ..camera }
     }
 }
 
-/// The picture of a viewport, as it was recorded last.
+/// The picture of a viewport as it was last recorded.
 #[derive(Debug)]
 pub(super) struct Drawn<F> {
-    /// `None`: there is none, or its geometry has changed since.
+    /// The recorded state; `None` if nothing was recorded, or the geometry has changed since.
     frame: Option<F>,
-    /// Whether it was painted since it was recorded.
+    /// Whether the picture has been painted since it was recorded.
     is_painted: AtomicBool,
     detail: Detail,
-    /// When it became coarse.
+    /// When the picture was last recorded at [`Pace::CoarseFirst`].
     since: f64,
 }
 
@@ -117,22 +117,22 @@ impl<F> Default for Drawn<F> {
 }
 
 impl<F: PartialEq> Drawn<F> {
-    /// The geometry is another: what was recorded does not stand any more.
+    /// The geometry was replaced: the recorded picture is no longer valid.
     pub fn outdate(&mut self) {
         self.frame = None;
     }
 
-    /// It is on its way to the screen.
+    /// The picture has been painted.
     pub fn confirm(&self) {
         self.is_painted.store(true, Ordering::Relaxed);
     }
 
-    /// How it was recorded last.
+    /// The detail of the last recording.
     pub fn detail(&self) -> Detail {
         self.detail
     }
 
-    /// How `frame` is to be recorded now; `None`: it stands.
+    /// The detail with which `frame` must be recorded now; `None` if the recorded picture is still valid.
     pub fn due(&mut self, frame: F, pace: Pace) -> Option<Detail> {
         let stands = *self.is_painted.get_mut() && self.frame.as_ref() == Some(&frame);
         let due = match pace {
@@ -159,7 +159,7 @@ impl<F: PartialEq> Drawn<F> {
 mod tests {
     use super::*;
 
-    /// What is due, and painted.
+    /// The detail that is due; the picture is then painted.
     fn painted(drawn: &mut Drawn<u32>, frame: u32, pace: Pace) -> Option<Detail> {
         let due = drawn.due(frame, pace);
         drawn.confirm();

@@ -1,7 +1,7 @@
-//! What can go wrong between a mesh and its pixels.
+//! Errors of rendering: images, meshes, adapters and readback.
 //!
 //! Drawing on screen does not fail: wgpu reports a lost device to the shell.
-//! Images come from people's files and adapters from their machines, so these
+//! Images come from users' files and adapters from their machines, so these
 //! have typed errors.
 
 /// Why an image cannot serve as a texture.
@@ -29,7 +29,7 @@ pub enum ImageError {
     },
 }
 
-/// What is inconsistent in a mesh that is to be drawn, or too large.
+/// Why a mesh cannot be drawn: it is inconsistent or too large.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MeshFault {
     /// Positions and texture coordinates differ in number.
@@ -59,7 +59,7 @@ pub enum MeshFault {
     /// A triangle names a vertex that does not exist.
     #[error("triangle {triangle} {corners:?} names a vertex beyond the {vertices} given")]
     Vertex {
-        /// Which triangle, from 0.
+        /// Index of the triangle, from 0.
         triangle: usize,
         /// Its corners.
         corners: [u32; 3],
@@ -74,10 +74,10 @@ pub enum MeshFault {
     },
 }
 
-/// Why pixels did not come back from the device.
+/// Why pixels could not be read back from the device.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ReadbackFault {
-    /// What the graphics library said.
+    /// The graphics library's message.
     #[error("{0}")]
     Library(String),
     /// The device was lost.
@@ -99,23 +99,23 @@ pub enum RenderError {
     /// No graphics adapter, not even a software one.
     #[error("no graphics adapter found; on Linux, mesa-vulkan-drivers brings a software one ({cause})")]
     NoAdapter {
-        /// What the graphics library said.
+        /// The graphics library's message.
         cause: String,
     },
-    /// The adapter does not give a device.
+    /// The adapter provides no device.
     #[error("the adapter {adapter} gives no device: {cause}")]
     NoDevice {
         /// The adapter's name.
         adapter: String,
-        /// What the graphics library said.
+        /// The graphics library's message.
         cause: String,
     },
-    /// An image of no pixels, or larger than the device can draw.
+    /// The image has no pixels, or is larger than the device can draw.
     #[error("cannot render an image of {width} × {height} pixels: this device draws from 1 to {limit} per side")]
     Size {
-        /// Width asked for.
+        /// Requested width.
         width: u32,
-        /// Height asked for.
+        /// Requested height.
         height: u32,
         /// The device's limit.
         limit: u32,
@@ -123,7 +123,7 @@ pub enum RenderError {
     /// A scene without a viewport, or with more of them than pixel columns.
     #[error("a scene needs from 1 to {limit} viewports, this one has {count}")]
     ViewportCount {
-        /// Viewports in the scene.
+        /// Number of viewports in the scene.
         count: usize,
         /// One per pixel column at most.
         limit: u32,
@@ -131,15 +131,15 @@ pub enum RenderError {
     /// A viewport's mesh is inconsistent.
     #[error("viewport {viewport}: {fault}")]
     Geometry {
-        /// Which viewport, from 0.
+        /// Index of the viewport, from 0.
         viewport: usize,
-        /// What is wrong with its mesh.
+        /// The fault of its mesh.
         fault: MeshFault,
     },
     /// A surface is inconsistent, or too large.
     #[error("surface: {fault}")]
     Surface {
-        /// What is wrong with it.
+        /// The fault of the surface.
         fault: MeshFault,
     },
     /// The texture image cannot be used.
@@ -148,7 +148,7 @@ pub enum RenderError {
     /// The graphics library rejected a command.
     #[error("the graphics device reported an error: {0}")]
     Device(String),
-    /// The pixels did not come back.
+    /// The pixels could not be read back.
     #[error("the rendered pixels could not be read back: {0}")]
     Readback(ReadbackFault),
 }

@@ -1,4 +1,4 @@
-//! What `shaders/space.wgsl` needs to know of an eye.
+//! The uniform block of an eye for `shaders/space.wgsl`.
 
 use super::OrbitCamera;
 use super::space_vertices::LocalFrame;
@@ -14,13 +14,13 @@ pub struct EyeUniform {
 }
 
 impl EyeUniform {
-    /// For places in `frame`, in a viewport of `size_px`. What lies on the surface is drawn nearer
-    /// by as much as `lift_px` pixels are long; `light` is the light's part of colours, from 0 to 1.
+    /// For positions in `frame`, in a viewport of `size_px`. Lines on the surface are drawn nearer to the eye
+    /// by the length of `lift_px` pixels; `light` is the light's part of colors, from 0 to 1.
     pub fn new(camera: &OrbitCamera, frame: LocalFrame, size_px: [u32; 2], lift_px: f64, light: f32) -> Self {
         let [width, height] = size_px.map(f64::from);
         // the large numbers cancel here, in f64
         let mut clip = camera.view_projection(width / height) * DMat4::from_translation(frame.origin);
-        // clip coordinates in the frame's unit: what they are divided by, the distance from the eye, is so too
+        // clip coordinates in the frame's unit; so is w, the distance from the eye, by which they are divided
         clip.w_axis /= frame.unit;
         let turn = DMat3::from_quat(camera.rotation.inverse());
         let (near, far) = camera.depths();

@@ -1,8 +1,8 @@
-//! Pictures one after the other as an animated PNG or GIF.
+//! Encodes a sequence of pictures as an animated PNG or GIF.
 //!
-//! A PNG keeps every colour. A GIF has 256 colours a frame, and pixels that are opaque or not: its palette
-//! is learned from the first frame and learned anew when a frame's colours have left it, because a palette of its
-//! own for every frame would flicker.
+//! A PNG keeps every color. A GIF has 256 colors a frame, and pixels are either opaque or transparent: its palette
+//! is learned from the first frame, and again when a later frame's colors no longer fit it, because a separate
+//! palette for every frame would flicker.
 
 use super::palette::Palette;
 use crate::counted::counted;
@@ -21,10 +21,10 @@ pub enum FilmFormat {
 }
 
 impl FilmFormat {
-    /// Both.
+    /// All formats.
     pub const ALL: [Self; 2] = [Self::Png, Self::Gif];
 
-    /// The extension of its files.
+    /// The file extension.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Png => "png",
@@ -32,69 +32,69 @@ impl FilmFormat {
         }
     }
 
-    /// By a file's extension, in either case.
+    /// The format with this file extension, in upper or lower case.
     pub fn from_extension(extension: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
     }
 }
 
-/// What an animation is to be like. It goes on for ever.
+/// The settings of an animation. It repeats endlessly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FilmSettings {
-    /// How it is written.
+    /// The file format.
     pub format: FilmFormat,
-    /// In pixels.
+    /// Width and height in pixels.
     pub size: [u32; 2],
-    /// How many pictures there are.
+    /// Number of frames.
     pub frames: u32,
-    /// How long all of them take.
+    /// Duration of all frames together, in seconds.
     pub seconds: f64,
 }
 
-/// The most frames; an hour of work.
+/// The largest number of frames; they take about an hour.
 pub const MOST_FRAMES: u32 = 1000;
-/// How long an animation may last, in seconds.
+/// The accepted durations, in seconds.
 pub const SECONDS: std::ops::RangeInclusive<f64> = 0.1..=600.0;
-/// Browsers show a GIF whose frames are shorter than this (in hundredths of a second) at a tenth of its speed.
+/// Browsers slow a GIF down to a tenth of its speed if its frames are shorter than this (in hundredths of a second).
 const SHORTEST_GIF_FRAME: f64 = 2.0;
 
-/// The longest file: one that grows once more still fits into 32 bits of addresses.
+/// The longest file: a buffer that doubles once more still fits into 32-bit addresses.
 pub(super) const MOST_BYTES: usize = 512 << 20;
 
-/// Why there is no animation.
+/// Why an animation cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum FilmError {
-    /// No frames, or more than can be waited for.
+    /// No frames, or more than [`MOST_FRAMES`].
     #[error("{}", counted!(
         *frames,
         "1 frame: an animation has from 2 to {MOST_FRAMES}",
         "{frames} frames: an animation has from 2 to {MOST_FRAMES}"
     ))]
     Frames {
-        /// How many were asked for.
+        /// Requested number of frames.
         frames: u32,
     },
-    /// Too short, or too long.
+    /// The duration is too short or too long.
     #[error("{seconds} s: an animation takes from {} to {} s", SECONDS.start(), SECONDS.end())]
     Seconds {
-        /// What was asked for.
+        /// Requested duration in seconds.
         seconds: f64,
     },
-    /// Faster than a GIF can be.
+    /// The frame rate is too high for a GIF.
     #[error("{rate:.0} frames per second: a GIF has at most 50")]
     Rate {
-        /// What was asked for.
+        /// Requested rate.
         rate: f64,
     },
-    /// A GIF's sides have 16 bits.
+    /// A side is too long for the 16 bits of a GIF.
     #[error("{width} × {height} pixels do not fit into a GIF")]
     Size {
-        /// Asked for.
+        /// Requested width.
         width: u32,
-        /// Asked for.
+        /// Requested height.
         height: u32,
     },
-    /// A longer file does not grow further in the memory of a browser.
+    /// The file would be longer than a browser's memory allows.
     #[error("{}", counted!(
         *pictures,
         "the animation is longer than {} MiB after 1 picture: make it smaller or shorter",
@@ -102,23 +102,23 @@ pub enum FilmError {
         MOST_BYTES >> 20
     ))]
     Long {
-        /// How many there are.
+        /// Number of pictures so far.
         pictures: u32,
     },
-    /// A picture of another size.
+    /// A picture has another size than the animation.
     #[error("a picture of {width} × {height} pixels among others of another size")]
     Picture {
-        /// Of the picture.
+        /// Width of the picture.
         width: u32,
-        /// Of the picture.
+        /// Height of the picture.
         height: u32,
     },
-    /// What the encoder says.
+    /// The encoder's message.
     #[error("the animation cannot be encoded: {0}")]
     Encoder(String),
 }
 
-/// An animation that is being made.
+/// An animation being encoded.
 pub struct Film {
     settings: FilmSettings,
     encoder: Encoder,
@@ -131,7 +131,7 @@ enum Encoder {
 }
 
 impl FilmSettings {
-    /// Whether there is such an animation.
+    /// Checks that such an animation can be made.
     pub fn check(&self) -> Result<(), FilmError> {
         let Self { format, size: [width, height], frames, seconds } = *self;
         if !(2..=MOST_FRAMES).contains(&frames) {
@@ -149,7 +149,7 @@ impl FilmSettings {
         Ok(())
     }
 
-    /// How long frame `k` is shown, in whole parts of a second: rounded so that all together take as long as asked for.
+    /// The delay of frame `k` in parts of a second: rounded so that all delays together give the requested duration.
     fn delay(&self, k: u32, parts: f64) -> u16 {
         let until = |k: u32| (f64::from(k) * self.seconds * parts / f64::from(self.frames)).round();
         (until(k + 1) - until(k)) as u16
@@ -157,7 +157,7 @@ impl FilmSettings {
 }
 
 impl Film {
-    /// Without any pictures yet.
+    /// An animation without pictures yet.
     pub fn new(settings: FilmSettings) -> Result<Self, FilmError> {
         settings.check()?;
         let encoder = match settings.format {
@@ -167,12 +167,12 @@ impl Film {
         Ok(Self { settings, encoder, count: 0 })
     }
 
-    /// How it is written.
+    /// The file format.
     pub fn format(&self) -> FilmFormat {
         self.settings.format
     }
 
-    /// How many pictures it has.
+    /// Number of pictures so far.
     pub fn count(&self) -> u32 {
         self.count
     }
@@ -213,7 +213,7 @@ impl Film {
         }
     }
 
-    /// The file, when all pictures are there.
+    /// The finished file, after all pictures have been added.
     pub fn finish(self) -> Result<Vec<u8>, FilmError> {
         match self.encoder {
             Encoder::Png { writer, bytes } => {
@@ -253,7 +253,7 @@ fn gif_frame(picture: &RgbaImage, palette: &mut Option<Palette>, delay: u16) -> 
         width: picture.width() as u16,
         height: picture.height() as u16,
         delay,
-        // what shines through a frame is the page, not the frame before
+        // behind transparent pixels the page is visible, not the previous frame
         dispose: if transparent.is_some() { DisposalMethod::Background } else { DisposalMethod::Keep },
         transparent,
         palette: Some(palette.colours().to_vec()),
@@ -266,7 +266,7 @@ fn encoder_error(error: &dyn std::error::Error) -> FilmError {
     FilmError::Encoder(error.to_string())
 }
 
-/// What the PNG encoder writes to and does not give back.
+/// A buffer shared with the PNG encoder, which does not return its writer.
 #[derive(Debug, Clone, Default)]
 pub(super) struct SharedBytes(Arc<Mutex<Vec<u8>>>);
 

@@ -1,13 +1,13 @@
-//! Small pieces that every pass is made of: shaders, pipelines, buffers that
+//! Shared parts of all passes: shaders, pipelines, buffers that
 //! grow, bind-group entries.
 //!
 //! Everything but compute shaders stays within WebGL2: vertex and uniform
 //! buffers only, uniform blocks made of `vec4`s. Buffers are filled with `write_buffer`, never mapped
-//! at creation, which some browsers' software adapters do not survive.
+//! at creation, which crashes some browsers' software adapters.
 
 use glam::DVec2;
 
-/// The device that draws and its queue.
+/// The device for drawing and its queue.
 pub type Graphics<'a> = (&'a wgpu::Device, &'a wgpu::Queue);
 
 /// A picture on the device.
@@ -27,7 +27,7 @@ pub fn sample_count(device: &wgpu::Device) -> u32 {
     if flags.contains(needed) { 4 } else { 1 }
 }
 
-/// What distinguishes one pipeline from another here.
+/// The properties in which the pipelines differ.
 pub struct PipelineSpec<'a> {
     pub label: &'a str,
     pub shader: &'a wgpu::ShaderModule,
@@ -40,13 +40,13 @@ pub struct PipelineSpec<'a> {
     pub samples: u32,
 }
 
-/// What is drawn in space: where nothing nearer is.
+/// Depth settings of a pipeline: drawn where nothing nearer has been drawn.
 pub struct Depth<'a> {
     /// The vertex entry point.
     pub vertex: &'a str,
-    /// Whether what is drawn hides what comes later.
+    /// Whether the depth is written, so that later geometry behind it is hidden.
     pub written: bool,
-    /// Whether alpha says how many samples are covered; only with several of them.
+    /// Whether alpha decides how many samples are covered; only with several samples per pixel.
     pub alpha_to_coverage: bool,
 }
 
@@ -207,13 +207,13 @@ pub struct GrowingBuffer {
 }
 
 impl GrowingBuffer {
-    /// No buffer yet; `usage` without `COPY_DST`.
+    /// Without a buffer yet; `usage` is given without `COPY_DST`.
     pub fn new(usage: wgpu::BufferUsages) -> Self {
         Self { usage: usage | wgpu::BufferUsages::COPY_DST, buffer: None }
     }
 
-    /// Writes `contents` from the start, growing where it does not fit. False,
-    /// and nothing is written, where the device has no buffers of this size.
+    /// Writes `contents` from the start, into a larger buffer if needed. False,
+    /// with nothing written, if the device has no buffers of this size.
     pub fn write<T: bytemuck::Pod>(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, contents: &[T]) -> bool {
         let bytes: &[u8] = bytemuck::cast_slice(contents);
         let needed = bytes.len() as u64;
@@ -233,7 +233,7 @@ impl GrowingBuffer {
         true
     }
 
-    /// Writes `contents`, which have to fit, from the start.
+    /// Writes `contents`, which must fit, from the start.
     pub fn overwrite<T: bytemuck::Pod>(&self, queue: &wgpu::Queue, contents: &[T]) {
         if let Some(buffer) = &self.buffer
             && !contents.is_empty()
@@ -242,14 +242,14 @@ impl GrowingBuffer {
         }
     }
 
-    /// The buffer, once something was written.
+    /// The buffer; `None` before the first write.
     pub fn get(&self) -> Option<&wgpu::Buffer> {
         self.buffer.as_ref()
     }
 }
 
 /// Fills `staging` with `points` relative to the middle of their bounding box,
-/// and returns that middle. The only place where coordinates of the plane become f32 (of space: `LocalFrame`).
+/// and returns that middle. Planar coordinates become f32 only here (spatial ones in `LocalFrame`).
 pub fn stage_points(staging: &mut Vec<[f32; 2]>, points: &[DVec2]) -> DVec2 {
     let low = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
     let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);

@@ -1,6 +1,6 @@
 //! Rendering scenes into images without a window, natively.
 //!
-//! The pixels come back row by row. Works on any adapter, software ones included; the pixels of two
+//! The pixels are read back row by row. Works on any adapter, including software; the pixels of two
 //! adapters may differ by rounding.
 
 use super::{Readback, RenderError, SceneDescription, SceneRenderer, guarded};
@@ -8,11 +8,11 @@ use image::RgbaImage;
 
 /// A device on any adapter, hardware preferred, software accepted.
 ///
-/// It is asked for no more than WebGL2 has, but for the adapter's largest
-/// textures, so what renders here also renders in a browser; and for compute
-/// shaders as WebGPU has them, where the adapter does.
+/// The device is limited to what WebGL2 has, except for the adapter's largest
+/// textures, so that scenes rendered here also render in a browser; compute
+/// shaders with WebGPU's limits are requested if the adapter has them.
 pub fn headless_device() -> Result<(wgpu::Device, wgpu::Queue, wgpu::AdapterInfo), RenderError> {
-    // OpenGL only where nothing else is: without a display, its libraries complain on stderr
+    // OpenGL only as the last choice: without a display, its libraries write to stderr
     let adapter = adapter_on(wgpu::Backends::PRIMARY)
         .or_else(|_| adapter_on(wgpu::Backends::all()))
         .map_err(|error| RenderError::NoAdapter { cause: error.to_string() })?;
@@ -57,7 +57,7 @@ fn adapter_on(backends: wgpu::Backends) -> Result<wgpu::Adapter, wgpu::RequestAd
     pollster::block_on(wgpu::Instance::new(descriptor.with_env()).request_adapter(&options))
 }
 
-/// [`render_scene_with`] on a device of its own.
+/// [`render_scene_with`] on a new device.
 pub fn render_scene(scene: &SceneDescription, size: [u32; 2]) -> Result<RgbaImage, RenderError> {
     let (device, queue, _) = headless_device()?;
     render_scene_with(&device, &queue, scene, size)
@@ -75,7 +75,7 @@ pub fn render_scene_with(
     Studio::on(device, queue).shoot(|renderer, device, queue| renderer.draw(device, queue, scene, size))
 }
 
-/// A device of one's own and what draws on it, for many pictures.
+/// A device and a renderer for making many pictures.
 #[derive(Debug)]
 pub struct Studio {
     device: wgpu::Device,
@@ -84,7 +84,7 @@ pub struct Studio {
 }
 
 impl Studio {
-    /// On any adapter: [`headless_device`].
+    /// A studio on any adapter: [`headless_device`].
     pub fn new() -> Result<Self, RenderError> {
         let (device, queue, _) = headless_device()?;
         Ok(Self::on(&device, &queue))
@@ -94,7 +94,7 @@ impl Studio {
         Self { device: device.clone(), queue: queue.clone(), renderer: SceneRenderer::new(device, queue) }
     }
 
-    /// Renders what `draw` draws, into an sRGB image with straight alpha.
+    /// Renders what `draw` draws into an sRGB image with straight alpha.
     pub fn shoot(
         &mut self,
         draw: impl FnOnce(&mut SceneRenderer, &wgpu::Device, &wgpu::Queue) -> Result<wgpu::Texture, RenderError>,

@@ -1,4 +1,4 @@
-//! The texture image: flattened, made to fit, mip-mapped, anisotropic.
+//! The texture image: flattened, scaled to the device's limits, mip-mapped, anisotropic.
 //!
 //! An image larger than the device's textures is scaled down to fit, its aspect
 //! kept to within a pixel. Transparent parts are laid over the palette's paper
@@ -12,7 +12,7 @@ use image::RgbaImage;
 /// Makes mip levels and owns the sampler.
 #[derive(Debug)]
 pub struct ImageTextures {
-    /// Texture and sampler, also of the mesh pass.
+    /// The layout of texture and sampler, also used by the mesh pass.
     pub layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
     mipmap: wgpu::RenderPipeline,
@@ -56,7 +56,7 @@ impl ImageTextures {
         Self { layout, sampler, mipmap }
     }
 
-    /// One pixel of paper, until somebody brings an image.
+    /// One pixel of the paper color, used until an image is loaded.
     pub fn blank(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> ImageTexture {
         self.upload(device, queue, &RgbaImage::from_pixel(1, 1, image::Rgba(paper_bytes())))
     }

@@ -37,7 +37,7 @@ pub struct MeshBuffers {
     texture_origin: DVec2,
 }
 
-/// How a frame shows the mesh.
+/// The settings with which a frame shows the mesh.
 pub struct MeshFrame<'a> {
     pub camera: &'a Camera,
     pub size_px: [u32; 2],
@@ -112,8 +112,8 @@ fn points_of(attributes: &[wgpu::VertexAttribute]) -> wgpu::VertexBufferLayout<'
 }
 
 impl MeshBuffers {
-    /// Replaces everything; false, and the old mesh stays, when `geometry` is
-    /// inconsistent ([`MeshGeometry::check`]); false, and no mesh is left, when
+    /// Replaces everything. False, with the old mesh kept, if `geometry` is
+    /// inconsistent ([`MeshGeometry::check`]); false, with no mesh left, if
     /// the device has no buffers of this size.
     pub fn set(
         &mut self,
@@ -203,7 +203,7 @@ impl MeshBuffers {
     }
 }
 
-/// False when the sizes do not fit.
+/// Copies the pairs; false if the sizes do not fit.
 fn copy_points(encoder: &mut wgpu::CommandEncoder, from: &wgpu::Buffer, to: &GrowingBuffer, count: usize) -> bool {
     let size = 8 * count as u64;
     let Some(to) = to.get().filter(|to| from.size() == size && to.size() >= size) else { return false };

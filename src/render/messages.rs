@@ -1,4 +1,4 @@
-//! The errors of this room as messages.
+//! The messages of the errors of `render`.
 
 use super::film::MOST_BYTES;
 use super::{FilmError, ImageError, MOST_FRAMES, MeshFault, ReadbackFault, RenderError, SECONDS};

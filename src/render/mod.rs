@@ -3,13 +3,13 @@
 //! [`ViewportRenderer`] owns the pipelines and, for every viewport, its buffers
 //! and off-screen targets: `prepare` renders a viewport, where something of it has changed, into its own
 //! target, multisampled if asked for, `paint` copies the result into the caller's pass.
-//! `scene` does the same into a texture of any size, `readback` brings its pixels back, and
+//! `scene` does the same into a texture of any size, `readback` reads its pixels back, and
 //! `headless` does both without a window.
 //!
-//! Guarantees: every colour in this API is sRGB-encoded with straight alpha, and
-//! a flat colour arrives on the screen as asked to within 1/255. Positions are
-//! f64 here and become f32 once, at upload, relative to the middle of what is
-//! uploaded. Not guaranteed: sharpness beyond a magnification of about 10⁵ of a
+//! Guarantees: every color in this API is sRGB-encoded with straight alpha, and
+//! a flat color appears on the screen as requested to within 1/255. Positions are
+//! f64 here and become f32 once, at upload, relative to the middle of the uploaded
+//! points. Not guaranteed: sharpness beyond a magnification of about 10⁵ of a
 //! mesh's extent, where the f32 steps become visible.
 
 mod blit_pass;

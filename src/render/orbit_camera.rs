@@ -1,22 +1,22 @@
-//! A surface seen by an eye that goes around it: perspective, a virtual trackball.
+//! The camera for surfaces: perspective, orbiting a target like a virtual trackball.
 //!
-//! A turn is about the axes of the screen, not of the world: there is no pole at which the view jumps, and no
-//! way is up but the one chosen. Screen positions are pixels (or points: any unit, as long as
-//! sizes have the same) from the viewport's upper left corner, y down. `to_screen` after `ray` is the identity up to rounding.
+//! Rotations are about the axes of the screen, not of the world: there is no pole at which the view jumps, and no
+//! fixed up direction. Screen positions are pixels (or points: any unit, as long as sizes have the same) from the
+//! viewport's upper left corner, y down. `to_screen` after `ray` is the identity up to rounding.
 
 use glam::{DMat4, DQuat, DVec2, DVec3, DVec4};
 
-/// A ball around a surface.
+/// A sphere around a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundingSphere {
     /// The middle of the bounding box.
     pub center: DVec3,
-    /// Positive.
+    /// The radius, positive.
     pub radius: f64,
 }
 
 impl BoundingSphere {
-    /// Around the middle of the points' bounding box; around the origin where there are none. Cost O(n).
+    /// The sphere around the middle of the points' bounding box; around the origin if there are none. Cost O(n).
     pub fn of(points: &[DVec3]) -> Self {
         let (low, high) =
             points.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
@@ -27,22 +27,22 @@ impl BoundingSphere {
     }
 }
 
-/// An eye that looks at a point.
+/// A camera that looks at a target point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrbitCamera {
-    /// What is in the middle of the viewport.
+    /// The point in the middle of the viewport.
     pub target: DVec3,
-    /// From the eye to the target, positive.
+    /// The distance from the eye to the target, positive.
     pub distance: f64,
-    /// From the eye's axes (x right, y up, z towards the eye) to the world's.
+    /// The rotation from the eye's axes (x right, y up, z towards the eye) to the world's.
     pub rotation: DQuat,
     /// The vertical field of view, in radians.
     pub field_of_view: f64,
-    /// What has to be between the near and the far plane.
+    /// The sphere that must lie between the near and the far plane.
     scene: BoundingSphere,
 }
 
-/// Narrow enough to keep shapes, wide enough for depth to be seen.
+/// Narrow enough not to distort shapes, wide enough to make depth visible.
 const FIELD_OF_VIEW: f64 = 28.0 * std::f64::consts::PI / 180.0;
 
 /// Radians per point: half a turn takes about 400 points.
@@ -52,18 +52,18 @@ const TURN_PER_POINT: f64 = 0.008;
 const NEAREST: f64 = 0.02;
 const FARTHEST: f64 = 50.0;
 
-/// The near plane of an eye within the scene, as a part of its distance to the target.
+/// The near plane of an eye inside the scene, as a part of its distance to the target.
 const NEAR_WITHIN: f64 = 0.05;
 
-/// The y of a unit vector from which on y is its front, not up.
+/// If the mean normal's y component exceeds this in magnitude, the front faces y, and z is taken as up.
 const UPRIGHT: f64 = 0.85;
 
-/// The tangents of the angles by which a surface of which nothing is known is not seen from its front: 24°, 16°.
+/// The tangents of the angles of the default view from the front's normal: 24° to the right, 16° up.
 const ASIDE: f64 = 0.45;
 const ABOVE: f64 = 0.28;
 
 impl OrbitCamera {
-    /// Looks at the scene from the side `towards_eye`, with `up` upwards as far as that can be.
+    /// Looks at the scene from the direction `towards_eye`, with `up` as far up as possible.
     ///
     /// Directions that are zero or parallel are replaced by others.
     pub fn new(scene: BoundingSphere, towards_eye: DVec3, up: DVec3, aspect: f64) -> Self {
@@ -75,15 +75,15 @@ impl OrbitCamera {
         camera
     }
 
-    /// Looks at a surface of which nothing is known: at its front, from a little to the right and above, with y up,
-    /// or z where the front is y's. The front is where the mean normal, weighted by area, points: away from the loop.
+    /// The default view of a surface: at its front, from a little to the right and above, with y up,
+    /// or z up if the front faces y. The front's direction is the mean normal, weighted by area: away from the loop.
     pub fn before(positions: &[DVec3], triangles: &[[u32; 3]], aspect: f64) -> Self {
         let area = |t: &[u32; 3]| {
             let [a, b, c] = t.map(|v| positions[v as usize]);
             (b - a).cross(c - a)
         };
         let sum = triangles.iter().map(area).sum::<DVec3>();
-        // first to a length whose square neither overflows nor vanishes
+        // scaled first to a length whose square neither overflows nor underflows
         let front = (sum / sum.abs().max_element()).try_normalize().unwrap_or(DVec3::Z);
         let up = if front.y.abs() < UPRIGHT { DVec3::Y } else { DVec3::Z };
         let right = up.cross(front).normalize_or_zero();
@@ -101,8 +101,8 @@ impl OrbitCamera {
         self.distance = scene.radius / narrow.sin();
     }
 
-    /// Moves and comes so near that `points` are in the middle of the viewport and touch its margin, a part of
-    /// its smaller side, from the same side. Cost O(n).
+    /// Translates the camera, keeping its direction, so that `points` are centered in the viewport and just fit inside
+    /// its margin, which is a part of its smaller side. Cost O(n).
     pub fn frame(&mut self, points: &[DVec3], aspect: f64, margin: f64) {
         let half = (0.5 * self.field_of_view).tan();
         let room = DVec2::new(half * aspect, half) - margin * half * aspect.min(1.0) * 2.0;
@@ -123,7 +123,7 @@ impl OrbitCamera {
         }
     }
 
-    /// Turns what is seen as if it were a ball under the pointer, which moved by `delta` points.
+    /// Rotates the view as if a ball were rolled under the pointer, which moved by `delta` points.
     pub fn orbit(&mut self, delta: DVec2) {
         let angle = TURN_PER_POINT * delta.length();
         let axis = DVec3::new(-delta.y, -delta.x, 0.0).try_normalize();
@@ -138,7 +138,7 @@ impl OrbitCamera {
         self.target += self.rotation * step;
     }
 
-    /// Comes nearer by `factor` (away below 1): the point of the target's plane at `about` stays where it is.
+    /// Moves nearer by `factor` (farther below 1), keeping the point of the target's plane at `about` fixed.
     pub fn zoom(&mut self, factor: f64, about: DVec2, size: DVec2) {
         let distance = (self.distance / factor).clamp(NEAREST * self.scene.radius, FARTHEST * self.scene.radius);
         if !distance.is_finite() {
@@ -150,7 +150,7 @@ impl OrbitCamera {
         self.distance = distance;
     }
 
-    /// Where the eye is.
+    /// The position of the eye.
     pub fn eye(&self) -> DVec3 {
         self.target + self.distance * self.backward()
     }
@@ -160,12 +160,12 @@ impl OrbitCamera {
         self.rotation * DVec3::Z
     }
 
-    /// The world's length of a pixel in the target's plane.
+    /// The world length of a pixel in the target's plane.
     pub fn units_per_pixel(&self, size: DVec2) -> f64 {
         2.0 * self.distance * (0.5 * self.field_of_view).tan() / size.y
     }
 
-    /// World → clip coordinates: depth from 0 (near) to 1 (far), the scene between.
+    /// World → clip coordinates: depth from 0 (near) to 1 (far), with the scene between them.
     pub fn view_projection(&self, aspect: f64) -> DMat4 {
         let (near, far) = self.depths();
         let view = DMat4::from_rotation_translation(self.rotation, self.eye()).inverse();
@@ -183,13 +183,13 @@ impl OrbitCamera {
     /// The distances of the near and the far plane.
     pub(super) fn depths(&self) -> (f64, f64) {
         let depth = (self.eye() - self.scene.center).dot(self.backward());
-        // a little more than the sphere: what touches it is seen
+        // slightly more than the sphere, so that points on it are drawn
         let radius = 1.01 * self.scene.radius;
         let near = (depth - radius).max(NEAR_WITHIN * self.distance);
         (near, (depth + radius).max(2.0 * near))
     }
 
-    /// Where `p` is in a viewport of `size`; `None` at or behind the eye.
+    /// The screen position of `p` in a viewport of `size`; `None` at or behind the eye.
     pub fn to_screen(&self, p: DVec3, size: DVec2) -> Option<DVec2> {
         let seen = self.rotation.inverse() * (p - self.eye());
         if seen.z >= 0.0 {
@@ -199,7 +199,7 @@ impl OrbitCamera {
         Some(0.5 * size + pixels * DVec2::new(seen.x, -seen.y))
     }
 
-    /// The eye, and the direction, of unit length, to what is seen at `place` of a viewport of `size`.
+    /// The eye, and the unit direction towards position `place` of a viewport of `size`.
     pub fn ray(&self, place: DVec2, size: DVec2) -> (DVec3, DVec3) {
         let across = (place - 0.5 * size) * DVec2::new(1.0, -1.0) * self.units_per_pixel(size);
         (self.eye(), (self.rotation * across.extend(-self.distance)).normalize())
@@ -233,7 +233,7 @@ mod tests {
         let above = camera.to_screen(SCENE.center + DVec3::Z, SIZE).unwrap();
         assert!((above.x - middle.x).abs() < 1e-9 && above.y < middle.y, "{above}");
         assert_eq!(camera.to_screen(camera.eye() + camera.backward(), SIZE), None);
-        // looking along `up` is a view too
+        // looking along `up` is valid too
         let along = OrbitCamera::new(SCENE, DVec3::Z, DVec3::Z, 1.0);
         assert!(along.rotation.is_normalized() && (along.backward() - DVec3::Z).length() < 1e-15);
     }

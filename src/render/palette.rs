@@ -1,27 +1,27 @@
-//! 256 colours for pictures that have more.
+//! Reduces pictures to 256 colors.
 
 use color_quant::NeuQuant;
 
-/// Pixels from which the colours are learned, spread over the picture: as many as take 20 ms.
+/// The number of pixels from which the colors are learned, spread over the picture: takes 20 ms.
 const LEARNED_FROM: usize = 20_000;
 /// A prime that is no divisor of the usual widths: else all samples would lie in a few columns.
 const STEP_PRIME: usize = 7;
-/// Bits of each channel by which pixels look their colour up: 0.5 MB.
+/// Bits of each channel in the table from colors to indices: 0.5 MB.
 const BITS: u32 = 6;
-/// Colours are renewed when pixels are farther from them than this times as far as when they were learned, ...
+/// Colors are learned again if the error exceeds this times the error at learning, ...
 const WORSE: f64 = 2.0;
-/// ... and farther than this (mean square of a channel's difference): less is not seen.
+/// ... and this (mean square of a channel's difference), below which errors are invisible.
 const UNSEEN: f64 = 12.0;
-/// No colour has been looked up yet.
+/// A table entry that has not been computed yet.
 const UNKNOWN: u16 = u16::MAX;
 
-/// A palette, and the way to it.
+/// A palette with a table of nearest colors.
 pub struct Palette {
     learned: NeuQuant,
     colours: Vec<u8>,
-    /// By the upper bits of red, green, blue.
+    /// Palette indices by the upper bits of red, green, blue.
     nearest: Vec<u16>,
-    /// The mean square of a channel's difference where it was learned.
+    /// The mean square of a channel's difference in the picture from which the palette was learned.
     error: f64,
 }
 
@@ -29,10 +29,10 @@ impl Palette {
     /// The index of pixels that are more transparent than not; its colour is black.
     pub const TRANSPARENT: u8 = 255;
 
-    /// Of the colours of `pixels`, which are RGBA.
+    /// Learns a palette from `pixels`, which are RGBA.
     pub fn learned(pixels: &[u8]) -> Self {
         let sample: Vec<u8> = sampled(pixels).flat_map(|[r, g, b]| [r, g, b, 255]).collect();
-        // at least a pixel of every colour is needed; one of all when nothing is opaque
+        // at least one pixel is needed, even if none is opaque
         let sample = if sample.is_empty() { vec![0, 0, 0, 255] } else { sample };
         let learned = NeuQuant::new(1, usize::from(Self::TRANSPARENT), &sample);
         let mut colours = learned.color_map_rgb();
@@ -42,17 +42,17 @@ impl Palette {
         palette
     }
 
-    /// Red, green, blue of all colours.
+    /// Red, green, blue of all colors in sequence.
     pub fn colours(&self) -> &[u8] {
         &self.colours
     }
 
-    /// Whether `pixels` have about the colours that it was learned from.
+    /// Whether the palette represents `pixels` about as well as those from which it was learned.
     pub fn fits(&self, pixels: &[u8]) -> bool {
         self.mean_error(pixels) <= (WORSE * self.error).max(UNSEEN)
     }
 
-    /// The colour of every pixel.
+    /// The palette index of every pixel.
     pub fn indices(&mut self, pixels: &[u8]) -> Vec<u8> {
         pixels.chunks_exact(4).map(|pixel| self.index(pixel)).collect()
     }
@@ -81,7 +81,7 @@ impl Palette {
     }
 }
 
-/// Opaque pixels all over a picture.
+/// Opaque pixels sampled over the whole picture.
 fn sampled(pixels: &[u8]) -> impl Iterator<Item = [u8; 3]> + '_ {
     // not a divisor of round widths, or all samples would lie in a few columns
     let step = (pixels.len() / 4).div_ceil(LEARNED_FROM).max(1);

@@ -1,4 +1,4 @@
-//! What `shaders/pattern.wgsl` needs to know, for meshes in the plane and in space.
+//! The uniform block of a pattern for `shaders/pattern.wgsl`, for meshes in the plane and in space.
 
 use super::style::{HUE, PAPER};
 use super::{Pattern, TextureStyle};
@@ -7,7 +7,7 @@ use glam::DVec2;
 /// The fragment entry points, in the order of [`pattern_index`].
 pub const PATTERN_FRAGMENTS: [&str; 5] = ["fs_checker", "fs_grid", "fs_polar", "fs_image", "fs_conformal"];
 
-/// The place of a pattern's pipeline.
+/// The index of a pattern's pipeline.
 pub fn pattern_index(pattern: Pattern) -> usize {
     match pattern {
         Pattern::Checker => 0,
@@ -30,8 +30,8 @@ pub struct PatternUniform {
 }
 
 impl PatternUniform {
-    /// For texture coordinates relative to `origin`, an image of this width over height, and thin lines
-    /// of so many pixels.
+    /// For texture coordinates relative to `origin`, an image with this ratio of width to height, and thin lines
+    /// of `line_px` pixels.
     pub fn new(style: &TextureStyle, origin: DVec2, image_aspect: f64, line_px: f32) -> Self {
         let (low, high) = style.bounds;
         let (middle, extent) = (0.5 * (low + high), (high - low).max(DVec2::splat(f64::MIN_POSITIVE)));

@@ -1,4 +1,4 @@
-//! Where geometry relative to an origin lands: as clip coordinates or pixels.
+//! Maps geometry relative to an origin to clip coordinates or pixels.
 //!
 //! The large numbers cancel in f64, here; the shader only scales and shifts.
 

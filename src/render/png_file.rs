@@ -1,14 +1,14 @@
-//! A picture as a PNG file, some rows at a time: nothing waits for a large one.
+//! Encodes a picture as a PNG file some rows at a time, so that a large one blocks no frame.
 
 use super::FilmError;
 use super::film::SharedBytes;
 use image::RgbaImage;
 use std::io::Write as _;
 
-/// Bytes of pixels that are compressed in one go: 10 to 20 ms.
+/// Bytes of pixels compressed in one call: 10 to 20 ms.
 const GO: usize = 1 << 20;
 
-/// A file in the making.
+/// A PNG file being encoded.
 pub struct PngFile {
     picture: RgbaImage,
     written: usize,
@@ -17,7 +17,7 @@ pub struct PngFile {
 }
 
 impl PngFile {
-    /// Of a picture with straight alpha.
+    /// Begins the file of a picture with straight alpha.
     pub fn begin(picture: RgbaImage) -> Result<Self, FilmError> {
         let bytes = SharedBytes::default();
         let mut encoder = png::Encoder::new(bytes.clone(), picture.width(), picture.height());
@@ -28,12 +28,12 @@ impl PngFile {
         Ok(Self { picture, written: 0, stream: Some(stream), bytes })
     }
 
-    /// How much of it is written, from 0 to 1.
+    /// The part that has been written, from 0 to 1.
     pub fn progress(&self) -> f32 {
         self.written as f32 / self.picture.as_raw().len().max(1) as f32
     }
 
-    /// Writes some more; the file, when it is complete.
+    /// Writes more rows; returns the file when it is complete.
     pub fn advance(&mut self) -> Result<Option<Vec<u8>>, FilmError> {
         let Some(mut stream) = self.stream.take() else { return Ok(None) };
         let pixels = self.picture.as_raw();

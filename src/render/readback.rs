@@ -1,6 +1,6 @@
-//! The pixels of a texture, brought back from the graphics device.
+//! Reads the pixels of a texture back from the graphics device.
 //!
-//! In a browser nobody may wait for the device: [`Readback::poll`] asks whether they are there.
+//! A browser does not allow waiting for the device: [`Readback::poll`] asks whether they have arrived.
 
 use super::{ReadbackFault, RenderError};
 use image::RgbaImage;
@@ -8,7 +8,7 @@ use std::pin::pin;
 use std::sync::mpsc;
 use std::task::{Context, Poll, Waker};
 
-/// Pixels on their way.
+/// A pending readback of pixels.
 #[derive(Debug)]
 pub struct Readback {
     buffer: wgpu::Buffer,
@@ -17,7 +17,7 @@ pub struct Readback {
 }
 
 impl Readback {
-    /// Asks for the pixels of an 8-bit RGBA `texture`, as they are after what has been submitted.
+    /// Requests the pixels of an 8-bit RGBA `texture`, as they are after all submitted commands.
     pub fn begin(device: &wgpu::Device, queue: &wgpu::Queue, texture: &wgpu::Texture) -> Self {
         let size = [texture.width(), texture.height()];
         let row = padded_row(size[0]);
@@ -34,13 +34,13 @@ impl Readback {
         queue.submit([encoder.finish()]);
         let (sender, mapped) = mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // Where the readback was dropped, nobody waits for the answer.
+            // The send fails if the readback was dropped; then the result is not needed.
             let _ = sender.send(result);
         });
         Self { buffer, mapped, size }
     }
 
-    /// The picture with straight alpha, as soon as it is there. Does not wait.
+    /// The picture with straight alpha once it has arrived. Does not block.
     pub fn poll(&self, device: &wgpu::Device) -> Option<Result<RgbaImage, RenderError>> {
         if let Err(error) = device.poll(wgpu::PollType::Poll) {
             return Some(Err(failed(&error)));
@@ -53,7 +53,7 @@ impl Readback {
         }
     }
 
-    /// Waits for the picture; natively.
+    /// Blocks until the picture has arrived; native only.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn wait(&self, device: &wgpu::Device) -> Result<RgbaImage, RenderError> {
         device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| failed(&error))?;
@@ -74,13 +74,13 @@ impl Readback {
     }
 }
 
-/// What the graphics library says.
+/// The graphics library's message as an error.
 pub(super) fn failed(error: &impl ToString) -> RenderError {
     RenderError::Readback(ReadbackFault::Library(error.to_string()))
 }
 
-/// Carries out `work`, and reports what the device has against it: natively and with WebGL at once. WebGPU tells
-/// later, by refusing the pixels.
+/// Carries out `work` and reports the device's validation errors: immediately with native backends and WebGL. WebGPU
+/// reports them later, by failing the readback.
 pub fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> Result<R, RenderError>) -> Result<R, RenderError> {
     let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
     let validation = device.push_error_scope(wgpu::ErrorFilter::Validation);
@@ -91,7 +91,7 @@ pub fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> Result<R, Render
     }
 }
 
-/// The answer, if it is there already.
+/// The value of the future, if it is ready.
 fn now(answer: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Error> {
     match pin!(answer).poll(&mut Context::from_waker(Waker::noop())) {
         Poll::Ready(error) => error,
@@ -99,7 +99,7 @@ fn now(answer: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Error>
     }
 }
 
-/// Rows are padded to the copy alignment on their way.
+/// The bytes of a row in the copy buffer, padded to the copy alignment.
 fn padded_row(width: u32) -> u32 {
     (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
 }

@@ -1,13 +1,13 @@
-//! A surface drawn for nobody, while there is time for it.
+//! Draws a surface off screen ahead of time, while the app is idle.
 //!
-//! Pipelines are made with the first surface, and software adapters compile them when they first draw: together that
+//! Pipelines are created with the first surface, and software adapters compile them at the first draw: together that
 //! takes longer than a frame.
 
 use super::{OrbitCamera, Pace, Pattern, SpaceFrame, StrokeStyle, SurfaceGeometry, TextureStyle, ViewportRenderer};
 use glam::{DVec2, DVec3};
 
 impl ViewportRenderer {
-    /// Draws one triangle as surfaces are drawn, unless there has been one.
+    /// Draws one triangle with all pipelines of surfaces, unless a surface has been drawn already.
     pub fn rehearse_surface(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
         if self.has_surface() {
             return;

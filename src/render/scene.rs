@@ -1,6 +1,6 @@
 //! Scenes: planar meshes and surfaces side by side, drawn into a texture of any size.
 //!
-//! A scene goes through the same `prepare` and `paint` as on screen, into a target like egui's.
+//! A scene uses the same `prepare` and `paint` as the screen, with a target like egui's.
 
 use super::targets::attachment;
 use super::{
@@ -10,10 +10,10 @@ use super::{
 use glam::DVec2;
 use image::RgbaImage;
 
-/// Like egui's target: sRGB-encoded bytes, encoded by the shader.
+/// The format of egui's target: sRGB-encoded bytes, encoded by the shader.
 const TARGET_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// One of the pictures of a scene.
+/// One viewport of a scene.
 #[derive(Clone, Debug)]
 pub enum ScenePicture<'a> {
     /// A mesh in the plane.
@@ -41,9 +41,9 @@ pub struct SceneViewport<'a> {
     pub geometry: MeshGeometry<'a>,
     /// The closed outline; may be empty.
     pub boundary: &'a [DVec2],
-    /// Its stroke; `None`: the theme's.
+    /// The outline's stroke; `None` for the theme's.
     pub boundary_style: Option<StrokeStyle>,
-    /// `None`: fit the positions with [`SceneDescription::margin_px`].
+    /// `None` fits the positions with [`SceneDescription::margin_px`].
     pub camera: Option<Camera>,
     /// The texture.
     pub style: TextureStyle,
@@ -53,16 +53,16 @@ pub struct SceneViewport<'a> {
     pub handles: &'a [Handle],
 }
 
-/// A mesh that is shown triangle by triangle.
+/// A mesh shown triangle by triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct SceneCells<'a> {
-    /// Where each vertex is drawn.
+    /// The position at which each vertex is drawn.
     pub positions: &'a [DVec2],
     /// Vertex indices.
     pub triangles: &'a [[u32; 3]],
-    /// The codes of the triangles; empty: 0 for all.
+    /// The codes of the triangles; empty for 0 everywhere.
     pub codes: &'a [CellCode],
-    /// How.
+    /// The colors and edges.
     pub style: CellStyle,
 }
 
@@ -79,23 +79,23 @@ pub struct SceneDescription<'a> {
     pub margin_px: f32,
 }
 
-/// Draws scenes one after the other; pipelines, buffers and targets are kept.
+/// Draws scenes in sequence; pipelines, buffers and targets are reused.
 #[derive(Debug)]
 pub struct SceneRenderer {
     renderer: ViewportRenderer,
-    /// How many viewports it has.
+    /// The number of pictures.
     viewports: usize,
     target: Option<wgpu::Texture>,
 }
 
 impl SceneRenderer {
-    /// For scenes of any number of pictures.
+    /// A renderer for scenes with any number of pictures.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
         let viewports = 2;
         Self { renderer: renderer(device, queue, viewports), viewports, target: None }
     }
 
-    /// Draws `scene` into a texture of `size` pixels: sRGB-encoded, alpha premultiplied. [`super::Readback`] gives its
+    /// Draws `scene` into a texture of `size` pixels: sRGB-encoded, alpha premultiplied. [`super::Readback`] reads its
     /// pixels.
     ///
     /// Of n pictures, number k takes the columns from ⌊k·w/n⌋ to ⌊(k+1)·w/n⌋.

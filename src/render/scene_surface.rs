@@ -11,9 +11,9 @@ use glam::DVec2;
 pub struct SceneSurface<'a> {
     /// The surface.
     pub geometry: SurfaceGeometry<'a>,
-    /// Where each vertex looks the texture up: its image in the plane.
+    /// The texture coordinates of each vertex: its image in the plane.
     pub texture_coordinates: &'a [DVec2],
-    /// The codes of the triangles; empty: 0 for all.
+    /// The codes of the triangles; empty for 0 everywhere.
     pub codes: &'a [CellCode],
     /// Colours, edges and marks of the triangles.
     pub cells: Option<CellStyle>,
@@ -21,14 +21,14 @@ pub struct SceneSurface<'a> {
     pub camera: OrbitCamera,
     /// The texture.
     pub style: TextureStyle,
-    /// The boundary's stroke; `None`: the theme's.
+    /// The boundary's stroke; `None` for the theme's.
     pub stroke: Option<StrokeStyle>,
     /// Discs on top.
     pub handles: &'a [SurfaceHandle],
 }
 
 impl SceneSurface<'_> {
-    /// What is wrong with it, if anything is.
+    /// Checks the geometry and the lengths of the arrays.
     pub(super) fn check(&self) -> Result<(), RenderError> {
         let wrong = |fault| RenderError::Surface { fault };
         self.geometry.check().map_err(wrong)?;
@@ -43,7 +43,7 @@ impl SceneSurface<'_> {
         Ok(())
     }
 
-    /// Uploads it to a viewport, and records its rendering.
+    /// Uploads the surface to a viewport and records its rendering.
     pub(super) fn prepare(
         &self,
         (device, queue): Graphics<'_>,

@@ -1,4 +1,4 @@
-//! The vertices of a surface as the GPU has them: a place and a normal in four floats.
+//! The vertices of a surface on the GPU: a position and a normal in four floats.
 //!
 //! Normals are means of the triangles' normals, weighted by their angles (Thürmer and Wüthrich 1998), so that
 //! shading does not depend on how a surface is cut into triangles. They are stored as two 12-bit numbers (the octahedron's
@@ -12,7 +12,7 @@ pub type SpaceVertex = [f32; 4];
 /// The largest number in 12 bits.
 const LEVELS: f64 = 4095.0;
 
-/// What places on the GPU are relative to. In its unit they are about 1, so that f32 holds surfaces of any size.
+/// The frame of positions on the GPU. In its unit, coordinates are about 1, so that f32 suits surfaces of any size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalFrame {
     /// The middle of the surface's bounding box.
@@ -28,7 +28,7 @@ impl Default for LocalFrame {
 }
 
 impl LocalFrame {
-    /// Of a surface with these vertices. Cost O(n).
+    /// The frame of a surface with these vertices. Cost O(n).
     fn of(positions: &[DVec3]) -> Self {
         let (low, high) =
             positions.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
@@ -42,13 +42,13 @@ impl LocalFrame {
         (p - self.origin) / self.unit
     }
 
-    /// A place as the GPU has it.
+    /// A position in the frame, as f32.
     pub fn place(&self, p: DVec3) -> [f32; 3] {
         self.local(p).as_vec3().to_array()
     }
 }
 
-/// Fills `vertices` with places in a frame of their own, which is returned. Cost O(n).
+/// Fills `vertices` with positions in a new frame, which is returned. Cost O(n).
 pub fn stage(vertices: &mut Vec<SpaceVertex>, positions: &[DVec3], triangles: &[[u32; 3]]) -> LocalFrame {
     let frame = LocalFrame::of(positions);
     let normals = normals(&frame, positions, triangles);
@@ -60,7 +60,7 @@ pub fn stage(vertices: &mut Vec<SpaceVertex>, positions: &[DVec3], triangles: &[
     frame
 }
 
-/// In the frame's unit, for areas of areas are to have no overflow.
+/// Vertex normals. Computed in the frame's unit, so that products of areas do not overflow.
 fn normals(frame: &LocalFrame, positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; positions.len()];
     for triangle in triangles {
@@ -74,7 +74,7 @@ fn normals(frame: &LocalFrame, positions: &[DVec3], triangles: &[[u32; 3]]) -> V
     normals
 }
 
-/// A normal of any length in one float: an integer below 2²⁴. Zero is packed as z.
+/// A normal of any length, packed into one float as an integer below 2²⁴. The zero vector is packed as z.
 fn packed(normal: DVec3) -> f32 {
     let sum = normal.abs().element_sum();
     let n = if sum > 0.0 && sum.is_finite() { normal / sum } else { DVec3::Z };
@@ -110,7 +110,7 @@ mod tests {
             assert!(angle < 0.06, "{normal}: {angle}°");
         }
         for axis in DVec3::AXES.into_iter().chain(DVec3::AXES.map(|axis| -axis)) {
-            // the middle of 4096 steps is between two of them
+            // the middle of 4096 steps lies between two of them
             assert!(unpacked(packed(axis)).angle_between(axis).to_degrees() < 0.06, "{axis}");
         }
         assert_eq!(packed(DVec3::ZERO), packed(DVec3::Z));

@@ -2,9 +2,9 @@
 //!
 //! Two passes, `shaders/stroke.wgsl` and `shaders/stroke_composite.wgsl`: the
 //! coverage of the union of all segments goes into an 8-bit target with
-//! "maximum" blending, then the colour is laid over the picture once. So joins
+//! "maximum" blending, then the color is laid over the picture once. So joins
 //! are round and many segments within a pixel do not thicken the line, for any
-//! number of points. Strokes thinner than a pixel get fainter instead.
+//! number of points. Strokes thinner than a pixel become fainter instead.
 
 use super::gpu::{self, GrowingBuffer, PipelineSpec, Uniform};
 use super::style::linear_colour;
@@ -26,7 +26,7 @@ struct StrokeUniform {
 #[derive(Debug)]
 pub struct StrokePass {
     layout: wgpu::BindGroupLayout,
-    /// Of the coverage texture, for the composite.
+    /// The layout of the coverage texture, for the composite.
     pub coverage_layout: wgpu::BindGroupLayout,
     cover: wgpu::RenderPipeline,
     composite: wgpu::RenderPipeline,
@@ -37,7 +37,7 @@ pub struct StrokePass {
 pub struct StrokeBuffers {
     stroke: Uniform,
     colour: Uniform,
-    /// The points and the first one again.
+    /// The points, with the first one repeated at the end.
     points: GrowingBuffer,
     segment_count: u32,
     origin: DVec2,
@@ -94,7 +94,7 @@ impl StrokePass {
         gpu::pipeline(device, &spec)
     }
 
-    /// No outline.
+    /// Buffers without an outline.
     pub fn buffers(&self, device: &wgpu::Device) -> StrokeBuffers {
         StrokeBuffers {
             stroke: Uniform::new(device, &self.layout, size_of::<StrokeUniform>()),
@@ -155,7 +155,7 @@ impl StrokeBuffers {
     /// Writes the uniform blocks of a frame.
     pub fn write_frame(&self, queue: &wgpu::Queue, camera: &Camera, size_px: [u32; 2], style: &StrokeStyle) {
         let width = style.width_px.max(0.0);
-        // Below a pixel the line keeps its width and loses strength.
+        // A line thinner than a pixel is drawn one pixel wide and fainter.
         let strength = width.min(1.0);
         let size = [size_px[0] as f32, size_px[1] as f32, 0.5 * width.max(1.0), 0.0];
         let placement = placement::to_pixels(camera, self.origin, size_px);

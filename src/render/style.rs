@@ -1,4 +1,4 @@
-//! How things look: texture patterns, strokes, handles and the calm palette.
+//! Visual style: texture patterns, strokes, handles and the palette.
 //!
 //! All colours are sRGB-encoded with straight alpha, components in 0..=1, as in
 //! a hex triple divided by 255.
@@ -22,7 +22,7 @@ fn linear(encoded: f32) -> f32 {
     if encoded <= 0.040_45 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }
 
-/// What is drawn on one domain and carried along by the map.
+/// The pattern drawn on one domain and transported by the map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pattern {
     /// Squares, cream and the vertical hue change in turn.
@@ -40,10 +40,10 @@ pub enum Pattern {
     Image,
 }
 
-/// The texture of a viewport, described in the domain where it lives: mostly the source.
+/// The texture of a viewport, described in the domain to which it belongs: usually the source.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureStyle {
-    /// Which pattern.
+    /// The pattern.
     pub pattern: Pattern,
     /// Cells across the larger extent of `bounds`, positive.
     pub cells: f64,
@@ -84,9 +84,9 @@ impl StrokeStyle {
 /// How the mapped mesh is shown triangle by triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellStyle {
-    /// Colours by code, in place of the texture; `None` leaves the texture.
+    /// The color map that replaces the texture; `None` keeps the texture.
     pub map: Option<ColourMap>,
-    /// The edges; they fade where cells get lower than a few points.
+    /// The edges; they fade where cells are lower than a few points.
     pub wire: Option<StrokeStyle>,
     /// Whether flipped triangles are marked over everything else.
     pub marks: bool,
@@ -94,10 +94,10 @@ pub struct CellStyle {
     pub pixels_per_point: f32,
 }
 
-/// A coloured disc with a white ring: a point that can be dragged.
+/// A colored disc with a white ring: a point that can be dragged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Handle {
-    /// Where, in the world of its viewport.
+    /// The position, in the world of its viewport.
     pub position: DVec2,
     /// sRGB-encoded, straight alpha.
     pub colour: [f32; 4],
@@ -123,7 +123,7 @@ impl TextureStyle {
         })
     }
 
-    /// How many rays [`Pattern::Conformal`] has; as in `shaders/pattern.wgsl`.
+    /// The number of rays of [`Pattern::Conformal`]; as in `shaders/pattern.wgsl`.
     pub fn conformal_rays(&self) -> u32 {
         4 * (0.75 * self.cells).round().max(1.0) as u32
     }

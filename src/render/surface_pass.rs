@@ -1,8 +1,8 @@
 //! A surface in space: its buffers, the pipelines of its texture (`shaders/surface.wgsl`) and of its triangles
 //! (`shaders/surface_cells.wgsl`), with depth.
 //!
-//! Places and normals are uploaded once, texture coordinates each frame of a drag. For colours and edges of triangles
-//! every corner is a vertex of its own, as in [`super::cell_pass`].
+//! Positions and normals are uploaded once, texture coordinates in each frame of a drag. For colors and edges of
+//! triangles every corner is a separate vertex, as in [`super::cell_pass`].
 
 use super::cell_lookup::{Lookup, palette_groups};
 use super::cell_pass::EdgeUniform;
@@ -13,10 +13,10 @@ use super::space_vertices::{self, LocalFrame, SpaceVertex};
 use super::{CellCode, CellStyle, ColourMap, OrbitCamera, Pattern, SurfaceGeometry, TextureStyle};
 use glam::DVec2;
 
-/// Edges are drawn nearer to the eye than their triangles by the length of so many pixels.
+/// Edges are drawn nearer to the eye than their triangles, by the length of this many pixels.
 const EDGE_LIFT_PX: f64 = 0.75;
 
-/// The light's part of a texture, and of a triangle's colour, which has to be read off.
+/// The light's part of a texture's color, and of a triangle's color, which must remain readable.
 const LIGHT: f32 = 1.0;
 const LIGHT_ON_CELLS: f32 = 0.5;
 
@@ -53,7 +53,7 @@ pub struct SurfaceBuffers {
     vertices: GrowingBuffer,
     coordinates: GrowingBuffer,
     indices: GrowingBuffer,
-    /// The vertex at every corner of the cells: the same numbers again, for WebGL binds no index buffer elsewhere.
+    /// The vertex at every corner of the cells: the indices again, since WebGL cannot bind an index buffer as vertices.
     corners: GrowingBuffer,
     lookup: Option<Lookup>,
     vertex_count: usize,
@@ -62,7 +62,7 @@ pub struct SurfaceBuffers {
     coordinate_origin: DVec2,
 }
 
-/// How a frame shows the surface.
+/// The settings with which a frame shows the surface.
 pub struct SurfaceView<'a> {
     pub camera: &'a OrbitCamera,
     pub size_px: [u32; 2],
@@ -85,7 +85,7 @@ impl SurfacePass {
         Self { layout, lookup_layout, textured, colour, overlay, palettes }
     }
 
-    /// No surface.
+    /// Buffers without a surface.
     pub fn buffers(&self, device: &wgpu::Device) -> SurfaceBuffers {
         SurfaceBuffers {
             uniform: Uniform::new(device, &self.layout, size_of::<SurfaceUniform>()),
@@ -102,7 +102,7 @@ impl SurfacePass {
         }
     }
 
-    /// Replaces the surface, whose geometry is sound; false, and none is left, where it does not fit on the device.
+    /// Replaces the surface, whose geometry must be consistent; false, with none left, if the device cannot hold it.
     pub fn set(
         &self,
         device: &wgpu::Device,
@@ -163,7 +163,7 @@ impl SurfacePass {
         self.draw_cells(pass, surface, &self.colour, map);
     }
 
-    /// Draws edges and marks over what is there.
+    /// Draws edges and marks over the picture.
     pub fn draw_overlay(&self, pass: &mut wgpu::RenderPass, surface: &SurfaceBuffers) {
         self.draw_cells(pass, surface, &self.overlay, ColourMap::Cividis);
     }
@@ -252,7 +252,7 @@ fn textured_pipelines(
     })
 }
 
-/// Of colours, and of edges and marks.
+/// The pipelines of colors, and of edges and marks.
 fn cell_pipelines(device: &wgpu::Device, groups: &[&wgpu::BindGroupLayout], samples: u32) -> [wgpu::RenderPipeline; 2] {
     let source = concat!(
         include_str!("../../shaders/space.wgsl"),

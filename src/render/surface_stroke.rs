@@ -1,7 +1,7 @@
 //! The boundary loop of a surface in space, of constant width on the screen (`shaders/surface_stroke.wgsl`).
 //!
-//! The stroke is drawn with the surface, into its samples and its depth: it is hidden where the surface is
-//! before it, and as smooth as 4 samples are. Strokes thinner than a pixel keep their width.
+//! The stroke is drawn with the surface, into the same samples and depth: the surface hides it where it is
+//! in front, and it is antialiased by 4 samples only. Strokes thinner than a pixel keep their width.
 
 use super::eye_uniform::EyeUniform;
 use super::gpu::{self, Depth, GrowingBuffer, PipelineSpec, Uniform};
@@ -10,8 +10,8 @@ use super::style::linear_colour;
 use super::{OrbitCamera, StrokeStyle};
 use glam::DVec3;
 
-/// How much nearer to the eye the stroke is drawn, in its widths: on a surface that leans away by up to 70°
-/// the half of it that lies on the surface is seen.
+/// How much nearer to the eye the stroke is drawn, in its widths: on a surface inclined by up to 70°
+/// the half of the stroke that lies on the surface is visible.
 const LIFT: f64 = 1.5;
 
 #[repr(C)]
@@ -71,7 +71,7 @@ impl SurfaceStrokePass {
         Self { pipeline: gpu::pipeline_with_depth(device, &spec, &depth), layout }
     }
 
-    /// No loop.
+    /// Buffers without a loop.
     pub fn buffers(&self, device: &wgpu::Device) -> SurfaceStrokeBuffers {
         SurfaceStrokeBuffers {
             uniform: Uniform::new(device, &self.layout, size_of::<StrokeUniform>()),
@@ -80,7 +80,7 @@ impl SurfaceStrokePass {
         }
     }
 
-    /// Draws the loop over what is there.
+    /// Draws the loop over the picture.
     pub fn draw(&self, pass: &mut wgpu::RenderPass, stroke: &SurfaceStrokeBuffers) {
         let Some(points) = stroke.points.get().filter(|_| stroke.segment_count > 0) else { return };
         pass.set_pipeline(&self.pipeline);
@@ -91,7 +91,7 @@ impl SurfaceStrokePass {
     }
 }
 
-/// A covered sample takes the colour whole, and is opaque where the ground was.
+/// A covered sample takes the full color, and becomes opaque where only the background was.
 const COVERED: wgpu::BlendState = wgpu::BlendState {
     color: wgpu::BlendComponent::REPLACE,
     alpha: wgpu::BlendComponent {

@@ -15,13 +15,13 @@ use super::viewport::{LINE_TO_STROKE, Viewport, begin_pass, clear_colour};
 use super::{Camera, CellCode, Detail, Handle, MeshFault, OrbitCamera, Pace, SpaceFrame, ViewportRenderer};
 use glam::{DVec2, DVec3};
 
-/// A handle behind the surface has this part of its strength.
+/// The opacity of a handle behind the surface, relative to a visible one.
 const HIDDEN_STRENGTH: f32 = 0.35;
 
 /// A surface in space.
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceGeometry<'a> {
-    /// Where the vertices are, the boundary loop's first.
+    /// The positions of the vertices, the boundary loop's first.
     pub positions: &'a [DVec3],
     /// Vertex indices; seen from their front side they are counter-clockwise.
     pub triangles: &'a [[u32; 3]],
@@ -30,7 +30,7 @@ pub struct SurfaceGeometry<'a> {
 }
 
 impl SurfaceGeometry<'_> {
-    /// Ok when the loop and every triangle have existing vertices; otherwise what is wrong. `O(triangles)`.
+    /// Ok if the loop and every triangle have existing vertices; otherwise the fault. `O(triangles)`.
     pub fn check(&self) -> Result<(), MeshFault> {
         let count = self.positions.len();
         if self.boundary_count as usize > count {
@@ -43,12 +43,12 @@ impl SurfaceGeometry<'_> {
     }
 }
 
-/// A point of a surface that can be dragged, drawn as the planar [`Handle`]s are.
+/// A point of a surface that can be dragged, drawn like the planar [`Handle`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceHandle {
-    /// Where.
+    /// The position.
     pub position: DVec3,
-    /// Whether the surface is before it (`SurfaceTree::hides`): it is drawn fainter.
+    /// Whether the surface is in front of it (`SurfaceTree::hides`): it is then drawn fainter.
     pub hidden: bool,
     /// sRGB-encoded, straight alpha.
     pub colour: [f32; 4],
@@ -106,7 +106,7 @@ impl ViewportRenderer {
             && shown.stroke.set(device, queue, boundary, shown.surface.frame)
     }
 
-    /// Whether there has been a surface.
+    /// Whether a surface has been set.
     pub(super) fn has_surface(&self) -> bool {
         self.surface_passes.is_some()
     }
@@ -133,11 +133,11 @@ impl ViewportRenderer {
         }
     }
 
-    /// Records the rendering of a viewport's surface into its own target, where `frame` or the geometry is not what it
-    /// shows; returns how it was recorded, `None` where it stands or there was no [`Self::set_surface`].
+    /// Records the rendering of a viewport's surface into its own target, if `frame` or the geometry has changed;
+    /// returns the detail recorded, `None` if the picture is still valid or there was no [`Self::set_surface`].
     ///
-    /// Once per viewport and submission: the uniform blocks hold one frame.
-    /// A size beyond the device's textures is clamped, and `paint_surface` stretches.
+    /// Call it once per viewport and submission: the uniform blocks hold one frame.
+    /// A size beyond the device's textures is clamped, and `paint_surface` scales the picture.
     pub fn prepare_surface(
         &mut self,
         device: &wgpu::Device,
@@ -167,7 +167,7 @@ impl ViewportRenderer {
         Some(detail)
     }
 
-    /// Whether the picture of a viewport's surface is coarse, and is to be recorded in full when it rests.
+    /// Whether the picture of a viewport's surface is coarse, to be recorded in full when it no longer changes.
     pub fn is_surface_coarse(&self, viewport: usize) -> bool {
         self.surface(viewport).is_some_and(|shown| shown.drawn.detail() == Detail::Coarse)
     }
@@ -206,7 +206,7 @@ impl SurfaceViewport {
         }
     }
 
-    /// The picture does not stand any more.
+    /// Marks the picture as no longer valid.
     pub(super) fn outdate(&mut self) {
         self.drawn.outdate();
     }
@@ -229,7 +229,7 @@ impl SurfaceViewport {
         self.place_handles(device, queue, camera, size_px, detail);
     }
 
-    /// Discs where the handles are seen, in a plane whose unit is the pixel.
+    /// The discs at the screen positions of the handles, in a plane whose unit is the pixel.
     fn place_handles(
         &mut self,
         device: &wgpu::Device,

@@ -1,4 +1,4 @@
-//! What a viewport is rendered into before it is shown: a multisampled picture,
+//! The textures into which a viewport is rendered before it is shown: a multisampled picture,
 //! the resolved picture, and the stroke's coverage.
 
 use super::blit_pass::BlitPass;
@@ -8,9 +8,9 @@ use super::stroke_pass::{COVERAGE_FORMAT, StrokePass};
 /// The off-screen targets of one viewport, of one size.
 #[derive(Debug)]
 pub struct Targets {
-    /// Clamped to what the device can hold.
+    /// The size, clamped to the device's limits.
     pub size_px: [u32; 2],
-    /// `None` where the device does not multisample.
+    /// `None` if the device does not multisample.
     pub multisampled: Option<wgpu::TextureView>,
     pub picture: wgpu::TextureView,
     pub picture_group: wgpu::BindGroup,
@@ -47,7 +47,7 @@ impl Targets {
 /// The off-screen targets of a surface in space, of one size.
 #[derive(Debug)]
 pub struct SurfaceTargets {
-    /// Clamped to what the device can hold.
+    /// The size, clamped to the device's limits.
     pub size_px: [u32; 2],
     multisampled: Option<wgpu::TextureView>,
     depth: wgpu::TextureView,
@@ -68,7 +68,7 @@ impl SurfaceTargets {
         Self { size_px, multisampled, depth, picture, picture_group }
     }
 
-    /// Begins the pass of the surface, on a ground with nothing before it.
+    /// Begins the pass of the surface, with the background color and cleared depth.
     pub fn begin<'encoder>(
         &self,
         encoder: &'encoder mut wgpu::CommandEncoder,

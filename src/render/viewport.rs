@@ -2,10 +2,10 @@
 //!
 //! A viewport whose picture has changed is rendered in three passes (mesh and its triangles, multisampled and
 //! resolved; the outline's coverage; outline and handles over the picture), then painted into
-//! the caller's pass. Nothing is allocated per frame once the sizes are settled.
+//! the caller's pass. Nothing is allocated per frame while the sizes stay the same.
 //!
-//! A viewport index out of range, positions that do not fit the mesh and
-//! inconsistent meshes are refused: the methods answer `false`, nothing changes.
+//! A viewport index out of range, arrays of the wrong length and
+//! inconsistent meshes are refused: the methods return `false` and change nothing.
 
 use super::blit_pass::BlitPass;
 use super::cell_pass::{CellBuffers, CellPass};
@@ -29,17 +29,17 @@ pub(super) const LINE_TO_STROKE: f32 = 0.7;
 /// Geometry of one viewport.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshGeometry<'a> {
-    /// Where each vertex is drawn, in the viewport's world.
+    /// The position at which each vertex is drawn, in the viewport's world.
     pub positions: &'a [DVec2],
-    /// Where each vertex looks the texture up, in source coordinates.
+    /// The texture coordinates of each vertex, in source coordinates.
     pub texture_coordinates: &'a [DVec2],
     /// Vertex indices of the triangles; either orientation is drawn.
     pub triangles: &'a [[u32; 3]],
 }
 
 impl MeshGeometry<'_> {
-    /// Ok when there are as many texture coordinates as positions and every
-    /// triangle names existing vertices; otherwise what is wrong. `O(triangles)`.
+    /// Ok if there are as many texture coordinates as positions and every
+    /// triangle has existing vertices; otherwise the fault. `O(triangles)`.
     pub fn check(&self) -> Result<(), MeshFault> {
         let (count, coordinates) = (self.positions.len(), self.texture_coordinates.len());
         if count != coordinates {
@@ -64,7 +64,7 @@ pub struct ViewportRenderer {
     pub(super) images: ImageTextures,
     pub(super) image: ImageTexture,
     pub(super) viewports: Vec<Viewport>,
-    /// Made when there is a surface.
+    /// Created with the first surface.
     pub(super) surface_passes: Option<SurfacePasses>,
     pub(super) staging: Vec<[f32; 2]>,
 }
@@ -173,10 +173,10 @@ impl ViewportRenderer {
     }
 
     /// Replaces the triangles that a [`CellStyle`] shows: the mapped mesh, or its image.
-    /// Their codes are to be set anew.
+    /// Their codes must be set again.
     ///
-    /// False, and nothing changes, for an inconsistent mesh; false, and no triangles
-    /// are left, where they do not fit on the device.
+    /// False, with nothing changed, for an inconsistent mesh; false, with no triangles
+    /// left, if they do not fit on the device.
     pub fn set_cells(
         &mut self,
         device: &wgpu::Device,
@@ -207,7 +207,7 @@ impl ViewportRenderer {
         outdated(&mut self.viewports, viewport).is_some_and(|viewport| viewport.cells.set_codes(queue, codes))
     }
 
-    /// How the triangles of [`Self::set_cells`] are shown; `None`: not at all.
+    /// The style of the triangles of [`Self::set_cells`]; `None` hides them.
     pub fn set_cell_style(&mut self, viewport: usize, style: Option<CellStyle>) {
         if let Some(viewport) = self.viewports.get_mut(viewport)
             && viewport.cell_style != style
@@ -251,7 +251,7 @@ impl ViewportRenderer {
     /// RGBA bytes, straight alpha, first row on top.
     ///
     /// The image covers the source's bounds with its aspect kept. One larger than
-    /// the device's textures is scaled down; transparent parts show the paper.
+    /// the device's textures is scaled down; transparent parts show the paper color.
     pub fn set_image(
         &mut self,
         device: &wgpu::Device,
@@ -268,11 +268,11 @@ impl ViewportRenderer {
         Ok(())
     }
 
-    /// Records the rendering of a viewport into its own target, where `frame` or the geometry is not what it shows;
-    /// returns how it was recorded, `None` where it stands.
+    /// Records the rendering of a viewport into its own target, if `frame` or the geometry has changed;
+    /// returns the detail recorded, `None` if the picture is still valid.
     ///
-    /// Once per viewport and submission: the uniform blocks hold one frame.
-    /// A size beyond the device's textures is clamped, and `paint` stretches.
+    /// Call it once per viewport and submission: the uniform blocks hold one frame.
+    /// A size beyond the device's textures is clamped, and `paint` scales the picture.
     pub fn prepare(
         &mut self,
         device: &wgpu::Device,
@@ -316,12 +316,12 @@ impl ViewportRenderer {
         viewport.discs.write_frame(queue, camera, size_px, detail.length(1.0));
     }
 
-    /// Whether the picture of a viewport is coarse, and is to be recorded in full when it rests.
+    /// Whether the picture of a viewport is coarse, to be recorded in full when it no longer changes.
     pub fn is_coarse(&self, viewport: usize) -> bool {
         self.viewports.get(viewport).is_some_and(|viewport| viewport.drawn.detail() == Detail::Coarse)
     }
 
-    /// Makes the targets of this size where they are not there.
+    /// Creates the targets of this size unless they exist.
     fn provide_targets(&mut self, device: &wgpu::Device, viewport: usize, size_px: [u32; 2]) {
         if let Some(viewport) = self.viewports.get_mut(viewport)
             && viewport.targets.as_ref().is_none_or(|targets| targets.size_px != size_px)
@@ -377,7 +377,7 @@ impl ViewportRenderer {
     }
 }
 
-/// The viewport, whose picture does not stand any more.
+/// The viewport, with its picture marked as no longer valid.
 fn outdated(viewports: &mut [Viewport], viewport: usize) -> Option<&mut Viewport> {
     let viewport = viewports.get_mut(viewport)?;
     viewport.drawn.outdate();
@@ -396,7 +396,7 @@ pub(super) fn begin_pass<'encoder>(
     })
 }
 
-/// Premultiplied and linear, as the picture holds it.
+/// The color as the picture holds it: premultiplied and linear.
 pub(super) fn clear_colour(background: [f32; 4]) -> wgpu::Color {
     let [r, g, b, a] = linear_colour(background).map(f64::from);
     wgpu::Color { r: r * a, g: g * a, b: b * a, a }

@@ -1,4 +1,4 @@
-//! An animation has its pictures, for as long as was asked, in either format.
+//! An animation has the requested pictures and duration, in either format.
 
 use super::*;
 use image::codecs::gif::GifDecoder;
@@ -8,7 +8,7 @@ use std::io::Cursor;
 
 const SIZE: [u32; 2] = [40, 24];
 
-/// A square that moves over a change of colours; the corner is transparent where asked.
+/// A square that moves over a color gradient with the alpha `ground`.
 fn picture(k: u32, ground: u8) -> RgbaImage {
     RgbaImage::from_fn(SIZE[0], SIZE[1], |x, y| {
         if (k..k + 6).contains(&x) && (8..14).contains(&y) {
@@ -53,7 +53,7 @@ fn a_gif_has_nearly_the_colours_and_other_frames_each_time() {
         let wanted = picture(3 * k as u32, 255);
         let differences = frame.buffer().as_raw().iter().zip(wanted.as_raw()).map(|(a, b)| f64::from(a.abs_diff(*b)));
         let mean = differences.sum::<f64>() / wanted.as_raw().len() as f64;
-        // nearly every pixel has a colour of its own: four share one
+        // nearly every pixel has its own color: four pixels share one of the palette's
         assert!(mean < 6.0, "frame {k}: {mean}");
         assert!(k == 0 || frame.buffer() != frames[k - 1].buffer(), "frame {k} is that before");
     }
