@@ -5,7 +5,8 @@
 //! the two boundaries, as in "Real-Time Conformal Maps and Parameterizations".
 //!
 //! Dependencies between the modules run one way:
-//! `geometry → outline, mesh → surface, laplace → conformal → session, export → figures → language → worker → render → app`.
+//! `geometry → outline, mesh → surface, laplace → conformal → session, export → figures → language → worker`, then
+//! `render → model → offscreen → platform → cli, app`.
 //! `drawing`, outlines by hand, stands beside `outline`; `zipper`, a map through the disk for comparison, beside
 //! `conformal`, and uses no mesh; `closed_form`, the presets' maps that are known exactly, beside `session`; `family`,
 //! ways through all maps of one domain onto another, beside `export`.
@@ -47,6 +48,8 @@ pub mod app;
 pub mod cli;
 #[cfg(feature = "app")]
 pub mod model;
+#[cfg(feature = "app")]
+pub mod offscreen;
 #[cfg(feature = "app")]
 pub mod platform;
 #[cfg(feature = "app")]

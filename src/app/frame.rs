@@ -15,7 +15,8 @@ use crate::platform;
 pub(super) const REST_SECONDS: f64 = 0.15;
 
 impl RiemapApp {
-    /// Lays out the panels and reads gestures and keys; returns the layout and the requested actions.
+    /// Lays out the panels and reads gestures and keys; returns the layout and the requested actions, those of the last
+    /// frame's painting first.
     pub(super) fn take_input(&mut self, ui: &mut egui::Ui, cpu_usage: Option<f32>) -> (Arrangement, Actions) {
         self.take_dropped(ui.ctx());
         self.screen.zoom = ui.ctx().zoom_factor();
@@ -26,8 +27,12 @@ impl RiemapApp {
         self.plots.begin_frame(&self.model);
         message_bar::begin(self, ui);
         let (arrangement, asked) = layout::show(self, ui);
+        let mut actions = std::mem::take(&mut self.input.asked);
+        if !actions.is_empty() {
+            // this frame's panels are laid out before the actions are carried out
+            ui.request_repaint();
+        }
         // changes by a drag come before those of keys and panels, so that an undo reverts the drag
-        let mut actions = Actions::new();
         pictures::interact(self, ui, arrangement, &mut actions);
         actions.extend(asked);
         (arrangement, actions)

@@ -1,10 +1,10 @@
 //! The app: panels, viewports, handles.
 //!
-//! A frame is the lines of `RiemapApp::ui`: **input** lays out the panels and collects the user's requests as
+//! A frame is the six lines of `RiemapApp::ui`: **input** lays out the panels and collects the user's requests as
 //! [`Action`]s, **commands** carries them out in one place (`carry_out`), **events** handles what happened outside a
 //! frame (workers, files; `incoming`), **update** brings the map up to date and uploads changes (`frame`), **paint**
 //! paints the pictures (`pictures`), **announce** reports to the page and to a screen reader. The
-//! actions of buttons in pictures and windows, which are laid out while painting, are carried out at the start of the
+//! actions of buttons in pictures and windows, which are laid out while painting, are carried out with those of the
 //! next frame. The fields of a window (a pasted text, the settings of an export) and the cameras are changed in place.
 //! If an update changes the panels' content, they are laid out again in a following frame. At rest nothing is computed
 //! and nothing drawn.
@@ -149,8 +149,6 @@ impl RiemapApp {
 impl eframe::App for RiemapApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
-        let asked = std::mem::take(&mut self.input.asked);
-        self.carry_out(&context, asked);
         let (arrangement, actions) = self.take_input(ui, frame.info().cpu_usage);
         self.carry_out(&context, actions);
         self.take_events(&context);

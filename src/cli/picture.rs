@@ -2,7 +2,7 @@
 
 use super::CliError;
 use crate::export::Panel;
-use crate::model::scene::compose::{Look, PlanarPart, ScenePart, background, compose};
+use crate::offscreen::compose::{Look, PlanarPart, ScenePart, background, compose};
 use crate::render::{Pattern, RenderError, Studio, TextureStyle};
 use image::RgbaImage;
 use std::io::Cursor;

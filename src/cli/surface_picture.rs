@@ -8,7 +8,7 @@ use crate::conformal::{ConformalMap, Constraints, MeshedDomain, MeshedSurface, P
 use crate::export::Panel;
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::BarycentricPoint;
-use crate::model::scene::compose::{Look, PlanarPart, ScenePart, SurfacePart, background, compose};
+use crate::offscreen::compose::{Look, PlanarPart, ScenePart, SurfacePart, background, compose};
 use crate::outline::BoundaryPoint;
 use crate::render::{BoundingSphere, CellStyle, OrbitCamera, Pattern, SceneCells, StrokeStyle, Studio, TextureStyle};
 use crate::surface::SurfacePreset;

@@ -72,6 +72,7 @@ const ROOMS: &[Row] = &[
             "render",
         ],
     ),
+    ("offscreen", &["geometry", "conformal", "family", "export", "language", "render", "model"]),
     ("platform", &["language", "geometry", "conformal", "session", "worker", "model"]),
     (
         "cli",
@@ -90,6 +91,7 @@ const ROOMS: &[Row] = &[
             "worker",
             "render",
             "model",
+            "offscreen",
         ],
     ),
     (
@@ -111,6 +113,7 @@ const ROOMS: &[Row] = &[
             "worker",
             "render",
             "model",
+            "offscreen",
             "platform",
         ],
     ),
@@ -134,8 +137,9 @@ const APP_ROOMS: &[Row] = &[
 /// The maximal number of files in a folder of `src/app`.
 const MOST_FILES: usize = 20;
 
-/// The crates that the model may not use.
-const NOT_IN_MODEL: [&str; 4] = ["egui", "eframe", "egui_wgpu", "wgpu"];
+/// The crates that the model may not use, and the types of `render` that hold or take the GPU's device.
+const NOT_IN_MODEL: [&str; 9] =
+    ["egui", "eframe", "egui_wgpu", "wgpu", "Graphics", "Readback", "SceneRenderer", "Studio", "ViewportRenderer"];
 
 /// Fails and lists every use that the tables do not allow.
 pub fn check(places: &Places) -> Result<(), Failure> {

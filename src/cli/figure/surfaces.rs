@@ -12,7 +12,7 @@ use crate::conformal::{Quality, Side, TriangleDistortion};
 use crate::figures::{Detail, Figure, FigureError, SurfaceStudy};
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
-use crate::model::scene::compose::{HANDLE_COLOURS, surface_handles};
+use crate::offscreen::compose::{HANDLE_COLOURS, surface_handles};
 use crate::render::{
     CellCode, CellStyle, ColourMap, Handle, OrbitCamera, SceneSurface, StrokeStyle, SurfaceGeometry, SurfaceHandle,
 };

@@ -3,12 +3,12 @@
 //! The model is the app's own, its workers run here and now; so a picture made from this shows what
 //! the app shows. It does not depend on how fast the machine is: no coarse map ever stands in.
 
-pub mod compose;
 mod shot;
 
 pub use shot::Shot;
 
 use crate::conformal::{MeshedSurface, PerSide, Side, Stage};
+use crate::export::Panel;
 use crate::family::{Loop, Path, Place};
 use crate::geometry::{DVec2, DVec3};
 use crate::language::{Message, key};
@@ -29,7 +29,7 @@ pub struct Offscreen {
     pixels_per_point: f32,
 }
 
-/// What a still is waiting for.
+/// The steps until the map is complete.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Doing {
     /// A stage of the preparation of a side's outline, which begins.
@@ -43,10 +43,10 @@ pub enum Doing {
 /// Why there is nothing to show.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{}", .0.english())]
-pub struct StillError(Message);
+pub struct OffscreenError(Message);
 
-impl From<&StillError> for Message {
-    fn from(StillError(message): &StillError) -> Self {
+impl From<&OffscreenError> for Message {
+    fn from(OffscreenError(message): &OffscreenError) -> Self {
         message.clone()
     }
 }
@@ -80,7 +80,7 @@ impl Offscreen {
     /// it. `pixels_per_point` scales what is drawn over the triangles.
     ///
     /// Errors: what the app would say beside an outline or a surface, in words for the person.
-    pub fn new(session: &Session, surface_files: SurfaceFiles, pixels_per_point: f32) -> Result<Self, StillError> {
+    pub fn new(session: &Session, surface_files: SurfaceFiles, pixels_per_point: f32) -> Result<Self, OffscreenError> {
         Self::telling(session, surface_files, pixels_per_point, &mut |_| ())
     }
 
@@ -90,7 +90,7 @@ impl Offscreen {
         surface_files: SurfaceFiles,
         pixels_per_point: f32,
         tell: &mut dyn FnMut(Doing),
-    ) -> Result<Self, StillError> {
+    ) -> Result<Self, OffscreenError> {
         let mut model = begin(session, surface_files)?;
         model.update_ms = f64::INFINITY; // nobody waits for a frame
         settle(&mut model, tell)?;
@@ -109,21 +109,26 @@ impl Offscreen {
         pattern::style(&self.model, has_image, dark)
     }
 
+    /// Mesh, outline and points of a side in the plane.
+    pub fn panel(&self, side: Side) -> Option<Panel<'_>> {
+        export::panel(&self.model, side)
+    }
+
     /// The textured mesh of a side in the plane.
     pub fn geometry(&self, side: Side) -> Option<MeshGeometry<'_>> {
         pattern::geometry(&self.model, side)
     }
 
     /// What a model shows, on the same prepared domains: [`Self::advance`] brings its map to rest.
-    pub(super) fn of(model: &Model, pixels_per_point: f32) -> Self {
+    pub fn of(model: &Model, pixels_per_point: f32) -> Self {
         Self { model: model.twin(), cells: Cells::default(), pixels_per_point }
     }
 
     /// Spends a frame's share on the map; whether it is complete.
-    pub(super) fn advance(&mut self) -> Result<bool, StillError> {
+    pub fn advance(&mut self) -> Result<bool, OffscreenError> {
         self.model.refresh(false);
         if let Some(error) = user_error(&self.model) {
-            return Err(StillError(error));
+            return Err(OffscreenError(error));
         }
         let is_complete = is_complete(&self.model);
         if is_complete {
@@ -138,7 +143,7 @@ impl Offscreen {
     }
 
     /// Goes to another place in the family of maps, and waits for the map there.
-    pub fn go(&mut self, place: Place) -> Result<(), StillError> {
+    pub fn go(&mut self, place: Place) -> Result<(), OffscreenError> {
         self.head_for(place);
         settle(&mut self.model, &mut |_| ())?;
         self.rest();
@@ -146,7 +151,7 @@ impl Offscreen {
     }
 
     /// Wants another place: [`Self::advance`] goes there.
-    pub(super) fn head_for(&mut self, place: Place) {
+    pub fn head_for(&mut self, place: Place) {
         for command in looping::commands(place) {
             self.model.dispatch(command, 0.0);
         }
@@ -159,9 +164,9 @@ impl Offscreen {
     }
 
     /// The map as a file. Errors: in words.
-    pub fn file(&self, request: FileRequest) -> Result<ReadyFile, StillError> {
+    pub fn file(&self, request: FileRequest) -> Result<ReadyFile, OffscreenError> {
         let nothing = || Err(key::no_map().into());
-        export::file(&self.model, request).unwrap_or_else(nothing).map_err(StillError)
+        export::file(&self.model, request).unwrap_or_else(nothing).map_err(OffscreenError)
     }
 
     /// The mapped mesh on a side, where the session shows more of it than the texture; between two surfaces it is shown
@@ -199,7 +204,7 @@ impl Offscreen {
 pub type SurfaceFiles = PerSide<Option<Vec<u8>>>;
 
 /// A model that prepares all of the session.
-fn begin(session: &Session, surface_files: SurfaceFiles) -> Result<Model, StillError> {
+fn begin(session: &Session, surface_files: SurfaceFiles) -> Result<Model, OffscreenError> {
     let from_file = |side| match session.surface(side) {
         Some(state @ SurfaceState { spec: SurfaceSpec { shape: SurfaceShape::File { name }, .. }, .. }) => {
             Some((state, name))
@@ -213,15 +218,15 @@ fn begin(session: &Session, surface_files: SurfaceFiles) -> Result<Model, StillE
         match (files[side], bytes) {
             (None, None) => {}
             (Some((state, _)), Some(bytes)) => model.open_surface_file(side, state.clone(), bytes),
-            (Some((_, name)), None) => return Err(StillError(key::surface_travels_as_file(name))),
-            (None, Some(_)) => return Err(StillError(key::no_surface_from_file().into())),
+            (Some((_, name)), None) => return Err(OffscreenError(key::surface_travels_as_file(name))),
+            (None, Some(_)) => return Err(OffscreenError(key::no_surface_from_file().into())),
         }
     }
     Ok(model)
 }
 
 /// Prepares and maps until there is nothing left to do.
-fn settle(model: &mut Model, tell: &mut dyn FnMut(Doing)) -> Result<(), StillError> {
+fn settle(model: &mut Model, tell: &mut dyn FnMut(Doing)) -> Result<(), OffscreenError> {
     loop {
         for (side, request) in model.take_requests(f64::INFINITY) {
             let doing = if request.is_of_surface() { Doing::PreparingSurface } else { Doing::PreparingOutline };
@@ -233,18 +238,18 @@ fn settle(model: &mut Model, tell: &mut dyn FnMut(Doing)) -> Result<(), StillErr
             });
         }
         if let Some(error) = user_error(model) {
-            return Err(StillError(error));
+            return Err(OffscreenError(error));
         }
         tell(Doing::Mapping);
         let changes = model.refresh(false);
         if let Some(error) = user_error(model) {
-            return Err(StillError(error));
+            return Err(OffscreenError(error));
         }
         if is_complete(model) {
             return Ok(());
         }
         if changes == Changes::default() && !model.is_pending() {
-            return Err(StillError(key::no_map().into()));
+            return Err(OffscreenError(key::no_map().into()));
         }
     }
 }

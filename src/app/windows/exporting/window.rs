@@ -7,9 +7,9 @@ use crate::app::theme::widgets::{close_button, message_box};
 use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
 use crate::conformal::PerSide;
 use crate::language::{Message, key, say, tr};
-use crate::model::export::job::{Job, Progress};
 use crate::model::export::request::{ExportRequest, Kind};
 use crate::model::export::{FileRequest, ReadyFile};
+use crate::offscreen::job::{Job, Progress};
 use egui::{
     Align2, Button, CornerRadius, Grid, Key, Modifiers, RichText, Role, Sense, Ui, Vec2, WidgetInfo, Window, vec2,
 };
