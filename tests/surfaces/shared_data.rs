@@ -24,8 +24,7 @@ fn turned_triangles_are_named_and_repaired() {
     let surface = read("inverted_triangles.obj");
     assert!(matches!(error(&surface), TopologyError::Orientation { count: 23_889, .. }));
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
-    let [RepairNote::Oriented { count: 10_408 }, RepairNote::FilledHoles { holes, .. }] = &repaired.repairs()[..]
-    else {
+    let [RepairNote::Oriented { count: 10_408 }, RepairNote::FilledHoles { holes, .. }] = repaired.repairs() else {
         panic!("{:?}", repaired.repairs())
     };
     assert_eq!(holes.len(), 5);
