@@ -356,7 +356,7 @@ fn a_surface_looks_the_same_whether_its_drawing_was_rehearsed_or_not() {
             renderer.prepare_surface(device, queue, encoder, 0, &frame, Pace::Full)
         };
         one_frame(gpu, &mut renderer, wgpu::TextureFormat::Rgba8Unorm, prepare, |renderer, pass| {
-            renderer.paint_surface(pass, 0)
+            renderer.paint_surface(pass, 0);
         })
         .1
     };

@@ -30,13 +30,21 @@ fn model(source: Preset, target: Preset, count: u32) -> Model {
     for (side, request) in model.take_requests(f64::INFINITY) {
         crate::worker::run(&request, &mut |generation, response| model.accept(side, generation, response));
     }
-    model.refresh(false);
+    complete(&mut model);
     model
+}
+
+/// Updates the map until it is complete; one update may take several frames' time.
+fn complete(model: &mut Model) {
+    model.refresh(false);
+    while model.is_pending() {
+        model.refresh(false);
+    }
 }
 
 fn compare(model: &mut Model, comparison: Comparison) {
     model.dispatch(Command::SetComparison(comparison), 0.0);
-    model.refresh(false);
+    complete(model);
 }
 
 /// Advances the overlays until nothing is left to do; returns the number of calls and the longest one in ms.
@@ -117,7 +125,7 @@ fn while_it_moves_few_samples_are_compared_and_all_when_it_rests() {
     assert_eq!(found(&model, DiskWay::Fresh).samples, [500; 2].into());
     let point = model.interior(Side::Source).unwrap() + DVec2::new(0.01, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
-    model.refresh(false);
+    complete(&mut model);
     assert_eq!(model.advance_overlays(10.0), Some(0.0), "the coarse comparison is shown at once");
     let delay = model.advance_overlays(10.0).unwrap();
     assert!(delay > 0.0, "the full comparison is not delayed");
@@ -138,7 +146,7 @@ fn precomputed_maps_are_made_once_per_domain() {
     let version = model.overlay_state().disk_comparison.version();
     let point = model.interior(Side::Target).unwrap() + DVec2::new(0.01, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Target, point: point.into() }, 0.0);
-    model.refresh(false);
+    complete(&mut model);
     assert_eq!(settle(&mut model).0, 2);
     assert_eq!(model.overlay_state().disk_comparison.version(), version + 1);
 }
@@ -198,7 +206,7 @@ fn a_point_that_few_samples_exclude_is_refused_only_if_all_samples_exclude_it() 
     settle(&mut model);
     for (k, &point) in left_out.iter().enumerate() {
         model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
-        model.refresh(false);
+        complete(&mut model);
         let now = 10.0 * (k + 1) as f64;
         model.advance_overlays(now);
         let all = DiskMeasure::fresh(&domain.samples().points, point, anchor);
@@ -230,7 +238,7 @@ fn a_failed_comparison_is_reported_and_the_map_stays() {
         .collect::<Vec<_>>();
     let failed = tries.into_iter().find_map(|point| {
         model.dispatch(Command::MoveInterior { side: Side::Source, point: point.into() }, 0.0);
-        model.refresh(false);
+        complete(&mut model);
         settle(&mut model);
         model.overlay_state().disk_comparison.error(DiskWay::Fresh).map(Message::english)
     });
@@ -305,11 +313,11 @@ fn another_start_begins_anew_and_a_pause_keeps_the_counts() {
     assert_eq!((model.advance_overlays(2.0), model.overlay_state().walks.count()), (None, count));
     let point = model.interior(Side::Target).unwrap() + DVec2::new(0.02, 0.0);
     model.dispatch(Command::MoveInterior { side: Side::Target, point: point.into() }, 0.0);
-    model.refresh(false);
+    complete(&mut model);
     assert_eq!(model.advance_overlays(2.1), None);
     assert_eq!(model.overlay_state().walks.count(), count, "walks do not start at x₂");
     model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.3 }, 0.0);
-    model.refresh(false);
+    complete(&mut model);
     model.advance_overlays(2.2);
     assert_eq!(model.overlay_state().walks.count(), 0);
 }
@@ -334,7 +342,7 @@ fn walks_and_comparison_wait_while_a_coarse_map_stands_in() {
     assert_eq!(found(&model, DiskWay::Fresh).samples, samples);
     while model.is_pending() {
         assert_eq!((model.advance_overlays(1.1), is_coarse(&model)), (None, true));
-        model.refresh(false);
+        complete(&mut model);
     }
     assert!(!is_coarse(&model));
     assert_eq!(model.advance_overlays(1.2), Some(0.0));
