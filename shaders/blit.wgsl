@@ -25,7 +25,7 @@ fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
     return select(high, low, linear <= vec3<f32>(0.0031308));
 }
 
-// For a target whose hardware encodes.
+// For an sRGB target, which the hardware encodes.
 @fragment
 fn fs_linear(in: Vertex) -> @location(0) vec4<f32> {
     return textureSample(picture, picture_sampler, in.uv);

@@ -1,17 +1,17 @@
-// The Cauchy–Green extension of a polygon's boundary values, one vertex per
-// invocation: Cauchy's integral over the edges, γ never stored. The formulas are
+// The Cauchy–Green extension of a polygon's boundary values, one point per
+// invocation: Cauchy's integral over the edges; γ is not stored. The formulas are
 // those of `conformal/cauchy_green/contour.rs`; here they are arranged for f32.
 //
-// Positions are integers, so that differences are exact however a compiler
-// orders them: a point 1e-9 of the extent beside an edge is on its right side.
-// Values are taken relative to that at the boundary vertex nearest to z, which
-// Σγ = 1 allows: the large logarithms of near edges meet small values, constants
-// come out exactly, and the limit at a boundary vertex needs no angle there.
+// Positions are integers, so that differences are exact in any order of evaluation:
+// a point 1e-9 of the extent beside an edge is on the correct side of it.
+// Values are taken relative to the value at the boundary vertex nearest to z, which
+// Σγ = 1 allows: the large logarithms of near edges multiply small values, constants
+// are reproduced exactly, and the limit at a boundary vertex needs no angle there.
 
 struct Sizes {
     edges: u32,
     points: u32,
-    // of the values: from scaled to the caller's unit
+    // from the scaled values to the caller's unit
     scale: f32,
     unused: u32,
 }
@@ -23,15 +23,15 @@ const PI: f32 = 3.14159265;
 const LN_2: f32 = 0.69314718;
 
 // Up to this |q|² (an edge seen from four times its length) three terms of E are
-// enough: it is off by q⁸/9, below 2⁻²⁷.
+// enough: the error is q⁸/9, below 2⁻²⁷.
 const FAR: f32 = 0.015625;
 
-// What rounding does to a cross product, relative to its two products: both have
+// The rounding error of a cross product, relative to its two products: both have
 // three roundings of 2⁻²⁴, their difference one.
 const CROSS_ROUNDING: f32 = 2.4e-7;
 
 @group(0) @binding(0) var<uniform> sizes: Sizes;
-// xy: middle, zw: half the step from vertex k to k + 1
+// xy: midpoint, zw: half the step from vertex k to k + 1
 @group(0) @binding(1) var<storage, read> edges: array<vec4<i32>>;
 // xy: position, z: the nearest boundary vertex
 @group(0) @binding(2) var<storage, read_write> points: array<vec4<i32>>;
@@ -80,8 +80,8 @@ fn angle(x: f32, y: f32) -> f32 {
     return select(acute, select(-PI, PI, y >= 0.0) - acute, x < 0.0);
 }
 
-// What an edge gives to Σ(P u_k + Q u_{k+1}) when it is near: `s` from z to its
-// middle, `h` half the edge, both exact; `u` and `v` the relative values at its ends.
+// The contribution of a near edge to Σ(P u_k + Q u_{k+1}): `s` from z to its
+// midpoint, `h` half the edge, both exact; `u` and `v` the relative values at its ends.
 fn near_edge(s: vec2<i32>, h: vec2<i32>, u: vec2<f32>, v: vec2<f32>) -> vec2<f32> {
     let begin = s - h;
     let end = s + h;
@@ -99,7 +99,7 @@ fn near_edge(s: vec2<i32>, h: vec2<i32>, u: vec2<f32>, v: vec2<f32>) -> vec2<f32
     let right = a.y * b.x;
     var cross = left - right;
     let along = dot(a, b);
-    // z is inside: on an edge, to rounding, means on its inner side
+    // z is inside: if it is on an edge up to rounding, it is on the inner side
     if along < 0.0 && abs(cross) <= CROSS_ROUNDING * (abs(left) + abs(right)) {
         cross = abs(cross);
     }
@@ -162,7 +162,7 @@ fn cs_evaluate(
     }
 }
 
-// Once per contour and points: the boundary vertex nearest to every point.
+// Run once per upload: finds the boundary vertex nearest to every point.
 @compute @workgroup_size(WORKGROUP)
 fn cs_nearest(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= sizes.points {

@@ -1,4 +1,4 @@
-// What a mesh drawn triangle by triangle is made of, in the plane and in space: part of a module
+// Draws a mesh triangle by triangle, in the plane and in space: part of a module
 // that declares a uniform block `view` with a member `edges` of this type.
 //
 // Nothing depends on which vertex of a triangle provokes flat values (the first
@@ -8,10 +8,10 @@
 struct Edges {
     // linear, straight alpha
     wire: vec4<f32>,
-    // of flipped triangles: linear
+    // color of flipped triangles: linear
     mark: vec4<f32>,
-    // in pixels, x: half the width of an edge; y, z: cells of this height show
-    // no edges, all of them
+    // in pixels, x: half the width of an edge; y: cells lower than this show no edges;
+    // z: cells higher than this show them in full
     size: vec4<f32>,
 }
 
@@ -33,7 +33,7 @@ fn code_at(corner: u32) -> f32 {
     return f32(textureLoad(codes, texel(corner / 3u), 0).x);
 }
 
-// Barycentric.
+// The barycentric coordinates of a corner.
 fn corner_weights(index: u32) -> vec3<f32> {
     let corner = index % 3u;
     return vec3<f32>(
@@ -47,7 +47,7 @@ fn cell_colour(code: f32) -> vec4<f32> {
     return textureLoad(palette, vec2<i32>(i32(round(code)), 0), 0);
 }
 
-// Premultiplied: edges over the marks of flipped triangles.
+// Edges over the marks of flipped triangles, premultiplied.
 fn overlay(corner: vec3<f32>, code: f32) -> vec4<f32> {
     let dx = dpdx(corner);
     let dy = dpdy(corner);

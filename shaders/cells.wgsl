@@ -1,4 +1,4 @@
-// A planar mesh triangle by triangle, of cell_parts.wgsl: one colour each, edges as thin lines, marks. Colours
+// A planar mesh triangle by triangle, with cell_parts.wgsl: one color each, edges as thin lines, marks. Colors
 // leave the shader linear; the target encodes.
 
 struct View {

@@ -18,7 +18,7 @@ struct Vertex {
     @location(2) @interpolate(flat) colour: vec4<f32>,
 }
 
-// The shadow reaches this many radii out.
+// The radius of the shadow, in radii of the disc.
 const SHADOW: f32 = 1.7;
 
 @vertex

@@ -1,4 +1,4 @@
-// One mip level from the level above: the mean of four texels, taken linear.
+// One mip level from the level above: the mean of four texels in linear color.
 
 @group(0) @binding(0) var above: texture_2d<f32>;
 @group(0) @binding(1) var above_sampler: sampler;

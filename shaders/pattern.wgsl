@@ -3,9 +3,9 @@
 // group 1.
 //
 // Antialiasing: a pattern is averaged over the pixel's footprint, the gradient
-// length of each pattern coordinate, with a box filter in closed form. Where a
-// cell comes near the size of a pixel the pattern fades to its mean colour, so
-// that there is no moiré. Colours are linear.
+// length of each pattern coordinate, with a box filter in closed form. Where cells
+// approach the size of a pixel the pattern fades to its mean color, which
+// avoids moiré. Colors are linear.
 
 struct Pattern {
     // xy: texture coordinate → relative to the middle of the source's bounds;
@@ -36,7 +36,7 @@ fn paper() -> vec3<f32> {
     return linear_from_srgb(view.pattern.paper.rgb);
 }
 
-// Quadratic Bézier from the bottom's to the top's colour by height.
+// Quadratic Bézier curve from the bottom's to the top's color, by height.
 fn hue(source: vec2<f32>) -> vec3<f32> {
     let t = clamp((source.y - view.pattern.source.x) * view.pattern.source.y, 0.0, 1.0);
     let below = mix(view.pattern.hue_bottom.rgb, view.pattern.hue_middle.rgb, t);
@@ -57,7 +57,7 @@ fn resolved(width: vec2<f32>) -> vec2<f32> {
 }
 
 // Share of the footprint covered by lines of `line` pixels at the integers.
-// A line never takes more than a quarter of a cell.
+// A line covers at most a quarter of a cell.
 fn line_share(coordinate: f32, width: f32, line: f32) -> f32 {
     let half_line = min(0.5 * line, 0.125 / width);
     let pixels = (coordinate - round(coordinate)) / width;
@@ -81,7 +81,7 @@ fn checker_pattern(source: vec2<f32>) -> vec3<f32> {
     return mix(paper(), hue(source), share);
 }
 
-// The hue with lines over it in the paper's colour.
+// The hue, with lines in the paper's color over it.
 fn ruled(source: vec2<f32>, thin: f32, strong: f32) -> vec3<f32> {
     let share = max(0.62 * thin, strong);
     return mix(hue(source), paper(), share);
@@ -124,10 +124,10 @@ fn polar_pattern(source: vec2<f32>) -> vec3<f32> {
 }
 
 // Circles and rays of the unit disk, in log-polar coordinates: the whole numbers of
-// −ln|g| · n/2π and arg g · n/2π. The square cells shrink towards the centre; lines fade
-// where cells are too small to be told apart, the strong ones at a fourth of the size.
-// The boundary is a circle of the grid too, but has a stroke of its own; and where the
-// domain crowds, all of it is that circle within f32, and one point of it.
+// −ln|g| · n/2π and arg g · n/2π. The square cells shrink towards the center; lines fade
+// where cells are too small to be distinguished, the strong ones at a fourth of the size.
+// The boundary, also a circle of the grid, is left out: it has its own stroke, and where
+// the domain crowds, all of it is mapped within f32 onto that circle, at a single point.
 fn conformal_pattern(source: vec2<f32>) -> vec3<f32> {
     let g = source;
     let dx = dpdx(g);

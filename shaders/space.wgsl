@@ -1,17 +1,17 @@
-// A surface seen by an eye, and its light: part of every module that draws in space, which declares a uniform
+// The camera and the light for surfaces: part of every module that draws in space, which declares a uniform
 // block `view` with a member `eye` of this type.
 //
-// The light belongs to the eye, so that every view shows the shape: one source above the left shoulder,
-// one at the eye, and a sky brighter than the ground. Its sum is 1 where the surface faces the eye: a
-// flat colour arrives there as it is. All is linear.
+// The light moves with the eye, so that every view shows the shape: one source above and to the left of
+// the eye, one at it, and a sky brighter than the ground. They sum to 1 where the surface faces the eye, so
+// that a flat color is unchanged there. All colors are linear.
 
 struct Eye {
     // clip = clip · (position, 1)
     clip: mat4x4<f32>,
     // normals turned so that x is right, y up, z towards the eye
     turn: mat3x3<f32>,
-    // depth in the target = x + y / distance; z: how much nearer, as a part of the distance, what
-    // lies on the surface is drawn; w: the light's part of a colour, the rest does not depend on it
+    // depth in the target = x + y / distance; z: how much nearer, as a part of the distance, lines on
+    // the surface are drawn; w: the light's part of a color, the rest does not depend on the light
     depth: vec4<f32>,
 }
 
@@ -19,11 +19,11 @@ const KEY: vec3<f32> = vec3<f32>(-0.42, 0.52, 0.7438);
 const KEY_SHARE: f32 = 0.50;
 const EYE_SHARE: f32 = 0.30;
 const SKY_SHARE: f32 = 0.24;
-// How far the key light reaches around the edge of its shadow.
+// How far the key light extends beyond the edge of its shadow (wrap lighting).
 const WRAP: f32 = 0.3;
-// Of the sheen at the key light's reflection.
+// Strength of the sheen at the key light's reflection.
 const SHEEN: f32 = 0.035;
-// Back faces get this part of the light.
+// The light on back faces, relative to front faces.
 const BACK: f32 = 0.6;
 
 // Two 12-bit numbers of the octahedron's square in one float (Cigolle et al. 2014, "oct24").
@@ -40,7 +40,7 @@ fn amount(normal: vec3<f32>) -> f32 {
     return KEY_SHARE * key + EYE_SHARE * max(normal.z, 0.0) + SKY_SHARE * (0.5 + 0.5 * normal.y);
 }
 
-// A colour in this light; `normal` as turned to the eye, of either length.
+// The color in this light; `normal` is in the eye's axes and may have any length.
 fn lit(colour: vec3<f32>, normal: vec3<f32>, front: bool) -> vec3<f32> {
     let outward = normalize(normal);
     let n = select(-outward, outward, front);
@@ -51,7 +51,7 @@ fn lit(colour: vec3<f32>, normal: vec3<f32>, front: bool) -> vec3<f32> {
     return side * colour * mix(1.0, share, view.eye.depth.w) + sheen * view.eye.depth.w;
 }
 
-// The same place a little nearer to the eye.
+// The same position, slightly nearer to the eye.
 fn lifted(clip: vec4<f32>) -> vec4<f32> {
     let far = view.eye.depth.x * clip.w;
     return vec4<f32>(clip.xy, far + (clip.z - far) / (1.0 - view.eye.depth.z), clip.w);

@@ -1,7 +1,7 @@
-// Coverage of a polyline of constant screen width: one quad per segment, in it
-// the distance to the segment in pixels. The target keeps the maximum, so that
-// overlapping segments give exactly the coverage of the union: round joins, no
-// beads however short the segments are.
+// Coverage of a polyline of constant screen width: one quad per segment, in which
+// the distance to the segment is measured in pixels. The target keeps the maximum, so that
+// overlapping segments give exactly the coverage of the union: round joins, and no
+// beads, even for very short segments.
 
 struct Stroke {
     // pixel = position · placement.xy + placement.zw

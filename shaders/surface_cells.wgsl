@@ -1,4 +1,4 @@
-// A surface in space triangle by triangle, of cell_parts.wgsl: one colour each, lit as space.wgsl says; edges as
+// A surface in space triangle by triangle, with cell_parts.wgsl: one color each, lit by space.wgsl; edges as
 // thin lines, marks. Colours leave the shader linear; the target encodes.
 
 struct View {
@@ -36,7 +36,7 @@ fn fs_colour(in: Vertex, @builtin(front_facing) front: bool) -> @location(0) vec
     return vec4<f32>(lit(cell_colour(in.code).rgb, in.normal, front), 1.0);
 }
 
-// On the surface, so drawn a little before it.
+// Edges lie on the surface, so they are drawn slightly in front of it.
 @vertex
 fn vs_overlay(@builtin(vertex_index) index: u32, @location(0) vertex: u32) -> Vertex {
     var out = corner_vertex(index, vertex);

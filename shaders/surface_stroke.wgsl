@@ -1,6 +1,6 @@
-// The boundary loop of a surface in space, of constant width on the screen: one quad per segment, in it
-// the distance to the segment in pixels. What is not covered gets no samples, what the surface hides is
-// hidden: the line is drawn a little before the surface, whose edge it is.
+// The boundary loop of a surface in space, of constant width on the screen: one quad per segment, in which
+// the distance to the segment is measured in pixels. Uncovered samples are not written, and the surface hides the
+// line: it is drawn slightly in front of the surface, on whose edge it lies.
 
 struct View {
     eye: Eye,
@@ -13,16 +13,16 @@ struct View {
 @group(0) @binding(0) var<uniform> view: View;
 
 struct Vertex {
-    // the depth of both ends is divided already
+    // already divided by w
     @builtin(position) clip: vec4<f32>,
     @location(0) pixel: vec2<f32>,
     @location(1) @interpolate(flat) ends: vec4<f32>,
 }
 
-// The nearest distance from the eye that is drawn, as a part of that of the other end.
+// The least distance from the eye that is drawn, relative to that of the other end.
 const NEAREST: f32 = 1e-4;
 
-// `end`, or where the segment comes before the eye.
+// `end`, or, if it is behind the eye, the point where the segment comes in front of it.
 fn cut(end: vec4<f32>, other: vec4<f32>) -> vec4<f32> {
     let nearest = NEAREST * max(abs(other.w), 1e-20);
     let along = (nearest - end.w) / (other.w - end.w);
@@ -65,7 +65,7 @@ fn vs_main(
     return out;
 }
 
-// Samples are covered by alpha.
+// Alpha decides how many samples are covered.
 @fragment
 fn fs_main(in: Vertex) -> @location(0) vec4<f32> {
     let from_start = in.pixel - in.ends.xy;

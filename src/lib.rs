@@ -7,9 +7,10 @@
 //! Dependencies between the modules run one way:
 //! `geometry → outline, mesh → surface, laplace → conformal → session, export → figures → language → worker`, then
 //! `render → model → offscreen → platform → cli, app`.
-//! `drawing`, outlines by hand, stands beside `outline`; `zipper`, a map through the disk for comparison, beside
-//! `conformal`, and uses no mesh; `closed_form`, the presets' maps that are known exactly, beside `session`; `family`,
-//! ways through all maps of one domain onto another, beside `export`.
+//! Four modules are side branches: `drawing` (outlines drawn by hand) on the level of `outline`; `zipper` (a map
+//! through the disk, for comparison, without a mesh) on that of `conformal`; `closed_form` (the presets' maps that are
+//! known exactly) on that of `session`; `family` (loops through all maps of one domain onto another) on that of
+//! `export`.
 //!
 //! | feature | what it adds to the numerical core |
 //! |---|---|

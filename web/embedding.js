@@ -6,7 +6,7 @@ const back = document.getElementById("back");
 const done = document.getElementById("done");
 const heard = document.getElementById("heard");
 
-// With the app on another host this is that host's origin, such as "https://maps.example.org".
+// The origin of the app; if another host serves it, that host's, such as "https://maps.example.org".
 const APP = new URL(frame.src).origin;
 
 const waiting = new Map();

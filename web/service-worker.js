@@ -1,35 +1,35 @@
-// Keeps one build of the app for use without a network. `cargo xtask dist` puts `VERSION`, the name of
-// the folder of this build, and `FILES`, everything that belongs to it, before these lines.
+// Caches one build of the app for offline use. `cargo xtask dist` inserts `VERSION`, the name of
+// the folder of this build, and `FILES`, the list of its files, before these lines.
 //
-// A version is either there as a whole or not at all: its cache is filled before the worker may take
-// over, the page is only taken with the folder that it names, and what is answered comes from one cache.
+// A version is cached completely or not at all: its cache is filled before the worker may take over,
+// the page is accepted only if it names the folder of this version, and all answers come from one cache.
 
 /* global VERSION, FILES */
 
-/** Several copies of the app may live under one origin: each has caches of its own. */
+/** One origin may host several copies of the app: each has its own caches. */
 const OURS = `riemap ${self.registration.scope} `;
 const CACHE = OURS + VERSION;
 
 const inScope = (path) => new URL(path, self.registration.scope).href;
-/** Not by its name: some hosts send that elsewhere. */
+/** The folder's address, not `index.html`: some hosts redirect the latter. */
 const PAGE = inScope("");
 
 async function install() {
-  // before anything large, and while there is nothing to take back
+  // checked first: nothing large has been fetched, and nothing needs to be undone
   const page = await (await fetch(PAGE, { cache: "reload" })).text();
   if (!page.includes(`./${VERSION}/`)) throw new Error("the host has not changed over to this version yet");
   const cache = await caches.open(CACHE);
   await Promise.all(FILES.map((path) => fetchInto(cache, path)));
 }
 
-/** What has the version in its name never changes; the rest is asked for again. */
+/** Files under the version's name never change; all others are fetched again. */
 async function fetchInto(cache, path) {
   const fresh = path.startsWith(`${VERSION}/`) ? "default" : "reload";
   const response = await fetch(inScope(path), { cache: fresh });
   if (!response.ok) throw new Error(`${path}: ${response.status}`);
   const isPage = response.headers.get("content-type")?.startsWith("text/html");
   if (isPage && path.startsWith(`${VERSION}/`)) throw new Error(`${path}: there is a page in its place`);
-  // a page may not be answered with what was redirected
+  // browsers refuse a redirected response as the answer to a page request
   const plain = response.redirected ? new Response(await response.blob(), { headers: response.headers }) : response;
   await cache.put(inScope(path), plain);
 }
@@ -41,7 +41,7 @@ async function activate() {
   await self.clients.claim();
 }
 
-/** The address of the kept file that a request means. */
+/** The address of the cached file for a request: without query and fragment. */
 function kept(request) {
   const address = new URL(request.url);
   address.search = "";

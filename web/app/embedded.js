@@ -1,16 +1,16 @@
-// What a page that shows the app in a frame can ask for, by messages (web/embedding.md), and the
-// link that opens the same session in a window of its own.
+// The messages between the app in a frame and the page around it (web/embedding.md), and the
+// link that opens the same session in its own window.
 //
-// Only the page around the frame is listened to and answered. Nothing that it sends can do more than
+// Only messages of the page around the frame are accepted and answered. No message can do more than
 // `riemap.open_session`, which checks sessions as if they came from a file.
 import { words } from "./words.js";
 
-/** The version of the messages. */
+/** The version of the message format. */
 const VERSION = 1;
-/** No more than one event about changes in this time. */
+/** The least time between two `session-changed` messages. */
 const CHANGE_PAUSE_MS = 250;
 
-/** Begins to listen, if there is a page around this one. */
+/** Begins to listen for messages, if the app is in a frame. */
 export function embedded() {
   const query = new URLSearchParams(location.search);
   if (query.has("embed")) openLink();
@@ -18,7 +18,7 @@ export function embedded() {
   const tell = (type, fields) => window.parent.postMessage({ riemap: VERSION, type, ...fields }, "*");
   window.addEventListener("message", (event) => {
     if (event.source !== window.parent || !isRequest(event.data)) return;
-    // a page without an origin of its own, such as a file, can only be named by "*"
+    // a page with an opaque origin, such as a local file, can only be addressed by "*"
     const origin = event.origin === "null" ? "*" : event.origin;
     event.source.postMessage({ riemap: VERSION, id: event.data.id ?? null, ...answer(event.data) }, origin);
   });
@@ -28,7 +28,7 @@ export function embedded() {
 
 const isRequest = (data) => typeof data === "object" && data !== null && "riemap" in data;
 
-/** What comes back: `ok` and, by the type of the request, the session or the error. */
+/** The answer: `ok` and, depending on the type of the request, the session or the error. */
 function answer(request) {
   try {
     if (request.riemap !== VERSION) return refused(`this is version ${VERSION} of the messages`);
@@ -51,7 +51,7 @@ function set({ session, link }) {
 
 const refused = (error) => ({ ok: false, error });
 
-/** The app says when the session has come to rest and when it shows an error; the page hears of it at most every so often. */
+/** Passes the app's events on: an error at once, a change of the session at most every `CHANGE_PAUSE_MS`. */
 function tellChanges(tell) {
   let due = null;
   window.addEventListener("riemap-session", () => {
@@ -63,7 +63,7 @@ function tellChanges(tell) {
   window.addEventListener("riemap-error", ({ detail }) => tell("error", { error: detail }));
 }
 
-/** The same session, with everything that belongs to it and nothing that belongs to the frame. */
+/** The link to the same session, without the options that apply to the frame only. */
 function openLink() {
   const link = document.getElementById("open-in-riemap");
   link.textContent = `${words.open} ↗`;

@@ -1,23 +1,23 @@
-// Keeps the app for use without a network, by the service worker, and offers a new version when one is ready.
+// Makes the app available offline, with the service worker, and offers a new version when one is ready.
 import { words } from "./words.js";
 
 /** Registers the service worker that `cargo xtask dist` has written for this build.
  *
- * `cargo xtask serve` writes none, and its folder has no version in its name: there the newest
- * build is what one wants to see. */
+ * `cargo xtask serve` writes none, and its folder has no version in its name, so that a developer
+ * always sees the newest build. */
 export async function installed() {
   const isVersioned = /\/app-[0-9a-f]+\/[^/]*$/.test(new URL(import.meta.url).pathname);
   const container = navigator.serviceWorker;
   if (!isVersioned || !container) return;
   const before = await container.getRegistration("./").catch(() => undefined);
-  // a page that was loaded past the worker has no controller, and is an older version's all the same
+  // a page reloaded without the worker has no controller, but a worker of an older version may exist
   let controlled = Boolean(container.controller ?? before?.active);
   container.addEventListener("controllerchange", () => {
     if (controlled) location.reload();
     controlled = true;
   });
   try {
-    // where the page is: the worker's scope is this folder, under whatever path it is hosted
+    // relative to the page: the worker's scope is this folder, under any path of a host
     const registration = await container.register("./service-worker.js", { updateViaCache: "none" });
     offer(registration.waiting);
     registration.addEventListener("updatefound", () => {
@@ -30,7 +30,7 @@ export async function installed() {
   }
 }
 
-/** A worker that waits while this page is under an older one has a newer version. */
+/** Offers the version of a waiting worker, if an older worker controls this page. */
 function offer(waiting) {
   const notice = document.getElementById("update");
   if (!waiting || !navigator.serviceWorker.controller || !notice || window.parent !== window) return;

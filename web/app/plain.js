@@ -1,7 +1,7 @@
-// The page in plain words, where the app cannot run: what is missing, and what to do.
+// The page shown where the app cannot run: it says what is missing and what to do.
 import { words } from "./words.js";
 
-/** Shows it in place of everything else; `lack` is what is missing, a key of the words. */
+/** Replaces the page's contents by this explanation; `lack`, a key of `words`, names what is missing. */
 export function plainWords(lack) {
   const { title, missing, remedies } = words[lack];
   const page = document.createElement("main");

@@ -1,5 +1,5 @@
-// Starts the app: looks whether it can run here, before anything large is fetched;
-// shows how far the download is; says so in plain words if something is missing.
+// Starts the app: checks whether the browser can run it before anything large is fetched,
+// shows the progress of the download, and explains what is missing if it cannot run.
 import { installed } from "./installed.js";
 import { embedded } from "./embedded.js";
 import { plainWords } from "./plain.js";
@@ -7,7 +7,7 @@ import { words } from "./words.js";
 
 const element = (id) => document.getElementById(id);
 
-/** A module of one function that returns a vector: what the app is compiled to needs these. */
+/** A module of one function that returns a vector: the app is compiled with SIMD instructions. */
 const VECTORS = Uint8Array.of(
   0, 97, 115, 109, 1, 0, 0, 0, // magic, version
   1, 5, 1, 96, 0, 1, 123, // types: () → v128
@@ -15,19 +15,19 @@ const VECTORS = Uint8Array.of(
   10, 8, 1, 6, 0, 65, 0, 253, 15, 11, // code: i32.const 0, i8x16.splat
 );
 
-/** What is missing here, as a key of the plain words, or null. */
+/** What the browser lacks, as a key of `words`, or null. */
 async function missing() {
   const unpacks = typeof DecompressionStream === "function";
   if (!unpacks || typeof WebAssembly !== "object" || !WebAssembly.validate(VECTORS)) return "program";
   const context = document.createElement("canvas").getContext("webgl2");
-  // browsers allow few of them at a time
+  // released at once: browsers allow few contexts at a time
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   if (context) return null;
   const adapter = await navigator.gpu?.requestAdapter().catch(() => null);
   return adapter ? null : "graphics";
 }
 
-/** The program: packed where `cargo xtask dist` has packed it, and then its length is known. */
+/** The program as a response; `cargo xtask dist` compresses it and notes its length. */
 async function program() {
   const bar = element("loading-bar");
   const packed = Number(bar?.dataset.bytes);
@@ -39,7 +39,7 @@ async function program() {
   return new Response(body, { headers: { "content-type": "application/wasm" } });
 }
 
-/** Shows how far the download is, of `total` bytes if that is known. */
+/** Shows the progress of the download; `total` is its length in bytes, 0 if unknown. */
 function counter(bar, total) {
   let current = 0;
   return new TransformStream({

@@ -1,5 +1,5 @@
-// What the page says before the app can speak, in English and German.
-// `?lang=…` decides, else what was chosen in the app, else the browser's languages.
+// The texts of the page before the app has started, in English and German.
+// The language is that of `?lang=…`, else the one chosen in the app, else the browser's.
 
 const WORDS = {
   en: {
@@ -58,7 +58,7 @@ const WORDS = {
   },
 };
 
-/** The language that was chosen in the app, if any, where the app keeps it (src/platform/web/address.rs). */
+/** The language chosen in the app, if any, from the app's preferences (src/platform/web/address.rs). */
 function chosen() {
   try {
     return JSON.parse(localStorage.getItem("riemap preferences"))?.language;
@@ -71,5 +71,5 @@ const languages = navigator.languages ?? [navigator.language];
 const wanted = [new URLSearchParams(location.search).get("lang"), chosen(), ...languages];
 const known = wanted.filter(Boolean).map((language) => language.slice(0, 2).toLowerCase());
 
-/** The words in the language of this page. */
+/** The texts in the language of this page. */
 export const words = WORDS[known.find((language) => language in WORDS) ?? "en"];

@@ -1,6 +1,6 @@
-// Starts the engine in a worker. The first message brings the address of the
-// page's glue and its compiled module; whatever comes before the engine listens
-// is kept and handed on in order.
+// Starts the engine in a worker. The first message contains the address of the
+// page's glue and its compiled module; messages that arrive before the engine
+// listens are stored and delivered in order.
 const early = [];
 const keep = (event) => early.push(event.data);
 
