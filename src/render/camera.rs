@@ -29,7 +29,7 @@ impl Camera {
         Self { center: 0.5 * (bounds.0 + bounds.1), units_per_pixel }
     }
 
-    /// Where the world point `p` is in a viewport of `size_px`.
+    /// The pixel position of the world point `p` in a viewport of `size_px`.
     pub fn to_screen(&self, p: DVec2, size_px: [f32; 2]) -> [f32; 2] {
         let d = (p - self.center) / self.units_per_pixel;
         [(0.5 * f64::from(size_px[0]) + d.x) as f32, (0.5 * f64::from(size_px[1]) - d.y) as f32]

@@ -1,8 +1,8 @@
 //! Drawing the textured meshes with wgpu, in the plane and in space: on screen and into images.
 //!
 //! [`ViewportRenderer`] owns the pipelines and, for every viewport, its buffers
-//! and off-screen targets: `prepare` renders a viewport, where something of it has changed, into its own
-//! target, multisampled if asked for, `paint` copies the result into the caller's pass.
+//! and off-screen targets: `prepare` renders a viewport, if anything in it has changed, into its own
+//! target, multisampled if requested, `paint` copies the result into the caller's pass.
 //! `scene` does the same into a texture of any size, `readback` reads its pixels back, and
 //! `headless` does both without a window.
 //!

@@ -161,13 +161,13 @@ fn check(device: &wgpu::Device, scene: &SceneDescription, size: [u32; 2]) -> Res
     Ok(())
 }
 
-/// The left edge of picture `k` of `count` in a picture of this width.
+/// The left edge of picture `k` of `count` in a scene of this width.
 fn edge(k: usize, count: usize, width: u32) -> u32 {
     (k as u64 * u64::from(width) / count as u64) as u32
 }
 
 impl SceneViewport<'_> {
-    /// Uploads it to a viewport, and records its rendering.
+    /// Uploads the picture's contents to a viewport and records their rendering.
     fn prepare(
         &self,
         (device, queue): Graphics<'_>,

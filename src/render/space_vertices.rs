@@ -1,8 +1,8 @@
 //! The vertices of a surface on the GPU: a position and a normal in four floats.
 //!
 //! Normals are means of the triangles' normals, weighted by their angles (Thürmer and Wüthrich 1998), so that
-//! shading does not depend on how a surface is cut into triangles. They are stored as two 12-bit numbers (the octahedron's
-//! square: Cigolle et al. 2014), exact to 0.06° (√18/4095): less than a step of 8-bit light.
+//! shading does not depend on how a surface is cut into triangles. They are stored as two 12-bit numbers (octahedral
+//! encoding: Cigolle et al. 2014), exact to 0.06° (√18/4095): less than a step of 8-bit light.
 
 use glam::{DVec2, DVec3};
 

@@ -25,16 +25,16 @@ fn linear(encoded: f32) -> f32 {
 /// The pattern drawn on one domain and transported by the map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pattern {
-    /// Squares, cream and the vertical hue change in turn.
+    /// Squares, alternately cream and in the vertical hue change.
     #[default]
     Checker,
     /// Thin lines on the vertical hue change, every fourth one stronger.
     Grid,
     /// Circles and rays about [`TextureStyle::pole`].
     Polar,
-    /// The same in the unit disk, where the texture coordinates lie: 3 times [`TextureStyle::cells`]
+    /// The polar grid in the unit disk, where the texture coordinates lie: 3 times [`TextureStyle::cells`]
     /// rays (a multiple of 4) at equal steps of the angle, and circles at the same steps of −ln of
-    /// the radius, so that to a conformal map all cells are squares. Its bounds are [`TextureStyle::DISK`].
+    /// the radius, so that a conformal map shows all cells as squares. Its bounds are [`TextureStyle::DISK`].
     Conformal,
     /// The image given to `ViewportRenderer::set_image`.
     Image,

@@ -33,7 +33,7 @@ pub struct SurfaceStrokePass {
 #[derive(Debug)]
 pub struct SurfaceStrokeBuffers {
     uniform: Uniform,
-    /// The points and the first one again.
+    /// The points, with the first one repeated at the end.
     points: GrowingBuffer,
     segment_count: u32,
 }
@@ -102,7 +102,7 @@ const COVERED: wgpu::BlendState = wgpu::BlendState {
 };
 
 impl SurfaceStrokeBuffers {
-    /// Replaces the closed loop; fewer than two points remove it. False, and it is removed, when the device
+    /// Replaces the closed loop; fewer than two points remove it. False, with the loop removed, if the device
     /// has no buffer of this size.
     pub fn set(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, points: &[DVec3], frame: LocalFrame) -> bool {
         self.segment_count = 0;

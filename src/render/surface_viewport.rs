@@ -1,9 +1,9 @@
-//! Viewports that show a surface in space instead of a planar mesh: any viewport of the renderer can.
+//! Viewports that show a surface in space instead of a planar mesh; any viewport of the renderer can do so.
 //!
-//! One is rendered in two passes (surface, edges and boundary loop, multisampled, with depth, and resolved; handles
+//! They are rendered in two passes (surface, edges and boundary loop, multisampled, with depth, and resolved; handles
 //! over the picture), then painted into the caller's pass. The pipelines are made with the first surface, buffers and
-//! targets with a viewport's first one. A viewport index out of range, inconsistent surfaces and counts that do not fit
-//! are refused: the methods answer `false`, nothing changes.
+//! targets with a viewport's first one. A viewport index out of range, inconsistent surfaces and arrays of the wrong
+//! length are refused: the methods return `false` and change nothing.
 
 use super::disc_pass::{DiscBuffers, DiscPass};
 use super::drawn::Drawn;
@@ -76,11 +76,11 @@ pub struct SurfaceViewport {
 }
 
 impl ViewportRenderer {
-    /// Replaces a viewport's surface; all texture coordinates are (0, 0), and the codes have to be set anew. Buffers are
+    /// Replaces a viewport's surface; all texture coordinates are (0, 0), and the codes must be set again. Buffers are
     /// kept where they are large enough.
     ///
-    /// False, and the old surface stays, for an inconsistent one ([`SurfaceGeometry::check`]); false, and none is
-    /// left, where it does not fit on the device.
+    /// False, with the old surface kept, for an inconsistent one ([`SurfaceGeometry::check`]); false, with none
+    /// left, if it does not fit on the device.
     pub fn set_surface(
         &mut self,
         device: &wgpu::Device,
@@ -187,7 +187,7 @@ impl ViewportRenderer {
     }
 }
 
-/// The surface of a viewport, whose picture does not stand any more.
+/// The surface of a viewport, with its picture marked as no longer valid.
 fn outdated(viewports: &mut [Viewport], viewport: usize) -> Option<&mut SurfaceViewport> {
     let shown = viewports.get_mut(viewport)?.surface.as_mut()?;
     shown.outdate();

@@ -105,7 +105,7 @@ pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result
     let halves = (0..twins.len() as u32).zip(twins).filter(|&(half, &twin)| twin != u32::MAX && half < twin);
     let mut wrong = halves.filter(|&(half, &twin)| ends(triangles, half) == ends(triangles, twin));
     let Some((half, &twin)) = wrong.next() else { return Ok(()) };
-    turned(triangles, twins)?; // with one side only there is none to be found
+    turned(triangles, twins)?; // the error of a one-sided surface, which has no orientation
     let edge = ends(triangles, half);
     Err(TopologyError::Orientation { edge, triangles: [half / 3, twin / 3], count: 1 + wrong.count() })
 }
