@@ -1,5 +1,6 @@
 //! Surfaces on either side of the screen: shown, dragged, chosen from the menu, swapped.
 
+use super::panels::click_in_panel;
 use super::*;
 use crate::session::{SurfaceShape, SurfaceSpec};
 use crate::surface::SurfacePreset;

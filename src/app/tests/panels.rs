@@ -1,0 +1,122 @@
+//! The side panel: what its controls ask for, and how it names its state.
+
+use super::*;
+use crate::app::panels::side_panel;
+use crate::model::overlays::walks::WalkAction;
+use crate::session::{Colouring, Comparison, TextureKind};
+
+/// Clicks on `label` in the side panel and returns the emitted actions.
+pub fn click_in_panel(model: &Model, label: &str) -> Actions {
+    let mut actions = Actions::new();
+    let mut harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
+        side_panel::show(ui, model, &Player::default(), None, &mut actions);
+    });
+    harness.get_by_label(label).click();
+    harness.run();
+    drop(harness);
+    actions
+}
+
+#[test]
+fn forward_is_one_click_away() {
+    let model = prepared_model();
+    assert_eq!(click_in_panel(&model, "Forward"), [Action::Session(Command::SetDirection(Direction::Forward))]);
+}
+
+#[test]
+fn a_click_on_the_selected_choice_emits_no_action() {
+    let model = prepared_model();
+    assert_eq!(click_in_panel(&model, "Backward"), []);
+}
+
+#[test]
+fn textures_are_chosen_by_name_and_the_image_asks_for_a_file_first() {
+    let model = prepared_model();
+    assert_eq!(click_in_panel(&model, "Polar"), [Action::Session(Command::SetTexture(TextureKind::Conformal))]);
+    assert_eq!(click_in_panel(&model, "Image"), [Action::OpenImage]);
+}
+
+#[test]
+fn comparisons_walks_and_polar_grids_are_one_click_away() {
+    let mut model = prepared_model();
+    for (label, action) in [
+        ("In the target", Action::Session(Command::SetTextureSide(Side::Target))),
+        ("Fresh", Action::Session(Command::SetComparison(Comparison::Fresh))),
+        ("Precomputed", Action::Session(Command::SetComparison(Comparison::Precomputed))),
+        ("Both", Action::Session(Command::SetComparison(Comparison::Both))),
+        ("Start", Action::Walks(WalkAction::Toggle)),
+    ] {
+        assert_eq!(click_in_panel(&model, label), [action]);
+    }
+    model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
+    assert_eq!(click_in_panel(&model, "Euclidean"), [Action::Session(Command::SetTexture(TextureKind::Polar))]);
+    model.dispatch(Command::SetTexture(TextureKind::Polar), 0.0);
+    assert_eq!(click_in_panel(&model, "Conformal"), [Action::Session(Command::SetTexture(TextureKind::Conformal))]);
+    assert_eq!(click_in_panel(&model, "Polar"), [], "a Euclidean polar grid is polar");
+}
+
+#[test]
+fn the_plots_name_what_is_drawn_over_them_and_the_walks_repaint_only_while_they_run() {
+    let mut harness = ready_app([1200.0, 1100.0]);
+    harness.key_press(egui::Key::P);
+    harness.get_by_label("Both").click();
+    harness.run_steps(30);
+    let stats = harness.state().stats();
+    for compared in [stats.overlays.comparison.fresh.unwrap(), stats.overlays.comparison.precomputed.unwrap()] {
+        assert!(compared.difference < 0.05 && compared.disordered == [0, 0], "{compared:?}");
+    }
+    assert_eq!(stats.overlays.walks, (0, None));
+    harness.get_by_label("Start").click();
+    harness.run_steps(200);
+    let (walks, deviation) = harness.state().stats().overlays.walks;
+    assert!(walks > 0 && deviation.is_some(), "{walks} walks");
+    assert!(harness.try_run().is_err(), "walks go on");
+    harness.get_by_label("Pause").click();
+    harness.run_steps(2);
+    let (paused, _) = harness.state().stats().overlays.walks;
+    harness.try_run().unwrap();
+    assert_eq!(harness.state().stats().overlays.walks.0, paused);
+}
+
+#[test]
+fn corners_can_be_kept_on_either_side() {
+    let model = prepared_model();
+    let mut actions = Actions::new();
+    let mut harness = Harness::builder().with_size([260.0, 1200.0]).with_context_setup(theme::install).build_ui(|ui| {
+        side_panel::show(ui, &model, &Player::default(), None, &mut actions);
+    });
+    let target = harness.get_all_by_label("Keep corners").last().unwrap();
+    target.click();
+    harness.run();
+    drop(harness);
+    let settings = PrepareSettings {
+        sampling: Sampling::Uniform { count: 120, keep_corners: true },
+        sizing: Sizing::Graded(0.3),
+        ..PrepareSettings::default()
+    };
+    assert_eq!(actions, [Action::Session(Command::SetSettings { side: Side::Target, settings })]);
+}
+
+#[test]
+fn the_selected_segment_says_so_to_assistive_technology() {
+    let model = prepared_model();
+    let mut actions = Actions::new();
+    let harness = Harness::builder().with_size([260.0, 900.0]).with_context_setup(theme::install).build_ui(|ui| {
+        side_panel::show(ui, &model, &Player::default(), None, &mut actions);
+    });
+    let toggled = |label| harness.get_by_label(label).accesskit_node().toggled();
+    assert_eq!(toggled("Checker"), Some(egui::accesskit::Toggled::True));
+    assert_eq!(toggled("Grid"), Some(egui::accesskit::Toggled::False));
+}
+
+#[test]
+fn colourings_and_the_mesh_are_one_click_away() {
+    let model = prepared_model();
+    for (label, command) in [
+        ("Angle", Command::SetColouring(Colouring::Angle)),
+        ("Area", Command::SetColouring(Colouring::Area)),
+        ("Mesh", Command::SetWireframe(true)),
+    ] {
+        assert_eq!(click_in_panel(&model, label), [Action::Session(command)]);
+    }
+}
