@@ -9,7 +9,7 @@ use crate::model::side::preparation::Progress;
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::model::side::{ModelSide, OutlineRequest};
 use crate::outline::{Outline, OutlineNote};
-use crate::session::{Command, DomainSpec, OutlineSpec, Session, Touched};
+use crate::session::{Command, DomainSpec, OutlineSpec, Session, SurfaceState, Touched};
 use crate::worker::{Request, Response};
 
 /// The distance from the boundary to which a point is moved, in sizes of the domain: nearer, the map
@@ -73,7 +73,12 @@ impl Model {
         }
         let over_what_is_shown = session.over_sides_of(&self.session);
         self.session.apply(Command::Open(Box::new(over_what_is_shown)));
+        let prepared = self.sides.as_ref().map(|side| side.surface.preparation.twin());
         for side in Side::BOTH {
+            if let Some(SurfaceState { spec, .. }) = session.surface(side) {
+                // undoing an exchange of the sides prepares no surface again
+                self.sides[side].take_over_surface(&prepared[side.other()], spec, &self.surface_files);
+            }
             self.open_surface(side, session.surface(side).cloned());
         }
         self.map_error = None;

@@ -7,7 +7,7 @@ use crate::model::export::{FileRequest, file};
 use crate::model::surface_tests::{planar, settle, spec};
 use crate::model::*;
 use crate::render::{Pattern, TextureStyle};
-use crate::session::{Command, SurfaceShape, SurfaceSpec, TextureKind, link};
+use crate::session::{Command, SurfaceShape, SurfaceSpec, SurfaceState, TextureKind, link};
 use crate::surface::SurfacePreset;
 
 fn with(surfaces: impl IntoIterator<Item = (Side, SurfacePreset)>) -> Model {
@@ -160,6 +160,111 @@ fn a_surface_s_file_goes_where_it_is_dropped_unless_the_other_side_waits_for_it(
     assert!(model.surface_side(Side::Source).preparation.error.is_some(), "the file is asked for");
     assert_eq!(Side::BOTH.map(|side| model.side_for_surface(side, "a.obj")), [Side::Source; 2]);
     assert_eq!(Side::BOTH.map(|side| model.side_for_surface(side, "b.obj")), Side::BOTH);
+}
+
+/// Opens the file "a.obj" of a pyramid over the square on a side.
+fn open_pyramid(model: &mut Model, side: Side, height: f64) {
+    model.want_surface_file(side, "a.obj", pyramid(height));
+    settle(model);
+}
+
+fn pyramid(height: f64) -> Vec<u8> {
+    let [middle, corners] = [format!("v 0.5 0.5 {height}\n"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n".into()];
+    format!("{middle}{corners}f 2 3 1\nf 3 4 1\nf 4 5 1\nf 5 2 1\n").into_bytes()
+}
+
+/// The session with surfaces on both sides from the file "a.obj", which is not here; that of the source is turned.
+fn waiting_on_both_sides() -> (Model, Session) {
+    let mut model = planar();
+    let shape = SurfaceShape::File { name: "a.obj".into() };
+    let surface = SurfaceSpec { shape, ..SurfaceSpec::default() };
+    let set = Side::BOTH.map(|side| Command::SetSurface { side, surface: surface.clone() });
+    let turn = Command::MoveAnchor { side: Side::Source, fraction: 0.3 };
+    let session = model.session().clone().and(set).and([turn]);
+    model.dispatch(Command::Open(Box::new(session.clone())), 0.0);
+    settle(&mut model);
+    assert!(model.is_planar() && Side::BOTH.iter().all(|&side| model.user_errors(side).count() == 1));
+    (model, session)
+}
+
+fn surfaces(session: &Session) -> [Option<&SurfaceState>; 2] {
+    Side::BOTH.map(|side| session.surface(side))
+}
+
+#[test]
+fn undoing_a_swap_brings_back_a_surface_from_a_file() {
+    let mut model = planar();
+    open_pyramid(&mut model, Side::Target, 0.5);
+    let (session, images) = (model.session().clone(), model.map().unwrap().images().to_vec());
+    model.dispatch(Command::Swap, 0.0);
+    settle(&mut model);
+    let _ = Side::BOTH.map(|side| model.take_refit(side));
+    model.dispatch(Command::Open(Box::new(session.clone())), 0.0);
+    settle(&mut model);
+    assert_eq!(Side::BOTH.map(|side| model.user_errors(side).count()), [0, 0]);
+    assert_eq!(surfaces(model.session()), surfaces(&session));
+    assert_eq!(model.map().unwrap().images(), images);
+    assert!(model.take_refit(Side::Target), "its viewport has no camera yet");
+}
+
+#[test]
+fn undoing_a_swap_of_two_files_of_one_name_brings_back_each_on_its_side() {
+    let mut model = planar();
+    open_pyramid(&mut model, Side::Target, 0.5);
+    open_pyramid(&mut model, Side::Source, 0.25);
+    let names = surfaces(model.session()).map(|state| state.unwrap().spec.shape.clone());
+    assert_eq!(names, ["a (2).obj", "a.obj"].map(|name| SurfaceShape::File { name: name.into() }));
+    let (session, images) = (model.session().clone(), model.map().unwrap().images().to_vec());
+    let heights = |model: &Model| Side::BOTH.map(|side| model.surface_point(side).unwrap().z);
+    assert_eq!(heights(&model), [0.25, 0.5], "the middle is the only interior vertex");
+    model.dispatch(Command::Swap, 0.0);
+    settle(&mut model);
+    assert_eq!(heights(&model), [0.5, 0.25]);
+    model.dispatch(Command::Open(Box::new(session)), 0.0);
+    assert!(!model.take_requests(f64::INFINITY).iter().any(|(_, request)| request.is_of_surface()));
+    settle(&mut model);
+    assert_eq!(heights(&model), [0.25, 0.5]);
+    assert_eq!(model.map().unwrap().images(), images);
+}
+
+#[test]
+fn one_file_serves_both_sides_that_wait_for_it() {
+    for dropped_on in Side::BOTH {
+        let (mut model, session) = waiting_on_both_sides();
+        assert_eq!(model.side_for_surface(dropped_on, "a.obj"), dropped_on);
+        open_pyramid(&mut model, dropped_on, 0.5);
+        assert_eq!(surfaces(model.session()), surfaces(&session));
+        assert_eq!(Side::BOTH.map(|side| model.user_errors(side).count()), [0, 0]);
+        assert!(model.is_ready());
+    }
+}
+
+#[test]
+fn a_file_that_is_being_prepared_is_not_waited_for() {
+    let (mut model, session) = waiting_on_both_sides();
+    model.dispatch(Command::CloseSurface(Side::Target), 0.0);
+    assert_eq!(model.side_for_surface(Side::Target, "a.obj"), Side::Source);
+    model.want_surface_file(Side::Source, "a.obj", pyramid(0.5));
+    assert_eq!(model.side_for_surface(Side::Target, "a.obj"), Side::Target);
+    // another file of that name, meanwhile, is another surface
+    model.want_surface_file(Side::Target, "a.obj", pyramid(0.25));
+    settle(&mut model);
+    assert_eq!(model.session().surface(Side::Source), session.surface(Side::Source));
+    let shape = SurfaceShape::File { name: "a (2).obj".into() };
+    let other = SurfaceState::new(SurfaceSpec { shape, ..SurfaceSpec::default() });
+    assert_eq!(model.session().surface(Side::Target), Some(&other));
+}
+
+#[test]
+fn a_surface_that_is_still_prepared_gets_a_camera_when_it_comes_back() {
+    let mut model = on_the_source();
+    let session = model.session().clone();
+    model.dispatch(Command::CloseSurface(Side::Source), 0.0);
+    settle(&mut model);
+    assert!(model.take_refit(Side::Source) && !model.take_refit(Side::Source));
+    model.dispatch(Command::Open(Box::new(session)), 0.0);
+    settle(&mut model);
+    assert!(model.surface(Side::Source).is_some() && model.take_refit(Side::Source));
 }
 
 #[test]

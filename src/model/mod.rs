@@ -39,7 +39,7 @@ use crate::model::overlays::OverlayState;
 use crate::model::pattern::disk_grid::DiskGrid;
 use crate::model::shown::ShownMap;
 use crate::model::side::preparation::Preparation;
-use crate::model::side::{ModelSide, OutlineRequest};
+use crate::model::side::{ModelSide, OutlineRequest, SurfaceFiles};
 use crate::model::under_way::MapUnderWay;
 use crate::session::{Command, Session};
 use std::sync::Arc;
@@ -100,6 +100,7 @@ pub enum Processor {
 pub struct Model {
     session: Session,
     sides: PerSide<ModelSide>,
+    surface_files: SurfaceFiles,
     shown: ShownMap,
     under_way: MapUnderWay,
     coarse: Draft,
@@ -124,6 +125,7 @@ impl Model {
         let session = session.and(Side::BOTH.map(Command::CloseSurface));
         let mut model = Self {
             sides: PerSide::from_fn(|side| ModelSide::new(session.side(side))),
+            surface_files: SurfaceFiles::default(),
             shown: ShownMap::new(pattern::home(&session)),
             session,
             under_way: MapUnderWay::default(),

@@ -5,11 +5,11 @@ use crate::geometry::DVec3;
 use crate::language::{Message, key};
 use crate::model::Model;
 use crate::model::opening::Arrived;
-use crate::model::side::SurfaceSide;
 use crate::model::side::preparation::Progress;
+use crate::model::side::{ModelSide, SurfaceSide};
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::surface::RepairNote;
-use crate::worker::Response;
+use crate::worker::{NamedFile, Response};
 
 impl Model {
     /// The surface of a side and where its points are, while it stands in the outline's place.
@@ -49,28 +49,40 @@ impl Model {
     /// The side that gets a surface's file which was opened for or dropped over `side`: that side, unless only the other
     /// one waits for a file of this name.
     pub fn side_for_surface(&self, side: Side, name: &str) -> Side {
-        let awaits = |side: Side| {
-            self.sides[side].incoming_surface.as_ref().is_some_and(|state| is_file_of_name(&state.spec.shape, name))
-        };
+        let awaits = |side: Side| self.sides[side].awaits_surface_file(name);
         if awaits(side.other()) && !awaits(side) { side.other() } else { side }
     }
 
     /// Begins to prepare a surface that a person has opened or dropped; what was wrong with an outline for its place is
-    /// past. If a session waits for the file of that name, it comes with the session's points.
+    /// past. If a session waits for the file of that name, it comes with the session's points, on the other side too.
     pub fn want_surface_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.stop_reading(side);
         self.sides[side].surface.gives_way = false;
         self.dismiss(side);
-        let is_awaited = |state: &SurfaceState| is_file_of_name(&state.spec.shape, name);
-        match self.sides[side].incoming_surface.take().filter(is_awaited) {
-            Some(state) => self.open_surface_file(side, state, bytes),
-            None => self.sides[side].surface.want_file(name, bytes),
+        let is_awaited = self.sides[side].awaits_surface_file(name);
+        let file = self.surface_files.keep(name, bytes);
+        // a second file of the name that is already being prepared is another surface
+        let is_its_file = |state: &SurfaceState| is_awaited || state.spec.shape.is_file(&file.name);
+        match self.sides[side].incoming_surface.take().filter(is_its_file) {
+            Some(state) => self.want_file_of_session(side, state, file.clone()),
+            None => self.sides[side].surface.want_file(&SurfaceSpec::default(), file.clone()),
+        }
+        if self.sides[side.other()].awaits_surface_file(&file.name) {
+            let awaiting = self.sides[side.other()].incoming_surface.take();
+            self.open_surface(side.other(), awaiting);
         }
     }
 
     /// Takes the surface of a session, whose triangles come from a file.
     pub fn open_surface_file(&mut self, side: Side, state: SurfaceState, bytes: Vec<u8>) {
-        self.sides[side].surface.want_file_of(state.spec.clone(), bytes);
+        let SurfaceShape::File { name } = &state.spec.shape else { return };
+        let file = self.surface_files.keep(name, bytes);
+        self.want_file_of_session(side, state, file);
+    }
+
+    fn want_file_of_session(&mut self, side: Side, mut state: SurfaceState, file: NamedFile) {
+        self.sides[side].surface.want_file(&state.spec, file.clone());
+        state.spec.shape = SurfaceShape::File { name: file.name };
         self.sides[side].incoming_surface = Some(state);
     }
 
@@ -102,7 +114,7 @@ impl Model {
     }
 
     fn want_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
-        if !self.sides[side].surface.want_spec(&spec, now) {
+        if !self.sides[side].surface.want_spec(&spec, &self.surface_files, now) {
             let is_new = self.session.surface(side).is_none_or(|shown| shown.spec.shape != spec.shape);
             self.take_surface(side, spec, is_new);
         }
@@ -140,12 +152,16 @@ impl Model {
     pub(super) fn open_surface(&mut self, side: Side, wanted: Option<SurfaceState>) {
         let Some(wanted) = wanted else { return self.close_surface(side) };
         self.sides[side].surface.gives_way = false;
-        if self.sides[side].surface.want_spec(&wanted.spec, f64::NEG_INFINITY) {
+        if self.sides[side].surface.want_spec(&wanted.spec, &self.surface_files, f64::NEG_INFINITY) {
             self.sides[side].incoming_surface = Some(wanted);
-        } else {
-            self.place_surface(side, wanted);
-            self.change_sides();
+            return;
         }
+        let ModelSide { incoming_surface, surface, refit, .. } = &mut self.sides[side];
+        *incoming_surface = None;
+        *refit |= self.session.surface(side).is_none() || surface.is_outdated();
+        surface.renew();
+        self.place_surface(side, wanted);
+        self.change_sides();
     }
 
     /// Takes in an answer about a side's surface.
@@ -188,8 +204,4 @@ impl Model {
         let map = self.map().and_then(|map| map.note(side)).map(|note| Message::from(&note));
         surface.preparation.notes.iter().cloned().chain(repairs.map(words)).chain(map).collect()
     }
-}
-
-fn is_file_of_name(shape: &SurfaceShape, name: &str) -> bool {
-    matches!(shape, SurfaceShape::File { name: known } if known == name)
 }

@@ -32,6 +32,11 @@ impl SurfaceShape {
         }
     }
 
+    /// Whether it comes from the file of this name.
+    pub fn is_file(&self, name: &str) -> bool {
+        matches!(self, Self::File { name: known } if known == name)
+    }
+
     /// A preset at its usual resolution.
     pub fn preset(preset: SurfacePreset) -> Self {
         Self::Preset { preset, boundary: SurfacePreset::USUAL_BOUNDARY }

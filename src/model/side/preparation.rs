@@ -115,7 +115,13 @@ impl<R: Requested> Preparation<R> {
     #[must_use]
     pub fn twin(&self) -> Self {
         let wanted = self.good().unwrap_or(&self.wanted).clone();
-        Self { last_good: self.last_good.clone(), ..Self::of(wanted) }
+        Self { last_good: self.last_good.clone(), notes: self.notes.clone(), ..Self::of(wanted) }
+    }
+
+    /// Takes over the last good side of another preparation.
+    pub(super) fn adopt(&mut self, other: &Self) {
+        self.last_good.clone_from(&other.last_good);
+        self.notes.clone_from(&other.notes);
     }
 
     /// The last good side.

@@ -1,12 +1,12 @@
 //! One side of the model: its two preparations, the file being parsed, and the parts of a session still to come.
 
 use crate::conformal::{PerSide, Stage};
-use crate::model::side::SurfaceSide;
 use crate::model::side::opened_file::Reading;
 use crate::model::side::outline_request::OutlineRequest;
 use crate::model::side::preparation::Preparation;
 use crate::model::side::request::Generations;
-use crate::session::{SidePoints, SideState, SurfaceState};
+use crate::model::side::{SurfaceFiles, SurfaceRequest, SurfaceSide};
+use crate::session::{SidePoints, SideState, SurfaceSpec, SurfaceState};
 use crate::worker::Request;
 
 /// One side.
@@ -53,6 +53,20 @@ impl ModelSide {
         std::mem::swap(&mut sides.source.generations, &mut sides.target.generations);
     }
 
+    /// Takes over the surface that `other` has prepared, if it is the one that `spec` describes and this side has another.
+    pub fn take_over_surface(
+        &mut self,
+        other: &Preparation<Option<SurfaceRequest>>,
+        spec: &SurfaceSpec,
+        files: &SurfaceFiles,
+    ) {
+        let source = files.source(&spec.shape);
+        let is_good = |side: &Preparation<_>| side.is_last_good(spec, source.as_ref());
+        if is_good(other) && !is_good(&self.surface.preparation) {
+            self.surface.preparation.adopt(other);
+        }
+    }
+
     /// What is prepared here, and nothing that is wanted or under way.
     #[must_use]
     pub fn twin(&self) -> Self {
@@ -66,6 +80,13 @@ impl ModelSide {
             last_good: self.last_good,
             refit: true,
         }
+    }
+
+    /// Whether a session waits for the file of this name, for its surface here; a file that is being prepared is there.
+    pub fn awaits_surface_file(&self, name: &str) -> bool {
+        let preparation = &self.surface.preparation;
+        let is_there = preparation.is_busy() && preparation.wanted().is_some_and(|spec| spec.shape.is_file(name));
+        !is_there && self.incoming_surface.as_ref().is_some_and(|state| state.spec.shape.is_file(name))
     }
 
     /// The request for the side's worker that is due, if any: for a file, else for a surface, else for the outline,

@@ -27,7 +27,6 @@ const SORTED_AT_ONCE: usize = 150_000;
 pub struct SurfaceSide {
     /// The preparation of the next surface.
     pub preparation: Preparation<Option<SurfaceRequest>>,
-    files: SurfaceFiles,
     /// A person wants an outline in its place: it goes when the outline is there.
     pub gives_way: bool,
     /// The surface that is shown; its map may still be missing.
@@ -36,32 +35,30 @@ pub struct SurfaceSide {
 }
 
 impl SurfaceSide {
-    /// Requests the surface of an opened file. A different file of the same name is renamed: "head (2).obj".
-    pub fn want_file(&mut self, name: &str, bytes: Vec<u8>) {
-        let NamedFile { name, bytes } = self.files.keep(name, bytes);
-        let spec = SurfaceSpec { shape: SurfaceShape::File { name: name.clone() }, ..SurfaceSpec::default() };
-        self.preparation.want_surface(spec, SurfaceSource::File { name, bytes }, f64::NEG_INFINITY);
-    }
-
-    /// Requests the surface that `spec` describes, from the file that it names.
-    pub fn want_file_of(&mut self, spec: SurfaceSpec, bytes: Vec<u8>) {
-        let SurfaceShape::File { name } = &spec.shape else { return };
-        let NamedFile { name, bytes } = self.files.keep(name, bytes);
+    /// Requests the surface of a file that was kept, with the repairs and settings of `spec`, which then names the file.
+    pub fn want_file(&mut self, spec: &SurfaceSpec, NamedFile { name, bytes }: NamedFile) {
+        let spec = SurfaceSpec { shape: SurfaceShape::File { name: name.clone() }, ..spec.clone() };
         self.preparation.want_surface(spec, SurfaceSource::File { name, bytes }, f64::NEG_INFINITY);
     }
 
     /// Requests the surface that `spec` describes: at once, or after `now` if only a preset's resolution changes. Returns
-    /// whether it has to be prepared. The person is asked for a file that is not kept.
-    pub fn want_spec(&mut self, spec: &SurfaceSpec, now: f64) -> bool {
-        if self.preparation.want_last_good(spec) {
+    /// whether it has to be prepared. The person is asked for a file that is not among `files`.
+    pub fn want_spec(&mut self, spec: &SurfaceSpec, files: &SurfaceFiles, now: f64) -> bool {
+        let source = files.source(&spec.shape);
+        if self.preparation.want_last_good(spec, source.as_ref()) {
             return false;
         }
-        if let Some(source) = self.files.source(&spec.shape) {
+        if let Some(source) = source {
             self.preparation.want_surface(spec.clone(), source, now);
         } else if let SurfaceShape::File { name } = &spec.shape {
             self.preparation.ask_for_file(name);
         }
         true
+    }
+
+    /// Whether what is shown is not the surface that was prepared last.
+    pub fn is_outdated(&self) -> bool {
+        self.shown.as_ref().map(Arc::as_ptr) != self.preparation.surface().map(Arc::as_ptr)
     }
 
     /// Takes over the surface that was prepared.

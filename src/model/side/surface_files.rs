@@ -1,4 +1,4 @@
-//! The surface files that were opened, kept so that undo can return to them.
+//! The surface files that were opened for either side, kept so that undo can return to them.
 
 use crate::session::SurfaceShape;
 use crate::worker::{NamedFile, SurfaceSource};
@@ -24,8 +24,10 @@ impl SurfaceFiles {
         };
         let is_free = |name: &String| self.files.iter().all(|known| known.name != *name || *known.bytes == bytes);
         let name = (1..=self.files.len() + 1).map(numbered).find(is_free).unwrap_or_else(|| name.to_owned());
-        self.files.retain(|known| known.name != name);
-        let file = NamedFile { name, bytes: Arc::new(bytes) };
+        let file = match self.files.iter().position(|known| known.name == name) {
+            Some(known) => self.files.remove(known),
+            None => NamedFile { name, bytes: Arc::new(bytes) },
+        };
         self.files.push(file.clone());
         let mut kept: usize = self.files.iter().map(|file| file.bytes.len()).sum();
         while kept > MOST_KEPT_BYTES && self.files.len() > 1 {

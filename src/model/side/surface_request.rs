@@ -87,9 +87,16 @@ impl Preparation<Option<SurfaceRequest>> {
         self.want(Some(SurfaceRequest { spec, source }), due);
     }
 
+    /// Whether the last good surface is the one that `spec` describes and was made of `source`. A file that is no longer
+    /// kept has no source; its name alone decides.
+    pub fn is_last_good(&self, spec: &SurfaceSpec, source: Option<&SurfaceSource>) -> bool {
+        let is_of = |good: &SurfaceRequest| good.spec == *spec && source.is_none_or(|source| good.source == *source);
+        self.last_good().is_some_and(is_of)
+    }
+
     /// Requests the last good surface if it is the one that `spec` describes; returns whether it is.
-    pub fn want_last_good(&mut self, spec: &SurfaceSpec) -> bool {
-        let is_there = self.last_good().is_some_and(|good| good.spec == *spec);
+    pub fn want_last_good(&mut self, spec: &SurfaceSpec, source: Option<&SurfaceSource>) -> bool {
+        let is_there = self.is_last_good(spec, source);
         if is_there {
             self.wanted = self.good().cloned().flatten();
             self.give_up();
@@ -133,9 +140,9 @@ impl Preparation<Option<SurfaceRequest>> {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::model::side::SurfaceSide;
     use crate::model::side::preparation::Progress;
     use crate::model::side::request::Generations;
+    use crate::model::side::{SurfaceFiles, SurfaceSide};
     use crate::surface::SurfacePreset;
     use crate::worker::{Request, run};
 
@@ -155,20 +162,20 @@ mod tests {
     #[test]
     fn a_wanted_surface_is_prepared_once() {
         let (mut side, mut generations) = (SurfaceSide::default(), Generations::default());
-        assert!(side.want_spec(&hemisphere(), 0.0));
+        assert!(side.want_spec(&hemisphere(), &SurfaceFiles::default(), 0.0));
         let request = side.preparation.take_request(f64::INFINITY, &mut generations).unwrap();
         assert!(side.preparation.is_busy() && side.preparation.take_request(f64::INFINITY, &mut generations).is_none());
         assert_eq!(answer(&mut side, &request), Some((hemisphere(), true)));
         assert!(side.preparation.surface().is_some() && !side.preparation.is_busy());
-        assert!(!side.want_spec(&hemisphere(), 0.0));
+        assert!(!side.want_spec(&hemisphere(), &SurfaceFiles::default(), 0.0));
     }
 
     #[test]
     fn answers_to_a_superseded_request_change_nothing() {
         let (mut side, mut generations) = (SurfaceSide::default(), Generations::default());
-        side.want_spec(&hemisphere(), 0.0);
+        side.want_spec(&hemisphere(), &SurfaceFiles::default(), 0.0);
         let first = side.preparation.take_request(f64::INFINITY, &mut generations).unwrap();
-        side.want_file("a.obj", Vec::new());
+        side.want_file(&SurfaceSpec::default(), SurfaceFiles::default().keep("a.obj", Vec::new()));
         let second = side.preparation.take_request(f64::INFINITY, &mut generations).unwrap();
         assert_eq!(answer(&mut side, &first), None);
         assert!(side.preparation.surface().is_none());
@@ -179,10 +186,10 @@ mod tests {
     #[test]
     fn what_is_under_way_is_not_taken_for_a_file_that_is_missing() {
         let (mut side, mut generations) = (SurfaceSide::default(), Generations::default());
-        side.want_spec(&hemisphere(), 0.0);
+        side.want_spec(&hemisphere(), &SurfaceFiles::default(), 0.0);
         let request = side.preparation.take_request(f64::INFINITY, &mut generations).unwrap();
         let shape = SurfaceShape::File { name: "missing.obj".into() };
-        assert!(side.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, 0.0));
+        assert!(side.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, &SurfaceFiles::default(), 0.0));
         assert!(side.preparation.error.as_ref().unwrap().text.english().starts_with("missing.obj: "));
         assert_eq!(answer(&mut side, &request), None);
         assert!(side.preparation.surface().is_none() && side.preparation.error.is_some());
@@ -192,7 +199,7 @@ mod tests {
     fn a_repair_that_is_offered_is_made_when_it_is_asked_for() {
         let (mut side, mut generations) = (SurfaceSide::default(), Generations::default());
         let loose = b"v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 2 3 4\n".to_vec();
-        side.want_file("loose.obj", loose);
+        side.want_file(&SurfaceSpec::default(), SurfaceFiles::default().keep("loose.obj", loose));
         let request = side.preparation.take_request(f64::INFINITY, &mut generations).unwrap();
         assert_eq!(answer(&mut side, &request), None);
         assert_eq!(side.preparation.error.as_ref().unwrap().quick_fix, Some(QuickFix::RepairSurface));
@@ -206,7 +213,7 @@ mod tests {
     fn a_file_that_is_not_here_is_asked_for() {
         let mut side = SurfaceSide::default();
         let shape = SurfaceShape::File { name: "cow.obj".into() };
-        assert!(side.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, 0.0));
+        assert!(side.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, &SurfaceFiles::default(), 0.0));
         assert!(
             side.preparation.error.as_ref().unwrap().text.english().starts_with("cow.obj: ")
                 && !side.preparation.is_busy()
@@ -216,13 +223,14 @@ mod tests {
     #[test]
     fn files_of_one_name_stay_apart_and_can_be_gone_back_to() {
         let (mut side, mut generations) = (SurfaceSide::default(), Generations::default());
+        let mut files = SurfaceFiles::default();
         for bytes in [b"1", b"2", b"1"] {
-            side.want_file("a.obj", bytes.to_vec());
+            side.want_file(&SurfaceSpec::default(), files.keep("a.obj", bytes.to_vec()));
         }
         let name = |side: &SurfaceSide| side.preparation.wanted().unwrap().shape.clone();
         assert_eq!(name(&side), SurfaceShape::File { name: "a.obj".into() });
         let second = SurfaceShape::File { name: "a (2).obj".into() };
-        assert!(side.want_spec(&SurfaceSpec { shape: second.clone(), ..SurfaceSpec::default() }, 0.0));
+        assert!(side.want_spec(&SurfaceSpec { shape: second.clone(), ..SurfaceSpec::default() }, &files, 0.0));
         let Some(Task::Surface { source, .. }) =
             side.preparation.take_request(0.0, &mut generations).map(|request| request.task)
         else {
@@ -235,10 +243,10 @@ mod tests {
     #[test]
     fn a_resolution_waits_until_the_slider_rests() {
         let (mut side, mut generations) = (SurfaceSide::default(), Generations::default());
-        side.want_spec(&hemisphere(), 0.0);
+        side.want_spec(&hemisphere(), &SurfaceFiles::default(), 0.0);
         side.preparation.take_request(0.0, &mut generations).unwrap();
         let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 30 };
-        side.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, 1.0);
+        side.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, &SurfaceFiles::default(), 1.0);
         assert!(side.preparation.take_request(1.0, &mut generations).is_none() && side.preparation.is_busy());
         assert!(side.preparation.take_request(1.0 + SETTLE_SECONDS, &mut generations).is_some());
     }
