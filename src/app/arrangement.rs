@@ -5,10 +5,14 @@ use crate::app::panels::header;
 use crate::app::viewport::legend;
 use crate::app::viewport::view::{DESK_MARGINS, Margins, PHONE_MARGINS, free_below};
 use crate::conformal::{PerSide, Side};
+use crate::model::Model;
 use egui::{Rect, Ui};
 
-/// The side whose viewport shows the legend of the colors.
-pub const LEGEND_SIDE: Side = Side::Target;
+/// The side whose viewport shows the legend of the colors: between two surfaces the mapped one, which alone is colored.
+pub fn legend_side(model: &Model) -> Side {
+    let map = model.shown().filter(|map| map.is_through_disk);
+    map.map_or(Side::Target, |map| map.mapped_side())
+}
 
 /// Below this height, pictures have no row for the legend of the dots.
 const LOW: f32 = 260.0;
@@ -80,7 +84,7 @@ impl Arrangement {
 
     /// The height of the legend of the colors at the lower edge of a picture; 0 without a legend.
     fn legend_height(self, app: &RiemapApp, side: Side, rect: Rect) -> f32 {
-        let is_there = side == LEGEND_SIDE && app.pictures.cells.scale().is_some();
+        let is_there = side == legend_side(&app.model) && app.pictures.cells.scale().is_some();
         if is_there { legend::height(rect, self.is_tight(rect)) } else { 0.0 }
     }
 }

@@ -1,6 +1,6 @@
 //! The two pictures of a frame: gestures over them, and painting after the map is updated.
 
-use super::arrangement::{Arrangement, LEGEND_SIDE};
+use super::arrangement::{Arrangement, legend_side};
 use super::theme::Palette;
 use super::{RiemapApp, editing};
 use crate::app::input::action::Actions;
@@ -108,7 +108,7 @@ fn paint_words(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangemen
     };
     let is_fitted = app.pictures.of(&app.model, side).is_fitted();
     let title = header::show(ui, side, &app.model, view.rect, is_fitted, around, actions);
-    let scale = app.pictures.cells.scale().filter(|_| side == LEGEND_SIDE);
+    let scale = app.pictures.cells.scale().filter(|_| side == legend_side(&app.model));
     if !tight {
         let beside = scale.map_or(0.0, |_| legend::width(view.rect, tight));
         header::legend(ui, side, &app.model, view, beside);

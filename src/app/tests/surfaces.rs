@@ -2,6 +2,7 @@
 
 use super::panels::click_in_panel;
 use super::*;
+use crate::app::arrangement::legend_side;
 use crate::session::{SurfaceShape, SurfaceSpec};
 use crate::surface::SurfacePreset;
 use egui::{Vec2, pos2, vec2};
@@ -127,6 +128,23 @@ fn two_surfaces_are_turned_one_by_one_and_dragged_on_both_sides() {
     assert!(distance(dragged.screen.handles.x1, turned.screen.handles.x1) > 5.0);
     assert_eq!(dragged.screen.handles.x2, turned.screen.handles.x2);
     assert_eq!(dragged.map.boundary_checksum, turned.map.boundary_checksum);
+}
+
+#[test]
+fn the_legend_of_the_colors_stands_beside_what_is_colored() {
+    let surfaces = [(Side::Source, SurfacePreset::Hemisphere), (Side::Target, SurfacePreset::Paraboloid)];
+    let mut both = app_with(surfaces);
+    let one = app_with([surfaces[0]]);
+    assert_eq!(legend_side(&one.state().model), Side::Target, "the plane beside the surface is colored too");
+    for direction in [Direction::Forward, Direction::Backward] {
+        let commands = [Command::SetColouring(Colouring::Angle), Command::SetDirection(direction)];
+        let context = both.ctx.clone();
+        both.state_mut().carry_out(&context, commands.map(Action::Session).to_vec());
+        both.run_steps(60);
+        let app = both.state();
+        assert!(app.model.is_ready() && app.pictures.cells.scale().is_some());
+        assert_eq!(legend_side(&app.model), direction.mapped_side());
+    }
 }
 
 #[test]
