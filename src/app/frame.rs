@@ -118,8 +118,8 @@ impl RiemapApp {
         if refined.images {
             self.show_changes(context, refined);
         }
-        if self.model.map().is_some() {
-            self.model.sort_surfaces_at_rest();
+        if self.model.map().is_some() && self.model.sort_surface_at_rest() {
+            context.request_repaint_after_secs(platform::ONE_FRAME); // for the other side's
         }
         if self.model.is_ready() {
             self.workers.preparer.warm();

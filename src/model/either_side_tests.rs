@@ -268,6 +268,20 @@ fn a_surface_that_is_still_prepared_gets_a_camera_when_it_comes_back() {
 }
 
 #[test]
+fn one_search_tree_is_built_at_a_time() {
+    let model = on_both_sides();
+    let trees = || {
+        let made = |side| model.surface(side).unwrap().0.surface().unwrap().tree_if_made().is_some();
+        Side::BOTH.into_iter().filter(|&side| made(side)).count()
+    };
+    let mut built = vec![trees()];
+    while model.sort_surface_at_rest() {
+        built.push(trees());
+    }
+    assert_eq!(built, [0, 1, 2]);
+}
+
+#[test]
 fn what_is_written_of_two_surfaces_lies_on_the_other_one() {
     let model = on_both_sides();
     let text = |format| {

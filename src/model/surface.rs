@@ -22,11 +22,9 @@ impl Model {
         PerSide::from_fn(|side| self.session.surface(side).is_some())
     }
 
-    /// Builds the search trees of the surfaces that are shown, if they are not too large.
-    pub fn sort_surfaces_at_rest(&self) {
-        for (surface, _) in Side::BOTH.into_iter().filter_map(|side| self.surface(side)) {
-            surface.sort_at_rest();
-        }
+    /// Builds the search tree of one surface that is shown, lacks it and is not too large; returns whether there was one.
+    pub fn sort_surface_at_rest(&self) -> bool {
+        Side::BOTH.into_iter().filter_map(|side| self.surface(side)).any(|(surface, _)| surface.sort_at_rest())
     }
 
     /// A side's way to a surface; also while none is shown.

@@ -89,13 +89,14 @@ impl SurfaceSide {
     }
 
     /// Sorts its triangles for rays, now that there is time for it: until then, a tenth of a second after a surface is
-    /// prepared, its dots are drawn as if nothing were before them.
-    pub fn sort_at_rest(&self) {
-        if let Some(surface) = self.surface()
-            && surface.mesh().triangles().len() <= SORTED_AT_ONCE
-        {
-            surface.tree();
-        }
+    /// prepared, its dots are drawn as if nothing were before them. Returns whether that was still to be done.
+    pub fn sort_at_rest(&self) -> bool {
+        let is_due = |surface: &MeshedSurface| {
+            surface.tree_if_made().is_none() && surface.mesh().triangles().len() <= SORTED_AT_ONCE
+        };
+        let Some(surface) = self.surface().filter(|surface| is_due(surface)) else { return false };
+        surface.tree();
+        true
     }
 
     /// A ball around it, with room for the words above and below it.
