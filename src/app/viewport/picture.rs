@@ -92,12 +92,13 @@ impl Picture<&View, &OrbitView> {
         cells: Option<CellStyle>,
         pace: Pace,
     ) {
+        let mapped = model.shown().map(|map| map.mapped_side());
+        // before the map, the GPU may still hold another surface, or another outline beside a surface
+        let style = style.filter(|_| mapped.is_some() || model.is_planar());
         match self {
             Self::Plane(view) => planar::paint_mesh(ui, side, view, style, pace),
             Self::Space(orbit) => {
-                // before the first map, the GPU may still hold another surface
-                let mapped = model.shown().map(|map| map.mapped_side());
-                let (style, cells) = (style.filter(|_| mapped.is_some()), cells.filter(|_| mapped == Some(side)));
+                let cells = cells.filter(|_| mapped == Some(side));
                 surface::viewport::paint_surface(ui, side, orbit, style, cells, pace);
             }
         }
