@@ -148,7 +148,7 @@ fn surfaces_stand_on_the_left_or_on_both_sides() {
 }
 
 #[test]
-fn surfaces_from_two_files_are_given_in_the_order_of_their_sides() {
+fn surfaces_from_two_files_are_given_by_name_or_in_the_order_of_their_sides() {
     let folder = folder("surface-files");
     let pyramid = |height: f64| {
         format!("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 {height}\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n")
@@ -169,6 +169,16 @@ fn surfaces_from_two_files_are_given_in_the_order_of_their_sides() {
     succeeds(&["render", &link, "--out", &out, "--surface", &low, "--surface", &high]);
     let mesh = std::fs::read_to_string(&out).unwrap();
     assert!(mesh.contains("v 0.5 0.5 1.5\n") && mesh.matches("\nvt ").count() == 5, "{mesh}");
+    let high_first = folder.join("y.obj").display().to_string();
+    succeeds(&["render", &link, "--out", &high_first, "--surface", &high, "--surface", &low]);
+    assert_eq!(std::fs::read_to_string(&high_first).unwrap(), mesh, "by name");
+    let renamed = written(&folder, "renamed.obj", &pyramid(1.5));
+    succeeds(&["render", &link, "--out", &high_first, "--surface", &renamed, "--surface", &low]);
+    let renamed_mesh = std::fs::read_to_string(&high_first).unwrap();
+    assert!(renamed_mesh.contains("v 0.5 0.5 1.5\n"), "the other one is left: {renamed_mesh}");
+    let broken = written(&folder, "broken.obj", "v 0 0 nan");
+    let files = ["--surface", low.as_str(), "--surface", &broken];
+    fails(&[&["render", &link, "--out", &out][..], &files].concat(), 1, &["target: ", "broken.obj"]);
     let three = [&low, &high, &low].map(|name| ["--surface", name]).concat();
     fails(&[&["render", &link, "--out", &out][..], &three].concat(), 2, &["at most two"]);
 }

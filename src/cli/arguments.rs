@@ -126,8 +126,8 @@ pub struct SessionArguments {
     /// The target's outline, if the link says that it is a separate file.
     #[arg(long, value_name = "FILE")]
     pub target: Option<String>,
-    /// The surface, if the session's surface comes from a file; if both sides' surfaces do, give the option twice: the
-    /// source's first, then the target's.
+    /// The surface, if the session's surface comes from a file; if both sides' surfaces do, give the option twice: files
+    /// go to the surfaces of their names, others to the source's first, then the target's.
     #[arg(long, value_name = "FILE")]
     pub surface: Vec<String>,
 }

@@ -72,7 +72,7 @@ pub fn offscreen(arguments: &SessionArguments, shot: &Shot, progress: &Progress)
     let surfaces = surface_files(&mut session, arguments)?;
     let offscreen = Offscreen::telling(&session, surfaces, shot.pixels_per_point(), &mut |doing| match doing {
         Doing::PreparingOutline(side, stage) => progress.preparing(&format!("the {side}"))(stage),
-        Doing::PreparingSurface(_, stage) => progress.preparing("the surface")(stage),
+        Doing::PreparingSurface(side, stage) => progress.preparing(&format!("the {side}'s surface"))(stage),
         Doing::Mapping => progress.enter("the map"),
     });
     let offscreen = offscreen.map_err(|error| CliError::Input(error.to_string()))?;
@@ -128,23 +128,35 @@ fn with_files(decoded: Decoded, arguments: &SessionArguments) -> Result<Session,
     Ok(session)
 }
 
-/// Reads the files of the surfaces, the source's first. A file's name determines its format and appears in errors; if it
+/// Reads the files of the surfaces. A file's name determines its format and appears in errors; if it
 /// has no known extension, the file name stored in the session is used instead.
 fn surface_files(session: &mut Session, arguments: &SessionArguments) -> Result<SurfaceFiles, CliError> {
     let mut files = SurfaceFiles::default();
-    let mut sides = Side::BOTH;
-    // a file that is left goes to a side without a surface from a file, which is refused with the reason
-    sides.sort_by_key(|&side| !is_from_file(session, side));
-    if arguments.surface.len() > sides.len() {
+    if arguments.surface.len() > Side::BOTH.len() {
         return Err(CliError::Usage(String::from("--surface: a session has at most two surfaces")));
     }
-    for (side, name) in sides.into_iter().zip(&arguments.surface) {
+    for (side, name) in sides_of_files(session, &arguments.surface) {
         if names_format(name) && is_from_file(session, side) {
             rename_surface(session, side, name);
         }
         files[side] = Some(read_file(name, MAX_BYTES)?);
     }
     Ok(files)
+}
+
+/// The side of each file: the one whose surface comes from a file of that name; the other files follow in the order of
+/// the sides. A file that is left goes to a side without a surface from a file, which is refused with the reason.
+fn sides_of_files<'a>(session: &Session, names: &'a [String]) -> Vec<(Side, &'a String)> {
+    let mut sides = Side::BOTH.to_vec();
+    sides.sort_by_key(|&side| !is_from_file(session, side));
+    let is_of = |side: &Side, file: &str| session.surface(*side).is_some_and(|state| state.spec.shape.is_file(file));
+    let mut side_of = |name: &String| {
+        let file = Path::new(name).file_name()?.to_str()?;
+        Some(sides.remove(sides.iter().position(|side| is_of(side, file))?))
+    };
+    let named: Vec<_> = names.iter().map(|name| (side_of(name), name)).collect();
+    let mut rest = sides.into_iter();
+    named.into_iter().filter_map(|(side, name)| Some((side.or_else(|| rest.next())?, name))).collect()
 }
 
 fn is_from_file(session: &Session, side: Side) -> bool {

@@ -147,7 +147,7 @@ impl Gpu {
             for side in Side::BOTH {
                 renderer.set_cell_codes(&self.state.queue, VIEWPORTS[side], codes);
             }
-            renderer.set_surface_codes(&self.state.queue, mapped as usize, codes);
+            renderer.set_surface_codes(&self.state.queue, VIEWPORTS[mapped], codes);
         });
     }
 

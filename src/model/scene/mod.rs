@@ -261,9 +261,16 @@ pub fn is_complete(model: &Model) -> bool {
 }
 
 fn user_error(model: &Model) -> Option<Message> {
+    let surface = |side: Side| &model.surface_side(side).preparation;
+    // of a single surface it is clear which one is meant
+    let are_two = Side::BOTH.into_iter().all(|side| surface(side).wanted().is_some() || surface(side).error.is_some());
     let of_side = |side| {
         let outline = model.side(side).error.as_ref().map(|user_error| key::about(side, user_error.text.clone()));
-        outline.or_else(|| Some(model.surface_side(side).preparation.error.as_ref()?.text.clone()))
+        let of_surface = || {
+            let text = surface(side).error.as_ref()?.text.clone();
+            Some(if are_two { key::about(side, text) } else { text })
+        };
+        outline.or_else(of_surface)
     };
     let map = model.map_error().map(|(_, text)| text.clone());
     Side::BOTH.into_iter().find_map(of_side).or(map)

@@ -1,5 +1,6 @@
 //! The surfaces on the GPU: what is uploaded of them.
 
+use crate::app::viewport::gpu::VIEWPORTS;
 use crate::conformal::Side;
 use crate::model::pattern::surface_coordinates;
 use crate::model::{Changes, Model};
@@ -15,7 +16,7 @@ pub fn upload(
     changes: Changes,
 ) -> bool {
     let Some(surface) = model.surface(side).and_then(|(surface, _)| surface.surface()) else { return true };
-    let (viewport, mut fits) = (side as usize, true);
+    let (viewport, mut fits) = (VIEWPORTS[side], true);
     if changes.meshes {
         let mesh = surface.mesh();
         let geometry = SurfaceGeometry {
