@@ -89,6 +89,11 @@ impl ConformalMap {
         (!disk.is_empty()).then_some(disk)
     }
 
+    /// Incremented when [`Self::disk`] changes; each map counts from 0.
+    pub fn disk_revision(&self, side: Side) -> u64 {
+        self.through_disk.revisions[side]
+    }
+
     /// The images of a mapped surface's vertices, in the order of the surface as it was read; `None` for vertices that
     /// a repair has dropped. Empty if no surface is mapped.
     pub fn texture_coordinates(&self) -> Vec<Option<DVec2>> {

@@ -72,6 +72,8 @@ impl DiskImage {
 pub(super) struct ThroughDisk {
     /// Both sides in the disk.
     pub disks: PerSide<DiskImage>,
+    /// How often each of `disks` was renewed.
+    pub revisions: PerSide<u64>,
     pub images: SurfaceImages,
     /// The images, in the update in progress, of the sides that it recomputes.
     pub coming_disks: PerSide<DiskImage>,
@@ -150,6 +152,7 @@ impl ThroughDisk {
         for side in Side::BOTH.into_iter().filter(|side| is_coming[*side]) {
             let (shown, coming) = (&mut self.disks[side], &mut self.coming_disks[side]);
             std::mem::swap(shown, coming);
+            self.revisions[side] += 1;
         }
         std::mem::swap(&mut self.images, &mut self.coming);
     }

@@ -113,6 +113,26 @@ fn the_direction_says_which_of_two_surfaces_is_mapped_and_all_points_move_the_ma
 }
 
 #[test]
+fn a_drag_renews_the_disk_coordinates_of_its_own_side() {
+    let mut model = on_both_sides();
+    for side in Side::BOTH {
+        let read = |model: &Model| {
+            let map = model.map().unwrap();
+            Side::BOTH.map(|side| (map.disk_revision(side), map.disk(side).unwrap().to_vec()))
+        };
+        let before = read(&model);
+        let point = inner(&model, side, 9);
+        model.dispatch(Command::MoveInterior { side, point: point.into() }, 0.0);
+        assert!(model.refresh(true).map);
+        let after = read(&model);
+        for (k, of) in Side::BOTH.into_iter().enumerate() {
+            let is_renewed = after[k].0 != before[k].0;
+            assert_eq!((is_renewed, after[k].1 != before[k].1), (of == side, of == side), "{of} of a drag on {side}");
+        }
+    }
+}
+
+#[test]
 fn a_link_brings_surfaces_on_either_side_with_their_points() {
     for make in [on_the_source, on_both_sides] {
         let mut model = make();

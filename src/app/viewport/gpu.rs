@@ -24,6 +24,8 @@ pub struct Gpu {
     state: RenderState,
     extension: Option<GpuExtension>,
     in_software: bool,
+    /// The revisions of the disk coordinates that were uploaded, between two surfaces.
+    disks: PerSide<Option<u64>>,
 }
 
 /// Whether the adapter is a software renderer on the CPU.
@@ -41,7 +43,7 @@ impl Gpu {
         let renderer = ViewportRenderer::new(&state.device, &state.queue, state.target_format, viewports, samples);
         state.renderer.write().callback_resources.insert(renderer);
         let extension = GpuExtension::new(&state);
-        Self { state, extension, in_software }
+        Self { state, extension, in_software, disks: PerSide::default() }
     }
 
     /// The name of the graphics API, for the status line.
@@ -78,8 +80,10 @@ impl Gpu {
 
     /// Uploads what has changed; returns whether a surface fits on the device.
     pub fn upload(&mut self, model: &Model, changes: Changes) -> bool {
+        let of_surfaces = self.take_surface_changes(model, changes);
         let upload = |renderer: &mut ViewportRenderer| {
-            Side::BOTH.map(|side| surface::gpu::upload(&self.state, renderer, model, side, changes)) == [true; 2]
+            Side::BOTH.map(|side| surface::gpu::upload(&self.state, renderer, model, side, of_surfaces[side]))
+                == [true; 2]
         };
         let fits = self.with_renderer(upload) != Some(false);
         if changes.meshes {
@@ -98,6 +102,18 @@ impl Gpu {
             self.extend(model);
         }
         fits
+    }
+
+    /// What of the changes concerns the surface on each side: between two, a drag changes the disk coordinates of its own
+    /// side only.
+    fn take_surface_changes(&mut self, model: &Model, changes: Changes) -> PerSide<Changes> {
+        let map = model.map().filter(|map| map.is_through_disk());
+        let disks = PerSide::from_fn(|side| map.map(|map| map.disk_revision(side)));
+        let known = std::mem::replace(&mut self.disks, disks);
+        PerSide::from_fn(|side| {
+            let is_known = disks[side].is_some() && disks[side] == known[side];
+            Changes { images: changes.images && !is_known, ..changes }
+        })
     }
 
     /// Replaces the images in the picture by those of the compute shader, if it is available for this map.
