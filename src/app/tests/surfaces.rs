@@ -3,7 +3,7 @@
 use super::panels::click_in_panel;
 use super::*;
 use crate::app::arrangement::legend_side;
-use crate::session::{SurfaceShape, SurfaceSpec};
+use crate::session::{Colouring, SurfaceShape, SurfaceSpec};
 use crate::surface::SurfacePreset;
 use egui::{Vec2, pos2, vec2};
 
