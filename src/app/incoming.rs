@@ -65,9 +65,10 @@ impl RiemapApp {
             }
             // the change began when the file was opened
             Some(Arrived::Surface) => self.end_tour(),
-            Some(Arrived::Session(session)) => {
+            Some(Arrived::Session(session, later)) => {
                 self.messages.common = None;
                 self.open_session(*session);
+                self.model.open_later(later);
             }
             Some(Arrived::NoSession(message)) => self.messages.common = Some(message),
             Some(Arrived::NoOutline(side, message)) => self.editor.refuse_paste(side, message),
@@ -100,8 +101,7 @@ impl RiemapApp {
             FileKind::Session => self.model.open_session_file(name, bytes),
             FileKind::Surface(side) => {
                 self.persistence.touch();
-                let side = self.model.side_for_surface(side, name);
-                self.model.want_surface_file(side, name, bytes);
+                self.model.open_surface_in_turn(side, name, bytes);
             }
             FileKind::Texture | FileKind::Trace(_) => {
                 self.messages.common = None;

@@ -87,6 +87,11 @@ impl Model {
 
     fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
         self.stop_reading(side);
+        self.replace_outline(side, outline, notes);
+    }
+
+    /// Starts preparing another outline in the place of what is there; files that are being read go on.
+    pub(super) fn replace_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
         self.sides[side].incoming_surface = None;
         self.sides[side].surface.preparation.give_up();
         if self.session.surface(side).is_some() && self.side(side).wanted().outline == outline {
@@ -123,7 +128,7 @@ impl Model {
 
     /// Whether a preparation for a side is in progress.
     pub fn is_preparing(&self, side: Side) -> bool {
-        self.sides[side].is_busy()
+        self.sides[side].is_busy() || self.queue.concerns(side)
     }
 
     /// Applies the quick fix of a side's user error. Returns what it touches: nothing if it only repeats a request.
@@ -135,7 +140,7 @@ impl Model {
         }
         match outline.error.take().and_then(|user_error| user_error.quick_fix) {
             Some(QuickFix::Retry) => outline.retry(),
-            Some(QuickFix::ReadAgain(opened)) => self.read_again(side, opened),
+            Some(QuickFix::ReadAgain(opened)) => self.read_in_turn(side, opened),
             Some(QuickFix::Repaired(outline)) => {
                 self.want_loaded(side, *outline);
                 return Touched::ANOTHER_SHAPE;
@@ -154,6 +159,7 @@ impl Model {
 
     /// The requests that are due, at most one for each side.
     pub fn take_requests(&mut self, now: f64) -> Vec<(Side, Request)> {
+        self.read_on();
         // a dragged outline is prepared again only when the picture shows the last one; otherwise none would be shown
         let shows = !self.is_pending() && !self.sides_changed;
         let mut requests = Vec::new();
@@ -168,7 +174,8 @@ impl Model {
 
     /// The time at which the next request is due.
     pub fn next_due(&self) -> Option<f64> {
-        self.sides.iter().filter_map(|(_, side)| side.due()).reduce(f64::min)
+        let file = self.can_read_on().then_some(f64::NEG_INFINITY);
+        self.sides.iter().filter_map(|(_, side)| side.due()).chain(file).reduce(f64::min)
     }
 
     /// Processes a response of a side's worker. [`Self::take_arrived`] returns the file that it completed, if any.

@@ -34,7 +34,7 @@ use crate::geometry::{Bounds, DVec2};
 use crate::language::Message;
 use crate::model::coarse::Draft;
 use crate::model::measurement::Measurement;
-use crate::model::opening::Arrived;
+use crate::model::opening::{Arrived, FileQueue};
 use crate::model::overlays::OverlayState;
 use crate::model::pattern::disk_grid::DiskGrid;
 use crate::model::shown::ShownMap;
@@ -114,6 +114,8 @@ pub struct Model {
     points_changed: bool,
     /// Whether the geometry of a side has changed since the map was last started.
     sides_changed: bool,
+    /// The opened files that wait for those before them.
+    queue: FileQueue,
     /// The result of an opened file that the last response completed, for the app.
     arrived: Option<Arrived>,
 }
@@ -137,6 +139,7 @@ impl Model {
             map_error: None,
             points_changed: false,
             sides_changed: false,
+            queue: FileQueue::default(),
             arrived: None,
         };
         for (side, surface) in surfaces.iter() {
@@ -273,7 +276,7 @@ impl Model {
 
     /// Whether the full map for the session is shown and no preparation is in progress.
     pub fn is_ready(&self) -> bool {
-        let is_busy = self.sides.iter().any(|(_, side)| side.is_busy());
+        let is_busy = Side::BOTH.into_iter().any(|side| self.is_preparing(side));
         self.shown.map.is_some() && !self.is_pending() && !is_busy
     }
 

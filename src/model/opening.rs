@@ -2,11 +2,19 @@
 //!
 //! An outline is requested as soon as it is parsed, and the same request prepares it. What is left for the app to do
 //! (end the tour, open a session, show an error) is an [`Arrived`], which the app takes after each response.
+//!
+//! Files take effect in the order in which they were opened (file `queue`). What arrives cancels nothing; what a person
+//! chooses meanwhile cancels the files for its side ([`Model::stop_reading`]).
+
+mod queue;
+
+pub use queue::FileQueue;
 
 use crate::conformal::Side;
 use crate::language::{Message, key};
 use crate::model::Model;
 use crate::model::names;
+use crate::model::side::ModelSide;
 use crate::model::side::opened_file::{InFlight, OpenedFile, Origin};
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::outline::Outline;
@@ -21,8 +29,8 @@ pub enum Arrived {
     Outline(Origin),
     /// A surface, which is prepared and shown on its side.
     Surface,
-    /// A session.
-    Session(Box<Session>),
+    /// A session, and the files that were opened after it: they are for [`Model::open_later`] when it is opened.
+    Session(Box<Session>, FileQueue),
     /// A session file could not be read.
     NoSession(Message),
     /// A text pasted for this side is no outline.
@@ -47,15 +55,12 @@ impl Model {
 
     fn read(&mut self, side: Side, origin: Origin, name: &str, bytes: Vec<u8>) {
         let file = NamedFile { name: name.to_owned(), bytes: Arc::new(bytes) };
-        self.read_again(side, OpenedFile { origin, file });
+        self.read_in_turn(side, OpenedFile { origin, file });
     }
 
-    pub(super) fn read_again(&mut self, side: Side, opened: OpenedFile) {
-        self.sides[side].reading.want(opened);
-    }
-
-    /// Cancels the file that is being read for a side, and a session file, because something else was chosen.
+    /// Cancels the files that were opened for a side, and session files, because something else was chosen.
     pub(super) fn stop_reading(&mut self, side: Side) {
+        self.queue.drop_for(side);
         for (at, state) in Side::BOTH.into_iter().zip(self.sides.as_mut().into_array()) {
             if at == side || state.reading.is_of(Origin::SessionFile) {
                 state.reading.end();
@@ -65,12 +70,13 @@ impl Model {
 
     /// Whether a file or pasted text is being read, or a surface from a file prepared.
     pub fn awaits_file(&self) -> bool {
-        self.sides.iter().any(|(_, side)| side.reading.is_busy() || side.surface.preparation.awaits_file())
+        let awaits = |side: &ModelSide| side.reading.is_busy() || side.surface.preparation.awaits_file();
+        !self.queue.is_empty() || self.sides.iter().any(|(_, side)| awaits(side))
     }
 
     /// Whether a pasted text is being read for a side.
     pub fn reads_pasted(&self, side: Side) -> bool {
-        self.sides[side].reading.is_of(Origin::PastedText)
+        self.sides[side].reading.is_of(Origin::PastedText) || self.queue.has_pasted(side)
     }
 
     /// The result that the last response completed, if any.
@@ -85,7 +91,7 @@ impl Model {
             Some(Response::Outline(outline)) => self.take_outline(side, *outline),
             Some(Response::Session(session)) => {
                 reading.end();
-                self.arrived = Some(Arrived::Session(session));
+                self.arrived = Some(Arrived::Session(session, std::mem::take(&mut self.queue)));
             }
             Some(Response::Unread(unread)) => {
                 if let Some(InFlight { opened, .. }) = reading.end().end() {
@@ -100,7 +106,8 @@ impl Model {
         let request = self.sides[side].reading.end();
         let Some(InFlight { opened, settings }) = request.under_way() else { return };
         let (origin, settings) = (opened.origin, *settings);
-        self.want_loaded(side, outline);
+        let notes = outline.notes.clone();
+        self.replace_outline(side, outline.into(), notes);
         self.side_mut(side).take_over(&request, settings);
         self.arrived = Some(Arrived::Outline(origin));
     }
@@ -128,6 +135,9 @@ impl Model {
     }
 }
 
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod queue_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests;

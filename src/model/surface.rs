@@ -46,15 +46,14 @@ impl Model {
 
     /// The side that gets a surface's file which was opened for or dropped over `side`: that side, unless only the other
     /// one waits for a file of this name.
-    pub fn side_for_surface(&self, side: Side, name: &str) -> Side {
+    pub(super) fn side_for_surface(&self, side: Side, name: &str) -> Side {
         let awaits = |side: Side| self.sides[side].awaits_surface_file(name);
         if awaits(side.other()) && !awaits(side) { side.other() } else { side }
     }
 
     /// Begins to prepare a surface that a person has opened or dropped; what was wrong with an outline for its place is
     /// past. If a session waits for the file of that name, it comes with the session's points, on the other side too.
-    pub fn want_surface_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
-        self.stop_reading(side);
+    pub(super) fn want_surface_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.sides[side].surface.gives_way = false;
         self.dismiss(side);
         let is_awaited = self.sides[side].awaits_surface_file(name);

@@ -9,15 +9,15 @@ use crate::surface::SurfacePreset;
 use crate::worker::{Request, Task, run};
 
 const SIDE: Side = Side::Target;
-const TRIANGLE: &[u8] = b"0,0\n0,1\n1,0\n";
-const BOW: &[u8] = b"0,0\n1,1\n1,0\n0,1\n";
+pub(super) const TRIANGLE: &[u8] = b"0,0\n0,1\n1,0\n";
+pub(super) const BOW: &[u8] = b"0,0\n1,1\n1,0\n0,1\n";
 
 fn settings(count: u32) -> PrepareSettings {
     let sampling = Sampling::Uniform { count, keep_corners: false };
     PrepareSettings { sampling, sizing: Sizing::Graded(0.3), ..PrepareSettings::default() }
 }
 
-fn planar() -> Model {
+pub(super) fn planar() -> Model {
     let coarse = Side::BOTH.map(|side| Command::SetSettings { side, settings: settings(80) });
     let mut model = Model::new(Session::with(coarse));
     settle(&mut model);
@@ -25,7 +25,7 @@ fn planar() -> Model {
 }
 
 /// Answers a request; returns the result of a file.
-fn answer(model: &mut Model, side: Side, request: &Request) -> Option<Arrived> {
+pub(super) fn answer(model: &mut Model, side: Side, request: &Request) -> Option<Arrived> {
     let mut arrived = None;
     run(request, &mut |generation, response| {
         model.accept(side, generation, response);
@@ -170,7 +170,7 @@ fn a_session_is_read_for_the_app_and_nothing_is_changed_by_it() {
     let before = model.session().clone();
     let wanted = before.clone().and([Command::SetTextureScale(21.0)]);
     model.open_session_file("a.riemap", file::write(&wanted).unwrap().into_bytes());
-    let Some(Arrived::Session(session)) = settle(&mut model) else { panic!("no session") };
+    let Some(Arrived::Session(session, _)) = settle(&mut model) else { panic!("no session") };
     assert_eq!((&*session, model.session()), (&wanted, &before));
     model.open_session_file("a.riemap", vec![1, 2]);
     let Some(Arrived::NoSession(why)) = settle(&mut model) else { panic!("a session") };

@@ -46,7 +46,7 @@ pub struct InFlight {
     pub settings: PrepareSettings,
 }
 
-/// The newest opened file, due or in flight.
+/// The opened file that is due or in flight.
 #[derive(Debug, Default)]
 pub struct Reading {
     next: Option<OpenedFile>,
@@ -54,9 +54,9 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// Requests that a file be parsed; it replaces the previous one.
+    /// Requests that a file be parsed, when the previous one has been.
     pub fn want(&mut self, opened: OpenedFile) {
-        self.pending_request.end();
+        debug_assert!(!self.is_busy(), "a file is read after the one before it");
         self.next = Some(opened);
     }
 
