@@ -110,6 +110,7 @@ impl RiemapApp {
             self.model.dismiss(side);
         }
         let touched = self.editor.act(action, &mut self.model, &mut self.pictures.views);
+        self.take_arrived(); // a pasted text that is too long is refused before it is sent
         self.begin_change(touched);
     }
 

@@ -55,6 +55,11 @@ impl RiemapApp {
     /// The one place that takes the workers' responses; the model drops stale ones.
     fn take_answer(&mut self, side: Side, generation: u64, response: Response) {
         self.model.accept(side, generation, response);
+        self.take_arrived();
+    }
+
+    /// Takes the result of an opened file from the model.
+    pub(super) fn take_arrived(&mut self) {
         match self.model.take_arrived() {
             None => {}
             Some(Arrived::Outline(origin)) => {
@@ -98,7 +103,10 @@ impl RiemapApp {
         };
         match kind {
             FileKind::Outline(side) => self.model.open_outline(side, name, bytes),
-            FileKind::Session => self.model.open_session_file(name, bytes),
+            FileKind::Session => {
+                self.model.open_session_file(name, bytes);
+                self.take_arrived();
+            }
             FileKind::Surface(side) => {
                 self.persistence.touch();
                 self.model.open_surface_in_turn(side, name, bytes);
@@ -217,10 +225,10 @@ mod tests {
 
     /// A small surface as an OBJ file.
     fn surface_file() -> Vec<u8> {
-        let Task::Surface { source: SurfaceSource::File { bytes, .. }, .. } = worker::rehearsal().task else {
+        let Task::Surface { source: SurfaceSource::File(file), .. } = worker::rehearsal().task else {
             panic!("the rehearsal reads a file")
         };
-        bytes.to_vec()
+        file.bytes.to_vec()
     }
 
     #[test]

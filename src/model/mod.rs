@@ -116,7 +116,7 @@ pub struct Model {
     sides_changed: bool,
     /// The opened files that wait for those before them.
     queue: FileQueue,
-    /// The result of an opened file that the last response completed, for the app.
+    /// The result of the last opened file, for the app.
     arrived: Option<Arrived>,
 }
 

@@ -1,7 +1,8 @@
 //! Opened files and pasted texts: a side's worker parses them, the model accepts what is in them.
 //!
 //! An outline is requested as soon as it is parsed, and the same request prepares it. What is left for the app to do
-//! (end the tour, open a session, show an error) is an [`Arrived`], which the app takes after each response.
+//! (end the tour, open a session, show an error) is an [`Arrived`], which the app takes after each response and each
+//! opened file.
 //!
 //! Files take effect in the order in which they were opened (file `queue`). What arrives cancels nothing; what a person
 //! chooses meanwhile cancels the files for its side ([`Model::stop_reading`]).
@@ -55,7 +56,11 @@ impl Model {
 
     fn read(&mut self, side: Side, origin: Origin, name: &str, bytes: Vec<u8>) {
         let file = NamedFile { name: name.to_owned(), bytes: Arc::new(bytes) };
-        self.read_in_turn(side, OpenedFile { origin, file });
+        let opened = OpenedFile { origin, file };
+        match opened.too_large() {
+            Some(unread) => self.refuse(side, &opened, unread),
+            None => self.read_in_turn(side, opened),
+        }
     }
 
     /// Cancels the files that were opened for a side, and session files, because something else was chosen.
@@ -79,7 +84,7 @@ impl Model {
         self.sides[side].reading.is_of(Origin::PastedText) || self.queue.has_pasted(side)
     }
 
-    /// The result that the last response completed, if any.
+    /// The result that the last response completed, or the last opened file that was refused at once, if any.
     pub fn take_arrived(&mut self) -> Option<Arrived> {
         self.arrived.take()
     }

@@ -19,7 +19,6 @@ use crate::language::Message;
 use crate::outline::Outline;
 use crate::session::Session;
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, read_surface};
-use std::sync::Arc;
 
 /// A request to read or to prepare something.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,12 +77,7 @@ pub enum SurfaceSource {
         boundary: u32,
     },
     /// A file that is not read yet.
-    File {
-        /// The name of the file.
-        name: String,
-        /// The content of the file.
-        bytes: Arc<Vec<u8>>,
-    },
+    File(NamedFile),
 }
 
 /// A message from the worker.
@@ -169,7 +163,7 @@ impl SurfaceSource {
     pub fn surface(&self) -> Result<Surface, Failure> {
         match self {
             Self::Preset { preset, boundary } => preset.surface(*boundary).map_err(|error| Failure::new(&error)),
-            Self::File { name, bytes } => read_surface(name, bytes).map_err(|error| Failure::new(&error)),
+            Self::File(file) => read_surface(&file.name, &file.bytes).map_err(|error| Failure::new(&error)),
         }
     }
 }
@@ -199,6 +193,7 @@ fn surface(
 mod tests {
     use super::*;
     use crate::language::key;
+    use std::sync::Arc;
 
     fn last(source: SurfaceSource, repair: bool) -> Response {
         let task = Task::Surface { source, repair, settings: SurfaceSettings::default() };
@@ -211,7 +206,7 @@ mod tests {
     }
 
     fn file(text: &str) -> SurfaceSource {
-        SurfaceSource::File { name: "a.obj".into(), bytes: Arc::new(text.into()) }
+        SurfaceSource::File(NamedFile { name: "a.obj".into(), bytes: Arc::new(text.into()) })
     }
 
     #[test]

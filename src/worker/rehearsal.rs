@@ -1,7 +1,7 @@
 //! A warm-up computation for an idle web worker, whose result is discarded: a browser compiles a function on its first
 //! call.
 
-use super::{Request, SurfaceSource, Task};
+use super::{NamedFile, Request, SurfaceSource, Task};
 use crate::conformal::SurfaceSettings;
 use crate::surface::SurfacePreset;
 use std::fmt::Write as _;
@@ -22,7 +22,8 @@ pub fn rehearsal() -> Request {
             let _ = writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1);
         }
     }
-    let source = SurfaceSource::File { name: "rehearsal.obj".into(), bytes: Arc::new(text.into_bytes()) };
+    let file = NamedFile { name: "rehearsal.obj".into(), bytes: Arc::new(text.into_bytes()) };
+    let source = SurfaceSource::File(file);
     Request { generation: 0, task: Task::Surface { source, repair: false, settings: SurfaceSettings::default() } }
 }
 

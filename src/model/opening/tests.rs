@@ -176,3 +176,18 @@ fn a_session_is_read_for_the_app_and_nothing_is_changed_by_it() {
     let Some(Arrived::NoSession(why)) = settle(&mut model) else { panic!("a session") };
     assert!(why.english().starts_with("a.riemap: ") && model.is_ready());
 }
+
+#[test]
+fn a_file_that_is_too_large_is_refused_before_it_is_copied() {
+    let mut model = planar();
+    let large = || vec![b' '; file::MAX_BYTES.max(crate::outline::MAX_BYTES) + 1];
+    model.open_outline(SIDE, "a.csv", large());
+    let said = model.side(SIDE).error.as_ref().unwrap().text.english();
+    assert!(said.starts_with("a.csv: the file has") && !model.awaits_file(), "{said}");
+    model.open_session_file("a.riemap", large());
+    let Some(Arrived::NoSession(why)) = model.take_arrived() else { panic!("it is read") };
+    assert!(why.english().starts_with("a.riemap: the file is too large"), "{}", why.english());
+    model.open_pasted(SIDE, &String::from_utf8(large()).unwrap());
+    assert!(matches!(model.take_arrived(), Some(Arrived::NoOutline(SIDE, _))) && !model.reads_pasted(SIDE));
+    assert!(model.take_requests(f64::INFINITY).is_empty());
+}

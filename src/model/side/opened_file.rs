@@ -4,8 +4,11 @@
 //! used. The same request prepares an outline that was parsed.
 
 use crate::conformal::PrepareSettings;
+use crate::language::Message;
 use crate::model::side::request::{Generations, PendingRequest};
-use crate::worker::{NamedFile, Request, Response, Task};
+use crate::outline::{self, OutlineError};
+use crate::session::file::{self, FileError};
+use crate::worker::{NamedFile, Request, Response, Task, Unread};
 
 /// The source of the bytes, which decides where a failure is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,6 +31,18 @@ pub struct OpenedFile {
 }
 
 impl OpenedFile {
+    /// Why the file need not be sent: its reader would refuse it for its size, after it was copied.
+    pub fn too_large(&self) -> Option<Unread> {
+        let bytes = self.file.bytes.len();
+        let text = match self.origin {
+            Origin::OutlineFile | Origin::PastedText => {
+                (bytes > outline::MAX_BYTES).then(|| Message::from(&OutlineError::TooLarge { bytes }))
+            }
+            Origin::SessionFile => (bytes > file::MAX_BYTES).then(|| Message::from(&FileError::TooLarge)),
+        };
+        text.map(|text| Unread { text, repaired: None })
+    }
+
     fn task(&self, settings: PrepareSettings) -> Task {
         let file = self.file.clone();
         match self.origin {

@@ -36,9 +36,9 @@ pub struct SurfaceSide {
 
 impl SurfaceSide {
     /// Requests the surface of a file that was kept, with the repairs and settings of `spec`, which then names the file.
-    pub fn want_file(&mut self, spec: &SurfaceSpec, NamedFile { name, bytes }: NamedFile) {
-        let spec = SurfaceSpec { shape: SurfaceShape::File { name: name.clone() }, ..spec.clone() };
-        self.preparation.want_surface(spec, SurfaceSource::File { name, bytes }, f64::NEG_INFINITY);
+    pub fn want_file(&mut self, spec: &SurfaceSpec, file: NamedFile) {
+        let spec = SurfaceSpec { shape: SurfaceShape::File { name: file.name.clone() }, ..spec.clone() };
+        self.preparation.want_surface(spec, SurfaceSource::File(file), f64::NEG_INFINITY);
     }
 
     /// Requests the surface that `spec` describes: at once, or after `now` if only a preset's resolution changes. Returns

@@ -43,8 +43,7 @@ impl SurfaceFiles {
                 Some(SurfaceSource::Preset { preset: *preset, boundary: *boundary })
             }
             SurfaceShape::File { name: wanted } => {
-                let NamedFile { name, bytes } = self.files.iter().find(|file| file.name == *wanted)?.clone();
-                Some(SurfaceSource::File { name, bytes })
+                self.files.iter().find(|file| file.name == *wanted).cloned().map(SurfaceSource::File)
             }
         }
     }

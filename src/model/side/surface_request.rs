@@ -144,7 +144,7 @@ mod tests {
     use crate::model::side::request::Generations;
     use crate::model::side::{SurfaceFiles, SurfaceSide};
     use crate::surface::SurfacePreset;
-    use crate::worker::{Request, run};
+    use crate::worker::{NamedFile, Request, run};
 
     fn hemisphere() -> SurfaceSpec {
         let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 24 };
@@ -236,7 +236,7 @@ mod tests {
         else {
             unreachable!("a surface was wanted")
         };
-        assert_eq!(source, SurfaceSource::File { name: "a (2).obj".into(), bytes: Arc::new(b"2".to_vec()) });
+        assert_eq!(source, SurfaceSource::File(NamedFile { name: "a (2).obj".into(), bytes: Arc::new(b"2".to_vec()) }));
         assert_eq!(name(&side), second);
     }
 

@@ -19,31 +19,37 @@ use serde::de::DeserializeOwned;
 use std::sync::Arc;
 use wasm_bindgen::{JsCast, JsValue};
 
-/// Encodes a request to a worker.
-pub fn encode_request(request: &Request) -> JsValue {
+/// Encodes a request to a worker, and lists the buffers to transfer with it.
+pub fn encode_request(request: &Request) -> (JsValue, Array) {
+    let transfer = Array::new();
     let number = ("generation", JsValue::from(request.generation.to_string()));
-    match &request.task {
+    let message = match &request.task {
         Task::Outline { polygon, settings } => {
             let flat: Vec<f64> = polygon.vertices().iter().flat_map(DVec2::to_array).collect();
-            object(&[number, ("points", Float64Array::from(flat.as_slice()).into()), ("settings", json(settings))])
+            let points = Float64Array::from(flat.as_slice());
+            transfer.push(&points.buffer());
+            object(&[number, ("points", points.into()), ("settings", json(settings))])
         }
         Task::OutlineFile { file, settings } => {
-            object(&[&[number, ("settings", json(settings))], &encode_file(&file.name, &file.bytes)[..]].concat())
+            object(&[&[number, ("settings", json(settings))], &encode_file(file, &transfer)[..]].concat())
         }
-        Task::SessionFile(file) => object(&[&[number], &encode_file(&file.name, &file.bytes)[..]].concat()),
+        Task::SessionFile(file) => object(&[&[number], &encode_file(file, &transfer)[..]].concat()),
         Task::Surface { source, repair, settings } => {
             let common = [number, ("settings", json(settings)), ("repair", (*repair).into())];
             let shape = match source {
                 SurfaceSource::Preset { preset, boundary } => vec![("preset", json(&(preset, boundary)))],
-                SurfaceSource::File { name, bytes } => encode_file(name, bytes).to_vec(),
+                SurfaceSource::File(file) => encode_file(file, &transfer).to_vec(),
             };
             object(&[&common[..], &shape].concat())
         }
-    }
+    };
+    (message, transfer)
 }
 
-fn encode_file(name: &str, bytes: &[u8]) -> [(&'static str, JsValue); 2] {
-    [("name", name.into()), ("bytes", Uint8Array::from(bytes).into())]
+fn encode_file(NamedFile { name, bytes }: &NamedFile, transfer: &Array) -> [(&'static str, JsValue); 2] {
+    let bytes = Uint8Array::from(bytes.as_slice());
+    transfer.push(&bytes.buffer());
+    [("name", name.into()), ("bytes", bytes.into())]
 }
 
 /// Decodes a request; `None` if [`encode_request`] did not make it.
@@ -68,8 +74,7 @@ fn decode_source(message: &JsValue) -> Option<SurfaceSource> {
     if let Some((preset, boundary)) = parsed(message, "preset") {
         return Some(SurfaceSource::Preset { preset, boundary });
     }
-    let NamedFile { name, bytes } = decode_file(message)?;
-    Some(SurfaceSource::File { name, bytes })
+    decode_file(message).map(SurfaceSource::File)
 }
 
 fn decode_file(message: &JsValue) -> Option<NamedFile> {

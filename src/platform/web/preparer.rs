@@ -31,7 +31,8 @@ impl Preparer {
     #[allow(clippy::needless_pass_by_value, reason = "on the desktop it goes into a thread")]
     pub fn request(&mut self, side: Side, request: Request) {
         let Some(worker) = self.ensure_idle(side) else { return };
-        if let Err(reason) = worker.post(&messages::encode_request(&request)) {
+        let (message, transfer) = messages::encode_request(&request);
+        if let Err(reason) = worker.post(&message, &transfer) {
             self.mailbox.post(Event::WorkerDied { side, reason: reason.into() });
         }
     }

@@ -4,6 +4,7 @@ use super::messages;
 use super::worker_handle::{Heard, State, WorkerHandle};
 use crate::platform::{Event, Mailbox};
 use crate::worker::{Finding, Study};
+use js_sys::Array;
 
 /// Runs studies, one at a time.
 pub struct StudyRunner {
@@ -31,7 +32,7 @@ impl StudyRunner {
             }
         }
         let Some(worker) = &self.worker else { return };
-        if let Err(reason) = worker.post(&messages::encode_study(study)) {
+        if let Err(reason) = worker.post(&messages::encode_study(study), &Array::new()) {
             self.mailbox.post(Event::Found { study: Some(study), finding: Finding::Failed(reason.into()) });
         }
     }

@@ -3,7 +3,7 @@
 use super::messages;
 use crate::language::{Message, key};
 use crate::platform::{Event, Mailbox};
-use js_sys::{Object, Reflect};
+use js_sys::{Array, Object, Reflect};
 use std::cell::Cell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::{Closure, wasm_bindgen};
@@ -74,10 +74,11 @@ impl WorkerHandle {
         let _ = self.worker.post_message(&messages::encode_rehearsal());
     }
 
-    /// Sends a request. The error is the reason why the message could not be posted.
-    pub fn post(&self, message: &JsValue) -> Result<(), String> {
+    /// Sends a request, and transfers the buffers of `transfer` with it. The error is the reason why the message could
+    /// not be posted.
+    pub fn post(&self, message: &JsValue, transfer: &Array) -> Result<(), String> {
         self.state.set(State::Busy);
-        self.worker.post_message(message).map_err(|error| {
+        self.worker.post_message_with_transfer(message, transfer).map_err(|error| {
             self.state.set(State::Dead);
             describe(&error)
         })
