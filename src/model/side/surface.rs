@@ -58,12 +58,12 @@ impl SurfaceSide {
 
     /// Whether what is shown is not the surface that was prepared last.
     pub fn is_outdated(&self) -> bool {
-        self.shown.as_ref().map(Arc::as_ptr) != self.preparation.surface().map(Arc::as_ptr)
+        self.shown.as_ref().map(Arc::as_ptr) != self.preparation.prepared().map(Arc::as_ptr)
     }
 
     /// Takes over the surface that was prepared.
     pub fn renew(&mut self) {
-        self.shown = self.preparation.surface().map(Arc::clone);
+        self.shown = self.preparation.prepared().map(Arc::clone);
         self.scene = self.surface().map(|surface| {
             let BoundingSphere { center, radius } = BoundingSphere::of(surface.mesh().vertices());
             BoundingSphere { center, radius: ROOM * radius }

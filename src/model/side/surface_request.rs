@@ -1,6 +1,5 @@
 //! The request for a surface: its specification for the session, and the source of its triangles.
 
-use crate::conformal::PreparedSide;
 use crate::language::{Message, key};
 use crate::model::names;
 use crate::model::side::preparation::{Preparation, Requested};
@@ -8,7 +7,6 @@ use crate::model::side::request::SETTLE_SECONDS;
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::session::{SurfaceShape, SurfaceSpec};
 use crate::worker::{Failure, SurfaceSource, Task};
-use std::sync::Arc;
 
 /// A surface that is to be prepared.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,12 +62,7 @@ impl Preparation<Option<SurfaceRequest>> {
         self.good()?.as_ref()
     }
 
-    /// The last good surface.
-    pub fn surface(&self) -> Option<&Arc<PreparedSide>> {
-        self.prepared()
-    }
-
-    /// The source of the triangles of [`Self::surface`].
+    /// The source of the triangles of [`Self::prepared`].
     pub fn source(&self) -> Option<&SurfaceSource> {
         self.last_good().map(|request| &request.source)
     }
@@ -145,6 +138,7 @@ mod tests {
     use crate::model::side::{SurfaceFiles, SurfaceSide};
     use crate::surface::SurfacePreset;
     use crate::worker::{NamedFile, Request, run};
+    use std::sync::Arc;
 
     fn hemisphere() -> SurfaceSpec {
         let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 24 };
@@ -166,7 +160,7 @@ mod tests {
         let request = side.preparation.take_request(f64::INFINITY, &mut generations).unwrap();
         assert!(side.preparation.is_busy() && side.preparation.take_request(f64::INFINITY, &mut generations).is_none());
         assert_eq!(answer(&mut side, &request), Some((hemisphere(), true)));
-        assert!(side.preparation.surface().is_some() && !side.preparation.is_busy());
+        assert!(side.preparation.prepared().is_some() && !side.preparation.is_busy());
         assert!(!side.want_spec(&hemisphere(), &SurfaceFiles::default(), 0.0));
     }
 
@@ -178,7 +172,7 @@ mod tests {
         side.want_file(&SurfaceSpec::default(), SurfaceFiles::default().keep("a.obj", Vec::new()));
         let second = side.preparation.take_request(f64::INFINITY, &mut generations).unwrap();
         assert_eq!(answer(&mut side, &first), None);
-        assert!(side.preparation.surface().is_none());
+        assert!(side.preparation.prepared().is_none());
         assert_eq!(answer(&mut side, &second), None);
         assert!(side.preparation.error.as_ref().unwrap().text.english().starts_with("a.obj: "));
     }
@@ -192,7 +186,7 @@ mod tests {
         assert!(side.want_spec(&SurfaceSpec { shape, ..SurfaceSpec::default() }, &SurfaceFiles::default(), 0.0));
         assert!(side.preparation.error.as_ref().unwrap().text.english().starts_with("missing.obj: "));
         assert_eq!(answer(&mut side, &request), None);
-        assert!(side.preparation.surface().is_none() && side.preparation.error.is_some());
+        assert!(side.preparation.prepared().is_none() && side.preparation.error.is_some());
     }
 
     #[test]
@@ -206,7 +200,7 @@ mod tests {
         side.preparation.quick_fix();
         let request = side.preparation.take_request(f64::INFINITY, &mut generations).unwrap();
         assert!(answer(&mut side, &request).unwrap().0.repair);
-        assert_eq!(side.preparation.surface().unwrap().surface().unwrap().surface().repairs().len(), 1);
+        assert_eq!(side.preparation.prepared().unwrap().surface().unwrap().surface().repairs().len(), 1);
     }
 
     #[test]
