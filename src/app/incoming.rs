@@ -34,7 +34,10 @@ impl RiemapApp {
             }
             match event {
                 Event::Worker { side, generation, response } => self.take_answer(side, generation, response),
-                Event::WorkerDied { side, reason } => self.model.worker_died(side, &reason),
+                Event::WorkerDied { side, generation, reason } => {
+                    self.model.worker_died(side, generation, &reason);
+                    self.take_arrived();
+                }
                 Event::Found { study, finding } => self.windows.reports.accept(study, finding),
                 Event::File { purpose, name, bytes } => self.open_file(purpose, &name, bytes),
                 Event::Link(address) => {
@@ -125,14 +128,9 @@ impl RiemapApp {
     /// Shows the error of a file at the side that it was opened for.
     fn refuse_file(&mut self, kind: FileKind, error: UserError) {
         match kind.side() {
-            Some(side) => self.refuse_outline(side, error),
+            Some(side) => self.model.refuse(side, error),
             None => self.messages.common = Some(error.text),
         }
-    }
-
-    fn refuse_outline(&mut self, side: Side, error: UserError) {
-        self.model.dismiss(side);
-        self.model.side_mut(side).error = Some(error);
     }
 
     /// Processes a decoded image, or the error of its decoding.
@@ -168,7 +166,7 @@ impl RiemapApp {
                 self.begin_change(Touched::ANOTHER_SHAPE);
                 self.model.want_loaded(side, outline);
             }
-            Err(error) => self.refuse_outline(side, error),
+            Err(error) => self.model.refuse(side, error),
         }
     }
 

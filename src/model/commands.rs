@@ -150,6 +150,12 @@ impl Model {
         Touched::NOTHING
     }
 
+    /// Shows a user error beside a side, in place of the messages there.
+    pub fn refuse(&mut self, side: Side, error: UserError) {
+        self.dismiss(side);
+        self.side_mut(side).error = Some(error);
+    }
+
     /// Closes the messages about a side.
     pub fn dismiss(&mut self, side: Side) {
         self.sides[side].surface.preparation.dismiss();
@@ -240,11 +246,14 @@ impl Model {
         Some(self.domain(side)?.nearest_inside(point, PUSH * (high - low).max_element()))
     }
 
-    /// Handles the death of a side's worker.
-    pub fn worker_died(&mut self, side: Side, reason: &Message) {
-        self.reader_died(side, reason);
-        self.side_mut(side).worker_died(reason);
-        self.sides[side].surface.preparation.worker_died(reason);
+    /// Handles the death of a side's worker over the request of this generation; `None`: over any that is in flight.
+    /// [`Self::take_arrived`] returns the file that it was reading, if the message about it is not the side's.
+    pub fn worker_died(&mut self, side: Side, generation: Option<u64>, reason: &Message) {
+        if self.sides[side].reading.pending_request().is_lost(generation) {
+            self.reader_died(side, reason);
+        }
+        self.side_mut(side).worker_died(generation, reason);
+        self.sides[side].surface.preparation.worker_died(generation, reason);
     }
 
     fn swap(&mut self) {

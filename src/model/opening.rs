@@ -49,7 +49,7 @@ impl Model {
         self.read(side, Origin::PastedText, names::PASTED, text.as_bytes().to_vec());
     }
 
-    /// Begins to read a session file, in the source's worker.
+    /// Begins to read a session file, in the worker of a side that is not prepared, if there is one.
     pub fn open_session_file(&mut self, name: &str, bytes: Vec<u8>) {
         self.read(Side::Source, Origin::SessionFile, name, bytes);
     }
@@ -58,7 +58,7 @@ impl Model {
         let file = NamedFile { name: name.to_owned(), bytes: Arc::new(bytes) };
         let opened = OpenedFile { origin, file };
         match opened.too_large() {
-            Some(unread) => self.refuse(side, &opened, unread),
+            Some(unread) => self.refuse_file(side, opened, unread),
             None => self.read_in_turn(side, opened),
         }
     }
@@ -100,7 +100,7 @@ impl Model {
             }
             Some(Response::Unread(unread)) => {
                 if let Some(InFlight { opened, .. }) = reading.end().end() {
-                    self.refuse(side, &opened, unread);
+                    self.refuse_file(side, opened, unread);
                 }
             }
             _ => {} // stale, or a stage, which the request keeps
@@ -117,25 +117,31 @@ impl Model {
         self.arrived = Some(Arrived::Outline(origin));
     }
 
-    /// Reports a file that cannot be used, in the place for its origin; the side's postponed requests are due again.
-    fn refuse(&mut self, side: Side, opened: &OpenedFile, Unread { text, repaired }: Unread) {
-        let name = &opened.file.name;
-        match opened.origin {
-            Origin::OutlineFile => {
-                self.dismiss(side);
-                let quick_fix = repaired.map(QuickFix::Repaired);
-                self.side_mut(side).error = Some(UserError { text: key::about(name, text), quick_fix });
-            }
-            Origin::PastedText => self.arrived = Some(Arrived::NoOutline(side, text)),
-            Origin::SessionFile => self.arrived = Some(Arrived::NoSession(key::about(name, text))),
+    /// The side's postponed requests are due again.
+    fn refuse_file(&mut self, side: Side, opened: OpenedFile, Unread { text, repaired }: Unread) {
+        self.report(side, opened, text, |_| repaired.map(QuickFix::Repaired));
+    }
+
+    /// The worker stopped while it read a file: an outline's quick fix reads the file again.
+    pub(super) fn reader_died(&mut self, side: Side, reason: &Message) {
+        if let Some(InFlight { opened, .. }) = self.sides[side].reading.end().end() {
+            self.report(side, opened, key::reading_stopped(reason.clone()), |opened| Some(QuickFix::ReadAgain(opened)));
         }
     }
 
-    /// The worker stopped while it read a file: the quick fix reads the file again.
-    pub(super) fn reader_died(&mut self, side: Side, reason: &Message) {
-        if let Some(InFlight { opened, .. }) = self.sides[side].reading.end().end() {
-            let text = key::about(&opened.file.name, key::preparation_stopped(reason.clone()));
-            self.side_mut(side).error = Some(UserError { text, quick_fix: Some(QuickFix::ReadAgain(opened)) });
+    /// Reports a file that cannot be used, in the place for its origin; only an outline file has a quick fix there.
+    fn report(
+        &mut self,
+        side: Side,
+        opened: OpenedFile,
+        text: Message,
+        quick_fix: impl FnOnce(OpenedFile) -> Option<QuickFix>,
+    ) {
+        let about = key::about(&opened.file.name, text.clone());
+        match opened.origin {
+            Origin::OutlineFile => self.refuse(side, UserError { text: about, quick_fix: quick_fix(opened) }),
+            Origin::PastedText => self.arrived = Some(Arrived::NoOutline(side, text)),
+            Origin::SessionFile => self.arrived = Some(Arrived::NoSession(about)),
         }
     }
 }

@@ -64,6 +64,8 @@ pub enum Event {
     WorkerDied {
         /// The side that it prepared.
         side: Side,
+        /// The generation of the request that it was working on; `None` means the one in flight.
+        generation: Option<u64>,
         /// The reason, as far as it is known.
         reason: Message,
     },

@@ -44,14 +44,15 @@ impl Preparer {
     /// Starts a thread for `request`.
     pub fn request(&mut self, side: Side, request: Request) {
         let mailbox = self.mailbox.clone();
+        let generation = Some(request.generation);
         let work = move || {
             let mut emit = |generation, response| mailbox.post(Event::Worker { side, generation, response });
             if catch_unwind(AssertUnwindSafe(|| worker::run(&request, &mut emit))).is_err() {
-                mailbox.post(Event::WorkerDied { side, reason: key::internal_error().into() });
+                mailbox.post(Event::WorkerDied { side, generation, reason: key::internal_error().into() });
             }
         };
         if let Err(error) = thread::Builder::new().name(format!("prepare the {side}")).spawn(work) {
-            self.mailbox.post(Event::WorkerDied { side, reason: error.to_string().into() });
+            self.mailbox.post(Event::WorkerDied { side, generation, reason: error.to_string().into() });
         }
     }
 }

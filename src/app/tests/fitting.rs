@@ -273,8 +273,7 @@ fn a_long_message_of_a_side_ends_above_the_edit_bar() {
         act(&mut screen, Action::Session(crate::session::Command::SetColouring(Colouring::Angle)));
         act(&mut screen, Action::Edit(EditAction::Toggle(Side::Target)));
         let text = "This outline is none, for a reason that takes some words. ".repeat(40);
-        screen.state_mut().model.side_mut(Side::Target).error =
-            Some(crate::model::side::user_error::UserError::new(text.into()));
+        screen.state_mut().model.refuse(Side::Target, crate::model::side::user_error::UserError::new(text.into()));
         screen.run_steps(4);
         let bar = screen.get_by_label("Smooth").rect();
         let at = bar.center() - egui::vec2(0.0, bar.height());
@@ -296,8 +295,7 @@ fn a_long_message_of_a_side_ends_above_the_edit_bar() {
 fn messages_of_a_side_lie_over_its_dots() {
     let mut screen = screen(LYING_PHONE, Language::English);
     let text = "This outline is none, for a reason that takes some words. ".repeat(6);
-    screen.state_mut().model.side_mut(Side::Source).error =
-        Some(crate::model::side::user_error::UserError::new(text.into()));
+    screen.state_mut().model.refuse(Side::Source, crate::model::side::user_error::UserError::new(text.into()));
     screen.run_steps(4);
     let source = egui::Pos2::from(screen.state().stats().screen.handles.x1.unwrap());
     assert!(screen.get_by_label_contains("is none").rect().contains(source), "the dot is under the message");

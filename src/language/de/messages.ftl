@@ -43,6 +43,7 @@ surface_preparation_stopped = Die Vorbereitung der Fläche brach unerwartet ab (
 no_disk_coordinates = Keine Scheibenkoordinaten ({ $side }): { $reason }.
 through_disk_fails = Der Weg über die Scheibe scheitert ({ $side }): { $reason }.
 file_unreadable = die Datei lässt sich nicht lesen ({ $cause })
+reading_stopped = das Lesen brach unerwartet ab ({ $reason })
 
 ## platform
 

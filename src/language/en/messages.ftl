@@ -43,6 +43,7 @@ surface_preparation_stopped = The preparation of the surface stopped unexpectedl
 no_disk_coordinates = The { $side } has no disk coordinates: { $reason }.
 through_disk_fails = The way through the disk fails on the { $side }: { $reason }.
 file_unreadable = the file cannot be read ({ $cause })
+reading_stopped = the reading stopped unexpectedly ({ $reason })
 
 ## platform
 

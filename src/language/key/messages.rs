@@ -59,7 +59,7 @@ keys_of_messages! {
     disk_stands_in(side, name); surface_not_in_link(name); link_copied_but(reasons); grey_in_colours(what);
     preparation_stopped(reason); session_not_saved(reason); no_link_to_session(reason); no_window(cause);
     surface_travels_as_file(name); surface_preparation_stopped(reason); no_disk_coordinates(side, reason);
-    through_disk_fails(side, reason); file_unreadable(cause);
+    through_disk_fails(side, reason); file_unreadable(cause); reading_stopped(reason);
     // platform
     no_image(cause); too_long_to_store(characters); no_dialog(reason);
     // geometry

@@ -87,13 +87,21 @@ impl Model {
     pub(in crate::model) fn read_on(&mut self) {
         while let Some(waiting) = self.take_next() {
             match waiting {
-                Waiting::ToRead(side, opened) => self.sides[side].reading.want(opened),
+                Waiting::ToRead(side, opened) => {
+                    let side = if opened.origin == Origin::SessionFile { self.side_at_rest() } else { side };
+                    self.sides[side].reading.want(opened);
+                }
                 Waiting::Surface { side, name, bytes } => {
                     let side = self.side_for_surface(side, &name);
                     self.want_surface_file(side, &name, bytes);
                 }
             }
         }
+    }
+
+    /// A side whose worker has nothing to do, if there is one: on the other one, a file postpones a preparation.
+    fn side_at_rest(&self) -> Side {
+        Side::BOTH.into_iter().find(|&side| !self.sides[side].is_busy()).unwrap_or(Side::Source)
     }
 
     fn take_next(&mut self) -> Option<Waiting> {

@@ -144,7 +144,7 @@ fn a_worker_that_dies_over_a_file_can_be_given_it_again() {
     let mut model = planar();
     model.open_outline(SIDE, "a.csv", TRIANGLE.to_vec());
     only_request(&mut model);
-    model.worker_died(SIDE, &"out of memory".into());
+    model.worker_died(SIDE, None, &"out of memory".into());
     let said = model.side(SIDE).error.as_ref().unwrap().text.english();
     assert!(said.starts_with("a.csv: ") && said.contains("out of memory") && !model.is_preparing(SIDE), "{said}");
     model.quick_fix(SIDE);
@@ -190,4 +190,44 @@ fn a_file_that_is_too_large_is_refused_before_it_is_copied() {
     model.open_pasted(SIDE, &String::from_utf8(large()).unwrap());
     assert!(matches!(model.take_arrived(), Some(Arrived::NoOutline(SIDE, _))) && !model.reads_pasted(SIDE));
     assert!(model.take_requests(f64::INFINITY).is_empty());
+}
+
+#[test]
+fn a_worker_that_dies_is_reported_where_the_file_was_opened() {
+    let mut model = planar();
+    model.open_pasted(SIDE, "M 0 0 h 4 v 1 z");
+    only_request(&mut model);
+    model.worker_died(SIDE, None, &"out of memory".into());
+    let Some(Arrived::NoOutline(SIDE, why)) = model.take_arrived() else { panic!("not in the paste window") };
+    assert_eq!(why, key::reading_stopped(Message::from("out of memory")));
+    model.open_session_file("a.riemap", vec![1, 2]);
+    let side = model.take_requests(0.0)[0].0;
+    model.worker_died(side, None, &"out of memory".into());
+    let Some(Arrived::NoSession(why)) = model.take_arrived() else { panic!("not in the common message") };
+    assert!(why.english().starts_with("a.riemap: "), "{}", why.english());
+    assert!(Side::BOTH.iter().all(|side| model.user_errors(*side).count() == 0) && model.is_ready());
+}
+
+#[test]
+fn a_worker_that_dies_over_a_superseded_request_ends_no_other() {
+    let mut model = planar();
+    model.dispatch(hemisphere(), 0.0);
+    let superseded = only_request(&mut model).generation;
+    model.open_outline(SIDE, "a.csv", TRIANGLE.to_vec());
+    let request = only_request(&mut model);
+    model.worker_died(SIDE, Some(superseded), &"out of memory".into());
+    assert!(model.user_errors(SIDE).count() == 0 && model.awaits_file());
+    answer(&mut model, SIDE, &request);
+    settle(&mut model);
+    assert_eq!(name(&model), "a");
+}
+
+#[test]
+fn a_session_file_is_read_on_the_side_that_is_at_rest() {
+    let mut model = planar();
+    model.dispatch(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Preset(Preset::Star) }, 0.0);
+    only_request(&mut model);
+    model.open_session_file("a.riemap", vec![1, 2]);
+    let requests = model.take_requests(0.0);
+    assert!(matches!(requests.as_slice(), [(Side::Target, _)]), "{requests:?}");
 }

@@ -256,7 +256,7 @@ mod tests {
         let mut settings = side.wanted().settings;
         settings.sampling = Sampling::Uniform { count: 80, keep_corners: false };
         side.want_settings(settings, 1.0);
-        side.worker_died(&"no memory".into());
+        side.worker_died(None, &"no memory".into());
         let request = side.take_request(f64::INFINITY, &mut generations).unwrap();
         assert!(side.error.is_some());
         for (generation, response) in answers(&request) {
@@ -284,7 +284,7 @@ mod tests {
         let mut generations = Generations::default();
         let mut side = coarse();
         side.take_request(0.0, &mut generations).unwrap();
-        side.worker_died(&"out of memory".into());
+        side.worker_died(None, &"out of memory".into());
         assert!(side.error.as_ref().unwrap().text.english().contains("out of memory") && !side.is_busy());
         side.retry();
         assert!(side.take_request(1.0, &mut generations).is_some() && side.error.is_none());

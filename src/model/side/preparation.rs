@@ -91,7 +91,7 @@ pub struct Preparation<R> {
     pub(super) pending_request: PendingRequest<R>,
     last_good: Option<LastGood<R>>,
     /// The user error beside the side, about the last request or about a file.
-    pub error: Option<UserError>,
+    pub(in crate::model) error: Option<UserError>,
     /// Whether `error` is about a preparation: the next one that succeeds clears it.
     has_failed: bool,
     /// The reader's notes on the last good side.
@@ -219,9 +219,11 @@ impl<R: Requested> Preparation<R> {
         Progress::Ready { request, is_new }
     }
 
-    /// The worker stopped: the request in flight is lost and can be repeated.
-    pub fn worker_died(&mut self, reason: &Message) {
-        if self.pending_request.end().is_some() {
+    /// The worker stopped over the request of this generation, or over any: if that is the request in flight, it is lost
+    /// and can be repeated.
+    pub fn worker_died(&mut self, generation: Option<u64>, reason: &Message) {
+        if self.pending_request.is_lost(generation) {
+            self.pending_request.end();
             let text = R::stopped(reason.clone());
             (self.error, self.has_failed) = (Some(UserError { text, quick_fix: Some(QuickFix::Retry) }), true);
         }

@@ -96,6 +96,11 @@ impl<W> PendingRequest<W> {
         self.running.as_ref().is_some_and(|running| running.generation == generation)
     }
 
+    /// Whether what is under way is lost with a worker that died over the request of this generation; `None`: over any.
+    pub fn is_lost(&self, generation: Option<u64>) -> bool {
+        self.running.as_ref().is_some_and(|running| generation.is_none_or(|lost| running.generation == lost))
+    }
+
     /// Nothing is under way any more; what was.
     pub fn end(&mut self) -> Option<W> {
         self.running.take().map(|running| running.in_flight)
@@ -149,7 +154,13 @@ mod tests {
         pending_request.want_now();
         pending_request.take_over(&other, "fourth");
         assert!(pending_request.awaits(third) && pending_request.due().is_none());
+        assert!(pending_request.is_lost(None) && pending_request.is_lost(Some(third)));
+        assert!(!pending_request.is_lost(Some(second)), "its worker died when it was superseded");
         pending_request.forget();
-        assert!(!pending_request.is_busy() && pending_request.seconds_under_way().is_none());
+        assert!(
+            !pending_request.is_lost(None)
+                && !pending_request.is_busy()
+                && pending_request.seconds_under_way().is_none()
+        );
     }
 }

@@ -33,7 +33,8 @@ impl Preparer {
         let Some(worker) = self.ensure_idle(side) else { return };
         let (message, transfer) = messages::encode_request(&request);
         if let Err(reason) = worker.post(&message, &transfer) {
-            self.mailbox.post(Event::WorkerDied { side, reason: reason.into() });
+            let generation = Some(request.generation);
+            self.mailbox.post(Event::WorkerDied { side, generation, reason: reason.into() });
         }
     }
 
@@ -54,8 +55,10 @@ impl Preparer {
                 let goes_on = response.goes_on();
                 Some(Heard { event: Event::Worker { side, generation, response }, goes_on })
             };
-            let started = WorkerHandle::start(&self.mailbox, read, move |reason| Event::WorkerDied { side, reason });
-            *slot = started.map_err(|error| self.mailbox.post(Event::WorkerDied { side, reason: error.into() })).ok();
+            // a worker dies over the request in flight: one that was superseded is terminated and no longer heard
+            let died = move |reason| Event::WorkerDied { side, generation: None, reason };
+            let started = WorkerHandle::start(&self.mailbox, read, died);
+            *slot = started.map_err(|error| self.mailbox.post(died(error.into()))).ok();
         }
         slot.as_ref()
     }
