@@ -56,6 +56,7 @@ no_page = es gibt keine Seite
 no_canvas_for_image = der Browser hat keine Zeichenfläche dafür
 size_does_not_fit = seine Größe passt nicht
 answer_unreadable = die Antwort war nicht zu lesen
+request_unreadable = die Anfrage war nicht zu lesen
 script_not_loaded = das Skript ließ sich nicht laden
 no_page_to_draw_in = Es gibt keine Seite, in der gezeichnet werden könnte.
 page_without_canvas = Die Seite hat keine Zeichenfläche.

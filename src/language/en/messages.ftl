@@ -56,6 +56,7 @@ no_page = there is no page
 no_canvas_for_image = the browser has no canvas for it
 size_does_not_fit = its size does not fit
 answer_unreadable = its answer could not be read
+request_unreadable = the request to it could not be read
 script_not_loaded = its script could not be loaded
 no_page_to_draw_in = There is no page to draw in.
 page_without_canvas = The page has no canvas.

@@ -8,7 +8,8 @@ keys_of_labels! {
     another_answer, no_map, no_surface_from_file, open_surface_file,
     // platform
     internal_error, no_folder, browser_stores_nothing, no_page, no_canvas_for_image, size_does_not_fit,
-    answer_unreadable, script_not_loaded, no_page_to_draw_in, page_without_canvas, no_such_row, dialog_too_late,
+    answer_unreadable, request_unreadable, script_not_loaded, no_page_to_draw_in, page_without_canvas, no_such_row,
+    dialog_too_late,
     // geometry
     polygon_zero_area,
     // outline

@@ -1,9 +1,10 @@
 //! The worker's side: receives requests and posts responses, one request at a time.
 
 use super::messages;
+use crate::language::{Message, key};
 use crate::worker;
-use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
+use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
 /// Responds to every request posted to this worker until it is terminated.
@@ -15,7 +16,7 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
             let _ = scope.post_message(&messages::encode_death(&info.to_string()));
         }
     }));
-    let answer = {
+    let on_message = {
         let scope = scope.clone();
         Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
             if let Some(study) = messages::decode_study(&event.data()) {
@@ -31,19 +32,28 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
                 });
                 return;
             }
-            let Some(request) = messages::decode_request(&event.data()) else {
-                log::error!("a request of an unknown form was dropped");
-                return;
-            };
-            worker::run(&request, &mut |generation, response| {
-                let (message, transfer) = messages::encode_response(generation, response);
-                if let Err(error) = scope.post_message_with_transfer(&message, &transfer) {
-                    // thrown out of the message handler, the error reaches the page as the worker's error event
-                    wasm_bindgen::throw_val(error);
-                }
-            });
+            answer(&scope, &event.data());
         })
     };
-    scope.set_onmessage(Some(answer.as_ref().unchecked_ref()));
-    answer.forget();
+    scope.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
+    on_message.forget();
+}
+
+/// Responds to a request; to one that cannot be read, as a panic does: the page waits no longer and starts another
+/// worker.
+fn answer(scope: &DedicatedWorkerGlobalScope, message: &JsValue) {
+    let Some(request) = messages::decode_request(message) else {
+        let reason = Message::from(key::request_unreadable()).english();
+        if let Err(error) = scope.post_message(&messages::encode_death(&reason)) {
+            wasm_bindgen::throw_val(error);
+        }
+        return;
+    };
+    worker::run(&request, &mut |generation, response| {
+        let (message, transfer) = messages::encode_response(generation, response);
+        if let Err(error) = scope.post_message_with_transfer(&message, &transfer) {
+            // thrown out of the message handler, the error reaches the page as the worker's error event
+            wasm_bindgen::throw_val(error);
+        }
+    });
 }

@@ -1,10 +1,12 @@
 //! Requests and responses as JavaScript values: flat arrays, which are transferred instead of copied.
 //!
-//! A request is `{ generation, settings }` with `points`, with `name` and `bytes` of an outline file, or with `repair`
-//! and either `preset` or `name` and `bytes`; for a session file it is `{ generation, name, bytes }`. A response is
-//! `{ generation }` with `stage`, `failed`, `outline`, `session`, `unread`, or `floats`, `indices`, `text` and `notes`.
-//! An outline is `{ points, text }`, a session `{ source, target, text }` with its loaded outlines, a failure to read
-//! `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
+//! A request is `{ generation, task }`, whose `task` names the other fields: `points` and `settings` of an outline,
+//! `file` and `settings` of an outline file, `file` of a session file, `repair`, `settings` and either `preset` or
+//! `file` of a surface. A file is `{ name, bytes }`.
+//!
+//! A response is `{ generation }` with `stage`, `failed`, `outline`, `session`, `unread`, or `floats`, `indices`, `text`
+//! and `notes`. An outline is `{ points, text }`, a session `{ source, target, text }` with its loaded outlines, a
+//! failure to read `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
 //! a panic is reported by `{ died }`. Small enums are JSON text in serde's form.
 
 use crate::conformal::PerSide;
@@ -19,67 +21,77 @@ use serde::de::DeserializeOwned;
 use std::sync::Arc;
 use wasm_bindgen::{JsCast, JsValue};
 
+// The values of a request's field `task`.
+const OUTLINE: &str = "outline";
+const OUTLINE_FILE: &str = "outline-file";
+const SESSION_FILE: &str = "session-file";
+const SURFACE: &str = "surface";
+
 /// Encodes a request to a worker, and lists the buffers to transfer with it.
 pub fn encode_request(request: &Request) -> (JsValue, Array) {
     let transfer = Array::new();
-    let number = ("generation", JsValue::from(request.generation.to_string()));
-    let message = match &request.task {
+    let (kind, fields) = match &request.task {
         Task::Outline { polygon, settings } => {
             let flat: Vec<f64> = polygon.vertices().iter().flat_map(DVec2::to_array).collect();
             let points = Float64Array::from(flat.as_slice());
             transfer.push(&points.buffer());
-            object(&[number, ("points", points.into()), ("settings", json(settings))])
+            (OUTLINE, vec![("points", points.into()), ("settings", json(settings))])
         }
         Task::OutlineFile { file, settings } => {
-            object(&[&[number, ("settings", json(settings))], &encode_file(file, &transfer)[..]].concat())
+            (OUTLINE_FILE, vec![("file", encode_file(file, &transfer)), ("settings", json(settings))])
         }
-        Task::SessionFile(file) => object(&[&[number], &encode_file(file, &transfer)[..]].concat()),
+        Task::SessionFile(file) => (SESSION_FILE, vec![("file", encode_file(file, &transfer))]),
         Task::Surface { source, repair, settings } => {
-            let common = [number, ("settings", json(settings)), ("repair", (*repair).into())];
-            let shape = match source {
-                SurfaceSource::Preset { preset, boundary } => vec![("preset", json(&(preset, boundary)))],
-                SurfaceSource::File(file) => encode_file(file, &transfer).to_vec(),
+            let source = match source {
+                SurfaceSource::Preset { preset, boundary } => ("preset", json(&(preset, boundary))),
+                SurfaceSource::File(file) => ("file", encode_file(file, &transfer)),
             };
-            object(&[&common[..], &shape].concat())
+            (SURFACE, vec![source, ("repair", (*repair).into()), ("settings", json(settings))])
         }
     };
-    (message, transfer)
+    let common = [("generation", JsValue::from(request.generation.to_string())), ("task", kind.into())];
+    (object(&[&common[..], &fields].concat()), transfer)
 }
 
-fn encode_file(NamedFile { name, bytes }: &NamedFile, transfer: &Array) -> [(&'static str, JsValue); 2] {
+fn encode_file(NamedFile { name, bytes }: &NamedFile, transfer: &Array) -> JsValue {
     let bytes = Uint8Array::from(bytes.as_slice());
     transfer.push(&bytes.buffer());
-    [("name", name.into()), ("bytes", bytes.into())]
+    object(&[("name", name.into()), ("bytes", bytes.into())])
 }
 
 /// Decodes a request; `None` if [`encode_request`] did not make it.
 pub fn decode_request(message: &JsValue) -> Option<Request> {
-    let task = if let Some(points) = get(message, "points") {
-        let flat = Float64Array::from(points).to_vec();
-        let points: Vec<DVec2> = flat.chunks_exact(2).map(DVec2::from_slice).collect();
-        // known to be simple: the page sends the vertices of a `SimplePolygon`
-        Task::Outline { polygon: SimplePolygon::known_simple(points), settings: parsed(message, "settings")? }
-    } else if let Some(repair) = get(message, "repair") {
-        let (source, settings) = (decode_source(message)?, parsed(message, "settings")?);
-        Task::Surface { source, repair: repair.as_bool()?, settings }
-    } else if let Some(settings) = parsed(message, "settings") {
-        Task::OutlineFile { file: decode_file(message)?, settings }
-    } else {
-        Task::SessionFile(decode_file(message)?)
+    let task = match get(message, "task")?.as_string()?.as_str() {
+        OUTLINE => {
+            let flat = Float64Array::from(get(message, "points")?).to_vec();
+            let points: Vec<DVec2> = flat.chunks_exact(2).map(DVec2::from_slice).collect();
+            // known to be simple: the page sends the vertices of a `SimplePolygon`
+            Task::Outline { polygon: SimplePolygon::known_simple(points), settings: parsed(message, "settings")? }
+        }
+        OUTLINE_FILE => Task::OutlineFile { file: decode_file(message)?, settings: parsed(message, "settings")? },
+        SESSION_FILE => Task::SessionFile(decode_file(message)?),
+        SURFACE => Task::Surface {
+            source: decode_source(message)?,
+            repair: get(message, "repair")?.as_bool()?,
+            settings: parsed(message, "settings")?,
+        },
+        _ => return None,
     };
     Some(Request { generation: generation_of(message)?, task })
 }
 
 fn decode_source(message: &JsValue) -> Option<SurfaceSource> {
-    if let Some((preset, boundary)) = parsed(message, "preset") {
+    if get(message, "preset").is_some() {
+        let (preset, boundary) = parsed(message, "preset")?;
         return Some(SurfaceSource::Preset { preset, boundary });
     }
     decode_file(message).map(SurfaceSource::File)
 }
 
 fn decode_file(message: &JsValue) -> Option<NamedFile> {
-    let bytes = Uint8Array::from(get(message, "bytes")?).to_vec();
-    Some(NamedFile { name: get(message, "name")?.as_string()?, bytes: Arc::new(bytes) })
+    let file = get(message, "file")?;
+    let bytes = Uint8Array::from(get(&file, "bytes")?).to_vec();
+    Some(NamedFile { name: get(&file, "name")?.as_string()?, bytes: Arc::new(bytes) })
 }
 
 /// Encodes a response, and lists the buffers to transfer with it.
