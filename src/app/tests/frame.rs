@@ -11,7 +11,7 @@ use egui::{Event as InputEvent, Key, Modifiers, RawInput};
 use egui_kittest::kittest::Queryable;
 
 #[test]
-fn an_action_asked_while_painting_is_carried_out_at_the_start_of_the_next_frame() {
+fn an_action_asked_while_painting_is_carried_out_in_the_next_frame() {
     let mut harness = ready_app([1200.0, 800.0]);
     harness.run_steps(3);
     harness.get_all_by_label("Edit").next().unwrap().click();
@@ -33,7 +33,7 @@ fn a_file_dialog_that_does_not_open_gives_a_message() {
 }
 
 #[test]
-fn tab_folds_the_panels_in_the_frame_that_it_comes_with_and_is_ignored_where_they_are_locked() {
+fn tab_folds_the_panels_by_the_next_frame_and_is_ignored_where_they_are_locked() {
     let tab =
         InputEvent::Key { key: Key::Tab, physical_key: None, pressed: true, repeat: false, modifiers: Modifiers::NONE };
     let events = vec![InputEvent::PointerMoved(egui::pos2(600.0, 400.0)), tab];
@@ -46,7 +46,7 @@ fn tab_folds_the_panels_in_the_frame_that_it_comes_with_and_is_ignored_where_the
         let mut input = RawInput { events: events.clone(), ..RawInput::default() };
         harness.state_mut().raw_input_hook(&context, &mut input);
         assert!(harness.state().screen.panels_open, "nothing changes before the frame");
-        harness.step();
+        harness.run_steps(2);
         assert_eq!(harness.state().screen.panels_open, locked);
         assert_eq!(harness.query_by_label("Backward").is_some(), locked);
         assert_eq!(harness.state().stats().screen.errors, [""; 0]);
