@@ -5,7 +5,7 @@
 //! opened file.
 //!
 //! Files take effect in the order in which they were opened (file `queue`). What arrives cancels nothing; what a person
-//! chooses meanwhile cancels the files for its side ([`Model::stop_reading`]).
+//! chooses meanwhile cancels the files for its side (`Model::stop_reading`).
 
 mod queue;
 

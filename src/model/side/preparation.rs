@@ -73,7 +73,7 @@ pub enum Progress<R> {
         /// Whether the outline or surface differs from the previous one.
         is_new: bool,
     },
-    /// The preparation failed; the user error is [`Preparation::error`].
+    /// The preparation failed; the user error is `Preparation::error`.
     Failed,
 }
 

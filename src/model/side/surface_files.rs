@@ -8,7 +8,7 @@ use std::sync::Arc;
 const MOST_KEPT_BYTES: usize = 256 << 20;
 
 /// Opened files, the last one at the end. Invariants: no two have one name; all but the last have
-/// [`MOST_KEPT_BYTES`] together at most.
+/// `MOST_KEPT_BYTES` together at most.
 #[derive(Debug, Default)]
 pub struct SurfaceFiles {
     files: Vec<NamedFile>,
