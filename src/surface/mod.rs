@@ -54,7 +54,7 @@ use crate::geometry::DVec3;
 /// Triangles in space as a file gives them; their connectivity is unchecked.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Surface {
-    /// The positions, finite, in the file's order.
+    /// The positions in the file's order, as read; [`SurfaceMesh`] rejects those that are not finite.
     pub vertices: Vec<DVec3>,
     /// Vertex triples; the triangles of one polygon of the file are consecutive.
     pub triangles: Vec<[u32; 3]>,
