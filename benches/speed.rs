@@ -31,7 +31,7 @@ fn preparation(criterion: &mut Criterion) {
         let settings = [("default", Some(PrepareSettings::default())), ("paper", paper(preset))];
         for (name, settings) in settings.into_iter().filter_map(|(name, s)| Some((name, s?))) {
             group.bench_function(format!("{}/{name}", preset.name()), |bencher| {
-                bencher.iter(|| prepare(black_box(&outline.polygon), &settings, &mut |_| ()).unwrap());
+                bencher.iter(|| prepare(black_box(outline.polygon()), &settings, &mut |_| ()).unwrap());
             });
         }
     }
@@ -89,7 +89,7 @@ fn cauchy_green(criterion: &mut Criterion) {
 }
 
 fn prepared(preset: Preset, settings: PrepareSettings) -> Arc<PreparedSide> {
-    Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
+    Arc::new(prepare(preset.outline().polygon(), &settings, &mut |_| ()).unwrap())
 }
 
 criterion_group!(benches, preparation, frame, cauchy_green);

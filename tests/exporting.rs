@@ -43,14 +43,14 @@ fn a_planar_session_is_written_in_every_format() {
     for class in ["outline", "mesh", "lines", "interior", "boundary"] {
         assert!(text.matches(&format!("class=\"{class}\"")).count() >= 2, "{class}");
     }
-    assert_eq!(outline::parse("map.svg", &svg).unwrap().name, "source");
+    assert_eq!(outline::parse("map.svg", &svg).unwrap().name(), "source");
     let one = written(&folder, "one.svg", &["render", &link, "--side", "target"]);
-    assert_eq!(outline::parse("one.svg", &one).unwrap().name, "target");
+    assert_eq!(outline::parse("one.svg", &one).unwrap().name(), "target");
     let csv = String::from_utf8(written(&folder, "map.csv", &["render", &link])).unwrap();
     assert!(csv.starts_with("s1 (share of arc length),s2"), "{}", csv.lines().next().unwrap());
     assert!(csv.lines().count() > 500);
     let obj = read_surface("map.obj", &written(&folder, "map.obj", &["render", &link])).unwrap();
-    assert!(obj.triangles.len() > 1000);
+    assert!(obj.triangles().len() > 1000);
     fails(&["render", &link, "--out", "map.glb"], 1, &[".glb", ".svg"]);
 }
 
@@ -61,7 +61,7 @@ fn a_surface_session_is_written_with_its_texture_coordinates() {
     for format in ["obj", "ply", "glb"] {
         let name = format!("map.{format}");
         let surface = read_surface(&name, &written(&folder, &name, &["render", &link])).unwrap();
-        assert!(surface.triangles.len() > 300, "{name}");
+        assert!(surface.triangles().len() > 300, "{name}");
     }
     let csv = String::from_utf8(written(&folder, "map.csv", &["render", &link])).unwrap();
     assert!(csv.starts_with("x,y,z,u,v\n"));

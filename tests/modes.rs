@@ -59,14 +59,14 @@ fn table_is_made_with_progress_in_per_cent() {
     let mut percents = Vec::new();
     let progress =
         &mut |stage| percents.extend(if let Stage::Table { percent } = stage { Some(percent) } else { None });
-    prepare(&Preset::Heart.outline().polygon, &TABLE, progress).unwrap();
+    prepare(Preset::Heart.outline().polygon(), &TABLE, progress).unwrap();
     assert!(percents.windows(2).all(|pair| pair[0] < pair[1]), "{percents:?}");
     assert!(percents.first() == Some(&0) && percents.last().is_some_and(|&p| p > 90), "{percents:?}");
 }
 
 #[test]
 fn table_above_the_budget_is_refused_with_what_fits() {
-    let polygon = Preset::Heart.outline().polygon;
+    let polygon = Preset::Heart.outline().into_polygon();
     let whole = domain(Preset::Heart, TABLE);
     let (n, m) = (whole.interior_count(), whole.boundary_count());
     let bytes = HarmonicTable::bytes(n, m);
@@ -85,7 +85,7 @@ fn table_above_the_budget_is_refused_with_what_fits() {
 
 #[test]
 fn the_advice_for_a_graded_mesh_fits() {
-    let polygon = Preset::Heart.outline().polygon;
+    let polygon = Preset::Heart.outline().into_polygon();
     let sampling = |count| Sampling::Uniform { count, keep_corners: true };
     let graded = |count| TABLE.with_sampling(sampling(count)).with_sizing(Sizing::Graded(0.1));
     let memory = Memory::default().with_table_bytes(2_000_000);
@@ -121,7 +121,7 @@ fn agree_with_the_iterative_solver(preset: Preset) {
 
 #[test]
 fn factor_above_the_budget_gives_way_to_the_iterative_solver() {
-    let polygon = Preset::Blob.outline().polygon;
+    let polygon = Preset::Blob.outline().into_polygon();
     let memory = Memory::default().with_factor_bytes(10_000);
     let domain = prepare_within(memory, outline(&polygon, &COARSE), &mut |_| ()).unwrap();
     assert_eq!(domain.solver_kind(), SolverKind::Pcg);

@@ -361,7 +361,7 @@ pub struct NamedOutline {
 impl NamedOutline {
     /// Prints the reader's notes to stderr.
     pub fn say_notes(&self, name: &str) {
-        for note in &self.outline.notes {
+        for note in self.outline.notes() {
             eprintln!("riemap: {name}: {note}");
         }
     }

@@ -176,7 +176,7 @@ impl Sides {
         let on_surface = SurfaceSettings { intrinsic_delaunay: !arguments.no_intrinsic_delaunay, kernel, solver };
         let surface = prepare_surface(disk, on_surface, &mut progress.preparing(&arguments.surface));
         let surface = surface.map_err(|error| about(&arguments.surface, &error))?;
-        let source = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(&arguments.outline));
+        let source = prepare(outline.outline.polygon(), &settings, &mut progress.preparing(&arguments.outline));
         let source = source.map_err(|error| about(&arguments.outline, &error))?;
         let domain = Arc::clone(source.domain().ok_or_else(no_outline)?);
         let meshed = Arc::clone(surface.surface().ok_or_else(no_surface)?);
@@ -229,7 +229,7 @@ fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms:
         flips: meshed.flips(),
         repairs: disk.repairs().iter().map(ToString::to_string).collect(),
         notes: surface
-            .notes
+            .notes()
             .iter()
             .map(ToString::to_string)
             .chain(map.note(map.mapped_side()).map(|note| note.to_string()))

@@ -128,7 +128,7 @@ impl SurfacePoint {
 
 /// The message for a vertex number that is out of range.
 fn no_vertex(given: &Surface, vertex: u32) -> String {
-    match given.vertices.len() {
+    match given.vertices().len() {
         count if (vertex as usize) < count => format!("vertex {vertex} was dropped by the repair"),
         count => format!("the surface has no vertex {vertex}: it has {count}, counted from 0"),
     }
@@ -136,11 +136,11 @@ fn no_vertex(given: &Surface, vertex: u32) -> String {
 
 /// The message for a triangle number that is out of range.
 fn no_triangle(given: &Surface, triangle: u32) -> String {
-    let count = given.triangles.len();
+    let count = given.triangles().len();
     if (triangle as usize) < count {
         return format!("triangle {triangle} was dropped by the repair");
     }
-    let faces = given.notes.iter().find_map(|note| match note {
+    let faces = given.notes().iter().find_map(|note| match note {
         SurfaceNote::Triangulated { faces, .. } => {
             Some(counted!(*faces, "its 1 face was cut into", "its {faces} faces were cut into"))
         }

@@ -15,7 +15,7 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
     let mut counts = Counts::default();
     let progress = Progress::new("preparing");
     for _ in 0..arguments.repeat {
-        let side = prepare(&named.outline.polygon, &settings, &mut progress.preparing(&arguments.domain))
+        let side = prepare(named.outline.polygon(), &settings, &mut progress.preparing(&arguments.domain))
             .map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
         counts = Counts::of(&side);
         warn_if_coarse(&arguments.domain, &side);
@@ -33,7 +33,7 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
     print(&format!(
         "{}: m = {}, n = {}, {}\n\
          {:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}{}",
-        named.outline.name,
+        named.outline.name(),
         counts.m,
         counts.n,
         triangles(counts.triangles),

@@ -176,7 +176,7 @@ impl NamedSide {
             }
             Given::Outline(outline) => {
                 let settings: PrepareSettings = discretisation.settings(outline, *samples);
-                let prepared = prepare(&outline.outline.polygon, &settings, &mut progress.preparing(title));
+                let prepared = prepare(outline.outline.polygon(), &settings, &mut progress.preparing(title));
                 prepared.map_err(|error| about(&error))?
             }
         };
@@ -223,7 +223,7 @@ impl NamedSide {
             Given::Outline(outline) => outline.say_notes(&self.title),
             Given::Surface(surface) => {
                 let repairs = self.prepared.surface().into_iter().flat_map(|meshed| meshed.surface().repairs());
-                let notes = surface.notes.iter().map(ToString::to_string).chain(repairs.map(ToString::to_string));
+                let notes = surface.notes().iter().map(ToString::to_string).chain(repairs.map(ToString::to_string));
                 notes.for_each(|note| eprintln!("riemap: {}: {note}", self.title));
             }
         }

@@ -122,7 +122,7 @@ fn maps_without_a_closed_form_are_none() {
         session.apply(Command::SetOutline { side, outline: OutlineSpec::Preset(preset) });
     }
     assert!(ExactMap::of_session(&session, PerSide::default()).is_some());
-    let outline = OutlineSpec::Points { name: String::from("disk"), polygon: Preset::Disk.outline().polygon };
+    let outline = OutlineSpec::Points { name: String::from("disk"), polygon: Preset::Disk.outline().into_polygon() };
     session.apply(Command::SetOutline { side: Side::Target, outline });
     assert!(ExactMap::of_session(&session, PerSide::default()).is_none(), "loaded points are what they are");
 }
@@ -130,7 +130,7 @@ fn maps_without_a_closed_form_are_none() {
 fn prepared(preset: Preset) -> Arc<PreparedSide> {
     let sampling = Sampling::Adaptive { target: Some(1000) };
     let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.1), ..PrepareSettings::default() };
-    Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
+    Arc::new(prepare(preset.outline().polygon(), &settings, &mut |_| ()).unwrap())
 }
 
 /// riemap's map with 1000 adaptive samples per side, compared with the closed forms.

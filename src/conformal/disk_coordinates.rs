@@ -44,7 +44,7 @@ mod tests {
     fn prepared(preset: Preset, count: u32) -> Arc<PreparedSide> {
         let sampling = Sampling::Uniform { count, keep_corners: true };
         let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.1), ..PrepareSettings::default() };
-        Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| {}).unwrap())
+        Arc::new(prepare(preset.outline().polygon(), &settings, &mut |_| {}).unwrap())
     }
 
     fn coordinates(map: &ConformalMap, side: Side) -> Vec<DVec2> {
@@ -121,7 +121,7 @@ mod tests {
         for solver in [SolverKind::Direct, SolverKind::Pcg] {
             let [source, target] = [Preset::Heart, Preset::Star].map(|preset| {
                 let settings = PrepareSettings::default().with_sampling(Sampling::Adaptive { target: Some(300) });
-                Arc::new(prepare(&preset.outline().polygon, &settings.with_solver(solver), &mut |_| {}).unwrap())
+                Arc::new(prepare(preset.outline().polygon(), &settings.with_solver(solver), &mut |_| {}).unwrap())
             });
             let at = Constraints::new((source.default_point(), 0.3), (target.default_point(), 0.9));
             let map = ConformalMap::new(source, target, &at, MapSettings::default()).unwrap();

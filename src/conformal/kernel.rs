@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn adjoint_kernel_equals_the_dense_table() {
         let settings = PrepareSettings::new(Sampling::Uniform { count: 60, keep_corners: false }, Sizing::Uniform);
-        let l_shape = prepare(&Preset::LShape.outline().polygon, &settings, &mut |_| ()).unwrap();
+        let l_shape = prepare(Preset::LShape.outline().polygon(), &settings, &mut |_| ()).unwrap();
         let laplacian = DirichletLaplacian::assemble(l_shape.domain().unwrap().mesh()).unwrap();
         let (m, n, solver) = (l_shape.boundary_count(), l_shape.interior_count(), &l_shape.system.solver);
         // Φ column by column: L̂ Φ̂ = −L̄

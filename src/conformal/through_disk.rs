@@ -283,7 +283,7 @@ mod tests {
             let a = q / along * row + q % along;
             [[a, a + 1, a + 1 + row], [a, a + 1 + row, a + row]]
         });
-        Surface { vertices, triangles: triangles.collect(), notes: Vec::new() }
+        Surface::new(vertices, triangles.collect())
     }
 
     /// On a crowded strip, most vertices and triangles coincide in the disk.

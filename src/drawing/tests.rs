@@ -63,7 +63,7 @@ fn every_vertex_of_a_plain_polygon_is_a_handle() {
 fn a_dense_outline_has_a_manageable_number_of_handles_corners_among_them() {
     assert_eq!(dense_square().handle_count(), 4);
     for preset in Preset::ALL {
-        let shape = Shape::new(&preset.outline().polygon);
+        let shape = Shape::new(preset.outline().polygon());
         let count = shape.handle_count();
         assert!((3..=60).contains(&count), "{preset:?}: {count}");
     }

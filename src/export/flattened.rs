@@ -35,7 +35,7 @@ impl<'a> Flattened<'a> {
         let disk = map.mapped().surface()?.surface();
         let kept = disk.mesh().triangles().iter().zip(disk.triangle_origins()).filter(|(_, origin)| **origin != ADDED);
         Some(Self {
-            vertices: &surface.vertices,
+            vertices: surface.vertices(),
             triangles: kept.map(|(t, _)| t.map(|v| disk.vertex_origins()[v as usize])).collect(),
             coordinates: images.into_iter().map(|image| image.map(placed)).collect(),
             placement,

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 fn map(presets: [Preset; 2]) -> (ConformalMap, Constraints) {
     let [source, target] = presets
-        .map(|preset| Arc::new(prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap()));
+        .map(|preset| Arc::new(prepare(preset.outline().polygon(), &PrepareSettings::default(), &mut |_| ()).unwrap()));
     let constraints = Constraints::new((source.default_point(), 0.3), (target.default_point(), 0.0));
     (ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap(), constraints)
 }
@@ -51,7 +51,7 @@ fn loops_begin_and_end_at_the_points_that_are_there() {
 #[test]
 fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
     for preset in Preset::ALL {
-        let domain = prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
+        let domain = prepare(preset.outline().polygon(), &PrepareSettings::default(), &mut |_| ()).unwrap();
         let size = domain
             .domain()
             .unwrap()
@@ -87,7 +87,7 @@ fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
 
 #[test]
 fn the_largest_circle_through_the_centre_of_a_disk_is_known() {
-    let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
+    let disk = prepare(Preset::Disk.outline().polygon(), &PrepareSettings::default(), &mut |_| ()).unwrap();
     // 1 − r = 1.25 r
     let radius = Circle::through(DVec2::ZERO, disk.domain().unwrap().samples()).arm.length();
     assert!((radius - 4.0 / 9.0).abs() < 0.01, "{radius}");

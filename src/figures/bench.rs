@@ -206,7 +206,7 @@ impl BenchRow {
 }
 
 fn prepared(preset: Preset, setting: BenchSetting) -> Result<PreparedSide, FigureError> {
-    Ok(prepare(&preset.outline().polygon, &setting.settings(preset), &mut |_| ())?)
+    Ok(prepare(preset.outline().polygon(), &setting.settings(preset), &mut |_| ())?)
 }
 
 fn preparation(preset: Preset, setting: BenchSetting, runs: usize) -> Result<Preparation, FigureError> {
@@ -235,7 +235,7 @@ fn preparation(preset: Preset, setting: BenchSetting, runs: usize) -> Result<Pre
 
 fn psi_table(preset: Preset, runs: usize) -> Result<Option<f64>, FigureError> {
     let settings = PrepareSettings { kernel: KernelMode::Table, ..BenchSetting::Paper.settings(preset) };
-    let polygon = preset.outline().polygon;
+    let polygon = preset.outline().into_polygon();
     let mut seconds = Vec::new();
     for _ in 0..runs {
         match prepare(&polygon, &settings, &mut |_| ()) {

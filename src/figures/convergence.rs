@@ -65,7 +65,7 @@ const START: BoundaryPoint = BoundaryPoint::new(0, 0.0);
 impl ConvergenceStudy {
     /// The study with m = 250 … 4000 and m₂ = 1000, or a quarter of these numbers.
     pub fn new(detail: Detail) -> Result<Self, FigureError> {
-        let polygon = Preset::Blob.outline().polygon;
+        let polygon = Preset::Blob.outline().into_polygon();
         let blob = Arc::new(prepare(&polygon, &uniform(detail.samples(1000)), &mut |_| ())?);
         let blob_domain = planar(&blob)?;
         let blob_measure = DiskMeasure::fresh(&blob_domain.samples().points, crowding_points().target, START)?;
@@ -91,7 +91,7 @@ impl ConvergenceStudy {
     }
 
     fn by_harmonic_measure(&self, m: u32) -> Result<[ConvergenceRow; 2], FigureError> {
-        let source = Arc::new(prepare(&Preset::VShape.outline().polygon, &uniform(m), &mut |_| ())?);
+        let source = Arc::new(prepare(Preset::VShape.outline().polygon(), &uniform(m), &mut |_| ())?);
         let constraints = crowding_constraints();
         let domain = planar(&source)?;
         let map = ConformalMap::new(source, self.blob.clone(), &constraints, Direction::Forward.into())?;

@@ -194,9 +194,10 @@ mod tests {
             assert!(inside.iter().all(|p| p.z <= front + 1e-12), "{front} is not the front");
         }
         assert_eq!(SurfaceStudy::all(Figure::Moebius, Detail::Quick, None).unwrap_err(), FigureError::NoSurface);
-        let inner = given.triangles.iter().position(|t| t.iter().all(|&v| v >= 60)).unwrap();
-        let mut torn = given;
-        torn.triangles.remove(inner);
+        let inner = given.triangles().iter().position(|t| t.iter().all(|&v| v >= 60)).unwrap();
+        let mut triangles = given.triangles().to_vec();
+        triangles.remove(inner);
+        let torn = Surface::new(given.vertices().to_vec(), triangles);
         let error = SurfaceStudy::all(Figure::Face, Detail::Quick, Some(&torn)).unwrap_err();
         assert!(matches!(error, FigureError::Topology(_)), "{error}");
     }

@@ -130,7 +130,8 @@ fn notes_on_outlines() {
          [[[0,0],[9,0],[0,9],[0,0]], [[0,0],[1,0],[0,1],[0,0]], [[0,0],[1,0],[0,1],[0,0]]]]}",
         "[[0,0],[0,1],[1,1],[1,0],[0,0]]",
     ];
-    let notes: Vec<_> = files.iter().flat_map(|text| parse("a.json", text.as_bytes()).unwrap().notes).collect();
+    let notes: Vec<_> =
+        files.iter().flat_map(|text| parse("a.json", text.as_bytes()).unwrap().notes().to_vec()).collect();
     assert_eq!(notes.len(), 4, "{notes:?}");
     notes.iter().for_each(german);
 }
@@ -186,7 +187,7 @@ fn files_that_are_no_surfaces() {
         ("a.xyz", "nothing".into()),
     ];
     for (name, text) in &files {
-        let error = read_surface(name, text.as_bytes()).map(|surface| surface.triangles.len()).expect_err(text);
+        let error = read_surface(name, text.as_bytes()).map(|surface| surface.triangles().len()).expect_err(text);
         german(&error);
         check(&key::about(*name, message(&error)), false);
     }
@@ -230,10 +231,10 @@ fn surfaces_that_are_no_disks() {
     assert!(error.to_string().contains("4 boundary loops"), "{error}");
     german(&error);
     let polygon = read_surface("a.obj", format!("{square}f 1 2 3 4\n").as_bytes()).unwrap();
-    polygon.notes.iter().for_each(german);
+    polygon.notes().iter().for_each(german);
     let longer = read_surface("a.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n").unwrap();
-    assert_eq!(longer.notes.len(), 1);
-    longer.notes.iter().for_each(german);
+    assert_eq!(longer.notes().len(), 1);
+    longer.notes().iter().for_each(german);
 }
 
 #[test]
@@ -288,7 +289,7 @@ fn sessions_and_links_that_cannot_be_opened() {
 fn errors_of_computation_and_export() {
     use crate::conformal::{HarmonicTable, Memory};
     use crate::render::{Film, FilmFormat, FilmSettings};
-    let disk = crate::outline::Preset::Disk.outline().polygon;
+    let disk = crate::outline::Preset::Disk.outline().into_polygon();
     for count in [2, u32::MAX] {
         german(&sample(&disk, Sampling::Uniform { count, keep_corners: true }).unwrap_err());
     }

@@ -125,7 +125,7 @@ mod tests {
     use crate::surface::{Surface, SurfaceMesh};
 
     fn intrinsic(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> IntrinsicMesh {
-        let surface = Surface { vertices, triangles, notes: Vec::new() };
+        let surface = Surface::new(vertices, triangles);
         IntrinsicMesh::of(SurfaceMesh::new(&surface).unwrap().mesh())
     }
 

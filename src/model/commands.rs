@@ -111,7 +111,7 @@ impl Model {
 
     /// Starts preparing an outline that was read, drawn or traced.
     pub fn want_loaded(&mut self, side: Side, outline: Outline) {
-        let notes = outline.notes.clone();
+        let notes = outline.notes().to_vec();
         self.want_outline(side, outline.into(), notes);
     }
 

@@ -166,8 +166,8 @@ mod tests {
         let ink = |x: u32, y: u32| if (60..180).contains(&x) && (90..150).contains(&y) { 0 } else { 255 };
         let pixels = image::RgbaImage::from_fn(300, 240, |x, y| image::Rgba([ink(x, y), ink(x, y), ink(x, y), 255]));
         let outline = traced(&Picture { name: "box.png".into(), pixels }).unwrap();
-        assert_eq!(outline.name, "box");
-        assert!((outline.polygon.area() / 7200.0 - 1.0).abs() < 0.02, "{}", outline.polygon.area());
+        assert_eq!(outline.name(), "box");
+        assert!((outline.polygon().area() / 7200.0 - 1.0).abs() < 0.02, "{}", outline.polygon().area());
         let pixels = image::RgbaImage::from_pixel(30, 20, image::Rgba([1, 2, 3, 255]));
         let text = traced(&Picture { name: "blank.png".into(), pixels }).unwrap_err().text.english();
         assert!(text.starts_with("blank.png: the whole picture has one colour"), "{text}");

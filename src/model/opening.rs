@@ -111,7 +111,7 @@ impl Model {
         let request = self.sides[side].reading.end();
         let Some(InFlight { opened, settings }) = request.under_way() else { return };
         let (origin, settings) = (opened.origin, *settings);
-        let notes = outline.notes.clone();
+        let notes = outline.notes().to_vec();
         self.replace_outline(side, outline.into(), notes);
         self.side_mut(side).take_over(&request, settings);
         self.arrived = Some(Arrived::Outline(origin));

@@ -21,15 +21,47 @@ pub use parse::{
 pub use preset::{Preset, UnknownPreset};
 pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};
 
-/// A valid outline with its name and the notes from reading it.
+/// An outline: a simple polygon, counter-clockwise, with a name and the notes from reading it.
+///
+/// [`SimplePolygon`] carries the proof that the boundary does not cross itself; nothing here weakens it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
-    /// The file's stem, the name inside the file, or the preset's name.
-    pub name: String,
+    name: String,
+    polygon: SimplePolygon,
+    notes: Vec<OutlineNote>,
+}
+
+impl Outline {
+    /// The outline of a polygon, without notes.
+    pub fn new(name: impl Into<String>, polygon: SimplePolygon) -> Self {
+        Self { name: name.into(), polygon, notes: Vec::new() }
+    }
+
+    /// The same outline with the notes of its reader in place of those it had.
+    #[must_use]
+    pub fn with_notes(self, notes: Vec<OutlineNote>) -> Self {
+        Self { notes, ..self }
+    }
+
+    /// The name inside the file, the file's stem, or the preset's name; may be empty.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     /// The boundary.
-    pub polygon: SimplePolygon,
-    /// Changes that the reader made and the user should know (reversed, largest of several rings, …).
-    pub notes: Vec<OutlineNote>,
+    pub fn polygon(&self) -> &SimplePolygon {
+        &self.polygon
+    }
+
+    /// The boundary, without name and notes.
+    pub fn into_polygon(self) -> SimplePolygon {
+        self.polygon
+    }
+
+    /// Changes that the reader made, in the order in which it made them (largest of several rings, reversed, …).
+    pub fn notes(&self) -> &[OutlineNote] {
+        &self.notes
+    }
 }
 
 /// A change made while reading an outline; not an error.

@@ -129,8 +129,7 @@ impl Preset {
             Self::Star => shapes::star(),
             Self::Spiral => shapes::spiral(),
         };
-        let polygon = SimplePolygon::known_simple(points);
-        Outline { name: self.name().to_owned(), polygon, notes: Vec::new() }
+        Outline::new(self.name(), SimplePolygon::known_simple(points))
     }
 }
 

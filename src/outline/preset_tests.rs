@@ -23,7 +23,7 @@ fn uniform(polygon: &SimplePolygon, count: usize) -> Vec<DVec2> {
 fn assert_resampled_outline_is_truth(preset: Preset, table: &str) {
     for m in [500, 1000, 2000] {
         let rows = exact_values(&format!("{table}_m{m}.txt"));
-        let samples = uniform(&preset.outline().polygon, m);
+        let samples = uniform(preset.outline().polygon(), m);
         assert_eq!(samples.len(), rows.len());
         let error = samples.iter().zip(&rows).map(|(p, r)| p.distance(DVec2::new(r[0], r[1]))).fold(0.0, f64::max);
         println!("{preset}, m = {m}: {error:.2e}");
@@ -36,7 +36,7 @@ fn assert_resampled_outline_is_truth(preset: Preset, table: &str) {
 fn the_v_and_the_blob_are_the_papers() {
     assert_resampled_outline_is_truth(Preset::VShape, "vshape_to_blob");
     assert_resampled_outline_is_truth(Preset::Blob, "blob");
-    assert_eq!(Preset::VShape.outline().polygon.vertices()[0], DVec2::new(1.0, 1.0));
+    assert_eq!(Preset::VShape.outline().polygon().vertices()[0], DVec2::new(1.0, 1.0));
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn smooth_pieces_turn_slowly_and_corners_clearly() {
         (Preset::Spiral, 0),
     ];
     for (preset, expected) in corners {
-        let polygon = preset.outline().polygon;
+        let polygon = preset.outline().into_polygon();
         let v = polygon.vertices();
         let n = v.len();
         let turn = |k: usize| (v[k] - v[(k + n - 1) % n]).angle_to(v[(k + 1) % n] - v[k]).abs().to_degrees();
@@ -101,7 +101,7 @@ fn smooth_pieces_turn_slowly_and_corners_clearly() {
 #[test]
 fn a_pole_is_inside_every_preset() {
     for preset in Preset::ALL {
-        let polygon = preset.outline().polygon;
+        let polygon = preset.outline().into_polygon();
         let extent = polygon.bounds().size().max_element();
         let start = web_time::Instant::now();
         let pole = polygon.pole_of_inaccessibility(1e-3 * extent);

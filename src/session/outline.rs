@@ -25,7 +25,7 @@ impl OutlineSpec {
     /// The outline as a polygon; computed for a preset, a copy of a loaded one. Cost O(k).
     pub fn polygon(&self) -> SimplePolygon {
         match self {
-            Self::Preset(preset) => preset.outline().polygon,
+            Self::Preset(preset) => preset.outline().into_polygon(),
             Self::Points { polygon, .. } => polygon.clone(),
         }
     }
@@ -41,8 +41,8 @@ impl OutlineSpec {
 
 impl From<Outline> for OutlineSpec {
     /// Drops the reader's notes.
-    fn from(Outline { name, polygon, .. }: Outline) -> Self {
-        Self::Points { name, polygon }
+    fn from(outline: Outline) -> Self {
+        Self::Points { name: outline.name().to_owned(), polygon: outline.into_polygon() }
     }
 }
 

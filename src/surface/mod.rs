@@ -52,12 +52,40 @@ pub use tree::SurfaceTree;
 use crate::geometry::DVec3;
 
 /// Triangles in space as a file gives them; their connectivity is unchecked.
+///
+/// Only [`SurfaceMesh::new`] and [`SurfaceMesh::repaired`] check: indices out of range, positions that are not
+/// finite and every reason why a surface is not a disk are found there.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Surface {
+    vertices: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    notes: Vec<SurfaceNote>,
+}
+
+impl Surface {
+    /// A surface from positions and vertex triples (indices into `vertices`, counted from 0), without notes.
+    pub fn new(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
+        Self { vertices, triangles, notes: Vec::new() }
+    }
+
+    /// The same surface with the notes of its reader in place of those it had.
+    #[must_use]
+    pub fn with_notes(self, notes: Vec<SurfaceNote>) -> Self {
+        Self { notes, ..self }
+    }
+
     /// The positions in the file's order, as read; [`SurfaceMesh`] rejects those that are not finite.
-    pub vertices: Vec<DVec3>,
+    pub fn vertices(&self) -> &[DVec3] {
+        &self.vertices
+    }
+
     /// Vertex triples; the triangles of one polygon of the file are consecutive.
-    pub triangles: Vec<[u32; 3]>,
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
     /// Changes that the reader made to the file's contents.
-    pub notes: Vec<SurfaceNote>,
+    pub fn notes(&self) -> &[SurfaceNote] {
+        &self.notes
+    }
 }

@@ -73,7 +73,7 @@ impl SurfacePreset {
         let boundary = self.outline(boundary.max(12));
         let mesh = mesh_domain(&boundary, Sizing::Uniform)?.0;
         let vertices = mesh.vertices().iter().map(|&p| self.lifted(p)).collect();
-        Ok(Surface { vertices, triangles: mesh.into_triangles(), notes: Vec::new() })
+        Ok(Surface::new(vertices, mesh.into_triangles()))
     }
 
     /// The boundary of the planar mesh.

@@ -13,7 +13,7 @@ fn grid(k: u32) -> Surface {
         let a = q / k * (k + 1) + q % k;
         [[a, a + 1, a + k + 2], [a, a + k + 2, a + k + 1]]
     };
-    Surface { vertices, triangles: (0..k * k).flat_map(square).collect(), notes: Vec::new() }
+    Surface::new(vertices, (0..k * k).flat_map(square).collect())
 }
 
 fn error(surface: &Surface) -> TopologyError {
@@ -22,7 +22,7 @@ fn error(surface: &Surface) -> TopologyError {
 
 fn tetrahedron() -> Surface {
     let vertices = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-    Surface { vertices, triangles: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], notes: Vec::new() }
+    Surface::new(vertices, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 }
 
 /// A torus of p×q squares.
@@ -38,11 +38,7 @@ fn torus(p: u32, q: u32) -> Surface {
         let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
         [[a, b, c], [a, c, d]]
     };
-    Surface {
-        vertices: (0..p * q).map(place).collect(),
-        triangles: (0..p * q).flat_map(square).collect(),
-        notes: vec![],
-    }
+    Surface::new((0..p * q).map(place).collect(), (0..p * q).flat_map(square).collect())
 }
 
 #[test]
@@ -149,7 +145,7 @@ fn a_moebius_strip_has_one_side() {
         let (c, d) = if k < 4 { (a + 2, b + 2) } else { (1, 0) };
         [[a, c, b], [b, c, d]]
     };
-    let strip = Surface { vertices, triangles: (0..5).flat_map(square).collect(), notes: Vec::new() };
+    let strip = Surface::new(vertices, (0..5).flat_map(square).collect());
     assert!(matches!(error(&strip), TopologyError::OneSided { .. }));
     assert!(matches!(SurfaceMesh::repaired(&strip), Err(TopologyError::OneSided { .. })));
 }

@@ -20,7 +20,7 @@ fn cube() -> TriMesh<DVec3> {
     let vertices = (0..8).map(|v| DVec3::new(f64::from(v & 1), f64::from(v >> 1 & 1), f64::from(v >> 2))).collect();
     let quads = [[4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
     let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-    SurfaceMesh::new(&Surface { vertices, triangles, notes: Vec::new() }).unwrap().mesh().clone()
+    SurfaceMesh::new(&Surface::new(vertices, triangles)).unwrap().mesh().clone()
 }
 
 #[test]

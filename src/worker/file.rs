@@ -53,10 +53,10 @@ pub struct FlatOutline {
 }
 
 impl From<&Outline> for FlatOutline {
-    fn from(Outline { name, polygon, notes }: &Outline) -> Self {
+    fn from(outline: &Outline) -> Self {
         // plain data: it always has a form as text
-        let text = serde_json::to_string(&(name, notes)).unwrap_or_default();
-        Self { points: polygon.vertices().iter().flat_map(DVec2::to_array).collect(), text }
+        let text = serde_json::to_string(&(outline.name(), outline.notes())).unwrap_or_default();
+        Self { points: outline.polygon().vertices().iter().flat_map(DVec2::to_array).collect(), text }
     }
 }
 
@@ -64,9 +64,9 @@ impl FlatOutline {
     /// The outline; `None` if the text is malformed. The points must be those of a simple polygon, as [`Self::from`]
     /// makes them.
     pub fn outline(&self) -> Option<Outline> {
-        let (name, notes) = serde_json::from_str(&self.text).ok()?;
+        let (name, notes): (String, _) = serde_json::from_str(&self.text).ok()?;
         let polygon = SimplePolygon::known_simple(self.points.chunks_exact(2).map(DVec2::from_slice).collect());
-        Some(Outline { name, polygon, notes })
+        Some(Outline::new(name, polygon).with_notes(notes))
     }
 }
 
@@ -86,7 +86,7 @@ impl FlatSession {
         let outlines = PerSide::from_fn(|side| {
             let OutlineSpec::Points { name, polygon } = session.domain(side).outline.clone() else { return None };
             light.apply(reshaped(session, side, OutlineSpec::Preset(crate::outline::Preset::Disk)));
-            Some(FlatOutline::from(&Outline { name, polygon, notes: Vec::new() }))
+            Some(FlatOutline::from(&Outline::new(name, polygon)))
         });
         Some(Self { outlines, text: file::write_object(&light).ok()? })
     }
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn an_outline_crosses_as_it_was_read_with_its_notes() {
         let outline = named("a.csv", "0,0\n0,2\n2,2\n2,0\n0,0\n").outline().unwrap();
-        assert!(outline.notes.len() == 2, "reversed and closed: {:?}", outline.notes);
+        assert!(outline.notes().len() == 2, "reversed and closed: {:?}", outline.notes());
         assert_eq!(FlatOutline::from(&outline).outline().unwrap(), outline);
         assert_eq!(FlatOutline { points: Vec::new(), text: "{".into() }.outline(), None);
     }
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn a_spike_can_be_cut_off_and_a_crossing_cannot() {
         let spike = named("a.json", "[[0,0],[2,0],[2,1],[3,1],[2,1],[2,2],[0,2]]").outline().unwrap_err();
-        assert_eq!(spike.repaired.unwrap().name, "a");
+        assert_eq!(spike.repaired.unwrap().name(), "a");
         // which part is meant is not for a machine to say
         assert_eq!(named("a.json", "[[0,0],[2,2],[2,0],[0,3]]").outline().unwrap_err().repaired, None);
     }

@@ -155,7 +155,7 @@ fn outline_file(file: &NamedFile, settings: &PrepareSettings, answer: &mut dyn F
         Err(unread) => return Response::Unread(unread),
     };
     answer(Response::Outline(Box::new(read.clone())));
-    outline(&read.polygon, settings, answer)
+    outline(read.polygon(), settings, answer)
 }
 
 impl SurfaceSource {
@@ -181,7 +181,7 @@ fn surface(
         repairable: !repair && SurfaceMesh::repaired(&surface).is_ok(),
         ..Failure::new(&error)
     })?;
-    let notes = surface.notes.iter().map(Message::from).collect();
+    let notes = surface.notes().iter().map(Message::from).collect();
     drop(surface);
     let prepared = prepare_surface(disk, settings, progress);
     let prepared = prepared.map_err(|error| Failure::new(&error))?;

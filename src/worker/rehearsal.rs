@@ -15,10 +15,10 @@ const BOUNDARY: u32 = 120;
 pub fn rehearsal() -> Request {
     let mut text = String::new();
     if let Ok(surface) = SurfacePreset::AnimalHead.surface(BOUNDARY) {
-        for p in surface.vertices {
+        for p in surface.vertices() {
             let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
         }
-        for [a, b, c] in surface.triangles {
+        for [a, b, c] in surface.triangles() {
             let _ = writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1);
         }
     }

@@ -45,7 +45,7 @@ fn evaluated(
 
 fn contour_of(preset: Preset, m: u32) -> Vec<DVec2> {
     let sampling = Sampling::Uniform { count: m, keep_corners: true };
-    sample(&preset.outline().polygon, sampling).unwrap().points().to_vec()
+    sample(preset.outline().polygon(), sampling).unwrap().points().to_vec()
 }
 
 fn extent(points: &[DVec2]) -> f64 {

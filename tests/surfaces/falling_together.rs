@@ -49,8 +49,8 @@ fn with_solver(mesh: &SurfaceMesh, solver: SolverKind) -> Arc<PreparedSide> {
 fn two_patches() -> SurfaceMesh {
     let whole = folded(10, 4, |_| 0.0);
     let is_kept = |q: usize| !matches!((q % 10, q / 10), (4 | 5, 0 | 2 | 3));
-    let kept = whole.triangles.iter().enumerate().filter(|(t, _)| is_kept(t / 2)).map(|(_, corners)| *corners);
-    SurfaceMesh::repaired(&surface_of(whole.vertices.clone(), kept.collect())).unwrap()
+    let kept = whole.triangles().iter().enumerate().filter(|(t, _)| is_kept(t / 2)).map(|(_, corners)| *corners);
+    SurfaceMesh::repaired(&surface_of(whole.vertices().to_vec(), kept.collect())).unwrap()
 }
 
 /// Whichever of two surfaces is mapped, the note is about the one with the bridge; its triangles beyond the bridge are
@@ -136,7 +136,7 @@ fn parts_beyond_a_long_strip_coincide_and_are_reported() {
 fn where_the_kernel_is_negative_the_note_says_so() {
     let needles = folded(12, 40, |i| f64::from(i % 2) - 0.5);
     let sheared = |p: &DVec3| DVec3::new(p.x + 1.7 * p.y, p.y, p.z);
-    let needles = surface_of(needles.vertices.iter().map(sheared).collect(), needles.triangles);
+    let needles = surface_of(needles.vertices().iter().map(sheared).collect(), needles.triangles().to_vec());
     let given = prepared(&needles, SurfaceSettings::default().with_intrinsic_delaunay(false));
     let mesh = given.surface().unwrap().mesh();
     let source = disk();

@@ -41,7 +41,7 @@ fn prepared(surface: &Surface, settings: SurfaceSettings) -> Arc<PreparedSide> {
 }
 
 fn surface_of(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Surface {
-    Surface { vertices, triangles, notes: Vec::new() }
+    Surface::new(vertices, triangles)
 }
 
 fn largest_distance(a: &[DVec2], b: &[DVec2]) -> f64 {
@@ -91,7 +91,7 @@ fn rigid_motions_and_scalings_change_nothing() {
     for preset in SurfacePreset::ALL {
         let surface = preset.surface(120).unwrap();
         let moved = |p: &DVec3| 37.5 * turn(*p) + DVec3::new(3.0, -50.0, 0.7);
-        let copy = surface_of(surface.vertices.iter().map(moved).collect(), surface.triangles.clone());
+        let copy = surface_of(surface.vertices().iter().map(moved).collect(), surface.triangles().to_vec());
         let maps = [surface, copy].map(|surface| {
             let surface = prepared(&surface, SurfaceSettings::default());
             let constraints = constraints(&surface, &source)
@@ -118,7 +118,8 @@ fn rigid_motions_and_scalings_change_nothing() {
 fn surfaces_of_any_size_within_the_bounds_map_alike() {
     let source = domain(Preset::Heart, 200);
     let shape = SurfacePreset::HeightField.surface(80).unwrap();
-    let scaled = |scale: f64| surface_of(shape.vertices.iter().map(|&p| scale * p).collect(), shape.triangles.clone());
+    let scaled =
+        |scale: f64| surface_of(shape.vertices().iter().map(|&p| scale * p).collect(), shape.triangles().to_vec());
     let images = |scale: f64| {
         let surface = prepared(&scaled(scale), SurfaceSettings::default());
         ConformalMap::new(source.clone(), surface.clone(), &constraints(&surface, &source), MapSettings::default())
@@ -250,7 +251,7 @@ fn flipped_surfaces_have_positive_kernels_and_ordered_boundaries() {
     let source = disk();
     let needles = folded(12, 40, |i| f64::from(i % 2) - 0.5);
     let sheared = |p: &DVec3| DVec3::new(p.x + 1.7 * p.y, p.y, p.z);
-    let needles = surface_of(needles.vertices.iter().map(sheared).collect(), needles.triangles);
+    let needles = surface_of(needles.vertices().iter().map(sheared).collect(), needles.triangles().to_vec());
     let flipped = prepared(&needles, SurfaceSettings::default());
     let given = prepared(&needles, SurfaceSettings::default().with_intrinsic_delaunay(false));
     println!("{:?}", flipped.surface().unwrap().flips());
@@ -305,8 +306,9 @@ fn modes_and_repeated_updates_agree() {
 
 #[test]
 fn prepared_surfaces_survive_the_trip_through_flat_arrays() {
-    let mut surface = SurfacePreset::Hemisphere.surface(40).unwrap();
-    surface.vertices.push(DVec3::ZERO);
+    let hemisphere = SurfacePreset::Hemisphere.surface(40).unwrap();
+    let vertices = hemisphere.vertices().iter().copied().chain([DVec3::ZERO]).collect();
+    let surface = surface_of(vertices, hemisphere.triangles().to_vec());
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
     for (kernel, solver) in [
         (KernelMode::Adjoint, SolverKind::Direct),

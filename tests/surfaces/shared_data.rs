@@ -50,7 +50,7 @@ fn a_mesh_with_many_loops_is_named_by_them_and_mapped_when_they_are_filled() {
     assert_eq!(repaired.mesh().boundary_count(), 616);
     let map = default_map(Arc::new(prepare_surface(repaired, SurfaceSettings::default(), &mut |_| ()).unwrap()));
     // triangles that fill holes do not count in the quality
-    assert_eq!(map.distortions().len(), surface.triangles.len());
+    assert_eq!(map.distortions().len(), surface.triangles().len());
     assert!(map.images().iter().all(|p| p.is_finite()));
 }
 

@@ -188,8 +188,7 @@ impl Editor {
                 let view = &views[side];
                 let pixel = view.to_world(view.rect.min + vec2(1.0, 0.0)).distance(view.to_world(view.rect.min));
                 if let Some(polygon) = drawing.close(pixel) {
-                    let outline = Outline { name: String::from(names::DRAWN), polygon, notes: Vec::new() };
-                    model.want_loaded(side, outline);
+                    model.want_loaded(side, Outline::new(names::DRAWN, polygon));
                     self.leave(model, views);
                     return action.leads_to();
                 }

@@ -247,7 +247,7 @@ fn another_outline_is_followed_and_editing_moves_to_another_side() {
     let mut bench = Bench::square();
     bench.model.dispatch(Command::SetOutline { side: SIDE, outline: OutlineSpec::Preset(Preset::Star) }, 0.0);
     bench.answer_all();
-    let star = Preset::Star.outline().polygon.vertices()[0];
+    let star = Preset::Star.outline().polygon().vertices()[0];
     assert_eq!(bench.reshaping().shape().vertices()[0], star);
     bench.act(EditAction::Change(Change::Smooth));
     bench.answer_all();

@@ -161,7 +161,7 @@ fn picture(context: &egui::Context, preset: Preset) -> Arc<Vec<Pos2>> {
         return points;
     }
     let outline = preset.outline();
-    let vertices = outline.polygon.vertices();
+    let vertices = outline.polygon().vertices();
     let (low, high) = bounds(vertices);
     let (center, scale) = (0.5 * (low + high), 2.0 / (high - low).max_element());
     let step = vertices.len().div_ceil(PICTURE_POINTS).max(1);

@@ -104,7 +104,7 @@ mod tests {
     fn domain(preset: Preset, count: u32) -> Arc<PreparedSide> {
         let sampling = Sampling::Uniform { count, keep_corners: false };
         let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.3), ..PrepareSettings::default() };
-        Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
+        Arc::new(prepare(preset.outline().polygon(), &settings, &mut |_| ()).unwrap())
     }
 
     /// The images that were written last, read back from the GPU.

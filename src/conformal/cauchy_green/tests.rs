@@ -171,7 +171,7 @@ fn domain(preset: Preset, count: u32) -> Arc<MeshedDomain> {
         sizing: Sizing::Graded(0.2),
         ..PrepareSettings::default()
     };
-    Arc::clone(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap().domain().unwrap())
+    Arc::clone(prepare(preset.outline().polygon(), &settings, &mut |_| ()).unwrap().domain().unwrap())
 }
 
 fn whole(coordinates: &mut CauchyGreen, values: &BoundaryValues) -> Vec<DVec2> {

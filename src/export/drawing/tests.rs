@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 fn map() -> (ConformalMap, Constraints) {
     let [source, target] = [Preset::Star, Preset::Heart]
-        .map(|preset| Arc::new(prepare(&preset.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap()));
+        .map(|preset| Arc::new(prepare(preset.outline().polygon(), &PrepareSettings::default(), &mut |_| ()).unwrap()));
     let constraints = Constraints::new((source.default_point(), 0.1), (target.default_point(), 0.6));
     (ConformalMap::new(source, target, &constraints, MapSettings::default()).unwrap(), constraints)
 }
@@ -33,13 +33,13 @@ fn a_drawing_opens_as_the_outline_that_it_shows() {
         let wire = Some((panel.positions, panel.triangles));
         let text = svg(&[Part { side, panel, wire }], Some(squares(&panels.source, 12.0)));
         let back = outline::parse("map.svg", text.as_bytes()).unwrap();
-        let (drawn, given) = (normalised(back.polygon.vertices()), normalised(panel.boundary));
+        let (drawn, given) = (normalised(back.polygon().vertices()), normalised(panel.boundary));
         assert_eq!(drawn.len(), given.len());
         let farthest = given.iter().map(|p| drawn.iter().map(|q| p.distance(*q)).fold(f64::INFINITY, f64::min));
         let farthest = farthest.fold(0.0, f64::max);
         // three decimals in a drawing of 450 units, and single precision
         assert!(farthest < 1e-5, "{side}: {farthest:e}");
-        assert_eq!(back.name, side.to_string());
+        assert_eq!(back.name(), side.to_string());
     }
 }
 
@@ -82,7 +82,7 @@ fn lines_of_the_source_are_straight_whole_and_where_they_should_be() {
 /// About the center of a disk, circles are closed and rays reach from their start to the boundary.
 #[test]
 fn circles_close_and_rays_reach_the_boundary() {
-    let disk = prepare(&Preset::Disk.outline().polygon, &PrepareSettings::default(), &mut |_| ()).unwrap();
+    let disk = prepare(Preset::Disk.outline().polygon(), &PrepareSettings::default(), &mut |_| ()).unwrap();
     let vertices = disk.domain().unwrap().mesh().vertices();
     let conformal = Ruling::Conformal { rays: 12 };
     let polar = Ruling::Polar { pole: DVec2::ZERO, spacing: 0.25 };

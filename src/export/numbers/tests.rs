@@ -10,7 +10,7 @@ use std::sync::Arc;
 fn domain(preset: Preset, count: u32) -> Arc<PreparedSide> {
     let sampling = Sampling::Uniform { count, keep_corners: true };
     let settings = crate::conformal::PrepareSettings { sampling, ..Default::default() };
-    Arc::new(prepare(&preset.outline().polygon, &settings, &mut |_| ()).unwrap())
+    Arc::new(prepare(preset.outline().polygon(), &settings, &mut |_| ()).unwrap())
 }
 
 /// A map whose anchors lie inside edges, far from the first points.
@@ -80,11 +80,14 @@ fn the_mesh_file_is_read_back_as_a_surface_with_the_targets_area() {
         let text = mapped_obj(&map);
         let surface = crate::surface::read_surface("map.obj", text.as_bytes()).unwrap();
         let mesh = map.mapped().domain().unwrap().mesh();
-        assert_eq!((surface.vertices.len(), surface.triangles.len()), (mesh.vertices().len(), mesh.triangles().len()));
+        assert_eq!(
+            (surface.vertices().len(), surface.triangles().len()),
+            (mesh.vertices().len(), mesh.triangles().len())
+        );
         let area: f64 = surface
-            .triangles
+            .triangles()
             .iter()
-            .map(|t| t.map(|v| surface.vertices[v as usize]))
+            .map(|t| t.map(|v| surface.vertices()[v as usize]))
             .map(|[a, b, c]| 0.5 * (b - a).cross(c - a).z)
             .sum();
         let target = &map.domain(Side::Target).unwrap().samples().points;

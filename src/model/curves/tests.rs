@@ -15,7 +15,7 @@ fn disk() -> Arc<PreparedSide> {
     let outline = Preset::Disk.outline();
     let sampling = Sampling::Uniform { count: 400, keep_corners: false };
     let settings = PrepareSettings { sampling, sizing: Sizing::Graded(0.1), ..PrepareSettings::default() };
-    Arc::new(prepare(&outline.polygon, &settings, &mut |_| {}).unwrap())
+    Arc::new(prepare(outline.polygon(), &settings, &mut |_| {}).unwrap())
 }
 
 fn curves(points: [DVec2; 2], anchors: [f64; 2], direction: Direction) -> Curves {

@@ -66,7 +66,7 @@ pub fn trace(name: &str, picture: &RgbaImage) -> Result<Outline, TraceError> {
     let ring = rings.into_iter().next().filter(|_| count > 0).ok_or(TraceError::NoShape)?;
     let notes = if count > 1 { vec![OutlineNote::LargestOf { rings: count }] } else { Vec::new() };
     let name = if name.is_empty() { String::from(names::TRACED) } else { name.to_owned() };
-    Ok(Outline { name, polygon: simplified(&ring)?, notes })
+    Ok(Outline::new(name, simplified(&ring)?).with_notes(notes))
 }
 
 /// For each pixel how strongly it belongs to the shape, from 0 to 1, and the threshold from which it does.
@@ -211,12 +211,12 @@ mod tests {
     }
 
     fn assert_is_disk(outline: &Outline) {
-        let area = outline.polygon.area();
+        let area = outline.polygon().area();
         let expected = std::f64::consts::PI * 150.0 * 150.0;
         assert!((area / expected - 1.0).abs() < 0.01, "{area}, expected {expected}");
-        let bounds = outline.polygon.bounds();
+        let bounds = outline.polygon().bounds();
         assert!(bounds.center().distance(DVec2::new(270.0, 300.0)) < 1.0, "y upwards: {}", bounds.center());
-        assert!(outline.polygon.vertices().len() < 400, "{}", outline.polygon.vertices().len());
+        assert!(outline.polygon().vertices().len() < 400, "{}", outline.polygon().vertices().len());
     }
 
     #[test]
@@ -224,7 +224,7 @@ mod tests {
         for colours in [[WHITE, INK], [INK, WHITE], [Rgba([0; 4]), INK], [Rgba([0; 4]), Rgba([0, 0, 0, 255])]] {
             let outline = trace("disk", &picture(colours, is_in_disk)).unwrap();
             assert_is_disk(&outline);
-            assert!(outline.notes.is_empty() && outline.name == "disk");
+            assert!(outline.notes().is_empty() && outline.name() == "disk");
         }
     }
 
@@ -248,14 +248,14 @@ mod tests {
         let outline =
             trace("", &picture([WHITE, INK], |x, y| (is_in_disk(x, y) && !hole(x, y)) || speck(x, y))).unwrap();
         assert_is_disk(&outline);
-        assert_eq!(outline.notes, [OutlineNote::LargestOf { rings: 3 }]);
-        assert_eq!(outline.name, "Traced");
+        assert_eq!(outline.notes(), [OutlineNote::LargestOf { rings: 3 }]);
+        assert_eq!(outline.name(), "Traced");
     }
 
     #[test]
     fn a_square_keeps_its_corners_also_at_the_edge_of_the_picture() {
         let outline = trace("square", &picture([WHITE, INK], |x, y| x < 80.0 && y > 60.0)).unwrap();
-        let polygon = &outline.polygon;
+        let polygon = outline.polygon();
         assert!((polygon.area() / 72_000.0 - 1.0).abs() < 0.01, "{}", polygon.area());
         for corner in [(0.0, 0.0), (240.0, 0.0), (240.0, 300.0), (0.0, 300.0)].map(DVec2::from) {
             let nearest = polygon.vertices().iter().map(|p| p.distance(corner)).fold(f64::INFINITY, f64::min);

@@ -94,7 +94,7 @@ fn outline(ring: Ring, stem: &str) -> Result<Outline, OutlineError> {
         notes.push(OutlineNote::Reversed);
     }
     let name = name.filter(|n| !n.trim().is_empty()).unwrap_or_else(|| stem.to_owned());
-    Ok(Outline { name, polygon, notes })
+    Ok(Outline::new(name, polygon).with_notes(notes))
 }
 
 /// `("leaf", "json")` from `some/folder/leaf.json`.

@@ -38,7 +38,7 @@ fn distance(polygon: &SimplePolygon, x: DVec2) -> f64 {
 type Named = (String, SimplePolygon);
 
 fn presets() -> impl Iterator<Item = Named> {
-    Preset::ALL.into_iter().map(|preset| (preset.name().to_owned(), preset.outline().polygon))
+    Preset::ALL.into_iter().map(|preset| (preset.name().to_owned(), preset.outline().into_polygon()))
 }
 
 #[test]

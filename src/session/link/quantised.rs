@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn every_preset_stays_simple_and_within_half_a_step() {
         for preset in Preset::ALL {
-            let points = preset.outline().polygon.vertices().to_vec();
+            let points = preset.outline().polygon().vertices().to_vec();
             let quantised = Quantised::of(&points).unwrap();
             let found = quantised.points();
             let half = 0.5 * Bounds::of(points.iter().copied()).size() / LAST;

@@ -192,7 +192,7 @@ fn the_usual_links_are_short() {
         dragged.apply(Command::MoveAnchor { side, fraction: 0.7_f64.sqrt() });
     }
     let mut drawn = Session::default();
-    let leaf = OutlineSpec::Points { name: "leaf".into(), polygon: Preset::MapleLeaf.outline().polygon };
+    let leaf = OutlineSpec::Points { name: "leaf".into(), polygon: Preset::MapleLeaf.outline().into_polygon() };
     drawn.apply(Command::SetOutline { side: Side::Source, outline: leaf });
     for (name, session, most) in [
         ("default", Session::default(), 110),

@@ -57,6 +57,6 @@ impl Faces {
         }
         let cut = (polygons > 0).then_some(SurfaceNote::Triangulated { polygons, faces });
         let notes = cut.into_iter().chain(surplus.map(|place| SurfaceNote::Surplus { place })).collect();
-        Surface { vertices, triangles, notes }
+        Surface::new(vertices, triangles).with_notes(notes)
     }
 }

@@ -46,7 +46,7 @@ fn projected(preset: SurfacePreset) -> Vec<Facet> {
     let right = upwards.cross(toward).normalize();
     let up = toward.cross(right);
     let bounds = |axis: DVec3| {
-        let along = surface.vertices.iter().map(|p| p.dot(axis));
+        let along = surface.vertices().iter().map(|p| p.dot(axis));
         along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
     };
     let ((left, to_right), (bottom, top)) = (bounds(right), bounds(up));
@@ -56,10 +56,10 @@ fn projected(preset: SurfacePreset) -> Vec<Facet> {
         Pos2::new((scale * x) as f32, (-scale * y) as f32)
     };
     let mut sorted: Vec<(f64, Facet)> = surface
-        .triangles
+        .triangles()
         .iter()
         .map(|corners| {
-            let corners = corners.map(|v| surface.vertices[v as usize]);
+            let corners = corners.map(|v| surface.vertices()[v as usize]);
             let [a, b, c] = corners;
             let facing = (b - a).cross(c - a).normalize_or_zero().dot(toward).abs();
             let brightness = DARKEST + (1.0 - DARKEST) * facing;
