@@ -42,14 +42,14 @@ pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<Pe
             positions: source.mesh().vertices(),
             coordinates: source.mesh().vertices(),
             triangles: source.mesh().triangles(),
-            boundary: &source.samples().points,
+            boundary: source.samples().points(),
             handles: handles(Side::Source, source)?,
         },
         Panel {
             positions,
             coordinates,
             triangles: map.mapped().triangles(),
-            boundary: &target.samples().points,
+            boundary: target.samples().points(),
             handles: handles(Side::Target, target)?,
         },
     ))
@@ -85,7 +85,7 @@ fn part_with_surface<'a>(map: &'a ConformalMap, constraints: &Constraints, side:
         positions: vertices,
         coordinates: vertices,
         triangles,
-        boundary: &domain.samples().points,
+        boundary: domain.samples().points(),
         handles: [constraints.points[side].in_plane()?, anchor],
     };
     Some(Part { side, panel, wire: Some((map.images(), map.mapped().triangles())) })

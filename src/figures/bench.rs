@@ -219,7 +219,7 @@ fn preparation(preset: Preset, setting: BenchSetting, runs: usize) -> Result<Pre
         timings.push(domain.timings());
         let start = Instant::now();
         let planar = planar(&domain)?;
-        DiskMap::new(&planar.samples().points, planar.default_point())?;
+        DiskMap::new(planar.samples().points(), planar.default_point())?;
         zipper.push(start.elapsed().as_secs_f64());
     }
     let seconds = |stage: fn(&PrepareTimings) -> f64| 1e-3 * median(timings.iter().map(stage).collect());
@@ -271,7 +271,7 @@ const DRAG_STEP: f64 = 1e-3;
 /// The median durations while one interior point moves back and forth.
 fn drag(map: &mut ConformalMap, still: Constraints, side: Side, frames: usize) -> Result<FrameTimes, FigureError> {
     let domain = planar(map.side(side))?;
-    let [low, high] = Bounds::of(domain.samples().points.iter().copied()).corners();
+    let [low, high] = Bounds::of(domain.samples().points().iter().copied()).corners();
     let step = DVec2::new(DRAG_STEP * (high - low).max_element(), 0.0);
     let point = still.points[side].in_plane().ok_or(FigureError::NoDomain)?;
     let (mut matching, mut extension) = (Vec::new(), Vec::new());

@@ -44,7 +44,7 @@ impl MoebiusStudy {
         let [source, target] = domains;
         let domains = PerSide::new(planar(&source)?, planar(&target)?);
         let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.default_point()));
-        let contour = Contour::new(&domains.source.samples().points);
+        let contour = Contour::new(domains.source.samples().points());
         let map = ConformalMap::new(source, target, &constraints, Direction::Forward.into())?;
         let images = BoundaryValues::new(map.correspondence().images(domains.target.samples()));
         Ok(Self { map, domains, contour, images })
@@ -52,7 +52,7 @@ impl MoebiusStudy {
 
     /// The boundary samples v_k.
     pub fn samples(&self) -> &[DVec2] {
-        &self.domains.source.samples().points
+        self.domains.source.samples().points()
     }
 
     /// Their images w_k.

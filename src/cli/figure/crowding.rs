@@ -63,7 +63,7 @@ fn rasterise(
     strays: &[DVec2],
 ) -> Result<image::RgbaImage, CliError> {
     let [source, target] = study.domains.as_ref().into_array();
-    let style = pictures::style(&scene.session, &source.samples().points, study.points.source);
+    let style = pictures::style(&scene.session, source.samples().points(), study.points.source);
     let panel = |positions, boundary, marks| RasterPanel {
         positions,
         coordinates: source.mesh().vertices(),
@@ -73,12 +73,12 @@ fn rasterise(
         style,
     };
     let points = study.points;
-    let marks = vec![(points.source, POINT), (source.samples().points[0], ANCHOR)];
-    let mut panels = vec![panel(source.mesh().vertices(), &source.samples().points, marks)];
+    let marks = vec![(points.source, POINT), (source.samples().points()[0], ANCHOR)];
+    let mut panels = vec![panel(source.mesh().vertices(), source.samples().points(), marks)];
     for (positions, &stray) in images.iter().zip(strays) {
-        let marks = vec![(points.target, POINT), (target.samples().points[0], ANCHOR), (stray, STRAY)];
+        let marks = vec![(points.target, POINT), (target.samples().points()[0], ANCHOR), (stray, STRAY)];
         let shown = if stray.distance(points.target) < VISIBLE { 2 } else { 3 };
-        panels.push(panel(positions, &target.samples().points, marks.into_iter().take(shown).collect()));
+        panels.push(panel(positions, target.samples().points(), marks.into_iter().take(shown).collect()));
     }
     Raster::new()?.row(&panels, None)
 }

@@ -117,7 +117,7 @@ impl<'a> Coloured<'a> {
     fn new(shown: &'a Shown, side: Side) -> Self {
         let mesh = shown.domains[shown.map.mapped_side()].mesh();
         let vertices = if side == Side::Source { mesh.vertices() } else { shown.map.images() };
-        let boundary = &shown.domains[side].samples().points;
+        let boundary = &shown.domains[side].samples().points();
         Self::of(vertices, mesh.triangles(), &shown.triangles, boundary, TOP_Q)
     }
 

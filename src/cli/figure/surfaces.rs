@@ -141,7 +141,7 @@ impl<'a> Shown<'a> {
     }
 
     fn outline(&self) -> &'a [DVec2] {
-        &self.study.source.0.samples().points
+        self.study.source.0.samples().points()
     }
 
     /// The panel of the textured domain.

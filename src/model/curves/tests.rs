@@ -29,7 +29,7 @@ const X: DVec2 = DVec2::new(0.6, 0.2);
 
 /// The disk of [`Preset::Disk`]: its center, and the mean distance of its samples from it.
 fn frame(domain: &PreparedSide) -> (DVec2, f64) {
-    let points = &domain.domain().unwrap().samples().points;
+    let points = domain.domain().unwrap().samples().points();
     let center = points.iter().sum::<DVec2>() / points.len() as f64;
     (center, points[0].distance(center))
 }

@@ -125,7 +125,7 @@ fn settings_that_change_while_a_file_is_read_are_those_of_its_outline() {
     answer(&mut model, SIDE, &request);
     settle(&mut model);
     assert_eq!((name(&model), model.session().domain(SIDE).settings), ("a", settings(60)));
-    assert_eq!(model.domain(SIDE).unwrap().samples().points.len(), 60);
+    assert_eq!(model.domain(SIDE).unwrap().samples().points().len(), 60);
 }
 
 #[test]
