@@ -180,6 +180,12 @@ impl Session {
     }
 }
 
+/// The default session with another texture scale, by which tests tell sessions apart.
+#[cfg(test)]
+pub(crate) fn scaled(scale: f64) -> Session {
+    Session::with([Command::SetTextureScale(scale)])
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests;
