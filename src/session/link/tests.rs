@@ -312,7 +312,7 @@ fn numbers_out_of_their_ranges_are_refused() {
         let found = tampered(change, |_| ());
         assert!(matches!(found, Err(LinkError::OutOfRange(_))), "{found:?}");
     };
-    refused(|s| s.texture_scale = f64::NAN);
+    refused(|s| s.display.texture_scale = f64::NAN);
     refused(|s| s.sides[Side::Source].interior = Some(DVec2::new(f64::INFINITY, 0.0)));
     refused(|s| s.sides[Side::Target].anchor = -1e300);
     refused(|s| s.sides[Side::Source].domain.settings.sizing = Sizing::Graded(0.0));

@@ -15,6 +15,7 @@ use crate::conformal::{PerSide, PrepareSettings, Side, SurfaceSettings};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
 use crate::outline::{Preset, Sampling};
+use crate::session::view::Display;
 use crate::session::{DomainSpec, OutlineSpec, Session, SideState, SurfaceShape, SurfaceSpec, SurfaceState};
 use serde::{Deserialize, Serialize};
 
@@ -105,15 +106,18 @@ impl Version1 {
         // Destructured, so that the compiler reports a new field that is not handled here.
         let Session {
             sides: PerSide { source, target },
-            direction,
-            extension,
-            texture,
-            texture_scale,
-            texture_side,
-            colouring,
-            wireframe,
-            plots,
-            comparison,
+            display:
+                Display {
+                    direction,
+                    extension,
+                    texture,
+                    texture_scale,
+                    texture_side,
+                    colouring,
+                    wireframe,
+                    plots,
+                    comparison,
+                },
         } = session;
         let sides = [source, target];
         Self {
@@ -161,15 +165,17 @@ impl Version1 {
         let [source, target] = self.domains;
         let session = Session {
             sides: PerSide::new(side(Side::Source, source, None)?, side(Side::Target, target, self.surface)?),
-            direction: Coded::of(self.direction)?,
-            extension: Coded::of(self.extension)?,
-            texture: Coded::of(self.texture)?,
-            texture_scale: self.texture_scale,
-            texture_side: Coded::of(self.texture_side)?,
-            colouring: Coded::of(self.colouring)?,
-            wireframe: self.wireframe,
-            plots: self.plots,
-            comparison: Coded::of(self.comparison)?,
+            display: Display {
+                direction: Coded::of(self.direction)?,
+                extension: Coded::of(self.extension)?,
+                texture: Coded::of(self.texture)?,
+                texture_scale: self.texture_scale,
+                texture_side: Coded::of(self.texture_side)?,
+                colouring: Coded::of(self.colouring)?,
+                wireframe: self.wireframe,
+                plots: self.plots,
+                comparison: Coded::of(self.comparison)?,
+            },
         };
         Ok(Decoded { session, missing })
     }
