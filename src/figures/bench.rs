@@ -72,7 +72,7 @@ pub const TABLE_2: [PaperFrame; 3] = [
     row_2(13, [Preset::MapleLeaf, Preset::Cinquefoil], [0.383, 22.82]),
 ];
 
-/// How the domains of a row are discretised.
+/// How the domains of a row are discretized.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum BenchSetting {
@@ -100,7 +100,7 @@ pub enum BenchRow {
     Preparation {
         /// `0 … 5`.
         index: usize,
-        /// The discretisation.
+        /// The discretization.
         setting: BenchSetting,
     },
     /// The table of Ψ of row `index` of [`TABLE_1`] with the paper's settings. riemap does not need it; it takes up to
@@ -113,7 +113,7 @@ pub enum BenchRow {
     Frame {
         /// `0 … 2`.
         index: usize,
-        /// The discretisation.
+        /// The discretization.
         setting: BenchSetting,
     },
 }

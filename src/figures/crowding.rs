@@ -89,7 +89,7 @@ pub struct CrowdingStudy {
 }
 
 /// The center of the V: g(−i) = 0 (section 1.2).
-const V_CENTRE: DVec2 = DVec2::new(0.0, -1.0);
+const V_CENTER: DVec2 = DVec2::new(0.0, -1.0);
 
 /// The exact harmonic measures at `x` of points on the exact V, from which the blob's exact map follows.
 pub(super) fn exact_measures(points: &[DVec2], x: DVec2) -> Vec<f64> {
@@ -231,7 +231,7 @@ impl<'a> Boundaries<'a> {
 
     fn precomputed(&self) -> Result<DiskComparison, FigureError> {
         let [y1, y2] = self.anchors();
-        let source = DiskMap::new(self.domains.source.samples().points(), V_CENTRE)?;
+        let source = DiskMap::new(self.domains.source.samples().points(), V_CENTER)?;
         let target = DiskMap::new(self.domains.target.samples().points(), self.domains.target.default_point())?;
         Ok(DiskComparison::new(
             DiskMeasure::precomputed(&source, self.points.source, y1)?,

@@ -45,7 +45,7 @@ pub enum Command {
         side: Side,
         surface: SurfaceSpec,
     },
-    /// Rediscretises the side's surface: other settings or, for a built-in surface, another number of boundary
+    /// Rediscretizes the side's surface: other settings or, for a built-in surface, another number of boundary
     /// vertices. A different surface changes nothing.
     RefineSurface {
         side: Side,

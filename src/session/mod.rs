@@ -87,7 +87,7 @@ impl Session {
         &self.sides[side]
     }
 
-    /// The outline of a side and how it is discretised, also while a surface hides it.
+    /// The outline of a side and how it is discretized, also while a surface hides it.
     pub fn domain(&self, side: Side) -> &DomainSpec {
         &self.sides[side].domain
     }

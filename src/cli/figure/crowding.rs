@@ -40,7 +40,7 @@ pub fn figure_12(detail: Detail) -> Result<Drawing, CliError> {
     page.text(DVec2::new(LEFT, 30.0), Anchor::Start, TITLE, colour::INK, title);
     page.picture(DVec2::new(LEFT, 66.0), DVec2::new(5.0 * PANEL, PANEL), &png);
     label_panels(&mut page, &study, &strays);
-    reparameterisations(&study).draw(&mut page);
+    reparameterizations(&study).draw(&mut page);
     errors(&study).draw(&mut page);
     let findings = study.maps[1..].iter().zip(&strays[1..]).map(|(map, &stray)| finding(&study, map, stray));
     let findings = findings.collect();
@@ -116,7 +116,7 @@ fn moved(map: &BoundaryMap) -> usize {
 }
 
 /// The plot of r over t; the exact curve is the widest, so that it shows under the others.
-fn reparameterisations(study: &CrowdingStudy) -> Plot {
+fn reparameterizations(study: &CrowdingStudy) -> Plot {
     let t = study.arc_lengths();
     let length = study.maps[0].reparameterisation.iter().copied().fold(0.0, f64::max);
     let curve = |map: &BoundaryMap| Curve {

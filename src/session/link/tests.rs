@@ -58,7 +58,7 @@ fn everything() -> Session {
     session
 }
 
-/// A house with corners on the 16-bit grid of its box: quantising does not change it.
+/// A house with corners on the 16-bit grid of its box: quantizing does not change it.
 fn house() -> Session {
     let corners = [(0.0, 0.0), (65535.0, 0.0), (65535.0, 40000.0), (32768.0, 65535.0), (0.0, 40000.0)];
     let outline = OutlineSpec::Points { name: "Häuschen".into(), polygon: polygon(corners.map(DVec2::from).to_vec()) };

@@ -9,7 +9,7 @@
 //! session equals the encoded one, and in a crowded domain the map depends on every digit.
 
 use super::codes::Coded;
-use super::quantised::Quantised;
+use super::quantized::Quantized;
 use super::{Choice, Decoded, LinkError, MissingOutline};
 use crate::conformal::{PerSide, PrepareSettings, Side, SurfaceSettings};
 use crate::geometry::{DVec2, SimplePolygon};
@@ -66,7 +66,7 @@ pub(super) enum WiredOutline {
     /// A preset, by name.
     Preset(String),
     /// A loaded outline with its points.
-    Points { name: String, points: Quantised },
+    Points { name: String, points: Quantized },
     /// An outline that must be loaded from a file.
     File { name: String },
 }
@@ -213,7 +213,7 @@ fn preset(name: &str) -> Result<OutlineSpec, LinkError> {
     name.parse().map(OutlineSpec::Preset).map_err(unknown)
 }
 
-fn with_points(side: Side, name: String, points: &Quantised) -> Result<OutlineSpec, LinkError> {
+fn with_points(side: Side, name: String, points: &Quantized) -> Result<OutlineSpec, LinkError> {
     let polygon = SimplePolygon::try_from(points.points()).map_err(|reason| LinkError::Outline { side, reason })?;
     Ok(OutlineSpec::Points { name: checked_name(name)?, polygon })
 }
