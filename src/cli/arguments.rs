@@ -64,9 +64,9 @@ pub struct MapArguments {
     /// Use a surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
     #[arg(long)]
     pub no_intrinsic_delaunay: bool,
-    /// How outlines are discretised; kernel and solver apply to surfaces too.
+    /// How outlines are discretized; kernel and solver apply to surfaces too.
     #[command(flatten)]
-    pub discretisation: Discretisation,
+    pub discretization: Discretization,
     /// Which mesh is mapped: the source's forward, or the target's backward into the source. If only one side is a
     /// surface, its mesh is mapped.
     #[arg(long, default_value = "backward")]
@@ -246,9 +246,9 @@ pub struct PrepareArguments {
     /// Cut off small loops and spikes of a file's outline instead of refusing it.
     #[arg(long)]
     pub repair: bool,
-    /// How the domain is discretised.
+    /// How the domain is discretized.
     #[command(flatten)]
-    pub discretisation: Discretisation,
+    pub discretization: Discretization,
     /// Prepare this many times and report the median of each stage.
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub repeat: u32,
@@ -288,7 +288,7 @@ pub struct BenchArguments {
 
 /// Options that `map` and `prepare` share.
 #[derive(Debug, clap::Args)]
-pub struct Discretisation {
+pub struct Discretization {
     /// Number of boundary samples [default for adaptive sampling: as many as the outline needs; for uniform
     /// sampling: the paper's number, or 500].
     #[arg(long, value_name = "N")]
@@ -387,7 +387,7 @@ pub fn read_outline(name: &str, repair: bool) -> Result<NamedOutline, CliError> 
     Ok(NamedOutline { outline, paper_samples: None })
 }
 
-impl Discretisation {
+impl Discretization {
     /// The settings for one outline; `samples` overrides the number for both sides.
     pub fn settings(&self, outline: &NamedOutline, samples: Option<u32>) -> PrepareSettings {
         let samples = samples.or(self.samples);

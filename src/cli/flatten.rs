@@ -171,7 +171,7 @@ impl Sides {
         disk: SurfaceMesh,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        let settings = arguments.discretisation.settings(outline, None);
+        let settings = arguments.discretization.settings(outline, None);
         let PrepareSettings { kernel, solver, .. } = settings;
         let on_surface = SurfaceSettings { intrinsic_delaunay: !arguments.no_intrinsic_delaunay, kernel, solver };
         let surface = prepare_surface(disk, on_surface, &mut progress.preparing(&arguments.surface));

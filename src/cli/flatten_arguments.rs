@@ -1,7 +1,7 @@
 //! The arguments of `riemap flatten`, and their conversion to the core's types.
 
 use super::CliError;
-use super::arguments::{Discretisation, read_file};
+use super::arguments::{Discretization, read_file};
 use super::values::{Anchor, Point, Size};
 use crate::conformal::MeshedSurface;
 use crate::counted::counted;
@@ -40,9 +40,9 @@ pub struct FlattenArguments {
     /// Use the surface's own cotangent weights, even negative ones, instead of flipping its edges to be Delaunay.
     #[arg(long)]
     pub no_intrinsic_delaunay: bool,
-    /// How the outline is discretised; kernel and solver apply to the surface too.
+    /// How the outline is discretized; kernel and solver apply to the surface too.
     #[command(flatten)]
-    pub discretisation: Discretisation,
+    pub discretization: Discretization,
     /// Texture coordinates: moved and scaled into the unit square, or left in the outline's coordinates.
     #[arg(long, default_value = "unit")]
     pub uv: UvArgument,

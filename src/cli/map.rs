@@ -51,7 +51,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
     let reading = Reading {
         repair: arguments.repair,
         intrinsic_delaunay: !arguments.no_intrinsic_delaunay,
-        discretisation: &arguments.discretisation,
+        discretization: &arguments.discretization,
     };
     let titles = titles(arguments);
     let asked = [
@@ -72,7 +72,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
     ];
     // report errors in either side's arguments before preparing the first one
     asked.iter().try_for_each(Asked::check)?;
-    if asked.iter().all(|side| is_surface(side.name)) && arguments.discretisation.samples.is_some() {
+    if asked.iter().all(|side| is_surface(side.name)) && arguments.discretization.samples.is_some() {
         let text = "--samples is for outlines: both sides are surfaces, which have their own boundary vertices";
         return Err(CliError::Usage(text.to_owned()));
     }
@@ -89,7 +89,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
     }
     map.refine_exactly_with(&mut |done| progress.report(done));
     for side in [&source, &target] {
-        side.say_notes(&arguments.discretisation);
+        side.say_notes(&arguments.discretization);
     }
     for (side, asked) in Side::BOTH.into_iter().zip(asked) {
         if let Some(note) = map.note(side) {

@@ -10,7 +10,7 @@ use crate::conformal::{PrepareTimings, prepare};
 /// Prepares the domain `repeat` times and prints the medians.
 pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
     let named = read_outline(&arguments.domain, arguments.repair)?;
-    let settings = arguments.discretisation.settings(&named, None);
+    let settings = arguments.discretization.settings(&named, None);
     let mut runs = Vec::new();
     let mut counts = Counts::default();
     let progress = Progress::new("preparing");

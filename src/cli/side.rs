@@ -1,7 +1,7 @@
 //! A side given on the command line, an outline or a surface: reading, preparing and locating its points.
 
 use super::CliError;
-use super::arguments::{Discretisation, NamedOutline, read_outline};
+use super::arguments::{Discretization, NamedOutline, read_outline};
 use super::flatten_arguments::{self, SurfaceAnchor, SurfacePoint, preset};
 use super::output::{say_solver, warn_if_coarse};
 use super::progress::Progress;
@@ -86,7 +86,7 @@ pub struct Reading<'a> {
     pub repair: bool,
     /// Whether a surface's edges are flipped to be Delaunay.
     pub intrinsic_delaunay: bool,
-    pub discretisation: &'a Discretisation,
+    pub discretization: &'a Discretization,
 }
 
 /// Whether a name means a surface: a surface preset, or a file with a surface format's extension.
@@ -165,17 +165,17 @@ impl NamedSide {
         progress: &Progress,
     ) -> Result<Self, CliError> {
         let about = |error: &dyn std::fmt::Display| CliError::Input(format!("{title}: {error}"));
-        let Reading { repair, intrinsic_delaunay, discretisation } = reading;
+        let Reading { repair, intrinsic_delaunay, discretization } = reading;
         let prepared = match &given {
             Given::Surface(surface) => {
                 let mesh = if repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) };
-                let (kernel, solver) = (discretisation.kernel_mode(), discretisation.solver_kind());
+                let (kernel, solver) = (discretization.kernel_mode(), discretization.solver_kind());
                 let settings = SurfaceSettings { intrinsic_delaunay, kernel, solver };
                 let mesh = mesh.map_err(|error| about(&error))?;
                 prepare_surface(mesh, settings, &mut progress.preparing(title)).map_err(|error| about(&error))?
             }
             Given::Outline(outline) => {
-                let settings: PrepareSettings = discretisation.settings(outline, *samples);
+                let settings: PrepareSettings = discretization.settings(outline, *samples);
                 let prepared = prepare(outline.outline.polygon(), &settings, &mut progress.preparing(title));
                 prepared.map_err(|error| about(&error))?
             }
@@ -218,7 +218,7 @@ impl NamedSide {
     }
 
     /// Reports on stderr what was changed while reading and how the side was prepared.
-    pub fn say_notes(&self, discretisation: &Discretisation) {
+    pub fn say_notes(&self, discretization: &Discretization) {
         match &self.given {
             Given::Outline(outline) => outline.say_notes(&self.title),
             Given::Surface(surface) => {
@@ -228,6 +228,6 @@ impl NamedSide {
             }
         }
         warn_if_coarse(&self.title, &self.prepared);
-        say_solver(&self.title, discretisation.solver_kind(), self.prepared.solver_kind());
+        say_solver(&self.title, discretization.solver_kind(), self.prepared.solver_kind());
     }
 }

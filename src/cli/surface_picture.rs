@@ -40,7 +40,7 @@ pub fn png(
         positions: domain.mesh().vertices(),
         coordinates: domain.mesh().vertices(),
         triangles: domain.mesh().triangles(),
-        boundary: &domain.samples().points,
+        boundary: domain.samples().points(),
         handles: planar_places(domain, x1, anchors[plane]),
     };
     let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds: panel.bounds(), pole: x1, dark: true };

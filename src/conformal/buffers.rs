@@ -1,7 +1,7 @@
 //! Conversion of a prepared side to flat arrays and back.
 
 use super::domain::MeshedDomain;
-use super::flat::{FlatBuffers, FlatReader, sound_boundary};
+use super::flat::{FlatBuffers, FlatReader};
 use super::prepared_side::{PreparedSide, SideGeometry};
 use super::surface::MeshedSurface;
 use crate::geometry::{DVec2, DVec3};
@@ -49,7 +49,7 @@ impl FlatBuffers {
         self.floats.push(domain.default_point().to_array().to_vec());
         self.indices.push(vec![u32::from(refinement.complete), refinement.added as u32]);
         self.put_mesh(domain.mesh());
-        self.floats.extend([samples.edge_lengths.clone(), samples.fractions.clone()]);
+        self.floats.extend([samples.edge_lengths().to_vec(), samples.fractions().to_vec()]);
     }
 
     fn put_surface(&mut self, meshed: &MeshedSurface) {
@@ -71,12 +71,7 @@ impl FlatReader {
         let [complete, added]: [u32; 2] = self.indices()?.try_into().ok()?;
         let refinement = RefineReport { complete: complete != 0, added: added as usize };
         let mesh = self.mesh::<2, DVec2>()?;
-        let m = mesh.boundary_count() as usize;
-        let (edge_lengths, fractions) = (self.floats()?, self.floats()?);
-        if !sound_boundary(&edge_lengths, &fractions, m) {
-            return None;
-        }
-        let samples = BoundarySamples { points: mesh.vertices()[..m].to_vec(), edge_lengths, fractions };
+        let samples = BoundarySamples::checked(mesh.boundary().to_vec(), self.floats()?, self.floats()?)?;
         Some(MeshedDomain::from_parts(samples, mesh, refinement, default_point))
     }
 

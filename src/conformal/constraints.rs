@@ -218,6 +218,7 @@ impl From<BarycentricPoint> for InteriorPoint {
 
 /// `f(x₁) = x₂`, `f(y₁) = y₂`.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct Constraints {
     /// `x₁` and `x₂`, inside their sides.
     pub points: PerSide<InteriorPoint>,

@@ -56,7 +56,7 @@ mod tests {
     #[test]
     fn on_the_disk_they_are_the_moebius_map() {
         let disk = prepared(Preset::Disk, 400);
-        let points = &disk.domain().unwrap().samples().points;
+        let points = disk.domain().unwrap().samples().points();
         let center = points.iter().sum::<DVec2>() / points.len() as f64;
         let radius = points[0].distance(center);
         let x = DVec2::new(0.5, -0.3);

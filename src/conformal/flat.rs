@@ -143,8 +143,3 @@ impl FlatReader {
         self.floats.next().is_none() && self.indices.next().is_none()
     }
 }
-
-/// Whether these are m lengths of boundary edges and m fractions of the vertices, ascending from 0.
-pub(super) fn sound_boundary(edge_lengths: &[f64], fractions: &[f64], m: usize) -> bool {
-    edge_lengths.len() == m && fractions.len() == m && fractions.windows(2).all(|pair| pair[0] < pair[1])
-}

@@ -5,6 +5,7 @@
 
 /// The distribution of a quantity over `[low, high]`.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Histogram {
     /// The lower end of the first bin.
     pub low: f64,

@@ -34,7 +34,7 @@ impl HarmonicMeasure {
     /// As [`Self::new`], in place. Returns the total before normalization: near 1,
     /// and 0 or not finite only for a density that is not a kernel.
     pub fn set(&mut self, samples: &BoundarySamples, psi: &[f64], anchor: BoundaryPoint) -> f64 {
-        self.set_along(&samples.edge_lengths, psi, anchor)
+        self.set_along(samples.edge_lengths(), psi, anchor)
     }
 
     /// As [`Self::set`], for a boundary given by the lengths of its edges alone.

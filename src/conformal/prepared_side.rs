@@ -97,7 +97,7 @@ impl PreparedSide {
     /// The lengths of the boundary edges, `m` of them.
     pub fn edge_lengths(&self) -> &[f64] {
         match &self.geometry {
-            SideGeometry::Plane(domain) => &domain.samples().edge_lengths,
+            SideGeometry::Plane(domain) => domain.samples().edge_lengths(),
             SideGeometry::Space(surface) => surface.edge_lengths(),
         }
     }
@@ -106,7 +106,7 @@ impl PreparedSide {
     /// 0.
     pub fn fractions(&self) -> &[f64] {
         match &self.geometry {
-            SideGeometry::Plane(domain) => &domain.samples().fractions,
+            SideGeometry::Plane(domain) => domain.samples().fractions(),
             SideGeometry::Space(surface) => surface.fractions(),
         }
     }

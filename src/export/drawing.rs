@@ -42,14 +42,14 @@ pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<Pe
             positions: source.mesh().vertices(),
             coordinates: source.mesh().vertices(),
             triangles: source.mesh().triangles(),
-            boundary: &source.samples().points,
+            boundary: source.samples().points(),
             handles: handles(Side::Source, source)?,
         },
         Panel {
             positions,
             coordinates,
             triangles: map.mapped().triangles(),
-            boundary: &target.samples().points,
+            boundary: target.samples().points(),
             handles: handles(Side::Target, target)?,
         },
     ))
@@ -85,7 +85,7 @@ fn part_with_surface<'a>(map: &'a ConformalMap, constraints: &Constraints, side:
         positions: vertices,
         coordinates: vertices,
         triangles,
-        boundary: &domain.samples().points,
+        boundary: domain.samples().points(),
         handles: [constraints.points[side].in_plane()?, anchor],
     };
     Some(Part { side, panel, wire: Some((map.images(), map.mapped().triangles())) })
@@ -96,11 +96,11 @@ const PANEL: f64 = 480.0;
 const MARGIN: f64 = 16.0;
 
 /// The colors of the pattern's two families of lines, and of the outline.
-const LINE_COLOURS: [&str; FAMILIES] = ["#b5532a", "#2a6f97"];
-const OUTLINE_COLOUR: &str = "#1b1b1f";
-const MESH_COLOUR: &str = "#8b8f97";
+const LINE_COLORS: [&str; FAMILIES] = ["#b5532a", "#2a6f97"];
+const OUTLINE_COLOR: &str = "#1b1b1f";
+const MESH_COLOR: &str = "#8b8f97";
 /// The colors of the interior and the boundary point.
-const POINT_COLOURS: [&str; 2] = ["#009e73", "#d63ca6"];
+const POINT_COLORS: [&str; 2] = ["#009e73", "#d63ca6"];
 
 /// A mesh whose edges are drawn: positions and triangles.
 pub type Wire<'a> = (&'a [DVec2], &'a [[u32; 3]]);
@@ -173,23 +173,23 @@ impl Part<'_> {
         let Self { side, panel, wire } = self;
         text.push_str("<g class=\"domain\">\n");
         let _ =
-            write!(text, "<path id=\"{side}\" class=\"outline\" stroke=\"{OUTLINE_COLOUR}\" stroke-width=\"1.5\" d=\"");
+            write!(text, "<path id=\"{side}\" class=\"outline\" stroke=\"{OUTLINE_COLOR}\" stroke-width=\"1.5\" d=\"");
         placement.path(text, panel.boundary.iter().copied(), true);
         text.push_str("\"/>\n");
         if let Some(ruling) = ruling {
-            for (family, colour) in LINE_COLOURS.into_iter().enumerate() {
+            for (family, colour) in LINE_COLORS.into_iter().enumerate() {
                 let lines = ruling.lines(family, panel.positions, panel.coordinates, panel.triangles);
                 draw_lines(text, placement, colour, &lines);
             }
         }
         if let Some((positions, triangles)) = wire {
-            let _ = write!(text, "<path class=\"mesh\" stroke=\"{MESH_COLOUR}\" stroke-width=\"0.3\" d=\"");
+            let _ = write!(text, "<path class=\"mesh\" stroke=\"{MESH_COLOR}\" stroke-width=\"0.3\" d=\"");
             for (a, b) in inner_edges(triangles) {
                 placement.path(text, [a, b].map(|v| positions[v as usize]), false);
             }
             text.push_str("\"/>\n");
         }
-        for ((&p, colour), class) in panel.handles.iter().zip(POINT_COLOURS).zip(["interior", "boundary"]) {
+        for ((&p, colour), class) in panel.handles.iter().zip(POINT_COLORS).zip(["interior", "boundary"]) {
             let p = placement.of(p);
             let _ = writeln!(
                 text,

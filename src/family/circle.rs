@@ -19,10 +19,10 @@ const STEPS: u32 = 10;
 /// A circle traversed once, counter-clockwise or clockwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {
-    /// The center.
-    pub centre: DVec2,
-    /// The vector from the center to the start; its length is the radius.
-    pub arm: DVec2,
+    center: DVec2,
+    /// The vector from the center to the start.
+    arm: DVec2,
+    /// 1 counter-clockwise, −1 clockwise.
     turns: f64,
 }
 
@@ -33,7 +33,7 @@ impl Circle {
         let distance = |c: DVec2| samples.position(samples.nearest(c)).distance(c);
         let room = distance(point);
         let mut best = 0.0;
-        let mut centre = point;
+        let mut center = point;
         for k in 0..DIRECTIONS {
             let direction = DVec2::from_angle(TAU * f64::from(k) / f64::from(DIRECTIONS));
             let fits = |r: f64| distance(point + r * direction) >= CLEARANCE * r;
@@ -44,13 +44,23 @@ impl Circle {
             // d(p + r u) ≤ d(p) + r, so that no larger circle fits
             let radius = largest(fits, room / (CLEARANCE - 1.0));
             if radius > best {
-                (best, centre) = (radius, point + radius * direction);
+                (best, center) = (radius, point + radius * direction);
             }
         }
-        Self { centre, arm: point - centre, turns: 1.0 }
+        Self { center, arm: point - center, turns: 1.0 }
     }
 
-    /// The same circle, clockwise.
+    /// The center.
+    pub fn center(&self) -> DVec2 {
+        self.center
+    }
+
+    /// The radius; 0 about a point on the boundary.
+    pub fn radius(&self) -> f64 {
+        self.arm.length()
+    }
+
+    /// The same circle in the opposite direction.
     #[must_use]
     pub fn reversed(self) -> Self {
         Self { turns: -self.turns, ..self }
@@ -59,9 +69,9 @@ impl Circle {
     /// The point at time `t`; at 0 and 1 the start.
     pub fn at(&self, t: f64) -> DVec2 {
         if t == 0.0 {
-            return self.centre + self.arm;
+            return self.center + self.arm;
         }
-        self.centre + DVec2::from_angle(self.turns * TAU * t).rotate(self.arm)
+        self.center + DVec2::from_angle(self.turns * TAU * t).rotate(self.arm)
     }
 }
 

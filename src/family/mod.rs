@@ -48,14 +48,20 @@ impl Path {
 /// The map at which a loop starts.
 #[derive(Debug, Clone, Copy)]
 pub struct Start<'a> {
-    /// The sides with x₁ and x₂.
-    pub sides: PerSide<(&'a Arc<PreparedSide>, InteriorPoint)>,
-    /// The harmonic measure of the source from x₁, counted from y₁.
-    pub measure: &'a HarmonicMeasure,
+    sides: PerSide<(&'a Arc<PreparedSide>, InteriorPoint)>,
+    measure: &'a HarmonicMeasure,
+}
+
+impl<'a> Start<'a> {
+    /// The sides with x₁ and x₂, and the harmonic measure of the source from x₁, counted from y₁.
+    pub fn new(sides: PerSide<(&'a Arc<PreparedSide>, InteriorPoint)>, measure: &'a HarmonicMeasure) -> Self {
+        Self { sides, measure }
+    }
 }
 
 /// A position on a loop; `None` for points that do not move.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Place {
     /// x₁, x₂.
     pub interior: PerSide<Option<DVec2>>,

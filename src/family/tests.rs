@@ -16,10 +16,7 @@ fn map(presets: [Preset; 2]) -> (ConformalMap, Constraints) {
 }
 
 fn start<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Start<'a> {
-    Start {
-        sides: PerSide::from_fn(|side| (map.side(side), constraints.points[side])),
-        measure: map.measure(Side::Source),
-    }
+    Start::new(PerSide::from_fn(|side| (map.side(side), constraints.points[side])), map.measure(Side::Source))
 }
 
 #[test]
@@ -56,7 +53,7 @@ fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
             .domain()
             .unwrap()
             .samples()
-            .points
+            .points()
             .iter()
             .map(|p| p.distance(domain.domain().unwrap().default_point()))
             .fold(0.0, f64::max);
@@ -64,7 +61,7 @@ fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
             domain.domain().unwrap().mesh().vertices()[domain.boundary_count()..].iter().copied().step_by(197).take(6);
         for point in places.chain([domain.domain().unwrap().default_point()]) {
             let circle = Circle::through(point, domain.domain().unwrap().samples());
-            let radius = circle.arm.length();
+            let radius = circle.radius();
             assert!(radius > 0.0, "{preset}: no circle through {point}");
             for k in 0..60 {
                 let p = circle.at(f64::from(k) / 60.0);
@@ -89,7 +86,7 @@ fn circles_stay_inside_with_a_quarter_of_their_radius_to_spare() {
 fn the_largest_circle_through_the_centre_of_a_disk_is_known() {
     let disk = prepare(Preset::Disk.outline().polygon(), &PrepareSettings::default(), &mut |_| ()).unwrap();
     // 1 − r = 1.25 r
-    let radius = Circle::through(DVec2::ZERO, disk.domain().unwrap().samples()).arm.length();
+    let radius = Circle::through(DVec2::ZERO, disk.domain().unwrap().samples()).radius();
     assert!((radius - 4.0 / 9.0).abs() < 0.01, "{radius}");
 }
 

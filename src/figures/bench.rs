@@ -72,7 +72,7 @@ pub const TABLE_2: [PaperFrame; 3] = [
     row_2(13, [Preset::MapleLeaf, Preset::Cinquefoil], [0.383, 22.82]),
 ];
 
-/// How the domains of a row are discretised.
+/// How the domains of a row are discretized.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum BenchSetting {
@@ -100,7 +100,7 @@ pub enum BenchRow {
     Preparation {
         /// `0 … 5`.
         index: usize,
-        /// The discretisation.
+        /// The discretization.
         setting: BenchSetting,
     },
     /// The table of Ψ of row `index` of [`TABLE_1`] with the paper's settings. riemap does not need it; it takes up to
@@ -113,7 +113,7 @@ pub enum BenchRow {
     Frame {
         /// `0 … 2`.
         index: usize,
-        /// The discretisation.
+        /// The discretization.
         setting: BenchSetting,
     },
 }
@@ -219,7 +219,7 @@ fn preparation(preset: Preset, setting: BenchSetting, runs: usize) -> Result<Pre
         timings.push(domain.timings());
         let start = Instant::now();
         let planar = planar(&domain)?;
-        DiskMap::new(&planar.samples().points, planar.default_point())?;
+        DiskMap::new(planar.samples().points(), planar.default_point())?;
         zipper.push(start.elapsed().as_secs_f64());
     }
     let seconds = |stage: fn(&PrepareTimings) -> f64| 1e-3 * median(timings.iter().map(stage).collect());
@@ -271,7 +271,7 @@ const DRAG_STEP: f64 = 1e-3;
 /// The median durations while one interior point moves back and forth.
 fn drag(map: &mut ConformalMap, still: Constraints, side: Side, frames: usize) -> Result<FrameTimes, FigureError> {
     let domain = planar(map.side(side))?;
-    let [low, high] = Bounds::of(domain.samples().points.iter().copied()).corners();
+    let [low, high] = Bounds::of(domain.samples().points().iter().copied()).corners();
     let step = DVec2::new(DRAG_STEP * (high - low).max_element(), 0.0);
     let point = still.points[side].in_plane().ok_or(FigureError::NoDomain)?;
     let (mut matching, mut extension) = (Vec::new(), Vec::new());

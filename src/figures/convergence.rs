@@ -68,7 +68,7 @@ impl ConvergenceStudy {
         let polygon = Preset::Blob.outline().into_polygon();
         let blob = Arc::new(prepare(&polygon, &uniform(detail.samples(1000)), &mut |_| ())?);
         let blob_domain = planar(&blob)?;
-        let blob_measure = DiskMeasure::fresh(&blob_domain.samples().points, crowding_points().target, START)?;
+        let blob_measure = DiskMeasure::fresh(blob_domain.samples().points(), crowding_points().target, START)?;
         Ok(Self {
             resolutions: [250, 500, 1000, 2000, 4000].map(|m| detail.samples(m)).to_vec(),
             blob,

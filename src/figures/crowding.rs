@@ -89,7 +89,7 @@ pub struct CrowdingStudy {
 }
 
 /// The center of the V: g(−i) = 0 (section 1.2).
-const V_CENTRE: DVec2 = DVec2::new(0.0, -1.0);
+const V_CENTER: DVec2 = DVec2::new(0.0, -1.0);
 
 /// The exact harmonic measures at `x` of points on the exact V, from which the blob's exact map follows.
 pub(super) fn exact_measures(points: &[DVec2], x: DVec2) -> Vec<f64> {
@@ -111,8 +111,8 @@ pub(super) fn on_exact_v(samples: &BoundarySamples) -> Vec<DVec2> {
         vshape::boundary(t)
     };
     // the anchor lies on the curve and keeps measure 0
-    let first = samples.points.first().copied();
-    first.into_iter().chain(samples.points.iter().zip(&samples.fractions).skip(1).map(foot)).collect()
+    let first = samples.points().first().copied();
+    first.into_iter().chain(samples.points().iter().zip(samples.fractions()).skip(1).map(foot)).collect()
 }
 
 /// The parameter of [`vshape::boundary`] runs from 0 to 4.
@@ -154,8 +154,8 @@ impl CrowdingStudy {
     /// The arc lengths of the V's samples from y₁.
     pub fn arc_lengths(&self) -> Vec<f64> {
         let samples = self.domains.source.samples();
-        let total: f64 = samples.edge_lengths.iter().sum();
-        samples.fractions.iter().map(|s| s * total).collect()
+        let total: f64 = samples.edge_lengths().iter().sum();
+        samples.fractions().iter().map(|s| s * total).collect()
     }
 
     /// A table with a row for each boundary sample.
@@ -173,7 +173,7 @@ impl CrowdingStudy {
             "error_zipper_fresh",
             "error_zipper_precomputed",
         ]);
-        let points = &self.domains.source.samples().points;
+        let points = self.domains.source.samples().points();
         for (k, (p, t)) in points.iter().zip(self.arc_lengths()).enumerate() {
             let mut row = vec![k.into(), p.x.into(), p.y.into(), t.into()];
             row.extend(self.maps.iter().map(|map| map.reparameterisation[k].into()));
@@ -224,15 +224,15 @@ impl<'a> Boundaries<'a> {
     fn fresh(&self) -> Result<DiskComparison, FigureError> {
         let [y1, y2] = self.anchors();
         Ok(DiskComparison::new(
-            DiskMeasure::fresh(&self.domains.source.samples().points, self.points.source, y1)?,
-            DiskMeasure::fresh(&self.domains.target.samples().points, self.points.target, y2)?,
+            DiskMeasure::fresh(self.domains.source.samples().points(), self.points.source, y1)?,
+            DiskMeasure::fresh(self.domains.target.samples().points(), self.points.target, y2)?,
         ))
     }
 
     fn precomputed(&self) -> Result<DiskComparison, FigureError> {
         let [y1, y2] = self.anchors();
-        let source = DiskMap::new(&self.domains.source.samples().points, V_CENTRE)?;
-        let target = DiskMap::new(&self.domains.target.samples().points, self.domains.target.default_point())?;
+        let source = DiskMap::new(self.domains.source.samples().points(), V_CENTER)?;
+        let target = DiskMap::new(self.domains.target.samples().points(), self.domains.target.default_point())?;
         Ok(DiskComparison::new(
             DiskMeasure::precomputed(&source, self.points.source, y1)?,
             DiskMeasure::precomputed(&target, self.points.target, y2)?,

@@ -44,7 +44,7 @@ impl MoebiusStudy {
         let [source, target] = domains;
         let domains = PerSide::new(planar(&source)?, planar(&target)?);
         let constraints = scene.session.constraints(domains.as_ref().map(|domain| domain.default_point()));
-        let contour = Contour::new(&domains.source.samples().points);
+        let contour = Contour::new(domains.source.samples().points());
         let map = ConformalMap::new(source, target, &constraints, Direction::Forward.into())?;
         let images = BoundaryValues::new(map.correspondence().images(domains.target.samples()));
         Ok(Self { map, domains, contour, images })
@@ -52,7 +52,7 @@ impl MoebiusStudy {
 
     /// The boundary samples v_k.
     pub fn samples(&self) -> &[DVec2] {
-        &self.domains.source.samples().points
+        self.domains.source.samples().points()
     }
 
     /// Their images w_k.
@@ -86,7 +86,7 @@ impl MoebiusStudy {
     }
 
     /// r(t), t in `[0, 2π]`.
-    pub fn exact_reparameterisation(t: f64) -> f64 {
+    pub fn exact_reparameterization(t: f64) -> f64 {
         if t >= TAU {
             return TAU;
         }
@@ -145,7 +145,7 @@ impl MoebiusStudy {
         let (x, t) = (self.samples()[k], self.parameter(k));
         let mut row = vec![self.samples().len().into(), "boundary".into(), Cell::Empty, k.into()];
         row.extend(self.images_of(x, Some(self.map.images()[k])));
-        row.extend([t.into(), self.reparameterisation(k).into(), Self::exact_reparameterisation(t).into()]);
+        row.extend([t.into(), self.reparameterisation(k).into(), Self::exact_reparameterization(t).into()]);
         row
     }
 
@@ -167,7 +167,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn grids_are_centred_at_the_constraints() {
+    fn grids_are_centered_at_the_constraints() {
         let (x1, x2) = (grid_point(0.0, 0.0), MoebiusStudy::exact(grid_point(0.0, 0.0)));
         assert!(x1.distance(DVec2::new(0.6, 0.2)) < 1e-15, "{x1}");
         assert!(x2.distance(DVec2::new(0.0, -0.5)) < 1e-15, "{x2}");

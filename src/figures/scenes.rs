@@ -83,7 +83,7 @@ const RESHAPED_SAMPLES: PerSide<u32> = PerSide::new(500, 1000);
 /// x₁ of Figures 6 and 7, x₂ of Figure 7; y₁ = y₂ = (1, 0) is the disk's first point.
 const DISK_POINTS: [DVec2; 2] = [DVec2::new(0.6, 0.2), DVec2::new(0.0, -0.5)];
 
-/// The paper's discretisation: `count` uniform samples, triangles of area h²/2.
+/// The paper's discretization: `count` uniform samples, triangles of area h²/2.
 pub(super) fn uniform(count: u32) -> PrepareSettings {
     let sampling = Sampling::Uniform { count, keep_corners: false };
     PrepareSettings { sampling, sizing: Sizing::Uniform, ..PrepareSettings::default() }

@@ -21,7 +21,7 @@ const OUTLINE_SAMPLES: u32 = 1000;
 const L_ARM: f64 = 0.732_050_807_568_877_3;
 
 /// x₁ in that L, on the diagonal: both coordinates are 1/√3.
-const L_CENTRE: f64 = 0.577_350_269_189_625_8;
+const L_CENTER: f64 = 0.577_350_269_189_625_8;
 
 /// |x₁| of Figure 16.
 const RADII: [f64; 3] = [0.0, 0.4, 0.8];
@@ -89,7 +89,7 @@ pub(super) fn l_shapes(detail: Detail) -> Vec<Scene> {
     let narrow = l_shape(DVec2::ONE, DVec2::splat(0.45));
     let unequal = l_shape(DVec2::new(1.0, 0.8), DVec2::new(0.3, 0.45));
     vec![
-        scene(SceneLabel::SixthsToCorners, l_of_six_points(), Some(DVec2::splat(L_CENTRE))),
+        scene(SceneLabel::SixthsToCorners, l_of_six_points(), Some(DVec2::splat(L_CENTER))),
         scene(SceneLabel::InArm, l_of_six_points(), Some(DVec2::new(0.8, 0.36))),
         scene(SceneLabel::NarrowArms, narrow, None),
         scene(SceneLabel::UnequalArms, unequal, None),
@@ -145,10 +145,10 @@ mod tests {
         assert!((notch + arm - side).abs() < 1e-5 * side, "it closes: {notch} + {arm} = {side}");
         assert!((arm / side - L_ARM).abs() < 1e-5 && (L_ARM - (3.0_f64.sqrt() - 1.0)).abs() < 1e-15, "{arm} {side}");
         // along the diagonal from the outer corner, f(−1), to f(0)
-        let to_centre = integral(|r| (1.0 + r) / (1.0 - r.powi(6)).sqrt(), 0.0, 1.0);
-        let along_axis = to_centre / 2.0_f64.sqrt() / side;
+        let to_center = integral(|r| (1.0 + r) / (1.0 - r.powi(6)).sqrt(), 0.0, 1.0);
+        let along_axis = to_center / 2.0_f64.sqrt() / side;
         assert!(
-            (along_axis - L_CENTRE).abs() < 1e-5 && (3.0 * L_CENTRE * L_CENTRE - 1.0).abs() < 1e-15,
+            (along_axis - L_CENTER).abs() < 1e-5 && (3.0 * L_CENTER * L_CENTER - 1.0).abs() < 1e-15,
             "{along_axis}"
         );
     }

@@ -159,7 +159,7 @@ mod tests {
         let corners = polygon.vertices();
         let m = first.map.mapped().boundary_count();
         assert_eq!((m, corners.len()), (900, 6));
-        let samples = &first.source.0.samples().points;
+        let samples = first.source.0.samples().points();
         for (k, &corner) in corners.iter().enumerate() {
             let sample = samples.iter().position(|&p| p == corner).unwrap();
             let sixths = k as f64 / 6.0;

@@ -25,6 +25,7 @@ pub struct EdgeTree<P> {
 
 /// The point of a closed chain nearest to some other point: `(1 − fraction) v_edge + fraction v_{edge+1}`.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct NearestPoint {
     /// Index of the edge, from `v_edge` to `v_{edge+1}`.
     pub edge: usize,

@@ -4,6 +4,7 @@
 use super::{Language, Message, key};
 use crate::conformal::{PrepareSettings, Side};
 use crate::geometry::{DVec2, SimplePolygon};
+use crate::mesh::{TriangleId, VertexId};
 use crate::outline::{Sampling, parse, sample};
 use crate::session::{Command, OutlineSpec, Session, file, link};
 use crate::surface::{SurfaceMesh, read_surface};
@@ -311,15 +312,28 @@ fn counts_of_one() {
     use crate::conformal::MapNote;
     use crate::surface::{RepairNote, TopologyError};
     let sentences = |count: usize| {
-        let corners = [4, 4, 7];
+        let corners = [4, 4, 7].map(VertexId::new);
         [
-            message(&TopologyError::RepeatedCorner { triangle: 5, corners, count }),
-            message(&TopologyError::Degenerate { triangle: 5, corners, count }),
-            message(&TopologyError::Duplicates { triangle: 5, corners, other: 2, count }),
-            message(&TopologyError::NonManifoldEdge { edge: [2, 4], triangles: vec![5, 7, 9], count }),
-            message(&TopologyError::Orientation { edge: [2, 4], triangles: [5, 7], count }),
-            message(&TopologyError::NonManifoldVertex { vertex: 4, fans: 3, count }),
-            message(&TopologyError::Unreferenced { vertex: 4, count }),
+            message(&TopologyError::RepeatedCorner { triangle: TriangleId::new(5), corners, count }),
+            message(&TopologyError::Degenerate { triangle: TriangleId::new(5), corners, count }),
+            message(&TopologyError::Duplicates {
+                triangle: TriangleId::new(5),
+                corners,
+                other: TriangleId::new(2),
+                count,
+            }),
+            message(&TopologyError::NonManifoldEdge {
+                edge: [2, 4].map(VertexId::new),
+                triangles: [5, 7, 9].map(TriangleId::new).to_vec(),
+                count,
+            }),
+            message(&TopologyError::Orientation {
+                edge: [2, 4].map(VertexId::new),
+                triangles: [5, 7].map(TriangleId::new),
+                count,
+            }),
+            message(&TopologyError::NonManifoldVertex { vertex: VertexId::new(4), fans: 3, count }),
+            message(&TopologyError::Unreferenced { vertex: VertexId::new(4), count }),
             message(&TopologyError::Genus { genus: count }),
             message(&RepairNote::DroppedTriangles { count }),
             message(&RepairNote::DroppedDuplicates { count }),

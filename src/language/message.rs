@@ -1,5 +1,6 @@
 //! Labels and messages: keys of texts, and the arguments of messages.
 
+use crate::mesh::{TriangleId, VertexId};
 use std::borrow::Cow;
 
 /// The key of a text without arguments.
@@ -130,6 +131,18 @@ impl From<i64> for Value {
 impl From<u32> for Value {
     fn from(count: u32) -> Self {
         Self::Count(count.into())
+    }
+}
+
+impl From<VertexId> for Value {
+    fn from(vertex: VertexId) -> Self {
+        vertex.number().into()
+    }
+}
+
+impl From<TriangleId> for Value {
+    fn from(triangle: TriangleId) -> Self {
+        triangle.number().into()
     }
 }
 

@@ -63,7 +63,7 @@ impl Angles for TriMesh {
 
 impl Angles for IntrinsicMesh {
     fn triangles(&self) -> &[[u32; 3]] {
-        &self.triangles
+        self.triangles()
     }
 
     fn across(&self, t: usize, i: usize) -> Option<(usize, usize)> {
@@ -106,7 +106,7 @@ impl DirichletLaplacian {
     /// As [`Self::assemble`], for a surface. If the mesh is not Delaunay, weights may be negative:
     /// L̂ is still positive definite, but no M-matrix.
     pub(crate) fn assemble_intrinsic(mesh: &IntrinsicMesh) -> Result<Self, LaplaceError> {
-        Self::of(mesh, mesh.boundary_count, mesh.vertex_count, &|vertex| LaplaceError::DegenerateAt {
+        Self::of(mesh, mesh.boundary_count(), mesh.vertex_count(), &|vertex| LaplaceError::DegenerateAt {
             vertex: VertexId::new(vertex),
         })
     }

@@ -5,13 +5,13 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-/// A permutation of the unknowns that limits the fill of the factor.
+/// A permutation of the unknowns that limits the fill of the factor; `forward` and `inverse` are inverse to each other.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Ordering {
+pub(crate) struct Ordering {
     /// The old index at each new one.
-    pub forward: Vec<u32>,
+    pub(super) forward: Vec<u32>,
     /// The new index of each old one.
-    pub inverse: Vec<u32>,
+    pub(super) inverse: Vec<u32>,
 }
 
 impl Ordering {

@@ -12,13 +12,13 @@ pub(super) const NO_TWIN: u32 = u32::MAX;
 
 /// A triangulation of a disk by edge lengths; vertices `0 … m−1` are the boundary.
 #[derive(Debug, Clone, PartialEq)]
-pub struct IntrinsicMesh {
+pub(crate) struct IntrinsicMesh {
     /// `m`.
-    pub boundary_count: u32,
+    pub(super) boundary_count: u32,
     /// `m + n`.
-    pub vertex_count: usize,
+    pub(super) vertex_count: usize,
     /// Counter-clockwise vertex triples; corners may coincide.
-    pub triangles: Vec<[u32; 3]>,
+    pub(super) triangles: Vec<[u32; 3]>,
     pub(super) twins: Vec<[u32; 3]>,
     /// The lengths of the edges opposite to the corners.
     pub(super) lengths: Vec<[f64; 3]>,
@@ -42,6 +42,21 @@ impl IntrinsicMesh {
             double_areas: areas.collect(),
             delaunay: false,
         }
+    }
+
+    /// The number of boundary vertices, `m`; they come first.
+    pub fn boundary_count(&self) -> u32 {
+        self.boundary_count
+    }
+
+    /// The number of vertices, `m + n`.
+    pub fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    /// Counter-clockwise vertex triples; corners may coincide.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
     }
 
     /// Whether [`Self::make_delaunay`] finished: then no cotangent weight is negative beyond rounding.

@@ -133,19 +133,19 @@ pub enum BrokenInvariant {
     },
     /// A triangle is clockwise or has no area.
     #[error("triangle {0} is not counter-clockwise")]
-    Orientation(u32),
+    Orientation(TriangleId),
     /// The neighbor relation is not mutual at an edge of this triangle.
     #[error("triangle {0} and its neighbour do not share the edge that they claim to share")]
-    Neighbour(u32),
+    Neighbour(TriangleId),
     /// A boundary edge `k → k+1` is in no triangle, or another edge has no neighbour.
     #[error("the triangles' open edges are not the boundary in order, at vertex {0}")]
-    Boundary(u32),
+    Boundary(VertexId),
     /// An interior vertex is in no triangle.
     #[error("vertex {0} is in no triangle")]
-    Unused(u32),
+    Unused(VertexId),
     /// An interior edge has a negative cotangent weight.
     #[error("the edge of triangle {0} opposite to its corner {1} is not Delaunay")]
-    Delaunay(u32, u32),
+    Delaunay(TriangleId, u32),
 }
 
 impl TriMesh<DVec2> {
@@ -163,12 +163,12 @@ impl TriMesh<DVec2> {
             return Err(BrokenInvariant::Euler { found: self.triangles.len(), expected });
         }
         if let Some(t) = self.triangles.iter().position(|&t| self.orientation(t) <= 0.0) {
-            return Err(BrokenInvariant::Orientation(t as u32));
+            return Err(BrokenInvariant::Orientation(TriangleId::new(t as u32)));
         }
         self.check_edges()?;
         let mut used = vec![false; self.vertices.len()];
         self.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
-        used.iter().position(|used| !used).map_or(Ok(()), |v| Err(BrokenInvariant::Unused(v as u32)))
+        used.iter().position(|used| !used).map_or(Ok(()), |v| Err(BrokenInvariant::Unused(VertexId::new(v as u32))))
     }
 
     /// Neighbors are mutual, edges without a neighbor are the boundary, all others are Delaunay.
@@ -176,25 +176,26 @@ impl TriMesh<DVec2> {
         let m = self.boundary_count;
         let mut open = vec![false; m as usize];
         for (t, (triangle, neighbours)) in self.triangles.iter().zip(&self.neighbours).enumerate() {
+            let this = TriangleId::new(t as u32);
             for i in 0..3 {
                 let (u, v) = (triangle[(i + 1) % 3], triangle[(i + 2) % 3]);
                 if neighbours[i] == NO_TRIANGLE {
                     if u >= m || v != (u + 1) % m || std::mem::replace(&mut open[u as usize], true) {
-                        return Err(BrokenInvariant::Boundary(u));
+                        return Err(BrokenInvariant::Boundary(VertexId::new(u)));
                     }
                     continue;
                 }
-                let corner = self.corner_opposite(neighbours[i], v, u).ok_or(BrokenInvariant::Neighbour(t as u32))?;
+                let corner = self.corner_opposite(neighbours[i], v, u).ok_or(BrokenInvariant::Neighbour(this))?;
                 if self.neighbours[neighbours[i] as usize][corner] != t as u32 {
-                    return Err(BrokenInvariant::Neighbour(t as u32));
+                    return Err(BrokenInvariant::Neighbour(this));
                 }
                 let across = self.triangles[neighbours[i] as usize][corner];
                 if self.cotangent(triangle[i], u, v) + self.cotangent(across, v, u) < -COTANGENT_TOLERANCE {
-                    return Err(BrokenInvariant::Delaunay(t as u32, i as u32));
+                    return Err(BrokenInvariant::Delaunay(this, i as u32));
                 }
             }
         }
-        open.iter().position(|open| !open).map_or(Ok(()), |u| Err(BrokenInvariant::Boundary(u as u32)))
+        open.iter().position(|open| !open).map_or(Ok(()), |u| Err(BrokenInvariant::Boundary(VertexId::new(u as u32))))
     }
 
     /// The corner of triangle `t` whose opposite edge runs from `u` to `v`.

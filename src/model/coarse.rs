@@ -104,6 +104,6 @@ fn coarse(outline: &OutlineSpec) -> Option<Arc<PreparedSide>> {
 
 fn inside(side: &PreparedSide, point: InteriorPoint) -> InteriorPoint {
     let (Some(domain), InteriorPoint::Plane(x)) = (side.domain(), point) else { return point };
-    let (low, high) = crate::model::bounds(&domain.samples().points);
+    let (low, high) = crate::model::bounds(domain.samples().points());
     domain.nearest_inside(x, INSET * (high - low).max_element()).into()
 }

@@ -1,4 +1,4 @@
-//! The model while a surface stands in the source's place, or one on each side.
+//! The model with a surface on the source's side, or on both sides.
 
 use crate::conformal::{Direction, Side};
 use crate::export::FileFormat;
@@ -35,7 +35,7 @@ fn inner(model: &Model, side: Side, triangle: u32) -> BarycentricPoint {
 }
 
 #[test]
-fn a_surface_on_the_source_is_mapped_to_the_target_s_outline_which_shows_the_pattern() {
+fn a_surface_on_the_source_is_mapped_to_the_targets_outline_which_shows_the_pattern() {
     let model = on_the_source();
     let map = model.map().unwrap();
     assert_eq!((map.mapped_side(), model.session().direction()), (Side::Source, Direction::Backward));
@@ -51,7 +51,7 @@ fn a_surface_on_the_source_is_mapped_to_the_target_s_outline_which_shows_the_pat
 }
 
 #[test]
-fn the_points_of_a_surface_on_the_source_move_the_map_and_opening_brings_them_back() {
+fn the_points_of_a_surface_on_the_source_move_the_map_and_opening_restores_them() {
     let mut model = on_the_source();
     let (before, session) = (model.shown().unwrap().images.to_vec(), model.session().clone());
     let point = inner(&model, Side::Source, 7);
@@ -113,7 +113,7 @@ fn the_direction_says_which_of_two_surfaces_is_mapped_and_all_points_move_the_ma
 }
 
 #[test]
-fn a_drag_renews_the_disk_coordinates_of_its_own_side() {
+fn a_drag_updates_the_disk_coordinates_of_its_own_side_only() {
     let mut model = on_both_sides();
     for side in Side::BOTH {
         let read = |model: &Model| {
@@ -133,7 +133,7 @@ fn a_drag_renews_the_disk_coordinates_of_its_own_side() {
 }
 
 #[test]
-fn a_link_brings_surfaces_on_either_side_with_their_points() {
+fn a_link_restores_surfaces_on_either_side_with_their_points() {
     for make in [on_the_source, on_both_sides] {
         let mut model = make();
         let point = inner(&model, Side::Source, 5);
@@ -151,7 +151,7 @@ fn a_link_brings_surfaces_on_either_side_with_their_points() {
 }
 
 #[test]
-fn swapping_takes_the_surfaces_along() {
+fn swapping_exchanges_the_surfaces() {
     let mut model = on_the_source();
     model.dispatch(Command::MoveAnchor { side: Side::Source, fraction: 0.3 }, 0.0);
     model.refresh(false);
@@ -162,7 +162,7 @@ fn swapping_takes_the_surfaces_along() {
     assert!(model.surface(Side::Source).is_none() && model.surface(Side::Target).unwrap().1.anchor == 0.3);
     assert_eq!(model.map().unwrap().mapped_side(), Side::Target);
     assert_eq!(model.map().unwrap().images(), images);
-    // and what is prepared from now on reaches its new side
+    // later preparations belong to the new side
     model.dispatch(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Hemisphere, 80) }, 0.0);
     settle(&mut model);
     assert_eq!(model.surface(Side::Target).unwrap().1.spec.shape, spec(SurfacePreset::Hemisphere, 80).shape);
@@ -170,7 +170,7 @@ fn swapping_takes_the_surfaces_along() {
 }
 
 #[test]
-fn a_surface_s_file_goes_where_it_is_dropped_unless_the_other_side_waits_for_it() {
+fn a_surface_file_belongs_to_the_side_it_is_dropped_on_unless_the_other_side_waits_for_it() {
     let mut model = planar();
     assert_eq!(Side::BOTH.map(|side| model.side_for_surface(side, "a.obj")), Side::BOTH);
     let shape = SurfaceShape::File { name: "a.obj".into() };
@@ -193,7 +193,7 @@ fn pyramid(height: f64) -> Vec<u8> {
     format!("{middle}{corners}f 2 3 1\nf 3 4 1\nf 4 5 1\nf 5 2 1\n").into_bytes()
 }
 
-/// The session with surfaces on both sides from the file "a.obj", which is not here; that of the source is turned.
+/// A session with surfaces on both sides from the file "a.obj", which is not loaded, and the source's anchor moved.
 fn waiting_on_both_sides() -> (Model, Session) {
     let mut model = planar();
     let shape = SurfaceShape::File { name: "a.obj".into() };
@@ -212,7 +212,7 @@ fn surfaces(session: &Session) -> [Option<&SurfaceState>; 2] {
 }
 
 #[test]
-fn undoing_a_swap_brings_back_a_surface_from_a_file() {
+fn undoing_a_swap_restores_a_surface_from_a_file() {
     let mut model = planar();
     open_pyramid(&mut model, Side::Target, 0.5);
     let (session, images) = (model.session().clone(), model.map().unwrap().images().to_vec());
@@ -228,7 +228,7 @@ fn undoing_a_swap_brings_back_a_surface_from_a_file() {
 }
 
 #[test]
-fn undoing_a_swap_of_two_files_of_one_name_brings_back_each_on_its_side() {
+fn undoing_a_swap_of_two_files_of_one_name_restores_each_on_its_side() {
     let mut model = planar();
     open_pyramid(&mut model, Side::Target, 0.5);
     open_pyramid(&mut model, Side::Source, 0.25);
@@ -260,13 +260,13 @@ fn one_file_serves_both_sides_that_wait_for_it() {
 }
 
 #[test]
-fn a_file_that_is_being_prepared_is_not_waited_for() {
+fn a_session_does_not_wait_for_a_file_that_is_being_prepared() {
     let (mut model, session) = waiting_on_both_sides();
     model.dispatch(Command::CloseSurface(Side::Target), 0.0);
     assert_eq!(model.side_for_surface(Side::Target, "a.obj"), Side::Source);
     model.want_surface_file(Side::Source, "a.obj", pyramid(0.5));
     assert_eq!(model.side_for_surface(Side::Target, "a.obj"), Side::Target);
-    // another file of that name, meanwhile, is another surface
+    // another file of that name is a different surface
     model.want_surface_file(Side::Target, "a.obj", pyramid(0.25));
     settle(&mut model);
     assert_eq!(model.session().surface(Side::Source), session.surface(Side::Source));
@@ -276,7 +276,7 @@ fn a_file_that_is_being_prepared_is_not_waited_for() {
 }
 
 #[test]
-fn a_surface_that_is_still_prepared_gets_a_camera_when_it_comes_back() {
+fn a_surface_that_is_still_prepared_gets_a_camera_when_it_is_shown_again() {
     let mut model = on_the_source();
     let session = model.session().clone();
     model.dispatch(Command::CloseSurface(Side::Source), 0.0);
@@ -302,7 +302,7 @@ fn one_search_tree_is_built_at_a_time() {
 }
 
 #[test]
-fn what_is_written_of_two_surfaces_lies_on_the_other_one() {
+fn exported_images_between_two_surfaces_lie_on_the_other_surface() {
     let model = on_both_sides();
     let text = |format| {
         let written = file(&model, FileRequest { format, side: None, unit: true }).unwrap();

@@ -1,4 +1,4 @@
-//! The kind of an opened file (outline, surface, image or session), by its purpose and its name.
+//! The kind of an opened file (outline, surface, image or session), from its purpose and its name.
 //!
 //! No file is parsed here: a side's worker parses outlines, surfaces and sessions, the platform decodes images.
 
@@ -9,29 +9,29 @@ use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
 use crate::session::{Touched, file};
 
-/// What a file is meant to be.
+/// The purpose for which a file is opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FilePurpose {
-    /// An outline for this side.
+    /// As an outline for this side; the name may say that it is a surface or a session.
     Outline(Side),
-    /// The texture.
+    /// As the texture.
     Image,
-    /// A picture to trace an outline of for this side.
+    /// As a picture from which an outline for this side is traced.
     Trace(Side),
-    /// A session.
+    /// As a session.
     Session,
-    /// Dropped over this side: its name decides.
+    /// Dropped over this side: the name decides.
     Dropped(Side),
 }
 
-/// The endings of images.
+/// The file name endings of images.
 pub const IMAGE_ENDINGS: [&str; 3] = ["png", "jpg", "jpeg"];
-/// The endings of outlines.
+/// The file name endings of outlines.
 const OUTLINE_ENDINGS: [&str; 7] = ["json", "geojson", "svg", "csv", "txt", "tsv", "xy"];
-/// The endings of surfaces.
+/// The file name endings of surfaces.
 pub const SURFACE_ENDINGS: [&str; 6] = crate::surface::ENDINGS;
 
-/// The kind of file that a dialog asks for.
+/// The description of the files that a dialog offers.
 pub fn kind_of_file(purpose: FilePurpose) -> Label {
     match purpose {
         FilePurpose::Image | FilePurpose::Trace(_) => key::images(),
@@ -40,7 +40,7 @@ pub fn kind_of_file(purpose: FilePurpose) -> Label {
     }
 }
 
-/// The endings that a dialog offers.
+/// The file name endings that a dialog offers.
 pub fn endings(purpose: FilePurpose) -> Vec<&'static str> {
     match purpose {
         FilePurpose::Image | FilePurpose::Trace(_) => IMAGE_ENDINGS.to_vec(),
@@ -58,7 +58,7 @@ pub struct Picture {
     pub pixels: image::RgbaImage,
 }
 
-/// The kind as which a file is read.
+/// How a file is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileKind {
     /// An outline for a side.
@@ -74,7 +74,7 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// The kind of a file; the name decides for a dropped file, and wherever it is that of a surface or a session.
+    /// The kind of a file. The name decides for a dropped file, and between outlines, surfaces and sessions.
     pub fn of(purpose: FilePurpose, name: &str) -> Self {
         match purpose {
             FilePurpose::Image => Self::Texture,
@@ -92,7 +92,7 @@ impl FileKind {
         }
     }
 
-    /// The side beside which a failure is shown; `None` for the common message.
+    /// The side that shows a failure; `None`: the message of the whole window.
     pub fn side(self) -> Option<Side> {
         match self {
             Self::Outline(side) | Self::Surface(side) | Self::Trace(side) => Some(side),
@@ -110,7 +110,7 @@ impl FileKind {
     }
 }
 
-/// The outline of the largest shape in a picture. Errors: the user error for the side.
+/// The outline of the largest shape in a picture. Errors: the reason, for the user.
 pub fn traced(picture: &Picture) -> Result<Outline, UserError> {
     let stem = picture.name.rsplit_once('.').map_or(picture.name.as_str(), |(stem, _)| stem);
     tracing::trace(stem, &picture.pixels)

@@ -282,7 +282,7 @@ impl Model {
 
     /// Lower left and upper right corner of a side's domain.
     pub fn extent(&self, side: Side) -> Option<(DVec2, DVec2)> {
-        self.domain(side).map(|domain| bounds(&domain.samples().points))
+        self.domain(side).map(|domain| bounds(domain.samples().points()))
     }
 
     /// The interior point of a side: of the surface if there is one, else of the outline.

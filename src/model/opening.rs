@@ -1,11 +1,10 @@
-//! Opened files and pasted texts: a side's worker parses them, the model accepts what is in them.
+//! Opened files and pasted texts: a side's worker parses them, the model accepts the contents.
 //!
-//! An outline is requested as soon as it is parsed, and the same request prepares it. What is left for the app to do
-//! (end the tour, open a session, show an error) is an [`Arrived`], which the app takes after each response and each
-//! opened file.
+//! One request parses an outline and prepares it. The app's part of the result (end the tour, open a session, show an
+//! error) is an [`Arrived`], which the app takes after each response and each opened file.
 //!
-//! Files take effect in the order in which they were opened (file `queue`). What arrives cancels nothing; what a person
-//! chooses meanwhile cancels the files for its side (`Model::stop_reading`).
+//! Files take effect in the order in which they were opened (file `queue`). A file that arrives cancels no other one; a
+//! shape that the user chooses meanwhile cancels the files for its side (`Model::stop_reading`).
 
 mod queue;
 
@@ -30,26 +29,26 @@ pub enum Arrived {
     Outline(Origin),
     /// A surface, which is prepared and shown on its side.
     Surface,
-    /// A session, and the files that were opened after it: they are for [`Model::open_later`] when it is opened.
+    /// A session, and the files that were opened after it; pass them to [`Model::open_later`] once it is open.
     Session(Box<Session>, FileQueue),
     /// A session file could not be read.
     NoSession(Message),
-    /// A text pasted for this side is no outline.
+    /// The text pasted for this side is not an outline.
     NoOutline(Side, Message),
 }
 
 impl Model {
-    /// Begins to read an outline file for a side.
+    /// Requests an outline file for a side.
     pub fn open_outline(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.read(side, Origin::OutlineFile, name, bytes);
     }
 
-    /// Begins to read a pasted text as an outline for a side.
+    /// Requests a pasted text as an outline for a side.
     pub fn open_pasted(&mut self, side: Side, text: &str) {
         self.read(side, Origin::PastedText, names::PASTED, text.as_bytes().to_vec());
     }
 
-    /// Begins to read a session file, in the worker of a side that is not prepared, if there is one.
+    /// Requests a session file, in the worker of an idle side if there is one.
     pub fn open_session_file(&mut self, name: &str, bytes: Vec<u8>) {
         self.read(Side::Source, Origin::SessionFile, name, bytes);
     }
@@ -63,7 +62,7 @@ impl Model {
         }
     }
 
-    /// Cancels the files that were opened for a side, and session files, because something else was chosen.
+    /// Cancels the files for a side, and session files, because the user chose another shape.
     pub(super) fn stop_reading(&mut self, side: Side) {
         self.queue.drop_for(side);
         for (at, state) in Side::BOTH.into_iter().zip(self.sides.as_mut().into_array()) {
@@ -84,7 +83,7 @@ impl Model {
         self.sides[side].reading.is_of(Origin::PastedText) || self.queue.has_pasted(side)
     }
 
-    /// The result that the last response completed, or the last opened file that was refused at once, if any.
+    /// Takes the result of the last response, or of an opened file that was refused at once.
     pub fn take_arrived(&mut self) -> Option<Arrived> {
         self.arrived.take()
     }
@@ -103,7 +102,7 @@ impl Model {
                     self.refuse_file(side, opened, unread);
                 }
             }
-            _ => {} // stale, or a stage, which the request keeps
+            _ => {} // stale, or progress, which the request stores
         }
     }
 
@@ -117,19 +116,19 @@ impl Model {
         self.arrived = Some(Arrived::Outline(origin));
     }
 
-    /// The side's postponed requests are due again.
+    /// Reports a file that could not be read; the repaired outline, if any, is its quick fix.
     fn refuse_file(&mut self, side: Side, opened: OpenedFile, Unread { text, repaired }: Unread) {
         self.report(side, opened, text, |_| repaired.map(QuickFix::Repaired));
     }
 
-    /// The worker stopped while it read a file: an outline's quick fix reads the file again.
+    /// Reports that the worker stopped while it read a file; for an outline, the quick fix reads the file again.
     pub(super) fn reader_died(&mut self, side: Side, reason: &Message) {
         if let Some(InFlight { opened, .. }) = self.sides[side].reading.end().end() {
             self.report(side, opened, key::reading_stopped(reason.clone()), |opened| Some(QuickFix::ReadAgain(opened)));
         }
     }
 
-    /// Reports a file that cannot be used, in the place for its origin; only an outline file has a quick fix there.
+    /// Reports a file that cannot be used, where its origin belongs; only an outline file can have a quick fix.
     fn report(
         &mut self,
         side: Side,

@@ -1,4 +1,4 @@
-//! The surfaces that stand in the outlines' places: commands, answers, and where their points are.
+//! Surfaces shown instead of outlines: commands, worker responses, and the positions of the points.
 
 use crate::conformal::{PerSide, Side};
 use crate::geometry::DVec3;
@@ -12,53 +12,53 @@ use crate::surface::RepairNote;
 use crate::worker::{NamedFile, Response};
 
 impl Model {
-    /// The surface of a side and where its points are, while it stands in the outline's place.
+    /// The surface shown instead of a side's outline, and its state in the session; `None` while the outline is shown.
     pub fn surface(&self, side: Side) -> Option<(&SurfaceSide, &SurfaceState)> {
         Some((&self.sides[side].surface, self.session.surface(side)?))
     }
 
-    /// On which sides surfaces stand.
+    /// Which sides show a surface.
     pub fn surfaces(&self) -> PerSide<bool> {
         PerSide::from_fn(|side| self.session.surface(side).is_some())
     }
 
-    /// Builds the search tree of one surface that is shown, lacks it and is not too large; returns whether there was one.
+    /// Builds the search tree of one shown surface that has none and is not too large; returns whether one was built.
     pub fn sort_surface_at_rest(&self) -> bool {
         Side::BOTH.into_iter().filter_map(|side| self.surface(side)).any(|(surface, _)| surface.sort_at_rest())
     }
 
-    /// A side's way to a surface; also while none is shown.
+    /// The preparation of a side's surface and its result, whether or not a surface is shown.
     pub fn surface_side(&self, side: Side) -> &SurfaceSide {
         &self.sides[side].surface
     }
 
-    /// The interior point of a side's surface, where its handle is, once it is mapped.
+    /// The position of the interior point on a side's surface; `None` until the surface is mapped.
     pub fn surface_point(&self, side: Side) -> Option<DVec3> {
         let (surface, state) = self.surface(side).filter(|_| self.shown.map.is_some())?;
         surface.place(state)
     }
 
-    /// The boundary point of a side's surface, where its handle is, once it is mapped.
+    /// The position of the boundary point on a side's surface; `None` until the surface is mapped.
     pub fn surface_anchor(&self, side: Side) -> Option<DVec3> {
         let (surface, state) = self.surface(side).filter(|_| self.shown.map.is_some())?;
         surface.anchor_place(state)
     }
 
-    /// The side that gets a surface's file which was opened for or dropped over `side`: that side, unless only the other
-    /// one waits for a file of this name.
+    /// The side for a surface file opened for or dropped over `side`: the other side if only that one waits for a file
+    /// of this name, `side` otherwise.
     pub(super) fn side_for_surface(&self, side: Side, name: &str) -> Side {
         let awaits = |side: Side| self.sides[side].awaits_surface_file(name);
         if awaits(side.other()) && !awaits(side) { side.other() } else { side }
     }
 
-    /// Begins to prepare a surface that a person has opened or dropped; what was wrong with an outline for its place is
-    /// past. If a session waits for the file of that name, it comes with the session's points, on the other side too.
+    /// Requests the surface of a file that was opened or dropped, and removes the side's error message. If the session
+    /// waits for a file of that name, its points are used, on the other side too.
     pub(super) fn want_surface_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.sides[side].surface.gives_way = false;
         self.dismiss(side);
         let is_awaited = self.sides[side].awaits_surface_file(name);
         let file = self.surface_files.keep(name, bytes);
-        // a second file of the name that is already being prepared is another surface
+        // another file of the name that is already being prepared is a different surface
         let is_its_file = |state: &SurfaceState| is_awaited || state.spec.shape.is_file(&file.name);
         match self.sides[side].incoming_surface.take().filter(is_its_file) {
             Some(state) => self.want_file_of_session(side, state, file.clone()),
@@ -70,7 +70,7 @@ impl Model {
         }
     }
 
-    /// Takes the surface of a session, whose triangles come from a file.
+    /// Requests the surface of a session whose triangles are in a file.
     pub fn open_surface_file(&mut self, side: Side, state: SurfaceState, bytes: Vec<u8>) {
         let SurfaceShape::File { name } = &state.spec.shape else { return };
         let file = self.surface_files.keep(name, bytes);
@@ -83,7 +83,7 @@ impl Model {
         self.sides[side].incoming_surface = Some(state);
     }
 
-    /// Begins to prepare a surface for a side.
+    /// Requests a surface for a side.
     pub(super) fn set_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
         self.stop_reading(side);
         self.sides[side].incoming_surface = None;
@@ -92,7 +92,7 @@ impl Model {
         self.want_surface(side, spec, now);
     }
 
-    /// Begins to discretise the present surface in another way; returns whether `spec` is of that surface.
+    /// Requests another discretization of the current surface; returns whether `spec` is of that surface.
     pub(super) fn refine_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) -> bool {
         let surface = &self.sides[side].surface;
         let stays = self.session.surface(side).is_some() && !surface.gives_way;
@@ -101,7 +101,7 @@ impl Model {
         if is_there {
             let incoming = self.sides[side].incoming_surface.as_mut();
             if let Some(incoming) = incoming.filter(|incoming| incoming.spec.is_like(&spec)) {
-                // a point is one of a triangle, and those may be others
+                // the point refers to a triangle, and another shape has other triangles
                 incoming.point = incoming.point.filter(|_| incoming.spec.shape == spec.shape);
                 incoming.spec = spec.clone();
             }
@@ -117,7 +117,7 @@ impl Model {
         }
     }
 
-    /// Shows a surface that is there, with the points that a session has for it.
+    /// Shows a prepared surface, with the points of the session that waited for it, if any.
     fn take_surface(&mut self, side: Side, spec: SurfaceSpec, is_new: bool) {
         let incoming = &mut self.sides[side].incoming_surface;
         let incoming = incoming.take_if(|incoming| incoming.spec.shape.is_like(&spec.shape));
@@ -127,14 +127,14 @@ impl Model {
         }
     }
 
-    /// Puts a surface that is prepared into the session, with its points.
+    /// Stores a prepared surface and its points in the session.
     fn place_surface(&mut self, side: Side, state: SurfaceState) {
         let points = state.points();
         self.session.apply(Command::SetSurface { side, surface: state.spec });
         self.session.apply(Command::PlacePoints { side, points });
     }
 
-    /// Takes the surface of a side away, if there is one or one is to come: the outline that it has hidden is shown.
+    /// Removes a side's surface or cancels its preparation; the outline is shown again.
     pub(super) fn close_surface(&mut self, side: Side) {
         self.sides[side].incoming_surface = None;
         self.sides[side].surface.preparation.give_up();
@@ -145,7 +145,7 @@ impl Model {
         }
     }
 
-    /// Takes the surface of a session that is opened: at once, or when it is prepared.
+    /// Shows the surface of an opened session: at once if it is prepared already, or after its preparation.
     pub(super) fn open_surface(&mut self, side: Side, wanted: Option<SurfaceState>) {
         let Some(wanted) = wanted else { return self.close_surface(side) };
         self.sides[side].surface.gives_way = false;
@@ -161,7 +161,7 @@ impl Model {
         self.change_sides();
     }
 
-    /// Takes in an answer about a side's surface.
+    /// Handles a response about a side's surface.
     pub(super) fn accept_surface(&mut self, side: Side, generation: u64, response: Response) {
         let progress = self.sides[side].surface.preparation.accept(generation, response);
         let Progress::Ready { request: Some(request), is_new } = progress else { return };
@@ -190,7 +190,7 @@ impl Model {
         self.change_sides();
     }
 
-    /// What was noticed when the surface was read, how it was repaired, and what is to be known of its map.
+    /// The notes from reading a side's surface, its repairs, and the note of its map.
     pub fn surface_notes(&self, side: Side) -> Vec<Message> {
         let Some((surface, _)) = self.surface(side) else { return Vec::new() };
         let words = |repair: &RepairNote| match repair {

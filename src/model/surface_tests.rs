@@ -1,4 +1,4 @@
-//! The model while a surface stands in the target's place.
+//! The model with a surface on the target's side.
 
 use crate::conformal::{PrepareSettings, Side};
 use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
@@ -26,7 +26,7 @@ pub(super) fn planar() -> Model {
     model
 }
 
-/// Carries out all requests, and brings the map up to date.
+/// Answers all requests and updates the map.
 pub(super) fn settle(model: &mut Model) -> Changes {
     // a side's outline waits for its worker until the surface is prepared
     while let requests @ [_, ..] = model.take_requests(f64::INFINITY).as_slice() {
@@ -37,13 +37,13 @@ pub(super) fn settle(model: &mut Model) -> Changes {
     model.refresh(false)
 }
 
-/// The map that is shown, if it is one of the surface that stands on the target's side.
+/// The shown map, if it is a map of the surface on the target's side.
 fn mapped_surface(model: &Model) -> Option<&ConformalMap> {
     let surface = model.surface(Side::Target)?.0.prepared()?;
     model.map().filter(|map| Arc::ptr_eq(map.side(Side::Target), surface))
 }
 
-/// The only request that is due, about the target.
+/// The only pending request, which is about the target.
 fn only_request(model: &mut Model) -> Request {
     let mut requests = model.take_requests(0.0);
     assert!(requests.len() == 1 && requests[0].0 == Side::Target, "{requests:?}");
@@ -58,7 +58,7 @@ fn with_hemisphere() -> Model {
 }
 
 #[test]
-fn a_surface_takes_the_targets_place_when_it_is_prepared() {
+fn a_surface_replaces_the_targets_outline_when_it_is_prepared() {
     let mut model = planar();
     model.dispatch(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Hemisphere, 60) }, 0.0);
     assert!(model.is_planar() && model.map().is_some(), "the last good map stays");
@@ -73,7 +73,7 @@ fn a_surface_takes_the_targets_place_when_it_is_prepared() {
 }
 
 #[test]
-fn its_points_move_the_map_and_a_bad_one_brings_back_the_last_good_ones() {
+fn a_surfaces_points_move_the_map_and_a_bad_point_restores_the_last_good_ones() {
     let mut model = with_hemisphere();
     let before = model.shown().unwrap().images.to_vec();
     let good = BarycentricPoint::new(TriangleId::new(7), [0.25, 0.25, 0.5]);
@@ -109,7 +109,7 @@ fn handles_stay_off_the_loop() {
 }
 
 #[test]
-fn the_plane_comes_back_as_it_was() {
+fn closing_a_surface_restores_the_planar_map() {
     let mut model = planar();
     let before = model.map().unwrap().images().to_vec();
     model.dispatch(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Saddle, 40) }, 0.0);
@@ -118,7 +118,7 @@ fn the_plane_comes_back_as_it_was() {
     model.dispatch(Command::CloseSurface(Side::Target), 0.0);
     assert!(model.refresh(false).meshes);
     assert_eq!(model.map().unwrap().images(), before);
-    // and an outline that is chosen takes the surface's place too
+    // choosing an outline also replaces the surface
     model.dispatch(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Saddle, 40) }, 0.0);
     settle(&mut model);
     model.dispatch(Command::SetOutline { side: Side::Target, outline: OutlineSpec::Preset(Preset::Heart) }, 0.0);
@@ -127,7 +127,7 @@ fn the_plane_comes_back_as_it_was() {
 }
 
 #[test]
-fn a_bad_file_leaves_the_surface_that_is_there() {
+fn a_bad_file_leaves_the_current_surface() {
     let mut model = with_hemisphere();
     model.want_surface_file(Side::Target, "bad.obj", b"v 0 0 nan".to_vec());
     settle(&mut model);
@@ -155,7 +155,7 @@ fn another_file_of_the_same_name_is_another_surface() {
 }
 
 #[test]
-fn a_session_with_a_surface_comes_with_its_points() {
+fn opening_a_session_restores_its_surface_and_points() {
     let mut model = planar();
     let mut session = with_hemisphere().session().clone();
     let point = BarycentricPoint::new(TriangleId::new(5), [0.2, 0.3, 0.5]);
@@ -190,7 +190,7 @@ fn the_pattern_of_the_disk_has_coordinates_on_the_surface() {
 }
 
 #[test]
-fn a_model_that_begins_with_a_surface_prepares_it() {
+fn a_new_model_prepares_the_surface_of_its_session() {
     let session = with_hemisphere().session().clone();
     let mut model = Model::new(session.clone());
     assert!(model.is_planar());
@@ -200,7 +200,7 @@ fn a_model_that_begins_with_a_surface_prepares_it() {
 }
 
 #[test]
-fn opening_brings_a_surface_and_another_outline_behind_it() {
+fn opening_a_session_replaces_the_surface_and_the_hidden_outline() {
     let mut model = with_hemisphere();
     let with_surface = model.session().clone();
     model.dispatch(Command::SetOutline { side: Side::Target, outline: OutlineSpec::Preset(Preset::Star) }, 0.0);
@@ -213,7 +213,7 @@ fn opening_brings_a_surface_and_another_outline_behind_it() {
 }
 
 #[test]
-fn a_side_has_one_request_at_a_time_and_its_surface_comes_before_the_outline_behind_it() {
+fn a_side_has_one_request_at_a_time_and_the_surface_precedes_the_hidden_outline() {
     let mut model = planar();
     let outline = |preset| Command::SetOutline { side: Side::Target, outline: OutlineSpec::Preset(preset) };
     model.dispatch(outline(Preset::Star), 0.0);
@@ -241,7 +241,7 @@ fn a_side_has_one_request_at_a_time_and_its_surface_comes_before_the_outline_beh
 }
 
 #[test]
-fn choosing_the_outline_that_is_there_calls_a_surface_off() {
+fn choosing_the_current_outline_cancels_a_surface() {
     let mut model = planar();
     let outline = model.session().domain(Side::Target).outline.clone();
     model.dispatch(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Saddle, 40) }, 0.0);
@@ -270,7 +270,7 @@ fn a_finer_surface_keeps_its_points_where_they_are() {
 }
 
 #[test]
-fn a_point_that_the_first_map_refuses_gives_way_to_the_default() {
+fn a_point_refused_by_the_first_map_is_replaced_by_the_default() {
     let mut model = planar();
     let mut session = model.session().clone();
     session.apply(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Hemisphere, 60) });
@@ -300,7 +300,7 @@ fn waiting_for_square(model: &mut Model) -> Session {
 }
 
 #[test]
-fn a_session_that_waits_for_its_file_takes_it_with_its_points() {
+fn a_session_that_waits_for_its_file_applies_its_points_to_it() {
     let mut model = planar();
     let session = waiting_for_square(&mut model);
     assert!(model.is_planar() && model.surface_side(Side::Target).preparation.error.is_some());
@@ -320,7 +320,7 @@ fn the_source_shows_the_disk_pattern_too() {
 }
 
 #[test]
-fn a_surface_is_refined_and_no_other_one_comes_that_way() {
+fn refining_changes_the_resolution_only_of_the_current_surface() {
     let mut model = with_hemisphere();
     model.dispatch(Command::MoveAnchor { side: Side::Target, fraction: 0.4 }, 0.0);
     for (asked, there) in [(SurfacePreset::Hemisphere, 30), (SurfacePreset::Saddle, 30)]
@@ -337,7 +337,7 @@ fn a_surface_is_refined_and_no_other_one_comes_that_way() {
 }
 
 #[test]
-fn to_refine_a_surface_leaves_what_comes_after_it() {
+fn refining_a_surface_leaves_later_requests() {
     let mut model = with_hemisphere();
     model.side_mut(Side::Target).error = Some(UserError::new("bow.csv: it crosses itself".into()));
     model.dispatch(Command::RefineSurface { side: Side::Target, surface: spec(SurfacePreset::Hemisphere, 30) }, 0.0);
@@ -352,7 +352,7 @@ fn to_refine_a_surface_leaves_what_comes_after_it() {
 }
 
 #[test]
-fn to_refine_a_surface_gives_it_no_points_of_another_session() {
+fn refining_a_surface_uses_no_points_of_another_session() {
     let mut model = with_hemisphere();
     let here = model.session().surface(Side::Target).cloned().unwrap();
     let session = waiting_for_square(&mut model);
@@ -372,7 +372,7 @@ fn to_refine_a_surface_gives_it_no_points_of_another_session() {
 }
 
 #[test]
-fn a_session_whose_surface_is_refined_on_its_way_keeps_what_still_fits() {
+fn a_session_whose_surface_is_refined_during_its_preparation_keeps_the_points_that_still_fit() {
     let mut model = with_hemisphere();
     let mut session = model.session().clone();
     session.apply(Command::SetSurface { side: Side::Target, surface: spec(SurfacePreset::Hemisphere, 48) });

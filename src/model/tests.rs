@@ -1,4 +1,4 @@
-//! A map that no frame is long enough for: what is shown meanwhile, and what it comes to.
+//! Maps that take longer than a frame: what is shown meanwhile, and the result.
 
 use crate::conformal::PrepareSettings;
 use crate::laplace::SolverKind;
@@ -57,7 +57,7 @@ fn picture(model: &Model) -> [Drawn; 2] {
     })
 }
 
-/// Rests until the full map is there; the picture stays until then, and changes as a whole. How many refreshes.
+/// Refreshes until the full map is shown, and returns how often; the picture stays until then and changes as a whole.
 fn rest(model: &mut Model) -> usize {
     let (before, mut count) = (picture(model), 0);
     loop {
@@ -76,7 +76,7 @@ fn rest(model: &mut Model) -> usize {
 }
 
 #[test]
-fn a_map_that_no_frame_is_long_enough_for_comes_after_some() {
+fn a_map_longer_than_a_frame_is_shown_after_several() {
     for solver in BOTH_SOLVERS {
         for texture in [TextureKind::Checker, TextureKind::Conformal] {
             let mut model = prepared(solver, texture);
@@ -104,7 +104,7 @@ fn one_short_frame_shows_no_draft_of_a_direct_map() {
     model.update_ms = 0.0;
     assert_eq!(drag(&mut model, 1.0), Changes::default());
     assert!(!model.is_draft() && model.is_pending() && picture(&model) == before);
-    // the browser has compiled it: the frames suffice again
+    // once the browser has compiled the code, one frame is long enough again
     model.update_ms = f64::INFINITY;
     assert!(model.refresh(true).images && model.is_ready());
     drag(&mut model, 2.0);
@@ -119,7 +119,7 @@ fn a_new_drag_in_the_middle_starts_over() {
     for texture in [TextureKind::Checker, TextureKind::Conformal] {
         let mut model = prepared(SolverKind::Pcg, texture);
         model.update_ms = 0.0;
-        // left in the kernels, in the extension, in the disk coordinates
+        // interrupted in the kernels, in the extension, in the disk coordinates
         for left in [1, 30, 90] {
             drag(&mut model, 1.0);
             for _ in 0..left {
@@ -174,7 +174,7 @@ fn a_pattern_in_the_disk_waits_for_its_coordinates() {
     rest(&mut model);
     assert!(model.generation() > generation && is_full(&model));
     assert!(picture(&model) == picture(&prepared(SolverKind::Pcg, TextureKind::Conformal)));
-    // a direct map's first short frame keeps the pattern that is there
+    // a direct map's first short frame keeps the previous pattern
     let mut model = prepared(SolverKind::Direct, TextureKind::Checker);
     let before = picture(&model);
     model.update_ms = 0.0;
@@ -200,7 +200,7 @@ fn after_an_error_the_last_good_map_and_its_points_are_there() {
 #[test]
 fn a_measurement_in_pieces_is_the_one_at_once() {
     let mut model = prepared(SolverKind::Direct, TextureKind::Checker);
-    // more triangles than are measured between two looks at the clock
+    // more triangles than are measured between two checks of the deadline
     let sampling = Sampling::Uniform { count: 700, keep_corners: false };
     let settings = PrepareSettings { sampling, sizing: Sizing::Uniform, ..PrepareSettings::default() };
     model.dispatch(Command::SetSettings { side: Side::Target, settings }, 0.0);

@@ -10,7 +10,7 @@ use crate::render::{
 use image::RgbaImage;
 
 /// Okabe–Ito green for x, magenta for y.
-pub const HANDLE_COLOURS: [[f32; 4]; 2] = [[0.0, 0.62, 0.45, 1.0], [0.84, 0.235, 0.65, 1.0]];
+pub const HANDLE_COLORS: [[f32; 4]; 2] = [[0.0, 0.62, 0.45, 1.0], [0.84, 0.235, 0.65, 1.0]];
 
 /// The boundary's stroke on a surface relative to the outline's.
 const LOOP_TO_OUTLINE: f32 = 1.4;
@@ -49,7 +49,7 @@ pub enum ScenePart<'a> {
 pub struct PlanarPart<'a> {
     /// Mesh, outline and points.
     pub panel: Panel<'a>,
-    /// Colours and edges over it.
+    /// Colors and edges over it.
     pub cells: Option<SceneCells<'a>>,
 }
 
@@ -110,7 +110,7 @@ impl<'a> ScenePart<'a> {
 }
 
 fn handles(panel: &Panel<'_>, radius_px: f32) -> [Handle; 2] {
-    [0, 1].map(|k| Handle { position: panel.handles[k], colour: HANDLE_COLOURS[k], radius_px })
+    [0, 1].map(|k| Handle { position: panel.handles[k], colour: HANDLE_COLORS[k], radius_px })
 }
 
 fn viewport<'a>(part: &PlanarPart<'a>, handles: &'a [Handle], look: &Look<'a>) -> SceneViewport<'a> {
@@ -155,6 +155,6 @@ pub fn surface_handles(
     [0, 1].map(|k| {
         let position = places[k];
         let hidden = surface.tree().hides(camera.eye(), position);
-        SurfaceHandle { position, hidden, colour: HANDLE_COLOURS[k], radius_px }
+        SurfaceHandle { position, hidden, colour: HANDLE_COLORS[k], radius_px }
     })
 }

@@ -65,13 +65,13 @@ pub enum SamplingError {
 
 /// `m ≥ 3` boundary samples, counter-clockwise, made by [`sample`].
 ///
-/// Invariants ([`Self::check_invariants`]): no two neighbours are equal, the edge lengths are the
-/// distances of neighbours, and the fractions increase strictly from 0 to below 1.
+/// Invariants ([`Self::check_invariants`]): no two neighbors are equal, the edge lengths are the
+/// distances of neighbors, and the fractions increase strictly from 0 to below 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundarySamples {
-    pub(crate) points: Vec<DVec2>,
-    pub(crate) edge_lengths: Vec<f64>,
-    pub(crate) fractions: Vec<f64>,
+    points: Vec<DVec2>,
+    edge_lengths: Vec<f64>,
+    fractions: Vec<f64>,
 }
 
 /// A point on the sampled boundary: `(1 − fraction) v_edge + fraction v_{edge+1}`.
@@ -86,6 +86,25 @@ pub struct BoundaryPoint {
 const SNAP: f64 = 1e-9;
 
 impl BoundarySamples {
+    /// From arrays of unknown origin, such as a worker's message; `None` if an invariant does not hold. Cost O(m).
+    #[cfg(feature = "io")]
+    pub(crate) fn checked(points: Vec<DVec2>, edge_lengths: Vec<f64>, fractions: Vec<f64>) -> Option<Self> {
+        Some(Self { points, edge_lengths, fractions }).filter(|samples| samples.check_invariants().is_ok())
+    }
+
+    /// At most `most` of the samples, at least 3, evenly spaced in the list, so that they stay denser where they were.
+    #[must_use]
+    pub fn thinned(&self, most: usize) -> Self {
+        let (m, most) = (self.len(), most.max(3));
+        if m <= most {
+            return self.clone();
+        }
+        let kept: Vec<usize> = (0..most).map(|k| k * m / most).collect();
+        let points: Vec<DVec2> = kept.iter().map(|&k| self.points[k]).collect();
+        let edge_lengths = cyclic_distances(&points);
+        Self { points, edge_lengths, fractions: kept.iter().map(|&k| self.fractions[k]).collect() }
+    }
+
     /// The number of samples, `m`.
     pub fn len(&self) -> usize {
         self.points.len()
@@ -220,6 +239,12 @@ fn check_count(count: u32) -> Result<(), SamplingError> {
     }
 }
 
+/// The distance of each point from the next one, of the last from the first.
+fn cyclic_distances(points: &[DVec2]) -> Vec<f64> {
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(p, &q)| p.distance(q)).collect()
+}
+
 impl BoundarySamples {
     /// The samples at increasing arc lengths, the first of which is 0.
     fn at(arc: &Arc, positions: &[f64]) -> Self {
@@ -229,8 +254,7 @@ impl BoundarySamples {
             arc.point_on(edge, s)
         };
         let points: Vec<DVec2> = positions.iter().map(|&s| place(s)).collect();
-        let m = points.len();
-        let edge_lengths = (0..m).map(|k| points[k].distance(points[(k + 1) % m])).collect();
+        let edge_lengths = cyclic_distances(&points);
         let fractions = positions.iter().map(|s| s / arc.length()).collect();
         Self { points, edge_lengths, fractions }
     }

@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn half_transparent_pixels_keep_their_straight_colours() {
+    fn half_transparent_pixels_keep_their_straight_colors() {
         let seen = Rgba([200, 100, 50, 128]);
         let picture = RgbaImage::from_fn(64, 32, |x, _| if x % 2 == 0 { seen } else { Rgba([0; 4]) });
         let mut bytes = std::io::Cursor::new(Vec::new());

@@ -14,7 +14,7 @@ pub struct BlitPass {
 }
 
 impl BlitPass {
-    /// A blit into passes of one colour target of `format`, without depth and
+    /// A blit into passes of one color target of `format`, without depth and
     /// multisampling, as egui's.
     pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat) -> Self {
         let layout = gpu::texture_layout(device, "blit", true);

@@ -1,7 +1,7 @@
-//! The plane seen through a viewport: a centre and a scale, no rotation.
+//! The plane seen through a viewport: a center and a scale, no rotation.
 //!
 //! World coordinates have y up, pixels have y down and are physical; pixel
-//! (0, 0) is the viewport's upper left corner, not the centre of a pixel.
+//! (0, 0) is the viewport's upper left corner, not the center of a pixel.
 //! `to_world ∘ to_screen` is the identity up to the rounding of the f32 pixels.
 
 use glam::DVec2;

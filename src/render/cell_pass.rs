@@ -3,13 +3,13 @@
 //!
 //! Every corner of a triangle is a vertex of its own and fetches its position
 //! and its triangle's code from textures, so that a frame of a drag uploads 8
-//! bytes per vertex and one per triangle, and colours are constant on triangles
+//! bytes per vertex and one per triangle, and colors are constant on triangles
 //! with WebGPU and WebGL2 alike.
 
 use super::cell_lookup::{Lookup, palette_groups};
-use super::colour_map::flipped_colour;
+use super::color_map::flipped_colour;
 use super::gpu::{self, GrowingBuffer, PipelineSpec, Uniform};
-use super::style::linear_colour;
+use super::style::linear_color;
 use super::{Camera, CellCode, CellStyle, ColourMap, placement};
 use glam::DVec2;
 
@@ -31,12 +31,12 @@ impl EdgeUniform {
     /// The edges and marks of a style.
     pub fn new(style: &CellStyle) -> Self {
         let (colour, width) = style.wire.map_or(([0.0; 4], 1.0), |wire| (wire.colour, wire.width_px.max(0.0)));
-        let [r, g, b, a] = linear_colour(colour);
+        let [r, g, b, a] = linear_color(colour);
         let scale = style.pixels_per_point;
         Self {
             // A line thinner than a pixel is drawn one pixel wide and fainter.
             wire: [r, g, b, a * width.min(1.0)],
-            mark: linear_colour(flipped_colour()),
+            mark: linear_color(flipped_colour()),
             size: [0.5 * width.max(1.0), EDGES_VANISH * scale, EDGES_SHOW * scale, 0.0],
         }
     }
@@ -143,8 +143,8 @@ impl CellPass {
         cells.set_positions(queue, staging, positions)
     }
 
-    /// Draws all triangles in the colours of `map`.
-    pub fn draw_colours(&self, pass: &mut wgpu::RenderPass, cells: &CellBuffers, map: ColourMap) {
+    /// Draws all triangles in the colors of `map`.
+    pub fn draw_colors(&self, pass: &mut wgpu::RenderPass, cells: &CellBuffers, map: ColourMap) {
         self.draw(pass, cells, &self.colour, map);
     }
 
@@ -178,7 +178,7 @@ impl CellBuffers {
         true
     }
 
-    /// Recolours the triangles; false when the count is not the mesh's.
+    /// Recolors the triangles; false when the count is not the mesh's.
     pub fn set_codes(&self, queue: &wgpu::Queue, codes: &mut Vec<CellCode>) -> bool {
         let Some(lookup) = self.lookup.as_ref().filter(|_| codes.len() == self.triangle_count) else { return false };
         lookup.write_codes(queue, codes);

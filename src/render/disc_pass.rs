@@ -3,7 +3,7 @@
 //! egui draws the app's handles; images made without a window need this pass.
 
 use super::gpu::{self, GrowingBuffer, PipelineSpec, Uniform};
-use super::style::linear_colour;
+use super::style::linear_color;
 use super::{Camera, Handle, placement};
 use glam::DVec2;
 
@@ -97,7 +97,7 @@ impl DiscBuffers {
             .map(|handle| Disc {
                 center: (handle.position - self.origin).as_vec2().to_array(),
                 radius: handle.radius_px,
-                colour: linear_colour(handle.colour),
+                colour: linear_color(handle.colour),
             })
             .collect();
         if self.discs.write(device, queue, &discs) {

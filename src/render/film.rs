@@ -16,7 +16,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub enum FilmFormat {
     /// Animated PNG: lossless.
     Png,
-    /// GIF: 256 colours, shown everywhere.
+    /// GIF: 256 colors, shown everywhere.
     Gif,
 }
 

@@ -2,7 +2,7 @@
 //!
 //! An image larger than the device's textures is scaled down to fit, its aspect
 //! kept to within a pixel. Transparent parts are laid over the palette's paper
-//! colour. Beyond its edges the image is mirrored.
+//! color. Beyond its edges the image is mirrored.
 
 use super::ImageError;
 use super::gpu::{self, PipelineSpec};

@@ -26,7 +26,7 @@ pub struct Palette {
 }
 
 impl Palette {
-    /// The index of pixels that are more transparent than not; its colour is black.
+    /// The index of pixels that are more transparent than not; its color is black.
     pub const TRANSPARENT: u8 = 255;
 
     /// Learns a palette from `pixels`, which are RGBA.

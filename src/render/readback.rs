@@ -119,7 +119,7 @@ mod tests {
     use super::straight;
 
     #[test]
-    fn a_half_covered_pixel_gets_its_straight_colour_back() {
+    fn a_half_covered_pixel_gets_its_straight_color_back() {
         assert_eq!(straight(&[100, 50, 25, 128]), [199, 100, 50, 128]);
         assert_eq!(straight(&[7, 200, 0, 255]), [7, 200, 0, 255]);
         assert_eq!(straight(&[0, 0, 0, 0]), [0; 4], "nothing has no colour");

@@ -47,7 +47,7 @@ pub struct SceneViewport<'a> {
     pub camera: Option<Camera>,
     /// The texture.
     pub style: TextureStyle,
-    /// Colours and edges of triangles, over the texture.
+    /// Colors and edges of triangles, over the texture.
     pub cells: Option<SceneCells<'a>>,
     /// Discs on top.
     pub handles: &'a [Handle],

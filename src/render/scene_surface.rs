@@ -15,7 +15,7 @@ pub struct SceneSurface<'a> {
     pub texture_coordinates: &'a [DVec2],
     /// The codes of the triangles; empty for 0 everywhere.
     pub codes: &'a [CellCode],
-    /// Colours, edges and marks of the triangles.
+    /// Colors, edges and marks of the triangles.
     pub cells: Option<CellStyle>,
     /// The eye.
     pub camera: OrbitCamera,

@@ -7,7 +7,7 @@
 //! number of points. Strokes thinner than a pixel become fainter instead.
 
 use super::gpu::{self, GrowingBuffer, PipelineSpec, Uniform};
-use super::style::linear_colour;
+use super::style::linear_color;
 use super::{Camera, StrokeStyle, placement};
 use glam::DVec2;
 
@@ -160,7 +160,7 @@ impl StrokeBuffers {
         let size = [size_px[0] as f32, size_px[1] as f32, 0.5 * width.max(1.0), 0.0];
         let placement = placement::to_pixels(camera, self.origin, size_px);
         self.stroke.write(queue, &StrokeUniform { placement, size });
-        let [r, g, b, a] = linear_colour(style.colour);
+        let [r, g, b, a] = linear_color(style.colour);
         self.colour.write(queue, &[r, g, b, a * strength]);
     }
 }

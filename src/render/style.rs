@@ -1,20 +1,20 @@
 //! Visual style: texture patterns, strokes, handles and the palette.
 //!
-//! All colours are sRGB-encoded with straight alpha, components in 0..=1, as in
+//! All colors are sRGB-encoded with straight alpha, components in 0..=1, as in
 //! a hex triple divided by 255.
 
 use super::ColourMap;
 use glam::DVec2;
 
 /// Control points, from top to bottom, of the quadratic Bézier curve that the
-/// hue follows over the source's height: warm orange, mauve-grey, blue.
+/// hue follows over the source's height: warm orange, mauve-gray, blue.
 pub(super) const HUE: [[f32; 4]; 3] = [[0.80, 0.43, 0.22, 1.0], [0.47, 0.39, 0.46, 1.0], [0.18, 0.42, 0.58, 1.0]];
 
 /// The light cells of the checkerboard, the lines of the grids.
 pub(super) const PAPER: [f32; 4] = [0.96, 0.93, 0.86, 1.0];
 
-/// The linear components of an sRGB-encoded colour; alpha stays.
-pub(super) fn linear_colour([r, g, b, a]: [f32; 4]) -> [f32; 4] {
+/// The linear components of an sRGB-encoded color; alpha stays.
+pub(super) fn linear_color([r, g, b, a]: [f32; 4]) -> [f32; 4] {
     [linear(r), linear(g), linear(b), a]
 }
 
@@ -49,9 +49,9 @@ pub struct TextureStyle {
     pub cells: f64,
     /// Lower left and upper right corner of that domain.
     pub bounds: (DVec2, DVec2),
-    /// The centre of the polar grid: that domain's interior point.
+    /// The center of the polar grid: that domain's interior point.
     pub pole: DVec2,
-    /// Whether the surrounding theme is dark; decides the default stroke colour.
+    /// Whether the surrounding theme is dark; decides the default stroke color.
     pub dark: bool,
 }
 
@@ -74,7 +74,7 @@ impl StrokeStyle {
     }
 
     /// The mesh's edges: thin, and faint enough not to hide what they are drawn over,
-    /// light over dark colours or dark over light ones.
+    /// light over dark colors or dark over light ones.
     pub fn wire(light: bool, pixels_per_point: f32) -> Self {
         let colour = if light { [1.0, 1.0, 1.0, 0.38] } else { [0.03, 0.05, 0.08, 0.6] };
         Self { colour, width_px: 0.9 * pixels_per_point }
@@ -109,7 +109,7 @@ impl TextureStyle {
     /// The bounds of [`Pattern::Conformal`].
     pub const DISK: (DVec2, DVec2) = (DVec2::NEG_ONE, DVec2::ONE);
 
-    /// The colour of the hue change at height `y` of the source, sRGB-encoded.
+    /// The color of the hue change at height `y` of the source, sRGB-encoded.
     ///
     /// Quadratic Bézier in the height above the lower bound over the whole
     /// height, clamped to 0..=1.
@@ -128,7 +128,7 @@ impl TextureStyle {
         4 * (0.75 * self.cells).round().max(1.0) as u32
     }
 
-    /// The palette's light colour, sRGB-encoded.
+    /// The palette's light color, sRGB-encoded.
     pub const fn paper() -> [f32; 4] {
         PAPER
     }
@@ -156,7 +156,7 @@ mod tests {
     #[test]
     fn linear_components_meet_the_definition_of_srgb() {
         // Value from IEC 61966-2-1: encoded 0.5 is linear 0.21404.
-        let [r, g, b, a] = linear_colour([0.0, 0.5, 1.0, 0.25]);
+        let [r, g, b, a] = linear_color([0.0, 0.5, 1.0, 0.25]);
         assert!(r == 0.0 && (g - 0.214_041).abs() < 1e-5 && (b - 1.0).abs() < 1e-6 && a == 0.25, "{r} {g} {b} {a}");
     }
 }

@@ -158,8 +158,8 @@ impl SurfacePass {
         pass.draw_indexed(0..3 * surface.triangle_count as u32, 0, 0..1);
     }
 
-    /// Draws all triangles in the colours of `map`.
-    pub fn draw_colours(&self, pass: &mut wgpu::RenderPass, surface: &SurfaceBuffers, map: ColourMap) {
+    /// Draws all triangles in the colors of `map`.
+    pub fn draw_colors(&self, pass: &mut wgpu::RenderPass, surface: &SurfaceBuffers, map: ColourMap) {
         self.draw_cells(pass, surface, &self.colour, map);
     }
 
@@ -201,7 +201,7 @@ impl SurfaceBuffers {
         true
     }
 
-    /// Recolours the triangles; false when the count is not the surface's.
+    /// Recolors the triangles; false when the count is not the surface's.
     pub fn set_codes(&self, queue: &wgpu::Queue, codes: &mut Vec<CellCode>) -> bool {
         let Some(lookup) = self.lookup.as_ref().filter(|_| codes.len() == self.triangle_count) else { return false };
         lookup.write_codes(queue, codes);

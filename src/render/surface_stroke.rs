@@ -6,7 +6,7 @@
 use super::eye_uniform::EyeUniform;
 use super::gpu::{self, Depth, GrowingBuffer, PipelineSpec, Uniform};
 use super::space_vertices::LocalFrame;
-use super::style::linear_colour;
+use super::style::linear_color;
 use super::{OrbitCamera, StrokeStyle};
 use glam::DVec3;
 
@@ -129,6 +129,6 @@ impl SurfaceStrokeBuffers {
         let width = style.width_px.max(1.0);
         let eye = EyeUniform::new(camera, frame, size_px, LIFT * f64::from(width), 1.0);
         let size = [size_px[0] as f32, size_px[1] as f32, 0.5 * width, 0.0];
-        self.uniform.write(queue, &StrokeUniform { eye, colour: linear_colour(style.colour), size });
+        self.uniform.write(queue, &StrokeUniform { eye, colour: linear_color(style.colour), size });
     }
 }

@@ -11,7 +11,7 @@ use super::space_vertices::SpaceVertex;
 use super::surface_pass::{SurfaceBuffers, SurfacePass, SurfaceView};
 use super::surface_stroke::{SurfaceStrokeBuffers, SurfaceStrokePass};
 use super::targets::{SurfaceTargets, attachment, clamped_size};
-use super::viewport::{LINE_TO_STROKE, Viewport, begin_pass, clear_colour};
+use super::viewport::{LINE_TO_STROKE, Viewport, begin_pass, clear_color};
 use super::{Camera, CellCode, Detail, Handle, MeshFault, OrbitCamera, Pace, SpaceFrame, ViewportRenderer};
 use glam::{DVec2, DVec3};
 
@@ -119,7 +119,7 @@ impl ViewportRenderer {
         shown.surface.set_coordinates(queue, &mut self.staging, coordinates)
     }
 
-    /// Colours the triangles of a viewport's surface; `codes` is padded on the way.
+    /// Colors the triangles of a viewport's surface; `codes` is padded on the way.
     ///
     /// False, and nothing changes, when the count is not the surface's.
     pub fn set_surface_codes(&mut self, queue: &wgpu::Queue, viewport: usize, codes: &mut Vec<CellCode>) -> bool {
@@ -157,7 +157,7 @@ impl ViewportRenderer {
         }
         shown.write_frame(device, queue, frame, size_px, detail, self.image.aspect);
         let targets = shown.targets.as_ref()?;
-        let mut pass = targets.begin(encoder, clear_colour(frame.background));
+        let mut pass = targets.begin(encoder, clear_color(frame.background));
         shown.draw(&mut pass, passes, frame, &self.image.group);
         drop(pass);
         if !shown.discs.is_empty() {
@@ -257,7 +257,7 @@ impl SurfaceViewport {
             return;
         }
         match frame.cells.and_then(|style| style.map) {
-            Some(map) => passes.surface.draw_colours(pass, &self.surface, map),
+            Some(map) => passes.surface.draw_colors(pass, &self.surface, map),
             None => passes.surface.draw_texture(pass, &self.surface, frame.style.pattern, image),
         }
         if frame.cells.is_some_and(|style| style.marks || style.wire.is_some()) {

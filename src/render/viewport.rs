@@ -14,7 +14,7 @@ use super::drawn::Drawn;
 use super::image_texture::{ImageTexture, ImageTextures};
 use super::mesh_pass::{MeshBuffers, MeshFrame, MeshPass};
 use super::stroke_pass::{StrokeBuffers, StrokePass};
-use super::style::linear_colour;
+use super::style::linear_color;
 use super::surface_viewport::{SurfacePasses, SurfaceViewport};
 use super::targets::{Targets, attachment, clamped_size};
 use super::{
@@ -200,7 +200,7 @@ impl ViewportRenderer {
         viewport.cells.set_positions(queue, &mut self.staging, positions)
     }
 
-    /// Colours the triangles of [`Self::set_cells`]; `codes` is padded on the way.
+    /// Colors the triangles of [`Self::set_cells`]; `codes` is padded on the way.
     ///
     /// False, and nothing changes, when the count is not the mesh's.
     pub fn set_cell_codes(&mut self, queue: &wgpu::Queue, viewport: usize, codes: &mut Vec<CellCode>) -> bool {
@@ -229,7 +229,7 @@ impl ViewportRenderer {
         viewport.stroke.set(device, queue, &mut self.staging, points)
     }
 
-    /// Colour and width of the outline stroke, to which pattern lines keep a
+    /// Color and width of the outline stroke, to which pattern lines keep a
     /// fixed proportion; `None`: [`StrokeStyle::themed`] at one pixel per point.
     pub fn set_boundary_style(&mut self, viewport: usize, style: Option<StrokeStyle>) {
         if let Some(viewport) = self.viewports.get_mut(viewport)
@@ -348,11 +348,11 @@ impl ViewportRenderer {
         pattern: Pattern,
         background: [f32; 4],
     ) {
-        let attachment = targets.mesh_attachment(clear_colour(background));
+        let attachment = targets.mesh_attachment(clear_color(background));
         let mut pass = begin_pass(encoder, "mesh", attachment);
         let cells = viewport.cell_style.filter(|_| !viewport.cells.is_empty());
         match cells.and_then(|style| style.map) {
-            Some(map) => self.cells.draw_colours(&mut pass, &viewport.cells, map),
+            Some(map) => self.cells.draw_colors(&mut pass, &viewport.cells, map),
             None => self.mesh.draw(&mut pass, &viewport.mesh, pattern, &self.image.group),
         }
         if cells.is_some_and(|style| style.marks || style.wire.is_some()) {
@@ -397,7 +397,7 @@ pub(super) fn begin_pass<'encoder>(
 }
 
 /// The color as the picture holds it: premultiplied and linear.
-pub(super) fn clear_colour(background: [f32; 4]) -> wgpu::Color {
-    let [r, g, b, a] = linear_colour(background).map(f64::from);
+pub(super) fn clear_color(background: [f32; 4]) -> wgpu::Color {
+    let [r, g, b, a] = linear_color(background).map(f64::from);
     wgpu::Color { r: r * a, g: g * a, b: b * a, a }
 }

@@ -45,7 +45,7 @@ pub enum Command {
         side: Side,
         surface: SurfaceSpec,
     },
-    /// Rediscretises the side's surface: other settings or, for a built-in surface, another number of boundary
+    /// Rediscretizes the side's surface: other settings or, for a built-in surface, another number of boundary
     /// vertices. A different surface changes nothing.
     RefineSurface {
         side: Side,
@@ -129,15 +129,15 @@ impl Session {
                 self.sides[side].set_surface(surface);
             }
             Command::CloseSurface(side) => self.sides[side].surface = None,
-            Command::SetDirection(direction) => self.direction = direction,
-            Command::SetExtension(extension) => self.extension = extension,
-            Command::SetTexture(texture) => self.texture = texture,
-            Command::SetTextureScale(scale) => self.texture_scale = scale,
-            Command::SetTextureSide(side) => self.texture_side = side,
-            Command::SetColouring(colouring) => self.colouring = colouring,
-            Command::SetWireframe(shown) => self.wireframe = shown,
-            Command::SetPlots(open) => self.plots = open,
-            Command::SetComparison(comparison) => self.comparison = comparison,
+            Command::SetDirection(direction) => self.display.direction = direction,
+            Command::SetExtension(extension) => self.display.extension = extension,
+            Command::SetTexture(texture) => self.display.texture = texture,
+            Command::SetTextureScale(scale) => self.display.texture_scale = scale,
+            Command::SetTextureSide(side) => self.display.texture_side = side,
+            Command::SetColouring(colouring) => self.display.colouring = colouring,
+            Command::SetWireframe(shown) => self.display.wireframe = shown,
+            Command::SetPlots(open) => self.display.plots = open,
+            Command::SetComparison(comparison) => self.display.comparison = comparison,
             Command::Swap => self.sides.swap(),
             Command::Open(session) => *self = *session,
         }

@@ -90,13 +90,7 @@ mod tests {
     use super::*;
     use crate::conformal::Side;
     use crate::geometry::DVec2;
-    use crate::session::{Command, OutlineSpec};
-
-    fn scaled(scale: f64) -> Session {
-        let mut session = Session::default();
-        session.apply(Command::SetTextureScale(scale));
-        session
-    }
+    use crate::session::{Command, OutlineSpec, scaled};
 
     #[test]
     fn undo_and_redo_restore_sessions_in_order() {

@@ -81,7 +81,7 @@ impl Session {
             within(Quantity::Coordinate, value, &(-MAX_COORDINATE..=MAX_COORDINATE))?;
         }
         sides().try_for_each(|side| within(Quantity::Anchor, side.anchor, &(0.0..=1.0)))?;
-        within(Quantity::Cells, self.texture_scale, &CELLS)?;
+        within(Quantity::Cells, self.display.texture_scale, &CELLS)?;
         sides().filter_map(|side| side.surface.as_ref()).try_for_each(check_surface)
     }
 }
@@ -163,7 +163,7 @@ mod tests {
         refused_settings(|settings| settings.sizing = Sizing::Graded(f64::NAN), "NaN");
         refused(|s, side| s.sides[side].interior = Some(DVec2::new(0.0, f64::INFINITY)), "inf");
         refused(|s, side| s.sides[side].anchor = -0.1, "boundary point");
-        refused(|s, _| s.texture_scale = 1e9, "cells");
+        refused(|s, _| s.display.texture_scale = 1e9, "cells");
         refused_surface(|state| state.anchor = f64::NAN, "surface's boundary point");
         let point = |weights| Some(BarycentricPoint::new(TriangleId::new(0), weights));
         refused_surface(|state| state.point = point([0.5, 0.5, 0.5]), "sum");

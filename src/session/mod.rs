@@ -24,6 +24,7 @@ pub use outline::{DomainSpec, OutlineSpec};
 pub use side::{SidePoints, SideState};
 pub use surface::{SurfaceShape, SurfaceSpec, SurfaceState};
 pub use touched::Touched;
+use view::Display;
 pub use view::{Colouring, Comparison, DiskWay, TextureKind};
 
 use crate::conformal::{Constraints, Direction, Extension, MapSettings, PerSide, PrepareSettings, Side};
@@ -35,15 +36,7 @@ use crate::outline::{Preset, Sampling};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Session {
     sides: PerSide<SideState>,
-    direction: Direction,
-    extension: Extension,
-    texture: TextureKind,
-    texture_scale: f64,
-    texture_side: Side,
-    colouring: Colouring,
-    wireframe: bool,
-    plots: bool,
-    comparison: Comparison,
+    display: Display,
 }
 
 /// Boundary samples of the default session: enough for the checkerboard's lines to look smooth on a screen.
@@ -59,18 +52,7 @@ impl Default for Session {
             ..PrepareSettings::default()
         };
         let side = |preset| SideState::new(OutlineSpec::Preset(preset), settings);
-        Self {
-            sides: PerSide::new(side(Preset::Gingerbread), side(Preset::Heart)),
-            direction: Direction::default(),
-            extension: Extension::default(),
-            texture: TextureKind::default(),
-            texture_scale: 8.0,
-            texture_side: Side::Source,
-            colouring: Colouring::default(),
-            wireframe: false,
-            plots: false,
-            comparison: Comparison::default(),
-        }
+        Self { sides: PerSide::new(side(Preset::Gingerbread), side(Preset::Heart)), display: Display::default() }
     }
 }
 
@@ -92,7 +74,7 @@ impl Session {
     /// The map and display settings of this session with the sides of `other`.
     #[must_use]
     pub fn over_sides_of(&self, other: &Self) -> Self {
-        Self { sides: other.sides.clone(), ..self.clone() }
+        Self { sides: other.sides.clone(), display: self.display }
     }
 
     /// Both sides.
@@ -105,7 +87,7 @@ impl Session {
         &self.sides[side]
     }
 
-    /// The outline of a side and how it is discretised, also while a surface hides it.
+    /// The outline of a side and how it is discretized, also while a surface hides it.
     pub fn domain(&self, side: Side) -> &DomainSpec {
         &self.sides[side].domain
     }
@@ -117,47 +99,47 @@ impl Session {
 
     /// Which side's mesh is mapped.
     pub fn direction(&self) -> Direction {
-        self.direction
+        self.display.direction
     }
 
     /// How the boundary map is extended into the interior.
     pub fn extension(&self) -> Extension {
-        self.extension
+        self.display.extension
     }
 
     /// The texture's pattern.
     pub fn texture(&self) -> TextureKind {
-        self.texture
+        self.display.texture
     }
 
     /// Cells of the pattern across its domain; a third of the rays of [`TextureKind::Conformal`].
     pub fn texture_scale(&self) -> f64 {
-        self.texture_scale
+        self.display.texture_scale
     }
 
     /// The side on which the pattern is defined: it is pushed forward from the source or pulled back from the target.
     pub fn texture_side(&self) -> Side {
-        self.texture_side
+        self.display.texture_side
     }
 
     /// What the triangles are colored by.
     pub fn colouring(&self) -> Colouring {
-        self.colouring
+        self.display.colouring
     }
 
     /// Whether the edges of the mapped mesh are drawn, on both sides.
     pub fn wireframe(&self) -> bool {
-        self.wireframe
+        self.display.wireframe
     }
 
     /// Whether the plots are open.
     pub fn plots(&self) -> bool {
-        self.plots
+        self.display.plots
     }
 
     /// The methods that the map is compared with.
     pub fn comparison(&self) -> Comparison {
-        self.comparison
+        self.display.comparison
     }
 
     /// The number of points of its loaded outlines.
@@ -176,8 +158,14 @@ impl Session {
 
     /// The settings from which the map is computed.
     pub fn map_settings(&self) -> MapSettings {
-        MapSettings { direction: self.direction, extension: self.extension }
+        MapSettings { direction: self.display.direction, extension: self.display.extension }
     }
+}
+
+/// The default session with another texture scale, by which tests tell sessions apart.
+#[cfg(test)]
+pub(crate) fn scaled(scale: f64) -> Session {
+    Session::with([Command::SetTextureScale(scale)])
 }
 
 #[cfg(test)]

@@ -50,11 +50,11 @@ fn vertices<S: Serializer>(polygon: &SimplePolygon, serializer: S) -> Result<S::
     polygon.vertices().serialize(serializer)
 }
 
-/// An outline and how its interior is discretised.
+/// An outline and how its interior is discretized.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DomainSpec {
     /// The outline.
     pub outline: OutlineSpec,
-    /// How it is discretised.
+    /// How it is discretized.
     pub settings: PrepareSettings,
 }

@@ -28,7 +28,7 @@ impl SidePoints {
 /// One side. A surface hides the outline, which keeps its own points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SideState {
-    /// The outline and how it is discretised.
+    /// The outline and how it is discretized.
     pub domain: DomainSpec,
     /// The outline's interior point `x`; `None` until set, with the pole of inaccessibility as default.
     pub interior: Option<DVec2>,

@@ -57,7 +57,7 @@ pub struct SurfaceSpec {
     /// Whether the safe repairs are made.
     #[serde(default)]
     pub repair: bool,
-    /// How it is discretised.
+    /// How it is discretized.
     #[serde(default)]
     pub settings: SurfaceSettings,
 }

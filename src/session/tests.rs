@@ -194,12 +194,15 @@ fn differences(a: &Session, b: &Session) -> Touched {
         (of_surfaces(|a, b| !a.spec.is_like(&b.spec)), Touched::SHAPES),
         (of_surfaces(|a, b| a.spec.is_like(&b.spec) && a.spec != b.spec), Touched::SETTINGS),
         (sides(|a, b| a.domain.settings != b.domain.settings), Touched::SETTINGS),
-        (a.direction != b.direction || a.extension != b.extension, Touched::SETTINGS),
-        (a.texture != b.texture, Touched::PATTERN),
-        (a.texture_side != b.texture_side || a.texture_scale != b.texture_scale, Touched::PATTERN),
-        (a.colouring != b.colouring || a.wireframe != b.wireframe, Touched::COLOURS),
-        (a.plots != b.plots, Touched::PLOTS),
-        (a.comparison != b.comparison, Touched::COMPARISON),
+        (a.display.direction != b.display.direction || a.display.extension != b.display.extension, Touched::SETTINGS),
+        (a.display.texture != b.display.texture, Touched::PATTERN),
+        (
+            a.display.texture_side != b.display.texture_side || a.display.texture_scale != b.display.texture_scale,
+            Touched::PATTERN,
+        ),
+        (a.display.colouring != b.display.colouring || a.display.wireframe != b.display.wireframe, Touched::COLOURS),
+        (a.display.plots != b.display.plots, Touched::PLOTS),
+        (a.display.comparison != b.display.comparison, Touched::COMPARISON),
     ];
     parts.into_iter().filter(|(differs, _)| *differs).fold(Touched::NOTHING, |all, (_, part)| all | part)
 }

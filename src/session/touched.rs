@@ -21,7 +21,7 @@ impl Touched {
     pub const NEW_SHAPE: Self = Self(1 << 3);
     /// Another outline or surface on a side, with its own points.
     pub const ANOTHER_SHAPE: Self = Self(Self::SHAPES.0 | Self::NEW_SHAPE.0 | Self::POINTS.0);
-    /// How the sides are discretised and how the map is computed.
+    /// How the sides are discretized and how the map is computed.
     pub const SETTINGS: Self = Self(1 << 4);
     /// The pattern, its scale and its side.
     pub const PATTERN: Self = Self(1 << 5);

@@ -1,5 +1,41 @@
 //! The display settings of a map: pattern, colors, comparisons.
 
+use crate::conformal::{Direction, Extension, Side};
+
+/// The settings of the map and of its display, the same for both sides.
+///
+/// The file formats 1 and 2 write these fields as they are: a new setting needs a new format or a default there.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub(super) struct Display {
+    pub(super) direction: Direction,
+    pub(super) extension: Extension,
+    pub(super) texture: TextureKind,
+    /// Cells of the pattern across its domain.
+    pub(super) texture_scale: f64,
+    /// The side on which the pattern is defined.
+    pub(super) texture_side: Side,
+    pub(super) colouring: Colouring,
+    pub(super) wireframe: bool,
+    pub(super) plots: bool,
+    pub(super) comparison: Comparison,
+}
+
+impl Default for Display {
+    fn default() -> Self {
+        Self {
+            direction: Direction::default(),
+            extension: Extension::default(),
+            texture: TextureKind::default(),
+            texture_scale: 8.0,
+            texture_side: Side::Source,
+            colouring: Colouring::default(),
+            wireframe: false,
+            plots: false,
+            comparison: Comparison::default(),
+        }
+    }
+}
+
 /// The pattern drawn on one side and carried to the other by the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]

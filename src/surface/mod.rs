@@ -46,6 +46,8 @@ pub use read::{
 pub(crate) use repair::ADDED;
 pub use repair::RepairNote;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};
+#[cfg(feature = "io")]
+pub(crate) use topology_error::Bracketed;
 pub use topology_error::{LISTED, LoopReport, TopologyError};
 pub use tree::SurfaceTree;
 

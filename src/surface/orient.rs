@@ -2,6 +2,7 @@
 
 use super::TopologyError;
 use super::edges::ends;
+use crate::mesh::TriangleId;
 
 /// Whether to reverse each triangle: in each component the minority. An error for one-sided surfaces, which have no
 /// orientation. Cost O(n).
@@ -39,7 +40,7 @@ fn orient_component(
                 turned[other] = wanted;
                 pending.push(other);
             } else if turned[other] != wanted {
-                return Err(TopologyError::OneSided { triangle: other as u32 });
+                return Err(TopologyError::OneSided { triangle: TriangleId::new(other as u32) });
             }
         }
     }

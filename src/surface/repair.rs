@@ -92,15 +92,15 @@ fn filled(holes: usize, triangles: usize) -> String {
 
 /// A repaired surface, with the origin of each vertex and triangle.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Repaired {
+pub(super) struct Repaired {
     /// The surface.
-    pub surface: Surface,
+    pub(super) surface: Surface,
     /// For each vertex its index before, or [`ADDED`].
-    pub vertex_origins: Vec<u32>,
+    pub(super) vertex_origins: Vec<u32>,
     /// For each triangle its index before, or [`ADDED`].
-    pub triangle_origins: Vec<u32>,
+    pub(super) triangle_origins: Vec<u32>,
     /// The repairs made; empty if none was needed.
-    pub notes: Vec<RepairNote>,
+    pub(super) notes: Vec<RepairNote>,
 }
 
 impl Repaired {
@@ -125,7 +125,7 @@ impl Repaired {
 
 /// Makes the safe repairs; an error if a fault needs another. The result may still not be a
 /// disk (closed, with handles, with flat triangles): [`super::SurfaceMesh::new`] reports that. Cost O(n log d).
-pub fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
+pub(super) fn repair(surface: Surface) -> Result<Repaired, TopologyError> {
     check_values(&surface)?;
     let mut repaired = Repaired::untouched(surface);
     let count = repaired.retain(|_, corners| !repeats(corners));

@@ -8,6 +8,7 @@ use super::edges::{EdgeTable, ends};
 use super::orient::turned;
 use super::{LoopReport, Surface, TopologyError};
 use crate::geometry::DVec3;
+use crate::mesh::{TriangleId, VertexId};
 
 /// Areas are computed from fourth powers, which overflow beyond 1e77; no real object has such a size.
 pub const MAX_COORDINATE: f64 = 1e75;
@@ -39,11 +40,15 @@ pub(super) fn check_values(surface: &Surface) -> Result<(), TopologyError> {
     }
     let corners = surface.triangles.as_flattened();
     if let Some(k) = corners.iter().position(|&v| v as usize >= vertices) {
-        return Err(TopologyError::IndexOutOfRange { triangle: k as u32 / 3, vertex: corners[k], vertices });
+        return Err(TopologyError::IndexOutOfRange {
+            triangle: TriangleId::new(k as u32 / 3),
+            vertex: VertexId::new(corners[k]),
+            vertices,
+        });
     }
     let sound = |p: &DVec3| p.abs().max_element() <= MAX_COORDINATE && p.is_finite();
     if let Some(vertex) = surface.vertices.iter().position(|p| !sound(p)) {
-        return Err(TopologyError::NotFinite { vertex: vertex as u32 });
+        return Err(TopologyError::NotFinite { vertex: VertexId::new(vertex as u32) });
     }
     // unreferenced vertices do not count for the extent; if it is 0, the triangles are reported as flat later
     let first = surface.vertices[corners[0] as usize];
@@ -64,7 +69,7 @@ pub(super) fn check_triangles(surface: &Surface) -> Result<(), TopologyError> {
     let first_of = |wrong: &dyn Fn(&[u32; 3]) -> bool| {
         let triangle = surface.triangles.iter().position(wrong)?;
         let count = surface.triangles.iter().filter(|t| wrong(t)).count();
-        Some((triangle as u32, surface.triangles[triangle], count))
+        Some((TriangleId::new(triangle as u32), surface.triangles[triangle].map(VertexId::new), count))
     };
     if let Some((triangle, corners, count)) = first_of(&repeats) {
         return Err(TopologyError::RepeatedCorner { triangle, corners, count });
@@ -84,8 +89,8 @@ fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
 /// Checks that no two triangles have the same corners.
 fn check_duplicates(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), TopologyError> {
     let found = duplicates(triangles, edges);
-    let Some(&[triangle, other]) = found.first() else { return Ok(()) };
-    let corners = triangles[triangle as usize];
+    let Some([triangle, other]) = found.first().map(|pair| pair.map(TriangleId::new)) else { return Ok(()) };
+    let corners = triangles[triangle.index()].map(VertexId::new);
     Err(TopologyError::Duplicates { triangle, corners, other, count: found.len() })
 }
 
@@ -93,9 +98,9 @@ fn check_duplicates(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), Top
 pub(super) fn check_edges(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(), TopologyError> {
     let mut crowded = edges.edges().filter(|edge| edge.len() > 2);
     let Some(first) = crowded.next() else { return Ok(()) };
-    let mut at: Vec<u32> = first.iter().map(|&(_, half)| half / 3).collect();
+    let mut at: Vec<TriangleId> = first.iter().map(|&(_, half)| TriangleId::new(half / 3)).collect();
     at.sort_unstable();
-    let mut edge = ends(triangles, first[0].1);
+    let mut edge = ends(triangles, first[0].1).map(VertexId::new);
     edge.sort_unstable();
     Err(TopologyError::NonManifoldEdge { edge, triangles: at, count: 1 + crowded.count() })
 }
@@ -106,8 +111,9 @@ pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result
     let mut wrong = halves.filter(|&(half, &twin)| ends(triangles, half) == ends(triangles, twin));
     let Some((half, &twin)) = wrong.next() else { return Ok(()) };
     turned(triangles, twins)?; // the error of a one-sided surface, which has no orientation
-    let edge = ends(triangles, half);
-    Err(TopologyError::Orientation { edge, triangles: [half / 3, twin / 3], count: 1 + wrong.count() })
+    let edge = ends(triangles, half).map(VertexId::new);
+    let triangles = [half / 3, twin / 3].map(TriangleId::new);
+    Err(TopologyError::Orientation { edge, triangles, count: 1 + wrong.count() })
 }
 
 /// Checks that the triangles at each vertex form one fan, open or closed.
@@ -138,7 +144,7 @@ pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: us
     }
     let Some(vertex) = fans.iter().position(|&count| count > 1) else { return Ok(()) };
     let count = fans.iter().filter(|&&count| count > 1).count();
-    Err(TopologyError::NonManifoldVertex { vertex: vertex as u32, fans: fans[vertex] as usize, count })
+    Err(TopologyError::NonManifoldVertex { vertex: VertexId::new(vertex as u32), fans: fans[vertex] as usize, count })
 }
 
 /// Numbers the connected components; triangles that share only a vertex are in different ones.
@@ -225,7 +231,7 @@ impl Connectivity {
         surface.triangles.iter().flatten().for_each(|&v| used[v as usize] = true);
         if let Some(vertex) = used.iter().position(|used| !used) {
             let count = used.iter().filter(|used| !**used).count();
-            return Err(TopologyError::Unreferenced { vertex: vertex as u32, count });
+            return Err(TopologyError::Unreferenced { vertex: VertexId::new(vertex as u32), count });
         }
         let genus = self.genus(surface.vertices.len());
         match self.loops.len() {
@@ -246,5 +252,5 @@ impl Connectivity {
 }
 
 pub(super) fn report(surface: &Surface, vertices: &[u32]) -> LoopReport {
-    LoopReport { vertices: vertices.len(), length: loop_length(surface, vertices), first: vertices[0] }
+    LoopReport { vertices: vertices.len(), length: loop_length(surface, vertices), first: VertexId::new(vertices[0]) }
 }

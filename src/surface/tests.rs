@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use super::*;
-use crate::mesh::{TriMesh, VertexId};
+use crate::mesh::{TriMesh, TriangleId, VertexId};
 
 /// A grid of k×k squares, each cut along the same diagonal.
 fn grid(k: u32) -> Surface {
@@ -64,12 +64,15 @@ fn bad_values_are_named() {
     assert_eq!(error(&Surface::default()), TopologyError::Empty);
     let mut surface = grid(2);
     surface.triangles[3][1] = 77;
-    assert_eq!(error(&surface), TopologyError::IndexOutOfRange { triangle: 3, vertex: 77, vertices: 9 });
+    assert_eq!(
+        error(&surface),
+        TopologyError::IndexOutOfRange { triangle: TriangleId::new(3), vertex: VertexId::new(77), vertices: 9 }
+    );
     let mut surface = grid(2);
     surface.vertices[5].y = f64::NAN;
-    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: 5 });
+    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5) });
     surface.vertices[5].y = 1.1e75;
-    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: 5 });
+    assert_eq!(error(&surface), TopologyError::NotFinite { vertex: VertexId::new(5) });
     let mut surface = grid(2);
     surface.vertices.iter_mut().for_each(|p| *p *= 1e-72);
     assert!(matches!(error(&surface), TopologyError::TooSmall { .. }));
@@ -79,11 +82,16 @@ fn bad_values_are_named() {
 fn triangles_without_area_are_named() {
     let mut surface = grid(2);
     surface.vertices[4] = surface.vertices[0].lerp(surface.vertices[1], 0.5);
-    let flat = TopologyError::Degenerate { triangle: 0, corners: [0, 1, 4], count: 1 };
+    let flat =
+        TopologyError::Degenerate { triangle: TriangleId::new(0), corners: [0, 1, 4].map(VertexId::new), count: 1 };
     assert_eq!(error(&surface), flat);
+    assert_eq!(flat.to_string(), "triangle 0 [0, 1, 4] has no area");
     let mut surface = grid(2);
     surface.triangles.push([3, 4, 4]);
-    assert_eq!(error(&surface), TopologyError::RepeatedCorner { triangle: 8, corners: [3, 4, 4], count: 1 });
+    assert_eq!(
+        error(&surface),
+        TopologyError::RepeatedCorner { triangle: TriangleId::new(8), corners: [3, 4, 4].map(VertexId::new), count: 1 }
+    );
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
     assert_eq!(repaired.repairs(), [RepairNote::DroppedTriangles { count: 1 }]);
 }
@@ -98,9 +106,9 @@ fn triangles_with_the_same_corners_are_named_and_dropped() {
         let mut surface = grid(3);
         let first = surface.triangles.len() as u32;
         surface.triangles.extend(others);
-        let other = if others.len() > 3 { 0 } else { 7 };
-        let (corners, count) = (others[0], others.len());
-        let expected = TopologyError::Duplicates { triangle: first, corners, other, count };
+        let other = TriangleId::new(if others.len() > 3 { 0 } else { 7 });
+        let (corners, count) = (others[0].map(VertexId::new), others.len());
+        let expected = TopologyError::Duplicates { triangle: TriangleId::new(first), corners, other, count };
         assert_eq!(error(&surface), expected);
         let repaired = SurfaceMesh::repaired(&surface).unwrap();
         assert_eq!(repaired.repairs(), [RepairNote::DroppedDuplicates { count }]);
@@ -113,13 +121,18 @@ fn edges_and_vertices_that_are_no_manifold_are_named() {
     let mut surface = grid(2);
     surface.vertices.push(DVec3::Z);
     surface.triangles.push([0, 4, 9]);
-    let expected = TopologyError::NonManifoldEdge { edge: [0, 4], triangles: vec![0, 1, 8], count: 1 };
+    let expected = TopologyError::NonManifoldEdge {
+        edge: [0, 4].map(VertexId::new),
+        triangles: [0, 1, 8].map(TriangleId::new).to_vec(),
+        count: 1,
+    };
     assert_eq!(error(&surface), expected);
+    assert_eq!(expected.to_string(), "the edge from vertex 0 to 4 has more than two triangles: [0, 1, 8]");
     assert_eq!(SurfaceMesh::repaired(&surface).unwrap_err(), expected);
     let mut surface = grid(2);
     surface.vertices.extend([DVec3::Z, DVec3::new(1.0, 0.0, 1.0)]);
     surface.triangles.push([4, 9, 10]);
-    assert_eq!(error(&surface), TopologyError::NonManifoldVertex { vertex: 4, fans: 2, count: 1 });
+    assert_eq!(error(&surface), TopologyError::NonManifoldVertex { vertex: VertexId::new(4), fans: 2, count: 1 });
 }
 
 #[test]
@@ -130,7 +143,7 @@ fn turned_triangles_are_named_and_turned_back() {
         surface.triangles[t].swap(1, 2);
     }
     let TopologyError::Orientation { triangles, count, .. } = error(&surface) else { panic!("{}", error(&surface)) };
-    assert!(triangles.contains(&4) || triangles.contains(&5) || triangles.contains(&9), "{triangles:?}");
+    assert!([4, 5, 9].iter().any(|&t| triangles.contains(&TriangleId::new(t))), "{triangles:?}");
     assert!(count > 2, "{count}");
     let repaired = SurfaceMesh::repaired(&surface).unwrap();
     assert_eq!(repaired.repairs(), [RepairNote::Oriented { count: 3 }]);
@@ -161,7 +174,7 @@ fn parts_and_loose_vertices_are_counted_and_dropped() {
     assert_eq!(repaired.repairs(), expected);
     assert_eq!((repaired.triangle_origins()[0], repaired.number_of(VertexId::new(12))), (1, None));
     surface.triangles.remove(0);
-    assert_eq!(error(&surface), TopologyError::Unreferenced { vertex: 9, count: 4 });
+    assert_eq!(error(&surface), TopologyError::Unreferenced { vertex: VertexId::new(9), count: 4 });
 }
 
 #[test]
@@ -178,11 +191,12 @@ fn loops_and_handles_are_counted() {
     // the two squares in the middle of the second row
     surface.triangles.retain(|t| ![[6, 7, 12], [6, 12, 11], [7, 8, 13], [7, 13, 12]].contains(t));
     let TopologyError::Loops { loops } = error(&surface) else { panic!("{}", error(&surface)) };
-    let expected = [(16, 16.0, 0), (6, 6.0, 6)].map(|(vertices, length, first)| LoopReport { vertices, length, first });
+    let expected = [(16, 16.0, 0), (6, 6.0, 6)];
+    let expected = expected.map(|(vertices, length, v)| LoopReport { vertices, length, first: VertexId::new(v) });
     assert_eq!(loops, expected);
     // a hole that touches the boundary in a vertex pinches it
     surface.triangles.retain(|t| *t != [17, 18, 23]);
-    assert_eq!(error(&surface), TopologyError::NonManifoldVertex { vertex: 23, fans: 2, count: 1 });
+    assert_eq!(error(&surface), TopologyError::NonManifoldVertex { vertex: VertexId::new(23), fans: 2, count: 1 });
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::survey::{MAX_COORDINATE, MIN_EXTENT};
 use crate::counted::counted;
+use crate::mesh::{TriangleId, VertexId};
 use std::fmt;
 
 /// A boundary loop of a surface, as shown in messages.
@@ -13,7 +14,7 @@ pub struct LoopReport {
     /// Length of the loop.
     pub length: f64,
     /// One of its vertices.
-    pub first: u32,
+    pub first: VertexId,
 }
 
 /// Why a surface is not a disk. Triangles and vertices are counted from 0.
@@ -31,9 +32,9 @@ pub enum TopologyError {
     ))]
     IndexOutOfRange {
         /// Number of the triangle.
-        triangle: u32,
+        triangle: TriangleId,
         /// The vertex that it names.
-        vertex: u32,
+        vertex: VertexId,
         /// Number of vertices.
         vertices: usize,
     },
@@ -41,7 +42,7 @@ pub enum TopologyError {
     #[error("vertex {vertex} is at no finite place that can be dealt with (up to ±{MAX_COORDINATE:e})")]
     NotFinite {
         /// Number of the vertex.
-        vertex: u32,
+        vertex: VertexId,
     },
     /// The surface is so small that areas underflow.
     #[error("the surface is {extent:e} across: {MIN_EXTENT:e} at least can be dealt with")]
@@ -52,65 +53,69 @@ pub enum TopologyError {
     /// Triangles that name a vertex twice.
     #[error("{}", counted!(
         *count,
-        "triangle {triangle} {corners:?} names a vertex twice: drop it",
-        "{count} triangles name a vertex twice, the first is triangle {triangle} {corners:?}: drop them"
+        "triangle {triangle} {} names a vertex twice: drop it",
+        "{count} triangles name a vertex twice, the first is triangle {triangle} {}: drop them",
+        Bracketed(corners)
     ))]
     RepeatedCorner {
         /// The first such triangle.
-        triangle: u32,
+        triangle: TriangleId,
         /// Its corners.
-        corners: [u32; 3],
+        corners: [VertexId; 3],
         /// Number of such triangles.
         count: usize,
     },
     /// Triangles without area.
     #[error("{}", counted!(
         *count,
-        "triangle {triangle} {corners:?} has no area",
-        "{count} triangles have no area, the first is triangle {triangle} {corners:?}"
+        "triangle {triangle} {} has no area",
+        "{count} triangles have no area, the first is triangle {triangle} {}",
+        Bracketed(corners)
     ))]
     Degenerate {
         /// The first such triangle.
-        triangle: u32,
+        triangle: TriangleId,
         /// Its corners.
-        corners: [u32; 3],
+        corners: [VertexId; 3],
         /// Number of such triangles.
         count: usize,
     },
     /// Triangles with the corners of an earlier one, of the same orientation or the other.
     #[error("{}", counted!(
         *count,
-        "triangle {triangle} {corners:?} has the same corners as triangle {other}: drop it",
-        "{count} triangles have the same corners as another one, the first is triangle {triangle} {corners:?}, as \
-         triangle {other}: drop them"
+        "triangle {triangle} {} has the same corners as triangle {other}: drop it",
+        "{count} triangles have the same corners as another one, the first is triangle {triangle} {}, as \
+         triangle {other}: drop them",
+        Bracketed(corners)
     ))]
     Duplicates {
         /// The first such triangle.
-        triangle: u32,
+        triangle: TriangleId,
         /// Its corners.
-        corners: [u32; 3],
+        corners: [VertexId; 3],
         /// The earlier triangle with the same corners.
-        other: u32,
+        other: TriangleId,
         /// Number of such triangles.
         count: usize,
     },
     /// Edges with three triangles or more.
     #[error("{}", counted!(
         *count,
-        "the edge from vertex {} to {} has more than two triangles: {triangles:?}",
-        "{count} edges have more than two triangles, the first, from vertex {} to {}, the triangles {triangles:?}",
+        "the edge from vertex {} to {} has more than two triangles: {}",
+        "{count} edges have more than two triangles, the first, from vertex {} to {}, the triangles {}",
         edge[0],
-        edge[1]
+        edge[1],
+        Bracketed(triangles)
     ))]
     NonManifoldEdge {
         /// The ends of the first such edge.
-        edge: [u32; 2],
+        edge: [VertexId; 2],
         /// The triangles at that edge.
-        triangles: Vec<u32>,
+        triangles: Vec<TriangleId>,
         /// Number of such edges.
         count: usize,
     },
-    /// Neighbours of different orientation, in a surface that can be oriented.
+    /// Neighbors of different orientation, in a surface that can be oriented.
     #[error("{}", counted!(
         *count,
         "the edge from vertex {} to {} lies between triangles of different orientation, {} and {}: orient the surface \
@@ -124,9 +129,9 @@ pub enum TopologyError {
     ))]
     Orientation {
         /// The ends of the first such edge.
-        edge: [u32; 2],
+        edge: [VertexId; 2],
         /// The triangles at that edge.
-        triangles: [u32; 2],
+        triangles: [TriangleId; 2],
         /// Number of such edges.
         count: usize,
     },
@@ -134,7 +139,7 @@ pub enum TopologyError {
     #[error("the surface has one side only (as a Möbius strip): no orientation of triangle {triangle} fits")]
     OneSided {
         /// A triangle at which two orientations meet.
-        triangle: u32,
+        triangle: TriangleId,
     },
     /// Vertices at which several fans of triangles meet.
     #[error("{}", counted!(
@@ -144,7 +149,7 @@ pub enum TopologyError {
     ))]
     NonManifoldVertex {
         /// The first such vertex.
-        vertex: u32,
+        vertex: VertexId,
         /// Number of fans at that vertex.
         fans: usize,
         /// Number of such vertices.
@@ -164,7 +169,7 @@ pub enum TopologyError {
     ))]
     Unreferenced {
         /// The first such vertex.
-        vertex: u32,
+        vertex: VertexId,
         /// Number of such vertices.
         count: usize,
     },
@@ -200,6 +205,18 @@ impl fmt::Display for LoopReport {
 
 /// The largest number of items of a list that a message shows.
 pub const LISTED: usize = 12;
+
+/// Indices as a list in brackets: `[4, 4, 7]`.
+pub(crate) struct Bracketed<'a, T>(pub(crate) &'a [T]);
+
+impl<T: fmt::Display> fmt::Display for Bracketed<'_, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, index) in self.0.iter().enumerate() {
+            write!(f, "{}{index}", if k > 0 { ", " } else { "[" })?;
+        }
+        f.write_str("]")
+    }
+}
 
 struct Listed<'a, T>(&'a [T]);
 

@@ -72,7 +72,7 @@ fn hemisphere() -> &'static (TriMesh<DVec3>, SurfaceTree) {
 }
 
 #[test]
-fn rays_from_the_centre_of_a_hemisphere_meet_it_near_the_sphere() {
+fn rays_from_the_center_of_a_hemisphere_meet_it_near_the_sphere() {
     let (mesh, tree) = hemisphere();
     // chords of a sphere sag by s²/8 for triangles whose circumcircle has the diameter s
     let longest = mesh.triangles().iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);

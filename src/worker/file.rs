@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// A file's name and its content.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedFile {
-    /// Its name, whose ending tells the format of an outline or a surface.
+    /// Its name; the ending determines the format of an outline or a surface.
     pub name: String,
     /// Its content.
     pub bytes: Arc<Vec<u8>>,
@@ -22,14 +22,14 @@ pub struct NamedFile {
 /// Why a file could not be read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unread {
-    /// In words for the person.
+    /// The reason, for the user.
     pub text: Message,
-    /// The outline that safe repairs make of it.
+    /// The outline after safe repairs, if they make it valid.
     pub repaired: Option<Box<Outline>>,
 }
 
 impl NamedFile {
-    /// Parses an outline. Errors: why it is none, with the outline that safe repairs give, if they do.
+    /// Parses an outline. Errors: the reason, with the repaired outline if safe repairs make it valid.
     pub fn outline(&self) -> Result<Outline, Unread> {
         parse(&self.name, &self.bytes).map_err(|error| Unread {
             text: Message::from(&error),
@@ -37,7 +37,7 @@ impl NamedFile {
         })
     }
 
-    /// Reads a session. Errors: why the file is none.
+    /// Reads a session. Errors: the reason.
     pub fn session(&self) -> Result<Session, Unread> {
         file::read(&self.bytes).map_err(|error| Unread { text: Message::from(&error), repaired: None })
     }
@@ -54,7 +54,7 @@ pub struct FlatOutline {
 
 impl From<&Outline> for FlatOutline {
     fn from(outline: &Outline) -> Self {
-        // plain data: it always has a form as text
+        // strings and plain enums, which always serialize
         let text = serde_json::to_string(&(outline.name(), outline.notes())).unwrap_or_default();
         Self { points: outline.polygon().vertices().iter().flat_map(DVec2::to_array).collect(), text }
     }
@@ -80,7 +80,7 @@ pub struct FlatSession {
 }
 
 impl FlatSession {
-    /// The form of a session; `None` if its numbers are out of range, which those of a session that was read are not.
+    /// Flattens a session; `None` if its numbers are out of range, which is never the case for a session from a file.
     pub fn of(session: &Session) -> Option<Self> {
         let mut light = session.clone();
         let outlines = PerSide::from_fn(|side| {

@@ -43,14 +43,14 @@ pub enum Task {
     Outline {
         /// The outline.
         polygon: SimplePolygon,
-        /// How to discretise it.
+        /// How to discretize it.
         settings: PrepareSettings,
     },
     /// The inside of an outline that is parsed from a file first.
     OutlineFile {
         /// The file.
         file: NamedFile,
-        /// How to discretise it.
+        /// How to discretize it.
         settings: PrepareSettings,
     },
     /// A session file, which is only read.
@@ -61,7 +61,7 @@ pub enum Task {
         source: SurfaceSource,
         /// Whether to make the safe repairs.
         repair: bool,
-        /// How to discretise it.
+        /// How to discretize it.
         settings: SurfaceSettings,
     },
 }

@@ -4,7 +4,7 @@ use super::between::{assert_identity, map};
 use super::support::data::shared;
 use super::{constraints, default_map, prepared};
 use riemap::conformal::{Constraints, Direction, MapSettings, PreparedSide, Side, SurfaceSettings, prepare_surface};
-use riemap::mesh::VertexId;
+use riemap::mesh::{TriangleId, VertexId};
 use riemap::surface::{RepairNote, Surface, SurfaceMesh, TopologyError, at_vertex, read_surface};
 use std::sync::Arc;
 
@@ -34,7 +34,11 @@ fn turned_triangles_are_named_and_repaired() {
 #[ignore = "needs ../shared/data"]
 fn an_edge_with_three_triangles_is_named_and_not_repaired() {
     let surface = read("triple_vierbein.obj");
-    let expected = TopologyError::NonManifoldEdge { edge: [0, 1], triangles: vec![0, 2, 55], count: 20 };
+    let expected = TopologyError::NonManifoldEdge {
+        edge: [0, 1].map(VertexId::new),
+        triangles: [0, 2, 55].map(TriangleId::new).to_vec(),
+        count: 20,
+    };
     assert_eq!(error(&surface), expected);
     assert_eq!(SurfaceMesh::repaired(&surface).unwrap_err(), expected);
 }

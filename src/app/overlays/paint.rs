@@ -97,7 +97,7 @@ impl Outline<'_> {
     fn at(&self, fraction: f64) -> (Pos2, Vec2) {
         let point = self.samples.at_fraction(fraction);
         let edge = point.edge() as usize;
-        let [a, b] = [edge, (edge + 1) % self.samples.len()].map(|k| self.samples.points[k]);
+        let [a, b] = [edge, (edge + 1) % self.samples.len()].map(|k| self.samples.points()[k]);
         let along = (b - a).normalize_or_zero();
         // The outline is counter-clockwise: its outside is on the right. On the screen y points down.
         let out = Vec2::new(along.y as f32, along.x as f32);

@@ -7,7 +7,7 @@ use crate::geometry::DVec2;
 use crate::language::Message;
 use crate::mesh::Sizing;
 use crate::model::overlays::disk_comparison::found::MARKS;
-use crate::model::overlays::disk_comparison::{Found, MOVING_SAMPLES, RESTING_SAMPLES, thinned};
+use crate::model::overlays::disk_comparison::{Found, MOVING_SAMPLES, RESTING_SAMPLES};
 use crate::model::overlays::overlay::{Origin, Overlay};
 use crate::model::overlays::walks::{BINS, WalkAction};
 use crate::model::pattern::Moved;
@@ -195,10 +195,10 @@ fn a_point_that_few_samples_exclude_is_refused_only_if_all_samples_exclude_it() 
     let mut model = model(Preset::Turkey, Preset::Disk, 1200);
     let domain = std::sync::Arc::clone(model.domain(Side::Source).unwrap());
     let anchor = BoundaryPoint::new(0, 0.0);
-    let few = thinned(domain.samples(), MOVING_SAMPLES);
-    let beside = domain.samples().points.iter().filter_map(|&p| model.interior_near(Side::Source, p));
+    let few = domain.samples().thinned(MOVING_SAMPLES);
+    let beside = domain.samples().points().iter().filter_map(|&p| model.interior_near(Side::Source, p));
     let is_left_out =
-        |x: &DVec2| matches!(DiskMeasure::fresh(&few.points, *x, anchor), Err(ZipperError::PointOutside { .. }));
+        |x: &DVec2| matches!(DiskMeasure::fresh(few.points(), *x, anchor), Err(ZipperError::PointOutside { .. }));
     let left_out: Vec<DVec2> = beside.filter(is_left_out).take(12).collect();
     println!("{} points are left out by {MOVING_SAMPLES} samples", left_out.len());
     assert!(left_out.len() > 3, "{left_out:?}");
@@ -209,7 +209,7 @@ fn a_point_that_few_samples_exclude_is_refused_only_if_all_samples_exclude_it() 
         complete(&mut model);
         let now = 10.0 * (k + 1) as f64;
         model.advance_overlays(now);
-        let all = DiskMeasure::fresh(&domain.samples().points, point, anchor);
+        let all = DiskMeasure::fresh(domain.samples().points(), point, anchor);
         assert_eq!(
             model.overlay_state().disk_comparison.error(DiskWay::Fresh),
             None,

@@ -174,7 +174,7 @@ impl Gpu {
 
     fn upload_boundary(&self, side: Side, domain: &MeshedDomain) {
         let RenderState { device, queue, .. } = &self.state;
-        self.with_renderer(|renderer| renderer.set_boundary(device, queue, VIEWPORTS[side], &domain.samples().points));
+        self.with_renderer(|renderer| renderer.set_boundary(device, queue, VIEWPORTS[side], domain.samples().points()));
     }
 
     fn upload_mesh(&self, side: Side, model: &Model) {

@@ -80,7 +80,7 @@ impl GpuExtension {
     fn provide(&mut self, state: &RenderState, map: &ConformalMap) -> bool {
         let Some(domain) = map.mapped().domain() else { return false };
         if !self.mapped.as_ref().is_some_and(|(known, _)| Arc::ptr_eq(known, domain)) {
-            let (contour, points) = (&domain.samples().points, domain.mesh().vertices());
+            let (contour, points) = (domain.samples().points(), domain.mesh().vertices());
             let fits = contour.len().saturating_mul(points.len()) <= self.most_terms;
             let buffers = if fits { self.pass.buffers(&state.device, &state.queue, contour, points) } else { None };
             self.mapped = buffers.map(|buffers| (Arc::clone(domain), buffers));

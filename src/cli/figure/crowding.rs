@@ -40,7 +40,7 @@ pub fn figure_12(detail: Detail) -> Result<Drawing, CliError> {
     page.text(DVec2::new(LEFT, 30.0), Anchor::Start, TITLE, colour::INK, title);
     page.picture(DVec2::new(LEFT, 66.0), DVec2::new(5.0 * PANEL, PANEL), &png);
     label_panels(&mut page, &study, &strays);
-    reparameterisations(&study).draw(&mut page);
+    reparameterizations(&study).draw(&mut page);
     errors(&study).draw(&mut page);
     let findings = study.maps[1..].iter().zip(&strays[1..]).map(|(map, &stray)| finding(&study, map, stray));
     let findings = findings.collect();
@@ -63,7 +63,7 @@ fn rasterise(
     strays: &[DVec2],
 ) -> Result<image::RgbaImage, CliError> {
     let [source, target] = study.domains.as_ref().into_array();
-    let style = pictures::style(&scene.session, &source.samples().points, study.points.source);
+    let style = pictures::style(&scene.session, source.samples().points(), study.points.source);
     let panel = |positions, boundary, marks| RasterPanel {
         positions,
         coordinates: source.mesh().vertices(),
@@ -73,12 +73,12 @@ fn rasterise(
         style,
     };
     let points = study.points;
-    let marks = vec![(points.source, POINT), (source.samples().points[0], ANCHOR)];
-    let mut panels = vec![panel(source.mesh().vertices(), &source.samples().points, marks)];
+    let marks = vec![(points.source, POINT), (source.samples().points()[0], ANCHOR)];
+    let mut panels = vec![panel(source.mesh().vertices(), source.samples().points(), marks)];
     for (positions, &stray) in images.iter().zip(strays) {
-        let marks = vec![(points.target, POINT), (target.samples().points[0], ANCHOR), (stray, STRAY)];
+        let marks = vec![(points.target, POINT), (target.samples().points()[0], ANCHOR), (stray, STRAY)];
         let shown = if stray.distance(points.target) < VISIBLE { 2 } else { 3 };
-        panels.push(panel(positions, &target.samples().points, marks.into_iter().take(shown).collect()));
+        panels.push(panel(positions, target.samples().points(), marks.into_iter().take(shown).collect()));
     }
     Raster::new()?.row(&panels, None)
 }
@@ -116,7 +116,7 @@ fn moved(map: &BoundaryMap) -> usize {
 }
 
 /// The plot of r over t; the exact curve is the widest, so that it shows under the others.
-fn reparameterisations(study: &CrowdingStudy) -> Plot {
+fn reparameterizations(study: &CrowdingStudy) -> Plot {
     let t = study.arc_lengths();
     let length = study.maps[0].reparameterisation.iter().copied().fold(0.0, f64::max);
     let curve = |map: &BoundaryMap| Curve {

@@ -48,12 +48,12 @@ pub fn edges(mesh: &TriMesh) -> impl Iterator<Item = [DVec2; 2]> + '_ {
 }
 
 fn draw_mesh(page: &mut Page, study: &DiskKernelStudy, top: f64) {
-    let window = Window::fitting(&study.domain.samples().points, DVec2::new(24.0, top + 24.0), DVec2::splat(186.0));
+    let window = Window::fitting(study.domain.samples().points(), DVec2::new(24.0, top + 24.0), DVec2::splat(186.0));
     let label = format!("m = {}, n = {}", study.kernel.len(), study.domain.mesh().interior_count());
     page.text(DVec2::new(24.0, top + 14.0), Anchor::Start, LABEL, colour::INK, &label);
     let place = |[a, b]: [DVec2; 2]| [window.place(a), window.place(b)];
     page.segments(edges(study.domain.mesh()).map(place), Stroke::solid(colour::GREY, 0.5));
-    let samples = &study.domain.samples().points;
+    let samples = study.domain.samples().points();
     let outline = samples.iter().chain(samples.first()).map(|&p| window.place(p));
     page.line(outline, Stroke::solid(colour::INK, 1.2));
     page.dot(window.place(study.point), 5.5, colour::GREEN);

@@ -22,7 +22,7 @@ const COLLAPSED: u32 = COLOURS - 2;
 /// The index of the color map's last color.
 const LAST: u32 = COLOURS - 3;
 /// Collapsed triangles: their images are points up to rounding.
-const COLLAPSED_COLOUR: [f32; 4] = [0.78, 0.78, 0.78, 1.0];
+const COLLAPSED_COLOR: [f32; 4] = [0.78, 0.78, 0.78, 1.0];
 
 /// Draws the figure.
 pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
@@ -31,8 +31,8 @@ pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
     let palette = palette();
     let mut rows = Vec::new();
     for side in Side::BOTH {
-        let meshes: Vec<Coloured> = maps.iter().map(|shown| Coloured::new(shown, side)).collect();
-        let panels: Vec<RasterPanel<'_>> = meshes.iter().map(Coloured::panel).collect();
+        let meshes: Vec<Colored> = maps.iter().map(|shown| Colored::new(shown, side)).collect();
+        let panels: Vec<RasterPanel<'_>> = meshes.iter().map(Colored::panel).collect();
         rows.push(raster.row(&panels, Some(&palette))?);
     }
     let title = format!("Figure 9: {}, Q = σ₁/σ₂", Figure::Distortion.title());
@@ -64,7 +64,7 @@ pub fn legend(page: &mut Page, top: f64, columns: usize, top_q: f64) {
         page.text(DVec2::new(x, top + 30.0), Anchor::Middle, SMALL, colour::INK, &name);
     }
     page.text(DVec2::new(left - 14.0, top + 12.0), Anchor::End, LABEL, colour::INK, "Q");
-    let others = [(flipped_colour(), "flipped"), (COLLAPSED_COLOUR, "collapsed to a point")];
+    let others = [(flipped_colour(), "flipped"), (COLLAPSED_COLOR, "collapsed to a point")];
     for (k, (colour, name)) in others.into_iter().enumerate() {
         let corner = DVec2::new(left + width + 34.0, top - 8.0 + 22.0 * k as f64);
         page.fill(corner, DVec2::splat(14.0), &rgb(colour));
@@ -89,7 +89,7 @@ pub fn palette() -> RgbaImage {
     // square, so that it is not stretched
     RgbaImage::from_fn(COLOURS, COLOURS, |x, _| match x {
         FLIPPED => bytes(flipped_colour()),
-        COLLAPSED => bytes(COLLAPSED_COLOUR),
+        COLLAPSED => bytes(COLLAPSED_COLOR),
         _ => bytes(ColourMap::Cividis.at(f64::from(x) / f64::from(LAST))),
     })
 }
@@ -105,19 +105,19 @@ fn place(triangle: &TriangleDistortion, top_q: f64) -> DVec2 {
 }
 
 /// A mesh whose triangles do not share corners, so that each has a single color.
-pub struct Coloured<'a> {
+pub struct Colored<'a> {
     positions: Vec<DVec2>,
     coordinates: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
     boundary: &'a [DVec2],
 }
 
-impl<'a> Coloured<'a> {
+impl<'a> Colored<'a> {
     /// The mapped mesh (the source's) or its image in the target, by `side`.
     fn new(shown: &'a Shown, side: Side) -> Self {
         let mesh = shown.domains[shown.map.mapped_side()].mesh();
         let vertices = if side == Side::Source { mesh.vertices() } else { shown.map.images() };
-        let boundary = &shown.domains[side].samples().points;
+        let boundary = &shown.domains[side].samples().points();
         Self::of(vertices, mesh.triangles(), &shown.triangles, boundary, TOP_Q)
     }
 

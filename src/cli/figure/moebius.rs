@@ -38,7 +38,7 @@ pub fn draw(detail: Detail) -> Result<Drawing, CliError> {
         let top = TOP + ROW * k as f64;
         let [harmonic, cauchy_green] = study.mean_grid_errors();
         draw_source(&mut page, study, top);
-        draw_reparameterisation(&mut page, study, top);
+        draw_reparameterization(&mut page, study, top);
         draw_image(&mut page, study, COLUMNS[2], top, &|x| study.harmonic(x));
         draw_image(&mut page, study, COLUMNS[3], top, &|x| Some(study.cauchy_green(x)));
         for (left, error) in [(COLUMNS[2], harmonic), (COLUMNS[3], cauchy_green)] {
@@ -91,12 +91,12 @@ fn draw_source(page: &mut Page, study: &MoebiusStudy, top: f64) {
     page.text(DVec2::new(COLUMNS[0] + 0.5 * DISK, top + DISK + 20.0), Anchor::Middle, SMALL, colour::GREY, &label);
 }
 
-fn draw_reparameterisation(page: &mut Page, study: &MoebiusStudy, top: f64) {
+fn draw_reparameterization(page: &mut Page, study: &MoebiusStudy, top: f64) {
     let m = study.samples().len();
     let at = |k: usize| DVec2::new(study.parameter(k), if k == m { TAU } else { study.reparameterisation(k) });
     let fine = (0..=CURVE).map(|k| TAU * f64::from(k) / f64::from(CURVE));
     let curve = |name: &str, points, stroke| Curve { name: name.to_owned(), points, stroke, dots: false };
-    let exact = fine.map(|t| DVec2::new(t, MoebiusStudy::exact_reparameterisation(t))).collect();
+    let exact = fine.map(|t| DVec2::new(t, MoebiusStudy::exact_reparameterization(t))).collect();
     Plot {
         corner: DVec2::new(COLUMNS[1], top + 12.0),
         size: DVec2::new(250.0, DISK - 30.0),

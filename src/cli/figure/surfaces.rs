@@ -1,7 +1,7 @@
 //! Figures 14, 16 and 17: planar domains above, the surface with their texture or colored by Q below.
 
 use super::Drawing;
-use super::distortion::{Coloured, legend, palette};
+use super::distortion::{Colored, legend, palette};
 use super::pictures::{Sheet, style};
 use super::raster::{Raster, RasterPanel};
 use crate::cli::CliError;
@@ -12,7 +12,7 @@ use crate::conformal::{Quality, Side, TriangleDistortion};
 use crate::figures::{Detail, Figure, FigureError, SurfaceStudy};
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
-use crate::offscreen::compose::{HANDLE_COLOURS, surface_handles};
+use crate::offscreen::compose::{HANDLE_COLORS, surface_handles};
 use crate::render::{
     CellCode, CellStyle, ColourMap, Handle, OrbitCamera, SceneSurface, StrokeStyle, SurfaceGeometry, SurfaceHandle,
 };
@@ -38,14 +38,14 @@ pub fn draw(figure: Figure, detail: Detail, name: Option<&str>) -> Result<Drawin
     let shown: Vec<Shown<'_>> = studies.iter().map(|study| Shown::new(study, shown_preset)).collect();
     let raster = Raster::new()?;
     let rows = [planar_row(&raster, &shown)?, raster.surfaces(&shown.iter().map(Shown::surface).collect::<Vec<_>>())?];
-    let is_coloured = shown.iter().any(Shown::is_coloured);
+    let is_colored = shown.iter().any(Shown::is_colored);
     let title = format!("Figure {}: {}", figure.number(), figure.title());
-    let mut sheet = Sheet::new(&title, &rows, shown.len(), if is_coloured { LEGEND } else { 0.0 })?;
+    let mut sheet = Sheet::new(&title, &rows, shown.len(), if is_colored { LEGEND } else { 0.0 })?;
     for (k, shown) in shown.iter().enumerate() {
         sheet.label(0, k, &shown.study.label, if k == 0 { "x green, y magenta" } else { "" });
         sheet.label(1, k, "", &shown.note());
     }
-    if is_coloured {
+    if is_colored {
         legend(&mut sheet.page, Sheet::bottom(rows.len()), shown.len(), TOP_Q);
     }
     let findings = findings(name, &shown);
@@ -108,7 +108,7 @@ impl<'a> Shown<'a> {
     }
 
     /// Whether it is colored by Q instead of textured.
-    fn is_coloured(&self) -> bool {
+    fn is_colored(&self) -> bool {
         self.study.session.colouring() == Colouring::Angle
     }
 
@@ -131,8 +131,8 @@ impl<'a> Shown<'a> {
                 boundary_count: mesh.boundary_count(),
             },
             texture_coordinates: self.study.map.images(),
-            codes: if self.is_coloured() { &self.codes } else { &[] },
-            cells: Some(cells).filter(|_| self.is_coloured()),
+            codes: if self.is_colored() { &self.codes } else { &[] },
+            cells: Some(cells).filter(|_| self.is_colored()),
             camera: self.camera,
             style: style(&self.study.session, self.outline(), self.study.source.1),
             stroke: Some(StrokeStyle::themed(false, PIXELS_PER_POINT)),
@@ -141,7 +141,7 @@ impl<'a> Shown<'a> {
     }
 
     fn outline(&self) -> &'a [DVec2] {
-        &self.study.source.0.samples().points
+        self.study.source.0.samples().points()
     }
 
     /// The panel of the textured domain.
@@ -158,25 +158,25 @@ impl<'a> Shown<'a> {
     }
 
     /// The surface's triangles in the plane, colored by Q.
-    fn coloured(&self) -> Coloured<'a> {
+    fn colored(&self) -> Colored<'a> {
         let map = &self.study.map;
-        Coloured::of(map.images(), self.study.map.mapped().triangles(), &self.triangles, self.outline(), TOP_Q)
+        Colored::of(map.images(), self.study.map.mapped().triangles(), &self.triangles, self.outline(), TOP_Q)
     }
 
     fn marks(&self) -> Vec<(DVec2, [f32; 4])> {
         let places =
             planar_places(&self.study.source.0, self.study.source.1, self.study.map.measure(Side::Source).anchor());
-        let handle = |k: usize| Handle { position: places[k], colour: HANDLE_COLOURS[k], radius_px: HANDLE_PX };
+        let handle = |k: usize| Handle { position: places[k], colour: HANDLE_COLORS[k], radius_px: HANDLE_PX };
         let handles = [0, 1].map(handle);
         handles.map(|handle| (handle.position, handle.colour)).to_vec()
     }
 }
 
 fn planar_row(raster: &Raster, shown: &[Shown<'_>]) -> Result<image::RgbaImage, CliError> {
-    if !shown.iter().any(Shown::is_coloured) {
+    if !shown.iter().any(Shown::is_colored) {
         return raster.row(&shown.iter().map(Shown::textured).collect::<Vec<_>>(), None);
     }
-    let meshes: Vec<Coloured<'_>> = shown.iter().map(Shown::coloured).collect();
+    let meshes: Vec<Colored<'_>> = shown.iter().map(Shown::colored).collect();
     let panels = meshes.iter().zip(shown).map(|(mesh, shown)| RasterPanel { marks: shown.marks(), ..mesh.panel() });
     raster.row(&panels.collect::<Vec<_>>(), Some(&palette()))
 }

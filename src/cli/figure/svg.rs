@@ -40,7 +40,7 @@ impl Stroke {
     }
 }
 
-/// Okabe & Ito, "Color universal design" (2008), and the greys between.
+/// Okabe & Ito, "Color universal design" (2008), and the grays between.
 pub mod colour {
     pub const INK: &str = "#1b1b1f";
     pub const GREY: &str = "#8a8d93";

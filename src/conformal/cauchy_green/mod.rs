@@ -66,7 +66,7 @@ pub struct CauchyGreen {
 impl CauchyGreen {
     /// The coordinates for the mesh of `domain`; stores Γ if that takes at most `budget_bytes`. Cost O(m).
     pub fn new(domain: Arc<MeshedDomain>, budget_bytes: usize) -> Self {
-        let contour = Contour::new(&domain.samples().points);
+        let contour = Contour::new(domain.samples().points());
         let bytes = Self::estimate_bytes(contour.len(), domain.mesh().vertices().len());
         let mode = if bytes <= budget_bytes { CauchyGreenMode::Stored } else { CauchyGreenMode::OnTheFly };
         Self { domain, contour, mode, blocks: Vec::new() }

@@ -209,7 +209,7 @@ fn constants_are_exact_and_the_identity_holds_in_both_modes() {
     let domain = domain(Preset::Heart, 300);
     let vertices = domain.mesh().vertices();
     let constant = BoundaryValues::new(vec![DVec2::new(0.1, -1e5); 300]);
-    let identity = BoundaryValues::new(domain.samples().points.iter().copied());
+    let identity = BoundaryValues::new(domain.samples().points().iter().copied());
     for (budget, tolerance) in [(usize::MAX, 1e-6), (0, ROUNDING)] {
         let mut coordinates = CauchyGreen::new(Arc::clone(&domain), budget);
         assert!(whole(&mut coordinates, &constant).iter().all(|&w| w == DVec2::new(0.1, -1e5)));

@@ -19,7 +19,7 @@ fn squares(panel: &Panel<'_>, cells: f64) -> Ruling {
 }
 
 /// Centered and scaled to height 1, flipped if y points down.
-fn normalised(points: &[DVec2]) -> Vec<DVec2> {
+fn normalized(points: &[DVec2]) -> Vec<DVec2> {
     let [min, max] = Bounds::of(points.iter().copied()).corners();
     points.iter().map(|&p| (p - 0.5 * (min + max)) / (max - min).y).collect()
 }
@@ -33,7 +33,7 @@ fn a_drawing_opens_as_the_outline_that_it_shows() {
         let wire = Some((panel.positions, panel.triangles));
         let text = svg(&[Part { side, panel, wire }], Some(squares(&panels.source, 12.0)));
         let back = outline::parse("map.svg", text.as_bytes()).unwrap();
-        let (drawn, given) = (normalised(back.polygon().vertices()), normalised(panel.boundary));
+        let (drawn, given) = (normalized(back.polygon().vertices()), normalized(panel.boundary));
         assert_eq!(drawn.len(), given.len());
         let farthest = given.iter().map(|p| drawn.iter().map(|q| p.distance(*q)).fold(f64::INFINITY, f64::min));
         let farthest = farthest.fold(0.0, f64::max);

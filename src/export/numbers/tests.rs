@@ -90,7 +90,7 @@ fn the_mesh_file_is_read_back_as_a_surface_with_the_targets_area() {
             .map(|t| t.map(|v| surface.vertices()[v as usize]))
             .map(|[a, b, c]| 0.5 * (b - a).cross(c - a).z)
             .sum();
-        let target = &map.domain(Side::Target).unwrap().samples().points;
+        let target = &map.domain(Side::Target).unwrap().samples().points();
         let expected: f64 = (0..target.len()).map(|k| 0.5 * target[k].perp_dot(target[(k + 1) % target.len()])).sum();
         // the image of the source's mesh cuts the square's corners
         let tolerance = if direction == Direction::Forward { 0.03 } else { 1e-9 };

@@ -408,9 +408,9 @@ width_pixels = Breite in Pixeln
 height_pixels = Höhe in Pixeln
 motion = Bewegung
 duration = Dauer
-duration_tooltip = Wie lange ein Umlauf dauert
+duration_tooltip = Dauer eines Umlaufs in Sekunden
 pictures = Bilder
-pictures_tooltip = Wie viele Bilder ein Umlauf hat
+pictures_tooltip = Anzahl der Bilder eines Umlaufs
 
 ## shapes
 

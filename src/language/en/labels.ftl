@@ -408,9 +408,9 @@ width_pixels = Width in pixels
 height_pixels = Height in pixels
 motion = Motion
 duration = Duration
-duration_tooltip = How long a turn takes
+duration_tooltip = Seconds for one loop
 pictures = Pictures
-pictures_tooltip = How many pictures a turn has
+pictures_tooltip = Number of pictures in one loop
 
 ## shapes
 

@@ -1,7 +1,7 @@
 //! Messages for surfaces that are not disks, and for repairs.
 
 use crate::language::{Message, Value, key};
-use crate::surface::{LISTED, LoopReport, MAX_COORDINATE, MIN_EXTENT, RepairNote, TopologyError};
+use crate::surface::{Bracketed, LISTED, LoopReport, MAX_COORDINATE, MIN_EXTENT, RepairNote, TopologyError};
 
 impl From<&TopologyError> for Message {
     fn from(error: &TopologyError) -> Self {
@@ -15,16 +15,16 @@ impl From<&TopologyError> for Message {
                 key::topology_too_small(format!("{extent:e}"), format!("{MIN_EXTENT:e}"))
             }
             TopologyError::RepeatedCorner { triangle, corners, count } => {
-                key::topology_repeated_corner(*count, *triangle, format!("{corners:?}"))
+                key::topology_repeated_corner(*count, *triangle, Bracketed(corners).to_string())
             }
             TopologyError::Degenerate { triangle, corners, count } => {
-                key::topology_degenerate(*count, *triangle, format!("{corners:?}"))
+                key::topology_degenerate(*count, *triangle, Bracketed(corners).to_string())
             }
             TopologyError::Duplicates { triangle, corners, other, count } => {
-                key::topology_duplicates(*count, *triangle, format!("{corners:?}"), *other)
+                key::topology_duplicates(*count, *triangle, Bracketed(corners).to_string(), *other)
             }
             TopologyError::NonManifoldEdge { edge, triangles, count } => {
-                key::topology_non_manifold_edge(*count, edge[0], edge[1], format!("{triangles:?}"))
+                key::topology_non_manifold_edge(*count, edge[0], edge[1], Bracketed(triangles).to_string())
             }
             TopologyError::Orientation { edge, triangles, count } => {
                 key::topology_orientation(*count, edge[0], edge[1], triangles[0], triangles[1])

@@ -15,7 +15,7 @@ pub struct Loop<'a> {
 
 impl<'a> From<&'a BoundarySamples> for Loop<'a> {
     fn from(samples: &'a BoundarySamples) -> Self {
-        Self { edge_lengths: &samples.edge_lengths, fractions: &samples.fractions }
+        Self { edge_lengths: samples.edge_lengths(), fractions: samples.fractions() }
     }
 }
 

@@ -29,7 +29,7 @@ const X: DVec2 = DVec2::new(0.6, 0.2);
 
 /// The disk of [`Preset::Disk`]: its center, and the mean distance of its samples from it.
 fn frame(domain: &PreparedSide) -> (DVec2, f64) {
-    let points = &domain.domain().unwrap().samples().points;
+    let points = domain.domain().unwrap().samples().points();
     let center = points.iter().sum::<DVec2>() / points.len() as f64;
     (center, points[0].distance(center))
 }
@@ -46,13 +46,13 @@ fn the_kernel_of_the_disk_has_its_closed_form_over_the_arc_length() {
             assert!((y - exact).abs() < 0.03, "anchor {anchor}, x {x}: {y} for {exact}");
         }
         for &[x, y] in &curves.kernel.target.points {
-            assert!((y - 1.0).abs() < 0.01, "the centre's kernel is uniform, not {y} at {x}");
+            assert!((y - 1.0).abs() < 0.01, "the center's kernel is uniform, not {y} at {x}");
         }
     }
 }
 
 #[test]
-fn measures_and_reparameterisation_run_from_zero_to_one_without_decreasing() {
+fn measures_and_reparameterization_run_from_zero_to_one_without_decreasing() {
     let (center, radius) = frame(&disk());
     for (anchors, direction) in [
         ([0.0, 0.0], Direction::Forward),
@@ -72,7 +72,7 @@ fn measures_and_reparameterisation_run_from_zero_to_one_without_decreasing() {
 }
 
 #[test]
-fn from_the_centre_the_reparameterisation_is_the_harmonic_measure() {
+fn from_the_center_the_reparameterization_is_the_harmonic_measure() {
     let (center, radius) = frame(&disk());
     let curves = curves([center + radius * X, center], [0.2, 0.6], Direction::Forward);
     let r = &curves.reparameterisation;

@@ -37,7 +37,7 @@ const LEAST_CONTRAST: f64 = 0.02;
 pub enum TraceError {
     /// All pixels have one color.
     #[error("the whole picture has one colour: there is no shape to trace")]
-    OneColour,
+    OneColor,
     /// There are only specks.
     #[error("no shape was found in the picture: the largest one takes less than a thousandth of it")]
     NoShape,
@@ -49,7 +49,7 @@ pub enum TraceError {
 impl From<&TraceError> for Message {
     fn from(error: &TraceError) -> Self {
         match error {
-            TraceError::OneColour => key::trace_one_colour().into(),
+            TraceError::OneColor => key::trace_one_colour().into(),
             TraceError::NoShape => key::trace_no_shape().into(),
             TraceError::Outline(error) => error.into(),
         }
@@ -80,7 +80,7 @@ fn strengths(picture: &RgbaImage) -> Result<(Vec<f64>, f64), TraceError> {
         |[r, g, b, _]: [u8; 4]| (0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b)) / 255.0;
     let mut values: Vec<f64> = picture.pixels().map(|pixel| brightness(pixel.0)).collect();
     if contrast(&values) < LEAST_CONTRAST {
-        return Err(TraceError::OneColour);
+        return Err(TraceError::OneColor);
     }
     let mut threshold = otsu(&values);
     if is_bright_at_the_edge(&values, picture.width() as usize, threshold) {
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn a_soft_edge_is_where_it_is_half_transparent_whatever_colour_the_ground_has() {
+    fn a_soft_edge_is_where_it_is_half_transparent_whatever_color_the_ground_has() {
         for ground in [[0, 0, 0], [255, 255, 255]] {
             let picture = RgbaImage::from_fn(600, 480, |x, y| {
                 let within = 150.0 - (f64::from(x) + 0.5 - 270.0).hypot(f64::from(y) + 0.5 - 180.0);
@@ -264,10 +264,10 @@ mod tests {
     }
 
     #[test]
-    fn one_colour_and_specks_are_no_shapes() {
-        assert_eq!(trace("", &picture([WHITE, WHITE], is_in_disk)), Err(TraceError::OneColour));
+    fn one_color_and_specks_are_no_shapes() {
+        assert_eq!(trace("", &picture([WHITE, WHITE], is_in_disk)), Err(TraceError::OneColor));
         let speck = |x: f64, y: f64| (x - 90.0).hypot(y - 60.0) < 2.0;
         assert_eq!(trace("", &picture([WHITE, INK], speck)), Err(TraceError::NoShape));
-        assert_eq!(trace("", &RgbaImage::new(0, 0)), Err(TraceError::OneColour));
+        assert_eq!(trace("", &RgbaImage::new(0, 0)), Err(TraceError::OneColor));
     }
 }

@@ -96,7 +96,7 @@ pub fn panel(model: &Model, side: Side) -> Option<Panel<'_>> {
         positions: geometry.positions,
         coordinates: geometry.texture_coordinates,
         triangles: geometry.triangles,
-        boundary: &model.shown_domain(side)?.samples().points,
+        boundary: model.shown_domain(side)?.samples().points(),
         handles: [model.interior(side)?, model.anchor(side)?],
     })
 }

@@ -1,4 +1,4 @@
-//! What a person wants to have as a file.
+//! The settings of an export: kind of file, size, sides, motion.
 
 use crate::conformal::{PerSide, Side};
 use crate::export::FileFormat;
@@ -7,7 +7,7 @@ use crate::language::{Label, key};
 use crate::model::scene::Shot;
 use crate::render::{FilmFormat, FilmSettings};
 
-/// Kinds of files.
+/// The kinds of exported files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// One picture, as PNG.
@@ -46,7 +46,7 @@ impl Kind {
         Self::Film(FilmFormat::Gif),
     ];
 
-    /// Those that there are of a map between sides of which these are `surfaces`.
+    /// The kinds available for a map; `surfaces` says which sides are surfaces.
     pub fn all(surfaces: PerSide<bool>) -> &'static [Self] {
         match surfaces.into_array() {
             [false, false] => &Self::PLANAR,
@@ -55,7 +55,7 @@ impl Kind {
         }
     }
 
-    /// What is written on its button.
+    /// The label of the kind's button.
     pub fn label(self) -> Label {
         match self {
             Self::Picture => key::png(),
@@ -69,7 +69,7 @@ impl Kind {
         }
     }
 
-    /// What is in it.
+    /// The contents of the file, as a tooltip.
     pub fn explained(self, surfaces: PerSide<bool>) -> Label {
         let (through_disk, on_surface) = (surfaces == PerSide::new(true, true), has_layout(surfaces));
         match (self, on_surface) {
@@ -88,36 +88,36 @@ impl Kind {
         }
     }
 
-    /// Whether it is made of pixels.
+    /// Whether the file consists of pixels.
     pub fn is_drawn(self) -> bool {
         !matches!(self, Self::File(_))
     }
 }
 
-/// Whether a map between sides of which these are `surfaces` lays one surface out in the plane: then there are texture
-/// coordinates.
+/// Whether a map has texture coordinates: exactly one side is a surface, which the map flattens. `surfaces` says which
+/// sides are surfaces.
 pub fn has_layout(surfaces: PerSide<bool>) -> bool {
     surfaces.source != surfaces.target
 }
 
-/// All that can be chosen.
+/// The settings of an export.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExportRequest {
-    /// What.
+    /// The kind of file.
     pub kind: Kind,
-    /// Of pictures, in pixels.
+    /// Width and height of pictures and animations, in pixels.
     pub size: [u32; 2],
-    /// Pictures without a ground.
+    /// Whether the background of pictures is transparent.
     pub transparent: bool,
-    /// One side of pictures and drawings; `None`: both.
+    /// The side shown in pictures and drawings; `None`: both.
     pub side: Option<Side>,
     /// Whether a surface's texture coordinates are moved and scaled into the unit box.
     pub unit: bool,
-    /// What moves in animations.
+    /// The points that move in animations.
     pub path: Path,
-    /// How long a turn takes.
+    /// The duration of one loop of an animation, in seconds.
     pub seconds: f64,
-    /// Pictures of a turn.
+    /// The number of frames of one loop.
     pub frames: u32,
 }
 
@@ -137,13 +137,13 @@ impl Default for ExportRequest {
 }
 
 impl ExportRequest {
-    /// A picture of it, for a dark ground or a light one.
+    /// The settings of a picture, with strokes for a dark or a light background.
     pub fn shot(&self, dark: bool) -> Shot {
         let Self { size, transparent, side, .. } = *self;
         Shot { size, dark, transparent, side }
     }
 
-    /// An animation's settings.
+    /// The settings of an animation.
     pub fn film(&self, format: FilmFormat) -> FilmSettings {
         FilmSettings { format, size: self.size, frames: self.frames, seconds: self.seconds }
     }

@@ -13,7 +13,7 @@ pub fn begin(model: &Model, path: Path) -> Option<Loop> {
     }
     let map = model.map()?;
     let sides = PerSide::from_fn(|side| Some((map.side(side), model.point(side)?)));
-    Loop::new(path, &Start { sides: sides.both()?, measure: map.measure(Side::Source) })
+    Loop::new(path, &Start::new(sides.both()?, map.measure(Side::Source)))
 }
 
 /// The commands that move a session's points to a place on the loop.

@@ -1,8 +1,8 @@
-//! The opened files whose turn has not come: files take effect in the order in which they were opened.
+//! Opened files that wait for earlier ones: files take effect in the order in which they were opened.
 //!
-//! An outline waits until the file before it on its side is parsed, a surface too, since each replaces what the one
-//! before it has brought. A session file waits for every file before it, and every file after it for the session. A
-//! file that turns out to be bad therefore takes nothing from a good one before it.
+//! An outline or a surface waits until the previous file of its side is parsed, since it replaces that file's shape. A
+//! session file waits for all earlier files, and all later files wait for the session. An invalid file therefore
+//! never replaces a valid one before it.
 
 use crate::conformal::Side;
 use crate::model::Model;
@@ -12,9 +12,9 @@ use std::collections::VecDeque;
 /// An opened file or text that waits for those before it.
 #[derive(Debug)]
 enum Waiting {
-    /// It is parsed first. The side of a session file has no meaning.
+    /// A file to parse; the side is unused for a session file.
     ToRead(Side, OpenedFile),
-    /// It is a surface, whose preparation parses it.
+    /// A surface file, which its preparation parses.
     Surface { side: Side, name: String, bytes: Vec<u8> },
 }
 
@@ -64,26 +64,26 @@ impl FileQueue {
 }
 
 impl Model {
-    /// Reads a file for a side when those before it are read.
+    /// Reads a file for a side after those before it.
     pub(in crate::model) fn read_in_turn(&mut self, side: Side, opened: OpenedFile) {
         self.queue.0.push_back(Waiting::ToRead(side, opened));
         self.read_on();
     }
 
-    /// Begins to prepare a surface from a file that was opened for or dropped over a side, when the files before it are
-    /// read: one of them may be the session that asks for it.
+    /// Requests a surface from a file opened for or dropped over a side, after the files before it: one of them may be
+    /// the session that needs it.
     pub fn open_surface_in_turn(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
         self.queue.0.push_back(Waiting::Surface { side, name: name.to_owned(), bytes });
         self.read_on();
     }
 
-    /// Goes on with the files that were opened after a session file, once its session is opened.
+    /// Continues with the files that were opened after a session file, once its session is open.
     pub fn open_later(&mut self, later: FileQueue) {
         self.queue.0.extend(later.0);
         self.read_on();
     }
 
-    /// Begins with the files whose turn has come.
+    /// Starts the files that need not wait any longer.
     pub(in crate::model) fn read_on(&mut self) {
         while let Some(waiting) = self.take_next() {
             match waiting {
@@ -99,7 +99,7 @@ impl Model {
         }
     }
 
-    /// A side whose worker has nothing to do, if there is one: on the other one, a file postpones a preparation.
+    /// A side whose worker is idle, the source if none is: on a busy side, the file postpones a preparation.
     fn side_at_rest(&self) -> Side {
         Side::BOTH.into_iter().find(|&side| !self.sides[side].is_busy()).unwrap_or(Side::Source)
     }
@@ -108,7 +108,7 @@ impl Model {
         if self.is_turn_of(self.queue.0.front()?) { self.queue.0.pop_front() } else { None }
     }
 
-    /// Whether a file that waits can be begun with: nothing is being read that it has to wait for.
+    /// Whether a waiting file can start: no file that it has to wait for is being read.
     fn is_turn_of(&self, waiting: &Waiting) -> bool {
         let side = match waiting {
             Waiting::Surface { side, name, .. } => self.side_for_surface(*side, name),
@@ -121,7 +121,7 @@ impl Model {
         Side::BOTH.into_iter().all(is_free)
     }
 
-    /// Whether a file is to be begun with.
+    /// Whether the first waiting file can start.
     pub(in crate::model) fn can_read_on(&self) -> bool {
         self.queue.0.front().is_some_and(|waiting| self.is_turn_of(waiting))
     }

@@ -93,7 +93,7 @@ fn a_surface_opened_after_its_session_comes_with_the_points_of_the_session() {
 }
 
 #[test]
-fn a_bad_file_takes_nothing_from_a_good_one_before_it() {
+fn an_invalid_file_does_not_replace_a_valid_one_before_it() {
     let mut model = planar();
     model.open_outline(Side::Target, "a.csv", TRIANGLE.to_vec());
     model.open_session_file("s.riemap", vec![1, 2]);
@@ -107,7 +107,7 @@ fn a_bad_file_takes_nothing_from_a_good_one_before_it() {
 }
 
 #[test]
-fn the_last_of_two_good_files_for_a_side_stays() {
+fn the_last_of_two_valid_files_for_a_side_is_shown() {
     let mut model = planar();
     model.open_outline(Side::Target, "a.csv", TRIANGLE.to_vec());
     model.open_surface_in_turn(Side::Target, "square.obj", SQUARE.to_vec());
@@ -121,7 +121,7 @@ fn the_last_of_two_good_files_for_a_side_stays() {
 }
 
 #[test]
-fn what_is_chosen_cancels_the_files_that_wait_for_its_side_only() {
+fn choosing_a_shape_cancels_the_waiting_files_of_its_side_only() {
     let mut model = planar();
     let session = stars(&model, []);
     model.open_session_file("s.riemap", session);

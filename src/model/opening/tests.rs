@@ -1,4 +1,4 @@
-//! Files that a side's worker parses: the model's requests, and what it does with the responses.
+//! Files parsed by a side's worker: the model's requests and its handling of the responses.
 
 use super::*;
 use crate::conformal::PrepareSettings;
@@ -74,7 +74,7 @@ fn one_request_reads_an_outline_and_prepares_it() {
 }
 
 #[test]
-fn an_outline_that_is_read_closes_what_stood_in_its_place_when_it_is_prepared() {
+fn an_outline_from_a_file_replaces_the_surface_when_it_is_prepared() {
     let mut model = planar();
     model.dispatch(hemisphere(), 0.0);
     settle(&mut model);
@@ -85,7 +85,7 @@ fn an_outline_that_is_read_closes_what_stood_in_its_place_when_it_is_prepared() 
 }
 
 #[test]
-fn what_was_under_way_goes_on_when_there_is_no_outline_in_a_file() {
+fn a_file_without_an_outline_does_not_interrupt_the_preparation_under_way() {
     let mut model = planar();
     model.dispatch(hemisphere(), 0.0);
     let superseded = only_request(&mut model);
@@ -102,7 +102,7 @@ fn what_was_under_way_goes_on_when_there_is_no_outline_in_a_file() {
 }
 
 #[test]
-fn what_is_chosen_while_a_file_is_read_comes_in_its_place() {
+fn an_outline_chosen_while_a_file_is_read_replaces_it() {
     let star = || Command::SetOutline { side: SIDE, outline: OutlineSpec::Preset(Preset::Star) };
     let opened = || Command::Open(Box::new(Session::with([star()])));
     for choose in [star(), hemisphere(), opened()] {
@@ -117,7 +117,7 @@ fn what_is_chosen_while_a_file_is_read_comes_in_its_place() {
 }
 
 #[test]
-fn settings_that_change_while_a_file_is_read_are_those_of_its_outline() {
+fn settings_changed_while_a_file_is_read_apply_to_its_outline() {
     let mut model = planar();
     model.open_outline(SIDE, "a.csv", TRIANGLE.to_vec());
     let request = only_request(&mut model);
@@ -125,11 +125,11 @@ fn settings_that_change_while_a_file_is_read_are_those_of_its_outline() {
     answer(&mut model, SIDE, &request);
     settle(&mut model);
     assert_eq!((name(&model), model.session().domain(SIDE).settings), ("a", settings(60)));
-    assert_eq!(model.domain(SIDE).unwrap().samples().points.len(), 60);
+    assert_eq!(model.domain(SIDE).unwrap().samples().points().len(), 60);
 }
 
 #[test]
-fn a_spike_is_offered_to_be_cut_off() {
+fn an_outline_with_a_spike_offers_a_repair() {
     let mut model = planar();
     model.open_outline(SIDE, "spike.csv", b"0,0\n2,0\n2,1\n3,1\n2,1\n2,2\n0,2\n".to_vec());
     assert!(settle(&mut model).is_none());
@@ -140,7 +140,7 @@ fn a_spike_is_offered_to_be_cut_off() {
 }
 
 #[test]
-fn a_worker_that_dies_over_a_file_can_be_given_it_again() {
+fn a_file_whose_worker_stopped_can_be_read_again() {
     let mut model = planar();
     model.open_outline(SIDE, "a.csv", TRIANGLE.to_vec());
     only_request(&mut model);
@@ -153,7 +153,7 @@ fn a_worker_that_dies_over_a_file_can_be_given_it_again() {
 }
 
 #[test]
-fn a_pasted_text_is_refused_where_it_was_pasted() {
+fn an_invalid_pasted_text_is_reported_on_its_side() {
     let mut model = planar();
     model.open_pasted(SIDE, "no outline");
     assert!(model.reads_pasted(SIDE) && !model.reads_pasted(Side::Source));
@@ -165,7 +165,7 @@ fn a_pasted_text_is_refused_where_it_was_pasted() {
 }
 
 #[test]
-fn a_session_is_read_for_the_app_and_nothing_is_changed_by_it() {
+fn a_session_file_is_handed_to_the_app_and_changes_nothing() {
     let mut model = planar();
     let before = model.session().clone();
     let wanted = before.clone().and([Command::SetTextureScale(21.0)]);
@@ -193,7 +193,7 @@ fn a_file_that_is_too_large_is_refused_before_it_is_copied() {
 }
 
 #[test]
-fn a_worker_that_dies_is_reported_where_the_file_was_opened() {
+fn a_stopped_worker_is_reported_on_the_side_of_the_file() {
     let mut model = planar();
     model.open_pasted(SIDE, "M 0 0 h 4 v 1 z");
     only_request(&mut model);
@@ -209,7 +209,7 @@ fn a_worker_that_dies_is_reported_where_the_file_was_opened() {
 }
 
 #[test]
-fn a_worker_that_dies_over_a_superseded_request_ends_no_other() {
+fn a_worker_that_stops_on_a_superseded_request_ends_no_other() {
     let mut model = planar();
     model.dispatch(hemisphere(), 0.0);
     let superseded = only_request(&mut model).generation;
@@ -223,7 +223,7 @@ fn a_worker_that_dies_over_a_superseded_request_ends_no_other() {
 }
 
 #[test]
-fn a_session_file_is_read_on_the_side_that_is_at_rest() {
+fn a_session_file_is_read_by_the_idle_worker() {
     let mut model = planar();
     model.dispatch(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Preset(Preset::Star) }, 0.0);
     only_request(&mut model);

@@ -156,7 +156,7 @@ impl Walks {
     fn begin(&mut self, situation: &Situation) -> bool {
         let domain = Arc::clone(situation.domains.source);
         let (point, anchor) = (situation.points.source, situation.anchors.source);
-        match Walker::new(&domain.samples().points, point, SEED) {
+        match Walker::new(domain.samples().points(), point, SEED) {
             Ok(walker) => {
                 let counts = HitCounts::by_arc_length(domain.samples(), situation.map.measure(Side::Source), BINS);
                 self.start = Some(Start { domain, point, anchor, walker, counts, walk: None });

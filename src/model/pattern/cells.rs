@@ -1,4 +1,4 @@
-//! The colours and the style of the mapped mesh's triangles, as the model has them.
+//! The colors and the style of the mapped mesh's triangles, as the model has them.
 
 use super::colouring::{self, ColourScale};
 use crate::conformal::MeshedSurface;
@@ -7,14 +7,14 @@ use crate::render::{CellCode, CellStyle, ColourMap, StrokeStyle};
 use crate::session::Colouring;
 use std::sync::Arc;
 
-/// The triangles' colours.
+/// The triangles' colors.
 #[derive(Debug, Default)]
 pub struct Cells {
-    /// The measurement and the colouring that `scale` and `codes` are of.
-    coloured: Option<(u64, Colouring)>,
+    /// The measurement and the coloring that `scale` and `codes` are of.
+    colored: Option<(u64, Colouring)>,
     codes: Vec<CellCode>,
     /// The codes are others than when [`Self::take_recoloured`] was last called.
-    recoloured: bool,
+    recolored: bool,
     scale: Option<ColourScale>,
     style: Option<CellStyle>,
 }
@@ -35,33 +35,33 @@ impl Cells {
         &mut self.codes
     }
 
-    /// What the colours mean, where they are not the texture's.
+    /// What the colors mean, where they are not the texture's.
     pub fn scale(&self) -> Option<&ColourScale> {
         self.scale.as_ref()
     }
 
     /// Whether the codes have changed since the last call.
     pub fn take_recoloured(&mut self) -> bool {
-        std::mem::take(&mut self.recoloured)
+        std::mem::take(&mut self.recolored)
     }
 
-    /// Brings colours and style up to date with the model.
+    /// Brings colors and style up to date with the model.
     pub fn update(&mut self, model: &Model, pixels_per_point: f32) {
         self.colour(model);
         self.style = self.choose_style(model, pixels_per_point);
     }
 
-    /// Renews scale and codes when there is a new measurement or another colouring.
+    /// Renews scale and codes when there is a new measurement or another coloring.
     fn colour(&mut self, model: &Model) {
         let session = model.session();
         let wanted = (model.measured_generation(), session.colouring());
-        if self.coloured == Some(wanted) {
+        if self.colored == Some(wanted) {
             return;
         }
-        self.coloured = Some(wanted);
+        self.colored = Some(wanted);
         let triangles = model.triangles();
         let direction = model.shown().map_or(session.direction(), |map| map.direction);
-        // what fills a hole is not measured, and grey
+        // what fills a hole is not measured, and gray
         let is_repaired = |surface: &Arc<MeshedSurface>| !surface.surface().repairs().is_empty();
         let repaired = model.map().filter(|map| map.mapped().surface().is_some_and(is_repaired));
         let given: Option<Vec<_>> = repaired.map(|map| map.given(triangles).copied().collect());
@@ -71,7 +71,7 @@ impl Cells {
         if let Some(surface) = repaired.and_then(|map| map.mapped().surface()) {
             colouring::grey_added(surface.surface().triangle_origins(), &mut self.codes);
         }
-        self.recoloured = true;
+        self.recolored = true;
     }
 
     fn choose_style(&self, model: &Model, pixels_per_point: f32) -> Option<CellStyle> {

@@ -1,9 +1,9 @@
-//! What the colours of triangles mean: the quantity, its range, its distribution.
+//! What the colors of triangles mean: the quantity, its range, its distribution.
 //!
 //! Q has a fixed range, so that maps and resolutions can be compared (as in the
 //! paper's Figure 9). The area distortion spans powers of ten in one map and a few
 //! per cent in another: its range is symmetric and the smallest of a few that holds
-//! nearly the whole area, and it is kept while it serves, so that colours stay calm.
+//! nearly the whole area, and it is kept while it serves, so that colors stay calm.
 
 use crate::conformal::{Direction, Histogram, TriangleDistortion};
 use crate::language::{Label, key};
@@ -24,16 +24,16 @@ const AREA_SPARE: f64 = 0.005;
 /// Bins of the histogram in the legend.
 const BINS: usize = 48;
 
-/// A quantity of triangles with its colours.
+/// A quantity of triangles with its colors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColourScale {
     /// What the triangles are painted with; not the texture.
     colouring: Colouring,
     /// Which way the map goes: the area's factor is that of source to target.
     direction: Direction,
-    /// Its colours.
+    /// Its colors.
     pub map: ColourMap,
-    /// The value of the first colour.
+    /// The value of the first color.
     pub low: f64,
     /// The value of the last one.
     pub high: f64,
@@ -73,12 +73,12 @@ impl ColourScale {
         }
     }
 
-    /// Where a value lies in the colours, 0 and 1 being the ends.
+    /// Where a value lies in the colors, 0 and 1 being the ends.
     pub fn place(&self, value: f64) -> f64 {
         (value - self.low) / (self.high - self.low)
     }
 
-    /// What is written above the colours, in English.
+    /// What is written above the colors, in English.
     pub fn title(&self) -> Label {
         match self.colouring {
             Colouring::Area => key::area_distortion(),
@@ -119,7 +119,7 @@ pub fn codes(scale: Option<&ColourScale>, triangles: &[TriangleDistortion], code
     }));
 }
 
-/// Greys the triangles that a repair has added, by where the triangles come from: they are nobody's.
+/// Grays the triangles that a repair has added, by where the triangles come from: they are nobody's.
 pub fn grey_added(origins: &[u32], codes: &mut [CellCode]) {
     for (code, _) in codes.iter_mut().zip(origins).filter(|(_, origin)| **origin == ADDED) {
         *code = CellCode::COLLAPSED;

@@ -62,7 +62,7 @@ impl DiskGrid {
     fn advance_side(&mut self, map: &ConformalMap, side: Side, deadline: Deadline) -> bool {
         let values = &mut self.coming.sides[side];
         map.side(side).advance_extension(&mut self.scratch, values, deadline).unwrap_or_else(|error| {
-            // The flat pattern of a point at the centre, rather than a wrong one.
+            // The flat pattern of a point at the center, rather than a wrong one.
             values.clear();
             values.resize(map.side(side).vertex_count(), DVec2::ZERO);
             self.coming.error = Some(key::no_disk_coordinates(side, Message::from(&error)));

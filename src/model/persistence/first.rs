@@ -61,13 +61,7 @@ pub fn missing_text(missing: &[MissingOutline]) -> Option<Message> {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::session::Command;
-
-    fn scaled(scale: f64) -> Session {
-        let mut session = Session::default();
-        session.apply(Command::SetTextureScale(scale));
-        session
-    }
+    use crate::session::{Command, scaled};
 
     #[test]
     fn the_address_comes_before_the_copy_and_that_before_the_default() {

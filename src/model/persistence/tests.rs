@@ -5,13 +5,7 @@ use crate::geometry::DVec2;
 use crate::model::persistence::public::{COPY_SECONDS, LARGE_POINTS};
 use crate::model::persistence::*;
 use crate::session::link::{self, Decoded};
-use crate::session::{OutlineSpec, file};
-
-fn scaled(scale: f64) -> Session {
-    let mut session = Session::default();
-    session.apply(Command::SetTextureScale(scale));
-    session
-}
+use crate::session::{OutlineSpec, file, scaled};
 
 fn changed(session: &Session, command: Command) -> Session {
     let mut session = session.clone();

@@ -157,7 +157,7 @@ impl Offscreen {
         }
     }
 
-    /// The map is complete: its colours follow.
+    /// The map is complete: its colors follow.
     fn rest(&mut self) {
         self.model.measure();
         self.cells.update(&self.model, self.pixels_per_point);

@@ -1,35 +1,35 @@
-//! What an offscreen picture is to be like: its size, its ground, its sides.
+//! The settings of an offscreen picture: size, background, sides.
 
 use crate::conformal::Side;
 
-/// A picture this high has the strokes and dots of a screen with one pixel to the point.
+/// A picture whose shorter side has this many pixels has strokes and dots of one pixel per point, as on a screen.
 const HEIGHT_OF_POINTS: f32 = 900.0;
 
-/// What a picture is to be like.
+/// The settings of an offscreen picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shot {
-    /// In pixels.
+    /// Width and height, in pixels.
     pub size: [u32; 2],
-    /// Strokes for a dark ground, or for a light one.
+    /// Whether strokes are light, for a dark background.
     pub dark: bool,
-    /// Without the ground.
+    /// Whether the background is transparent.
     pub transparent: bool,
-    /// One of the sides; `None`: both, side by side.
+    /// The side shown; `None`: both, next to each other.
     pub side: Option<Side>,
 }
 
 impl Shot {
-    /// How large a point is in it, in pixels.
+    /// The scale of strokes and dots: pixels per point.
     pub fn pixels_per_point(&self) -> f32 {
         self.size[0].min(self.size[1]) as f32 / HEIGHT_OF_POINTS
     }
 
-    /// Whether a side is in the picture.
+    /// Whether the picture shows a side.
     pub fn shows(&self, side: Side) -> bool {
         self.side.is_none_or(|only| only == side)
     }
 
-    /// Width over height of one side in it.
+    /// The aspect ratio, width over height, of one side's part of the picture.
     pub fn aspect(&self) -> f64 {
         let columns = if self.side.is_some() { 1.0 } else { 2.0 };
         f64::from(self.size[0]) / columns / f64::from(self.size[1])

@@ -1,4 +1,4 @@
-//! The request for an outline: the outline, how its inside is discretised, and how it was reshaped.
+//! The request for an outline: the outline, how its inside is discretized, and how it was reshaped.
 
 use crate::conformal::{MeshedDomain, PrepareSettings};
 use crate::language::{Message, key};

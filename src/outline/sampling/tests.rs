@@ -53,6 +53,22 @@ fn uniform_samples_are_equally_spaced_from_the_first_vertex() {
 }
 
 #[test]
+fn thinned_samples_are_some_of_the_samples() {
+    let samples = adaptive(&circle(500, |k| 1.0 + 0.3 * (TAU * k as f64 / 100.0).cos()), None);
+    for most in [0, 3, 50, samples.len() - 1] {
+        let few = samples.thinned(most);
+        assert_eq!((few.check_invariants(), few.len()), (Ok(()), most.max(3)));
+        let kept = few
+            .points
+            .iter()
+            .zip(&few.fractions)
+            .map(|(p, &s)| samples.points[samples.at_fraction(s).edge() as usize] == *p);
+        assert!(kept.into_iter().all(|kept| kept), "{most}");
+    }
+    assert_eq!(samples.thinned(samples.len()), samples);
+}
+
+#[test]
 fn kept_corners_are_samples_and_the_count_holds() {
     for count in [4, 5, 11, 97] {
         let samples = uniform(&square(), count, true).unwrap();

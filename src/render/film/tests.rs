@@ -46,7 +46,7 @@ fn an_animated_png_keeps_every_pixel() {
 }
 
 #[test]
-fn a_gif_has_nearly_the_colours_and_other_frames_each_time() {
+fn a_gif_has_nearly_the_colors_and_other_frames_each_time() {
     let (_, frames) = film(FilmFormat::Gif, 7, 1.0, 255);
     assert_eq!(frames.len(), 7);
     for (k, frame) in frames.iter().enumerate() {
@@ -72,7 +72,7 @@ fn what_is_transparent_in_a_gif_stays_so_in_every_frame() {
 }
 
 #[test]
-fn colours_that_come_later_get_a_palette_of_their_own() {
+fn colors_that_come_later_get_a_palette_of_their_own() {
     let mut film = Film::new(FilmSettings { format: FilmFormat::Gif, size: SIZE, frames: 2, seconds: 1.0 }).unwrap();
     let grey =
         RgbaImage::from_fn(SIZE[0], SIZE[1], |x, y| Rgba([x + y, x + y, x + y, 85].map(|value| (3 * value) as u8)));

@@ -4,6 +4,7 @@ use super::{FileError, OutlineForm};
 use crate::conformal::{Direction, Extension, PerSide, PrepareSettings, Side};
 use crate::geometry::DVec2;
 use crate::session::limits::{Quantity, within};
+use crate::session::view::Display;
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
 use serde::{Deserialize, Serialize};
 
@@ -23,41 +24,8 @@ pub(super) struct Written<'a> {
     interior: [Option<DVec2>; 2],
     anchor: [f64; 2],
     #[serde(flatten)]
-    drawn: Drawn,
+    display: Display,
     surface: Option<&'a SurfaceState>,
-}
-
-/// The settings of the map and of its display, the same in every format.
-#[derive(Serialize)]
-pub(super) struct Drawn {
-    direction: Direction,
-    extension: Extension,
-    texture: TextureKind,
-    texture_scale: f64,
-    texture_side: Side,
-    colouring: Colouring,
-    wireframe: bool,
-    plots: bool,
-    comparison: Comparison,
-}
-
-impl Drawn {
-    pub fn of(session: &Session) -> Self {
-        // Destructured, so that the compiler reports a new field that is not handled here.
-        let &Session {
-            sides: _,
-            direction,
-            extension,
-            texture,
-            texture_scale,
-            texture_side,
-            colouring,
-            wireframe,
-            plots,
-            comparison,
-        } = session;
-        Self { direction, extension, texture, texture_scale, texture_side, colouring, wireframe, plots, comparison }
-    }
 }
 
 impl<'a> Written<'a> {
@@ -70,7 +38,7 @@ impl<'a> Written<'a> {
             target: &target.domain,
             interior: [source.interior, target.interior],
             anchor: [source.anchor, target.anchor],
-            drawn: Drawn::of(session),
+            display: session.display,
             surface: target.surface.as_ref(),
         }
     }
@@ -125,15 +93,17 @@ impl TryFrom<Version1> for Session {
         };
         Ok(Self {
             sides: PerSide::new(side(Side::Source, form.source, None)?, side(Side::Target, form.target, form.surface)?),
-            direction: form.direction,
-            extension: form.extension,
-            texture: form.texture,
-            texture_scale: form.texture_scale,
-            texture_side: form.texture_side,
-            colouring: form.colouring,
-            wireframe: form.wireframe,
-            plots: form.plots,
-            comparison: form.comparison,
+            display: Display {
+                direction: form.direction,
+                extension: form.extension,
+                texture: form.texture,
+                texture_scale: form.texture_scale,
+                texture_side: form.texture_side,
+                colouring: form.colouring,
+                wireframe: form.wireframe,
+                plots: form.plots,
+                comparison: form.comparison,
+            },
         })
     }
 }

@@ -1,11 +1,11 @@
 //! File format 2: each side has its outline, its points, and optionally a surface. Later versions of the program may
 //! add fields with a default; readers skip unknown fields.
 
-use super::version1::Drawn;
 use super::{FileError, OutlineForm};
 use crate::conformal::{Direction, Extension, PerSide, PrepareSettings, Side};
 use crate::geometry::DVec2;
 use crate::session::limits::{Quantity, within};
+use crate::session::view::Display;
 use crate::session::{Colouring, Comparison, DomainSpec, Session, SideState, SurfaceState, TextureKind};
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ pub(super) struct Written<'a> {
     source: WrittenSide<'a>,
     target: WrittenSide<'a>,
     #[serde(flatten)]
-    drawn: Drawn,
+    display: Display,
 }
 
 #[derive(Serialize)]
@@ -37,7 +37,7 @@ impl<'a> Written<'a> {
             WrittenSide { domain, interior: *interior, anchor: *anchor, surface: surface.as_ref() }
         };
         let (source, target) = (side(Side::Source), side(Side::Target));
-        Self { riemap: is_file.then_some(2), version: 2, source, target, drawn: Drawn::of(session) }
+        Self { riemap: is_file.then_some(2), version: 2, source, target, display: session.display }
     }
 }
 
@@ -81,15 +81,17 @@ impl TryFrom<Version2> for Session {
         within(Quantity::Version, f64::from(form.version), &(2.0..=2.0))?;
         Ok(Self {
             sides: PerSide::new(form.source.checked(Side::Source)?, form.target.checked(Side::Target)?),
-            direction: form.direction,
-            extension: form.extension,
-            texture: form.texture,
-            texture_scale: form.texture_scale,
-            texture_side: form.texture_side,
-            colouring: form.colouring,
-            wireframe: form.wireframe,
-            plots: form.plots,
-            comparison: form.comparison,
+            display: Display {
+                direction: form.direction,
+                extension: form.extension,
+                texture: form.texture,
+                texture_scale: form.texture_scale,
+                texture_side: form.texture_side,
+                colouring: form.colouring,
+                wireframe: form.wireframe,
+                plots: form.plots,
+                comparison: form.comparison,
+            },
         })
     }
 }

@@ -5,7 +5,7 @@
 //! | version 1, frozen | `version1` |
 //! | version 2: surfaces on either side, and later additions | `version2` |
 //! | the numbers of enum values | `codes` |
-//! | outlines in 16 bits | `quantised` |
+//! | outlines in 16 bits | `quantized` |
 //! | deflate and base 64 | `envelope` |
 //!
 //! Guarantees: for any input, [`decode`] returns a session that [`Session::check`] accepts, with simple
@@ -18,14 +18,14 @@
 
 mod codes;
 mod envelope;
-mod quantised;
+mod quantized;
 mod version1;
 mod version2;
 
 use super::{OutOfRange, OutlineSpec, Session};
 use crate::conformal::{PerSide, Side};
 use crate::geometry::{DVec2, PolygonError};
-use quantised::Quantised;
+use quantized::Quantized;
 use serde::de::DeserializeOwned;
 use version1::{STAND_IN, Version1, WiredOutline, short_name};
 use version2::Version2;
@@ -65,7 +65,7 @@ pub enum NotCarried {
     /// It has too many points.
     #[error("its {points} points take more than {MAX_LENGTH} characters")]
     TooLong {
-        /// The number of points after quantisation.
+        /// The number of points after quantization.
         points: usize,
     },
     /// Rounded to 16 bits it is no longer a simple polygon.
@@ -254,10 +254,10 @@ fn state_of(link: &str) -> Option<&str> {
     fragment.split('&').find_map(|part| part.strip_prefix(KEY))
 }
 
-/// An outline, quantised before it is written into a link.
+/// An outline, quantized before it is written into a link.
 enum Prepared {
     Preset(String),
-    Points { name: String, points: Quantised },
+    Points { name: String, points: Quantized },
     LeftOut { name: String, reason: NotCarried },
 }
 
@@ -266,7 +266,7 @@ fn prepared(outline: &OutlineSpec) -> Prepared {
         OutlineSpec::Preset(preset) => Prepared::Preset(preset.name().to_owned()),
         OutlineSpec::Points { name, polygon } => {
             let name = short_name(name);
-            match Quantised::of(polygon.vertices()) {
+            match Quantized::of(polygon.vertices()) {
                 Ok(points) => Prepared::Points { name, points },
                 Err(reason) => Prepared::LeftOut { name, reason },
             }

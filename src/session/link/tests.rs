@@ -58,7 +58,7 @@ fn everything() -> Session {
     session
 }
 
-/// A house with corners on the 16-bit grid of its box: quantising does not change it.
+/// A house with corners on the 16-bit grid of its box: quantizing does not change it.
 fn house() -> Session {
     let corners = [(0.0, 0.0), (65535.0, 0.0), (65535.0, 40000.0), (32768.0, 65535.0), (0.0, 40000.0)];
     let outline = OutlineSpec::Points { name: "Häuschen".into(), polygon: polygon(corners.map(DVec2::from).to_vec()) };
@@ -312,7 +312,7 @@ fn numbers_out_of_their_ranges_are_refused() {
         let found = tampered(change, |_| ());
         assert!(matches!(found, Err(LinkError::OutOfRange(_))), "{found:?}");
     };
-    refused(|s| s.texture_scale = f64::NAN);
+    refused(|s| s.display.texture_scale = f64::NAN);
     refused(|s| s.sides[Side::Source].interior = Some(DVec2::new(f64::INFINITY, 0.0)));
     refused(|s| s.sides[Side::Target].anchor = -1e300);
     refused(|s| s.sides[Side::Source].domain.settings.sizing = Sizing::Graded(0.0));

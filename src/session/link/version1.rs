@@ -9,12 +9,13 @@
 //! session equals the encoded one, and in a crowded domain the map depends on every digit.
 
 use super::codes::Coded;
-use super::quantised::Quantised;
+use super::quantized::Quantized;
 use super::{Choice, Decoded, LinkError, MissingOutline};
 use crate::conformal::{PerSide, PrepareSettings, Side, SurfaceSettings};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
 use crate::outline::{Preset, Sampling};
+use crate::session::view::Display;
 use crate::session::{DomainSpec, OutlineSpec, Session, SideState, SurfaceShape, SurfaceSpec, SurfaceState};
 use serde::{Deserialize, Serialize};
 
@@ -65,7 +66,7 @@ pub(super) enum WiredOutline {
     /// A preset, by name.
     Preset(String),
     /// A loaded outline with its points.
-    Points { name: String, points: Quantised },
+    Points { name: String, points: Quantized },
     /// An outline that must be loaded from a file.
     File { name: String },
 }
@@ -105,15 +106,18 @@ impl Version1 {
         // Destructured, so that the compiler reports a new field that is not handled here.
         let Session {
             sides: PerSide { source, target },
-            direction,
-            extension,
-            texture,
-            texture_scale,
-            texture_side,
-            colouring,
-            wireframe,
-            plots,
-            comparison,
+            display:
+                Display {
+                    direction,
+                    extension,
+                    texture,
+                    texture_scale,
+                    texture_side,
+                    colouring,
+                    wireframe,
+                    plots,
+                    comparison,
+                },
         } = session;
         let sides = [source, target];
         Self {
@@ -161,15 +165,17 @@ impl Version1 {
         let [source, target] = self.domains;
         let session = Session {
             sides: PerSide::new(side(Side::Source, source, None)?, side(Side::Target, target, self.surface)?),
-            direction: Coded::of(self.direction)?,
-            extension: Coded::of(self.extension)?,
-            texture: Coded::of(self.texture)?,
-            texture_scale: self.texture_scale,
-            texture_side: Coded::of(self.texture_side)?,
-            colouring: Coded::of(self.colouring)?,
-            wireframe: self.wireframe,
-            plots: self.plots,
-            comparison: Coded::of(self.comparison)?,
+            display: Display {
+                direction: Coded::of(self.direction)?,
+                extension: Coded::of(self.extension)?,
+                texture: Coded::of(self.texture)?,
+                texture_scale: self.texture_scale,
+                texture_side: Coded::of(self.texture_side)?,
+                colouring: Coded::of(self.colouring)?,
+                wireframe: self.wireframe,
+                plots: self.plots,
+                comparison: Coded::of(self.comparison)?,
+            },
         };
         Ok(Decoded { session, missing })
     }
@@ -207,7 +213,7 @@ fn preset(name: &str) -> Result<OutlineSpec, LinkError> {
     name.parse().map(OutlineSpec::Preset).map_err(unknown)
 }
 
-fn with_points(side: Side, name: String, points: &Quantised) -> Result<OutlineSpec, LinkError> {
+fn with_points(side: Side, name: String, points: &Quantized) -> Result<OutlineSpec, LinkError> {
     let polygon = SimplePolygon::try_from(points.points()).map_err(|reason| LinkError::Outline { side, reason })?;
     Ok(OutlineSpec::Points { name: checked_name(name)?, polygon })
 }

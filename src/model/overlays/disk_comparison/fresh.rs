@@ -7,7 +7,7 @@ use crate::conformal::{MeshedDomain, PerSide, Side};
 use crate::geometry::DVec2;
 use crate::model::overlays::Situation;
 use crate::model::overlays::disk_comparison::found::{Measured, compare};
-use crate::model::overlays::disk_comparison::{MOVING_SAMPLES, RESTING_SAMPLES, Shown, is_refused, thinned};
+use crate::model::overlays::disk_comparison::{MOVING_SAMPLES, RESTING_SAMPLES, Shown, is_refused};
 use crate::zipper::DiskMeasure;
 use std::sync::Arc;
 
@@ -97,8 +97,8 @@ impl Fresh {
     fn measure(&mut self, situation: &Situation, side: Side, most: usize) {
         let domain = Arc::clone(situation.domains[side]);
         let (point, anchor) = (situation.points[side], situation.anchors[side]);
-        let samples = thinned(domain.samples(), most);
-        let measure = DiskMeasure::fresh(&samples.points, point, samples.at_fraction(anchor));
+        let samples = domain.samples().thinned(most);
+        let measure = DiskMeasure::fresh(samples.points(), point, samples.at_fraction(anchor));
         self.known[side] = Some(Known { domain, point, anchor, measured: Measured { samples, measure } });
     }
 

@@ -14,10 +14,8 @@ mod precomputed;
 
 pub use found::Found;
 
-use crate::geometry::DVec2;
 use crate::language::Message;
 use crate::model::overlays::Situation;
-use crate::outline::BoundarySamples;
 use crate::session::{Comparison, DiskWay};
 use crate::zipper::ZipperError;
 use fresh::Fresh;
@@ -104,16 +102,4 @@ impl Shown {
 /// Whether the curve through the samples excludes the interior point.
 fn is_refused<T>(result: &Result<T, ZipperError>) -> bool {
     matches!(result, Err(ZipperError::PointOutside { .. }))
-}
-
-/// At most `most` of the samples, evenly spaced in the list, so that they stay denser where they were.
-pub fn thinned(samples: &BoundarySamples, most: usize) -> BoundarySamples {
-    let m = samples.len();
-    if m <= most {
-        return samples.clone();
-    }
-    let kept: Vec<usize> = (0..most).map(|k| k * m / most).collect();
-    let points: Vec<DVec2> = kept.iter().map(|&k| samples.points[k]).collect();
-    let edge_lengths = (0..most).map(|k| points[k].distance(points[(k + 1) % most])).collect();
-    BoundarySamples { points, edge_lengths, fractions: kept.iter().map(|&k| samples.fractions[k]).collect() }
 }

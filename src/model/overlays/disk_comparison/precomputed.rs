@@ -3,7 +3,7 @@
 use crate::conformal::{MeshedDomain, PerSide, Side};
 use crate::model::overlays::Situation;
 use crate::model::overlays::disk_comparison::found::{Measured, compare};
-use crate::model::overlays::disk_comparison::{RESTING_SAMPLES, Shown, is_refused, thinned};
+use crate::model::overlays::disk_comparison::{RESTING_SAMPLES, Shown, is_refused};
 use crate::outline::BoundarySamples;
 use crate::zipper::{DiskMap, DiskMeasure, ZipperError};
 use std::sync::Arc;
@@ -37,8 +37,8 @@ impl Precomputed {
         let missing = Side::BOTH.into_iter().find_map(|side| Some((side, self.lacks(situation, side)?)));
         if let Some((side, most)) = missing {
             let domain = Arc::clone(situation.domains[side]);
-            let samples = thinned(domain.samples(), most);
-            let map = DiskMap::new(&samples.points, domain.default_point());
+            let samples = domain.samples().thinned(most);
+            let map = DiskMap::new(samples.points(), domain.default_point());
             self.known[side] = Some(Known { domain, samples, map });
             return Some(0.0);
         }

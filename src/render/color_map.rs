@@ -36,8 +36,8 @@ const DIVERGING: [[u8; 3]; 7] =
 
 /// The colors of triangles that have no number: Okabe–Ito's vermillion for
 /// flipped ones, a dark gray for those whose image is a point.
-const FLIPPED_COLOUR: [u8; 3] = [213, 94, 0];
-const COLLAPSED_COLOUR: [u8; 3] = [64, 64, 64];
+const FLIPPED_COLOR: [u8; 3] = [213, 94, 0];
+const COLLAPSED_COLOR: [u8; 3] = [64, 64, 64];
 
 /// The color of a triangle: an index into a palette of 256.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -57,7 +57,7 @@ impl CellCode {
 }
 
 impl ColourMap {
-    /// The colour at `t`, clamped to [0, 1]; sRGB-encoded, opaque.
+    /// The color at `t`, clamped to [0, 1]; sRGB-encoded, opaque.
     pub fn at(self, t: f64) -> [f32; 4] {
         let points: &[[u8; 3]] = match self {
             Self::Cividis => &CIVIDIS,
@@ -75,15 +75,15 @@ impl ColourMap {
     pub(super) fn palette(self) -> [[u8; 4]; 256] {
         std::array::from_fn(|code| match code {
             0..=253 => self.at(code as f64 / 253.0).map(|component| (255.0 * component).round() as u8),
-            254 => opaque(COLLAPSED_COLOUR),
-            _ => opaque(FLIPPED_COLOUR),
+            254 => opaque(COLLAPSED_COLOR),
+            _ => opaque(FLIPPED_COLOR),
         })
     }
 }
 
-/// The colour of flipped triangles, sRGB-encoded.
+/// The color of flipped triangles, sRGB-encoded.
 pub fn flipped_colour() -> [f32; 4] {
-    opaque(FLIPPED_COLOUR).map(|component| f32::from(component) / 255.0)
+    opaque(FLIPPED_COLOR).map(|component| f32::from(component) / 255.0)
 }
 
 fn opaque([r, g, b]: [u8; 3]) -> [u8; 4] {
@@ -92,12 +92,12 @@ fn opaque([r, g, b]: [u8; 3]) -> [u8; 4] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::style::linear_colour;
+    use super::super::style::linear_color;
     use super::*;
 
     /// CIE lightness L* from the relative luminance of sRGB (IEC 61966-2-1).
     fn lightness(colour: [f32; 4]) -> f32 {
-        let [r, g, b, _] = linear_colour(colour);
+        let [r, g, b, _] = linear_color(colour);
         let y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
         if y > 0.008_856 { 116.0 * y.cbrt() - 16.0 } else { 903.3 * y }
     }
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn values_beyond_the_range_have_the_colours_of_its_ends() {
+    fn values_beyond_the_range_have_the_colors_of_its_ends() {
         for map in [ColourMap::Cividis, ColourMap::Diverging] {
             assert_eq!(map.at(-3.0), map.at(0.0));
             assert_eq!(map.at(1.5), map.at(1.0));
@@ -138,10 +138,10 @@ mod tests {
     }
 
     #[test]
-    fn the_marks_are_no_colours_of_numbers() {
+    fn the_marks_are_no_colors_of_numbers() {
         for map in [ColourMap::Cividis, ColourMap::Diverging] {
             let palette = map.palette();
-            for mark in [FLIPPED_COLOUR, COLLAPSED_COLOUR] {
+            for mark in [FLIPPED_COLOR, COLLAPSED_COLOR] {
                 let nearest = palette[..254].iter().map(|c| (0..3).map(|i| c[i].abs_diff(mark[i])).max());
                 assert!(nearest.min() > Some(Some(8)), "{map:?} has the colour {mark:?}");
             }

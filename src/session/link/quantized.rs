@@ -6,7 +6,7 @@
 //! decodes to a list of points.
 //!
 //! Guarantees: the result of [`Quantised::of`] is a simple polygon with the same bounding box, and
-//! quantising it again changes nothing. Points that round to their predecessor are dropped.
+//! quantizing it again changes nothing. Points that round to their predecessor are dropped.
 
 use super::envelope::{self, MAX_BYTES};
 use super::{MAX_LENGTH, NotCarried};
@@ -21,9 +21,9 @@ const LEAST_BYTES: usize = 2;
 /// session: more than the rest alone takes. If they got shorter by more, an outline that just fits would be left out.
 const SLACK: usize = 512;
 
-/// A quantised outline, as it is written.
+/// A quantized outline, as it is written.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
-pub(super) struct Quantised {
+pub(super) struct Quantized {
     low: [f64; 2],
     high: [f64; 2],
     /// Whether `steps` holds the changes of the steps.
@@ -33,8 +33,8 @@ pub(super) struct Quantised {
 
 type Cell = [u16; 2];
 
-impl Quantised {
-    /// Quantises a polygon. Errors: it is too long for any link, or after rounding it is no longer a simple polygon.
+impl Quantized {
+    /// Quantizes a polygon. Errors: it is too long for any link, or after rounding it is no longer a simple polygon.
     /// The length is checked first, because that is cheaper.
     pub fn of(points: &[DVec2]) -> Result<Self, NotCarried> {
         if let Some(index) = points.iter().position(|p| !p.is_finite()) {
@@ -143,15 +143,15 @@ mod tests {
     fn every_preset_stays_simple_and_within_half_a_step() {
         for preset in Preset::ALL {
             let points = preset.outline().polygon().vertices().to_vec();
-            let quantised = Quantised::of(&points).unwrap();
-            let found = quantised.points();
+            let quantized = Quantized::of(&points).unwrap();
+            let found = quantized.points();
             let half = 0.5 * Bounds::of(points.iter().copied()).size() / LAST;
             for p in &points {
                 let near = |q: &DVec2| (*p - *q).abs().cmple(half * (1.0 + 1e-9)).all();
                 assert!(found.iter().any(near), "{preset}: nothing is near {p}");
             }
-            assert_eq!(Quantised::of(&found), Ok(quantised.clone()), "{preset}: the second time changes nothing");
-            println!("{preset}: {} of {} points, smooth: {}", found.len(), points.len(), quantised.smooth);
+            assert_eq!(Quantized::of(&found), Ok(quantized.clone()), "{preset}: the second time changes nothing");
+            println!("{preset}: {} of {} points, smooth: {}", found.len(), points.len(), quantized.smooth);
         }
     }
 
@@ -161,7 +161,7 @@ mod tests {
         let cells = cells(&square, Bounds::of(square));
         for smooth in [false, true] {
             let steps = differences(&cells, smooth);
-            let written = Quantised { low: [0.0; 2], high: [1.0, 2.0], smooth, steps };
+            let written = Quantized { low: [0.0; 2], high: [1.0, 2.0], smooth, steps };
             assert_eq!(written.points(), square, "smooth: {smooth}");
         }
     }
@@ -172,7 +172,7 @@ mod tests {
         let slit = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.000_001, 3.0), (2.0, 1.0), (2.0, 3.0), (0.0, 3.0)];
         let points = slit.map(DVec2::from).to_vec();
         assert!(SimplePolygon::try_from(points.clone()).is_ok());
-        let found = Quantised::of(&points);
+        let found = Quantized::of(&points);
         assert!(
             matches!(
                 found,
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn points_nearer_than_the_grid_become_one() {
         let dense = [(0.0, 0.0), (1e-9, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1e-9)].map(DVec2::from);
-        let found = Quantised::of(&dense).unwrap().points();
+        let found = Quantized::of(&dense).unwrap().points();
         assert_eq!(found, [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)].map(DVec2::from));
     }
 
@@ -194,7 +194,7 @@ mod tests {
     fn where_the_numbers_are_coarser_than_the_grid_nothing_moves() {
         let house = [(0.0, 0.0), (1.0, 0.0), (1.0, 0.625), (0.5, 1.0), (0.0, 0.625)];
         let points = house.map(|p| DVec2::from(p) + 1e12);
-        assert_eq!(Quantised::of(&points).unwrap().points(), points);
+        assert_eq!(Quantized::of(&points).unwrap().points(), points);
     }
 
     /// A staircase of `n` steps deflates to almost nothing: only its number of points is too large.
@@ -206,15 +206,15 @@ mod tests {
         };
         let limit = (MAX_BYTES / LEAST_BYTES) as u32;
         // the number of points, the first and the last step take a few more bytes
-        assert!(Quantised::of(&staircase(limit - 8)).is_ok());
-        let found = Quantised::of(&staircase(limit));
+        assert!(Quantized::of(&staircase(limit - 8)).is_ok());
+        let found = Quantized::of(&staircase(limit));
         assert_eq!(found, Err(NotCarried::TooLong { points: limit as usize + 1 }));
     }
 
     #[test]
     fn points_that_form_no_polygon_are_refused() {
-        assert!(Quantised::of(&[]).is_err());
-        assert!(Quantised::of(&[DVec2::NAN; 3]).is_err());
-        assert!(Quantised::of(&[DVec2::ZERO, DVec2::X, 2.0 * DVec2::X]).is_err());
+        assert!(Quantized::of(&[]).is_err());
+        assert!(Quantized::of(&[DVec2::NAN; 3]).is_err());
+        assert!(Quantized::of(&[DVec2::ZERO, DVec2::X, 2.0 * DVec2::X]).is_err());
     }
 }
