@@ -6,6 +6,7 @@
 //! than a frame continues in the next one (file `update`). While a side is being prepared,
 //! the last good map stays and follows its handles.
 
+mod abilities;
 pub mod coarse;
 mod commands;
 pub mod curves;
@@ -13,6 +14,7 @@ pub mod editing;
 pub mod export;
 pub mod files;
 mod measurement;
+mod method;
 pub mod motion;
 pub mod names;
 pub mod opening;
@@ -21,11 +23,15 @@ pub mod pattern;
 pub mod persistence;
 mod refresh;
 pub mod scene;
+pub mod shape;
 mod shown;
 pub mod side;
 mod surface;
 mod under_way;
 mod update;
+
+pub use abilities::{Abilities, Unavailable};
+pub use method::Method;
 
 use crate::conformal::{
     ConformalMap, InteriorPoint, MeshedDomain, PerSide, PreparedSide, Quality, Side, Stage, TriangleDistortion,
@@ -195,8 +201,9 @@ impl Model {
     }
 
     /// Whether two outlines are mapped: there is no surface on either side.
+    #[cfg(test)]
     pub fn is_planar(&self) -> bool {
-        self.surfaces() == PerSide::new(false, false)
+        self.abilities().compares_outlines()
     }
 
     /// Whether the map that is shown is one between two surfaces.

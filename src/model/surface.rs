@@ -1,6 +1,6 @@
 //! The surfaces that stand in the outlines' places: commands, answers, and where their points are.
 
-use crate::conformal::{PerSide, Side};
+use crate::conformal::Side;
 use crate::geometry::DVec3;
 use crate::language::{Message, key};
 use crate::model::Model;
@@ -15,11 +15,6 @@ impl Model {
     /// The surface of a side and where its points are, while it stands in the outline's place.
     pub fn surface(&self, side: Side) -> Option<(&SurfaceSide, &SurfaceState)> {
         Some((&self.sides[side].surface, self.session.surface(side)?))
-    }
-
-    /// On which sides surfaces stand.
-    pub fn surfaces(&self) -> PerSide<bool> {
-        PerSide::from_fn(|side| self.session.surface(side).is_some())
     }
 
     /// Builds the search tree of one surface that is shown, lacks it and is not too large; returns whether there was one.

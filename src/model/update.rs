@@ -18,7 +18,7 @@ use std::sync::Arc;
 impl Model {
     /// Whether a coarse map can replace the full one: only one between the same outlines.
     fn has_stand_in(&self) -> bool {
-        self.is_planar()
+        self.abilities().compares_outlines()
     }
 
     /// Records a change of a side's geometry. A map of other geometry is no longer shown, except between outlines.
