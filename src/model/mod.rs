@@ -101,7 +101,8 @@ pub enum Processor {
 
 /// The session, its sides and the map.
 ///
-/// Invariant: a side of the map that is shown is a surface only if the session shows that surface.
+/// Invariant: a side of the map that is shown is a surface only if the session shows that surface, perhaps at another
+/// resolution, whose map is not complete.
 #[derive(Debug)]
 pub struct Model {
     session: Session,
@@ -284,7 +285,7 @@ impl Model {
     /// Whether the full map for the session is shown and no preparation is in progress.
     pub fn is_ready(&self) -> bool {
         let is_busy = Side::BOTH.into_iter().any(|side| self.is_preparing(side));
-        self.shown.map.is_some() && !self.is_pending() && !is_busy
+        self.shown.map.is_some() && self.shows_present_surfaces() && !self.is_pending() && !is_busy
     }
 
     /// Lower left and upper right corner of a side's domain.

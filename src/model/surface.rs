@@ -1,6 +1,6 @@
 //! The surfaces that stand in the outlines' places: commands, answers, and where their points are.
 
-use crate::conformal::Side;
+use crate::conformal::{MeshedSurface, Side};
 use crate::geometry::DVec3;
 use crate::language::{Message, key};
 use crate::model::Model;
@@ -10,6 +10,7 @@ use crate::model::side::{ModelSide, SurfaceSide};
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::surface::RepairNote;
 use crate::worker::{NamedFile, Response};
+use std::sync::Arc;
 
 impl Model {
     /// The surface of a side and where its points are, while it stands in the outline's place.
@@ -182,7 +183,25 @@ impl Model {
             self.session
                 .apply(Command::PlacePoints { side, points: SidePoints::Surface { interior, anchor: state.anchor } });
         }
-        self.change_sides();
+        if is_finer { self.change_resolution() } else { self.change_sides() }
+    }
+
+    /// Whether the surfaces that are mapped in the picture are the present ones; while the map of another resolution is
+    /// computed, they are not.
+    pub(super) fn shows_present_surfaces(&self) -> bool {
+        let is_present = |side: Side| {
+            let present = self.surface(side).and_then(|(surface, _)| surface.prepared());
+            let mapped = self.shown.map.as_ref().map(|map| map.side(side));
+            present.is_none_or(|present| mapped.is_some_and(|mapped| Arc::ptr_eq(mapped, present)))
+        };
+        Side::BOTH.into_iter().all(is_present)
+    }
+
+    /// The surface that the picture of a side shows: that of the map, which may have another resolution than the present
+    /// one, whose map is not complete; before there is a map, the present one.
+    pub fn shown_surface(&self, side: Side) -> Option<&Arc<MeshedSurface>> {
+        let present = self.surface(side)?.0.surface();
+        self.map().and_then(|map| map.side(side).surface()).or(present)
     }
 
     /// What was noticed when the surface was read, how it was repaired, and what is to be known of its map.

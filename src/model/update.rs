@@ -21,6 +21,12 @@ impl Model {
         self.abilities().compares_outlines()
     }
 
+    /// Records that a side's surface has another resolution. The map of the former one stays in the picture until the map
+    /// of the present one is complete.
+    pub(super) fn change_resolution(&mut self) {
+        self.sides_changed = true;
+    }
+
     /// Records a change of a side's geometry. A map of other geometry is no longer shown, except between outlines.
     pub(super) fn change_sides(&mut self) {
         self.sides_changed = true;
