@@ -6,7 +6,7 @@ use crate::language::{Message, key};
 use crate::model::Model;
 use crate::model::opening::Arrived;
 use crate::model::side::preparation::Progress;
-use crate::model::side::{ModelSide, SurfaceSide};
+use crate::model::side::{ModelSide, Next, SurfaceSide};
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::surface::RepairNote;
 use crate::worker::{NamedFile, Response};
@@ -50,18 +50,19 @@ impl Model {
     /// Begins to prepare a surface that a person has opened or dropped; what was wrong with an outline for its place is
     /// past. If a session waits for the file of that name, it comes with the session's points, on the other side too.
     pub(super) fn want_surface_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
-        self.sides[side].surface.gives_way = false;
+        self.sides[side].next.take_outline();
         self.dismiss(side);
         let is_awaited = self.sides[side].awaits_surface_file(name);
         let file = self.surface_files.keep(name, bytes);
         // a second file of the name that is already being prepared is another surface
         let is_its_file = |state: &SurfaceState| is_awaited || state.spec.shape.is_file(&file.name);
-        match self.sides[side].incoming_surface.take().filter(is_its_file) {
+        let awaiting = self.sides[side].next.take_surface().filter(is_its_file);
+        match awaiting {
             Some(state) => self.want_file_of_session(side, state, file.clone()),
             None => self.sides[side].surface.want_file(&SurfaceSpec::default(), file.clone()),
         }
         if self.sides[side.other()].awaits_surface_file(&file.name) {
-            let awaiting = self.sides[side.other()].incoming_surface.take();
+            let awaiting = self.sides[side.other()].next.take_surface();
             self.open_surface(side.other(), awaiting);
         }
     }
@@ -76,26 +77,25 @@ impl Model {
     fn want_file_of_session(&mut self, side: Side, mut state: SurfaceState, file: NamedFile) {
         self.sides[side].surface.want_file(&state.spec, file.clone());
         state.spec.shape = SurfaceShape::File { name: file.name };
-        self.sides[side].incoming_surface = Some(state);
+        self.sides[side].next = Next::Surface(Box::new(state));
     }
 
     /// Begins to prepare a surface for a side.
     pub(super) fn set_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
         self.stop_reading(side);
-        self.sides[side].incoming_surface = None;
-        self.sides[side].surface.gives_way = false;
+        self.sides[side].next = Next::Same;
         self.dismiss(side);
         self.want_surface(side, spec, now);
     }
 
     /// Begins to discretise the present surface in another way; returns whether `spec` is of that surface.
     pub(super) fn refine_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) -> bool {
-        let surface = &self.sides[side].surface;
-        let stays = self.session.surface(side).is_some() && !surface.gives_way;
+        let ModelSide { surface, next, .. } = &self.sides[side];
+        let stays = self.session.surface(side).is_some() && !matches!(next, Next::Outline);
         let wanted = surface.preparation.wanted().filter(|_| stays);
         let is_there = wanted.is_some_and(|wanted| wanted.is_like(&spec));
         if is_there {
-            let incoming = self.sides[side].incoming_surface.as_mut();
+            let incoming = self.sides[side].next.surface_mut();
             if let Some(incoming) = incoming.filter(|incoming| incoming.spec.is_like(&spec)) {
                 // a point is one of a triangle, and those may be others
                 incoming.point = incoming.point.filter(|_| incoming.spec.shape == spec.shape);
@@ -115,8 +115,7 @@ impl Model {
 
     /// Shows a surface that is there, with the points that a session has for it.
     fn take_surface(&mut self, side: Side, spec: SurfaceSpec, is_new: bool) {
-        let incoming = &mut self.sides[side].incoming_surface;
-        let incoming = incoming.take_if(|incoming| incoming.spec.shape.is_like(&spec.shape));
+        let incoming = self.sides[side].next.take_surface_if(|incoming| incoming.spec.shape.is_like(&spec.shape));
         self.show_surface(side, spec, is_new);
         if let Some(incoming) = incoming {
             self.place_surface(side, incoming);
@@ -132,7 +131,7 @@ impl Model {
 
     /// Takes the surface of a side away, if there is one or one is to come: the outline that it has hidden is shown.
     pub(super) fn close_surface(&mut self, side: Side) {
-        self.sides[side].incoming_surface = None;
+        self.sides[side].next.take_surface();
         self.sides[side].surface.preparation.give_up();
         if self.session.surface(side).is_some() {
             self.session.apply(Command::CloseSurface(side));
@@ -143,14 +142,14 @@ impl Model {
 
     /// Takes the surface of a session that is opened: at once, or when it is prepared.
     pub(super) fn open_surface(&mut self, side: Side, wanted: Option<SurfaceState>) {
+        self.sides[side].next.take_outline();
         let Some(wanted) = wanted else { return self.close_surface(side) };
-        self.sides[side].surface.gives_way = false;
         if self.sides[side].surface.want_spec(&wanted.spec, &self.surface_files, f64::NEG_INFINITY) {
-            self.sides[side].incoming_surface = Some(wanted);
+            self.sides[side].next = Next::Surface(Box::new(wanted));
             return;
         }
-        let ModelSide { incoming_surface, surface, refit, .. } = &mut self.sides[side];
-        *incoming_surface = None;
+        let ModelSide { next, surface, refit, .. } = &mut self.sides[side];
+        *next = Next::Same;
         *refit |= self.session.surface(side).is_none() || surface.is_outdated();
         surface.renew();
         self.place_surface(side, wanted);
