@@ -6,9 +6,9 @@
 use crate::app::RiemapApp;
 use crate::app::language::words;
 use crate::conformal::{PerSide, Side};
-use crate::geometry::DVec2;
 use crate::language::{key, number, say, tr};
 use crate::model::Model;
+use crate::model::shape::Shape;
 use egui::{Role, WidgetInfo};
 
 /// A description of the picture in a few sentences.
@@ -30,14 +30,14 @@ pub fn state(app: &RiemapApp) -> String {
 }
 
 fn shown(model: &Model) -> String {
-    let surfaces = PerSide::from_fn(|side| Some(words::surface(&model.surface(side)?.1.spec.shape)));
-    let outline = |side: Side| words::outline(&model.session().domain(side).outline);
-    match (surfaces.source, surfaces.target) {
-        (Some(source), Some(target)) => say(&key::accessible_map_of_surfaces(source, target)),
-        (Some(surface), None) => say(&key::accessible_surface_map(surface, &*outline(Side::Target))),
-        (None, Some(surface)) => say(&key::accessible_surface_map(surface, &*outline(Side::Source))),
-        (None, None) => say(&key::accessible_map(&*outline(Side::Source), &*outline(Side::Target))),
-    }
+    let names = PerSide::from_fn(|side| words::shape(model.shape(side)));
+    let (source, target) = (&*names.source, &*names.target);
+    say(&match (model.shape(Side::Source), model.shape(Side::Target)) {
+        (Shape::Surface(_), Shape::Surface(_)) => key::accessible_map_of_surfaces(source, target),
+        (Shape::Surface(_), Shape::Outline(_)) => key::accessible_surface_map(source, target),
+        (Shape::Outline(_), Shape::Surface(_)) => key::accessible_surface_map(target, source),
+        (Shape::Outline(_), Shape::Outline(_)) => key::accessible_map(source, target),
+    })
 }
 
 fn points(model: &Model, side: Side) -> Option<String> {
@@ -45,11 +45,7 @@ fn points(model: &Model, side: Side) -> Option<String> {
         Side::Source => [key::x1(), key::y1()].map(tr),
         Side::Target => [tr(key::x2()), "y₂"],
     };
-    let surface = model.surface(side);
-    let (place, fraction) = match surface {
-        Some((_, state)) => (model.surface_point(side)?.to_array().to_vec(), state.anchor),
-        None => (DVec2::to_array(&model.interior(side)?).to_vec(), model.session().side(side).anchor),
-    };
+    let (place, fraction) = (model.coordinates(side)?, model.session().side(side).points().anchor());
     let place = place.iter().map(|coordinate| number(*coordinate, 3)).collect::<Vec<_>>().join("; ");
     let along = number(100.0 * fraction, 1);
     Some(say(&key::points_of_side(x, place, y, along)))

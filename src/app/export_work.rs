@@ -4,13 +4,12 @@ use crate::app::RiemapApp;
 use crate::app::input::action::{Actions, ExportAction};
 use crate::app::viewport::gpu::Gpu;
 use crate::app::windows::exporting::window::{MapState, Surroundings};
-use crate::conformal::{PerSide, Side};
+use crate::conformal::PerSide;
 use crate::language::key;
 use crate::model::export::file;
 use crate::model::scene;
 use crate::offscreen::job::{Job, Scenery};
 use crate::platform;
-use crate::render::OrbitCamera;
 use egui::Context;
 
 impl RiemapApp {
@@ -18,7 +17,7 @@ impl RiemapApp {
     pub(in crate::app) fn show_exporter(&mut self, context: &Context, actions: &mut Actions) {
         let around = Surroundings {
             map: self.map_state(),
-            surfaces: self.model.surfaces(),
+            abilities: self.model.abilities(),
             max_side: self.pictures.gpu.as_ref().map_or(0, Gpu::max_texture_side),
         };
         self.windows.exporter.show(context, around, actions);
@@ -64,24 +63,14 @@ impl RiemapApp {
         let dark = context.theme() == egui::Theme::Dark;
         let aspect = request.shot(dark).aspect();
         let image = self.pictures.image.as_ref().map(|image| image.pixels.clone());
-        let scenery = Scenery { image, cameras: PerSide::from_fn(|side| self.camera(side, aspect)), dark };
+        let scenery =
+            Scenery { image, cameras: PerSide::from_fn(|side| self.pictures.camera(&self.model, side, aspect)), dark };
         let job = match &self.pictures.gpu {
             Some(gpu) => Job::begin(&self.model, &request, scenery, gpu.device()),
             None => Err(key::no_graphics_device().into()),
         };
         self.windows.exporter.begin(job);
         context.request_repaint();
-    }
-
-    /// The camera of a side's surface on the screen, in a viewport with this ratio of width to height.
-    fn camera(&self, side: Side, aspect: f64) -> Option<OrbitCamera> {
-        let scene = self.model.surface(side)?.0.scene()?;
-        let orbit = &self.pictures.orbits[side];
-        let mut camera = *orbit.camera()?;
-        if orbit.is_fitted() {
-            camera.fit(scene, aspect);
-        }
-        Some(camera)
     }
 
     /// Continues the export job, and saves the file when it is complete.

@@ -4,8 +4,10 @@
 use super::arrangement::Arrangement;
 use super::incoming::WORDS_FOLLOW_AFTER;
 use super::input::action::Actions;
-use super::{RiemapApp, layout, message_bar, pictures};
+use super::layout::LaidOut;
+use super::{RiemapApp, editing, layout, message_bar, pictures};
 use crate::app::viewport::gpu::Gpu;
+use crate::app::viewport::picture::Seen;
 use crate::conformal::Side;
 use crate::language::key;
 use crate::model::{Changes, Refines};
@@ -26,7 +28,11 @@ impl RiemapApp {
         self.screen.meter.tick(ui.input(|input| input.unstable_dt), cpu_usage, compute);
         self.plots.begin_frame(&self.model);
         message_bar::begin(self, ui);
-        let (arrangement, asked) = layout::show(self, ui);
+        let LaidOut { arrangement, actions: asked, pointed, focused_tour } = layout::show(self, ui);
+        self.plots.point_in_plots(pointed);
+        if focused_tour {
+            self.windows.explore.end_focus();
+        }
         let mut actions = std::mem::take(&mut self.input.asked);
         if !actions.is_empty() {
             // this frame's panels are laid out before the actions are carried out
@@ -40,8 +46,23 @@ impl RiemapApp {
 
     /// Paints the pictures and windows in the area that the panels leave.
     pub(super) fn paint(&mut self, ui: &mut egui::Ui, arrangement: Arrangement) {
-        let asked = egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(self, ui, arrangement)).inner;
+        let content = |ui: &mut egui::Ui| {
+            // commands and events may have changed margins and extents
+            pictures::place(self, ui, arrangement);
+            let mut asked = pictures::show(self, ui, arrangement);
+            self.show_windows(ui.ctx(), &mut asked);
+            asked
+        };
+        let asked = egui::CentralPanel::no_frame().show(ui, content).inner;
         self.ask(ui.ctx(), asked);
+    }
+
+    /// Shows the windows that are open; their fields are changed in place.
+    fn show_windows(&mut self, context: &egui::Context, actions: &mut Actions) {
+        self.windows.reports.show(context, actions);
+        editing::show_paste(context, &mut self.editor, actions);
+        self.windows.explore.show(context, actions);
+        self.show_exporter(context, actions);
     }
 
     /// Sends due requests to the workers, updates the map, uploads.
@@ -163,23 +184,9 @@ impl RiemapApp {
     /// Fits the view of every side with a new shape.
     fn refit(&mut self, context: &egui::Context) {
         for side in Side::BOTH {
-            if self.model.take_refit(side) {
-                self.pictures.views[side].fit();
-                if self.model.surface(side).is_some() {
-                    self.look_at_surface(side);
-                } else {
-                    context.request_repaint_after_secs(platform::ONE_FRAME);
-                }
+            if self.model.take_refit(side) && self.pictures.look_at_new(&self.model, side) == Seen::InNextFrame {
+                context.request_repaint_after_secs(platform::ONE_FRAME);
             }
-        }
-    }
-
-    /// Chooses the camera of a new surface so that most of it is visible.
-    fn look_at_surface(&mut self, side: Side) {
-        let orbit = &mut self.pictures.orbits[side];
-        let seen = self.model.surface(side);
-        if let Some(camera) = seen.and_then(|(surface, state)| surface.first_view(state, orbit.aspect())) {
-            orbit.look(camera);
         }
     }
 

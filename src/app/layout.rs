@@ -11,6 +11,7 @@ use crate::app::language::words;
 use crate::app::menus::{file_menu, top_bar};
 use crate::app::message_bar;
 use crate::app::panels::{play_panel, side_panel};
+use crate::app::plots::BoundaryPlace;
 use crate::app::theme::widgets::chevron;
 use crate::language::{key, tr};
 use crate::session::Command;
@@ -27,12 +28,23 @@ const LINK_STRIP: f32 = 28.0;
 /// The share of the screen's height that the open sheet takes in addition to its handle.
 const SHEET_SHARE: f32 = 0.42;
 
-/// Lays out bars, panels and the message below the pictures, and collects the actions of the panels and of the
-/// keys. Changes only the pointer's position in the plots and the focus of the tour's buttons.
-pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
+/// What the layout of bars and panels has found out, for the app to store and carry out.
+pub struct LaidOut {
+    /// The layout of the screen.
+    pub arrangement: Arrangement,
+    /// The requests of the panels and of the keys.
+    pub actions: Actions,
+    /// The place under the pointer in the plots.
+    pub pointed: Option<BoundaryPlace>,
+    /// Whether the tour's buttons have taken the keyboard focus.
+    pub focused_tour: bool,
+}
+
+/// Lays out bars, panels and the message below the pictures; changes nothing.
+pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
     let narrow = ui.available_width() < PHONE_WIDTH;
     theme::suit_pointer(ui.ctx(), narrow || app.screen.has_fingers || ui.input(egui::InputState::has_touch_screen));
-    let mut actions = Actions::new();
+    let (mut actions, mut pointed) = (Actions::new(), None);
     keys(app, ui, &mut actions);
     file_menu::keys(ui, &mut actions);
     presentation::keys(ui, &mut actions);
@@ -42,7 +54,7 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
     if app.screen.panels_open {
         bars(app, ui, narrow, &mut actions);
         if narrow {
-            sheet(app, ui, &mut actions);
+            pointed = sheet(app, ui, &mut actions);
         } else {
             panel(app, ui, &mut actions);
         }
@@ -54,13 +66,13 @@ pub fn show(app: &mut RiemapApp, ui: &mut Ui) -> (Arrangement, Actions) {
         Panel::bottom("link").exact_size(strip).resizable(false).frame(frame).show(ui, |_| {});
     }
     if !narrow && app.model.session().plots() {
-        dock(app, ui, &mut actions);
+        pointed = dock(app, ui, &mut actions);
     }
     let yields = app.messages.bar.has_message() || app.editor.side().is_some();
-    app.windows.explore.show_tour(ui, yields, &mut actions);
+    let focused_tour = app.windows.explore.show_tour(ui, yields, &mut actions);
     let arrangement = Arrangement::new(ui, narrow);
     message_bar::show(app, ui, &mut actions);
-    (arrangement, actions)
+    LaidOut { arrangement, actions, pointed, focused_tour }
 }
 
 /// The key P opens or closes the plots, unless a control has the focus.
@@ -107,21 +119,22 @@ fn image_name(app: &RiemapApp) -> Option<&str> {
     app.pictures.image.as_ref().map(|image| image.name.as_str())
 }
 
-/// The plots below the viewports; they stay when the panels are hidden.
-fn dock(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
+/// The plots below the viewports; they stay when the panels are hidden. Returns the place under the pointer.
+fn dock(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) -> Option<BoundaryPlace> {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new().fill(palette.panel).inner_margin(Margin { left: 14, right: 14, top: 6, bottom: 4 });
     let (width, height) = (ui.available_width(), ui.available_height());
-    Panel::bottom("plots").exact_size(plots::dock_height(width, height)).resizable(false).frame(frame).show(ui, |ui| {
-        app.plots.show_dock(ui, &app.model, width, actions);
-    });
+    let panel = Panel::bottom("plots").exact_size(plots::dock_height(width, height)).resizable(false).frame(frame);
+    panel.show(ui, |ui| app.plots.show_dock(ui, &app.model, width, actions)).inner
 }
 
-fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
+/// The phone's sheet of controls or plots. Returns the place under the pointer in the plots.
+fn sheet(app: &RiemapApp, ui: &mut Ui, actions: &mut Actions) -> Option<BoundaryPlace> {
     let palette = Palette::of(ui.visuals());
     let open = ui.ctx().animate_bool(Id::unique("sheet open"), app.screen.sheet_open);
     let height = SHEET_HANDLE + open * SHEET_SHARE * ui.ctx().content_rect().height();
-    Panel::bottom("sheet").exact_size(height).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
+    let panel = Panel::bottom("sheet").exact_size(height).resizable(false).frame(bar_frame(&palette));
+    let content = |ui: &mut Ui| {
         let plots = app.model.session().plots();
         if let Some(asked) = sheet_tabs(ui, app.screen.sheet_open, plots) {
             actions.push(Action::OpenSheet(!(app.screen.sheet_open && asked == plots)));
@@ -129,15 +142,18 @@ fn sheet(app: &mut RiemapApp, ui: &mut Ui, actions: &mut Actions) {
         }
         if open > 0.0 && plots {
             ui.take_available_width();
-            app.plots.show_one(ui, &app.model, actions);
-        } else if open > 0.0 {
+            return app.plots.show_one(ui, &app.model, actions);
+        }
+        if open > 0.0 {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - SCROLL_BAR);
                 side_panel::show(ui, &app.model, &app.player, image_name(app), actions);
                 ui.add_space(10.0);
             });
         }
-    });
+        None
+    };
+    panel.show(ui, content).inner
 }
 
 /// The sheet's handle, in two halves; returns the half that was clicked: true for the plots, false for the controls.

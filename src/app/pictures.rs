@@ -1,4 +1,7 @@
 //! The two pictures of a frame: gestures over them, and painting after the map is updated.
+//!
+//! Painting changes nothing. Cameras are placed and moved by gestures in place, not by actions: a gesture moves a camera
+//! by what the camera shows at that moment, and neither undo nor links keep it.
 
 use super::arrangement::{Arrangement, legend_side};
 use super::theme::Palette;
@@ -9,15 +12,14 @@ use crate::app::panels::header::Surroundings;
 use crate::app::viewport::{legend, planar};
 use crate::app::{message_bar, overlays};
 use crate::conformal::Side;
-use crate::model::Model;
-use crate::render::{BoundingSphere, Pace, TextureStyle};
+use crate::render::{Pace, TextureStyle};
 use egui::{Stroke, Ui, UiBuilder};
 
 /// Places the pictures in the area that the panels leave, and turns gestures over them into actions.
 pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {
-    let place = UiBuilder::new().id_salt("gestures").max_rect(ui.available_rect_before_wrap());
-    let ui = &mut ui.new_child(place);
-    place_views(app, ui, arrangement);
+    let area = UiBuilder::new().id_salt("gestures").max_rect(ui.available_rect_before_wrap());
+    let ui = &mut ui.new_child(area);
+    place(app, ui, arrangement);
     let mut pointed = None;
     for side in Side::BOTH {
         let handles = &mut app.input.handles;
@@ -36,37 +38,22 @@ pub fn interact(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement, acti
     }
 }
 
-/// Paints both pictures, their buttons and messages, and the windows; returns the actions of the buttons.
-pub fn show(app: &mut RiemapApp, ui: &mut Ui, arrangement: Arrangement) -> Actions {
-    let (context, mut actions) = (ui.ctx().clone(), Actions::new());
-    // commands and events may have changed margins and extents
-    place_views(app, ui, arrangement);
+/// Paints both pictures, their buttons and messages; returns the actions of the buttons.
+pub fn show(app: &RiemapApp, ui: &mut Ui, arrangement: Arrangement) -> Actions {
+    let mut actions = Actions::new();
     paint(app, ui, arrangement, &mut actions);
     message_bar::notice(app, ui);
-    app.windows.reports.show(&context, &mut actions);
-    editing::show_paste(&context, &mut app.editor, &mut actions);
-    app.windows.explore.show(&context, &mut actions);
-    app.show_exporter(&context, &mut actions);
     actions
 }
 
 /// Sets the areas of both views.
-fn place_views(app: &mut RiemapApp, ui: &Ui, arrangement: Arrangement) {
+pub fn place(app: &mut RiemapApp, ui: &Ui, arrangement: Arrangement) {
     let rects = arrangement.divide(ui.max_rect());
     for side in Side::BOTH {
         let rect = rects[side];
         let margins = arrangement.margins(app, ui, side, rect);
-        let view = &mut app.pictures.views[side];
-        view.place(rect, ui.pixels_per_point(), margins, app.model.extent(side));
-        if let Some(scene) = scene_of(&app.model, side) {
-            app.pictures.orbits[side].place(view.rect, ui.pixels_per_point(), scene);
-        }
+        app.pictures.place(&app.model, side, rect, ui.pixels_per_point(), margins);
     }
-}
-
-/// The bounding sphere of a side's surface; `None` for an outline.
-fn scene_of(model: &Model, side: Side) -> Option<BoundingSphere> {
-    model.surface(side)?.0.scene()
 }
 
 fn paint(app: &RiemapApp, ui: &mut Ui, arrangement: Arrangement, actions: &mut Actions) {

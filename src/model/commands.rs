@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::model::editing::Reshaped;
 use crate::model::side::preparation::Progress;
 use crate::model::side::user_error::{QuickFix, UserError};
-use crate::model::side::{ModelSide, OutlineRequest};
+use crate::model::side::{ModelSide, Next, OutlineRequest};
 use crate::outline::{Outline, OutlineNote};
 use crate::session::{Command, DomainSpec, OutlineSpec, Session, SurfaceState, Touched};
 use crate::worker::{Request, Response};
@@ -63,7 +63,6 @@ impl Model {
     fn open(&mut self, session: &Session) {
         for side in Side::BOTH {
             self.stop_reading(side);
-            self.sides[side].surface.gives_way = false;
             let points = session.side(side).outline_points();
             let has_to_come = self.side_mut(side).want_spec(session.domain(side));
             self.sides[side].incoming_points = has_to_come.then_some(points);
@@ -92,12 +91,12 @@ impl Model {
 
     /// Starts preparing another outline in the place of what is there; files that are being read go on.
     pub(super) fn replace_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
-        self.sides[side].incoming_surface = None;
+        self.sides[side].next = Next::Same;
         self.sides[side].surface.preparation.give_up();
         if self.session.surface(side).is_some() && self.side(side).wanted().outline == outline {
             return self.close_surface(side);
         }
-        self.sides[side].surface.gives_way = true;
+        self.sides[side].next = Next::Outline;
         self.sides[side].incoming_points = None;
         self.side_mut(side).error = None;
         self.side_mut(side).want_outline(outline, notes);
@@ -196,7 +195,7 @@ impl Model {
             Progress::Nothing => {}
             Progress::Failed => {
                 self.sides[side].incoming_points = None;
-                self.sides[side].surface.gives_way = false;
+                self.sides[side].next.take_outline();
             }
             Progress::Ready { request: OutlineRequest { spec, reshaped: Some(reshaped), .. }, .. } => {
                 self.take_reshaped(side, spec, reshaped);
@@ -212,7 +211,7 @@ impl Model {
             let outline = spec.outline;
             self.session.apply(Command::ReshapeOutline { side, outline, interior: None, anchor: 0.0 });
         }
-        if std::mem::take(&mut self.sides[side].surface.gives_way) {
+        if self.sides[side].next.take_outline() {
             self.session.apply(Command::CloseSurface(side));
         }
         self.session.apply(Command::SetSettings { side, settings: spec.settings });

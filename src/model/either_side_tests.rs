@@ -315,3 +315,46 @@ fn exported_images_between_two_surfaces_lie_on_the_other_surface() {
     assert_eq!(text(FileFormat::Svg).unwrap().matches("class=\"domain\"").count(), 2);
     assert!(text(FileFormat::Glb).unwrap_err().english().contains(".glb"));
 }
+
+#[test]
+fn while_a_surface_is_refined_the_last_good_picture_of_both_sides_stays() {
+    for (make, side) in [(on_both_sides as fn() -> Model, Side::Source), (on_both_sides, Side::Target)]
+        .into_iter()
+        .chain([(on_the_source as fn() -> Model, Side::Source)])
+    {
+        let mut model = make();
+        let picture = |model: &Model| {
+            Side::BOTH.map(|at| {
+                let coordinates = pattern::surface_coordinates(model, at)?;
+                assert_eq!(coordinates.len(), model.shown_surface(at).unwrap().mesh().vertices().len(), "{at}");
+                Some(coordinates.to_vec())
+            })
+        };
+        let (before, home) = (picture(&model), model.pattern_home());
+        let mut surface = model.session().surface(side).unwrap().spec.clone();
+        let SurfaceShape::Preset { boundary, .. } = &mut surface.shape else { unreachable!("a preset") };
+        *boundary = 70;
+        model.dispatch(Command::RefineSurface { side, surface: surface.clone() }, 0.0);
+        model.update_ms = 0.0;
+        for (side, request) in model.take_requests(f64::INFINITY) {
+            crate::worker::run(&request, &mut |generation, response| model.accept(side, generation, response));
+        }
+        assert_eq!(model.session().surface(side).unwrap().spec, surface);
+        model.dispatch(Command::SetTexture(TextureKind::Conformal), 0.0);
+        let mut frames = 0;
+        while !model.is_ready() {
+            assert!(model.has_picture() && picture(&model) == before, "frame {frames} of {side}");
+            assert_eq!(model.pattern_home(), home, "frame {frames} of {side}");
+            model.refresh(false);
+            frames += 1;
+            assert!(frames < 10_000);
+        }
+        assert!(frames > 1, "{frames} frames");
+        let count = |model: &Model| model.surface(side).unwrap().0.prepared().unwrap().vertex_count();
+        assert_eq!(model.shown_surface(side).unwrap().mesh().vertices().len(), count(&model));
+        model.update_ms = f64::INFINITY;
+        model.refresh(false);
+        assert_eq!(model.pattern_home(), None);
+        assert_ne!(picture(&model)[usize::from(side == Side::Target)], before[usize::from(side == Side::Target)]);
+    }
+}

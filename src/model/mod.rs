@@ -6,6 +6,7 @@
 //! than a frame continues in the next one (file `update`). While a side is being prepared,
 //! the last good map stays and follows its handles.
 
+mod abilities;
 pub mod coarse;
 mod commands;
 pub mod curves;
@@ -13,6 +14,7 @@ pub mod editing;
 pub mod export;
 pub mod files;
 mod measurement;
+mod method;
 pub mod motion;
 pub mod names;
 pub mod opening;
@@ -21,11 +23,15 @@ pub mod pattern;
 pub mod persistence;
 mod refresh;
 pub mod scene;
+pub mod shape;
 mod shown;
 pub mod side;
 mod surface;
 mod under_way;
 mod update;
+
+pub use abilities::{Abilities, Unavailable};
+pub use method::Method;
 
 use crate::conformal::{
     ConformalMap, InteriorPoint, MeshedDomain, PerSide, PreparedSide, Quality, Side, Stage, TriangleDistortion,
@@ -95,7 +101,8 @@ pub enum Processor {
 
 /// The session, its sides and the map.
 ///
-/// Invariant: a side of the map that is shown is a surface only if the session shows that surface.
+/// Invariant: a side of the map that is shown is a surface only if the session shows that surface, perhaps at another
+/// resolution, whose map is not complete.
 #[derive(Debug)]
 pub struct Model {
     session: Session,
@@ -195,8 +202,9 @@ impl Model {
     }
 
     /// Whether two outlines are mapped: there is no surface on either side.
+    #[cfg(test)]
     pub fn is_planar(&self) -> bool {
-        self.surfaces() == PerSide::new(false, false)
+        self.abilities().compares_outlines()
     }
 
     /// Whether the map that is shown is one between two surfaces.
@@ -277,7 +285,7 @@ impl Model {
     /// Whether the full map for the session is shown and no preparation is in progress.
     pub fn is_ready(&self) -> bool {
         let is_busy = Side::BOTH.into_iter().any(|side| self.is_preparing(side));
-        self.shown.map.is_some() && !self.is_pending() && !is_busy
+        self.shown.map.is_some() && self.shows_present_surfaces() && !self.is_pending() && !is_busy
     }
 
     /// Lower left and upper right corner of a side's domain.

@@ -51,7 +51,8 @@ impl Model {
         if home.is_none() {
             self.coarse.make_grid();
         }
-        let is_there = self.map().is_some() && (home.is_some() || self.is_draft() || !self.lacks_grid());
+        let has_grid = home.is_some() || self.is_draft() || !self.lacks_grid();
+        let is_there = self.map().is_some() && self.shows_present_surfaces() && has_grid;
         is_there && std::mem::replace(&mut self.shown.pattern_home, home) != home
     }
 

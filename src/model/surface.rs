@@ -1,25 +1,21 @@
 //! Surfaces shown instead of outlines: commands, worker responses, and the positions of the points.
 
-use crate::conformal::{PerSide, Side};
+use crate::conformal::{MeshedSurface, Side};
 use crate::geometry::DVec3;
 use crate::language::{Message, key};
 use crate::model::Model;
 use crate::model::opening::Arrived;
 use crate::model::side::preparation::Progress;
-use crate::model::side::{ModelSide, SurfaceSide};
+use crate::model::side::{ModelSide, Next, SurfaceSide};
 use crate::session::{Command, SidePoints, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::surface::RepairNote;
 use crate::worker::{NamedFile, Response};
+use std::sync::Arc;
 
 impl Model {
     /// The surface shown instead of a side's outline, and its state in the session; `None` while the outline is shown.
     pub fn surface(&self, side: Side) -> Option<(&SurfaceSide, &SurfaceState)> {
         Some((&self.sides[side].surface, self.session.surface(side)?))
-    }
-
-    /// Which sides show a surface.
-    pub fn surfaces(&self) -> PerSide<bool> {
-        PerSide::from_fn(|side| self.session.surface(side).is_some())
     }
 
     /// Builds the search tree of one shown surface that has none and is not too large; returns whether one was built.
@@ -54,18 +50,19 @@ impl Model {
     /// Requests the surface of a file that was opened or dropped, and removes the side's error message. If the session
     /// waits for a file of that name, its points are used, on the other side too.
     pub(super) fn want_surface_file(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
-        self.sides[side].surface.gives_way = false;
+        self.sides[side].next.take_outline();
         self.dismiss(side);
         let is_awaited = self.sides[side].awaits_surface_file(name);
         let file = self.surface_files.keep(name, bytes);
         // another file of the name that is already being prepared is a different surface
         let is_its_file = |state: &SurfaceState| is_awaited || state.spec.shape.is_file(&file.name);
-        match self.sides[side].incoming_surface.take().filter(is_its_file) {
+        let awaiting = self.sides[side].next.take_surface().filter(is_its_file);
+        match awaiting {
             Some(state) => self.want_file_of_session(side, state, file.clone()),
             None => self.sides[side].surface.want_file(&SurfaceSpec::default(), file.clone()),
         }
         if self.sides[side.other()].awaits_surface_file(&file.name) {
-            let awaiting = self.sides[side.other()].incoming_surface.take();
+            let awaiting = self.sides[side.other()].next.take_surface();
             self.open_surface(side.other(), awaiting);
         }
     }
@@ -80,26 +77,25 @@ impl Model {
     fn want_file_of_session(&mut self, side: Side, mut state: SurfaceState, file: NamedFile) {
         self.sides[side].surface.want_file(&state.spec, file.clone());
         state.spec.shape = SurfaceShape::File { name: file.name };
-        self.sides[side].incoming_surface = Some(state);
+        self.sides[side].next = Next::Surface(Box::new(state));
     }
 
     /// Requests a surface for a side.
     pub(super) fn set_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) {
         self.stop_reading(side);
-        self.sides[side].incoming_surface = None;
-        self.sides[side].surface.gives_way = false;
+        self.sides[side].next = Next::Same;
         self.dismiss(side);
         self.want_surface(side, spec, now);
     }
 
     /// Requests another discretization of the current surface; returns whether `spec` is of that surface.
     pub(super) fn refine_surface(&mut self, side: Side, spec: SurfaceSpec, now: f64) -> bool {
-        let surface = &self.sides[side].surface;
-        let stays = self.session.surface(side).is_some() && !surface.gives_way;
+        let ModelSide { surface, next, .. } = &self.sides[side];
+        let stays = self.session.surface(side).is_some() && !matches!(next, Next::Outline);
         let wanted = surface.preparation.wanted().filter(|_| stays);
         let is_there = wanted.is_some_and(|wanted| wanted.is_like(&spec));
         if is_there {
-            let incoming = self.sides[side].incoming_surface.as_mut();
+            let incoming = self.sides[side].next.surface_mut();
             if let Some(incoming) = incoming.filter(|incoming| incoming.spec.is_like(&spec)) {
                 // the point refers to a triangle, and another shape has other triangles
                 incoming.point = incoming.point.filter(|_| incoming.spec.shape == spec.shape);
@@ -119,8 +115,7 @@ impl Model {
 
     /// Shows a prepared surface, with the points of the session that waited for it, if any.
     fn take_surface(&mut self, side: Side, spec: SurfaceSpec, is_new: bool) {
-        let incoming = &mut self.sides[side].incoming_surface;
-        let incoming = incoming.take_if(|incoming| incoming.spec.shape.is_like(&spec.shape));
+        let incoming = self.sides[side].next.take_surface_if(|incoming| incoming.spec.shape.is_like(&spec.shape));
         self.show_surface(side, spec, is_new);
         if let Some(incoming) = incoming {
             self.place_surface(side, incoming);
@@ -136,7 +131,7 @@ impl Model {
 
     /// Removes a side's surface or cancels its preparation; the outline is shown again.
     pub(super) fn close_surface(&mut self, side: Side) {
-        self.sides[side].incoming_surface = None;
+        self.sides[side].next.take_surface();
         self.sides[side].surface.preparation.give_up();
         if self.session.surface(side).is_some() {
             self.session.apply(Command::CloseSurface(side));
@@ -147,14 +142,14 @@ impl Model {
 
     /// Shows the surface of an opened session: at once if it is prepared already, or after its preparation.
     pub(super) fn open_surface(&mut self, side: Side, wanted: Option<SurfaceState>) {
+        self.sides[side].next.take_outline();
         let Some(wanted) = wanted else { return self.close_surface(side) };
-        self.sides[side].surface.gives_way = false;
         if self.sides[side].surface.want_spec(&wanted.spec, &self.surface_files, f64::NEG_INFINITY) {
-            self.sides[side].incoming_surface = Some(wanted);
+            self.sides[side].next = Next::Surface(Box::new(wanted));
             return;
         }
-        let ModelSide { incoming_surface, surface, refit, .. } = &mut self.sides[side];
-        *incoming_surface = None;
+        let ModelSide { next, surface, refit, .. } = &mut self.sides[side];
+        *next = Next::Same;
         *refit |= self.session.surface(side).is_none() || surface.is_outdated();
         surface.renew();
         self.place_surface(side, wanted);
@@ -187,7 +182,25 @@ impl Model {
             self.session
                 .apply(Command::PlacePoints { side, points: SidePoints::Surface { interior, anchor: state.anchor } });
         }
-        self.change_sides();
+        if is_finer { self.change_resolution() } else { self.change_sides() }
+    }
+
+    /// Whether the surfaces that are mapped in the picture are the present ones; while the map of another resolution is
+    /// computed, they are not.
+    pub(super) fn shows_present_surfaces(&self) -> bool {
+        let is_present = |side: Side| {
+            let present = self.surface(side).and_then(|(surface, _)| surface.prepared());
+            let mapped = self.shown.map.as_ref().map(|map| map.side(side));
+            present.is_none_or(|present| mapped.is_some_and(|mapped| Arc::ptr_eq(mapped, present)))
+        };
+        Side::BOTH.into_iter().all(is_present)
+    }
+
+    /// The surface that the picture of a side shows: that of the map, which may have another resolution than the present
+    /// one, whose map is not complete; before there is a map, the present one.
+    pub fn shown_surface(&self, side: Side) -> Option<&Arc<MeshedSurface>> {
+        let present = self.surface(side)?.0.surface();
+        self.map().and_then(|map| map.side(side).surface()).or(present)
     }
 
     /// The notes from reading a side's surface, its repairs, and the note of its map.

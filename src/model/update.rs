@@ -18,7 +18,13 @@ use std::sync::Arc;
 impl Model {
     /// Whether a coarse map can replace the full one: only one between the same outlines.
     fn has_stand_in(&self) -> bool {
-        self.is_planar()
+        self.abilities().compares_outlines()
+    }
+
+    /// Records that a side's surface has another resolution. The map of the former one stays in the picture until the map
+    /// of the present one is complete.
+    pub(super) fn change_resolution(&mut self) {
+        self.sides_changed = true;
     }
 
     /// Records a change of a side's geometry. A map of other geometry is no longer shown, except between outlines.

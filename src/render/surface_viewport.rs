@@ -168,7 +168,7 @@ impl ViewportRenderer {
     }
 
     /// Whether the picture of a viewport's surface is coarse, to be recorded in full when it no longer changes.
-    pub fn is_surface_coarse(&self, viewport: usize) -> bool {
+    pub fn draws_surface_coarsely(&self, viewport: usize) -> bool {
         self.surface(viewport).is_some_and(|shown| shown.drawn.detail() == Detail::Coarse)
     }
 

@@ -333,9 +333,9 @@ fn an_unchanged_surface_is_not_recorded_and_every_change_is() {
     let turned = SpaceFrame { camera: camera(DVec3::new(1.0, 0.0, 1.0)), ..frame };
     let at = |now| Pace::CoarseFirst { now };
     assert_eq!(recorded(gpu, &mut renderer, &turned, at(1.0)), Some(Detail::Coarse));
-    assert!(renderer.is_surface_coarse(0));
+    assert!(renderer.draws_surface_coarsely(0));
     assert_eq!(recorded(gpu, &mut renderer, &turned, at(1.0 + 2.0 * REFINED_AFTER)), Some(Detail::Full));
-    assert!(!renderer.is_surface_coarse(0));
+    assert!(!renderer.draws_surface_coarsely(0));
 }
 
 #[test]

@@ -110,8 +110,7 @@ impl Editor {
         // the text is no longer read: something else was chosen meanwhile
         self.paste.take_if(|paste| paste.is_being_read() && !model.reads_pasted(paste.side()));
         let Some(Work::Reshaping(reshaping)) = &mut self.work else { return };
-        let hidden = model.surface(reshaping.side()).is_some();
-        if hidden {
+        if model.reshapable(reshaping.side()).is_none() {
             self.leave(model, views);
         } else {
             reshaping.follow(model);
@@ -220,7 +219,7 @@ impl Editor {
 
     fn begin(&mut self, side: Side, model: &mut Model, views: &mut PerSide<View>) {
         self.leave(model, views);
-        if model.surface(side).is_some() {
+        if model.reshapable(side).is_none() {
             return;
         }
         let reshaping = Reshaping::new(side, model);

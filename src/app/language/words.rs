@@ -3,8 +3,8 @@
 
 use crate::conformal::{MeshedSurface, PrepareTimings, PreparedSide, Side, Stage};
 use crate::language::{self, Label, key, say, tr};
-use crate::laplace::SolverKind;
 use crate::mesh::FlipReport;
+use crate::model::shape::Shape;
 use crate::model::{Processor, names};
 use crate::outline::Preset;
 use crate::session::{OutlineSpec, SurfaceShape};
@@ -81,24 +81,48 @@ pub fn surface(shape: &SurfaceShape) -> &str {
     }
 }
 
+/// The name of what stands on a side.
+pub fn shape(shape: Shape<'_>) -> Cow<'_, str> {
+    match shape {
+        Shape::Outline(domain) => outline(&domain.outline),
+        Shape::Surface(state) => surface(&state.spec.shape).into(),
+    }
+}
+
 /// The sizes m and n of a side, and the time of its preparation.
 pub fn sizes(side: &PreparedSide) -> String {
     let (m, n, ms) = (side.boundary_count(), side.interior_count(), side.timings().total());
     say(&key::sizes(grouped(m), grouped(n), milliseconds(ms)))
 }
 
-/// The number of triangles of a surface, the effect of the intrinsic Delaunay flips, and the times of the stages.
-pub fn surface_details(surface: &MeshedSurface, times: PrepareTimings) -> String {
+/// The title of a side: what stands there.
+pub fn title(at: Side, standing: Shape<'_>) -> String {
+    let kind = match standing {
+        Shape::Outline(_) => side(at),
+        Shape::Surface(_) => tr(key::surface()),
+    };
+    format!("{kind} · {}", shape(standing))
+}
+
+/// The explanation of [`sizes`], and the times of the stages.
+pub fn details(side: &PreparedSide) -> String {
+    let about = side.surface().map_or_else(|| tr(SIZE_TOOLTIP).into(), |surface| surface_details(surface));
+    format!("{about}\n\n{}", timings(&side.timings()))
+}
+
+/// The number of triangles of a surface, and the effect of the intrinsic Delaunay flips.
+fn surface_details(surface: &MeshedSurface) -> String {
     let FlipReport { flips, negative_before, negative_after } = surface.flips();
     let triangles = surface.mesh().triangles().len();
     let sizes = say(&key::surface_sizes_about(triangles, grouped(triangles)));
     let flips = say(&key::edges_flipped(flips, grouped(flips), grouped(negative_before), grouped(negative_after)));
-    format!("{sizes}\n\n{flips}\n\n{}", timings(&times))
+    format!("{sizes}\n\n{flips}")
 }
 
-/// Notes where a prepared domain differs from the request: solved iteratively, or a coarser mesh.
-pub fn cautions(side: &PreparedSide, wanted: SolverKind) -> impl Iterator<Item = Label> {
-    let iterative = (side.solver_kind() != wanted).then_some(key::solved_iteratively());
+/// Notes where a prepared outline differs from the request: solved iteratively, or a coarser mesh.
+pub fn cautions(side: &PreparedSide, shape: Shape<'_>) -> impl Iterator<Item = Label> {
+    let wanted = if let Shape::Outline(domain) = shape { Some(domain.settings.solver) } else { None };
+    let iterative = wanted.is_some_and(|wanted| side.solver_kind() != wanted).then_some(key::solved_iteratively());
     let is_coarse = side.domain().is_some_and(|domain| !domain.refinement().complete);
     iterative.into_iter().chain(is_coarse.then_some(key::mesh_is_coarser()))
 }

@@ -7,6 +7,7 @@ use crate::app::theme::widgets::chevron;
 use crate::conformal::Side;
 use crate::figures::{Detail, Figure, Scene};
 use crate::language::{self, key, say, tr};
+use crate::model::shape::Shape;
 use crate::session::{Command, Session, SurfaceShape};
 use egui::containers::menu::MenuButton;
 use egui::{RichText, Role, Ui, WidgetInfo};
@@ -97,10 +98,17 @@ fn resolution(session: &Session) -> String {
             target.map_or_else(|| tr(key::as_needed()).into(), |m| m.to_string())
         }
     };
-    let [a, b] = Side::BOTH.map(|side| count(session.domain(side).settings.sampling));
-    match session.surface(Side::Target).map(|surface| &surface.spec.shape) {
-        Some(SurfaceShape::Preset { boundary, .. }) => say(&key::figure_samples_of_surface(a, *boundary)),
-        Some(SurfaceShape::File { name }) => say(&key::figure_samples_of_surface_file(a, name)),
-        None => say(&key::figure_samples(a, b)),
+    let of_side = |side: Side| match Shape::of(session, side) {
+        Shape::Outline(domain) => key::figure_samples_of_outline(count(domain.settings.sampling)),
+        Shape::Surface(state) => match &state.spec.shape {
+            SurfaceShape::Preset { boundary, .. } => key::figure_boundary_of_surface(*boundary),
+            SurfaceShape::File { name } => key::figure_surface_file(name),
+        },
+    };
+    if let [Shape::Outline(source), Shape::Outline(target)] = Side::BOTH.map(|side| Shape::of(session, side)) {
+        let [source, target] = [source, target].map(|domain| count(domain.settings.sampling));
+        return say(&key::figure_samples(source, target));
     }
+    let [source, target] = Side::BOTH.map(of_side);
+    say(&key::figure_sides(source, target))
 }

@@ -39,36 +39,30 @@ const INWARDS: [f32; 2] = [-CLEARANCE, -TICK];
 /// From the ticks of one way through the disk to those of the next: a tick, its dots, and a gap.
 const LANE: f32 = TICK + 9.0;
 
-/// Paints the overlays of a side; nothing over a coarse draft, which they do not belong to, nor for a surface.
+/// Paints the overlays of a side, where they are defined; nothing over a coarse draft, which they do not belong to.
 pub fn show(ui: &Ui, side: Side, model: &Model, view: &View) {
-    if model.is_draft() || !model.is_planar() {
-        return;
-    }
-    let Some(domain) = model.map().and_then(|map| map.domain(side)) else { return };
+    let (Some(disk), Some(steps)) = (model.disk_comparison(), model.walks()) else { return };
+    let map = model.map().filter(|_| !model.is_draft());
+    let Some((map, domain)) = map.and_then(|map| Some((map, map.domain(side)?))) else { return };
     let size = (view.rect.size().min_elem() / FULL_SIZE).clamp(SMALLEST, 1.0);
     let outline = Outline { samples: domain.samples(), view, size };
     let painter = ui.painter_at(view.rect);
     let dark = ui.visuals().dark_mode;
-    let overlay_state = model.overlay_state();
     if side == Side::Source {
-        walks(&painter, &outline, &overlay_state.walks, dark, Palette::of(ui.visuals()).text);
+        walks(&painter, &outline, steps, dark, Palette::of(ui.visuals()).text);
     }
-    let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
-    if is_mapped {
-        steps(&painter, &outline, &overlay_state.disk_comparison, dark);
+    if side == map.direction().mapped_side() {
+        equal_steps(&painter, &outline, disk, dark);
     } else {
-        comparisons(&painter, &outline, &overlay_state.disk_comparison, dark);
+        comparisons(&painter, &outline, disk, dark);
     }
 }
 
 /// The legend of a side's ticks and bars: colors and names.
 pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static str)> {
-    let overlay_state = model.overlay_state();
     let mut entries = Vec::new();
-    if !model.is_planar() {
-        return entries; // both need plane outlines
-    }
-    let ways: Vec<DiskWay> = overlay_state.disk_comparison.all_found().map(|(way, _)| way).collect();
+    let ways = model.disk_comparison().into_iter().flat_map(DiskComparison::all_found);
+    let ways: Vec<DiskWay> = ways.map(|(way, _)| way).collect();
     if !ways.is_empty() {
         let is_mapped = model.map().is_some_and(|map| side == map.direction().mapped_side());
         let direct = if is_mapped { key::sixty_equal_steps() } else { key::their_images() };
@@ -78,7 +72,7 @@ pub fn legend(side: Side, model: &Model, dark: bool) -> Vec<(Color32, &'static s
             entries.extend(ways.into_iter().map(entry));
         }
     }
-    if side == Side::Source && overlay_state.walks.count() > 0 {
+    if side == Side::Source && model.walks().is_some_and(|walks| walks.count() > 0) {
         entries.push((Plots::overlay_ink(Origin::Walks, dark), tr(Origin::Walks.short_name())));
     }
     entries
@@ -113,7 +107,7 @@ impl Outline<'_> {
 }
 
 /// Ticks on the inside of the mapped side, at equal steps of ω.
-fn steps(painter: &Painter, outline: &Outline, disk: &DiskComparison, dark: bool) {
+fn equal_steps(painter: &Painter, outline: &Outline, disk: &DiskComparison, dark: bool) {
     let Some((_, found)) = disk.all_found().next() else { return };
     for mark in &found.marks {
         outline.spoke(painter, mark.from, INWARDS, Stroke::new(2.0, Plots::map_ink(dark)));

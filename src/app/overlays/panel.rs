@@ -66,41 +66,43 @@ pub fn pattern(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     }
     if needs_grid(session) {
         problem(ui, model.shown_grid().error());
-    } else if model.is_planar()
+    } else if model.chooses_pattern_home()
         && let Some(home) = segmented(ui, &HOMES, session.texture_side())
     {
         actions.push(Action::Session(Command::SetTextureSide(home)));
     }
 }
 
-/// The groups "Through the disk" and "Random walks".
+/// The groups "Through the disk" and "Random walks", where they are defined.
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
-    if !model.is_planar() {
-        return; // both need plane outlines
+    if let Some(disk) = model.disk_comparison() {
+        comparisons(ui, model.session().comparison(), disk, actions);
     }
+    if let Some(steps) = model.walks() {
+        group_heading(ui, tr(key::random_walks_heading()));
+        walks(ui, steps, actions);
+    }
+}
+
+fn comparisons(ui: &mut Ui, comparison: Comparison, disk: &DiskComparison, actions: &mut Actions) {
     group_heading(ui, tr(key::through_disk()));
-    let comparison = model.session().comparison();
     if let Some(chosen) = segmented(ui, &COMPARISONS, comparison) {
         actions.push(Action::Session(Command::SetComparison(chosen)));
     }
     for way in DiskWay::ALL {
         if comparison.shows(way) {
-            verdict(ui, way, &model.overlay_state().disk_comparison);
+            verdict(ui, way, disk);
         }
     }
-    group_heading(ui, tr(key::random_walks_heading()));
-    walks(ui, &model.overlay_state().walks, actions);
 }
 
 /// The errors that the controls show.
 pub fn errors(model: &Model) -> impl Iterator<Item = &Message> {
     let session = model.session();
     let grid = model.shown_grid().error().filter(|_| needs_grid(session));
-    let disk = DiskWay::ALL.into_iter().filter(|way| session.comparison().shows(*way));
-    let of_plane = disk
-        .filter_map(|way| model.overlay_state().disk_comparison.error(way))
-        .chain(model.overlay_state().walks.error());
-    grid.into_iter().chain(of_plane.filter(|_| model.is_planar()))
+    let ways = DiskWay::ALL.into_iter().filter(|way| session.comparison().shows(*way));
+    let disk = ways.filter_map(|way| model.disk_comparison()?.error(way));
+    grid.into_iter().chain(disk).chain(model.walks().and_then(Walks::error))
 }
 
 fn problem(ui: &mut Ui, error: Option<&Message>) {

@@ -83,26 +83,14 @@ fn title(ui: &mut Ui, side: Side, model: &Model) {
         ui.add(Label::new(RichText::new(text).small().color(weak)).truncate()).on_hover_text(explained);
     };
     let palette = Palette::of(ui.visuals());
-    let surface = model.surface(side);
-    let name = match surface {
-        Some((_, state)) => format!("{} · {}", tr(key::surface()), words::surface(&state.spec.shape)),
-        None => format!("{} · {}", words::side(side), words::outline(&model.session().domain(side).outline)),
-    };
+    let shape = model.shape(side);
+    let name = words::title(side, shape);
     ui.add(Label::new(RichText::new(name).font(theme::bold(14.0)).color(palette.text)).truncate());
-    let notes: Vec<Message> = if let Some((surface, _)) = surface {
-        let (Some(prepared), Some(surface)) = (surface.prepared(), surface.surface()) else { return };
-        line(ui, &words::sizes(prepared), &words::surface_details(surface, prepared.timings()));
-        model.surface_notes(side)
-    } else {
-        let Some(prepared) = model.prepared(side) else { return };
-        let explained = format!("{}\n\n{}", tr(words::SIZE_TOOLTIP), words::timings(&prepared.timings()));
-        line(ui, &words::sizes(prepared), &explained);
-        let wanted = model.session().domain(side).settings.solver;
-        let cautions = words::cautions(prepared, wanted).map(Message::from);
-        model.side(side).notes.iter().cloned().chain(cautions).collect()
-    };
-    for note in &notes {
-        let note = say(note);
+    let Some(prepared) = model.prepared(side) else { return };
+    line(ui, &words::sizes(prepared), &words::details(prepared));
+    let cautions = words::cautions(prepared, shape).map(Message::from);
+    for note in model.notes_on_shape(side).into_iter().chain(cautions) {
+        let note = say(&note);
         line(ui, &note, &note);
     }
 }
@@ -157,7 +145,7 @@ fn swap_button(ui: &mut Ui, model: &Model, actions: &mut Actions) {
 }
 
 fn outline_buttons(ui: &mut Ui, side: Side, model: &Model, around: Surroundings, actions: &mut Actions) {
-    if model.surface(side).is_none() {
+    if model.reshapable(side).is_some() {
         let edited = around.edited == Some(side);
         let edit = ui.add(egui::Button::selectable(edited, tr(key::edit())).frame_when_inactive(true));
         if edit.on_hover_text(tr(key::edit_tooltip())).clicked() {

@@ -2,7 +2,6 @@
 
 use crate::app::input::action::{Action, Actions};
 use crate::app::theme::widgets::{Segment, captioned_slider, group_heading, segmented_where};
-use crate::conformal::PerSide;
 use crate::family::Path;
 use crate::language::{Label, key, say, tr};
 use crate::model::Model;
@@ -17,25 +16,13 @@ pub const PATHS: [Segment<Path>; 4] = [
     Segment { value: Path::All, label: key::all(), tooltip: key::all_tooltip() },
 ];
 
-/// The reason why a target point on a surface cannot move along a circle.
-pub const NO_PLANE: Label = key::no_plane();
-
-/// Whether nothing would move along a path: it is a circle in the plane, and the point is on one of the `surfaces`.
-pub fn is_fixed(path: Path, surfaces: PerSide<bool>) -> bool {
-    match path {
-        Path::SourcePoint => surfaces.source,
-        Path::TargetPoint => surfaces.target,
-        Path::Boundary | Path::All => false,
-    }
-}
-
 /// The tooltip of the button that starts and stops.
 const PLAY_TOOLTIP: Label = key::play_tooltip();
 
 /// The group "Motion".
 pub fn show(ui: &mut Ui, model: &Model, player: &Player, actions: &mut Actions) {
     group_heading(ui, tr(key::motion()));
-    let refused = |path| is_fixed(path, model.surfaces()).then(|| String::from(tr(NO_PLANE)));
+    let refused = |path| model.abilities().refused_path(path).map(|reason| String::from(tr(reason.label())));
     if let Some(path) = segmented_where(ui, &PATHS, player.path(), refused) {
         actions.push(Action::Play(PlayAction::Along(path)));
     }

@@ -10,9 +10,10 @@ use crate::app::viewport::surface::surface_picture;
 use crate::conformal::Side;
 use crate::language::{key, tr};
 use crate::model::editing::Pen;
+use crate::model::shape::PresetShape;
 use crate::model::{Model, bounds};
 use crate::outline::Preset;
-use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec, Touched};
+use crate::session::Touched;
 use crate::surface::SurfacePreset;
 use egui::containers::menu::MenuButton;
 use egui::{
@@ -36,60 +37,24 @@ pub fn menu_button(ui: &mut Ui, label: &str, side: Side, model: &Model, actions:
     chevron(ui, response.rect, false);
 }
 
-/// The shape that a cell stands for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Shown {
-    Outline(Preset),
-    Surface(SurfacePreset),
-}
-
-impl Shown {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Outline(preset) => words::preset(preset),
-            Self::Surface(preset) => words::surface_preset(preset),
-        }
+fn name(shape: PresetShape) -> &'static str {
+    match shape {
+        PresetShape::Outline(preset) => words::preset(preset),
+        PresetShape::Surface(preset) => words::surface_preset(preset),
     }
-
-    fn command(self, side: Side) -> Command {
-        match self {
-            Self::Outline(preset) => Command::SetOutline { side, outline: OutlineSpec::Preset(preset) },
-            Self::Surface(preset) => Command::SetSurface {
-                side,
-                surface: SurfaceSpec { shape: SurfaceShape::preset(preset), ..SurfaceSpec::default() },
-            },
-        }
-    }
-
-    /// The requested shape of a side; `None` if it is not a preset.
-    fn current(side: Side, model: &Model) -> Option<Self> {
-        let surface = model.surface_side(side).preparation.wanted().filter(|_| is_solid(model, side));
-        match (surface, &model.side(side).wanted().outline) {
-            (Some(spec), _) => match &spec.shape {
-                SurfaceShape::Preset { preset, .. } => Some(Self::Surface(*preset)),
-                SurfaceShape::File { .. } => None,
-            },
-            (None, OutlineSpec::Preset(preset)) => Some(Self::Outline(*preset)),
-            (None, OutlineSpec::Points { .. }) => None,
-        }
-    }
-}
-
-fn is_solid(model: &Model, side: Side) -> bool {
-    model.surface(side).is_some() || model.surface_side(side).preparation.is_busy()
 }
 
 fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
     let columns = if ui.ctx().content_rect().width() < crate::app::PHONE_WIDTH { 3 } else { COLUMNS };
-    let current = Shown::current(side, model);
+    let current = model.requested_preset(side);
     ui.set_width(columns as f32 * (CELL.x + 4.0));
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
     let all = |ui: &mut Ui| {
-        cells(ui, &Preset::ALL.map(Shown::Outline), columns, side, current, actions);
+        cells(ui, &Preset::ALL.map(PresetShape::Outline), columns, side, current, actions);
         ui.separator();
         let palette = Palette::of(ui.visuals());
         ui.label(RichText::new(tr(key::surfaces())).small().color(palette.weak));
-        cells(ui, &SurfacePreset::ALL.map(Shown::Surface), columns, side, current, actions);
+        cells(ui, &SurfacePreset::ALL.map(PresetShape::Surface), columns, side, current, actions);
     };
     scroll_beyond(ui, BESIDES, |ui| guarded_by(ui, Touched::ANOTHER_SHAPE, all));
     ui.separator();
@@ -116,7 +81,14 @@ fn by_hand(ui: &mut Ui, side: Side, actions: &mut Actions) {
     }
 }
 
-fn cells(ui: &mut Ui, all: &[Shown], columns: usize, side: Side, current: Option<Shown>, actions: &mut Actions) {
+fn cells(
+    ui: &mut Ui,
+    all: &[PresetShape],
+    columns: usize,
+    side: Side,
+    current: Option<PresetShape>,
+    actions: &mut Actions,
+) {
     for row in all.chunks(columns) {
         ui.horizontal(|ui| {
             for &shown in row {
@@ -129,10 +101,10 @@ fn cells(ui: &mut Ui, all: &[Shown], columns: usize, side: Side, current: Option
     }
 }
 
-fn cell(ui: &mut Ui, shown: Shown, selected: bool) -> Response {
+fn cell(ui: &mut Ui, shown: PresetShape, selected: bool) -> Response {
     let palette = Palette::of(ui.visuals());
     let (rect, response) = ui.allocate_exact_size(CELL, Sense::click());
-    let name = shown.name();
+    let name = name(shown);
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, selected, name));
     let (fill, ink) = match (selected, response.hovered() || response.has_focus()) {
         (true, _) => (palette.accent, palette.on_accent),
@@ -142,11 +114,11 @@ fn cell(ui: &mut Ui, shown: Shown, selected: bool) -> Response {
     ui.painter().rect_filled(rect, CornerRadius::same(ROUNDING), fill);
     let frame = Rect::from_center_size(rect.center_top() + vec2(0.0, 34.0), vec2(50.0, 50.0));
     match shown {
-        Shown::Outline(preset) => {
+        PresetShape::Outline(preset) => {
             let points = picture(ui.ctx(), preset).iter().map(|p| frame.center() + 25.0 * p.to_vec2()).collect();
             ui.painter().add(Shape::closed_line(points, Stroke::new(1.5, ink)));
         }
-        Shown::Surface(preset) => surface_picture(ui, preset, frame, [palette.raised, ink]),
+        PresetShape::Surface(preset) => surface_picture(ui, preset, frame, [palette.raised, ink]),
     }
     let weak = if selected { palette.on_accent } else { palette.weak };
     let caption = rect.center_bottom() - vec2(0.0, 11.0);

@@ -39,9 +39,7 @@ const TEXTURES: [Segment<TextureKind>; 4] = [
 
 /// Shows all groups.
 pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str>, actions: &mut Actions) {
-    let surfaces = model.surfaces();
-    // one surface is mapped, whichever way the session's direction goes
-    if surfaces.source == surfaces.target {
+    if model.abilities().chooses_direction() {
         group_heading(ui, tr(key::map()));
         let direction = guarded(ui, Control::Method, |ui| segmented(ui, &DIRECTIONS, model.session().direction()));
         actions.extend(direction.map(|direction| Action::Session(Command::SetDirection(direction))));
@@ -54,8 +52,10 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str
     guarded_by(ui, Touched::POINTS, |ui| play_panel::show(ui, model, player, actions));
     guarded(ui, Control::Method, |ui| method::show(ui, model, actions));
     guarded(ui, Control::Comparison, |ui| overlays::panel::show(ui, model, actions));
-    for side in Side::BOTH.into_iter().filter(|side| !surfaces[*side]) {
-        ui.push_id(side, |ui| guarded(ui, Control::Method, |ui| resolution(ui, side, model, actions)));
+    for side in Side::BOTH {
+        if let Some(settings) = model.outline_settings(side) {
+            ui.push_id(side, |ui| guarded(ui, Control::Method, |ui| resolution(ui, side, settings, model, actions)));
+        }
     }
 }
 
@@ -98,8 +98,7 @@ fn texture(ui: &mut Ui, model: &Model, image_name: Option<&str>, actions: &mut A
     overlays::panel::pattern(ui, model, actions);
 }
 
-fn resolution(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
-    let old = model.side(side).wanted().settings;
+fn resolution(ui: &mut Ui, side: Side, old: PrepareSettings, model: &Model, actions: &mut Actions) {
     let there = model.domain(side).map_or(500, |domain| domain.samples().len());
     group_heading(ui, &say(&key::resolution_of(words::side(side))));
     let sampling = sampling(ui, old.sampling, there);

@@ -22,11 +22,9 @@ const DELAUNAY_TOOLTIP: Words = key::delaunay_tooltip();
 
 /// Shows the group of a side's surface; nothing while the side is planar.
 pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
-    let Some(spec) = model.surface_side(side).preparation.wanted().filter(|_| model.surface(side).is_some()) else {
-        return;
-    };
+    let Some(spec) = model.surface_settings(side) else { return };
     group_heading(ui, &heading(side, model));
-    if let Some(explained) = direction(side, model) {
+    if let Some(explained) = model.abilities().direction_of_surface(side) {
         let weak = Palette::of(ui.visuals()).weak;
         ui.add(Label::new(RichText::new(tr(explained)).small().color(weak)).wrap()).on_hover_text(tr(MAP_TOOLTIP));
     }
@@ -40,17 +38,7 @@ pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
 /// The heading of the group; it names the side if both are surfaces.
 fn heading(side: Side, model: &Model) -> String {
     let name = tr(key::surface());
-    if model.surfaces()[side.other()] { format!("{name} · {}", words::side(side)) } else { name.into() }
-}
-
-/// The sentence that says where the surface is mapped; for two surfaces only in the first group.
-fn direction(side: Side, model: &Model) -> Option<Words> {
-    match (side, model.surfaces().into_array()) {
-        (Side::Source, [true, true]) => Some(key::surfaces_direction()),
-        (Side::Target, [true, true]) => None,
-        (Side::Source, _) => Some(key::surface_direction_right()),
-        (Side::Target, _) => Some(key::surface_direction()),
-    }
+    if model.abilities().maps_through_disk() { format!("{name} · {}", words::side(side)) } else { name.into() }
 }
 
 fn discretisation(ui: &mut Ui, side: Side, spec: &SurfaceSpec, actions: &mut Actions) {
@@ -66,14 +54,4 @@ fn discretisation(ui: &mut Ui, side: Side, spec: &SurfaceSpec, actions: &mut Act
     if wanted != *spec {
         actions.push(Action::Session(Command::RefineSurface { side, surface: wanted }));
     }
-}
-
-/// The actions that change the settings of the requested surfaces.
-pub fn with_settings(model: &Model, change: impl Fn(&mut SurfaceSpec)) -> impl Iterator<Item = Action> {
-    Side::BOTH.into_iter().filter_map(move |side| {
-        model.surface(side)?;
-        let mut surface = model.surface_side(side).preparation.wanted()?.clone();
-        change(&mut surface);
-        Some(Action::Session(Command::RefineSurface { side, surface }))
-    })
 }

@@ -13,7 +13,6 @@ use super::theme::{self, Palette};
 use crate::app::input::action::{Action, Actions, PlotKind, PlotsAction};
 use crate::app::language::words;
 use crate::app::theme::widgets::{Segment, dot, segmented};
-use crate::closed_form::ExactMap;
 use crate::conformal::{PerSide, Side};
 use crate::language::{Label, key, tr};
 use crate::model::Model;
@@ -51,7 +50,7 @@ const KINDS: [Segment<PlotKind>; 3] = [
 
 /// A point of a boundary, by its fraction of the outline's arc length.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct BoundaryPlace {
+pub struct BoundaryPlace {
     side: Side,
     fraction: f64,
 }
@@ -89,6 +88,11 @@ impl Plots {
         }
     }
 
+    /// Stores the place under the pointer in the plots of this frame.
+    pub fn point_in_plots(&mut self, found: Option<BoundaryPlace>) {
+        self.found = found;
+    }
+
     /// Stores the boundary point under the pointer in a viewport; returns whether it changed.
     pub fn point_at(&mut self, place: Option<(Side, f64)>) -> bool {
         let place = place.map(|(side, fraction)| BoundaryPlace { side, fraction });
@@ -118,9 +122,8 @@ impl Plots {
             return;
         };
         let session = model.session();
-        let presets = ExactMap::presets(session).filter(|_| model.is_planar());
         let (stamp, kept) = self.exact.get_or_insert_default();
-        kept.update(presets, session.constraints(domains.map(|domain| domain.default_point())), curves);
+        kept.update(model.exact_presets(), session.constraints(domains.map(|domain| domain.default_point())), curves);
         *stamp = generation;
     }
 
@@ -132,7 +135,7 @@ impl Plots {
 
     /// The marked boundary point and the corresponding one, as fractions of arc length of source and target.
     pub fn marked(&self) -> Option<PerSide<f64>> {
-        let (curves, at) = (self.curves()?, self.marked_from_anchor()?);
+        let (curves, at) = (self.curves()?, self.marked_from_anchor(None)?);
         Some(PerSide::from_fn(|side| curves.fraction(side, at[side])))
     }
 
@@ -168,62 +171,70 @@ impl Plots {
         self.found.or(self.in_plot).or(self.in_view)
     }
 
-    /// As [`Self::marked`], with arc lengths measured from the anchors.
-    fn marked_from_anchor(&self) -> Option<PerSide<f64>> {
-        let (curves, place) = (self.curves()?, self.pointed()?);
+    /// As [`Self::marked`], with arc lengths measured from the anchors; of the place `found` in a plot, if there is one.
+    fn marked_from_anchor(&self, found: Option<BoundaryPlace>) -> Option<PerSide<f64>> {
+        let (curves, place) = (self.curves()?, found.or(self.pointed())?);
         let x = curves.along(place.side, place.fraction);
         let there = curves.partner(place.side, x);
         Some(if place.side == Side::Source { PerSide::new(x, there) } else { PerSide::new(there, x) })
     }
 
-    /// Shows three plots in a row where they fit, else one.
-    pub fn show_dock(&mut self, ui: &mut Ui, model: &Model, width: f32, actions: &mut Actions) {
+    /// Shows three plots in a row where they fit, else one; returns the place under the pointer.
+    pub fn show_dock(&self, ui: &mut Ui, model: &Model, width: f32, actions: &mut Actions) -> Option<BoundaryPlace> {
         if width < ROW_FROM { self.show_one(ui, model, actions) } else { self.show_row(ui, model, actions) }
     }
 
-    fn show_row(&mut self, ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    fn show_row(&self, ui: &mut Ui, model: &Model, actions: &mut Actions) -> Option<BoundaryPlace> {
         let none = Overlays::default();
-        let overlays = overlays_of(model).unwrap_or(&none);
+        let overlays = model.overlays().unwrap_or(&none);
         ui.spacing_mut().item_spacing.x = 18.0;
+        let mut found = None;
         ui.columns_const(|columns: &mut [Ui; KINDS.len()]| {
             for (ui, kind) in columns.iter_mut().zip(&KINDS) {
-                self.show_plot(ui, kind, overlays, actions);
+                found = self.show_plot(ui, kind, overlays, found, actions).or(found);
             }
         });
-        self.settle(ui);
+        self.settle(ui, found)
     }
 
-    /// Shows one plot below a switch.
-    pub fn show_one(&mut self, ui: &mut Ui, model: &Model, actions: &mut Actions) {
+    /// Shows one plot below a switch; returns the place under the pointer.
+    pub fn show_one(&self, ui: &mut Ui, model: &Model, actions: &mut Actions) -> Option<BoundaryPlace> {
         let none = Overlays::default();
-        let overlays = overlays_of(model).unwrap_or(&none);
+        let overlays = model.overlays().unwrap_or(&none);
         let short = [(key::kernel(), 0), (key::measure(), 1), (key::reparam(), 2)];
         let kinds = short.map(|(label, k): (Label, usize)| Segment { label, ..KINDS[k] });
         if let Some(kind) = segmented(ui, &kinds, self.shown) {
             actions.push(Action::Plots(PlotsAction::Show(kind)));
         }
-        if let Some(kind) = KINDS.iter().find(|kind| kind.value == self.shown) {
-            self.show_plot(ui, kind, overlays, actions);
-        }
-        self.settle(ui);
+        let kind = KINDS.iter().find(|kind| kind.value == self.shown);
+        let found = kind.and_then(|kind| self.show_plot(ui, kind, overlays, None, actions));
+        self.settle(ui, found)
     }
 
     /// Requests another frame if the place under the pointer changed: earlier plots of this frame lack its mark.
-    fn settle(&self, ui: &Ui) {
-        if self.found != self.in_plot {
+    fn settle(&self, ui: &Ui, found: Option<BoundaryPlace>) -> Option<BoundaryPlace> {
+        if found != self.in_plot {
             ui.request_repaint();
         }
+        found
     }
 
-    fn show_plot(&mut self, ui: &mut Ui, kind: &Segment<PlotKind>, overlays: &Overlays, actions: &mut Actions) {
-        let marked = self.marked_from_anchor();
+    /// Shows a plot; `found` is the place under the pointer in the plots before it. Returns the place in this one.
+    fn show_plot(
+        &self,
+        ui: &mut Ui,
+        kind: &Segment<PlotKind>,
+        overlays: &Overlays,
+        found: Option<BoundaryPlace>,
+        actions: &mut Actions,
+    ) -> Option<BoundaryPlace> {
+        let marked = self.marked_from_anchor(found);
         self.header(ui, kind, marked, actions);
-        let Some((_, curves)) = &self.curves else { return };
+        let (_, curves) = self.curves.as_ref()?;
         let chart =
             chart::Chart::of(kind.value, curves, self.exact(), overlays, ui.visuals().dark_mode, self.logarithmic);
-        if let Some((side, x)) = chart.show(ui, marked) {
-            self.found = Some(BoundaryPlace { side, fraction: curves.fraction(side, x) });
-        }
+        let (side, x) = chart.show(ui, marked)?;
+        Some(BoundaryPlace { side, fraction: curves.fraction(side, x) })
     }
 
     /// The title, the sides' colors, and the values at the marked point or else the sides' names.
@@ -260,11 +271,6 @@ impl Plots {
             actions.push(Action::Plots(PlotsAction::ToggleLogarithm));
         }
     }
-}
-
-/// The curves that are compared with the map; `None` for surfaces.
-fn overlays_of(model: &Model) -> Option<&Overlays> {
-    model.is_planar().then(|| model.overlay_state().overlays())
 }
 
 /// The groups of colors that occur together in a plot, for each plot and theme.

@@ -87,7 +87,7 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if !narrow {
-                let hint = tr(if model.is_planar() { key::hint_plane() } else { key::hint_surface() });
+                let hint = tr(model.hint());
                 if text_width(ui, hint, caption_font(ui)) + BACKEND_FROM <= ui.available_width() {
                     ui.label(weak(hint.to_owned()));
                 }

@@ -208,7 +208,7 @@ fn preparation(model: &Model) -> PreparationStats {
         source: size(model, Side::Source),
         target: size(model, Side::Target),
         prepare_ms: Side::BOTH.map(|side| model.side(side).prepared().map(|side| side.timings()).unwrap_or_default()),
-        surface_ms: model.map().filter(|map| map.mapped().is_surface()).map(|map| map.mapped().timings()),
+        surface_ms: model.surface_timings(),
     }
 }
 
@@ -266,7 +266,8 @@ fn size(model: &Model, side: Side) -> DomainSize {
 fn image_of_point(model: &Model, mapped: Side) -> Option<[f64; 2]> {
     let map = model.map()?;
     if let Some(point) = model.point(mapped)?.on_surface() {
-        let corners = map.mapped().triangles()[point.triangle().index()];
+        // in the picture of a coarser surface there may be no such triangle
+        let corners = map.mapped().triangles().get(point.triangle().index())?;
         let image: DVec2 = corners.iter().zip(point.weights()).map(|(&v, w)| w * map.images()[v as usize]).sum();
         return Some(image.to_array());
     }

@@ -3,6 +3,7 @@
 use super::panels::click_in_panel;
 use super::*;
 use crate::app::arrangement::legend_side;
+use crate::conformal::PerSide;
 use crate::session::{Colouring, SurfaceShape, SurfaceSpec};
 use crate::surface::SurfacePreset;
 use egui::{Vec2, pos2, vec2};
@@ -181,4 +182,104 @@ fn the_panel_has_the_controls_of_each_surface_and_the_direction_between_two() {
     finish_preparations(&mut model);
     assert!(model.is_through_disk());
     assert_eq!(click_in_panel(&model, "Forward"), [Action::Session(Command::SetDirection(Direction::Forward))]);
+}
+
+/// The app with surfaces on these sides, drawn on an adapter.
+fn drawn_app_with(surfaces: &[(Side, SurfacePreset)]) -> Harness<'static, RiemapApp> {
+    let mut session = prepared_model().session().clone();
+    for &(side, preset) in surfaces {
+        let shape = SurfaceShape::Preset { preset, boundary: 60 };
+        session.apply(Command::SetSurface { side, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
+    }
+    let startup = Startup::start(session);
+    let mut harness = Harness::builder()
+        .with_size([1200.0, 800.0])
+        .wgpu()
+        .build_eframe(|creation| RiemapApp::new(creation, startup).unwrap());
+    step_until(&mut harness, |stats| stats.preparation.ready);
+    harness
+}
+
+/// The middle of each side's viewport, without titles and legends, once it is drawn at full resolution.
+fn middles(harness: &mut Harness<'_, RiemapApp>) -> PerSide<Vec<[u8; 4]>> {
+    for _ in 0..2 {
+        harness.run_steps(60);
+        harness.render().unwrap(); // in software the first picture after a change is coarse
+    }
+    let image = harness.render().unwrap();
+    PerSide::from_fn(|side| {
+        let rect = harness.state().pictures.views[side].rect;
+        let [from, to] = [rect.lerp_inside(Vec2::splat(0.25)), rect.lerp_inside(Vec2::splat(0.75))];
+        let rows = (from.y as u32..to.y as u32).flat_map(|y| (from.x as u32..to.x as u32).map(move |x| (x, y)));
+        rows.map(|(x, y)| image.get_pixel(x, y).0).collect()
+    })
+}
+
+/// The share of pixels in which two pictures differ.
+fn change(one: &[[u8; 4]], other: &[[u8; 4]]) -> f64 {
+    assert_eq!(one.len(), other.len());
+    one.iter().zip(other).filter(|(a, b)| a != b).count() as f64 / one.len() as f64
+}
+
+#[test]
+fn the_colors_of_triangles_are_on_the_mapped_surface_and_beside_one_in_the_plane() {
+    if !has_adapter() {
+        return;
+    }
+    let surfaces = [(Side::Source, SurfacePreset::Hemisphere), (Side::Target, SurfacePreset::Paraboloid)];
+    let [forward, backward] = [Direction::Forward, Direction::Backward];
+    let cases = [
+        (&surfaces[..], forward, vec![forward.mapped_side()]),
+        (&surfaces[..], backward, vec![backward.mapped_side()]),
+        (&surfaces[..1], forward, Side::BOTH.to_vec()),
+        (&surfaces[1..], forward, Side::BOTH.to_vec()),
+    ];
+    for (number, (surfaces, direction, colored)) in cases.into_iter().enumerate() {
+        let mut harness = drawn_app_with(surfaces);
+        let context = harness.ctx.clone();
+        let set = |command, harness: &mut Harness<'_, RiemapApp>| {
+            harness.state_mut().carry_out(&context, vec![Action::Session(command)]);
+            middles(harness)
+        };
+        let textured = set(Command::SetDirection(direction), &mut harness);
+        let angles = set(Command::SetColouring(Colouring::Angle), &mut harness);
+        for side in Side::BOTH {
+            let change = change(&textured[side], &angles[side]);
+            let expected = if colored.contains(&side) { 0.3..=1.0 } else { 0.0..=0.0 };
+            assert!(expected.contains(&change), "case {number}, {side}: {change}");
+        }
+    }
+}
+
+#[test]
+fn the_picture_of_the_other_surface_stays_while_one_is_refined() {
+    if !has_adapter() {
+        return;
+    }
+    let mut harness =
+        drawn_app_with(&[(Side::Source, SurfacePreset::Hemisphere), (Side::Target, SurfacePreset::Saddle)]);
+    let before = middles(&mut harness);
+    let app = harness.state_mut();
+    app.model.update_ms = 0.0;
+    let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 90 };
+    let surface = SurfaceSpec { shape, ..SurfaceSpec::default() };
+    let context = harness.ctx.clone();
+    let refine = Action::Session(Command::RefineSurface { side: Side::Source, surface: surface.clone() });
+    harness.state_mut().carry_out(&context, vec![refine]);
+    let is_refined = |app: &RiemapApp| app.session().surface(Side::Source).unwrap().spec == surface;
+    super::step_until(&mut harness, is_refined);
+    assert!(!harness.state().model.is_ready(), "its map takes several frames");
+    let image = harness.render().unwrap();
+    let middle = |harness: &Harness<'_, RiemapApp>, side: Side| harness.state().pictures.views[side].rect.center();
+    let places = Side::BOTH.map(|side| middle(&harness, side));
+    harness.state_mut().model.update_ms = f64::INFINITY;
+    step_until(&mut harness, |stats| stats.preparation.ready);
+    let after = middles(&mut harness);
+    assert!(change(&before.target, &after.target) < 0.01);
+    assert!(change(&before.source, &after.source) < 0.7);
+    let canvas = theme::Palette::of(&harness.ctx.global_style().visuals).canvas;
+    for place in places {
+        let pixel = image.get_pixel(place.x as u32, place.y as u32).0;
+        assert_ne!(pixel, canvas.to_array(), "the viewport at {place} is blank");
+    }
 }

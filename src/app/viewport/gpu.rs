@@ -5,6 +5,7 @@
 //! mapped mesh are uploaded, or written by a compute shader ([`GpuExtension`]).
 
 use crate::app::viewport::gpu_extension::GpuExtension;
+use crate::app::viewport::picture::Picture;
 use crate::app::viewport::surface;
 use crate::conformal::{Extension, MeshedDomain, PerSide, Side};
 use crate::geometry::DVec2;
@@ -202,20 +203,12 @@ impl Gpu {
     }
 }
 
-/// Camera, size, texture style and background of one kind of viewport.
-pub enum ViewportFrame {
-    /// Of a plane.
-    Plane(PlanarFrame),
-    /// Of a surface in space.
-    Space(SpaceFrame),
-}
-
 /// Draws one viewport inside egui's pass.
 pub struct ViewportCallback {
     /// The side of the viewport.
     pub side: Side,
     /// Camera, size, texture style and background.
-    pub frame: ViewportFrame,
+    pub frame: Picture<PlanarFrame, SpaceFrame>,
     /// Whether it may be drawn coarsely first.
     pub pace: Pace,
     /// The context whose repaint is requested while the picture is coarse.
@@ -234,13 +227,13 @@ impl CallbackTrait for ViewportCallback {
         if let Some(renderer) = resources.get_mut::<ViewportRenderer>() {
             let viewport = VIEWPORTS[self.side];
             let is_coarse = match &self.frame {
-                ViewportFrame::Plane(frame) => {
+                Picture::Plane(frame) => {
                     renderer.prepare(device, queue, encoder, viewport, frame, self.pace);
                     renderer.is_coarse(viewport)
                 }
-                ViewportFrame::Space(frame) => {
+                Picture::Space(frame) => {
                     renderer.prepare_surface(device, queue, encoder, viewport, frame, self.pace);
-                    renderer.is_surface_coarse(viewport)
+                    renderer.draws_surface_coarsely(viewport)
                 }
             };
             if is_coarse {
@@ -258,8 +251,8 @@ impl CallbackTrait for ViewportCallback {
     ) {
         if let Some(renderer) = resources.get::<ViewportRenderer>() {
             match self.frame {
-                ViewportFrame::Plane(_) => renderer.paint(pass, VIEWPORTS[self.side]),
-                ViewportFrame::Space(_) => renderer.paint_surface(pass, VIEWPORTS[self.side]),
+                Picture::Plane(_) => renderer.paint(pass, VIEWPORTS[self.side]),
+                Picture::Space(_) => renderer.paint_surface(pass, VIEWPORTS[self.side]),
             }
         }
     }

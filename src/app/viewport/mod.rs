@@ -16,7 +16,7 @@ pub mod dots;
 pub mod gpu;
 mod gpu_extension;
 pub mod legend;
-mod picture;
+pub mod picture;
 pub mod pictures;
 pub mod planar;
 pub mod surface;

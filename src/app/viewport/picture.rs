@@ -3,16 +3,17 @@
 //! Drawing and gestures distinguish the two kinds of viewport here only.
 
 use super::surface::OrbitView;
-use super::view::View;
+use super::view::{Margins, View};
 use super::{pictures::Pictures, planar, surface};
 use crate::app::input::action::Actions;
 use crate::app::input::handles::HandleState;
 use crate::conformal::Side;
 use crate::model::Model;
-use crate::render::{CellStyle, Pace, TextureStyle};
-use egui::{Pos2, Ui};
+use crate::render::{CellStyle, OrbitCamera, Pace, TextureStyle};
+use egui::{Pos2, Rect, Ui};
 
-/// The camera of a side's viewport: by reference to draw it, by mutable reference to handle gestures.
+/// What differs between the two kinds of viewport: their cameras, by reference to draw and by mutable reference to handle
+/// gestures, or what the renderer needs of them.
 pub enum Picture<P, S> {
     /// A plane.
     Plane(P),
@@ -35,6 +36,49 @@ impl Pictures {
             Some(_) => Picture::Space(&mut self.orbits[side]),
             None => Picture::Plane(&mut self.views[side]),
         }
+    }
+}
+
+/// When a camera shows a new shape.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Seen {
+    /// Now.
+    Now,
+    /// In the next frame, when the view is placed.
+    InNextFrame,
+}
+
+impl Pictures {
+    /// Places the viewport of a side; a camera that is fitted shows all of what stands there.
+    pub fn place(&mut self, model: &Model, side: Side, rect: Rect, pixels_per_point: f32, margins: Margins) {
+        let view = &mut self.views[side];
+        view.place(rect, pixels_per_point, margins, model.extent(side));
+        if let Some(scene) = model.surface(side).and_then(|(surface, _)| surface.scene()) {
+            self.orbits[side].place(view.rect, pixels_per_point, scene);
+        }
+    }
+
+    /// Chooses the camera for a new shape on a side: an outline is fitted, a surface is seen so that most of it is
+    /// visible.
+    pub fn look_at_new(&mut self, model: &Model, side: Side) -> Seen {
+        self.views[side].fit();
+        let Some((surface, state)) = model.surface(side) else { return Seen::InNextFrame };
+        let orbit = &mut self.orbits[side];
+        if let Some(camera) = surface.first_view(state, orbit.aspect()) {
+            orbit.look(camera);
+        }
+        Seen::Now
+    }
+
+    /// The camera of a side's surface on the screen, in a viewport with this ratio of width to height.
+    pub fn camera(&self, model: &Model, side: Side, aspect: f64) -> Option<OrbitCamera> {
+        let scene = model.surface(side)?.0.scene()?;
+        let orbit = &self.orbits[side];
+        let mut camera = *orbit.camera()?;
+        if orbit.is_fitted() {
+            camera.fit(scene, aspect);
+        }
+        Some(camera)
     }
 }
 
@@ -94,7 +138,7 @@ impl Picture<&View, &OrbitView> {
     ) {
         let mapped = model.shown().map(|map| map.mapped_side());
         // before the map, the GPU may still hold another surface, or another outline beside a surface
-        let style = style.filter(|_| mapped.is_some() || model.is_planar());
+        let style = style.filter(|_| model.has_picture());
         match self {
             Self::Plane(view) => planar::paint_mesh(ui, side, view, style, pace),
             Self::Space(orbit) => {

@@ -13,7 +13,8 @@ use crate::app::theme::Palette;
 use crate::app::theme::widgets::caption_font;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
-use crate::app::viewport::gpu::{ViewportCallback, ViewportFrame};
+use crate::app::viewport::gpu::ViewportCallback;
+use crate::app::viewport::picture::Picture;
 use crate::app::viewport::view::View;
 use crate::conformal::Side;
 use crate::language::{key, tr};
@@ -160,7 +161,7 @@ pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>
         style: *style,
         background: palette.canvas.to_normalized_gamma_f32(),
     };
-    let callback = ViewportCallback { side, frame: ViewportFrame::Plane(frame), pace, context: ui.ctx().clone() };
+    let callback = ViewportCallback { side, frame: Picture::Plane(frame), pace, context: ui.ctx().clone() };
     painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
 }
 

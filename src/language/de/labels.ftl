@@ -70,8 +70,10 @@ tables_tooltip = Tabellen 1 und 2 · Zeiten auf diesem Rechner neben denen des A
 takes_a_minute = Dauert ein bis zwei Minuten, im Hintergrund
 as_needed = nach Bedarf
 figure_title = Figur { $number } · { $title }
-figure_samples_of_surface = { $samples } Punkte auf dem Umriss, { $boundary } Randecken der Fläche
-figure_samples_of_surface_file = { $samples } Punkte auf dem Umriss; die Fläche { $surface }
+figure_samples_of_outline = { $samples } Punkte auf dem Umriss
+figure_boundary_of_surface = { $boundary } Randecken der Fläche
+figure_surface_file = die Fläche { $surface }
+figure_sides = { $source }, { $target }
 figure_samples = { $source } Punkte auf der Quelle, { $target } auf dem Ziel
 
 ## file menu

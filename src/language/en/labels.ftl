@@ -70,8 +70,10 @@ tables_tooltip = Tables 1 and 2 · times on this machine, beside the paper's
 takes_a_minute = Takes a minute or two, in the background
 as_needed = as needed
 figure_title = Figure { $number } · { $title }
-figure_samples_of_surface = { $samples } samples of the outline, { $boundary } boundary vertices of the surface
-figure_samples_of_surface_file = { $samples } samples of the outline; the surface { $surface }
+figure_samples_of_outline = { $samples } samples of the outline
+figure_boundary_of_surface = { $boundary } boundary vertices of the surface
+figure_surface_file = the surface { $surface }
+figure_sides = { $source }, { $target }
 figure_samples = { $source } samples of the source, { $target } of the target
 
 ## file menu

@@ -143,8 +143,8 @@ keys_of_messages! {
     // chart
     arc_length_of_side(side);
     // figures menu
-    figure_title(number, title); figure_samples_of_surface(samples, boundary);
-    figure_samples_of_surface_file(samples, surface); figure_samples(source, target);
+    figure_title(number, title); figure_samples_of_outline(samples); figure_boundary_of_surface(boundary);
+    figure_surface_file(surface); figure_sides(source, target); figure_samples(source, target);
     // legend
     mean_of(value);
     // method

@@ -3,7 +3,6 @@
 use crate::conformal::{ConformalMap, Side};
 use crate::export::{FileFormat, Flattened, Panel, Part, Ruling, boundary_csv, mapped_obj, parts, svg};
 use crate::language::{Message, key};
-use crate::model::export::request::has_layout;
 use crate::model::{Model, pattern};
 use crate::render::{Pattern, TextureStyle};
 use crate::session::SurfaceShape;
@@ -31,7 +30,7 @@ pub struct FileRequest {
 /// The map that is shown as a file. `None` while there is no map. Errors: in words.
 pub fn file(model: &Model, request: FileRequest) -> Option<Result<ReadyFile, Message>> {
     let map = model.map()?;
-    if has_layout(model.surfaces()) {
+    if model.abilities().has_layout() {
         return surface_file(model, map.mapped_side(), request);
     }
     let bytes = match request.format {

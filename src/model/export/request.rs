@@ -1,9 +1,10 @@
 //! The settings of an export: kind of file, size, sides, motion.
 
-use crate::conformal::{PerSide, Side};
+use crate::conformal::Side;
 use crate::export::FileFormat;
 use crate::family::Path;
 use crate::language::{Label, key};
+use crate::model::Abilities;
 use crate::model::scene::Shot;
 use crate::render::{FilmFormat, FilmSettings};
 
@@ -46,12 +47,12 @@ impl Kind {
         Self::Film(FilmFormat::Gif),
     ];
 
-    /// The kinds available for a map; `surfaces` says which sides are surfaces.
-    pub fn all(surfaces: PerSide<bool>) -> &'static [Self] {
-        match surfaces.into_array() {
-            [false, false] => &Self::PLANAR,
-            [true, true] => &Self::THROUGH_DISK,
-            _ => &Self::SURFACE,
+    /// The kinds available for a map with these abilities.
+    pub fn all(abilities: Abilities) -> &'static [Self] {
+        match (abilities.has_layout(), abilities.maps_through_disk()) {
+            (true, _) => &Self::SURFACE,
+            (false, true) => &Self::THROUGH_DISK,
+            (false, false) => &Self::PLANAR,
         }
     }
 
@@ -70,8 +71,8 @@ impl Kind {
     }
 
     /// The contents of the file, as a tooltip.
-    pub fn explained(self, surfaces: PerSide<bool>) -> Label {
-        let (through_disk, on_surface) = (surfaces == PerSide::new(true, true), has_layout(surfaces));
+    pub fn explained(self, abilities: Abilities) -> Label {
+        let (through_disk, on_surface) = (abilities.maps_through_disk(), abilities.has_layout());
         match (self, on_surface) {
             (Self::Picture, _) => key::png_tooltip(),
             (Self::Film(FilmFormat::Png), _) => key::animated_png_tooltip(),
@@ -92,12 +93,6 @@ impl Kind {
     pub fn is_drawn(self) -> bool {
         !matches!(self, Self::File(_))
     }
-}
-
-/// Whether a map has texture coordinates: exactly one side is a surface, which the map flattens. `surfaces` says which
-/// sides are surfaces.
-pub fn has_layout(surfaces: PerSide<bool>) -> bool {
-    surfaces.source != surfaces.target
 }
 
 /// The settings of an export.

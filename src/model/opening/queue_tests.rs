@@ -2,6 +2,7 @@
 
 use super::tests::{BOW, TRIANGLE, answer, planar};
 use super::*;
+use crate::language::Language;
 use crate::outline::Preset;
 use crate::session::{Command, OutlineSpec, SurfaceShape, SurfaceSpec, file};
 
@@ -133,4 +134,21 @@ fn choosing_a_shape_cancels_the_waiting_files_of_its_side_only() {
     settle(&mut model, Side::Source);
     assert_eq!(outlines(&model), ["b", "Heart"]);
     assert!(model.session().texture_scale() != SCALE);
+}
+
+#[test]
+fn a_surface_file_that_is_too_large_is_refused_before_it_is_copied() {
+    use crate::model::side::{MAX_BYTES, SurfaceFileTooLarge};
+    let mut model = planar();
+    model.open_surface_in_turn(Side::Target, "huge.obj", vec![0; MAX_BYTES + 1]); // zeroed pages, never written
+    let said: Vec<_> = model.user_errors(Side::Target).map(|error| error.text.clone()).collect();
+    assert_eq!(said, [Message::from(&SurfaceFileTooLarge { name: "huge.obj".into(), bytes: MAX_BYTES + 1 })]);
+    for language in Language::ALL {
+        let words = language.message(&said[0]);
+        assert!(["huge.obj", "268435457", "256 MiB"].iter().all(|part| words.contains(part)), "{words}");
+    }
+    assert!(!model.awaits_file() && model.take_requests(f64::INFINITY).is_empty() && model.is_ready());
+    model.open_surface_in_turn(Side::Target, "square.obj", SQUARE.to_vec());
+    settle(&mut model, Side::Target);
+    assert!(!model.is_planar() && model.user_errors(Side::Target).count() == 0);
 }

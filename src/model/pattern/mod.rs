@@ -14,7 +14,7 @@ pub mod disk_grid;
 
 use crate::conformal::Side;
 use crate::geometry::DVec2;
-use crate::model::Model;
+use crate::model::{Abilities, Model};
 use crate::render::{MeshGeometry, Pattern, TextureStyle};
 use crate::session::{Session, TextureKind};
 
@@ -29,20 +29,14 @@ pub enum Moved<'a> {
 
 /// The side where the pattern of a session lives; `None`: in the disk. The picture has it from [`Model::pattern_home`].
 pub fn home(session: &Session) -> Option<Side> {
-    let side = match session.sides().as_ref().map(|side| side.surface.is_some()).into_array() {
-        [false, false] => session.texture_side(),
-        [true, false] => Side::Target,
-        [false, true] => Side::Source,
-        [true, true] => return None,
-    };
-    (session.texture() != TextureKind::Conformal).then_some(side)
+    let side = Abilities::of(session).pattern_home(session.texture_side());
+    side.filter(|_| session.texture() != TextureKind::Conformal)
 }
 
 /// Whether the pattern of a session needs a [`disk_grid::DiskGrid`]; a map between two surfaces computes its disk
 /// coordinates itself.
 pub fn needs_grid(session: &Session) -> bool {
-    let through_disk = session.sides().iter().all(|(_, side)| side.surface.is_some());
-    home(session).is_none() && !through_disk
+    home(session).is_none() && !Abilities::of(session).maps_through_disk()
 }
 
 /// The pattern as it is drawn on both sides, as soon as there is something; without an image a checkerboard in its place.

@@ -181,7 +181,7 @@ impl Offscreen {
     /// The surface of a side, if one stands there.
     pub fn surface(&self, side: Side) -> Option<OffscreenSurface<'_>> {
         Some(OffscreenSurface {
-            surface: self.model.surface(side)?.0.surface()?,
+            surface: self.model.shown_surface(side)?,
             coordinates: pattern::surface_coordinates(&self.model, side)?,
             points: [self.model.surface_point(side)?, self.model.surface_anchor(side)?],
         })

@@ -9,7 +9,51 @@ use crate::model::side::{SurfaceFiles, SurfaceRequest, SurfaceSide};
 use crate::session::{SidePoints, SideState, SurfaceSpec, SurfaceState};
 use crate::worker::Request;
 
-/// One side.
+/// What will stand on a side when what is pending is prepared.
+#[derive(Debug, Default)]
+pub enum Next {
+    /// What stands there now, perhaps in another shape.
+    #[default]
+    Same,
+    /// An outline in the place of the surface, which goes when the outline is there.
+    Outline,
+    /// The surface of a session, with its points: it is being prepared, or its file is awaited.
+    Surface(Box<SurfaceState>),
+}
+
+impl Next {
+    /// The surface to come.
+    pub fn surface(&self) -> Option<&SurfaceState> {
+        if let Self::Surface(state) = self { Some(state) } else { None }
+    }
+
+    /// The surface to come.
+    pub fn surface_mut(&mut self) -> Option<&mut SurfaceState> {
+        if let Self::Surface(state) = self { Some(state) } else { None }
+    }
+
+    /// Takes the surface to come, if there is one; an outline to come stays.
+    pub fn take_surface(&mut self) -> Option<SurfaceState> {
+        self.take_surface_if(|_| true)
+    }
+
+    /// Takes the surface to come, if there is one that `is_it`; anything else stays.
+    pub fn take_surface_if(&mut self, is_it: impl FnOnce(&SurfaceState) -> bool) -> Option<SurfaceState> {
+        self.surface().filter(|state| is_it(state))?;
+        if let Self::Surface(state) = std::mem::take(self) { Some(*state) } else { None }
+    }
+
+    /// Whether an outline is to come in the place of a surface; it no longer is.
+    pub fn take_outline(&mut self) -> bool {
+        let is_outline = matches!(self, Self::Outline);
+        if is_outline {
+            *self = Self::Same;
+        }
+        is_outline
+    }
+}
+
+/// One side. Whether an outline or a surface stands there is in the session, which undo, links and files keep.
 ///
 /// Invariants: `incoming_points` is `Some` only while the outline is being prepared; the side's worker has at most one
 /// request, and every request has a generation of its own.
@@ -24,8 +68,8 @@ pub struct ModelSide {
     pub surface: SurfaceSide,
     /// The points of a session whose outline is being prepared.
     pub incoming_points: Option<SidePoints>,
-    /// The state of a session's surface that is being prepared, or whose file is awaited.
-    pub incoming_surface: Option<SurfaceState>,
+    /// What will stand there instead.
+    pub next: Next,
     /// The points of the last map that could be made, of what stood here then.
     pub last_good: SidePoints,
     /// What is shown is new: its viewport is to fit it.
@@ -41,7 +85,7 @@ impl ModelSide {
             outline: Preparation::new(state.domain.clone()),
             surface: SurfaceSide::default(),
             incoming_points: None,
-            incoming_surface: None,
+            next: Next::Same,
             last_good: state.points(),
             refit: true,
         }
@@ -76,7 +120,7 @@ impl ModelSide {
             outline: self.outline.twin(),
             surface: self.surface.twin(),
             incoming_points: None,
-            incoming_surface: None,
+            next: Next::Same,
             last_good: self.last_good,
             refit: true,
         }
@@ -86,7 +130,7 @@ impl ModelSide {
     pub fn awaits_surface_file(&self, name: &str) -> bool {
         let preparation = &self.surface.preparation;
         let is_there = preparation.is_busy() && preparation.wanted().is_some_and(|spec| spec.shape.is_file(name));
-        !is_there && self.incoming_surface.as_ref().is_some_and(|state| state.spec.shape.is_file(name))
+        !is_there && self.next.surface().is_some_and(|state| state.spec.shape.is_file(name))
     }
 
     /// The request for the side's worker that is due, if any: for a file, else for a surface, else for the outline,

@@ -27,8 +27,6 @@ const SORTED_AT_ONCE: usize = 150_000;
 pub struct SurfaceSide {
     /// The preparation of the next surface.
     pub preparation: Preparation<Option<SurfaceRequest>>,
-    /// A person wants an outline in its place: it goes when the outline is there.
-    pub gives_way: bool,
     /// The surface that is shown; its map may still be missing.
     shown: Option<Arc<PreparedSide>>,
     scene: Option<BoundingSphere>,

@@ -15,7 +15,7 @@ pub fn upload(
     side: Side,
     changes: Changes,
 ) -> bool {
-    let Some(surface) = model.surface(side).and_then(|(surface, _)| surface.surface()) else { return true };
+    let Some(surface) = model.shown_surface(side) else { return true };
     let (viewport, mut fits) = (VIEWPORTS[side], true);
     if changes.meshes {
         let mesh = surface.mesh();

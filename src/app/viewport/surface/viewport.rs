@@ -11,7 +11,8 @@ use crate::app::input::locks::{Control, Locks};
 use crate::app::theme::Palette;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
-use crate::app::viewport::gpu::{ViewportCallback, ViewportFrame};
+use crate::app::viewport::gpu::ViewportCallback;
+use crate::app::viewport::picture::Picture;
 use crate::app::viewport::planar::{BOUNDARY_REACH, ZOOM_PER_POINT};
 use crate::app::viewport::surface::OrbitView;
 use crate::conformal::Side;
@@ -177,7 +178,7 @@ pub fn paint_surface(
         stroke: StrokeStyle::themed(ui.visuals().dark_mode, ui.pixels_per_point()),
         background: palette.canvas.to_normalized_gamma_f32(),
     };
-    let callback = ViewportCallback { side, frame: ViewportFrame::Space(frame), pace, context: ui.ctx().clone() };
+    let callback = ViewportCallback { side, frame: Picture::Space(frame), pace, context: ui.ctx().clone() };
     painter.add(egui_wgpu::Callback::new_paint_callback(view.rect, callback));
 }
 

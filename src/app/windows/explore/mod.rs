@@ -92,13 +92,18 @@ impl Explore {
     }
 
     /// Shows the tour's step below the pictures; if it `yields` to other content there, it is hidden on a low screen.
-    pub fn show_tour(&mut self, ui: &mut Ui, yields: bool, actions: &mut Actions) {
-        let step = self.step().filter(|_| !(yields && tour::is_low(ui)));
-        if let Some(step) = step {
-            // a window that opens over the tour gets the focus
-            let takes_focus = self.window.is_none() && std::mem::take(&mut self.focus_due);
-            tour::show(ui, step, takes_focus, actions);
-        }
+    /// Returns whether it took the keyboard focus that was due.
+    pub fn show_tour(&self, ui: &mut Ui, yields: bool, actions: &mut Actions) -> bool {
+        let Some(step) = self.step().filter(|_| !(yields && tour::is_low(ui))) else { return false };
+        // a window that opens over the tour gets the focus
+        let takes_focus = self.window.is_none() && self.focus_due;
+        tour::show(ui, step, takes_focus, actions);
+        takes_focus
+    }
+
+    /// Records that the tour has taken the keyboard focus.
+    pub fn end_focus(&mut self) {
+        self.focus_due = false;
     }
 
     /// Shows the open window, and closes it if the user does.

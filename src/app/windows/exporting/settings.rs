@@ -6,7 +6,7 @@ use crate::app::windows::exporting::window::{Exporter, Surroundings};
 use crate::conformal::Side;
 use crate::export::FileFormat;
 use crate::language::{Label, Message, key, say, tr};
-use crate::model::export::request::{Kind, has_layout};
+use crate::model::export::request::Kind;
 use crate::render::{FilmFormat, MOST_FRAMES, SECONDS};
 use egui::{Button, DragValue, Response, RichText, Ui, vec2};
 
@@ -23,14 +23,14 @@ impl Exporter {
     /// Shows the kinds of files and a description of the chosen one.
     pub(super) fn kinds(&mut self, ui: &mut Ui, around: Surroundings, height: f32) {
         ui.horizontal_wrapped(|ui| {
-            for &kind in Kind::all(around.surfaces) {
+            for &kind in Kind::all(around.abilities) {
                 if self.choice(ui, kind.label(), self.request.kind == kind, height).clicked() {
                     self.request.kind = kind;
                 }
             }
         });
         let weak = Palette::of(ui.visuals()).weak;
-        ui.label(RichText::new(tr(self.request.kind.explained(around.surfaces))).small().color(weak));
+        ui.label(RichText::new(tr(self.request.kind.explained(around.abilities))).small().color(weak));
         ui.add_space(4.0);
     }
 
@@ -40,7 +40,7 @@ impl Exporter {
         if kind.is_drawn() {
             self.size(ui, around, height);
         }
-        let drawing = kind == Kind::File(FileFormat::Svg) && !has_layout(around.surfaces);
+        let drawing = kind == Kind::File(FileFormat::Svg) && !around.abilities.has_layout();
         if kind.is_drawn() || drawing {
             self.sides(ui, height);
         }
@@ -53,7 +53,7 @@ impl Exporter {
         if let Kind::Film(format) = kind {
             self.film(ui, around, height, format);
         }
-        if has_layout(around.surfaces) && matches!(kind, Kind::File(format) if format != FileFormat::Svg) {
+        if around.abilities.has_layout() && matches!(kind, Kind::File(format) if format != FileFormat::Svg) {
             ui.label(tr(key::coordinates()));
             ui.horizontal(|ui| {
                 for (unit, label, tooltip) in [
@@ -116,8 +116,8 @@ impl Exporter {
         ui.label(tr(key::motion()));
         ui.horizontal(|ui| {
             for segment in &play_panel::PATHS {
-                let fixed = play_panel::is_fixed(segment.value, around.surfaces);
-                ui.add_enabled_ui(!fixed, |ui| {
+                let moves = around.abilities.refused_path(segment.value).is_none();
+                ui.add_enabled_ui(moves, |ui| {
                     let is_chosen = self.request.path == segment.value;
                     let choice = self.choice(ui, segment.label, is_chosen, height);
                     if choice.on_hover_text(tr(segment.tooltip)).clicked() {

@@ -5,10 +5,10 @@ use crate::app::windows::exporting::Exporter;
 use crate::conformal::PerSide;
 use crate::export::FileFormat;
 use crate::family::Path;
-use crate::model::Model;
 use crate::model::export::ReadyFile;
 use crate::model::export::request::{ExportRequest, Kind};
 use crate::model::scene::Offscreen;
+use crate::model::{Abilities, Model};
 use crate::offscreen::job::{Job, Progress, Scenery};
 use crate::render::{FilmFormat, Studio, headless_device};
 use egui::{Key, Modifiers};
@@ -116,11 +116,11 @@ fn invalid_animations_are_refused_with_a_message() {
 #[test]
 fn planar_maps_and_surfaces_have_their_own_formats() {
     let all = [[false, false], [false, true], [true, false], [true, true]];
-    let all = all.map(|[source, target]| PerSide::new(source, target));
-    let with_coordinates = all.map(|surfaces| Kind::all(surfaces).contains(&Kind::File(FileFormat::Glb)));
+    let all = all.map(|[source, target]| Abilities::between(PerSide::new(source, target)));
+    let with_coordinates = all.map(|abilities| Kind::all(abilities).contains(&Kind::File(FileFormat::Glb)));
     assert_eq!(with_coordinates, [false, true, true, false]);
-    for surfaces in all {
-        let labels: Vec<_> = Kind::all(surfaces).iter().map(|kind| kind.label().english()).collect();
+    for abilities in all {
+        let labels: Vec<_> = Kind::all(abilities).iter().map(|kind| kind.label().english()).collect();
         assert!(labels.contains(&"PNG") && labels.contains(&"GIF") && labels.contains(&"SVG"), "{labels:?}");
     }
 }

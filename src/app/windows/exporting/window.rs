@@ -1,12 +1,11 @@
 //! The export window: chooses a kind of file, shows the progress of the job, and saves the result.
 
 use crate::app::input::action::{Action, Actions, ExportAction};
-use crate::app::panels::play_panel;
 use crate::app::theme::text_metrics::scroll_beyond;
 use crate::app::theme::widgets::{close_button, message_box};
 use crate::app::theme::{Palette, ROUNDING, ROW_HEIGHT, control_height};
-use crate::conformal::PerSide;
 use crate::language::{Message, key, say, tr};
+use crate::model::Abilities;
 use crate::model::export::request::{ExportRequest, Kind};
 use crate::model::export::{FileRequest, ReadyFile};
 use crate::offscreen::job::{Job, Progress};
@@ -41,8 +40,8 @@ pub enum MapState {
 pub struct Surroundings {
     /// The state of the map.
     pub map: MapState,
-    /// Which sides are surfaces.
-    pub surfaces: PerSide<bool>,
+    /// What the map allows.
+    pub abilities: Abilities,
     /// The largest width or height of a texture, in pixels.
     pub max_side: u32,
 }
@@ -145,7 +144,7 @@ impl Exporter {
             return;
         }
         self.places.clear();
-        if !Kind::all(around.surfaces).contains(&self.request.kind) {
+        if !Kind::all(around.abilities).contains(&self.request.kind) {
             self.request.kind = Kind::Picture;
         }
         let screen = context.content_rect();
@@ -208,8 +207,8 @@ impl Exporter {
                     around.map == MapState::Complete || (around.map == MapState::Ready && self.request.kind.is_drawn());
                 return self.save(ui, can_be, height, actions);
             };
-            let fixed = play_panel::is_fixed(self.request.path, around.surfaces);
-            let can_be = self.request.film(format).check().is_ok() && !fixed;
+            let moves = around.abilities.refused_path(self.request.path).is_none();
+            let can_be = self.request.film(format).check().is_ok() && moves;
             self.save(ui, around.map != MapState::Preparing && can_be, height, actions);
         });
     }
