@@ -231,6 +231,19 @@ mod tests {
     }
 
     #[test]
+    fn positions_of_dropped_vertices_survive_the_transfer() {
+        let text = "v 9 8 7\nv 0 0 0\nv 1 0 0\nv 6 5 4\nv 1 1 0\nf 2 3 5\n";
+        let Response::Prepared(side, _) = last(file(text), true) else { panic!() };
+        let back = transfer::Transfer::from(&*side).into_side().unwrap();
+        let given = file(text).surface().unwrap();
+        for side in [&*side, &back] {
+            let surface = side.surface().unwrap().surface();
+            assert_eq!(surface.origin_positions().collect::<Vec<_>>(), given.vertices());
+            assert_eq!(surface.origin_count(), 5);
+        }
+    }
+
+    #[test]
     fn a_repair_is_offered_where_it_would_help_and_only_there() {
         let loose = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 2 3 4\n";
         let Response::Failed(failure) = last(file(loose), false) else { panic!() };
