@@ -28,7 +28,8 @@ impl MeshedDomain {
         progress(Stage::Sample);
         let samples = timed(&mut timings.sample, || sample(polygon, settings.sampling))?;
         progress(Stage::Mesh);
-        let (mesh, refinement) = timed(&mut timings.mesh, || mesh_domain(&samples.points, settings.sizing))?;
+        let sizing = settings.sizing.at(samples.len());
+        let (mesh, refinement) = timed(&mut timings.mesh, || mesh_domain(&samples.points, sizing))?;
         let default_point = default_point(polygon, &mesh);
         Ok(Self { samples, mesh, refinement, default_point })
     }
