@@ -12,6 +12,7 @@ use std::f64::consts::TAU;
 use glam::DVec2;
 
 use super::{Complex, point};
+use crate::geometry::Jet;
 
 /// g⁻¹(z) for `|z| ≤ 1`, the conformal map of the unit disk onto the blob.
 pub fn from_disk(z: Complex) -> Complex {
@@ -33,6 +34,20 @@ fn derivative(z: Complex) -> Complex {
     let wave = 1.1 * ((1.1 * z).cos() * (0.5 * z).cos()) - 0.5 * ((1.1 * z).sin() * (0.5 * z).sin());
     let logarithm = 40.0 * z / (20.0 * square + Complex::new(-45.0, 36.0));
     0.1 * (2.0 * z + Complex::ONE) + rational - (1.0 / 6.0) * (Complex::new(3.0, -5.0) * wave) + logarithm
+}
+
+/// The second derivative of g⁻¹.
+fn second_derivative(z: Complex) -> Complex {
+    let real = Complex::from;
+    let quadratic = 12.0 * z * z + 25.0 * z + real(25.0);
+    let slope = 24.0 * z + real(25.0);
+    let rational = 100.0 * slope * slope / (quadratic * quadratic * quadratic) - 1200.0 / (quadratic * quadratic);
+    let (sine, cosine) = ((1.1 * z).sin(), (1.1 * z).cos());
+    // the second derivative of sin(11z/10) cos(z/2)
+    let wave = -1.46 * (sine * (0.5 * z).cos()) - 1.1 * (cosine * (0.5 * z).sin());
+    let inner = 20.0 * z * z + Complex::new(-45.0, 36.0);
+    let logarithm = 40.0 / inner - 1600.0 * z * z / (inner * inner);
+    real(0.2) + rational - (1.0 / 6.0) * (Complex::new(3.0, -5.0) * wave) + logarithm
 }
 
 /// Newton's method starts at the nearest of the images of the center and of points on four circles and 64 rays.
@@ -74,6 +89,17 @@ pub fn boundary(omega: f64) -> DVec2 {
     point(from_disk(Complex::cis(TAU * omega)))
 }
 
+/// [`boundary`] with its first two derivatives by `omega`.
+pub fn boundary_jet(omega: f64) -> Jet {
+    let z = Complex::cis(TAU * omega);
+    let (first, second) = (derivative(z), second_derivative(z));
+    Jet {
+        position: point(from_disk(z)),
+        first: point(TAU * Complex::I * z * first),
+        second: point(-TAU * TAU * z * (first + z * second)),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,6 +139,8 @@ mod tests {
             let (dx, dy) = (along(Complex::ONE), along(Complex::I));
             assert!((dy - Complex::I * dx).norm() < 1e-8, "at {z:?}");
             assert!((dx - derivative(z)).norm() < 1e-8, "at {z:?}: {dx:?}");
+            let along = |d: Complex| (0.5 / step) * (derivative(z + step * d) - derivative(z - step * d));
+            assert!((along(Complex::ONE) - second_derivative(z)).norm() < 1e-8, "at {z:?}");
             assert!((0.07..12.0).contains(&dx.norm()), "the derivative has no zero: {dx:?} at {z:?}");
         }
     }

@@ -11,6 +11,7 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec2;
 
 use super::{Complex, arg_sinh, complex, point, sqrt};
+use crate::geometry::Jet;
 
 /// ε = 1 − r = e^{−12.5π}.
 fn epsilon() -> f64 {
@@ -63,6 +64,78 @@ pub fn boundary(t: f64) -> DVec2 {
     point(from_half_plane(Complex::new(a, b)))
 }
 
+/// (1 − e^{−x})/x and its first two derivatives, x ≥ 0.
+fn mean_decay(x: f64) -> [f64; 3] {
+    if x < 0.5 {
+        // Σ (−x)^k/(k + 1)! and its derivatives; 20 terms leave 1e-25
+        let mut sums = [0.0; 3];
+        let mut term = 1.0;
+        for k in 0..20 {
+            let k = f64::from(k);
+            // `term` is (−1)^k x^k/(k + 1)!; its derivatives follow from the next two coefficients
+            sums[0] += term;
+            sums[1] -= term * (k + 1.0) / (k + 2.0);
+            sums[2] += term * (k + 1.0) / (k + 3.0);
+            term *= -x / (k + 2.0);
+        }
+        return sums;
+    }
+    let decay = (-x).exp();
+    let mean = (1.0 - decay) / x;
+    let slope = (decay - mean) / x;
+    [mean, slope, -(decay + 2.0 * slope) / x]
+}
+
+/// sinh(x)/x and its first two derivatives up to 1 %, which is enough: it is multiplied by 1e-34.
+fn mean_growth(x: f64) -> [f64; 3] {
+    if x < 0.5 {
+        return [1.0 + x * x / 6.0, x / 3.0, 1.0 / 3.0];
+    }
+    let mean = x.sinh() / x;
+    let slope = (x.cosh() - mean) / x;
+    [mean, slope, (x.sinh() - 2.0 * slope) / x]
+}
+
+/// The right arm with its derivatives by s in [−1, 1]: [`boundary`] at t = s, analytic in all of the interval.
+///
+/// sin b = s √(λ h) with λ = artanh r, h = (1 − e^{−x})/x − (1 − T) sinh(x)/x, x = 2λs².
+pub fn right_arm(s: f64) -> Jet {
+    arm(s, 1.0)
+}
+
+/// The left arm, the right one turned by 180° in the strip: [`boundary`] at t = 2 + s, s in [−1, 1].
+pub fn left_arm(s: f64) -> Jet {
+    arm(s, -1.0)
+}
+
+fn arm(s: f64, sign: f64) -> Jet {
+    let length = half_length();
+    let r = 1.0 - epsilon();
+    let one_minus_t = epsilon().powi(2) / (1.0 + r * r);
+    let x = 2.0 * length * s * s;
+    let (decay, growth) = (mean_decay(x), mean_growth(x));
+    let [h, by_x, by_x_twice]: [f64; 3] = std::array::from_fn(|k| decay[k] - one_minus_t * growth[k]);
+    let rate = 4.0 * length * s;
+    let [h1, h2] = [by_x * rate, by_x_twice * rate * rate + 4.0 * length * by_x];
+    let root = (length * h).sqrt();
+    let root1 = 0.5 * length * h1 / root;
+    let root2 = (0.5 * length * h2 - root1 * root1) / root;
+    let [q, q1, q2] = [s * root, root + s * root1, 2.0 * root1 + s * root2];
+    let b = q.clamp(-1.0, 1.0).asin();
+    let b1 = q1 / b.cos();
+    let b2 = q2 / b.cos() + b1 * b1 * b.tan();
+    let u = sign * Complex::new(1.0 - s * s, b / length);
+    let u1 = sign * Complex::new(-2.0 * s, b1 / length);
+    let u2 = sign * Complex::new(-2.0, b2 / length);
+    // dz/du = 1 + 4iu
+    let slope = Complex::ONE + 4.0 * (Complex::I * u);
+    Jet {
+        position: point(from_half_plane(u)),
+        first: point(slope * u1),
+        second: point(slope * u2 + 4.0 * (Complex::I * u1 * u1)),
+    }
+}
+
 /// Whether `x` is inside: cos 2b > κ cosh 2a.
 pub fn contains(x: DVec2) -> bool {
     let Complex { re: a, im: b } = strip(complex(x));
@@ -109,6 +182,22 @@ mod tests {
             let radius = to_disk(complex(z)).norm();
             // tanh amplifies an error of b by at most 1; h₂ and its inverse add a few roundings.
             assert!((radius - 1.0).abs() < 2e-14, "t = {k}/1000: |g| − 1 = {:e}", radius - 1.0);
+        }
+    }
+
+    #[test]
+    fn the_arms_are_the_boundary_with_its_derivatives() {
+        let step = 1e-5;
+        for k in -19..20 {
+            let s = 0.05 * f64::from(k);
+            for (arm, middle) in [(right_arm as fn(f64) -> Jet, 0.0), (left_arm, 2.0)] {
+                let (a, here, b) = (arm(s - step), arm(s), arm(s + step));
+                assert!(here.position.distance(boundary(middle + s)) < 1e-15, "s = {s}");
+                let first = (b.position - a.position) / (2.0 * step);
+                let second = (b.first - a.first) / (2.0 * step);
+                assert!(first.distance(here.first) < 1e-8, "s = {s}: {first} for {}", here.first);
+                assert!(second.distance(here.second) < 1e-6, "s = {s}: {second} for {}", here.second);
+            }
         }
     }
 

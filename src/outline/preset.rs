@@ -1,11 +1,13 @@
 //! Built-in outlines: their names, captions and polygons.
 
+use std::f64::consts::TAU;
 use std::fmt;
 use std::str::FromStr;
 
 use super::pen::fitted;
 use super::{Outline, shapes};
-use crate::geometry::SimplePolygon;
+use crate::exact;
+use crate::geometry::{Curve, CurveError, DVec2, Piece, SimplePolygon};
 
 /// A built-in outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -117,21 +119,53 @@ impl Preset {
         let points = match self {
             Self::Disk => shapes::disk(),
             Self::Square => shapes::square(),
-            Self::Gingerbread => fitted(shapes::gingerbread()),
-            Self::Heart => shapes::heart(),
+            Self::Gingerbread => fitted(shapes::gingerbread()).close(),
+            Self::Heart => shapes::heart().close(),
             Self::Blob => shapes::blob(),
             Self::VShape => shapes::v_shape(),
-            Self::Cinquefoil => shapes::cinquefoil(),
-            Self::MapleLeaf => fitted(shapes::maple_leaf()),
-            Self::Hand => fitted(shapes::hand()),
-            Self::Turkey => fitted(shapes::turkey()),
+            Self::Cinquefoil => shapes::cinquefoil().close(),
+            Self::MapleLeaf => fitted(shapes::maple_leaf()).close(),
+            Self::Hand => fitted(shapes::hand()).close(),
+            Self::Turkey => fitted(shapes::turkey()).close(),
             Self::LShape => shapes::l_shape(),
             Self::Star => shapes::star(),
-            Self::Spiral => shapes::spiral(),
+            Self::Spiral => shapes::spiral().close(),
         };
         let polygon = SimplePolygon::known_simple(points);
         Outline { name: self.name().to_owned(), polygon, notes: Vec::new() }
     }
+}
+
+impl Preset {
+    /// The outline as a curve: by its formula, or of its lines, arcs and Bézier curves; it begins where
+    /// [`Self::outline`] does. No preset is refused.
+    pub fn curve(self) -> Result<Curve, CurveError> {
+        let drawn = match self {
+            Self::Disk => return Curve::new(vec![Piece::circular(DVec2::ZERO, 1.0, 0.0, TAU)]),
+            Self::Blob => {
+                let piece = Piece::Formula { function: exact::blob::boundary_jet, from: 0.0, to: 1.0 };
+                return Curve::new(vec![piece])?.analytic_at(0);
+            }
+            Self::VShape => return v_shape_curve(),
+            Self::Square | Self::LShape | Self::Star => return Curve::from_polygon(&self.outline().polygon),
+            Self::Gingerbread => fitted(shapes::gingerbread()),
+            Self::Heart => shapes::heart(),
+            Self::Cinquefoil => shapes::cinquefoil(),
+            Self::MapleLeaf => fitted(shapes::maple_leaf()),
+            Self::Hand => fitted(shapes::hand()),
+            Self::Turkey => fitted(shapes::turkey()),
+            Self::Spiral => shapes::spiral(),
+        };
+        Curve::new(drawn.pieces())
+    }
+}
+
+/// The V: analytic, but its formula changes between its arms, at t = 1 and 3.
+fn v_shape_curve() -> Result<Curve, CurveError> {
+    let [right, left] = [exact::vshape::right_arm, exact::vshape::left_arm];
+    let piece = |function, from, to| Piece::Formula { function, from, to };
+    let pieces = vec![piece(right, 0.0, 1.0), piece(left, -1.0, 1.0), piece(right, -1.0, 0.0)];
+    Curve::new(pieces)?.analytic_at(0)?.analytic_at(1)?.analytic_at(2)
 }
 
 /// No preset has this name.

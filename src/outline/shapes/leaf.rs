@@ -23,7 +23,7 @@ const HALF: [(f64, f64, f64); 15] = [
     (0.030, -0.980, 0.0),
 ];
 
-pub(in super::super) fn maple_leaf() -> Vec<DVec2> {
+pub(in super::super) fn maple_leaf() -> Pen {
     let mut pen = Pen::at(DVec2::new(0.0, 1.0));
     for (x, y, degrees) in HALF {
         pen.bow(DVec2::new(x, y), f64::to_radians(degrees));
@@ -34,5 +34,5 @@ pub(in super::super) fn maple_leaf() -> Vec<DVec2> {
         pen.bow(DVec2::new(-x, y), HALF[k + 1].2.to_radians());
     }
     pen.bow(DVec2::new(0.0, 1.0), HALF[0].2.to_radians());
-    pen.close()
+    pen
 }

@@ -9,8 +9,8 @@ mod turkey;
 use std::f64::consts::{PI, TAU};
 
 use super::pen::{Fineness, Pen, SMOOTH, closed_curve, polar};
-use crate::exact;
-use crate::geometry::DVec2;
+use crate::exact::{self, Complex};
+use crate::geometry::{DVec2, Jet, Piece};
 pub(super) use figures::{gingerbread, hand, heart};
 pub(super) use leaf::maple_leaf;
 pub(super) use turkey::turkey;
@@ -38,7 +38,7 @@ pub(super) fn star() -> Vec<DVec2> {
 }
 
 /// Five round lobes that meet in cusps, as in tracery.
-pub(super) fn cinquefoil() -> Vec<DVec2> {
+pub(super) fn cinquefoil() -> Pen {
     let cusp = 0.58;
     let (start, end) = (polar(cusp, 54.0), polar(cusp, 126.0));
     let center = DVec2::new(0.0, 0.62);
@@ -53,19 +53,45 @@ pub(super) fn cinquefoil() -> Vec<DVec2> {
         pen.turn_around(spoke.rotate(center), whole);
     }
     pen.turn_around(center, half);
-    pen.close()
+    pen
+}
+
+/// The spiral's half width, its number of turns, the radius of its center line at s = 0, and by how much that grows in
+/// a turn.
+const HALF_WIDTH: f64 = 0.072;
+const TURNS: f64 = 2.75;
+const RADIUS: f64 = 0.14;
+const PITCH: f64 = 0.78 / TURNS;
+
+/// The spiral's wall at s turns: the center line (0.14 + PITCH s) e^{iθ}, θ = 2πs + θ₀, and `sign` half widths along
+/// its normal. With w = PITCH + 2πi (0.14 + PITCH s), the center line has the derivative w e^{iθ} and the normal
+/// −i e^{i(θ + arg w)}.
+fn spiral_wall(s: f64, sign: f64) -> Jet {
+    let radius = RADIUS + PITCH * s;
+    let turn = TAU * s + PI / 2.0 - TAU * TURNS;
+    let spoke = Complex::cis(turn);
+    let w = Complex::new(PITCH, TAU * radius);
+    let slope = w.im / PITCH;
+    // the rate of θ + arg w, and its own rate; the slope's rate is 2π
+    let rate = TAU + TAU / (1.0 + slope * slope);
+    let bend = -2.0 * slope * TAU * TAU / (1.0 + slope * slope).powi(2);
+    let normal = -Complex::I * Complex::cis(w.arg()) * spoke;
+    let wall = sign * HALF_WIDTH * normal;
+    Jet {
+        position: exact::point(radius * spoke + wall),
+        first: exact::point(w * spoke + Complex::I * rate * wall),
+        second: exact::point((Complex::I * TAU * (w + PITCH)) * spoke + (Complex::I * bend - rate * rate) * wall),
+    }
 }
 
 /// A corridor of constant width along r = 0.16 + 0.105 θ (θ in turns of 1/2π),
 /// with round ends; the first point is the middle of the outer end.
-pub(super) fn spiral() -> Vec<DVec2> {
-    const HALF_WIDTH: f64 = 0.072;
-    const TURNS: f64 = 2.75;
-    let pitch = 0.78 / TURNS;
+pub(super) fn spiral() -> Pen {
     let angle = |s: f64| TAU * s + PI / 2.0 - TAU * TURNS;
-    let center = |s: f64| (0.14 + pitch * s) * DVec2::from_angle(angle(s));
+    let center = |s: f64| (RADIUS + PITCH * s) * DVec2::from_angle(angle(s));
     let normal = |s: f64| {
-        let along = pitch * DVec2::from_angle(angle(s)) + TAU * (0.14 + pitch * s) * DVec2::from_angle(angle(s)).perp();
+        let along =
+            PITCH * DVec2::from_angle(angle(s)) + TAU * (RADIUS + PITCH * s) * DVec2::from_angle(angle(s)).perp();
         -along.normalize().perp()
     };
     let side = |s: f64, sign: f64| center(s) + sign * HALF_WIDTH * normal(s);
@@ -76,12 +102,14 @@ pub(super) fn spiral() -> Vec<DVec2> {
     for k in (0..11).rev() {
         pen.curve(piece(k + 1), piece(k), SMOOTH, |s| side(s, -1.0));
     }
+    pen.record(Piece::Formula { function: |s| spiral_wall(s, -1.0), from: TURNS, to: 0.0 });
     pen.turn_around(center(0.0), PI);
     for k in 0..11 {
         pen.curve(piece(k), piece(k + 1), SMOOTH, |s| side(s, 1.0));
     }
+    pen.record(Piece::Formula { function: |s| spiral_wall(s, 1.0), from: 0.0, to: TURNS });
     pen.turn_around(end, PI / 2.0);
-    pen.close()
+    pen
 }
 
 /// For the paper's two outlines, whose exact harmonic measure is known: arc

@@ -10,7 +10,7 @@ const FEATHERS: u32 = 9;
 const FAN_ENDS: [f64; 2] = [-28.0, 131.0];
 
 /// Counter-clockwise from the top of the head.
-pub(in super::super) fn turkey() -> Vec<DVec2> {
+pub(in super::super) fn turkey() -> Pen {
     let p = DVec2::new;
     let mut pen = Pen::at(p(-0.655, 0.62));
     head_and_breast(&mut pen);
@@ -20,7 +20,7 @@ pub(in super::super) fn turkey() -> Vec<DVec2> {
     pen.line(p(-0.33, 0.16));
     pen.cubic(p(-0.40, 0.10), p(-0.46, 0.22), p(-0.49, 0.36));
     pen.cubic(p(-0.50, 0.52), p(-0.55, 0.62), p(-0.655, 0.62));
-    pen.close()
+    pen
 }
 
 fn head_and_breast(pen: &mut Pen) {
