@@ -93,6 +93,12 @@ const CUSP: f64 = 1e-5;
 /// The least speed at an end, in lengths of the piece: less is a vanishing derivative.
 const LEAST_SPEED: f64 = 1e-6;
 
+/// Fractions of the perimeter that differ by less are equal: next to a reentrant corner, 1e-16 of the length can be
+/// 1e-8 of the harmonic measure, so a sum of lengths must not miss the corner by rounding.
+const JUNCTION_ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Arcs whose centers and axes differ by less, in axes, belong to one ellipse.
+const ONE_ELLIPSE: f64 = 1e-12;
+
 impl Curve {
     /// Checks the pieces, each of which begins where the one before it ends, and derives the kinds of junctions.
     pub fn new(pieces: Vec<Piece>) -> Result<Self, CurveError> {
@@ -161,11 +167,16 @@ impl Curve {
         self.pieces[point.piece.min(self.pieces.len() - 1)].jet(point.from_start).position
     }
 
-    /// The point at a fraction of the perimeter from the start of piece 0, counter-clockwise; taken modulo 1.
+    /// The point at a fraction of the perimeter from the start of piece 0, counter-clockwise; taken modulo 1. A
+    /// fraction within rounding of a junction is that junction.
     pub fn point_at_fraction(&self, fraction: f64) -> CurvePoint {
         let mut rest = fraction.rem_euclid(1.0) * self.perimeter();
+        let rounding = JUNCTION_ROUNDING * self.perimeter();
         for (k, &length) in self.lengths.iter().enumerate() {
-            if rest < length || k + 1 == self.lengths.len() {
+            if rest <= rounding {
+                return CurvePoint::new(k, 0.0);
+            }
+            if rest < length - rounding || (k + 1 == self.lengths.len() && rest < length) {
                 return CurvePoint::new(k, self.parameter_at(k, rest));
             }
             rest -= length;
@@ -183,9 +194,9 @@ impl Curve {
         for _ in 0..60 {
             let excess = piece.length_to(t) - length;
             if excess > 0.0 {
-                high = t
+                high = t;
             } else {
-                low = t
+                low = t;
             }
             let next = t - excess / piece.jet(t).first.length();
             let next = if next > low && next < high { next } else { 0.5 * (low + high) };
@@ -258,7 +269,10 @@ fn junction(before: &Piece, index: usize, after: &Piece) -> Result<Junction, Cur
     }
     let is_one_curve = match (before, after) {
         (Piece::Line(_), Piece::Line(_)) => turn <= ONE_LINE,
-        (Piece::Arc { center: c, axes: a, .. }, Piece::Arc { center: d, axes: b, .. }) => c == d && a == b,
+        (Piece::Arc { center: c, axes: a, .. }, Piece::Arc { center: d, axes: b, .. }) => {
+            let size = ONE_ELLIPSE * (a[0].length() + a[1].length());
+            c.distance(*d) <= size && a[0].distance(b[0]) <= size && a[1].distance(b[1]) <= size
+        }
         _ => false,
     };
     Ok(if is_one_curve { Junction::Analytic } else { Junction::Smooth })
