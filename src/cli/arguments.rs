@@ -37,6 +37,9 @@ pub enum Subcommand {
     Link(LinkArguments),
     /// Prepares one outline and prints counts and timings.
     Prepare(PrepareArguments),
+    /// Computes conformal invariants of an outline to many digits, each with its error: harmonic measure, conformal
+    /// radius, capacity, modulus, hyperbolic distance.
+    Invariants(super::invariants_arguments::InvariantsArguments),
     /// Reproduces a figure of the paper: a drawing and a table of its numbers.
     Figure(FigureArguments),
     /// Measures Tables 1 and 2 of the paper on this machine.
