@@ -43,9 +43,9 @@ pub fn encode_request(request: &Request) -> (JsValue, Array) {
             let samples = resampled.samples();
             let flat: Vec<f64> = samples.points().iter().flat_map(DVec2::to_array).collect();
             let arrays = [flat.as_slice(), samples.fractions()].map(Float64Array::from);
-            arrays.iter().for_each(|array| {
+            for array in &arrays {
                 transfer.push(&array.buffer());
-            });
+            }
             let [points, fractions] = arrays.map(JsValue::from);
             let rest = json(&(resampled.coarse_count(), resampled.default_point()));
             (
