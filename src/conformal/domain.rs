@@ -1,7 +1,7 @@
 //! The geometry of a planar side: an outline, sampled and meshed.
 
 use super::prepare::timed;
-use super::{PrepareError, PrepareSettings, PrepareTimings, Stage};
+use super::{PrepareError, PrepareSettings, PrepareTimings, Resampled, Stage};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{RefineReport, Sizing, TriMesh, mesh_domain};
 use crate::outline::{BoundarySamples, sample};
@@ -34,16 +34,16 @@ impl MeshedDomain {
         Ok(Self { samples, mesh, refinement, default_point })
     }
 
-    /// The same domain meshed with other samples of its boundary, with the growth that belongs to its own ones.
+    /// A domain meshed with other samples of its boundary, with the growth that belongs to its own ones.
     pub(super) fn resampled(
-        &self,
-        samples: BoundarySamples,
+        resampled: &Resampled,
         sizing: Sizing,
         timings: &mut PrepareTimings,
     ) -> Result<Self, PrepareError> {
-        let sizing = sizing.at(self.samples.len());
+        let Resampled { samples, coarse_count, default_point } = resampled;
+        let sizing = sizing.at(*coarse_count);
         let (mesh, refinement) = timed(&mut timings.mesh, || mesh_domain(&samples.points, sizing))?;
-        Ok(Self { samples, mesh, refinement, default_point: self.default_point })
+        Ok(Self { samples: samples.clone(), mesh, refinement, default_point: *default_point })
     }
 
     /// The domain from its parts, as they are after a transfer.

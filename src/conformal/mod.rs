@@ -81,7 +81,7 @@ pub use prepare::{
 };
 pub use prepared_side::{PreparedSide, SideGeometry};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
-pub use resolution::{ResolveError, ResolvedBoundary, prepare_resolved};
+pub use resolution::{Resampled, ResolveError, ResolvedBoundary, prepare_resampled};
 pub use surface::MeshedSurface;
 pub use table::{HarmonicTable, TableError};
 pub use through_disk::SurfaceImages;

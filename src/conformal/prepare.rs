@@ -4,11 +4,11 @@ use super::domain::MeshedDomain;
 use super::prepared_side::{PreparedSide, SideGeometry};
 use super::surface::MeshedSurface;
 use super::system::DirichletSystem;
-use super::{HarmonicTable, TableError};
+use super::{HarmonicTable, Resampled, TableError};
 use crate::geometry::SimplePolygon;
 use crate::laplace::{DirichletLaplacian, LaplaceError, Ordering, Solver, SolverKind};
 use crate::mesh::{MeshError, Sizing};
-use crate::outline::{BoundarySamples, Sampling, SamplingError};
+use crate::outline::{Sampling, SamplingError};
 use crate::surface::SurfaceMesh;
 use std::sync::Arc;
 use web_time::Instant;
@@ -293,16 +293,15 @@ pub fn prepare_within(
     factored(geometry, laplacian, Solving { kernel, solver, memory }, timings, progress)
 }
 
-/// Meshes the domain of `coarse` with other samples of its boundary, then as [`prepare`].
+/// Meshes a domain with other samples of its boundary, then as [`prepare`].
 pub(super) fn prepare_meshed(
-    coarse: &MeshedDomain,
-    samples: BoundarySamples,
+    resampled: &Resampled,
     settings: &PrepareSettings,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<PreparedSide, PrepareError> {
     let mut timings = PrepareTimings::default();
     progress(Stage::Mesh);
-    let domain = coarse.resampled(samples, settings.sizing, &mut timings)?;
+    let domain = MeshedDomain::resampled(resampled, settings.sizing, &mut timings)?;
     progress(Stage::Assemble);
     let laplacian = timed(&mut timings.assemble, || DirichletLaplacian::assemble(domain.mesh()))?;
     let solving = Solving { kernel: KernelMode::Adjoint, solver: settings.solver, memory: Memory::default() };

@@ -12,6 +12,7 @@ pub mod curves;
 pub mod editing;
 pub mod export;
 pub mod files;
+mod fine;
 mod measurement;
 pub mod motion;
 pub mod names;
@@ -33,6 +34,7 @@ use crate::conformal::{
 use crate::geometry::{Bounds, DVec2};
 use crate::language::Message;
 use crate::model::coarse::Draft;
+use crate::model::fine::Fine;
 use crate::model::measurement::Measurement;
 use crate::model::opening::{Arrived, FileQueue};
 use crate::model::overlays::OverlayState;
@@ -104,6 +106,7 @@ pub struct Model {
     shown: ShownMap,
     under_way: MapUnderWay,
     coarse: Draft,
+    fine: Fine,
     measurement: Measurement,
     overlay_state: OverlayState,
     refines: Refines,
@@ -132,6 +135,7 @@ impl Model {
             session,
             under_way: MapUnderWay::default(),
             coarse: Draft::default(),
+            fine: Fine::default(),
             measurement: Measurement::default(),
             overlay_state: OverlayState::default(),
             refines: Refines::InRefresh,
@@ -204,10 +208,10 @@ impl Model {
         self.map().is_some_and(ConformalMap::is_through_disk)
     }
 
-    /// The map that is shown; `None` before the first. It is the full map, or a coarse one
-    /// while the full one is being computed or is too slow for the current drag.
+    /// The map that is shown; `None` before the first. It is the full map, a coarse one
+    /// while the full one is being computed or is too slow for the current drag, or at rest a refined one.
     pub fn map(&self) -> Option<&ConformalMap> {
-        self.coarse.map().or(self.shown.map.as_ref())
+        self.coarse.map().or(self.fine.map()).or(self.shown.map.as_ref())
     }
 
     /// Whether the map that is shown is the coarse one.
@@ -227,7 +231,11 @@ impl Model {
 
     /// The disk coordinates of the map that is shown, if [`Self::pattern_home`] requires them.
     pub fn shown_grid(&self) -> &DiskGrid {
-        if self.is_draft() { self.coarse.grid() } else { &self.overlay_state.grid }
+        match (self.is_draft(), self.fine.map()) {
+            (true, _) => self.coarse.grid(),
+            (false, Some(_)) => self.fine.grid(),
+            (false, None) => &self.overlay_state.grid,
+        }
     }
 
     /// The side on which the pattern in the picture is defined; `None`: in the disk. It follows the

@@ -51,9 +51,11 @@ mod tests {
         let mut all: Vec<f64> = ends.iter().copied().chain(added.into_iter().flatten()).collect();
         all.sort_by(f64::total_cmp);
         let edges: Vec<f64> = all.windows(2).map(|w| w[1] - w[0]).collect();
-        let worst = edges.windows(2).map(|w| (w[0] / w[1]).max(w[1] / w[0])).fold(0.0, f64::max);
-        assert!(edges.iter().all(|&e| e > 0.0) && worst < 3.0, "{worst}");
-        assert!(all.len() > 60 && all.len() < 200, "{}", all.len());
+        // next to the short edge itself the length is the geometric mean
+        let others: Vec<f64> = edges.iter().copied().filter(|&e| e > 2e-6).collect();
+        let worst = others.windows(2).map(|w| (w[0] / w[1]).max(w[1] / w[0])).fold(0.0, f64::max);
+        assert!(edges.iter().all(|&e| e > 0.0) && worst < 1.5, "{worst}");
+        assert!(all.len() > 30 && all.len() < 100, "{}", all.len());
     }
 
     #[test]

@@ -8,9 +8,10 @@
 //! that is already known, at more points: ω is piecewise quadratic between the samples, so the vertices of the other
 //! boundary have exact preimages, and the image of the mapped boundary is the other polygon itself.
 //!
-//! Guaranteed: the images of the boundary are in cyclic order, no image of a boundary edge leaves the other (sampled)
-//! domain, and they cover it up to the [cuts](ResolvedBoundary::cuts): parts whose preimages are smaller than 1e-6 of
-//! the mapped domain. Not guaranteed: that no triangle flips (the extension is piecewise linear).
+//! Guaranteed: the images of the boundary are in cyclic order, and they are the boundary of the other (sampled) domain
+//! except for the [cuts](ResolvedBoundary::cuts): parts whose preimages are smaller than 1e-6 of the mapped domain, cut
+//! off by chords. Not guaranteed: that such a chord lies inside the domain where none of those tried does, and that no
+//! triangle flips (the extension is piecewise linear).
 //!
 //! | file | what |
 //! |---|---|
@@ -26,7 +27,7 @@ mod map;
 mod merge;
 mod rim;
 
-use super::{ConformalMap, MapError, MeshedDomain, PrepareError, PrepareSettings, PreparedSide, Stage};
+use super::{ConformalMap, MapError, MeshedDomain, PrepareError, PrepareSettings, PreparedSide, Side, Stage};
 use crate::geometry::DVec2;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 use merge::{FINEST, Merged};
@@ -83,6 +84,15 @@ impl ResolvedBoundary {
     /// The samples of the refined boundary.
     pub fn samples(&self) -> &BoundarySamples {
         &self.samples
+    }
+
+    /// What is needed to prepare the domain `coarse` with these samples.
+    pub fn resampled(&self, coarse: &MeshedDomain) -> Resampled {
+        Resampled {
+            samples: self.samples.clone(),
+            coarse_count: coarse.samples().len(),
+            default_point: coarse.default_point(),
+        }
     }
 
     /// The parts of the other domain that are not covered, as counter-clockwise polygons.
@@ -186,17 +196,51 @@ pub enum ResolveError {
     Map(#[from] MapError),
 }
 
-/// Meshes and factors the mapped domain, prepared with `settings`, with a resolved boundary. The interior is as fine as
-/// the number of samples of `coarse` demands; kernels are computed by adjoint solves.
+/// The samples of a refined boundary with what else is needed to prepare the domain: what a worker is sent.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Resampled {
+    pub(super) samples: BoundarySamples,
+    pub(super) coarse_count: usize,
+    pub(super) default_point: DVec2,
+}
+
+impl Resampled {
+    /// Samples at `points`, at these fractions of the outline's length, of a domain whose own samples are
+    /// `coarse_count`; `None` unless the fractions ascend from 0 and neighbors differ.
+    pub fn new(points: Vec<DVec2>, fractions: Vec<f64>, coarse_count: usize, default_point: DVec2) -> Option<Self> {
+        let m = points.len();
+        let edge_lengths = (0..m).map(|k| points[k].distance(points[(k + 1) % m])).collect();
+        let samples = BoundarySamples { points, edge_lengths, fractions };
+        samples.check_invariants().ok()?;
+        Some(Self { samples, coarse_count, default_point })
+    }
+
+    /// The samples.
+    pub fn samples(&self) -> &BoundarySamples {
+        &self.samples
+    }
+
+    /// The number of samples of the unrefined domain, which determines how fine the interior is.
+    pub fn coarse_count(&self) -> usize {
+        self.coarse_count
+    }
+
+    /// The default interior point.
+    pub fn default_point(&self) -> DVec2 {
+        self.default_point
+    }
+}
+
+/// Meshes and factors a domain with a refined boundary; `settings` are those of the unrefined domain. Kernels are
+/// computed by adjoint solves.
 ///
 /// Errors: as [`super::prepare`].
-pub fn prepare_resolved(
-    coarse: &MeshedDomain,
-    boundary: &ResolvedBoundary,
+pub fn prepare_resampled(
+    resampled: &Resampled,
     settings: &PrepareSettings,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<PreparedSide, PrepareError> {
-    super::prepare::prepare_meshed(coarse, boundary.samples.clone(), settings, progress)
+    super::prepare::prepare_meshed(resampled, settings, progress)
 }
 
 impl ConformalMap {
@@ -212,17 +256,12 @@ impl ConformalMap {
         progress: &mut dyn FnMut(Stage),
     ) -> Result<Option<Self>, ResolveError> {
         let Some(first) = self.refined_from(self, settings, progress)? else { return Ok(None) };
-        let before = first.folds();
-        if before <= FOLDS {
+        if !first.is_folded() {
             return Ok(Some(first));
         }
-        let Some(constraints) = self.constraints() else { return Ok(Some(first)) };
-        let side = first.mapped_side();
-        let mut sides = super::PerSide::from_fn(|side| Arc::clone(self.side(side)));
-        sides[side] = Arc::clone(first.mapped());
-        let measured = Self::new(sides.source, sides.target, &constraints, super::Direction::mapping(side).into())?;
+        let Some(measured) = first.remeasured()? else { return Ok(Some(first)) };
         let second = self.refined_from(&measured, settings, progress)?;
-        Ok(Some(second.filter(|second| second.folds() < before).unwrap_or(first)))
+        Ok(Some(second.filter(|second| second.folds() < first.folds()).unwrap_or(first)))
     }
 
     /// The map refined for the measures of `measured`, a map under the same constraints.
@@ -235,12 +274,24 @@ impl ConformalMap {
         let (Some(boundary), Some(coarse)) = (ResolvedBoundary::of(measured), self.mapped().domain()) else {
             return Ok(None);
         };
-        let refined = prepare_resolved(coarse, &boundary, settings, progress)?;
+        let refined = prepare_resampled(&boundary.resampled(coarse), settings, progress)?;
         Ok(Some(measured.resolved(Arc::new(boundary), Arc::new(refined), self.settings)?))
     }
 
+    /// The same map on the same meshes, with the measures of these meshes; `None` before the first update.
+    pub(crate) fn remeasured(&self) -> Result<Option<Self>, MapError> {
+        let Some(constraints) = self.constraints() else { return Ok(None) };
+        let [source, target] = Side::BOTH.map(|side| Arc::clone(self.side(side)));
+        Self::new(source, target, &constraints, self.direction().into()).map(Some)
+    }
+
+    /// Whether so many triangles are flipped that [`Self::refined`] repeats the refinement.
+    pub(crate) fn is_folded(&self) -> bool {
+        self.folds() > FOLDS
+    }
+
     /// The share of the triangles that are flipped.
-    fn folds(&self) -> f64 {
+    pub(crate) fn folds(&self) -> f64 {
         f64::from(self.quality().flipped) / self.mapped().triangles().len().max(1) as f64
     }
 

@@ -296,7 +296,8 @@ mod tests {
             for k in 0..=800 {
                 let s = f64::from(k) / 100.0;
                 let again = rim.length_of(rim.place(rim.at(s)));
-                assert!((again - s).abs() < 1e-9, "{anchor:?}: {s} → {again}");
+                // measures are told apart to 1e-16, places where the density is 1e-9 to 1e-7
+                assert!((again - s).abs() < 1e-7, "{anchor:?}: {s} → {again}");
             }
             assert_eq!(rim.vertices().count(), 8);
             assert!((rim.length() - 8.0).abs() < 1e-15);
