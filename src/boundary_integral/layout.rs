@@ -178,43 +178,44 @@ impl<'a> Draft<'a> {
 
     /// The panels in the order of the curve.
     fn panels(&self) -> Layout {
+        let mut blocks = self.blocks();
         let mut panels = Vec::new();
-        let mut blocks: Vec<Block> = Vec::new();
         let count = self.sizes.len();
-        let mut block_of = vec![None; count];
-        for (junction, mesh) in self.meshes.iter().enumerate() {
-            if let Some(mesh) = *mesh {
-                block_of[junction] = Some(blocks.len());
-                let before = (junction + count - 1) % count;
-                let scales = [self.scale(before, End::Finish), self.scale(junction, End::Start)];
-                blocks.push(Block { junction, mesh, scales, panels: vec![0; 2 * mesh.panels] });
-            }
-        }
+        let block_of = |blocks: &[Block], junction: usize| blocks.iter().position(|block| block.junction == junction);
         for piece in 0..count {
-            if let Some(block) = block_of[piece] {
-                let (scale, q) = (self.scale(piece, End::Start), blocks[block].mesh.panels);
+            if let Some(block) = block_of(&blocks, piece) {
+                let q = blocks[block].mesh.panels;
                 for k in 0..q {
                     blocks[block].panels[q + k] = panels.len();
-                    let (from, to) = (scale * k as f64, scale * (k + 1) as f64);
-                    panels.push(Panel { piece, end: End::Start, from, to, block: Some(block) });
+                    panels.push(self.block_panel(piece, End::Start, k, block));
                 }
             }
-            for &[low, high] in &self.between[piece] {
-                let from_start = low + high <= 1.0;
-                let end = if from_start { End::Start } else { End::Finish };
-                let (from, to) = if from_start { (low, high) } else { (1.0 - high, 1.0 - low) };
-                panels.push(Panel { piece, end, from, to, block: None });
-            }
-            if let Some(block) = block_of[(piece + 1) % count] {
-                let (scale, q) = (self.scale(piece, End::Finish), blocks[block].mesh.panels);
-                for k in (0..q).rev() {
+            panels.extend(self.between[piece].iter().map(|&interval| panel_between(piece, interval)));
+            if let Some(block) = block_of(&blocks, (piece + 1) % count) {
+                for k in (0..blocks[block].mesh.panels).rev() {
                     blocks[block].panels[k] = panels.len();
-                    let (from, to) = (scale * k as f64, scale * (k + 1) as f64);
-                    panels.push(Panel { piece, end: End::Finish, from, to, block: Some(block) });
+                    panels.push(self.block_panel(piece, End::Finish, k, block));
                 }
             }
         }
         Layout { panels, blocks }
+    }
+
+    /// The blocks, whose panels are not yet numbered.
+    fn blocks(&self) -> Vec<Block> {
+        let count = self.sizes.len();
+        let block = |(junction, mesh): (usize, &Option<BlockMesh>)| {
+            let (mesh, before) = ((*mesh)?, (junction + count - 1) % count);
+            let scales = [self.scale(before, End::Finish), self.scale(junction, End::Start)];
+            Some(Block { junction, mesh, scales, panels: vec![0; 2 * mesh.panels] })
+        };
+        self.meshes.iter().enumerate().filter_map(block).collect()
+    }
+
+    /// The panel `k` of a block, counted from its junction, at one end of a piece.
+    fn block_panel(&self, piece: usize, end: End, k: usize, block: usize) -> Panel {
+        let scale = self.scale(piece, end);
+        Panel { piece, end, from: scale * k as f64, to: scale * (k + 1) as f64, block: Some(block) }
     }
 
     /// Splits every panel that is too long; whether there was one.
@@ -330,6 +331,15 @@ impl<'a> Draft<'a> {
 const GROWTH: f64 = 2.0;
 /// A chord of at least this share of its arc belongs to one smooth stretch of the curve; of a half circle it is 0.64.
 const LEAST_CHORD: f64 = 0.6;
+
+/// The panel on an interval of t, measured from the nearer end of the piece.
+fn panel_between(piece: usize, [low, high]: [f64; 2]) -> Panel {
+    if low + high <= 1.0 {
+        Panel { piece, end: End::Start, from: low, to: high, block: None }
+    } else {
+        Panel { piece, end: End::Finish, from: 1.0 - high, to: 1.0 - low, block: None }
+    }
+}
 
 /// The number of points of a panel that distances are taken from.
 const POINTS: usize = 7;
