@@ -140,6 +140,8 @@ mod tests {
             let (dx, dy) = (along(Complex::ONE), along(Complex::I));
             assert!((dy - Complex::I * dx).norm() < 1e-8, "at {z:?}");
             assert!((dx - derivative(z)).norm() < 1e-8, "at {z:?}: {dx:?}");
+            let along = |d: Complex| (0.5 / step) * (derivative(z + step * d) - derivative(z - step * d));
+            assert!((along(Complex::ONE) - second_derivative(z)).norm() < 1e-6, "at {z:?}");
             assert!((0.07..12.0).contains(&dx.norm()), "the derivative has no zero: {dx:?} at {z:?}");
         }
     }
