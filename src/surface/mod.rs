@@ -43,7 +43,6 @@ pub use preset::{SurfacePreset, UnknownSurfacePreset};
 pub use read::{
     ENDINGS, Fault, Item, MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, SurfaceError, Unsupported, names_format, read_surface,
 };
-pub(crate) use repair::ADDED;
 pub use repair::RepairNote;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};
 #[cfg(feature = "io")]
