@@ -7,7 +7,8 @@
 //! Dependencies between the modules run one way:
 //! `geometry → outline, mesh → surface, laplace → conformal → session, export → figures → language → worker`, then
 //! `render → model → offscreen → platform → cli, app`.
-//! Four modules are side branches: `drawing` (outlines drawn by hand) on the level of `outline`; `zipper` (a map
+//! Five modules are side branches: `boundary_integral` (harmonic measure from the boundary alone, invariants) on the
+//! level of `mesh`; `drawing` (outlines drawn by hand) on the level of `outline`; `zipper` (a map
 //! through the disk, for comparison, without a mesh) on that of `conformal`; `closed_form` (the presets' maps that are
 //! known exactly) on that of `session`; `family` (loops through all maps of one domain onto another) on that of
 //! `export`.
@@ -22,6 +23,7 @@
 #[doc = include_str!("../README.md")]
 struct ReadmeExamples;
 
+pub mod boundary_integral;
 pub mod closed_form;
 pub mod conformal;
 mod counted;

@@ -139,6 +139,9 @@ impl RiemapApp {
         if refined.images {
             self.show_changes(context, refined);
         }
+        if self.model.resolve_at_rest() {
+            context.request_repaint(); // which sends the request
+        }
         if self.model.map().is_some() && self.model.sort_surface_at_rest() {
             context.request_repaint_after_secs(platform::ONE_FRAME); // for the other side's
         }

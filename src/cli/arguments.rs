@@ -37,6 +37,9 @@ pub enum Subcommand {
     Link(LinkArguments),
     /// Prepares one outline and prints counts and timings.
     Prepare(PrepareArguments),
+    /// Computes conformal invariants of an outline to many digits, each with its error: harmonic measure, conformal
+    /// radius, capacity, modulus, hyperbolic distance.
+    Invariants(super::invariants_arguments::InvariantsArguments),
     /// Reproduces a figure of the paper: a drawing and a table of its numbers.
     Figure(FigureArguments),
     /// Measures Tables 1 and 2 of the paper on this machine.
@@ -74,6 +77,10 @@ pub struct MapArguments {
     /// How the boundary map is extended into that mesh; with a surface, always harmonically.
     #[arg(long, default_value = "harmonic")]
     pub extension: ExtensionArgument,
+    /// Whether the mapped mesh is refined where images are long, so that they fill the other outline without folds;
+    /// auto: with adaptive samples, graded triangles and the adjoint kernel, the defaults.
+    #[arg(long, default_value = "auto")]
+    pub refine: RefineArgument,
     /// Write the map to this file; may be repeated; the extension selects the format: json, csv, obj, svg, png.
     #[arg(long, value_name = "FILE")]
     pub out: Vec<PathBuf>,
@@ -340,6 +347,26 @@ pub enum DirectionArgument {
 pub enum ExtensionArgument {
     Harmonic,
     CauchyGreen,
+}
+
+/// Whether the mapped mesh is refined for the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum RefineArgument {
+    Auto,
+    On,
+    Off,
+}
+
+impl RefineArgument {
+    /// Whether a map of an outline at these settings is refined.
+    pub fn refines(self, settings: &PrepareSettings) -> bool {
+        match self {
+            Self::Auto => settings.is_refined(),
+            Self::On => true,
+            Self::Off => false,
+        }
+    }
 }
 
 /// How the boundary is sampled.

@@ -81,7 +81,7 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
     let (whole, timings) = compute(arguments, &surface, &progress)?;
     progress.enter("writing");
     let map = &whole.map;
-    let flattened = Flattened::new(&surface, map, arguments.uv == UvArgument::Unit).ok_or_else(no_surface)?;
+    let flattened = Flattened::new(map, arguments.uv == UvArgument::Unit).ok_or_else(no_surface)?;
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
         let bytes = match format {

@@ -7,7 +7,10 @@ use super::progress::Progress;
 use super::side::{self, Asked, NamedSide, Reading, is_surface};
 use super::tables::{self, Summary};
 use super::{picture, surface_picture};
-use crate::conformal::{ConformalMap, Constraints, Direction, Extension, MapError, MapSettings, PerSide, Side};
+use crate::conformal::{
+    ConformalMap, Constraints, Direction, Extension, MapError, MapSettings, PerSide, PrepareSettings, PrepareTimings,
+    Side,
+};
 use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
 use std::sync::Arc;
 
@@ -19,9 +22,9 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let (map, constraints) = compute(arguments, &progress)?;
+    let Computed { map, constraints, coarse } = compute(arguments, &progress)?;
     progress.enter("writing");
-    let summary = Summary::of(&map);
+    let summary = Summary::of(&map, coarse);
     let names = PerSide::new(arguments.source.as_str(), arguments.target.as_str());
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
@@ -34,19 +37,51 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
         let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
         return print(&text);
     }
-    let Summary { quality, counts, .. } = summary;
-    print(&format!(
-        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed",
+    print(&in_words(&summary))
+}
+
+fn in_words(Summary { quality, counts, unresolved_area, .. }: &Summary) -> String {
+    let unresolved = unresolved_area.filter(|area| *area > 0.0);
+    format!(
+        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
         quality.q_mean,
         quality.flipped,
-        quality.collapsed
-    ))
+        quality.collapsed,
+        unresolved.map(|area| format!("\nunresolved: {area:.2e} of the other area")).unwrap_or_default()
+    )
 }
 
-fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMap, Constraints), CliError> {
+/// A map with the preparation of its mapped mesh before that was refined.
+struct Computed {
+    map: ConformalMap,
+    constraints: Constraints,
+    coarse: PrepareTimings,
+}
+
+/// The map on a mesh refined for it, if the settings of the `mapped` side or the argument ask for that, with the
+/// preparation of the mesh before; where it cannot be refined, the map as it is, with the reason on stderr.
+fn refined(
+    map: ConformalMap,
+    mapped: &NamedSide,
+    arguments: &MapArguments,
+    progress: &Progress,
+) -> (ConformalMap, PrepareTimings) {
+    let asked = |settings: &&PrepareSettings| arguments.refine.refines(settings);
+    let Some(settings) = mapped.settings.as_ref().filter(asked) else { return (map, PrepareTimings::default()) };
+    match map.refined(settings, &mut progress.preparing("refined")) {
+        Ok(Some(fine)) => (fine, map.mapped().timings()),
+        Ok(None) => (map, PrepareTimings::default()),
+        Err(error) => {
+            eprintln!("riemap: the mapped mesh is not refined: {error}");
+            (map, PrepareTimings::default())
+        }
+    }
+}
+
+fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, CliError> {
     let settings = settings(arguments)?;
     let reading = Reading {
         repair: arguments.repair,
@@ -82,8 +117,9 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
     let constraints = Constraints::new(source.constraint(&asked[0])?, target.constraint(&asked[1])?);
     progress.enter("the map");
     let sides = (Arc::clone(&source.prepared), Arc::clone(&target.prepared));
-    let mut map =
-        ConformalMap::new(sides.0, sides.1, &constraints, settings).map_err(|error| refused(&error, &asked))?;
+    let map = ConformalMap::new(sides.0, sides.1, &constraints, settings).map_err(|error| refused(&error, &asked))?;
+    let mapped = if map.mapped_side() == Side::Source { &source } else { &target };
+    let (mut map, coarse) = refined(map, mapped, arguments, progress);
     if settings.extension == Extension::CauchyGreen {
         progress.enter("the Cauchy–Green extension");
     }
@@ -96,7 +132,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
             eprintln!("riemap: {}: {note}", asked.title);
         }
     }
-    Ok((map, constraints))
+    Ok(Computed { map, constraints, coarse })
 }
 
 fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {

@@ -1,4 +1,5 @@
-//! The command line: `riemap map`, `flatten`, `render`, `animate`, `link`, `prepare`, `figure`, `bench`; headless and native only.
+//! The command line: `riemap map`, `flatten`, `render`, `animate`, `link`, `prepare`, `invariants`, `figure`,
+//! `bench`; headless and native only.
 //!
 //! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
 //! are written whole or not at all.
@@ -11,6 +12,8 @@ mod display;
 mod figure;
 mod flatten;
 mod flatten_arguments;
+mod invariants;
+mod invariants_arguments;
 mod map;
 mod moved;
 mod output;
@@ -49,7 +52,10 @@ pub enum CliError {
 /// arguments) if graphics libraries would otherwise report a missing display on stderr.
 pub fn silence_display(command: &Subcommand) {
     #[cfg(all(unix, not(target_vendor = "apple")))]
-    if !matches!(command, Subcommand::Link(_) | Subcommand::Prepare(_) | Subcommand::Bench(_)) {
+    if !matches!(
+        command,
+        Subcommand::Link(_) | Subcommand::Prepare(_) | Subcommand::Invariants(_) | Subcommand::Bench(_)
+    ) {
         display::name_one();
     }
     #[cfg(not(all(unix, not(target_vendor = "apple"))))]
@@ -65,6 +71,7 @@ pub fn run(command: &Subcommand) -> ExitCode {
         Subcommand::Animate(arguments) => animate::run(arguments),
         Subcommand::Link(arguments) => render::link(arguments),
         Subcommand::Prepare(arguments) => prepare::run(arguments),
+        Subcommand::Invariants(arguments) => invariants::run(arguments),
         Subcommand::Figure(arguments) => figure::run(arguments),
         Subcommand::Bench(arguments) => bench::run(arguments),
     };

@@ -77,6 +77,8 @@ pub struct NamedSide {
     title: String,
     given: Given,
     pub prepared: Arc<PreparedSide>,
+    /// The settings of an outline.
+    pub settings: Option<PrepareSettings>,
 }
 
 /// The options for reading and preparing sides.
@@ -166,6 +168,7 @@ impl NamedSide {
     ) -> Result<Self, CliError> {
         let about = |error: &dyn std::fmt::Display| CliError::Input(format!("{title}: {error}"));
         let Reading { repair, intrinsic_delaunay, discretization } = reading;
+        let mut kept = None;
         let prepared = match &given {
             Given::Surface(surface) => {
                 let mesh = if repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) };
@@ -176,11 +179,12 @@ impl NamedSide {
             }
             Given::Outline(outline) => {
                 let settings: PrepareSettings = discretization.settings(outline, *samples);
+                kept = Some(settings);
                 let prepared = prepare(outline.outline.polygon(), &settings, &mut progress.preparing(title));
                 prepared.map_err(|error| about(&error))?
             }
         };
-        Ok(Self { title: (*title).to_owned(), given, prepared: Arc::new(prepared) })
+        Ok(Self { title: (*title).to_owned(), given, prepared: Arc::new(prepared), settings: kept })
     }
 
     fn is_surface(&self) -> bool {

@@ -1,6 +1,8 @@
 //! A map's numbers as JSON, with a summary.
 
-use crate::conformal::{ConformalMap, FrameTimings, Places, PrepareTimings, PreparedSide, Quality, Side};
+use crate::conformal::{
+    ConformalMap, FrameTimings, Places, PrepareTimings, PreparedSide, Quality, ResolvedBoundary, Side,
+};
 
 /// The size of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
@@ -38,24 +40,20 @@ pub struct Summary {
     pub timing_ms: MapTimings,
     /// The sizes of the mapped mesh.
     pub counts: Counts,
+    /// The share of the other outline's area that the images do not cover, because its preimage is smaller than 1e-6 of
+    /// the mapped domain; none if the mesh was not refined.
+    pub unresolved_area: Option<f64>,
 }
 
 impl Summary {
-    /// The summary of this map.
-    pub fn of(map: &ConformalMap) -> Self {
+    /// The summary of this map; `coarse` is the preparation of the mapped mesh before it was refined.
+    pub fn of(map: &ConformalMap, coarse: PrepareTimings) -> Self {
         let [a, b] = Side::BOTH.map(|side| map.side(side).timings());
-        let prepare = PrepareTimings {
-            sample: a.sample + b.sample,
-            mesh: a.mesh + b.mesh,
-            assemble: a.assemble + b.assemble,
-            order: a.order + b.order,
-            factor: a.factor + b.factor,
-            table: a.table + b.table,
-        };
         Self {
             quality: map.quality(),
-            timing_ms: MapTimings { prepare, frame: map.timings() },
+            timing_ms: MapTimings { prepare: a.and(b).and(coarse), frame: map.timings() },
             counts: Counts::of(map.mapped()),
+            unresolved_area: map.resolution().map(ResolvedBoundary::unresolved_area),
         }
     }
 }

@@ -55,12 +55,13 @@ impl FlatBuffers {
     fn put_surface(&mut self, meshed: &MeshedSurface) {
         let (surface, centre) = (meshed.surface(), meshed.centre());
         let FlipReport { flips, negative_before, negative_after } = meshed.flips();
-        let counts = [flips, negative_before, negative_after, surface.origin_count()].map(|count| count as u32);
+        let counts = [flips, negative_before, negative_after].map(|count| count as u32);
         self.indices.push(vec![SPACE]);
         self.floats.push(centre.weights().to_vec());
         self.indices.push([&counts[..], &[centre.triangle().number()]].concat());
         self.put_mesh(surface.mesh());
         self.indices.extend([surface.vertex_origins().to_vec(), surface.triangle_origins().to_vec()]);
+        self.floats.push(surface.dropped().iter().flat_map(|position| position.to_array()).collect());
         self.repairs = surface.repairs().to_vec();
     }
 }
@@ -77,13 +78,16 @@ impl FlatReader {
 
     fn surface(&mut self, repairs: Vec<RepairNote>) -> Option<MeshedSurface> {
         let weights: [f64; 3] = self.floats()?.try_into().ok()?;
-        let [flips, negative_before, negative_after, before, triangle]: [u32; 5] = self.indices()?.try_into().ok()?;
+        let [flips, negative_before, negative_after, triangle]: [u32; 4] = self.indices()?.try_into().ok()?;
         let mesh = self.mesh::<3, DVec3>()?;
         let (vertex_origins, triangle_origins) = (self.indices()?, self.indices()?);
         if triangle as usize >= mesh.triangles().len() {
             return None;
         }
-        let surface = SurfaceMesh::from_parts(mesh, vertex_origins, triangle_origins, repairs, before as usize)?;
+        let dropped = self.floats()?;
+        let (dropped, []) = dropped.as_chunks::<3>() else { return None };
+        let dropped = dropped.iter().copied().map(DVec3::from_array).collect();
+        let surface = SurfaceMesh::from_parts(mesh, vertex_origins, triangle_origins, repairs, dropped)?;
         let [flips, negative_before, negative_after] = [flips, negative_before, negative_after].map(|k| k as usize);
         let flips = FlipReport { flips, negative_before, negative_after };
         Some(MeshedSurface::from_parts(surface, flips, BarycentricPoint::new(TriangleId::new(triangle), weights)))

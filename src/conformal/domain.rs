@@ -1,9 +1,9 @@
 //! The geometry of a planar side: an outline, sampled and meshed.
 
 use super::prepare::timed;
-use super::{PrepareError, PrepareSettings, PrepareTimings, Stage};
+use super::{PrepareError, PrepareSettings, PrepareTimings, Resampled, Stage};
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::mesh::{RefineReport, TriMesh, mesh_domain};
+use crate::mesh::{RefineReport, Sizing, TriMesh, mesh_domain};
 use crate::outline::{BoundarySamples, sample};
 
 /// A planar domain, sampled and meshed.
@@ -28,9 +28,22 @@ impl MeshedDomain {
         progress(Stage::Sample);
         let samples = timed(&mut timings.sample, || sample(polygon, settings.sampling))?;
         progress(Stage::Mesh);
-        let (mesh, refinement) = timed(&mut timings.mesh, || mesh_domain(samples.points(), settings.sizing))?;
+        let sizing = settings.sizing.at(samples.len());
+        let (mesh, refinement) = timed(&mut timings.mesh, || mesh_domain(samples.points(), sizing))?;
         let default_point = default_point(polygon, &mesh);
         Ok(Self { samples, mesh, refinement, default_point })
+    }
+
+    /// A domain meshed with other samples of its boundary, with the growth that belongs to its own ones.
+    pub(super) fn resampled(
+        resampled: &Resampled,
+        sizing: Sizing,
+        timings: &mut PrepareTimings,
+    ) -> Result<Self, PrepareError> {
+        let Resampled { samples, coarse_count, default_point } = resampled;
+        let sizing = sizing.at(*coarse_count);
+        let (mesh, refinement) = timed(&mut timings.mesh, || mesh_domain(samples.points(), sizing))?;
+        Ok(Self { samples: samples.clone(), mesh, refinement, default_point: *default_point })
     }
 
     /// The domain from its parts, as they are after a transfer.

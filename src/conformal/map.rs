@@ -20,7 +20,7 @@ use super::refinement::Refinement;
 use super::through_disk::ThroughDisk;
 use super::{
     BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, Extension, ExtensionScratch, MapError,
-    MapSettings, PerSide, PreparedSide, Side,
+    MapSettings, PerSide, PreparedSide, ResolvedBoundary, Side,
 };
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
@@ -58,6 +58,8 @@ pub struct ConformalMap {
     pub(super) extension_scratch: ExtensionScratch,
     refinement: Refinement,
     pub(super) through_disk: ThroughDisk,
+    /// The boundary of the mapped mesh, if it was refined for this map.
+    pub(super) resolution: Option<Arc<ResolvedBoundary>>,
 }
 
 impl ConformalMap {
@@ -88,6 +90,7 @@ impl ConformalMap {
             extension_scratch: ExtensionScratch::default(),
             refinement: Refinement::default(),
             through_disk: ThroughDisk::default(),
+            resolution: None,
         }
     }
 
@@ -146,6 +149,12 @@ impl ConformalMap {
         }
         std::mem::swap(&mut self.correspondence, &mut self.coming);
         (self.settings, self.timings) = (run.settings, run.timings);
+        self.resolution = None;
+        self.begin_refinement();
+    }
+
+    /// Begins to replace the harmonic images, if the extension is another one.
+    pub(super) fn begin_refinement(&mut self) {
         match self.settings.extension {
             Extension::Harmonic => self.refinement.clear(),
             Extension::CauchyGreen => {

@@ -2,8 +2,8 @@
 
 use super::distortion::{advance_distortions, advance_surface_distortions, resolution};
 use super::{
-    BoundaryCorrespondence, ConformalMap, Direction, Extension, FrameTimings, HarmonicMeasure, MapNote, MeshedDomain,
-    Places, PreparedSide, Quality, Side, SideGeometry, SurfaceImages, TriangleDistortion, Unfold,
+    BoundaryCorrespondence, ConformalMap, Direction, Extension, FrameTimings, HarmonicMeasure, MapNote, MapSettings,
+    MeshedDomain, Places, PreparedSide, Quality, Side, SideGeometry, SurfaceImages, TriangleDistortion, Unfold,
 };
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
@@ -39,6 +39,11 @@ impl ConformalMap {
     /// Which mesh is mapped: as requested, or with one surface the surface's.
     pub fn direction(&self) -> Direction {
         self.settings.direction
+    }
+
+    /// Which mesh is mapped, and how the boundary map is extended.
+    pub fn settings(&self) -> MapSettings {
+        self.settings
     }
 
     /// The side whose mesh is mapped.

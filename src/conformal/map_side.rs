@@ -5,7 +5,7 @@
 
 use super::kernel::{KernelScratch, advance_kernel, begin_kernel};
 use super::measured::{Measured, Renewal};
-use super::{Constraints, InteriorPoint, MapError, MeshedDomain, PreparedSide, Side, SideGeometry};
+use super::{Constraints, HarmonicMeasure, InteriorPoint, MapError, MeshedDomain, PreparedSide, Side, SideGeometry};
 use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Deadline;
 use crate::mesh::{BarycentricPoint, TriMesh, TriangleId, locate};
@@ -42,6 +42,37 @@ impl MapSide {
     pub fn new(prepared: Arc<PreparedSide>) -> Self {
         let located = BarycentricPoint::new(TriangleId::new(0), [1.0, 0.0, 0.0]);
         Self { prepared, point: None, located, anchor: f64::NAN, measured: Measured::default() }
+    }
+
+    /// The same side with the same constraints, without an update in progress.
+    pub fn copied(&self) -> Self {
+        Self {
+            prepared: Arc::clone(&self.prepared),
+            measured: Measured::known(self.measured.kernel.clone(), self.measured.measure.clone()),
+            ..*self
+        }
+    }
+
+    /// The side `known` on another mesh of the same domain, with its kernel and measure.
+    pub fn with_measure(
+        prepared: Arc<PreparedSide>,
+        side: Side,
+        known: &Self,
+        kernel: Vec<f64>,
+        measure: HarmonicMeasure,
+    ) -> Result<Self, MapError> {
+        let mut refined = Self { measured: Measured::known(kernel, measure), ..Self::new(prepared) };
+        if let (Some(InteriorPoint::Plane(x)), SideGeometry::Plane(domain)) = (known.point, refined.prepared.geometry())
+        {
+            refined.located = refined.inside(side, domain, x)?;
+        }
+        (refined.point, refined.anchor) = (known.point, known.anchor);
+        Ok(refined)
+    }
+
+    /// The interior point and the anchor of the last complete update; `None` before it.
+    pub fn constraint(&self) -> Option<(InteriorPoint, f64)> {
+        self.point.map(|point| (point, self.anchor))
     }
 
     /// Checks the constraints of this side and determines what they change; has no side effects.

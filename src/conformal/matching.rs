@@ -20,6 +20,11 @@ impl BoundaryCorrespondence {
         &self.points
     }
 
+    /// Sets the images.
+    pub(super) fn set(&mut self, points: Vec<BoundaryPoint>) {
+        self.points = points;
+    }
+
     /// The images `w_k` of the boundary vertices, equation (13).
     pub fn images<'a>(&'a self, samples: &'a BoundarySamples) -> impl Iterator<Item = DVec2> + 'a {
         self.points.iter().map(|&point| samples.position(point))

@@ -63,6 +63,30 @@ impl HarmonicMeasure {
         sum
     }
 
+    /// The measure that has these values at the boundary's `m` vertices, made monotone; between them the density is
+    /// that of `density`, scaled.
+    pub(super) fn from_values(
+        anchor: BoundaryPoint,
+        m: usize,
+        density: impl Fn(usize) -> f64,
+        value: impl Fn(usize) -> f64,
+    ) -> Self {
+        let vertex = |j: usize| (anchor.edge() as usize + j) % m;
+        let f = anchor.fraction();
+        let at_anchor = (1.0 - f) * density(vertex(0)) + f * density(vertex(1));
+        let mut measure = Self { anchor, density: vec![at_anchor], cumulative: vec![0.0] };
+        let mut before = 0.0f64;
+        for j in 1..=m {
+            // a vertex at the anchor is the last one
+            before = if j == m && f == 0.0 { 1.0 } else { before.max(value(vertex(j)).min(1.0)) };
+            measure.density.push(density(vertex(j)));
+            measure.cumulative.push(before);
+        }
+        measure.density.push(at_anchor);
+        measure.cumulative.push(1.0);
+        measure
+    }
+
     /// The number of boundary vertices, m.
     pub fn vertex_count(&self) -> usize {
         self.density.len().saturating_sub(2)
@@ -143,7 +167,7 @@ impl HarmonicMeasure {
     }
 
     /// The part of its edge that interval `j` covers, as two fractions.
-    fn span(&self, j: usize) -> (f64, f64) {
+    pub(super) fn span(&self, j: usize) -> (f64, f64) {
         let f = self.anchor.fraction();
         let last = self.vertex_count();
         (if j == 0 { f } else { 0.0 }, if j == last { f } else { 1.0 })

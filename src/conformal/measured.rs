@@ -23,6 +23,11 @@ pub(super) struct Measured {
 }
 
 impl Measured {
+    /// A complete kernel and measure.
+    pub fn known(kernel: Vec<f64>, measure: HarmonicMeasure) -> Self {
+        Self { kernel, measure, ..Self::default() }
+    }
+
     /// Computes the new measure; the new kernel must be complete.
     pub fn set_measure(&mut self, edge_lengths: &[f64], anchor: BoundaryPoint, renewal: Renewal) {
         let kernel = if renewal.kernel { &self.coming_kernel } else { &self.kernel };

@@ -13,6 +13,7 @@
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
 //! | images on another surface, through the disk | `through_disk` | |
+//! | the mapped mesh refined where images are long | `resolution` | |
 //! | angle and area distortion | `distortion`, `histogram` | section 5.1 |
 //!
 //! A [`PreparedSide`] is a planar domain or a surface (section 4.3); the two differ only in
@@ -47,6 +48,7 @@ mod prepare;
 mod prepared_side;
 mod random_walk;
 mod refinement;
+mod resolution;
 mod stage;
 mod stencil;
 mod surface;
@@ -79,6 +81,7 @@ pub use prepare::{
 };
 pub use prepared_side::{PreparedSide, SideGeometry};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
+pub use resolution::{Resampled, ResolveError, ResolvedBoundary, prepare_resampled};
 pub use surface::MeshedSurface;
 pub use table::{HarmonicTable, TableError};
 pub use through_disk::SurfaceImages;

@@ -4,7 +4,7 @@ use super::domain::MeshedDomain;
 use super::prepared_side::{PreparedSide, SideGeometry};
 use super::surface::MeshedSurface;
 use super::system::DirichletSystem;
-use super::{HarmonicTable, TableError};
+use super::{HarmonicTable, Resampled, TableError};
 use crate::geometry::SimplePolygon;
 use crate::laplace::{DirichletLaplacian, LaplaceError, Ordering, Solver, SolverKind};
 use crate::mesh::{MeshError, Sizing};
@@ -57,6 +57,13 @@ impl PrepareSettings {
     #[must_use]
     pub const fn with_solver(self, solver: SolverKind) -> Self {
         Self { solver, ..self }
+    }
+
+    /// Whether maps of the domain are [refined](super::ConformalMap::refined) at rest: with adaptive samples, graded
+    /// triangles and the adjoint kernel. The paper's settings are kept as they are.
+    pub const fn is_refined(&self) -> bool {
+        let is_adaptive = matches!(self.sampling, Sampling::Adaptive { .. });
+        is_adaptive && matches!(self.sizing, Sizing::Graded(_)) && matches!(self.kernel, KernelMode::Adjoint)
     }
 }
 
@@ -143,6 +150,19 @@ pub struct PrepareTimings {
 }
 
 impl PrepareTimings {
+    /// The sum of two preparations, stage by stage.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            sample: self.sample + other.sample,
+            mesh: self.mesh + other.mesh,
+            assemble: self.assemble + other.assemble,
+            order: self.order + other.order,
+            factor: self.factor + other.factor,
+            table: self.table + other.table,
+        }
+    }
+
     /// The duration of the whole preparation.
     pub fn total(&self) -> f64 {
         self.sample + self.mesh + self.assemble + self.order + self.factor + self.table
@@ -270,6 +290,39 @@ pub fn prepare_within(
             (SideGeometry::Space(Arc::new(surface)), laplacian, settings.kernel, settings.solver)
         }
     };
+    factored(geometry, laplacian, Solving { kernel, solver, memory }, timings, progress)
+}
+
+/// Meshes a domain with other samples of its boundary, then as [`prepare`].
+pub(super) fn prepare_meshed(
+    resampled: &Resampled,
+    settings: &PrepareSettings,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<PreparedSide, PrepareError> {
+    let mut timings = PrepareTimings::default();
+    progress(Stage::Mesh);
+    let domain = MeshedDomain::resampled(resampled, settings.sizing, &mut timings)?;
+    progress(Stage::Assemble);
+    let laplacian = timed(&mut timings.assemble, || DirichletLaplacian::assemble(domain.mesh()))?;
+    let solving = Solving { kernel: KernelMode::Adjoint, solver: settings.solver, memory: Memory::default() };
+    factored(SideGeometry::Plane(Arc::new(domain)), laplacian, solving, timings, progress)
+}
+
+/// How to solve, and within which memory.
+struct Solving {
+    kernel: KernelMode,
+    solver: SolverKind,
+    memory: Memory,
+}
+
+/// Orders and factors, and makes the table if there is to be one.
+fn factored(
+    geometry: SideGeometry,
+    laplacian: DirichletLaplacian,
+    Solving { kernel, solver, memory }: Solving,
+    mut timings: PrepareTimings,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<PreparedSide, PrepareError> {
     let (n, m) = (geometry.interior_count(), geometry.boundary_count());
     if kernel == KernelMode::Table {
         HarmonicTable::check(n, m, memory)?;

@@ -12,6 +12,7 @@ use std::f64::consts::TAU;
 use glam::DVec2;
 
 use super::{Complex, point};
+use crate::geometry::Jet;
 
 /// g⁻¹(z) for `|z| ≤ 1`, the conformal map of the unit disk onto the blob.
 pub fn from_disk(z: Complex) -> Complex {
@@ -33,6 +34,19 @@ fn derivative(z: Complex) -> Complex {
     let wave = 1.1 * ((1.1 * z).cos() * (0.5 * z).cos()) - 0.5 * ((1.1 * z).sin() * (0.5 * z).sin());
     let logarithm = 40.0 * z / (20.0 * square + Complex::new(-45.0, 36.0));
     0.1 * (2.0 * z + Complex::ONE) + rational - (1.0 / 6.0) * (Complex::new(3.0, -5.0) * wave) + logarithm
+}
+
+/// The second derivative of g⁻¹.
+fn second_derivative(z: Complex) -> Complex {
+    let real = Complex::from;
+    let square = z * z;
+    let quadratic = 12.0 * square + 25.0 * z + real(25.0);
+    let slope = 24.0 * z + real(25.0);
+    let rational = 50.0 * (2.0 * slope * slope - 24.0 * quadratic) / (quadratic * quadratic * quadratic);
+    let wave = 1.46 * ((1.1 * z).sin() * (0.5 * z).cos()) + 1.1 * ((1.1 * z).cos() * (0.5 * z).sin());
+    let inner = 20.0 * square + Complex::new(-45.0, 36.0);
+    let logarithm = 40.0 / inner - 1600.0 * square / (inner * inner);
+    real(0.2) + rational + (1.0 / 6.0) * (Complex::new(3.0, -5.0) * wave) + logarithm
 }
 
 /// Newton's method starts at the nearest of the images of the center and of points on four circles and 64 rays.
@@ -72,6 +86,19 @@ pub fn to_disk(w: Complex) -> Option<Complex> {
 /// from g⁻¹(1) and seen from g⁻¹(0).
 pub fn boundary(omega: f64) -> DVec2 {
     point(from_disk(Complex::cis(TAU * omega)))
+}
+
+/// [`boundary`] with its derivatives by `omega`.
+pub fn boundary_jet(omega: f64) -> Jet {
+    let z = Complex::cis(TAU * omega);
+    // dz/dω = 2πi z
+    let along = TAU * (Complex::I * z);
+    let (first, second) = (derivative(z), second_derivative(z));
+    Jet {
+        position: boundary(omega),
+        first: point(first * along),
+        second: point(second * along * along - TAU * TAU * (first * z)),
+    }
 }
 
 #[cfg(test)]
@@ -114,6 +141,20 @@ mod tests {
             assert!((dy - Complex::I * dx).norm() < 1e-8, "at {z:?}");
             assert!((dx - derivative(z)).norm() < 1e-8, "at {z:?}: {dx:?}");
             assert!((0.07..12.0).contains(&dx.norm()), "the derivative has no zero: {dx:?} at {z:?}");
+        }
+    }
+
+    #[test]
+    fn the_derivatives_of_the_boundary_are_those_of_its_formula() {
+        let step = 1e-5;
+        for k in 0..100 {
+            let omega = f64::from(k) / 100.0;
+            let [a, here, b] = [omega - step, omega, omega + step].map(boundary_jet);
+            let first = (b.position - a.position) / (2.0 * step);
+            let second = (b.first - a.first) / (2.0 * step);
+            // |z′| is below 80, |z″| below 4,000; central differences of order 2
+            assert!(first.distance(here.first) < 1e-4, "ω = {omega}: {first} for {}", here.first);
+            assert!(second.distance(here.second) < 1e-2, "ω = {omega}: {second} for {}", here.second);
         }
     }
 }

@@ -11,6 +11,7 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec2;
 
 use super::{Complex, arg_sinh, complex, point, sqrt};
+use crate::geometry::Jet;
 
 /// ε = 1 − r = e^{−12.5π}.
 fn epsilon() -> f64 {
@@ -46,22 +47,94 @@ pub fn to_disk(z: Complex) -> Complex {
 /// The boundary point with parameter `t`, taken modulo 4; counter-clockwise.
 ///
 /// `t = 0` is the tip 1 + i and `t = 2` the other tip, −1 + i; the speed is
-/// bounded away from 0. With d = artanh r − |a| = s², the equation of the boundary reads
-/// sin² b = sinh d (e^{−d} − (1 − T) cosh d), T = tanh(2 artanh r), where nothing cancels.
+/// bounded away from 0. As a function of `t` it is only C¹ at `t = 1` and `t = 3`, in the middle of the V;
+/// [`around_right_tip`] and [`around_left_tip`] are its analytic parts.
 pub fn boundary(t: f64) -> DVec2 {
     let t = t.rem_euclid(4.0);
-    let half_length = half_length();
-    // the distance from the quarter's tip
-    let from_tip = if t <= 2.0 { t.min(2.0 - t) } else { (t - 2.0).min(4.0 - t) };
-    let d = from_tip * from_tip * half_length;
-    let r = 1.0 - epsilon();
-    let one_minus_t = epsilon().powi(2) / (1.0 + r * r);
-    let b = (d.sinh() * ((-d).exp() - one_minus_t * d.cosh())).max(0.0).sqrt().asin();
-    let right = !(1.0..3.0).contains(&t);
-    let a = if right { 1.0 - d / half_length } else { d / half_length - 1.0 };
-    let b = if t <= 2.0 { b } else { -b } / half_length;
-    point(from_half_plane(Complex::new(a, b)))
+    match t {
+        1.0..3.0 => place(2.0 - t, -1.0),
+        0.0..1.0 => place(t, 1.0),
+        _ => place(t - 4.0, 1.0),
+    }
 }
+
+/// The boundary around the tip 1 + i, at `s = 0`, with derivatives by `s` in [−1, 1]; counter-clockwise.
+pub fn around_right_tip(s: f64) -> Jet {
+    jet(s, 1.0)
+}
+
+/// The boundary around the tip −1 + i, at `s = 0`, with derivatives by `s` in [−1, 1]; clockwise.
+pub fn around_left_tip(s: f64) -> Jet {
+    jet(s, -1.0)
+}
+
+/// 1 − T with T = tanh(2 artanh r).
+fn one_minus_t() -> f64 {
+    let r = 1.0 - epsilon();
+    epsilon().powi(2) / (1.0 + r * r)
+}
+
+/// The boundary point at `s` from the tip of this side. With d = artanh r − |a| = s² artanh r, the equation of the
+/// boundary reads sin² b = sinh d (e^{−d} − (1 − T) cosh d), where nothing cancels.
+fn place(s: f64, side: f64) -> DVec2 {
+    let half_length = half_length();
+    let d = s * s * half_length;
+    let b = (d.sinh() * ((-d).exp() - one_minus_t() * d.cosh())).max(0.0).sqrt().asin();
+    let a = side * (1.0 - d / half_length);
+    point(from_half_plane(Complex::new(a, b.copysign(s) / half_length)))
+}
+
+/// [`place`] with its derivatives by `s`.
+///
+/// g = sin b is odd in s, g² = G(d), G′ = e^{−2d} − (1 − T) cosh 2d; so g′ = λ G′ ρ with λ = artanh r and
+/// ρ = s/g = (λ G/d)^{−½}, which is regular at the tip.
+fn jet(s: f64, side: f64) -> Jet {
+    let (length, k) = (half_length(), one_minus_t());
+    let d = s * s * length;
+    let decay = (-2.0 * d).exp();
+    let [first, second] = [decay - k * (2.0 * d).cosh(), -2.0 * (decay + k * (2.0 * d).sinh())];
+    let [mean, mean_slope] = mean_of_square(d);
+    let rho = 1.0 / (length * mean).sqrt();
+    let rho_slope = -(length * length) * mean_slope * s * rho * rho * rho;
+    let sin = s / rho;
+    let [sin_1, sin_2] = [length * first * rho, length * (2.0 * length * s * second * rho + first * rho_slope)];
+    let cos = (1.0 - sin * sin).sqrt();
+    let b_1 = sin_1 / cos;
+    let b_2 = (sin_2 + sin * b_1 * b_1) / cos;
+    let u = Complex::new(side * (1.0 - s * s), sin.asin() / length);
+    let [u_1, u_2] = [Complex::new(-2.0 * side * s, b_1 / length), Complex::new(-2.0 * side, b_2 / length)];
+    // z′(u) = 1 + 4iu
+    let slope = Complex::ONE + 4.0 * (Complex::I * u);
+    Jet {
+        position: place(s, side),
+        first: point(slope * u_1),
+        second: point(slope * u_2 + 4.0 * (Complex::I * u_1 * u_1)),
+    }
+}
+
+/// Below this d, G/d is summed as a power series: its derivative would cancel. The terms with 1 − T are below 1e-34.
+const NEAR_TIP: f64 = 0.5;
+
+/// G(d)/d and its derivative by d, with G = (1 − e^{−2d})/2 − ½ (1 − T) sinh 2d.
+fn mean_of_square(d: f64) -> [f64; 2] {
+    if d >= NEAR_TIP {
+        let k = one_minus_t();
+        let square = 0.5 * (-(-2.0 * d).exp_m1() - k * (2.0 * d).sinh());
+        let slope = (-2.0 * d).exp() - k * (2.0 * d).cosh();
+        return [square / d, (slope - square / d) / d];
+    }
+    // Σ (−2)^n d^n / (n + 1)!, by Horner's rule for the value and the slope together
+    let (mut value, mut slope) = (0.0, 0.0);
+    for n in (0..SERIES).rev() {
+        let ratio = -2.0 / f64::from(n + 2);
+        slope = ratio * (value + d * slope);
+        value = 1.0 + ratio * d * value;
+    }
+    [value, slope]
+}
+
+/// Terms of the series: the first one left out is below 1/22! at d = ½.
+const SERIES: u32 = 20;
 
 /// Whether `x` is inside: cos 2b > κ cosh 2a.
 pub fn contains(x: DVec2) -> bool {
@@ -133,5 +206,29 @@ mod tests {
             let error = (omega - angle + 0.5).rem_euclid(1.0) - 0.5;
             assert!(error.abs() < 1e-14, "t = {k}/100: {omega} against {angle}");
         }
+    }
+
+    #[test]
+    fn the_two_parts_are_the_boundary_with_its_derivatives() {
+        let step = 1e-4;
+        for k in 0..=200 {
+            let s = f64::from(k) / 100.0 - 1.0;
+            for (part, t) in [(around_right_tip as fn(f64) -> Jet, s), (around_left_tip, 2.0 - s)] {
+                assert!(part(s).position.distance(boundary(t)) < 1e-15);
+                let [a, here, b] = [s - step, s, s + step].map(part);
+                // differences of order 2; the third derivatives are below 200
+                let error = ((b.position - a.position) / (2.0 * step)).distance(here.first);
+                assert!(error < 3e-7, "s = {s}: {error:e}");
+                let error = ((b.first - a.first) / (2.0 * step)).distance(here.second);
+                assert!(error < 3e-6, "s = {s}: {error:e}");
+            }
+        }
+    }
+
+    /// On both sides of d = ½ the power series and the closed form agree.
+    #[test]
+    fn the_series_at_the_tip_is_the_closed_form() {
+        let [below, above] = [NEAR_TIP * (1.0 - 1e-15), NEAR_TIP].map(mean_of_square);
+        assert!((below[0] - above[0]).abs() < 4e-16 && (below[1] - above[1]).abs() < 4e-15, "{below:?}, {above:?}");
     }
 }

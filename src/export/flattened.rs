@@ -6,7 +6,6 @@
 use super::FileFormat;
 use crate::conformal::ConformalMap;
 use crate::geometry::{DVec2, DVec3};
-use crate::surface::Surface;
 use std::fmt::Write as _;
 
 /// The transformation from positions in the outline to texture coordinates: `(position − origin) · scale`.
@@ -18,8 +17,8 @@ pub struct Placement {
 
 /// A surface with texture coordinates.
 #[non_exhaustive]
-pub struct Flattened<'a> {
-    vertices: &'a [DVec3],
+pub struct Flattened {
+    vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     /// `None` for vertices that a repair has dropped.
     coordinates: Vec<Option<DVec2>>,
@@ -27,9 +26,9 @@ pub struct Flattened<'a> {
     pub placement: Placement,
 }
 
-impl<'a> Flattened<'a> {
+impl Flattened {
     /// The surface as it was read, with images scaled into the unit box if `unit`; `None` if the map has no surface.
-    pub fn new(surface: &'a Surface, map: &ConformalMap, unit: bool) -> Option<Self> {
+    pub fn new(map: &ConformalMap, unit: bool) -> Option<Self> {
         let images = map.texture_coordinates();
         let placement = if unit { unit_box(&images) } else { Placement { origin: DVec2::ZERO, scale: 1.0 } };
         let placed = |image: DVec2| (image - placement.origin) * placement.scale;
@@ -37,7 +36,7 @@ impl<'a> Flattened<'a> {
         let triangles = disk.mesh().triangles().iter();
         let kept = triangles.zip(disk.origins_of_triangles()).filter(|(_, origin)| origin.is_some());
         Some(Self {
-            vertices: surface.vertices(),
+            vertices: disk.origin_positions().collect(),
             triangles: kept.map(|(t, _)| t.map(|v| disk.vertex_origins()[v as usize])).collect(),
             coordinates: images.into_iter().map(|image| image.map(placed)).collect(),
             placement,

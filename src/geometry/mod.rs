@@ -1,8 +1,9 @@
-//! Plane geometry: simple polygons, arc length, robust orientation.
+//! Plane geometry: simple polygons, curves of smooth pieces, arc length, robust orientation.
 //!
 //! Points are [`glam::DVec2`]; polygons are closed without repeating the first
 //! point, and counter-clockwise. Nothing here knows about meshes or maps.
 
+mod curve;
 mod edge_tree;
 mod error;
 mod nearness;
@@ -13,6 +14,8 @@ mod status;
 mod sweep;
 mod validate;
 
+pub(crate) use curve::gauss_legendre;
+pub use curve::{Curve, CurveError, CurvePoint, Jet, Junction, Piece};
 pub use edge_tree::{EdgeTree, NearestPoint};
 pub use error::PolygonError;
 pub use glam::{DVec2, DVec3};

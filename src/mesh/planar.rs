@@ -29,13 +29,45 @@ pub const MAX_INTERIOR: usize = 3_000_000;
 pub enum Sizing {
     /// Area at most h²/2, h the mean boundary edge length (the paper's); n = O(m²).
     Uniform,
-    /// The size grows by this much per distance from the boundary (in `[0.01, 1]`); n ≈ m/g at most.
+    /// The size grows by this much per distance from the boundary (in `[0.01, 1]`); n ≈ m/g at most. A domain of
+    /// many samples is meshed with a smaller growth: see [`Sizing::at`].
     Graded(f64),
+}
+
+/// Up to this many boundary samples a graded mesh has the growth that was asked for, the default one or a larger one;
+/// with a smaller growth up to so many more that the default one would be as small.
+const GROWTH_SAMPLES: f64 = 500.0;
+
+/// The default growth.
+const DEFAULT_GROWTH: f64 = 0.15;
+
+/// The growth for many samples is not lowered beyond m/g = n of this size: the factor then still fits into a browser
+/// tab, and takes half a second.
+const GROWN_VERTICES: f64 = 3e5;
+
+impl Sizing {
+    /// The sizing for a boundary of `m` samples, such that maps converge with increasing `m`.
+    ///
+    /// Linear elements whose size is g times the distance from the boundary have a relative error of O(g²) at every
+    /// distance, whatever `m`: V-shape → blob has a mean image error of 2e-3 to 3e-3 for g = 0.15 and m = 500 … 4000.
+    /// So beyond m = 500 the default growth g = 0.15 becomes `g · 500/m`, as does a larger one, and n grows like m²: the
+    /// observed order of the mean error is 1.5 between m = 250 and 4000. A smaller g stays until that is smaller still. It is not lowered below 0.01, nor so far that m/g exceeds 3·10⁵ (m > 4700).
+    #[must_use]
+    pub fn at(self, m: usize) -> Self {
+        let m = m as f64;
+        match self {
+            Self::Graded(g) if g.is_finite() && m > GROWTH_SAMPLES => {
+                let finer = (g.max(DEFAULT_GROWTH) * GROWTH_SAMPLES / m).max(*GROWTH.start()).max(m / GROWN_VERTICES);
+                Self::Graded(finer.min(g))
+            }
+            sizing => sizing,
+        }
+    }
 }
 
 impl Default for Sizing {
     fn default() -> Self {
-        Self::Graded(0.15)
+        Self::Graded(DEFAULT_GROWTH)
     }
 }
 

@@ -222,3 +222,44 @@ fn a_measurement_in_pieces_is_the_one_at_once() {
     assert!(pieces == (model.quality(), model.triangles().to_vec(), model.generation()));
     assert_ne!(model.quality(), expected);
 }
+
+/// A map at rest is shown on a mesh that is refined for it, and on its own mesh as soon as a point moves.
+#[test]
+fn at_rest_the_mapped_mesh_is_refined() {
+    let mut session = Session::default();
+    session.apply(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Preset(Preset::VShape) });
+    session.apply(Command::SetTexture(TextureKind::Polar));
+    let mut model = Model::new(session);
+    model.update_ms = f64::INFINITY;
+    prepare(&mut model);
+    model.refresh(false);
+    let coarse = model.quality().unwrap();
+    assert!(model.resolve_at_rest() && model.next_due().is_some());
+    prepare(&mut model);
+    let changes = model.refresh(false);
+    assert!(changes.meshes && changes.images && model.is_ready(), "{changes:?}");
+    let resolution = model.map().unwrap().resolution().unwrap();
+    assert!(resolution.samples().len() > model.domain(model.shown().unwrap().mapped_side()).unwrap().samples().len());
+    let fine = model.quality().unwrap();
+    println!("{coarse:?} → {fine:?}, {} of the area unresolved", resolution.unresolved_area());
+    assert!(fine.flipped == 0, "{fine:?}");
+    picture(&model);
+    // once for each map
+    model.resolve_at_rest();
+    prepare(&mut model);
+    model.refresh(false);
+    assert!(!model.resolve_at_rest() && model.take_requests(f64::INFINITY).is_empty());
+    let dragged = drag(&mut model, 1.0);
+    assert!(dragged.meshes && is_full(&model), "{dragged:?}");
+    picture(&model);
+    assert!(model.resolve_at_rest(), "the map is another one");
+    drag(&mut model, 2.0);
+    assert!(model.take_requests(f64::INFINITY).is_empty(), "the request is dropped with its map");
+}
+
+/// The paper's settings are not refined.
+#[test]
+fn uniform_samples_are_not_refined() {
+    let mut model = prepared(SolverKind::Direct, TextureKind::Checker);
+    assert!(!model.resolve_at_rest() && model.next_due().is_none());
+}

@@ -128,28 +128,26 @@ impl Model {
                 self.session.apply(Command::PlacePoints { side, points: self.sides[side].last_good });
             }
         } else if !self.has_stand_in() {
-            self.begin_at_the_default_points();
+            self.begin_at_the_default_point(error.side());
         }
         self.map_error = Some((error.side(), Message::from(error)));
         let meshes = self.coarse.retire();
         Changes { meshes, map: meshes, images: meshes }
     }
 
-    /// After the first map of a surface was rejected there are no previous valid points: tries once more with the
-    /// default ones, unless these were the rejected ones.
-    fn begin_at_the_default_points(&mut self) {
-        for side in Side::BOTH {
-            let (is_set, points) = match self.session.side(side).points() {
-                SidePoints::Outline { interior, anchor } => {
-                    (interior.is_some(), SidePoints::Outline { interior: None, anchor })
-                }
-                SidePoints::Surface { interior, anchor } => {
-                    (interior.is_some(), SidePoints::Surface { interior: None, anchor })
-                }
-            };
-            self.points_changed |= is_set;
-            self.session.apply(Command::PlacePoints { side, points });
-        }
+    /// After the first map of a surface was rejected because of the point of a side: tries once more with that side's
+    /// default point, unless this was the rejected one. The other side keeps its points.
+    fn begin_at_the_default_point(&mut self, side: Side) {
+        let (is_set, points) = match self.session.side(side).points() {
+            SidePoints::Outline { interior, anchor } => {
+                (interior.is_some(), SidePoints::Outline { interior: None, anchor })
+            }
+            SidePoints::Surface { interior, anchor } => {
+                (interior.is_some(), SidePoints::Surface { interior: None, anchor })
+            }
+        };
+        self.points_changed |= is_set;
+        self.session.apply(Command::PlacePoints { side, points });
     }
 
     /// Whether the full map is too slow for a drag. For the iterative solver one frame that was too short is sufficient

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::exact::{Complex, blob, vshape};
-use crate::geometry::DVec2;
+use crate::geometry::{CurvePoint, DVec2};
 use crate::test_data::exact_values;
 
 /// `count` points equally spaced in arc length from the first vertex.
@@ -119,4 +119,147 @@ fn names_are_read_back_and_an_unknown_one_lists_them() {
     }
     let error = "pentagon".parse::<Preset>().unwrap_err().to_string();
     assert!(error.contains("\"pentagon\"") && error.contains("gingerbread") && error.contains("v-shape"), "{error}");
+}
+
+/// The bits of all coordinates, folded by FNV-1a (64 bits).
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+fn fingerprint(points: &[DVec2]) -> u64 {
+    let bytes = points.iter().flat_map(|p| p.to_array()).flat_map(|x| x.to_bits().to_le_bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+/// Links, files and the paper's figures hold fractions of these polygons; the elementary functions of other systems
+/// may round differently.
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+#[test]
+fn the_polygons_of_the_presets_never_change() {
+    let expected = [
+        (Preset::Disk, 1440, 0x0946_d800_2b7e_64c6),
+        (Preset::Square, 5, 0xc8a9_6819_8aad_c1ed),
+        (Preset::Gingerbread, 2394, 0x6871_56e0_3629_98f1),
+        (Preset::Heart, 996, 0xff11_a84d_d0b1_9b86),
+        (Preset::Blob, 5988, 0x70de_2a30_20b1_2cf1),
+        (Preset::VShape, 3052, 0x7ac1_172c_f866_856d),
+        (Preset::Cinquefoil, 1660, 0xf033_9d74_e7ad_3ed3),
+        (Preset::MapleLeaf, 665, 0x2335_9c7c_9f52_601d),
+        (Preset::Hand, 2643, 0x8679_bf9f_5ec6_e4c3),
+        (Preset::Turkey, 3300, 0x505d_07a3_27e8_f327),
+        (Preset::LShape, 7, 0x9d1b_5ac1_3826_0d25),
+        (Preset::Star, 10, 0x3017_e9ae_4431_0b8c),
+        (Preset::Spiral, 6156, 0x4670_4c33_aca1_83b7),
+    ];
+    assert_eq!(expected.map(|row| row.0), Preset::ALL);
+    for (preset, count, bits) in expected {
+        let outline = preset.outline();
+        let found = (outline.polygon().vertices().len(), fingerprint(outline.polygon().vertices()));
+        assert_eq!(found, (count, bits), "{preset}");
+    }
+}
+
+/// The number of junctions of each kind: corners, smooth, analytic. Corners turn by more than a millionth.
+fn kinds(curve: &Curve) -> [usize; 3] {
+    let mut kinds = [0; 3];
+    for junction in curve.junctions() {
+        match junction {
+            Junction::Corner { angle } if (angle - std::f64::consts::PI).abs() > 1e-6 => kinds[0] += 1,
+            Junction::Analytic => kinds[2] += 1,
+            _ => kinds[1] += 1,
+        }
+    }
+    kinds
+}
+
+#[test]
+fn the_curves_of_the_presets_have_the_pieces_that_were_drawn() {
+    let expected = [
+        (Preset::Disk, [0, 0, 1]),
+        (Preset::Square, [4, 0, 1]),
+        (Preset::Gingerbread, [0, 34, 1]),
+        (Preset::Heart, [2, 4, 0]),
+        (Preset::Blob, [0, 0, 1]),
+        (Preset::VShape, [0, 0, 3]),
+        (Preset::Cinquefoil, [5, 0, 1]),
+        (Preset::MapleLeaf, [29, 0, 0]),
+        (Preset::Hand, [0, 42, 0]),
+        (Preset::Turkey, [30, 1, 0]),
+        (Preset::LShape, [6, 0, 1]),
+        (Preset::Star, [10, 0, 0]),
+        (Preset::Spiral, [0, 4, 1]),
+    ];
+    assert_eq!(expected.map(|row| row.0), Preset::ALL);
+    for (preset, found) in expected {
+        assert_eq!(kinds(&preset.curve().unwrap()), found, "{preset}");
+    }
+}
+
+#[test]
+fn the_polygons_of_the_presets_lie_on_their_curves() {
+    for preset in Preset::ALL {
+        let (curve, outline) = (preset.curve().unwrap(), preset.outline());
+        let vertices = outline.polygon().vertices();
+        assert!(curve.position(CurvePoint::new(0, 0.0)).distance(vertices[0]) < 1e-15, "{preset} begins elsewhere");
+        let mut from = 0;
+        let mut worst = 0f64;
+        // the pieces in order, each with the vertices up to its end
+        for piece in curve.pieces() {
+            let end = piece.jet(1.0).position;
+            let to = (from + 1..=vertices.len()).find(|&k| vertices[k % vertices.len()].distance(end) < 1e-13).unwrap();
+            for k in from..=to {
+                worst = worst.max(distance(piece, vertices[k % vertices.len()]));
+            }
+            from = to;
+        }
+        println!("{preset}: {worst:.1e}");
+        assert_eq!(from, vertices.len(), "{preset}");
+        assert!(worst < 1e-14, "{preset}: {worst:e}");
+        let shorter = 1.0 + 1e-14 - outline.polygon().perimeter() / curve.perimeter();
+        assert!((0.0..1e-4).contains(&shorter), "{preset}: chords are shorter by {shorter:e}");
+    }
+}
+
+/// The distance of a point from a piece, by Gauss and Newton's method from the nearest of 1,000 points.
+fn distance(piece: &Piece, p: DVec2) -> f64 {
+    let mut t = (0..=1000)
+        .map(|k| f64::from(k) / 1000.0)
+        .min_by(|a, b| piece.jet(*a).position.distance(p).total_cmp(&piece.jet(*b).position.distance(p)))
+        .unwrap();
+    for _ in 0..8 {
+        let jet = piece.jet(t);
+        let offset = jet.position - p;
+        t = (t - offset.dot(jet.first) / jet.first.length_squared()).clamp(0.0, 1.0);
+    }
+    piece.jet(t).position.distance(p)
+}
+
+#[test]
+fn the_disk_is_the_unit_circle() {
+    let curve = Preset::Disk.curve().unwrap();
+    assert!((curve.perimeter() - std::f64::consts::TAU).abs() < 1e-14);
+    for k in 0..=1000 {
+        let t = f64::from(k) / 1000.0;
+        let error = curve.pieces()[0].jet(t).position.distance(DVec2::from_angle(std::f64::consts::TAU * t));
+        assert!(error < 1e-15, "{t}: {error:e}");
+    }
+    let jet = curve.pieces()[0].jet(0.3);
+    assert!((jet.curvature() - 1.0).abs() < 1e-15);
+}
+
+/// The derivatives of the formulas and the joints between arcs and lines.
+#[test]
+fn tangents_and_curvatures_are_those_of_the_positions() {
+    let step = 1e-4;
+    for preset in Preset::ALL {
+        let curve = preset.curve().unwrap();
+        for piece in curve.pieces() {
+            for k in 1..50 {
+                let t = f64::from(k) / 50.0;
+                let [a, here, b] = [t - step, t, t + step].map(|t| piece.jet(t));
+                let scale = here.second.length().max(here.first.length());
+                let first = (b.position - a.position) / (2.0 * step);
+                let second = (b.first - a.first) / (2.0 * step);
+                assert!(first.distance(here.first) < 1e-4 * scale, "{preset} {piece:?} at {t}");
+                assert!(second.distance(here.second) < 1e-2 * scale, "{preset} {piece:?} at {t}");
+            }
+        }
+    }
 }

@@ -86,8 +86,7 @@ pub struct BoundaryPoint {
 const SNAP: f64 = 1e-9;
 
 impl BoundarySamples {
-    /// From arrays of unknown origin, such as a worker's message; `None` if an invariant does not hold. Cost O(m).
-    #[cfg(feature = "io")]
+    /// From points, the lengths of their edges and their fractions; `None` if an invariant does not hold. Cost O(m).
     pub(crate) fn checked(points: Vec<DVec2>, edge_lengths: Vec<f64>, fractions: Vec<f64>) -> Option<Self> {
         Some(Self { points, edge_lengths, fractions }).filter(|samples| samples.check_invariants().is_ok())
     }

@@ -21,17 +21,19 @@ pub struct SurfaceMesh {
     repairs: Vec<RepairNote>,
     /// For each vertex of the surface its number here, or [`ADDED`] if it was dropped.
     numbers: Vec<u32>,
+    /// The positions of the dropped vertices, in the surface's order.
+    dropped: Vec<DVec3>,
 }
 
 impl SurfaceMesh {
     /// The surface unchanged; an error if it is not a disk. Cost O(n log d).
     pub fn new(surface: &Surface) -> Result<Self, TopologyError> {
-        Self::ordered(Repaired::untouched(surface.clone()), surface.vertices.len())
+        Self::ordered(Repaired::untouched(surface.clone()), &surface.vertices)
     }
 
     /// The surface after all safe repairs that it needs; [`Self::repairs`] lists them.
     pub fn repaired(surface: &Surface) -> Result<Self, TopologyError> {
-        Self::ordered(repair(surface.clone())?, surface.vertices.len())
+        Self::ordered(repair(surface.clone())?, &surface.vertices)
     }
 
     /// The mesh.
@@ -79,7 +81,7 @@ impl SurfaceMesh {
         std::array::from_fn(|i| given.and_then(|given| given.iter().position(|&v| v == corners[i])).unwrap_or(i))
     }
 
-    fn ordered(repaired: Repaired, before: usize) -> Result<Self, TopologyError> {
+    fn ordered(repaired: Repaired, before: &[DVec3]) -> Result<Self, TopologyError> {
         let Repaired { surface, vertex_origins, triangle_origins, notes: repairs } = repaired;
         let found = connectivity(&surface)?;
         found.check_disk(&surface)?;
@@ -102,31 +104,50 @@ impl SurfaceMesh {
             found.twins.as_chunks::<3>().0.iter().map(|twins| twins.map(across)).collect(),
         );
         let vertex_origins: Vec<u32> = order.iter().map(|&v| vertex_origins[v as usize]).collect();
-        let numbers = numbers_of(&vertex_origins, before);
-        Ok(Self { mesh, vertex_origins, triangle_origins, repairs, numbers })
+        let numbers = numbers_of(&vertex_origins, before.len());
+        let is_dropped = |(_, number): &(&DVec3, &u32)| **number == ADDED;
+        let dropped = before.iter().zip(&numbers).filter(is_dropped).map(|(&position, _)| position).collect();
+        Ok(Self { mesh, vertex_origins, triangle_origins, repairs, numbers, dropped })
     }
 
-    /// From parts of unknown origin, such as a worker's message; `None` if they do not fit together. `before` is
-    /// [`Self::origin_count`].
+    /// From parts of unknown origin, such as a worker's message; `None` if they do not fit together. `dropped` are the
+    /// positions of the vertices that a repair has dropped, in the surface's order.
     #[cfg(feature = "io")]
     pub(crate) fn from_parts(
         mesh: TriMesh<DVec3>,
         vertex_origins: Vec<u32>,
         triangle_origins: Vec<u32>,
         repairs: Vec<RepairNote>,
-        before: usize,
+        dropped: Vec<DVec3>,
     ) -> Option<Self> {
+        let kept = vertex_origins.iter().filter(|&&origin| origin != ADDED).count();
+        let before = kept + dropped.len();
         let sizes = (vertex_origins.len(), triangle_origins.len()) == (mesh.vertices().len(), mesh.triangles().len());
         let known = vertex_origins.iter().all(|&origin| origin == ADDED || (origin as usize) < before);
-        (sizes && known).then(|| {
-            let numbers = numbers_of(&vertex_origins, before);
-            Self { mesh, vertex_origins, triangle_origins, repairs, numbers }
-        })
+        if !(sizes && known) {
+            return None;
+        }
+        let numbers = numbers_of(&vertex_origins, before);
+        let is_complete = numbers.iter().filter(|&&number| number == ADDED).count() == dropped.len();
+        is_complete.then_some(Self { mesh, vertex_origins, triangle_origins, repairs, numbers, dropped })
     }
 
     /// The number here of a vertex of the surface as it was read; `None` if it was dropped or did not exist.
     pub fn number_of(&self, origin: VertexId) -> Option<VertexId> {
         self.numbers.get(origin.index()).copied().filter(|&number| number != ADDED).map(VertexId::new)
+    }
+
+    /// The positions of all vertices of the surface as it was read, those of dropped vertices too, in its order.
+    pub fn origin_positions(&self) -> impl Iterator<Item = DVec3> + '_ {
+        let (vertices, mut dropped) = (self.mesh.vertices(), self.dropped.iter());
+        let position = move |&number: &u32| vertices.get(number as usize).or_else(|| dropped.next());
+        self.numbers.iter().filter_map(position).copied()
+    }
+
+    /// The positions of the dropped vertices, in the surface's order.
+    #[cfg(feature = "io")]
+    pub(crate) fn dropped(&self) -> &[DVec3] {
+        &self.dropped
     }
 
     /// The number of vertices of the surface as it was read.

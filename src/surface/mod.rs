@@ -41,7 +41,8 @@ pub use note::{Place, SurfaceNote};
 pub use preset::{SurfacePreset, UnknownSurfacePreset};
 #[cfg(feature = "io")]
 pub use read::{
-    ENDINGS, Fault, Item, MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, SurfaceError, Unsupported, names_format, read_surface,
+    ENDINGS, Fault, Item, MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, SurfaceError, Unsupported, check_size, names_format,
+    read_surface,
 };
 pub use repair::RepairNote;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};

@@ -13,7 +13,10 @@ pub use rehearsal::rehearsal;
 pub use study::{Finding, Study};
 pub use transfer::Transfer;
 
-use crate::conformal::{PrepareSettings, PreparedSide, Stage, SurfaceSettings, prepare, prepare_surface};
+use crate::conformal::{
+    PrepareError, PrepareSettings, PreparedSide, Resampled, Stage, SurfaceSettings, prepare, prepare_resampled,
+    prepare_surface,
+};
 use crate::geometry::SimplePolygon;
 use crate::language::Message;
 use crate::outline::Outline;
@@ -44,6 +47,13 @@ pub enum Task {
         /// The outline.
         polygon: SimplePolygon,
         /// How to discretize it.
+        settings: PrepareSettings,
+    },
+    /// The inside of an outline with samples that resolve the images of a map.
+    Resampled {
+        /// The samples.
+        resampled: Box<Resampled>,
+        /// How the unrefined domain is discretised.
         settings: PrepareSettings,
     },
     /// The inside of an outline that is parsed from a file first.
@@ -128,6 +138,9 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
     let answer = &mut |response| emit(request.generation, response);
     let last = match &request.task {
         Task::Outline { polygon, settings } => outline(polygon, settings, answer),
+        Task::Resampled { resampled, settings } => {
+            prepared(prepare_resampled(resampled, settings, &mut |stage| answer(Response::Progress(stage))))
+        }
         Task::OutlineFile { file, settings } => outline_file(file, settings, answer),
         Task::SessionFile(file) => match file.session() {
             Ok(session) => Response::Session(Box::new(session)),
@@ -142,7 +155,11 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
 }
 
 fn outline(polygon: &SimplePolygon, settings: &PrepareSettings, answer: &mut dyn FnMut(Response)) -> Response {
-    match prepare(polygon, settings, &mut |stage| answer(Response::Progress(stage))) {
+    prepared(prepare(polygon, settings, &mut |stage| answer(Response::Progress(stage))))
+}
+
+fn prepared(side: Result<PreparedSide, PrepareError>) -> Response {
+    match side {
         Ok(side) => Response::Prepared(Box::new(side), Vec::new()),
         Err(error) => Response::Failed(Failure::new(&error)),
     }
@@ -228,6 +245,19 @@ mod tests {
         let last = answers.pop().unwrap();
         assert!(matches!(&last, Response::Prepared(side, _) if side.domain().is_some()) && !last.goes_on());
         assert!(answers.iter().all(Response::goes_on));
+    }
+
+    #[test]
+    fn positions_of_dropped_vertices_survive_the_transfer() {
+        let text = "v 9 8 7\nv 0 0 0\nv 1 0 0\nv 6 5 4\nv 1 1 0\nf 2 3 5\n";
+        let Response::Prepared(side, _) = last(file(text), true) else { panic!() };
+        let back = transfer::Transfer::from(&*side).into_side().unwrap();
+        let given = file(text).surface().unwrap();
+        for side in [&*side, &back] {
+            let surface = side.surface().unwrap().surface();
+            assert_eq!(surface.origin_positions().collect::<Vec<_>>(), given.vertices());
+            assert_eq!(surface.origin_count(), 5);
+        }
     }
 
     #[test]

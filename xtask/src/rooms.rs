@@ -18,6 +18,7 @@ const ROOMS: &[Row] = &[
     ("counted", &[]),
     ("geometry", &["counted"]),
     ("exact", &["geometry"]),
+    ("boundary_integral", &["counted", "geometry"]),
     ("outline", &["counted", "geometry", "exact"]),
     ("mesh", &["counted", "geometry"]),
     ("drawing", &["counted", "geometry", "outline"]),
@@ -79,6 +80,7 @@ const ROOMS: &[Row] = &[
         &[
             "counted",
             "geometry",
+            "boundary_integral",
             "outline",
             "mesh",
             "surface",

@@ -266,8 +266,9 @@ fn size(model: &Model, side: Side) -> DomainSize {
 fn image_of_point(model: &Model, mapped: Side) -> Option<[f64; 2]> {
     let map = model.map()?;
     if let Some(point) = model.point(mapped)?.on_surface() {
-        // in the picture of a coarser surface there may be no such triangle
-        let corners = map.mapped().triangles().get(point.triangle().index())?;
+        // while the picture is that of the surface's former resolution, the point is in no triangle of its mesh
+        let mesh = model.prepared(mapped).filter(|present| std::sync::Arc::ptr_eq(present, map.mapped()))?;
+        let corners = mesh.triangles().get(point.triangle().index())?;
         let image: DVec2 = corners.iter().zip(point.weights()).map(|(&v, w)| w * map.images()[v as usize]).sum();
         return Some(image.to_array());
     }

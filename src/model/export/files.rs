@@ -50,13 +50,8 @@ pub fn file(model: &Model, request: FileRequest) -> Option<Result<ReadyFile, Mes
 
 /// The surface as it was given, every vertex with its place in the outline.
 fn surface_file(model: &Model, side: Side, request: FileRequest) -> Option<Result<ReadyFile, Message>> {
-    let (surface, state) = model.surface(side)?;
-    let (map, source) = (model.map()?, surface.preparation.source()?);
-    let surface = match source.surface() {
-        Ok(surface) => surface,
-        Err(failure) => return Some(Err(failure.text)),
-    };
-    let bytes = Flattened::new(&surface, map, request.unit)?.encode(request.format);
+    let (_, state) = model.surface(side)?;
+    let bytes = Flattened::new(model.map()?, request.unit)?.encode(request.format);
     Some(Ok(ReadyFile { name: format!("{}-mapped.{}", stem(&state.spec.shape), request.format.extension()), bytes }))
 }
 

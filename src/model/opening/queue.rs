@@ -5,11 +5,11 @@
 //! never replaces a valid one before it.
 
 use crate::conformal::Side;
-use crate::language::Message;
+use crate::language::{Message, key};
 use crate::model::Model;
-use crate::model::side::check_size;
 use crate::model::side::opened_file::{OpenedFile, Origin};
 use crate::model::side::user_error::UserError;
+use crate::surface::check_size;
 use std::collections::VecDeque;
 
 /// An opened file or text that waits for those before it.
@@ -74,11 +74,8 @@ impl Model {
     }
 
     /// Requests a surface from a file opened for or dropped over a side, after the files before it: one of them may be
-    /// the session that needs it. A file that is too large is refused at once.
+    /// the session that needs it.
     pub fn open_surface_in_turn(&mut self, side: Side, name: &str, bytes: Vec<u8>) {
-        if let Err(error) = check_size(name, bytes.len()) {
-            return self.refuse(self.side_for_surface(side, name), UserError::new(Message::from(&error)));
-        }
         self.queue.0.push_back(Waiting::Surface { side, name: name.to_owned(), bytes });
         self.read_on();
     }
@@ -99,7 +96,10 @@ impl Model {
                 }
                 Waiting::Surface { side, name, bytes } => {
                     let side = self.side_for_surface(side, &name);
-                    self.want_surface_file(side, &name, bytes);
+                    match check_size(bytes.len()) {
+                        Ok(()) => self.want_surface_file(side, &name, bytes),
+                        Err(error) => self.refuse(side, UserError::new(key::about(&name, Message::from(&error)))),
+                    }
                 }
             }
         }

@@ -25,5 +25,5 @@ pub mod user_error;
 pub use outline_request::OutlineRequest;
 pub use state::{ModelSide, Next};
 pub use surface::SurfaceSide;
-pub use surface_files::{MAX_BYTES, SurfaceFileTooLarge, SurfaceFiles, check_size};
+pub use surface_files::SurfaceFiles;
 pub use surface_request::SurfaceRequest;

@@ -1,38 +1,11 @@
 //! The surface files that were opened for either side, kept so that undo can return to them.
 
-use crate::language::{Message, key};
 use crate::session::SurfaceShape;
 use crate::worker::{NamedFile, SurfaceSource};
 use std::sync::Arc;
 
 /// The most bytes of opened files that are kept.
 const MOST_KEPT_BYTES: usize = 256 << 20;
-
-/// The most bytes of a file that is opened in the app: what can be kept of opened files, so that undo can return to any
-/// one of them. Binary STL, 50 bytes a triangle, reaches it with 5.4 million triangles, more than can be read; a
-/// browser holds the file twice, in the page and in the worker, within the 4 GiB of 32-bit addresses.
-pub const MAX_BYTES: usize = MOST_KEPT_BYTES;
-
-/// A surface file is larger than [`MAX_BYTES`].
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{name}: the file has {bytes} bytes; surfaces up to {} MiB can be read", MAX_BYTES >> 20)]
-pub struct SurfaceFileTooLarge {
-    /// The file's name.
-    pub name: String,
-    /// Its size.
-    pub bytes: usize,
-}
-
-impl From<&SurfaceFileTooLarge> for Message {
-    fn from(SurfaceFileTooLarge { name, bytes }: &SurfaceFileTooLarge) -> Self {
-        key::about(name, key::surface_file_too_large(*bytes, MAX_BYTES >> 20))
-    }
-}
-
-/// Checks the size of a file before it is kept and copied to a worker.
-pub fn check_size(name: &str, bytes: usize) -> Result<(), SurfaceFileTooLarge> {
-    if bytes > MAX_BYTES { Err(SurfaceFileTooLarge { name: name.to_owned(), bytes }) } else { Ok(()) }
-}
 
 /// Opened files, the last one at the end. Invariants: no two have one name; all but the last have
 /// `MOST_KEPT_BYTES` together at most.

@@ -58,15 +58,6 @@ impl Preparation<Option<SurfaceRequest>> {
         self.wanted.as_ref().map(|request| &request.spec)
     }
 
-    fn last_good(&self) -> Option<&SurfaceRequest> {
-        self.good()?.as_ref()
-    }
-
-    /// The source of the triangles of [`Self::prepared`].
-    pub fn source(&self) -> Option<&SurfaceSource> {
-        self.last_good().map(|request| &request.source)
-    }
-
     /// Whether a surface from a file is requested and not prepared yet.
     pub fn awaits_file(&self) -> bool {
         self.is_busy() && self.wanted().is_some_and(|spec| matches!(spec.shape, SurfaceShape::File { .. }))
@@ -84,7 +75,7 @@ impl Preparation<Option<SurfaceRequest>> {
     /// kept has no source; its name alone decides.
     pub fn is_last_good(&self, spec: &SurfaceSpec, source: Option<&SurfaceSource>) -> bool {
         let is_of = |good: &SurfaceRequest| good.spec == *spec && source.is_none_or(|source| good.source == *source);
-        self.last_good().is_some_and(is_of)
+        self.good().and_then(Option::as_ref).is_some_and(is_of)
     }
 
     /// Requests the last good surface if it is the one that `spec` describes; returns whether it is.

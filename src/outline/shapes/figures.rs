@@ -1,6 +1,6 @@
 //! Gingerbread man, heart and hand.
 
-use super::super::pen::{Pen, rounded};
+use super::super::pen::{Drawn, Pen, rounded};
 use super::mirrored;
 use crate::geometry::DVec2;
 
@@ -8,7 +8,7 @@ use crate::geometry::DVec2;
 ///
 /// The head is a polygon around a circle: rounding its corners with the circle's
 /// radius gives the circle itself.
-pub(in super::super) fn gingerbread() -> Vec<DVec2> {
+pub(in super::super) fn gingerbread() -> Drawn {
     const HEAD: f64 = 0.36;
     const MIDDLE: f64 = 0.60;
     let around = |degrees: f64, half_step: f64| {
@@ -31,7 +31,7 @@ pub(in super::super) fn gingerbread() -> Vec<DVec2> {
 }
 
 /// Two Bézier curves on each side, with a cusp at the top and a tip at the bottom.
-pub(in super::super) fn heart() -> Vec<DVec2> {
+pub(in super::super) fn heart() -> Drawn {
     let p = DVec2::new;
     let mut pen = Pen::at(p(0.0, 0.52));
     pen.cubic(p(-0.10, 0.78), p(-0.30, 0.90), p(-0.50, 0.90));
@@ -61,7 +61,7 @@ impl Finger {
 }
 
 /// An open right hand seen from its back, the thumb to the left.
-pub(in super::super) fn hand() -> Vec<DVec2> {
+pub(in super::super) fn hand() -> Drawn {
     let finger =
         |x: f64, y: f64, direction_degrees: f64, width: f64| Finger { tip: DVec2::new(x, y), direction_degrees, width };
     let thumb = finger(-0.86, 0.12, 142.0, 0.205).corners();

@@ -1,6 +1,6 @@
 //! A maple leaf: sharp lobes joined by slightly hollow curves.
 
-use super::super::pen::Pen;
+use super::super::pen::{Drawn, Pen};
 use crate::geometry::DVec2;
 
 /// The left half from the top tip down to the stem: a point, and the angle in
@@ -23,7 +23,7 @@ const HALF: [(f64, f64, f64); 15] = [
     (0.030, -0.980, 0.0),
 ];
 
-pub(in super::super) fn maple_leaf() -> Vec<DVec2> {
+pub(in super::super) fn maple_leaf() -> Drawn {
     let mut pen = Pen::at(DVec2::new(0.0, 1.0));
     for (x, y, degrees) in HALF {
         pen.bow(DVec2::new(x, y), f64::to_radians(degrees));

@@ -1,6 +1,6 @@
 //! A turkey with its tail spread, facing left.
 
-use super::super::pen::{Pen, polar};
+use super::super::pen::{Drawn, Pen, polar};
 use crate::geometry::DVec2;
 
 const FAN: DVec2 = DVec2::new(0.22, -0.06);
@@ -10,7 +10,7 @@ const FEATHERS: u32 = 9;
 const FAN_ENDS: [f64; 2] = [-28.0, 131.0];
 
 /// Counter-clockwise from the top of the head.
-pub(in super::super) fn turkey() -> Vec<DVec2> {
+pub(in super::super) fn turkey() -> Drawn {
     let p = DVec2::new;
     let mut pen = Pen::at(p(-0.655, 0.62));
     head_and_breast(&mut pen);

@@ -48,9 +48,7 @@ pub const MAX_TRIANGLES: usize = 4_000_000;
 /// at exactly equal positions are merged. All objects of an OBJ file and the
 /// default scene of a glTF file are read. Cost O(bytes).
 pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceError> {
-    if bytes.len() > MAX_BYTES {
-        return Err(SurfaceError::TooLarge { bytes: bytes.len() });
-    }
+    check_size(bytes.len())?;
     // editors put a UTF-8 byte order mark before text
     let text = bytes.strip_prefix(b"\xEF\xBB\xBF").filter(|_| !stl::is_binary(bytes));
     let bytes = text.unwrap_or(bytes);
@@ -65,6 +63,11 @@ pub fn read_surface(file_name: &str, bytes: &[u8]) -> Result<Surface, SurfaceErr
         _ => by_first_bytes(&extension, bytes),
     }?;
     if surface.triangles.is_empty() { Err(SurfaceError::NoTriangles) } else { Ok(surface) }
+}
+
+/// Checks the size of a file before its content is copied or read; `Err` above [`MAX_BYTES`].
+pub fn check_size(bytes: usize) -> Result<(), SurfaceError> {
+    if bytes > MAX_BYTES { Err(SurfaceError::TooLarge { bytes }) } else { Ok(()) }
 }
 
 /// The extensions that decide the format.

@@ -1,0 +1,31 @@
+//! Why harmonic measure cannot be computed from the boundary.
+
+use crate::geometry::DVec2;
+
+/// Why harmonic measure cannot be computed from the boundary.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BoundaryIntegralError {
+    /// The boundary needs more unknowns than the dense factor may have.
+    #[error(
+        "the boundary needs at least {needed} unknowns, more than the limit of {limit}: it has too many corners, or parts too close to each other"
+    )]
+    TooManyUnknowns {
+        /// A lower bound of the number of unknowns.
+        needed: usize,
+        /// The largest number allowed.
+        limit: usize,
+    },
+    /// Splitting the panels found no end: parts of the boundary touch, or a formula is not smooth.
+    #[error("the boundary cannot be resolved: parts of it touch, or a piece is not smooth")]
+    NotResolved,
+    /// The system of equations has no unique solution in floating point: the boundary crosses itself, or nearly so.
+    #[error("the equations of the boundary have no solution: does the boundary cross itself?")]
+    Singular,
+    /// A point does not lie inside.
+    #[error("({}, {}) is not inside the outline", .at.x, .at.y)]
+    NotInside {
+        /// The point.
+        at: DVec2,
+    },
+}

@@ -1,0 +1,122 @@
+//! Legendre series on a panel: from values at the Gauss nodes to coefficients, their values and integrals, and
+//! interpolation to the two halves of a panel.
+
+use crate::geometry::gauss_legendre;
+use std::sync::OnceLock;
+
+/// The number of nodes on a panel.
+///
+/// 12 nodes leave errors of 1e-11 inside of the panels next to a corner, 16 leave 1e-14 (square, L-shape); 20 cost
+/// twice the time of 16 for the same panels.
+pub const NODES: usize = 16;
+
+/// Values or coefficients on one panel.
+pub type Values = [f64; NODES];
+
+/// The rule of a panel and its interpolation matrices.
+#[derive(Debug)]
+pub struct Rule {
+    /// Nodes on [−1, 1], ascending.
+    pub nodes: Values,
+    /// Weights.
+    pub weights: Values,
+    /// `to_series[k][j]`: coefficient k from the value at node j.
+    to_series: [Values; NODES],
+    /// `halves[side][i][j]`: the value at node i of the left or right half from the value at node j of the whole.
+    pub halves: [[Values; NODES]; 2],
+    /// `from_left[i][j]`: the integral from −1 to node i from the value at node j.
+    from_left: [Values; NODES],
+}
+
+/// P₀ … P_NODES at x.
+fn polynomials(x: f64) -> [f64; NODES + 1] {
+    let mut p = [1.0; NODES + 1];
+    p[1] = x;
+    for k in 2..=NODES {
+        let n = k as f64;
+        p[k] = ((2.0 * n - 1.0) * x * p[k - 1] - (n - 1.0) * p[k - 2]) / n;
+    }
+    p
+}
+
+/// The values at x of Σ cₖ Pₖ and of its integral from −1.
+pub fn series(coefficients: &Values, x: f64) -> (f64, f64) {
+    let p = polynomials(x);
+    let mut value = coefficients[0];
+    let mut integral = coefficients[0] * (x + 1.0);
+    for k in 1..NODES {
+        value += coefficients[k] * p[k];
+        integral += coefficients[k] * (p[k + 1] - p[k - 1]) / (2 * k + 1) as f64;
+    }
+    (value, integral)
+}
+
+impl Rule {
+    /// The rule; computed once.
+    pub fn get() -> &'static Self {
+        static RULE: OnceLock<Rule> = OnceLock::new();
+        RULE.get_or_init(Self::new)
+    }
+
+    fn new() -> Self {
+        let rule = gauss_legendre(NODES);
+        let nodes: Values = std::array::from_fn(|k| rule[k].0);
+        let weights: Values = std::array::from_fn(|k| rule[k].1);
+        let at_nodes = nodes.map(polynomials);
+        // the rule is exact for products of Pₖ and polynomials of the interpolating degree
+        let to_series: [Values; NODES] =
+            std::array::from_fn(|k| std::array::from_fn(|j| 0.5 * (2 * k + 1) as f64 * weights[j] * at_nodes[j][k]));
+        let unit = |j: usize| -> Values { std::array::from_fn(|k| to_series[k][j]) };
+        let halves = [-0.5, 0.5].map(|middle| {
+            std::array::from_fn(|i| std::array::from_fn(|j| series(&unit(j), middle + 0.5 * nodes[i]).0))
+        });
+        let from_left = std::array::from_fn(|i| std::array::from_fn(|j| series(&unit(j), nodes[i]).1));
+        Self { nodes, weights, to_series, halves, from_left }
+    }
+
+    /// The Legendre coefficients of the polynomial with these values at the nodes.
+    pub fn coefficients(&self, values: &Values) -> Values {
+        std::array::from_fn(|k| dot(&self.to_series[k], values))
+    }
+
+    /// The integrals from −1 to each node of the polynomial with these values at the nodes.
+    pub fn integrals(&self, values: &Values) -> Values {
+        std::array::from_fn(|i| dot(&self.from_left[i], values))
+    }
+}
+
+fn dot(a: &Values, b: &Values) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The larger of the last two coefficients: how far a function is from being resolved.
+pub fn last_two(coefficients: &Values) -> f64 {
+    coefficients[NODES - 1].abs().max(coefficients[NODES - 2].abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smooth_function_is_interpolated_and_integrated() {
+        let rule = Rule::get();
+        let values = rule.nodes.map(|x| (2.0 * x + 0.3).sin());
+        let coefficients = rule.coefficients(&values);
+        for k in 0..=20 {
+            let x = -1.0 + 0.1 * f64::from(k);
+            let (value, integral) = series(&coefficients, x);
+            assert!((value - (2.0 * x + 0.3).sin()).abs() < 1e-14, "at {x}");
+            let exact = 0.5 * ((-1.7_f64).cos() - (2.0 * x + 0.3).cos());
+            assert!((integral - exact).abs() < 1e-14, "to {x}: {integral} for {exact}");
+        }
+        for (side, half) in rule.halves.iter().enumerate() {
+            for (row, node) in half.iter().zip(rule.nodes) {
+                let x = side as f64 - 0.5 + 0.5 * node;
+                assert!((dot(row, &values) - (2.0 * x + 0.3).sin()).abs() < 1e-14);
+            }
+        }
+        let integrals = rule.integrals(&values);
+        assert!(rule.nodes.iter().zip(integrals).all(|(&x, i)| (series(&coefficients, x).1 - i).abs() < 1e-15));
+    }
+}

@@ -1,0 +1,248 @@
+//! Harmonic measure along the curve: of pieces, of arcs between any two points, and from an anchor both ways.
+
+use super::corner::Compressed;
+use super::layout::{Block, End, Layout};
+use super::legendre::{NODES, Rule};
+use super::span::Span;
+use super::system::{System, gather};
+use crate::geometry::{Curve, CurvePoint};
+use faer::Mat;
+
+/// The harmonic measure of the boundary, seen from one interior point; its total is 1.
+#[derive(Debug, Clone)]
+pub struct HarmonicMeasure {
+    /// In the order of the curve.
+    spans: Vec<Span>,
+    /// The first span of each piece, and the number of spans.
+    first: Vec<usize>,
+    error: f64,
+}
+
+/// The measure at which the recursion into a corner ends, as a power of 2: what is left is a power of the distance.
+const DEPTH: f64 = 50.0;
+
+/// The spans of a block on both its legs, from the junction outwards.
+fn block_spans(
+    curve: &Curve,
+    block: &Block,
+    compressed: &Compressed,
+    exponent: f64,
+    density: Mat<f64>,
+) -> [Vec<Span>; 2] {
+    let count = curve.pieces().len();
+    let pieces = [(block.junction + count - 1) % count, block.junction];
+    let ends = [End::Finish, End::Start];
+    let outer_panels = block.mesh.outer();
+    let (mut spans, mut density, mut shrink) = ([Vec::new(), Vec::new()], density, 1.0);
+    let depth = (DEPTH / exponent.min(1.0)).ceil() as usize;
+    for level in 0..depth {
+        let step = compressed.step(level);
+        let outer = &step.outer * &density;
+        for leg in 0..2 {
+            let unit = block.scales[leg] * shrink;
+            for (k, &(start, length)) in outer_panels.iter().enumerate().rev() {
+                let row = (leg * outer_panels.len() + k) * NODES;
+                let half = 0.5 * length * unit * curve.lengths()[pieces[leg]];
+                let values = std::array::from_fn(|i| half * outer[(row + i, 0)]);
+                spans[leg].push(Span::new(pieces[leg], ends[leg], [start * unit, (start + length) * unit], &values));
+            }
+        }
+        density = &step.inner * &density;
+        shrink *= 0.5;
+    }
+    let rest = &compressed.innermost * &density;
+    for leg in 0..2 {
+        let unit = block.scales[leg] * shrink;
+        let weight = |k: usize| 0.5 * unit * curve.lengths()[pieces[leg]] * Rule::get().weights[k % NODES];
+        let rows = block.mesh.panels * NODES;
+        let measure = (0..rows).map(|k| weight(k) * rest[(leg * rows + k, 0)]).sum();
+        let to = unit * block.mesh.panels as f64;
+        spans[leg].push(Span::rest(pieces[leg], ends[leg], to, measure, exponent));
+    }
+    spans.map(|mut list| {
+        list.reverse();
+        list
+    })
+}
+
+impl HarmonicMeasure {
+    /// From the transformed density of the interior problem.
+    pub(super) fn new(curve: &Curve, layout: &Layout, system: &System, transformed: &[f64]) -> Self {
+        let mut of_blocks: Vec<[Vec<Span>; 2]> = Vec::new();
+        for (block, (rows, compressed)) in layout.blocks.iter().zip(system.blocks()) {
+            let exponent = super::Problem::Interior.exponent(curve.junctions()[block.junction]);
+            of_blocks.push(block_spans(curve, block, compressed, exponent, gather(rows, transformed)));
+        }
+        let (mut spans, mut first) = (Vec::new(), vec![0]);
+        let mut panels = layout.panels.iter().enumerate().peekable();
+        let mut taken: Option<(usize, End)> = None;
+        for piece in 0..curve.pieces().len() {
+            while let Some((index, panel)) = panels.next_if(|(_, panel)| panel.piece == piece) {
+                let Some(block) = panel.block else {
+                    let half = 0.5 * (panel.to - panel.from) * curve.lengths()[piece];
+                    let values = std::array::from_fn(|i| half * transformed[index * NODES + i]);
+                    spans.push(Span::new(piece, panel.end, [panel.from, panel.to], &values));
+                    continue;
+                };
+                // the first panel of a block stands for all of its leg
+                if taken != Some((block, panel.end)) {
+                    taken = Some((block, panel.end));
+                    match panel.end {
+                        End::Start => spans.append(&mut of_blocks[block][1]),
+                        End::Finish => spans.extend(std::mem::take(&mut of_blocks[block][0]).into_iter().rev()),
+                    }
+                }
+            }
+            first.push(spans.len());
+        }
+        let mut measure = Self { spans, first, error: 0.0 };
+        let total: f64 = measure.spans.iter().map(|span| span.measure).sum();
+        let unresolved = measure.spans.iter().map(Span::unresolved).fold(0.0, f64::max);
+        measure.error = unresolved.max((total - 1.0).abs()).max(f64::EPSILON);
+        measure
+    }
+
+    /// Takes a residual of an identity into the error estimate.
+    pub(super) fn with_residual(mut self, residual: f64) -> Self {
+        self.error = self.error.max(residual);
+        self
+    }
+
+    /// An estimate of the largest error of ω along the boundary: the residuals of ∫ dω = 1, ∫ z dω = x and
+    /// ∫ log|z − a| dω = log|x − a|, and what the last coefficients of the panels leave open.
+    pub fn error_estimate(&self) -> f64 {
+        self.error
+    }
+
+    /// The measure of each piece of the curve.
+    pub fn pieces(&self) -> Vec<f64> {
+        let sum = |pair: &[usize]| self.spans[pair[0]..pair[1]].iter().map(|span| span.measure).sum();
+        self.first.windows(2).map(sum).collect()
+    }
+
+    /// The index of the span that contains a point.
+    fn span(&self, point: CurvePoint) -> usize {
+        let piece = point.piece().min(self.first.len() - 2);
+        let (first, end) = (self.first[piece], self.first[piece + 1]);
+        let inside = self.spans[first..end].partition_point(|span| span.is_before(point));
+        (first + inside).min(end - 1)
+    }
+
+    /// The measure of the arc from `a` counter-clockwise to `b`; small arcs keep their relative accuracy. 0 if both
+    /// are one point.
+    pub fn between(&self, a: CurvePoint, b: CurvePoint) -> f64 {
+        let (first, last) = (self.span(a), self.span(b));
+        let ([before_a, after_a], [before_b, _]) = (self.spans[first].parts(a), self.spans[last].parts(b));
+        if first == last && before_b >= before_a {
+            return before_b - before_a;
+        }
+        let count = self.spans.len();
+        let spans_between = (last + count - first - 1) % count;
+        let whole: f64 = (1..=spans_between).map(|k| self.spans[(first + k) % count].measure).sum();
+        after_a + whole + before_b
+    }
+
+    /// The measure counted from a boundary point.
+    pub fn from_anchor(&self, anchor: CurvePoint) -> AnchoredMeasure<'_> {
+        AnchoredMeasure::new(self, anchor)
+    }
+}
+
+/// Harmonic measure counted from an anchor, counter-clockwise and clockwise: each keeps its relative accuracy next to
+/// the anchor.
+#[derive(Debug, Clone)]
+pub struct AnchoredMeasure<'a> {
+    measure: &'a HarmonicMeasure,
+    anchor: CurvePoint,
+    /// The anchor's span.
+    start: usize,
+    /// The measure from the anchor to the beginning of segment k. Segments are the spans from the anchor on; the
+    /// first one begins, and the last one ends, at the anchor.
+    forward: Vec<f64>,
+    /// The measure from the end of segment k on to the anchor.
+    backward: Vec<f64>,
+}
+
+impl<'a> AnchoredMeasure<'a> {
+    fn new(measure: &'a HarmonicMeasure, anchor: CurvePoint) -> Self {
+        let (start, count) = (measure.span(anchor), measure.spans.len());
+        let [before, after] = measure.spans[start].parts(anchor);
+        let segment = |k: usize| match k {
+            0 => after,
+            _ if k == count => before,
+            _ => measure.spans[(start + k) % count].measure,
+        };
+        let sums = |segments: &mut dyn Iterator<Item = usize>| {
+            let mut sum = 0.0;
+            let step = |k: usize| {
+                let so_far = sum;
+                // a tiny measure that rounding has made negative counts as none: ω does not decrease
+                sum += segment(k).max(0.0);
+                so_far
+            };
+            segments.map(step).collect::<Vec<f64>>()
+        };
+        let forward = sums(&mut (0..=count));
+        let mut backward = sums(&mut (0..=count).rev());
+        backward.reverse();
+        Self { measure, anchor, start, forward, backward }
+    }
+
+    /// The sum of all steps: 1 up to the error.
+    fn total(&self) -> f64 {
+        self.backward[0] + self.measure.spans[self.start].parts(self.anchor)[1].max(0.0)
+    }
+
+    /// The segment that contains a point, and the measure of its parts before and after the point.
+    fn segment(&self, point: CurvePoint) -> (usize, [f64; 2]) {
+        let (measure, count) = (self.measure, self.measure.spans.len());
+        let span = measure.span(point);
+        let [before, after] = measure.spans[span].parts(point);
+        if span != self.start {
+            return ((span + count - self.start) % count, [before, after]);
+        }
+        let [before_anchor, after_anchor] = measure.spans[span].parts(self.anchor);
+        let is_behind = point.piece() == self.anchor.piece()
+            && (point.from_start() < self.anchor.from_start() || point.to_end() > self.anchor.to_end());
+        if is_behind { (count, [before, before_anchor - before]) } else { (0, [after_anchor - after, after]) }
+    }
+
+    /// The measure of the arc from the anchor counter-clockwise to the point.
+    pub fn forward(&self, point: CurvePoint) -> f64 {
+        let (k, [before, _]) = self.segment(point);
+        (self.forward[k] + before.max(0.0)) / self.total()
+    }
+
+    /// The measure of the arc from the point counter-clockwise to the anchor: 1 less than the other, but with its own
+    /// relative accuracy.
+    pub fn backward(&self, point: CurvePoint) -> f64 {
+        let (k, [_, after]) = self.segment(point);
+        (self.backward[k] + after.max(0.0)) / self.total()
+    }
+
+    /// The point with the measure `forward` in [0, 1] behind it, counter-clockwise from the anchor.
+    pub fn point_at(&self, forward: f64) -> CurvePoint {
+        let wanted = forward.clamp(0.0, 1.0) * self.total();
+        let k = self.forward.partition_point(|&sum| sum <= wanted).max(1) - 1;
+        let (own, [before_anchor, _]) = self.within(k);
+        // in the first segment, the measure counts from the anchor
+        let offset = if k == 0 { before_anchor } else { 0.0 };
+        own.point(offset + (wanted - self.forward[k]), false)
+    }
+
+    /// The point with the measure `backward` in [0, 1] ahead of it, clockwise from the anchor.
+    pub fn point_before(&self, backward: f64) -> CurvePoint {
+        let wanted = backward.clamp(0.0, 1.0) * self.total();
+        let k = self.backward.partition_point(|&sum| sum > wanted).min(self.backward.len() - 1);
+        let (own, [_, after_anchor]) = self.within(k);
+        let offset = if k + 1 == self.backward.len() { after_anchor } else { 0.0 };
+        own.point(offset + (wanted - self.backward[k]), true)
+    }
+
+    /// The span of a segment, and the parts of it around the anchor.
+    fn within(&self, segment: usize) -> (&Span, [f64; 2]) {
+        let spans = &self.measure.spans;
+        let span = &spans[(self.start + segment) % spans.len()];
+        (span, spans[self.start].parts(self.anchor))
+    }
+}

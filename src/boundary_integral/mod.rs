@@ -1,0 +1,154 @@
+//! Harmonic measure from the boundary alone, and conformal invariants.
+//!
+//! For x inside of a closed curve Γ with outward normal n, the density μ of harmonic measure by arc length solves
+//!
+//! (½ I − K*) μ = r_x,  (K*μ)(y) = −(1/2π) ∫ n_y·(y − s)/|y − s|² μ(s) ds,  r_x(y) = (1/2π) n_y·(y − x)/|y − x|²:
+//!
+//! the charge swept from x onto Γ has the potential of x everywhere outside. The matrix does not depend on x: it is
+//! factored once, and one dense back-substitution gives the measure from another point. Nyström's method on
+//! Gauss–Legendre panels; what is next to a corner, or next to a jump of the curvature, is compressed (`corner`).
+//! Densities below about 1e-15 of the largest one may have either sign.
+
+mod corner;
+mod elliptic;
+mod error;
+mod invariants;
+mod layout;
+mod leg;
+mod legendre;
+mod measure;
+mod span;
+mod system;
+
+use crate::geometry::{Curve, DVec2};
+use corner::Problem;
+pub use error::BoundaryIntegralError;
+pub use invariants::{Estimate, Invariants, InvariantsRequest, invariants};
+use layout::{Fineness, Layout, layout};
+pub use measure::{AnchoredMeasure, HarmonicMeasure};
+use system::System;
+
+/// The default limit of the number of unknowns. Matrix and factor then take 0.5 GB, and the factor 3 s on one thread.
+pub const MAX_UNKNOWNS: usize = 4096;
+
+/// How a boundary is divided.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    near: Vec<DVec2>,
+    fineness: Fineness,
+    max_unknowns: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { near: Vec::new(), fineness: Fineness::STANDARD, max_unknowns: MAX_UNKNOWNS }
+    }
+}
+
+impl Settings {
+    /// Panels that also resolve harmonic measure from these points, which may lie next to the boundary. Points far
+    /// from the boundary need not be named, and one that is not named costs digits, not validity.
+    #[must_use]
+    pub fn with_points(mut self, points: &[DVec2]) -> Self {
+        self.near = points.to_vec();
+        self
+    }
+
+    /// About twice the unknowns, to compare with.
+    #[must_use]
+    pub fn finer(mut self) -> Self {
+        self.fineness = Fineness::FINE;
+        self
+    }
+
+    /// The limit of the number of unknowns.
+    #[must_use]
+    pub fn with_max_unknowns(mut self, max_unknowns: usize) -> Self {
+        self.max_unknowns = max_unknowns;
+        self
+    }
+}
+
+/// The factored equation of a curve.
+#[derive(Debug)]
+pub struct BoundaryIntegral {
+    curve: Curve,
+    layout: Layout,
+    system: System,
+    /// Points outside, for the identity of the logarithm.
+    outside: Vec<DVec2>,
+    extent: f64,
+}
+
+/// The largest number of points outside that the error estimate uses.
+const OUTSIDE_POINTS: usize = 8;
+
+impl BoundaryIntegral {
+    /// Divides the curve into panels, assembles and factors the equation. O(N³) for N unknowns, on one thread.
+    pub fn prepare(curve: &Curve, settings: &Settings) -> Result<Self, BoundaryIntegralError> {
+        let layout = layout(curve, &settings.near, settings.fineness, settings.max_unknowns)?;
+        let system = System::new(curve, &layout, Problem::Interior);
+        let outside = outside_points(curve, &layout, &system);
+        let origin = curve.pieces()[0].jet(0.0).position;
+        let extent = system.places().map(|place| place.distance(origin)).fold(0.0, f64::max);
+        Ok(Self { curve: curve.clone(), layout, system, outside, extent })
+    }
+
+    /// The curve.
+    pub fn curve(&self) -> &Curve {
+        &self.curve
+    }
+
+    /// The number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.system.unknowns()
+    }
+
+    /// The harmonic measure from `x`, which must lie inside. O(N²).
+    pub fn harmonic_measure(&self, x: DVec2) -> Result<HarmonicMeasure, BoundaryIntegralError> {
+        if !self.curve.contains(x) {
+            return Err(BoundaryIntegralError::NotInside { at: x });
+        }
+        let transformed = self.system.harmonic(x);
+        let charges = self.system.charges(&transformed);
+        if !charges.iter().all(|charge| charge.is_finite()) {
+            return Err(BoundaryIntegralError::Singular);
+        }
+        let measure = HarmonicMeasure::new(&self.curve, &self.layout, &self.system, &transformed);
+        Ok(measure.with_residual(self.residual(&charges, x)))
+    }
+
+    /// ∫ log|s − a| dω_x(s), for any `a` that is not too near to the boundary.
+    pub fn logarithmic_mean(&self, x: DVec2, a: DVec2) -> f64 {
+        let charges = self.system.charges(&self.system.harmonic(x));
+        self.system.logarithm(&charges, a)
+    }
+
+    /// The largest residual of ∫ z dω = x, in extents of the curve, and of ∫ log|z − a| dω = log|x − a|.
+    fn residual(&self, charges: &[f64], x: DVec2) -> f64 {
+        let total: f64 = charges.iter().sum();
+        let mean: DVec2 = self.system.nodes().zip(charges).map(|((b, n), q)| *q * ((b - x) + n.offset)).sum();
+        let logarithm = |a: &DVec2| (self.system.logarithm(charges, *a) - x.distance(*a).ln()).abs();
+        let of_logarithms = self.outside.iter().map(logarithm).fold(0.0, f64::max);
+        (mean.length() / self.extent).max(of_logarithms).max((total - 1.0).abs())
+    }
+}
+
+/// The least distance of a point outside from a panel, in lengths of the panel: the panel's rule then integrates the
+/// logarithm to 1e-13.
+const CLEAR: f64 = 0.7;
+
+/// Points outside, each at about the distance of a panel's length from the panel's middle, and not much nearer to any
+/// other part of the boundary.
+fn outside_points(curve: &Curve, layout: &Layout, system: &System) -> Vec<DVec2> {
+    let step = layout.panels.len().div_ceil(OUTSIDE_POINTS).max(1);
+    let places: Vec<DVec2> = system.places().collect();
+    let lengths = system.panel_lengths();
+    let point = |(k, (base, node)): (usize, (DVec2, &leg::Node))| {
+        let a = base + node.offset + lengths[k] * node.normal.normalize_or_zero();
+        let is_clear = |(i, place): (usize, &DVec2)| place.distance(a) > CLEAR * lengths[i / legendre::NODES];
+        (places.iter().enumerate().all(is_clear) && !curve.contains(a)).then_some(a)
+    };
+    let middles = system.nodes().skip(legendre::NODES / 2).step_by(legendre::NODES);
+    middles.enumerate().step_by(step).filter_map(point).collect()
+}

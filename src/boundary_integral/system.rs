@@ -1,0 +1,263 @@
+//! The global system (I ± K° R) ρ̃ = g: its nodes, its matrix and its dense LU factor.
+
+use super::corner::{Compressed, Problem, compress};
+use super::layout::{End, Layout, Panel};
+use super::leg::{Leg, Node, kernel};
+use super::legendre::{NODES, Rule};
+use crate::geometry::{Curve, DVec2, Junction};
+use faer::Mat;
+use faer::linalg::solvers::{PartialPivLu, Solve as _};
+
+/// The nodes of one panel, in the order of its parameter.
+#[derive(Debug, Clone)]
+pub struct PanelNodes {
+    /// The junction that offsets are relative to.
+    pub junction: usize,
+    /// The nodes.
+    pub nodes: [Node; NODES],
+    /// The nodes relative to the panel's first and last point in the direction of the curve.
+    ends: [[DVec2; NODES]; 2],
+}
+
+impl PanelNodes {
+    fn new(curve: &Curve, panel: &Panel) -> Self {
+        let rule = Rule::get();
+        let is_incoming = panel.end == End::Finish;
+        let leg = Leg::new(curve, panel.piece, is_incoming);
+        let half = 0.5 * (panel.to - panel.from);
+        let at = |k: usize| panel.from + half * (1.0 + rule.nodes[k]);
+        let slopes: [DVec2; NODES] = std::array::from_fn(|k| half * leg.length * leg.outward(at(k)));
+        let [x, y] = [0, 1].map(|i| rule.integrals(&std::array::from_fn(|k| slopes[k][i])));
+        let whole: DVec2 = slopes.iter().zip(rule.weights).map(|(d, w)| w * *d).sum();
+        let near: [DVec2; NODES] = std::array::from_fn(|k| DVec2::new(x[k], y[k]));
+        let far = near.map(|offset| offset - whole);
+        Self {
+            junction: if is_incoming { (panel.piece + 1) % curve.pieces().len() } else { panel.piece },
+            nodes: std::array::from_fn(|k| leg.node(at(k), half * rule.weights[k])),
+            ends: if is_incoming { [far, near] } else { [near, far] },
+        }
+    }
+}
+
+/// A factored system.
+#[derive(Debug)]
+pub struct System {
+    panels: Vec<PanelNodes>,
+    /// The places of the junctions.
+    bases: Vec<DVec2>,
+    /// For each block the first rows of its panels, in the block's order, and its compressed matrix.
+    blocks: Vec<(Vec<usize>, Compressed)>,
+    factor: PartialPivLu<f64>,
+}
+
+impl System {
+    /// Assembles and factors the system.
+    pub fn new(curve: &Curve, layout: &Layout, problem: Problem) -> Self {
+        let panels: Vec<PanelNodes> = layout.panels.iter().map(|panel| PanelNodes::new(curve, panel)).collect();
+        let bases: Vec<DVec2> = curve.pieces().iter().map(|piece| piece.jet(0.0).position).collect();
+        let blocks = compressed_blocks(curve, layout, problem);
+        let mut matrix = kernels(curve, layout, &panels, &bases, problem.sign());
+        for (rows, compressed) in &blocks {
+            multiply_columns(&mut matrix, rows, &compressed.matrix);
+        }
+        for k in 0..matrix.nrows() {
+            matrix[(k, k)] += 1.0;
+        }
+        let mut system = Self { panels, bases, blocks, factor: PartialPivLu::new(Mat::<f64>::identity(1, 1).as_ref()) };
+        if problem == Problem::Exterior {
+            system.complete(&mut matrix);
+        }
+        system.factor = PartialPivLu::new(matrix.as_ref());
+        system
+    }
+
+    /// Adds the total charge, times |z′|/length, to the singular system of the exterior: the solution then has total 1.
+    fn complete(&self, matrix: &mut Mat<f64>) {
+        let weights: Vec<f64> = self.nodes().map(|(_, node)| node.weight).collect();
+        let total: f64 = weights.iter().sum();
+        let column: Vec<f64> = self.uniform().collect();
+        let mut row = Mat::from_fn(1, weights.len(), |_, j| weights[j] / total);
+        for (rows, compressed) in &self.blocks {
+            multiply_columns(&mut row, rows, &compressed.matrix);
+        }
+        for j in 0..weights.len() {
+            for i in 0..weights.len() {
+                matrix[(i, j)] += column[i] * row[(0, j)];
+            }
+        }
+    }
+
+    /// |dz/dλ| at the nodes: the density of arc length.
+    fn uniform(&self) -> impl Iterator<Item = f64> + '_ {
+        self.nodes().map(|(_, node)| node.normal.length())
+    }
+
+    /// All nodes with the place that their offsets are relative to.
+    pub fn nodes(&self) -> impl Iterator<Item = (DVec2, &Node)> + '_ {
+        self.panels.iter().flat_map(|panel| panel.nodes.iter().map(|node| (self.bases[panel.junction], node)))
+    }
+
+    /// The places of all nodes.
+    pub fn places(&self) -> impl Iterator<Item = DVec2> + '_ {
+        self.nodes().map(|(base, node)| base + node.offset)
+    }
+
+    /// The lengths of the panels.
+    pub fn panel_lengths(&self) -> Vec<f64> {
+        let length = |panel: &PanelNodes| panel.nodes.iter().map(|node| node.weight * node.normal.length()).sum();
+        self.panels.iter().map(length).collect()
+    }
+
+    /// Σ q log|s − a| over the charges.
+    pub fn logarithm(&self, charges: &[f64], a: DVec2) -> f64 {
+        self.nodes().zip(charges).map(|((base, node), q)| q * ((base - a) + node.offset).length().ln()).sum()
+    }
+
+    /// The number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.panels.len() * NODES
+    }
+
+    /// The compressed blocks, in the order of the layout.
+    pub fn blocks(&self) -> &[(Vec<usize>, Compressed)] {
+        &self.blocks
+    }
+
+    /// The transformed density ρ̃ of harmonic measure from x.
+    pub fn harmonic(&self, x: DVec2) -> Vec<f64> {
+        self.solution(self.nodes().map(|(base, node)| kernel(node.normal, (base - x) + node.offset)))
+    }
+
+    /// The transformed density of the equilibrium measure, up to a factor.
+    pub fn equilibrium(&self) -> Vec<f64> {
+        self.solution(self.uniform())
+    }
+
+    fn solution(&self, right: impl Iterator<Item = f64>) -> Vec<f64> {
+        let right: Vec<f64> = right.collect();
+        let mut column = Mat::from_fn(right.len(), 1, |i, _| right[i]);
+        self.factor.solve_in_place(column.as_mut());
+        (0..right.len()).map(|i| column[(i, 0)]).collect()
+    }
+
+    /// The measure of each node, weight times R ρ̃: sums of smooth functions over them are integrals.
+    pub fn charges(&self, transformed: &[f64]) -> Vec<f64> {
+        let mut charges = transformed.to_vec();
+        for (rows, compressed) in &self.blocks {
+            let density = &compressed.matrix * gather(rows, transformed);
+            for (k, i) in indices(rows).enumerate() {
+                charges[i] = density[(k, 0)];
+            }
+        }
+        charges.iter_mut().zip(self.nodes()).for_each(|(charge, (_, node))| *charge *= node.weight);
+        charges
+    }
+}
+
+/// The rows of a block's nodes, given the first row of each of its panels.
+fn indices(rows: &[usize]) -> impl Iterator<Item = usize> + '_ {
+    rows.iter().flat_map(|&row| row..row + NODES)
+}
+
+/// The values at a block's nodes.
+pub fn gather(rows: &[usize], values: &[f64]) -> Mat<f64> {
+    Mat::from_fn(rows.len() * NODES, 1, |k, _| values[rows[k / NODES] + k % NODES])
+}
+
+/// The columns of a block times its matrix.
+fn multiply_columns(matrix: &mut Mat<f64>, rows: &[usize], r: &Mat<f64>) {
+    let part = Mat::from_fn(matrix.nrows(), rows.len() * NODES, |i, k| matrix[(i, rows[k / NODES] + k % NODES)]);
+    let product = &part * r;
+    for (k, j) in indices(rows).enumerate() {
+        matrix.col_mut(j).copy_from(product.col(k));
+    }
+}
+
+/// Angles that differ by less have one matrix.
+const SAME_ANGLE: f64 = 1e-15;
+
+fn compressed_blocks(curve: &Curve, layout: &Layout, problem: Problem) -> Vec<(Vec<usize>, Compressed)> {
+    let mut known: Vec<(f64, usize, Compressed)> = Vec::new();
+    let mut compressed = |block: &super::layout::Block| {
+        let (legs, junction) = (Leg::both(curve, block.junction), curve.junctions()[block.junction]);
+        let straight_angle = match junction {
+            Junction::Corner { angle } if legs.iter().all(Leg::is_straight) => Some(angle),
+            _ => None,
+        };
+        let same = |(angle, panels, _): &&(f64, usize, Compressed)| {
+            straight_angle.is_some_and(|own| (own - angle).abs() <= SAME_ANGLE * own) && *panels == block.mesh.panels
+        };
+        if let Some((.., found)) = known.iter().find(same) {
+            return found.clone();
+        }
+        let new = compress(&legs, junction, block.mesh, block.scales, problem);
+        if let Some(angle) = straight_angle {
+            known.push((angle, block.mesh.panels, new.clone()));
+        }
+        new
+    };
+    let rows = |panels: &[usize]| panels.iter().map(|panel| panel * NODES).collect();
+    layout.blocks.iter().map(|block| (rows(&block.panels), compressed(block))).collect()
+}
+
+/// ± K° with weights: zero within blocks and within straight lines.
+fn kernels(curve: &Curve, layout: &Layout, panels: &[PanelNodes], bases: &[DVec2], sign: f64) -> Mat<f64> {
+    let size = panels.len() * NODES;
+    let mut matrix = Mat::zeros(size, size);
+    let count = panels.len();
+    for (b, source) in panels.iter().enumerate() {
+        for (a, target) in panels.iter().enumerate() {
+            let (p, q) = (&layout.panels[a], &layout.panels[b]);
+            let in_one_line = p.piece == q.piece && curve.pieces()[p.piece].is_straight();
+            if in_one_line || (p.block.is_some() && p.block == q.block) {
+                continue;
+            }
+            let pair = Pair {
+                difference: bases[target.junction] - bases[source.junction],
+                is_same: a == b,
+                // the target's offsets from its first point and the source's from its last one, or the other way round
+                shared: if count < 3 { None } else { shared_end(a, b, count) },
+            };
+            for j in 0..NODES {
+                for i in 0..NODES {
+                    let value = pair.kernel(target, source, i, j);
+                    matrix[(a * NODES + i, b * NODES + j)] = sign * value * source.nodes[j].weight;
+                }
+            }
+        }
+    }
+    matrix
+}
+
+/// Which end of the target panel is an end of the source panel, if they are neighbours: 0 the first, 1 the last.
+fn shared_end(target: usize, source: usize, count: usize) -> Option<usize> {
+    if (source + 1) % count == target {
+        Some(0)
+    } else if (target + 1) % count == source {
+        Some(1)
+    } else {
+        None
+    }
+}
+
+/// How differences of nodes of two panels are formed.
+struct Pair {
+    difference: DVec2,
+    is_same: bool,
+    shared: Option<usize>,
+}
+
+impl Pair {
+    fn kernel(&self, target: &PanelNodes, source: &PanelNodes, i: usize, j: usize) -> f64 {
+        let (y, s) = (&target.nodes[i], &source.nodes[j]);
+        if self.is_same && i == j {
+            return y.diagonal;
+        }
+        let difference = match self.shared {
+            _ if self.is_same => target.ends[0][i] - source.ends[0][j],
+            Some(end) => target.ends[end][i] - source.ends[1 - end][j],
+            None => self.difference + (y.offset - s.offset),
+        };
+        kernel(y.normal, difference)
+    }
+}

@@ -1,0 +1,123 @@
+//! `riemap invariants`: conformal invariants of an outline, each with its error.
+
+use super::CliError;
+use super::arguments::read_outline;
+use super::invariants_arguments::InvariantsArguments;
+use super::output::print;
+use crate::boundary_integral::{BoundaryIntegralError, Estimate, Invariants, InvariantsRequest, invariants};
+use crate::geometry::Curve;
+use crate::outline::Preset;
+use std::fmt::Write as _;
+use std::str::FromStr as _;
+
+/// Computes and prints the invariants.
+pub fn run(arguments: &InvariantsArguments) -> Result<(), CliError> {
+    let given = Given::read(arguments)?;
+    let marks = arguments.marks.map(|marks| marks.0.map(|fraction| given.curve.point_at_fraction(fraction)));
+    let request = InvariantsRequest::new(arguments.point.0)
+        .with_second_point(arguments.second_point.map(|point| point.0))
+        .with_marks(marks);
+    let found = invariants(&given.curve, &request).map_err(|error| refused(arguments, &error))?;
+    let measures = given.measures(&found);
+    if arguments.json {
+        let report = Report {
+            harmonic_measure: measures.into_iter().map(Number::from).collect(),
+            conformal_radius: found.conformal_radius.into(),
+            capacity: found.capacity.into(),
+            modulus: found.modulus.map(Number::from),
+            hyperbolic_distance: found.hyperbolic_distance.map(Number::from),
+            unknowns: found.unknowns,
+        };
+        let text = serde_json::to_string_pretty(&report).map_err(|error| CliError::Input(error.to_string()))?;
+        return print(&text);
+    }
+    print(&table(&found, &measures))
+}
+
+/// An outline as a curve.
+struct Given {
+    curve: Curve,
+    /// Whether the file's points ran clockwise, so that the curve's pieces are its sides in the opposite order.
+    is_reversed: bool,
+}
+
+impl Given {
+    /// A preset by its formulas, or a file's polygon.
+    fn read(arguments: &InvariantsArguments) -> Result<Self, CliError> {
+        let name = &arguments.outline;
+        let refused = |error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
+        if let Some(Ok(preset)) = name.strip_prefix("preset:").map(Preset::from_str) {
+            return Ok(Self { curve: preset.curve().map_err(|error| refused(&error))?, is_reversed: false });
+        }
+        let named = read_outline(name, arguments.repair)?;
+        named.say_notes(name);
+        let polygon = named.outline.polygon();
+        let curve = Curve::from_polygon(polygon).map_err(|error| refused(&error))?;
+        Ok(Self { curve, is_reversed: polygon.was_clockwise() })
+    }
+
+    /// The measures of the arcs from mark to mark, or else of the sides in the file's order.
+    fn measures(&self, found: &Invariants) -> Vec<Estimate> {
+        let mut sides = found.pieces.clone();
+        if self.is_reversed {
+            // the first point stays first, so the file's side 0 is the last piece
+            sides.reverse();
+        }
+        found.arcs.map_or(sides, |arcs| arcs.to_vec())
+    }
+}
+
+fn refused(arguments: &InvariantsArguments, error: &BoundaryIntegralError) -> CliError {
+    let option = match error {
+        BoundaryIntegralError::NotInside { at } if *at == arguments.point.0 => "--point: ",
+        BoundaryIntegralError::NotInside { .. } => "--second-point: ",
+        _ => "",
+    };
+    CliError::Input(format!("{}: {option}{error}", arguments.outline))
+}
+
+/// A number of the report.
+#[derive(Debug, serde::Serialize)]
+struct Number {
+    value: f64,
+    error: f64,
+}
+
+impl From<Estimate> for Number {
+    fn from(Estimate { value, error }: Estimate) -> Self {
+        Self { value, error }
+    }
+}
+
+/// The report of `--json`.
+#[derive(Debug, serde::Serialize)]
+struct Report {
+    harmonic_measure: Vec<Number>,
+    conformal_radius: Number,
+    capacity: Number,
+    modulus: Option<Number>,
+    hyperbolic_distance: Option<Number>,
+    unknowns: [usize; 2],
+}
+
+/// One line for each number.
+fn table(found: &Invariants, measures: &[Estimate]) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, Estimate { value, error }: Estimate| {
+        let _ = writeln!(text, "{name:<22} {value:<24} ± {error:.1e}");
+    };
+    line("conformal radius", found.conformal_radius);
+    line("capacity", found.capacity);
+    if let Some(modulus) = found.modulus {
+        line("modulus", modulus);
+    }
+    if let Some(distance) = found.hyperbolic_distance {
+        line("hyperbolic distance", distance);
+    }
+    let part = if found.arcs.is_some() { "arc" } else { "side" };
+    for (k, measure) in measures.iter().enumerate() {
+        line(&format!("harmonic measure, {part} {}", k + 1), *measure);
+    }
+    text.truncate(text.trim_end().len());
+    text
+}

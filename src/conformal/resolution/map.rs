@@ -1,0 +1,71 @@
+//! The map on the refined mesh: the boundary map is the known one, the extension is new.
+
+use super::ResolvedBoundary;
+use crate::conformal::map_side::MapSide;
+use crate::conformal::{
+    ConformalMap, Constraints, HarmonicMeasure, MapError, MapSettings, PerSide, PreparedSide, Side,
+};
+use crate::geometry::DVec2;
+use crate::laplace::Deadline;
+use crate::outline::BoundaryPoint;
+use std::sync::Arc;
+
+impl ConformalMap {
+    /// This map with the mapped mesh replaced by `refined`, whose boundary is that of `boundary`. The other side and the
+    /// boundary map stay; the images of the vertices are new. With [`super::super::Extension::CauchyGreen`]
+    /// they are harmonic until [`Self::refine`] has replaced them.
+    ///
+    /// Errors: as [`Self::update`].
+    pub fn resolved(
+        &self,
+        boundary: Arc<ResolvedBoundary>,
+        refined: Arc<PreparedSide>,
+        settings: MapSettings,
+    ) -> Result<Self, MapError> {
+        let side = self.mapped_side();
+        let mut map = Self::unmapped(Arc::clone(&self.sides.source.prepared), Arc::clone(&self.sides.target.prepared));
+        map.sides[side.other()] = self.sides[side.other()].copied();
+        let measure = self.refined_measure(&boundary, &refined);
+        let kernel = boundary.places.iter().map(|&place| value_at(self.kernel(side), place)).collect();
+        map.sides[side] = MapSide::with_measure(refined, side, &self.sides[side], kernel, measure)?;
+        map.correspondence.set(boundary.images.clone());
+        map.settings = MapSettings { direction: self.settings.direction, ..settings };
+        map.resolution = Some(boundary);
+        map.extend_now()?;
+        Ok(map)
+    }
+
+    /// The constraints of the last complete update; `None` before it.
+    pub(super) fn constraints(&self) -> Option<Constraints> {
+        let [source, target] = Side::BOTH.map(|side| self.sides[side].constraint());
+        let (source, target) = (source?, target?);
+        Some(Constraints { points: PerSide::new(source.0, target.0), anchors: PerSide::new(source.1, target.1) })
+    }
+
+    /// The measure at the vertices of the refined boundary: that of their images.
+    fn refined_measure(&self, boundary: &ResolvedBoundary, refined: &PreparedSide) -> HarmonicMeasure {
+        let side = self.mapped_side();
+        let (own, other) = (self.measure(side), self.measure(side.other()));
+        let anchor = refined.at_fraction(self.side(side).fraction_at(own.anchor()));
+        let density = |k: usize| value_at(self.kernel(side), boundary.places[k]);
+        HarmonicMeasure::from_values(anchor, boundary.places.len(), density, |k| other.at(boundary.images[k]))
+    }
+
+    fn extend_now(&mut self) -> Result<(), MapError> {
+        let side = self.mapped_side();
+        let Some(domain) = self.sides[side.other()].prepared.domain().map(Arc::clone) else { return Ok(()) };
+        let boundary: Vec<DVec2> = self.correspondence.images(domain.samples()).collect();
+        let prepared = &self.sides[side].prepared;
+        prepared.begin_extension(boundary.into_iter(), &mut self.extension_scratch);
+        let is_done = prepared.advance_extension(&mut self.extension_scratch, &mut self.images, Deadline::NEVER);
+        is_done.map_err(|error| MapError::NotConverged { side, error })?;
+        self.begin_refinement();
+        Ok(())
+    }
+}
+
+/// Values at the vertices of a closed chain, interpolated linearly.
+fn value_at(values: &[f64], point: BoundaryPoint) -> f64 {
+    let (k, t) = (point.edge() as usize, point.fraction());
+    (1.0 - t) * values[k] + t * values[(k + 1) % values.len()]
+}

@@ -1,0 +1,216 @@
+//! The vertices of both boundaries in the order of their harmonic measure, on the mapped boundary.
+//!
+//! A vertex of the other boundary lies on the mapped one where the measure is the same. Vertices of the other boundary
+//! that lie closer to each other than the limit of the resolution form a group, of which only the first and the last
+//! are kept (file `cut`).
+
+use super::cut::cut;
+use super::rim::Rim;
+use crate::outline::BoundarySamples;
+
+/// The smallest distance between boundary vertices, relative to the extent of the domain: details of the other domain
+/// are resolved whose images are 1e-6 in size, which takes a few vertices.
+pub(super) const FINEST: f64 = 2e-7;
+
+/// A vertex of the other boundary that is nearer than this, relative to the edges around, to a vertex of the mapped
+/// boundary becomes its image: angles there change by up to that, while an edge of a tenth of its neighbors' length
+/// costs ten vertices of the mesh.
+const SNAP: f64 = 0.12;
+
+/// A vertex of the resolved boundary.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Knot {
+    /// The arc length on the mapped boundary, from the start.
+    pub at: f64,
+    /// Which vertex of the mapped boundary it is, if it is one.
+    pub own: Option<u32>,
+    /// The image: the number of edges of the other boundary from its start, with the fraction on the last one.
+    pub image: f64,
+    /// Whether the edge that starts here is mapped to a chord that cuts off a part of the other domain.
+    pub is_cut: bool,
+}
+
+/// Both boundaries merged.
+pub(super) struct Merged {
+    /// In the order of the mapped boundary from its start, a vertex of the other boundary.
+    pub knots: Vec<Knot>,
+    /// The arc length from the mapped boundary's anchor to the start.
+    pub start: f64,
+    /// The length of the mapped boundary.
+    pub length: f64,
+    /// The vertex of the other boundary at the start.
+    pub first: usize,
+    /// The parts of the other boundary that are cut off, as vertices from the first to the last.
+    pub cuts: Vec<[usize; 2]>,
+}
+
+impl Merged {
+    /// Merges the boundaries.
+    pub fn new(mapped: &Rim<'_>, other: &Rim<'_>) -> Self {
+        let finest = FINEST * mapped.extent();
+        let length = mapped.length();
+        let (places, vertices) = preimages(mapped, other);
+        let count = places.len();
+        // vertices closer than this are not told apart: what has no measure has no length
+        let measured = |i: usize| match i {
+            i if i + 1 < count => mapped.measured_length(places[i], places[i + 1]),
+            i => mapped.measured_length(places[i], length) + mapped.measured_length(0.0, places[0]),
+        };
+        // the start: after the largest gap, which no group contains
+        let gaps: Vec<f64> = (0..count).map(measured).collect();
+        let widest = (0..count).max_by(|&i, &j| gaps[i].total_cmp(&gaps[j])).unwrap_or(0);
+        let turn = (widest + 1) % count;
+        let start = places[turn];
+        let from_start = |s: f64, before: bool| if before { s - start + length } else { s - start };
+        let others: Vec<f64> = (0..count).map(|i| from_start(places[(i + turn) % count], i + turn >= count)).collect();
+        let first = vertices[turn];
+        let mut own: Vec<(f64, u32, f64)> = (mapped.vertices())
+            .map(|(vertex, knot)| {
+                let (s, image) = (mapped.length_at(knot), other.point(other.place(mapped.at_knot(knot))));
+                let passed = (image.edge() as usize + count - first) % count;
+                (from_start(s, s < start), vertex as u32, passed as f64 + image.fraction())
+            })
+            .collect();
+        own.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut merged = Self { knots: Vec::new(), start, length, first, cuts: Vec::new() };
+        let gap = |i: usize| gaps[(i + turn) % count];
+        let groups = merged.groups(&gap, other.samples, finest);
+        merged.join(&own, &others, &groups, mapped.samples, finest);
+        merged
+    }
+
+    /// The runs of other vertices that are too close to each other, by their first and last ones. Those of more than two
+    /// are cut off where the chord between their ends lies inside the other domain.
+    fn groups(&mut self, gap: &dyn Fn(usize) -> f64, samples: &BoundarySamples, finest: f64) -> Vec<[usize; 2]> {
+        let mut groups: Vec<[usize; 2]> = Vec::new();
+        let mut i = 0;
+        while i < samples.len() {
+            let last = (i..samples.len()).find(|&k| k + 1 == samples.len() || gap(k) >= finest).unwrap_or(i);
+            if last > i {
+                let least = groups.last().map_or(0, |group| group[1] + 1);
+                let m = samples.len();
+                let vertex = |k: usize| (self.first + k) % m;
+                let [from, to] = if last > i + 1 {
+                    let ends = cut(samples.points(), vertex(i), last - i, [i - least.min(i), m - 1 - last]);
+                    self.cuts.push([vertex(i - ends[0]), vertex(last + ends[1])]);
+                    [i - ends[0], last + ends[1]]
+                } else {
+                    [i, last]
+                };
+                groups.push([from, to]);
+                i = to;
+            }
+            i += 1;
+        }
+        groups
+    }
+
+    /// Merges own and other vertices, of each group the first and the last.
+    fn join(
+        &mut self,
+        own: &[(f64, u32, f64)],
+        others: &[f64],
+        groups: &[[usize; 2]],
+        samples: &BoundarySamples,
+        finest: f64,
+    ) {
+        let mut kept: Vec<(f64, usize, bool)> = Vec::new();
+        let mut pending = groups.iter().peekable();
+        let mut i = 0;
+        while i < others.len() {
+            if let Some(&[from, to]) = pending.next_if(|group| group[0] == i) {
+                // the ends stay apart
+                let spread = (0.25 * finest - 0.5 * (others[to] - others[from])).max(0.0);
+                kept.push((others[from] - spread, from, to > from + 1));
+                kept.push((others[to] + spread, to, false));
+                i = to + 1;
+            } else {
+                kept.push((others[i], i, false));
+                i += 1;
+            }
+        }
+        self.knots = snapped(own, &kept, others.len(), samples, finest);
+    }
+}
+
+/// The arc lengths on the mapped boundary, from its anchor, where the other boundary's vertices lie by their measure,
+/// ascending, and those vertices.
+fn preimages(mapped: &Rim<'_>, other: &Rim<'_>) -> (Vec<f64>, Vec<usize>) {
+    let mut before = 0.0;
+    let place = |(vertex, knot): (usize, usize)| {
+        before = mapped.length_of(mapped.place(other.at_knot(knot))).clamp(before, mapped.length());
+        (before, vertex)
+    };
+    other.vertices().map(place).unzip()
+}
+
+/// Own and other vertices in order; others that nearly coincide with an own one are replaced by it.
+fn snapped(
+    own: &[(f64, u32, f64)],
+    kept: &[(f64, usize, bool)],
+    count: usize,
+    samples: &BoundarySamples,
+    finest: f64,
+) -> Vec<Knot> {
+    let mut knots: Vec<Knot> = Vec::with_capacity(own.len() + kept.len());
+    let m = samples.len() as u32;
+    let edges = |k: u32| [samples.edge_lengths()[((k + m - 1) % m) as usize], samples.edge_lengths()[k as usize]];
+    let mut taken = vec![false; kept.len()];
+    let gap = |i: usize| if i + 1 < kept.len() { kept[i + 1].0 - kept[i].0 } else { f64::INFINITY };
+    let mut next = 0;
+    let mut images: Vec<(f64, bool)> = Vec::with_capacity(own.len());
+    for &(at, k, image) in own {
+        while next < kept.len() && kept[next].0 < at {
+            next += 1;
+        }
+        // between the ends of a cut the image is unknown: that of an end
+        let inside_cut = next > 0 && next < kept.len() && kept[next - 1].2;
+        let nearest = [next.checked_sub(1), (next < kept.len()).then_some(next)].into_iter().flatten();
+        let nearest = nearest.min_by(|&i, &j| (kept[i].0 - at).abs().total_cmp(&(kept[j].0 - at).abs()));
+        let snapped = nearest.filter(|&i| {
+            let around = gap(i).min(if i > 0 { gap(i - 1) } else { f64::INFINITY });
+            let [before, after] = edges(k);
+            let near = (SNAP * around.min(before).min(after)).max(0.25 * finest);
+            inside_cut || (kept[i].0 - at).abs() < near
+        });
+        if let Some(i) = snapped {
+            images.push((kept[i].1 as f64, kept[i].2));
+            taken[i] = true;
+        } else {
+            let [low, high] = [next.checked_sub(1).map_or(0, |i| kept[i].1), kept.get(next).map_or(count, |k| k.1)];
+            images.push((image.clamp(low as f64, high as f64), false));
+        }
+    }
+    let own = own.iter().zip(images).map(|(&(at, k, _), (image, is_cut))| Knot { at, own: Some(k), image, is_cut });
+    knots.extend(own);
+    let others = kept.iter().zip(taken).filter(|(_, taken)| !taken);
+    knots.extend(others.map(|(&(at, i, is_cut), _)| Knot { at, own: None, image: i as f64, is_cut }));
+    knots.sort_by(|a, b| a.at.total_cmp(&b.at));
+    monotone(&mut knots, finest);
+    knots
+}
+
+/// Drops vertices that coincide with others, and makes the images ascend.
+fn monotone(knots: &mut Vec<Knot>, finest: f64) {
+    let all = std::mem::take(knots);
+    for knot in all {
+        let near = knots.last().is_some_and(|last| knot.at - last.at < 0.2 * finest);
+        match (near, knots.last().and_then(|last| last.own), knot.own) {
+            (true, _, None) => {
+                if let Some(last) = knots.last_mut() {
+                    last.is_cut |= knot.is_cut;
+                }
+            }
+            (true, None, Some(_)) => {
+                let dropped = knots.pop();
+                knots.push(Knot { image: dropped.map_or(knot.image, |d| d.image), ..knot });
+            }
+            _ => knots.push(knot),
+        }
+    }
+    let mut before = 0.0f64;
+    for knot in knots {
+        before = before.max(knot.image);
+        knot.image = before;
+    }
+}
