@@ -20,7 +20,7 @@ fn link(session: &Session) -> String {
 fn surface_session() -> Session {
     let mut session = Session::default();
     let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
-    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
+    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec::new(shape) });
     session
 }
 
@@ -131,8 +131,8 @@ fn frames(format: FilmFormat, bytes: &[u8]) -> Vec<image::Frame> {
 fn an_animation_has_its_frames_and_begins_at_the_session() {
     let folder = folder("animation");
     let link = link(&Session::default());
-    let still = written(&folder, "still.png", &["render", &link, "--size", "240x120"]);
-    let still = image::load_from_memory(&still).unwrap().into_rgba8();
+    let picture = written(&folder, "picture.png", &["render", &link, "--size", "240x120"]);
+    let picture = image::load_from_memory(&picture).unwrap().into_rgba8();
     let (png, gif) = (FilmFormat::Png, FilmFormat::Gif);
     for (format, path) in [(png, "interior"), (gif, "boundary"), (png, "target-interior"), (gif, "both")] {
         let name = &format!("{path}.{}", format.extension());
@@ -140,7 +140,7 @@ fn an_animation_has_its_frames_and_begins_at_the_session() {
         let frames = frames(format, &written(&folder, name, &arguments));
         assert_eq!(frames.len(), 4, "{name}");
         if format == png {
-            let first = frames[0].buffer().pixels().zip(still.pixels());
+            let first = frames[0].buffer().pixels().zip(picture.pixels());
             let differing = first.filter(|(a, b)| a.0.iter().zip(b.0).any(|(a, b)| a.abs_diff(b) > 2)).count();
             assert!(differing < 30, "{name}: {differing} pixels of the first frame are not the session's");
         }

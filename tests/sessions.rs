@@ -107,7 +107,7 @@ fn a_surface_stands_on_the_right() {
     let folder = folder("surface");
     let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
     let mut session = coarse();
-    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
+    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec::new(shape) });
     let picture = rendered(&folder, &link_of(&session), &[]);
     let plane = rendered(&folder, &link_of(&coarse()), &[]);
     let half = |picture: &RgbImage, half: u32| image::imageops::crop_imm(picture, 160 * half, 0, 160, 160).to_image();
@@ -131,7 +131,7 @@ fn surfaces_stand_on_the_left_or_on_both_sides() {
     let folder = folder("surfaces");
     let surface = |side, preset| {
         let shape = SurfaceShape::Preset { preset, boundary: 60 };
-        Change::SetSurface { side, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } }
+        Change::SetSurface { side, surface: SurfaceSpec::new(shape) }
     };
     let left = coarse().and([surface(Side::Source, SurfacePreset::Hemisphere)]);
     let both = left.clone().and([surface(Side::Target, SurfacePreset::Hemisphere)]);
@@ -157,7 +157,7 @@ fn surfaces_from_two_files_are_given_by_name_or_in_the_order_of_their_sides() {
     let high = written(&folder, "high.obj", &pyramid(1.5));
     let surface = |side, name: &str| {
         let shape = SurfaceShape::File { name: name.into() };
-        Change::SetSurface { side, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } }
+        Change::SetSurface { side, surface: SurfaceSpec::new(shape) }
     };
     let link = link_of(&coarse().and([surface(Side::Source, "low.obj"), surface(Side::Target, "high.obj")]));
     let out = folder.join("x.csv").display().to_string();
@@ -190,7 +190,7 @@ fn a_surface_from_a_file_is_asked_for() {
     let path = written(&folder, "pyramid.obj", pyramid);
     let mut session = coarse();
     let shape = SurfaceShape::File { name: "pyramid.obj".into() };
-    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
+    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec::new(shape) });
     let link = link_of(&session);
     let out = folder.join("x.png").display().to_string();
     fails(&["render", &link, "--out", &out], 1, &["pyramid.obj", "file"]);
@@ -221,7 +221,7 @@ fn points_outside_of_the_domains_are_reported() {
     assert!(note.starts_with("riemap: the target point (70, -3) is outside of the target outline"), "{note}");
     assert_eq!(note.lines().count(), 1, "{note}");
     let shape = SurfaceShape::Preset { preset: SurfacePreset::Hemisphere, boundary: 60 };
-    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec { shape, ..SurfaceSpec::default() } });
+    session.apply(Change::SetSurface { side: Side::Target, surface: SurfaceSpec::new(shape) });
     assert_eq!(notes(&session), "", "the target's outline is not mapped");
     let mut with_point = |triangle| {
         let point = BarycentricPoint::new(TriangleId::new(triangle), [0.25, 0.25, 0.5]);

@@ -13,7 +13,7 @@ pub struct Announced {
     /// The state at the last description of the picture.
     described: Option<News>,
     /// The count of controls that were read out.
-    pub spoken: u64,
+    pub controls: u64,
 }
 
 /// The state that a description of the screen depends on; the picture is described again when it changes.
@@ -47,10 +47,11 @@ impl RiemapApp {
         for error in self.announced.news(errors) {
             platform::tell_page(PageEvent::Error, &error.english());
         }
-        let spoken = ui.output(|output| output.events.last().map(|event| accessibility::control(event.widget_info())));
-        if let Some(spoken) = spoken {
-            platform::say(&spoken);
-            self.announced.spoken += 1;
+        let announcement =
+            ui.output(|output| output.events.last().map(|event| accessibility::control(event.widget_info())));
+        if let Some(announcement) = announcement {
+            platform::say(&announcement);
+            self.announced.controls += 1;
         }
     }
 

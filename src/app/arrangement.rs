@@ -59,23 +59,23 @@ impl Arrangement {
         if app.editor.side() != Some(side) {
             return without_bar;
         }
-        let with_bar = Margins { bottom: above_legend.bottom + editing::bar_room(ui, side), ..usual };
+        let with_bar = Margins { bottom: above_legend.bottom + editing::bar_height(ui, side), ..usual };
         let extent = app.model.extent(side);
         let reaches = extent.is_none_or(|extent| free_below(rect, extent, without_bar) < with_bar.bottom);
         if self.stacked || reaches { with_bar } else { without_bar }
     }
 
     /// The area whose lower edge carries the edit bar: above the legends of colors and dots.
-    pub fn edit_room(self, app: &RiemapApp, side: Side, rect: Rect) -> Rect {
+    pub fn edit_area(self, app: &RiemapApp, side: Side, rect: Rect) -> Rect {
         let words = if self.is_tight(rect) { 0.0 } else { header::LEGEND_HEIGHT };
         rect.with_max_y(rect.bottom() - self.legend_height(app, side, rect).max(words))
     }
 
     /// The area for messages: between the title and the edit bar.
-    pub fn message_room(self, app: &RiemapApp, ui: &Ui, side: Side, title: f32) -> Rect {
+    pub fn message_area(self, app: &RiemapApp, ui: &Ui, side: Side, title: f32) -> Rect {
         let rect = app.pictures.views[side].rect;
         let low = if app.editor.side() == Some(side) {
-            self.edit_room(app, side, rect).bottom() - editing::bar_room(ui, side)
+            self.edit_area(app, side, rect).bottom() - editing::bar_height(ui, side)
         } else {
             rect.bottom()
         };

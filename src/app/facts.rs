@@ -17,7 +17,7 @@ impl RiemapApp {
             dark: self.screen.theme == egui::Theme::Dark,
             errors: self.errors().iter().map(Message::english).collect(),
             notes: self.notes().iter().map(Message::english).collect(),
-            spoken: self.announced.spoken,
+            spoken: self.announced.controls,
             undo: self.persistence.history().undo_count(),
             playing: self.player.is_playing(),
             cauchy_green: self.cauchy_green(),

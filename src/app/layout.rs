@@ -4,7 +4,7 @@
 
 use super::arrangement::Arrangement;
 use super::theme::Palette;
-use super::{PHONE_WIDTH, RiemapApp, editing, plots, status, theme};
+use super::{RiemapApp, editing, plots, status, theme};
 use crate::app::input::action::{Action, Actions};
 use crate::app::input::presentation;
 use crate::app::language::words;
@@ -42,7 +42,7 @@ pub struct LaidOut {
 
 /// Lays out bars, panels and the message below the pictures; changes nothing.
 pub fn show(app: &RiemapApp, ui: &mut Ui) -> LaidOut {
-    let narrow = ui.available_width() < PHONE_WIDTH;
+    let narrow = ui.available_width() < theme::PHONE_WIDTH;
     theme::suit_pointer(ui.ctx(), narrow || app.screen.has_fingers || ui.input(egui::InputState::has_touch_screen));
     let (mut actions, mut pointed) = (Actions::new(), None);
     keys(app, ui, &mut actions);

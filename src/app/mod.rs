@@ -64,9 +64,6 @@ use viewport::pictures::Pictures;
 use windows::Windows;
 use workers::Workers;
 
-/// Below this width (in points) the controls become a sheet.
-pub const PHONE_WIDTH: f32 = 700.0;
-
 /// The app.
 pub struct RiemapApp {
     model: Model,

@@ -1,7 +1,7 @@
 //! The two pictures of a frame: gestures over them, and painting after the map is updated.
 //!
-//! Painting changes nothing. Cameras are placed and moved by gestures in place, not by actions: a gesture moves a camera
-//! by what the camera shows at that moment, and neither undo nor links keep it.
+//! Painting changes nothing. Cameras are placed and moved by gestures in place, not by actions: a gesture moves a
+//! camera by what the camera shows at that moment, and neither undo nor links keep it.
 
 use super::arrangement::{Arrangement, legend_side};
 use super::theme::Palette;
@@ -130,8 +130,8 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
 /// The widgets over a picture: messages below its `title`, the edit bar, frames and progress.
 fn show_tools(app: &RiemapApp, ui: &mut Ui, side: Side, arrangement: Arrangement, title: f32, actions: &mut Actions) {
     let view = &app.pictures.views[side];
-    header::messages(ui, side, &app.model, arrangement.message_room(app, ui, side, title), actions);
-    editing::show_bar(ui, side, view, arrangement.edit_room(app, side, view.rect), &app.editor, actions);
+    header::messages(ui, side, &app.model, arrangement.message_area(app, ui, side, title), actions);
+    editing::show_bar(ui, side, view, arrangement.edit_area(app, side, view.rect), &app.editor, actions);
     planar::paint_focus(ui, side, view.rect, &app.input.handles);
     planar::paint_progress(ui, side, &app.model, view.rect);
     planar::paint_drop_target(ui, view.rect);

@@ -16,7 +16,7 @@ const PAUSE: Duration = Duration::from_secs(2);
 #[derive(Debug)]
 pub struct Progress {
     shared: Arc<Shared>,
-    speaker: Option<JoinHandle<()>>,
+    printer: Option<JoinHandle<()>>,
 }
 
 #[derive(Debug)]
@@ -44,10 +44,10 @@ impl Progress {
     fn to(out: impl Write + Send + 'static, pause: Duration, words: impl Into<String>) -> Self {
         let work = Work { words: words.into(), since: Instant::now(), done: None, is_over: false };
         let shared = Arc::new(Shared { work: Mutex::new(work), over: Condvar::new() });
-        let spoken = Arc::clone(&shared);
+        let printed = Arc::clone(&shared);
         // if no thread can be started, nothing is printed
-        let speaker = std::thread::Builder::new().spawn(move || spoken.speak(out, pause)).ok();
-        Self { shared, speaker }
+        let printer = std::thread::Builder::new().spawn(move || printed.print_lines(out, pause)).ok();
+        Self { shared, printer }
     }
 
     /// Starts the next piece of work.
@@ -85,8 +85,8 @@ impl Drop for Progress {
     fn drop(&mut self) {
         self.shared.work().is_over = true;
         self.shared.over.notify_all();
-        if let Some(speaker) = self.speaker.take() {
-            let _ = speaker.join(); // if the thread has panicked, there is nothing left to print
+        if let Some(printer) = self.printer.take() {
+            let _ = printer.join(); // if the thread has panicked, there is nothing left to print
         }
     }
 }
@@ -97,7 +97,7 @@ impl Shared {
     }
 
     /// Prints lines until the work is over or writing fails.
-    fn speak(&self, mut out: impl Write, pause: Duration) {
+    fn print_lines(&self, mut out: impl Write, pause: Duration) {
         while let Some(line) = self.next_line(pause) {
             if writeln!(out, "{line}").is_err() {
                 return;
@@ -195,8 +195,8 @@ mod tests {
     #[test]
     fn progress_ends_silently_when_writing_fails() {
         let mut progress = Progress::to(Reader(None), Duration::from_millis(1), "reading");
-        assert!(wait_until(|| progress.speaker.as_ref().is_some_and(JoinHandle::is_finished)));
-        assert!(progress.speaker.take().unwrap().join().is_ok(), "no panic");
+        assert!(wait_until(|| progress.printer.as_ref().is_some_and(JoinHandle::is_finished)));
+        assert!(progress.printer.take().unwrap().join().is_ok(), "no panic");
     }
 
     #[test]

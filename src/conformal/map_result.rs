@@ -7,8 +7,7 @@ use super::{
 };
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
-use crate::mesh::{VertexId, locate};
-use crate::surface::ADDED;
+use crate::mesh::{TriangleId, VertexId, locate};
 use std::sync::Arc;
 
 impl ConformalMap {
@@ -138,9 +137,10 @@ impl ConformalMap {
 
     /// Of one value per triangle of the mapped mesh, the values of triangles that were not added by a repair.
     pub fn given<'a, T>(&'a self, values: &'a [T]) -> impl Iterator<Item = &'a T> {
-        let origins = self.mapped().surface().map(|meshed| meshed.surface().triangle_origins());
-        let is_given = move |triangle: &usize| origins.is_none_or(|origins| origins[*triangle] != ADDED);
-        values.iter().enumerate().filter(move |(triangle, _)| is_given(triangle)).map(|(_, value)| value)
+        let mesh = self.mapped().surface().map(|meshed| meshed.surface());
+        let is_given =
+            move |k: usize| mesh.is_none_or(|mesh| mesh.origin_of_triangle(TriangleId::new(k as u32)).is_some());
+        values.iter().enumerate().filter(move |(k, _)| is_given(*k)).map(|(_, value)| value)
     }
 
     /// Angle distortion and flips of [`Self::distortions`]; for a surface, shapes are those of the triangles as given,

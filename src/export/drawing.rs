@@ -13,10 +13,11 @@ use std::fmt::Write as _;
 
 /// One domain of the drawing.
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub struct Panel<'a> {
-    /// Where the vertices are drawn.
+    /// The positions of the vertices in the drawing.
     pub positions: &'a [DVec2],
-    /// The pattern's coordinates of the vertices.
+    /// The coordinates of the vertices in which the lines of the pattern are defined.
     pub coordinates: &'a [DVec2],
     /// The triangles.
     pub triangles: &'a [[u32; 3]],
@@ -107,6 +108,7 @@ pub type Wire<'a> = (&'a [DVec2], &'a [[u32; 3]]);
 
 /// A domain of the drawing with its settings.
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub struct Part<'a> {
     /// The domain.
     pub side: Side,

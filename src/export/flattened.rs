@@ -6,7 +6,6 @@
 use super::FileFormat;
 use crate::conformal::ConformalMap;
 use crate::geometry::{DVec2, DVec3};
-use crate::surface::ADDED;
 use std::fmt::Write as _;
 
 /// The transformation from positions in the outline to texture coordinates: `(position − origin) · scale`.
@@ -17,6 +16,7 @@ pub struct Placement {
 }
 
 /// A surface with texture coordinates.
+#[non_exhaustive]
 pub struct Flattened {
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
@@ -33,7 +33,8 @@ impl Flattened {
         let placement = if unit { unit_box(&images) } else { Placement { origin: DVec2::ZERO, scale: 1.0 } };
         let placed = |image: DVec2| (image - placement.origin) * placement.scale;
         let disk = map.mapped().surface()?.surface();
-        let kept = disk.mesh().triangles().iter().zip(disk.triangle_origins()).filter(|(_, origin)| **origin != ADDED);
+        let triangles = disk.mesh().triangles().iter();
+        let kept = triangles.zip(disk.origins_of_triangles()).filter(|(_, origin)| origin.is_some());
         Some(Self {
             vertices: disk.origin_positions().collect(),
             triangles: kept.map(|(t, _)| t.map(|v| disk.vertex_origins()[v as usize])).collect(),

@@ -7,6 +7,7 @@ use std::collections::HashMap;
 
 /// A polyline on the mesh.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Line {
     /// Its points; a closed line does not repeat the first.
     pub points: Vec<DVec2>,

@@ -22,6 +22,7 @@ pub const PAPER_MACHINE: &str = "MacBook Air, Apple M3 (8 cores), 24 GB; C++, SC
 /// A row of the paper's Table 1; times in seconds.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[allow(missing_docs, reason = "the fields are the table's columns")]
+#[non_exhaustive]
 pub struct PaperPreparation {
     pub domain: Preset,
     pub m: u32,
@@ -53,6 +54,7 @@ pub const TABLE_1: [PaperPreparation; 6] = [
 /// A row of the paper's Table 2; times in milliseconds.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[allow(missing_docs, reason = "the fields are the table's columns")]
+#[non_exhaustive]
 pub struct PaperFrame {
     pub figure: u32,
     pub source: Preset,
@@ -120,6 +122,7 @@ pub enum BenchRow {
 
 /// A measured row of Table 1; times in seconds.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct Preparation {
     /// Boundary samples.
     pub m: u32,
@@ -137,6 +140,7 @@ pub struct Preparation {
 
 /// A measured row of Table 2; times in milliseconds.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct Frame {
     /// Boundary samples of source and target.
     pub m: [u32; 2],
@@ -150,6 +154,7 @@ pub struct Frame {
 
 /// The durations of the stages of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct FrameTimes {
     /// Point location, ψ, harmonic measure and matching.
     pub matching_ms: f64,
@@ -252,7 +257,7 @@ fn psi_table(preset: Preset, runs: usize) -> Result<Option<f64>, FigureError> {
 
 fn frame(row: &PaperFrame, setting: BenchSetting, frames: usize) -> Result<Frame, FigureError> {
     let domains = [Arc::new(prepared(row.source, setting)?), Arc::new(prepared(row.target, setting)?)];
-    let still = if row.figure == Figure::Crowding.number() {
+    let at_rest = if row.figure == Figure::Crowding.number() {
         crowding_constraints()
     } else {
         let [source, target] = domains.each_ref().map(|domain| domain.default_point());
@@ -260,8 +265,8 @@ fn frame(row: &PaperFrame, setting: BenchSetting, frames: usize) -> Result<Frame
     };
     let [source, target] = domains;
     let (m, triangles) = ([&source, &target].map(|side| side.boundary_count() as u32), source.triangles().len());
-    let mut map = ConformalMap::new(source, target, &still, Direction::Forward.into())?;
-    let [source, target] = Side::BOTH.map(|side| drag(&mut map, still, side, frames));
+    let mut map = ConformalMap::new(source, target, &at_rest, Direction::Forward.into())?;
+    let [source, target] = Side::BOTH.map(|side| drag(&mut map, at_rest, side, frames));
     Ok(Frame { m, triangles, source: source?, target: target? })
 }
 
@@ -269,20 +274,20 @@ fn frame(row: &PaperFrame, setting: BenchSetting, frames: usize) -> Result<Frame
 const DRAG_STEP: f64 = 1e-3;
 
 /// The median durations while one interior point moves back and forth.
-fn drag(map: &mut ConformalMap, still: Constraints, side: Side, frames: usize) -> Result<FrameTimes, FigureError> {
+fn drag(map: &mut ConformalMap, at_rest: Constraints, side: Side, frames: usize) -> Result<FrameTimes, FigureError> {
     let domain = planar(map.side(side))?;
     let [low, high] = Bounds::of(domain.samples().points().iter().copied()).corners();
     let step = DVec2::new(DRAG_STEP * (high - low).max_element(), 0.0);
-    let point = still.points[side].in_plane().ok_or(FigureError::NoDomain)?;
+    let point = at_rest.points[side].in_plane().ok_or(FigureError::NoDomain)?;
     let (mut matching, mut extension) = (Vec::new(), Vec::new());
     for k in 0..frames {
-        let moved = if k % 2 == 0 { still.with_point(side, point + step) } else { still };
+        let moved = if k % 2 == 0 { at_rest.with_point(side, point + step) } else { at_rest };
         map.update(&moved, Direction::Forward.into())?;
         let timings = map.timings();
         matching.push(timings.kernel + timings.matching);
         extension.push(timings.extend);
     }
-    map.update(&still, Direction::Forward.into())?;
+    map.update(&at_rest, Direction::Forward.into())?;
     Ok(FrameTimes { matching_ms: median(matching), extension_ms: median(extension) })
 }
 

@@ -36,6 +36,7 @@ impl SecondMap {
 
 /// The errors of one method at one resolution.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct ConvergenceRow {
     /// Boundary samples of the V.
     pub m: u32,
@@ -51,6 +52,7 @@ pub struct ConvergenceRow {
 
 /// The data shared by all resolutions.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct ConvergenceStudy {
     /// The numbers of samples, increasing.
     pub resolutions: Vec<u32>,

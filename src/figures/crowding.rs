@@ -54,6 +54,7 @@ impl Method {
 
 /// The images of the V's boundary samples under one method.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct BoundaryMap {
     /// The method.
     pub method: Method,
@@ -77,6 +78,7 @@ impl BoundaryMap {
 
 /// The V-shape, the blob, and the maps of the four methods.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct CrowdingStudy {
     /// riemap's map, with both prepared domains.
     pub map: ConformalMap,

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 /// Kernel and measure at a point of the disk, sampled uniformly from the anchor y = (1, 0).
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct DiskKernelStudy {
     /// The disk.
     pub domain: Arc<MeshedDomain>,
@@ -30,7 +31,7 @@ impl DiskKernelStudy {
         let outside = MapError::PointOutside { side: Side::Source, x: point.x, y: point.y };
         let located = locate(domain.mesh(), point, None).ok_or(outside)?;
         let kernel = poisson_kernel(&side, located)?;
-        let anchor = side.at_fraction(scene.session.side(Side::Source).anchor);
+        let anchor = side.at_fraction(scene.session.side(Side::Source).anchor());
         let measure = HarmonicMeasure::new(domain.samples(), &kernel, anchor);
         Ok(Self { domain, point, kernel, measure })
     }

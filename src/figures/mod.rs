@@ -95,6 +95,7 @@ impl Detail {
 
 /// Why a figure could not be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum FigureError {
     /// A domain could not be prepared.
     #[error(transparent)]

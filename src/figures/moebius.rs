@@ -18,6 +18,7 @@ pub const GRID_RAYS: u32 = 24;
 
 /// The map in one row of the figure.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct MoebiusStudy {
     /// riemap's map, forward and harmonic.
     pub map: ConformalMap,

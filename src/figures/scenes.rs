@@ -9,6 +9,7 @@ use crate::session::{Colouring, Command, Comparison, OutlineSpec, Session, SideP
 
 /// The settings of one map in a figure.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Scene {
     /// The label that distinguishes it from the figure's other scenes.
     pub label: SceneLabel,

@@ -9,12 +9,13 @@ use crate::conformal::{
 };
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::{BarycentricPoint, VertexId};
-use crate::session::{DomainSpec, Session, SideState, SurfaceShape, SurfaceState};
+use crate::session::{DomainSpec, Session, SurfaceShape, SurfaceState};
 use crate::surface::{Surface, SurfaceMesh, at_vertex};
 use std::sync::Arc;
 
 /// The parameterization of one scene.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct SurfaceStudy {
     /// The label of the scene.
     pub label: String,
@@ -55,7 +56,8 @@ impl SurfaceStudy {
         let surface_point = wanted.unwrap_or(surface.centre());
         let mut sources: Vec<(DomainSpec, Arc<PreparedSide>)> = Vec::new();
         let study = |Scene { label, session }: Scene| {
-            let SideState { domain: spec, interior, anchor: source_anchor, .. } = session.side(Side::Source);
+            let side = session.side(Side::Source);
+            let (spec, interior, source_anchor) = (side.domain(), side.interior(), side.anchor());
             let known = sources.iter().find(|(known, _)| known == spec).map(|(_, source)| Arc::clone(source));
             let source = match known {
                 Some(source) => source,
@@ -64,7 +66,7 @@ impl SurfaceStudy {
             sources.push((spec.clone(), Arc::clone(&source)));
             let domain = planar(&source)?;
             let point = interior.unwrap_or(domain.default_point());
-            let constraints = Constraints::new((point, *source_anchor), (surface_point, anchor));
+            let constraints = Constraints::new((point, source_anchor), (surface_point, anchor));
             let map = ConformalMap::new(source, Arc::clone(&prepared), &constraints, MapSettings::default())?;
             let (source, surface) = ((domain, point), (Arc::clone(&surface), surface_point));
             Ok(Self { label: label.to_string(), session, map, constraints, source, surface })

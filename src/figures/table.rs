@@ -54,6 +54,7 @@ impl fmt::Display for Cell {
 
 /// Rows of cells under named columns.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Table {
     /// The names of the columns.
     pub columns: &'static [&'static str],

@@ -26,6 +26,7 @@ pub fn pulled_back(x: DVec3, low: DVec3, high: DVec3) -> DVec3 {
 
 /// A point of a closed chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ChainPoint {
     /// The edge that contains the point, named by its first vertex.
     pub edge: usize,

@@ -1,18 +1,18 @@
-//! What the present two sides allow: the one table of the features that need outlines, or surfaces.
+//! Which features are available for the present two sides: the only table of those that need outlines, or surfaces.
 //!
 //! | feature | needs | otherwise |
 //! |---|---|---|
-//! | comparison through the disk, random walks, their curves and legends | two outlines | not there |
-//! | exact map, coarse map during a drag | two outlines | not there |
-//! | Cauchy–Green extension | two outlines | refused, harmonic instead |
+//! | comparison through the disk, random walks, their curves and legends | two outlines | not offered |
+//! | exact map, coarse map during a drag | two outlines | not offered |
+//! | Cauchy–Green extension | two outlines | refused with a reason; the harmonic extension is used |
 //! | choice of the direction | two sides of one kind | the surface is mapped |
 //! | choice of the pattern's home | two outlines, a pattern that is not in the disk | the outline; between surfaces the disk |
 //! | a point that moves along a circle | an outline on its side | refused |
-//! | reshaping, resolution of an outline | an outline on its side | not there |
-//! | resolution of a surface | a surface on its side | not there |
-//! | texture coordinates in files | one surface | not there |
+//! | reshaping, resolution of an outline | an outline on its side | not offered |
+//! | resolution of a surface | a surface on its side | not offered |
+//! | texture coordinates in files | one surface | not offered |
 //!
-//! Bars, panels, overlays, plots, editor, windows and the words for screen readers ask here for what they show.
+//! Bars, panels, overlays, plots, editor, windows and the texts for screen readers take their content from it.
 
 use crate::closed_form::ExactMap;
 use crate::conformal::{Extension, PerSide, PrepareSettings, PrepareTimings, Side};
@@ -46,7 +46,7 @@ impl Unavailable {
     }
 }
 
-/// The features of a map between two sides, by what stands on them.
+/// The features of a map between two sides, each an outline or a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Abilities {
     surfaces: PerSide<bool>,
@@ -83,7 +83,7 @@ impl Abilities {
         !self.has_layout()
     }
 
-    /// Whether an outline stands on a side.
+    /// Whether a side is an outline.
     pub fn has_outline(self, side: Side) -> bool {
         !self.surfaces[side]
     }
@@ -104,8 +104,9 @@ impl Abilities {
         is_refused.then_some(Unavailable::Circle)
     }
 
-    /// The side where a pattern lives that is not itself one of the disk: the `chosen` one of two outlines, the outline
-    /// beside a surface; `None` between two surfaces: in the disk.
+    /// The side in whose coordinates a pattern is defined: the `chosen` one of two outlines, or the outline if the
+    /// other side is a surface. `None` for two surfaces: the pattern is defined in the unit disk. The conformal
+    /// pattern, which always is, is not considered here.
     pub fn pattern_home(self, chosen: Side) -> Option<Side> {
         match self.surfaces.into_array() {
             [false, false] => Some(chosen),
@@ -115,7 +116,7 @@ impl Abilities {
         }
     }
 
-    /// The sentence in a surface's panel that says where it is mapped; for two surfaces only in the first panel.
+    /// The sentence in a surface's panel about the direction of the map; for two surfaces only in the first panel.
     pub fn direction_of_surface(self, side: Side) -> Option<Label> {
         match (side, self.surfaces.into_array()) {
             (Side::Source, [true, true]) => Some(key::surfaces_direction()),
@@ -163,18 +164,18 @@ impl Model {
         self.abilities().compares_outlines() && !pattern::needs_grid(&self.session)
     }
 
-    /// The outline of a side that can be reshaped; `None` where a surface stands.
+    /// The outline of a side that can be reshaped; `None` if the side is a surface.
     pub fn reshapable(&self, side: Side) -> Option<&OutlineSpec> {
         self.outline_settings(side)?;
         Some(&self.session.domain(side).outline)
     }
 
-    /// The requested resolution of a side's outline; `None` where a surface stands.
+    /// The requested resolution of a side's outline; `None` if the side is a surface.
     pub fn outline_settings(&self, side: Side) -> Option<PrepareSettings> {
         self.abilities().has_outline(side).then(|| self.side(side).wanted().settings)
     }
 
-    /// The requested resolution of a side's surface; `None` where an outline stands.
+    /// The requested resolution of a side's surface; `None` if the side is an outline.
     pub fn surface_settings(&self, side: Side) -> Option<&SurfaceSpec> {
         self.session.surface(side)?;
         self.sides[side].surface.preparation.wanted()

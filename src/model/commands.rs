@@ -89,7 +89,8 @@ impl Model {
         self.replace_outline(side, outline, notes);
     }
 
-    /// Starts preparing another outline in the place of what is there; files that are being read go on.
+    /// Starts preparing another outline, which will replace the side's outline or surface. A file that is being parsed
+    /// is not canceled.
     pub(super) fn replace_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
         self.sides[side].next = Next::Same;
         self.sides[side].surface.preparation.give_up();

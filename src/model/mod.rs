@@ -315,7 +315,7 @@ impl Model {
     /// The boundary point of a side's outline: the position of its handle.
     pub fn anchor(&self, side: Side) -> Option<DVec2> {
         let samples = self.domain(side)?.samples();
-        Some(samples.position(samples.at_fraction(self.session.side(side).anchor)))
+        Some(samples.position(samples.at_fraction(self.session.side(side).anchor())))
     }
 
     /// The position of the interior handle for a pointer at `x`: there, or the nearest one inside the boundary.

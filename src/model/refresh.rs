@@ -157,5 +157,5 @@ impl Model {
 fn situation<'a>(map: &'a ConformalMap, session: &Session, generation: u64) -> Option<Situation<'a>> {
     let domains = PerSide::new(map.domain(Side::Source)?, map.domain(Side::Target)?);
     let points = PerSide::from_fn(|side| session.side(side).interior.unwrap_or(domains[side].default_point()));
-    Some(Situation { map, domains, generation, points, anchors: PerSide::from_fn(|side| session.side(side).anchor) })
+    Some(Situation { map, domains, generation, points, anchors: PerSide::from_fn(|side| session.side(side).anchor()) })
 }

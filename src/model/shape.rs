@@ -1,4 +1,4 @@
-//! What stands on a side, for its title and its words; and the built-in shapes of the menus.
+//! The outline or surface of a side, for titles and descriptions; the built-in outlines and surfaces for the menus.
 
 use crate::conformal::Side;
 use crate::language::Message;
@@ -7,7 +7,7 @@ use crate::outline::Preset;
 use crate::session::{Command, DomainSpec, OutlineSpec, Session, SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::surface::SurfacePreset;
 
-/// What stands on a side of a session.
+/// The outline or the surface of a side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape<'a> {
     /// An outline.
@@ -17,7 +17,7 @@ pub enum Shape<'a> {
 }
 
 impl<'a> Shape<'a> {
-    /// What stands on this side.
+    /// The shape of this side.
     pub fn of(session: &'a Session, side: Side) -> Self {
         session.surface(side).map_or(Self::Outline(session.domain(side)), Self::Surface)
     }
@@ -33,7 +33,7 @@ pub enum PresetShape {
 }
 
 impl PresetShape {
-    /// The command that puts it on a side.
+    /// The command that sets it as the shape of a side.
     pub fn command(self, side: Side) -> Command {
         match self {
             Self::Outline(preset) => Command::SetOutline { side, outline: OutlineSpec::Preset(preset) },
@@ -46,7 +46,7 @@ impl PresetShape {
 }
 
 impl Model {
-    /// What stands on a side.
+    /// The shape of a side in the session.
     pub fn shape(&self, side: Side) -> Shape<'_> {
         Shape::of(&self.session, side)
     }
@@ -74,7 +74,7 @@ impl Model {
         }
     }
 
-    /// The reader's notes on what stands on a side.
+    /// The reader's notes on the file or text that a side's shape was read from.
     pub fn notes_on_shape(&self, side: Side) -> Vec<Message> {
         match self.shape(side) {
             Shape::Outline(_) => self.side(side).notes.clone(),

@@ -49,7 +49,7 @@ pub enum ScenePart<'a> {
 pub struct PlanarPart<'a> {
     /// Mesh, outline and points.
     pub panel: Panel<'a>,
-    /// Colors and edges over it.
+    /// The colors of the triangles and the edges, drawn over the mesh.
     pub cells: Option<SceneCells<'a>>,
 }
 
@@ -58,9 +58,9 @@ pub struct PlanarPart<'a> {
 pub struct SurfacePart<'a> {
     /// The surface.
     pub surface: &'a MeshedSurface,
-    /// Where each vertex looks the texture up.
+    /// The texture coordinates of its vertices.
     pub coordinates: &'a [DVec2],
-    /// The eye.
+    /// The camera.
     pub camera: OrbitCamera,
     /// The interior and the boundary point.
     pub handles: [DVec3; 2],
@@ -68,14 +68,14 @@ pub struct SurfacePart<'a> {
     pub cells: Option<(&'a [CellCode], CellStyle)>,
 }
 
-/// The dots of a part: in the plane or in space, the other list is empty.
+/// The dots of a part. Only one list has entries: `plane` for an outline, `space` for a surface.
 #[derive(Default)]
 struct Dots {
     plane: Vec<Handle>,
     space: Vec<SurfaceHandle>,
 }
 
-/// Puts the parts of a picture of `size` pixels together from left to right, for `draw`.
+/// Passes to `draw` the scene of `size` pixels with the parts from left to right.
 pub fn compose<R>(
     parts: &[ScenePart<'_>],
     look: &Look<'_>,

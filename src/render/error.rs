@@ -6,6 +6,7 @@
 
 /// Why an image cannot serve as a texture.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ImageError {
     /// Width or height is zero.
     #[error("the image has no pixels ({width} × {height})")]
@@ -31,6 +32,7 @@ pub enum ImageError {
 
 /// Why a mesh cannot be drawn: it is inconsistent or too large.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MeshFault {
     /// Positions and texture coordinates differ in number.
     #[error("{positions} positions have {coordinates} texture coordinates")]
@@ -76,6 +78,7 @@ pub enum MeshFault {
 
 /// Why pixels could not be read back from the device.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ReadbackFault {
     /// The graphics library's message.
     #[error("{0}")]
@@ -95,6 +98,7 @@ pub enum ReadbackFault {
 
 /// Why a scene could not be rendered without a window.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum RenderError {
     /// No graphics adapter, not even a software one.
     #[error("no graphics adapter found; on Linux, mesa-vulkan-drivers brings a software one ({cause})")]

@@ -40,6 +40,7 @@ impl FilmFormat {
 
 /// The settings of an animation. It repeats endlessly.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct FilmSettings {
     /// The file format.
     pub format: FilmFormat,
@@ -63,6 +64,7 @@ pub(super) const MOST_BYTES: usize = 512 << 20;
 
 /// Why an animation cannot be made.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum FilmError {
     /// No frames, or more than [`MOST_FRAMES`].
     #[error("{}", counted!(

@@ -24,6 +24,7 @@ const WEIGHT_TOLERANCE: f64 = 1e-9;
 
 /// The numbers of a session that are checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Quantity {
     /// The version of the format.
     #[error("the session's version")]
@@ -60,6 +61,7 @@ pub enum Quantity {
 /// A number outside its range.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{what} is {value}; it must be from {low} to {high}")]
+#[non_exhaustive]
 pub struct OutOfRange {
     /// The quantity.
     pub what: Quantity,

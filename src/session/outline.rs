@@ -52,9 +52,17 @@ fn vertices<S: Serializer>(polygon: &SimplePolygon, serializer: S) -> Result<S::
 
 /// An outline and how its interior is discretized.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct DomainSpec {
     /// The outline.
     pub outline: OutlineSpec,
     /// How it is discretized.
     pub settings: PrepareSettings,
+}
+
+impl DomainSpec {
+    /// An outline with these settings.
+    pub fn new(outline: OutlineSpec, settings: PrepareSettings) -> Self {
+        Self { outline, settings }
+    }
 }

@@ -26,19 +26,38 @@ impl SidePoints {
 }
 
 /// One side. A surface hides the outline, which keeps its own points.
+///
+/// Invariant: the boundary point of the outline is a fraction in [0, 1]. Commands take it modulo 1, and readers of
+/// links and files refuse any other value with [`super::OutOfRange`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct SideState {
-    /// The outline and how it is discretized.
-    pub domain: DomainSpec,
-    /// The outline's interior point `x`; `None` until set, with the pole of inaccessibility as default.
-    pub interior: Option<DVec2>,
-    /// The outline's boundary point `y`, as a fraction of arc length.
-    pub anchor: f64,
-    /// The surface shown instead of the outline.
-    pub surface: Option<SurfaceState>,
+    pub(super) domain: DomainSpec,
+    pub(crate) interior: Option<DVec2>,
+    pub(super) anchor: f64,
+    pub(super) surface: Option<SurfaceState>,
 }
 
 impl SideState {
+    /// The outline and how it is discretized.
+    pub fn domain(&self) -> &DomainSpec {
+        &self.domain
+    }
+
+    /// The outline's interior point `x`; `None` until set, with the pole of inaccessibility as default.
+    pub fn interior(&self) -> Option<DVec2> {
+        self.interior
+    }
+
+    /// The outline's boundary point `y`, as a fraction of arc length in [0, 1].
+    pub fn anchor(&self) -> f64 {
+        self.anchor
+    }
+
+    /// The surface shown instead of the outline.
+    pub fn surface(&self) -> Option<&SurfaceState> {
+        self.surface.as_ref()
+    }
+
     /// A side with an outline, no surface, and the default points.
     pub(super) fn new(outline: OutlineSpec, settings: PrepareSettings) -> Self {
         Self { domain: DomainSpec { outline, settings }, interior: None, anchor: 0.0, surface: None }

@@ -51,6 +51,7 @@ impl Default for SurfaceShape {
 
 /// A surface and how it is prepared.
 #[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub struct SurfaceSpec {
     /// Where it comes from.
     pub shape: SurfaceShape,
@@ -63,6 +64,23 @@ pub struct SurfaceSpec {
 }
 
 impl SurfaceSpec {
+    /// A surface without repairs, with the default settings.
+    pub fn new(shape: SurfaceShape) -> Self {
+        Self { shape, ..Self::default() }
+    }
+
+    /// Makes the safe repairs, or leaves the surface as it is.
+    #[must_use]
+    pub fn with_repair(self, repair: bool) -> Self {
+        Self { repair, ..self }
+    }
+
+    /// Replaces how it is discretized.
+    #[must_use]
+    pub fn with_settings(self, settings: SurfaceSettings) -> Self {
+        Self { settings, ..self }
+    }
+
     /// Whether the two are the same surface, at any resolution and with any settings.
     pub fn is_like(&self, other: &Self) -> bool {
         self.repair == other.repair && self.shape.is_like(&other.shape)
@@ -70,22 +88,37 @@ impl SurfaceSpec {
 }
 
 /// A surface with its two points.
+///
+/// Invariant in a [`super::Session`]: the boundary point is a fraction in [0, 1]. Commands take it modulo 1, and
+/// readers of links and files refuse any other value with [`super::OutOfRange`].
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct SurfaceState {
-    /// The surface.
-    pub spec: SurfaceSpec,
-    /// The interior point `x`; `None` until set, with the vertex farthest from the boundary as default.
+    pub(crate) spec: SurfaceSpec,
     #[serde(default)]
-    pub point: Option<BarycentricPoint>,
-    /// The boundary point `y`, as a fraction of the length of the boundary loop.
+    pub(crate) point: Option<BarycentricPoint>,
     #[serde(default)]
-    pub anchor: f64,
+    pub(crate) anchor: f64,
 }
 
 impl SurfaceState {
     /// The surface with its default points.
     pub fn new(spec: SurfaceSpec) -> Self {
         Self { spec, point: None, anchor: 0.0 }
+    }
+
+    /// Where the surface comes from and how it is prepared.
+    pub fn spec(&self) -> &SurfaceSpec {
+        &self.spec
+    }
+
+    /// The interior point `x`; `None` until set, with the vertex farthest from the boundary as default.
+    pub fn point(&self) -> Option<BarycentricPoint> {
+        self.point
+    }
+
+    /// The boundary point `y`, as a fraction of the length of the boundary loop, in [0, 1].
+    pub fn anchor(&self) -> f64 {
+        self.anchor
     }
 
     /// Its two points.

@@ -1,10 +1,11 @@
 //! A surface that is a disk, numbered as the map needs it: boundary loop first, interior after.
 
+use super::edges::NO_TWIN;
 use super::repair::{ADDED, RepairNote, Repaired, repair};
 use super::survey::connectivity;
 use super::{Surface, TopologyError};
 use crate::geometry::DVec3;
-use crate::mesh::{TriMesh, TriangleId, VertexId};
+use crate::mesh::{NO_TRIANGLE, TriMesh, TriangleId, VertexId};
 
 /// A disk in space: one boundary loop, no handles, consistently oriented, no flat triangles.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,13 +41,14 @@ impl SurfaceMesh {
         &self.mesh
     }
 
-    /// For each vertex its index in the surface as it was read, or [`ADDED`].
+    /// The compact form of [`Self::origin_of`], for buffers and tables.
     #[cfg(feature = "io")]
     pub(crate) fn vertex_origins(&self) -> &[u32] {
         &self.vertex_origins
     }
 
-    /// For each triangle its index in the surface as it was read, or [`ADDED`]: it fills a hole.
+    /// The compact form of [`Self::origins_of_triangles`], for buffers and tables.
+    #[cfg(feature = "io")]
     pub(crate) fn triangle_origins(&self) -> &[u32] {
         &self.triangle_origins
     }
@@ -54,6 +56,16 @@ impl SurfaceMesh {
     /// The vertex of the surface as it was read from which this one comes; `None` if a repair has added it.
     pub fn origin_of(&self, vertex: VertexId) -> Option<VertexId> {
         Some(self.vertex_origins[vertex.index()]).filter(|&origin| origin != ADDED).map(VertexId::new)
+    }
+
+    /// The triangle of the surface as it was read from which this one comes; `None` if a repair has added it.
+    pub fn origin_of_triangle(&self, triangle: TriangleId) -> Option<TriangleId> {
+        original(self.triangle_origins[triangle.index()])
+    }
+
+    /// [`Self::origin_of_triangle`] of all triangles in order.
+    pub fn origins_of_triangles(&self) -> impl Iterator<Item = Option<TriangleId>> {
+        self.triangle_origins.iter().copied().map(original)
     }
 
     /// The repairs that were made.
@@ -74,14 +86,17 @@ impl SurfaceMesh {
         let found = connectivity(&surface)?;
         found.check_disk(&surface)?;
         let boundary = found.loops.first().map(Vec::as_slice).unwrap_or_default();
-        let mut number = vec![u32::MAX; surface.vertices.len()];
-        let mut order = boundary.to_vec();
-        boundary.iter().enumerate().for_each(|(k, &v)| number[v as usize] = k as u32);
-        for (v, number) in number.iter_mut().enumerate().filter(|(_, number)| **number == u32::MAX) {
-            *number = order.len() as u32;
-            order.push(v as u32);
+        let mut is_on_boundary = vec![false; surface.vertices.len()];
+        for &v in boundary {
+            is_on_boundary[v as usize] = true;
         }
-        let across = |twin: u32| if twin == u32::MAX { twin } else { twin / 3 };
+        let mut order = boundary.to_vec();
+        order.extend((0..surface.vertices.len() as u32).filter(|&v| !is_on_boundary[v as usize]));
+        let mut number = vec![0; order.len()];
+        for (k, &v) in (0..).zip(&order) {
+            number[v as usize] = k;
+        }
+        let across = |twin: u32| if twin == NO_TWIN { NO_TRIANGLE } else { twin / 3 };
         let mesh = TriMesh::known_sound(
             order.iter().map(|&v| surface.vertices[v as usize]).collect(),
             boundary.len() as u32,
@@ -139,6 +154,11 @@ impl SurfaceMesh {
     pub fn origin_count(&self) -> usize {
         self.numbers.len()
     }
+}
+
+/// The triangle with this number in [`SurfaceMesh::triangle_origins`].
+fn original(number: u32) -> Option<TriangleId> {
+    (number != ADDED).then(|| TriangleId::new(number))
 }
 
 /// For each of `before` vertices its position in `origins`, or [`ADDED`].

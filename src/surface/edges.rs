@@ -2,6 +2,9 @@
 //!
 //! Half-edge `3t + i` is the edge of triangle t opposite to its corner i, from corner i+1 to corner i+2.
 
+/// The other half-edge of one at the boundary, or at an edge of more than two triangles.
+pub(super) const NO_TWIN: u32 = u32::MAX;
+
 /// The edges between the same two vertices, as half-edges.
 #[derive(Debug)]
 pub(super) struct EdgeTable {
@@ -49,9 +52,9 @@ impl EdgeTable {
         groups.flat_map(|group| group.chunk_by(|a, b| a.0 == b.0))
     }
 
-    /// For each half-edge the other one of its edge if there are exactly two, else [`u32::MAX`].
+    /// For each half-edge the other one of its edge if there are exactly two, else [`NO_TWIN`].
     pub(super) fn twins(&self) -> Vec<u32> {
-        let mut twins = vec![u32::MAX; self.grouped.len()];
+        let mut twins = vec![NO_TWIN; self.grouped.len()];
         for edge in self.edges() {
             if let &[(_, a), (_, b)] = edge {
                 (twins[a as usize], twins[b as usize]) = (b, a);

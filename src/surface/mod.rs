@@ -44,7 +44,6 @@ pub use read::{
     ENDINGS, Fault, Item, MAX_BYTES, MAX_CORNERS, MAX_TRIANGLES, SurfaceError, Unsupported, check_size, names_format,
     read_surface,
 };
-pub(crate) use repair::ADDED;
 pub use repair::RepairNote;
 pub use survey::{MAX_COORDINATE, MIN_EXTENT};
 #[cfg(feature = "io")]

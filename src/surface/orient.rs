@@ -1,7 +1,7 @@
 //! Decides which triangles to reverse so that neighbors traverse their common edge in opposite directions.
 
 use super::TopologyError;
-use super::edges::ends;
+use super::edges::{NO_TWIN, ends};
 use crate::mesh::TriangleId;
 
 /// Whether to reverse each triangle: in each component the minority. An error for one-sided surfaces, which have no
@@ -32,7 +32,7 @@ fn orient_component(
     let (mut pending, mut members) = (vec![start], Vec::new());
     while let Some(t) = pending.pop() {
         members.push(t);
-        for (half, &twin) in (3 * t as u32..).zip(&twins[3 * t..3 * t + 3]).filter(|(_, twin)| **twin != u32::MAX) {
+        for (half, &twin) in (3 * t as u32..).zip(&twins[3 * t..3 * t + 3]).filter(|(_, twin)| **twin != NO_TWIN) {
             let same = ends(triangles, half) == ends(triangles, twin);
             let wanted = turned[t].map(|turned| turned != same);
             let other = twin as usize / 3;

@@ -14,7 +14,7 @@ use super::{LoopReport, Surface, TopologyError};
 use crate::counted::counted;
 
 /// The origin of a vertex or triangle that a repair has added.
-pub(crate) const ADDED: u32 = u32::MAX;
+pub(super) const ADDED: u32 = u32::MAX;
 
 /// A repair that was made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]

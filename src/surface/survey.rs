@@ -4,7 +4,7 @@
 //! For example, loops are walked only where every edge has at most two triangles of equal orientation.
 
 use super::duplicates::duplicates;
-use super::edges::{EdgeTable, ends};
+use super::edges::{EdgeTable, NO_TWIN, ends};
 use super::orient::turned;
 use super::{LoopReport, Surface, TopologyError};
 use crate::geometry::DVec3;
@@ -21,10 +21,13 @@ pub const MIN_EXTENT: f64 = 1e-70;
 /// a collinear triple computed in f64 has 1e-16.
 const FLAT: f64 = 1e-12;
 
+/// The component of a triangle that has no number yet.
+const UNNUMBERED: u32 = u32::MAX;
+
 /// The connectivity of a manifold, consistently oriented surface.
 #[derive(Debug)]
 pub(super) struct Connectivity {
-    /// For each half-edge `3t + i` the other one, or `u32::MAX` at the boundary.
+    /// For each half-edge `3t + i` the other one, or [`NO_TWIN`] at the boundary.
     pub twins: Vec<u32>,
     /// The boundary loops in the direction of their triangles, the longest first.
     pub loops: Vec<Vec<u32>>,
@@ -107,7 +110,7 @@ pub(super) fn check_edges(triangles: &[[u32; 3]], edges: &EdgeTable) -> Result<(
 
 /// Checks that neighboring triangles traverse their common edge in opposite directions.
 pub(super) fn check_orientation(triangles: &[[u32; 3]], twins: &[u32]) -> Result<(), TopologyError> {
-    let halves = (0..twins.len() as u32).zip(twins).filter(|&(half, &twin)| twin != u32::MAX && half < twin);
+    let halves = (0..twins.len() as u32).zip(twins).filter(|&(half, &twin)| twin != NO_TWIN && half < twin);
     let mut wrong = halves.filter(|&(half, &twin)| ends(triangles, half) == ends(triangles, twin));
     let Some((half, &twin)) = wrong.next() else { return Ok(()) };
     turned(triangles, twins)?; // the error of a one-sided surface, which has no orientation
@@ -131,7 +134,7 @@ pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: us
             loop {
                 visited[at] = true;
                 let twin = twins[3 * (at / 3) + (at + turn) % 3];
-                if twin == u32::MAX {
+                if twin == NO_TWIN {
                     break;
                 }
                 // across half-edge i+1, the same vertex is the corner i+1 of the other triangle, and vice versa
@@ -149,10 +152,10 @@ pub(super) fn check_vertices(triangles: &[[u32; 3]], twins: &[u32], vertices: us
 
 /// Numbers the connected components; triangles that share only a vertex are in different ones.
 pub(super) fn components(twins: &[u32]) -> (Vec<u32>, Vec<usize>) {
-    let mut component = vec![u32::MAX; twins.len() / 3];
+    let mut component = vec![UNNUMBERED; twins.len() / 3];
     let (mut sizes, mut pending) = (Vec::new(), Vec::new());
     for start in 0..component.len() {
-        if component[start] != u32::MAX {
+        if component[start] != UNNUMBERED {
             continue;
         }
         let number = sizes.len() as u32;
@@ -162,7 +165,7 @@ pub(super) fn components(twins: &[u32]) -> (Vec<u32>, Vec<usize>) {
         while let Some(t) = pending.pop() {
             size += 1;
             for &twin in &twins[3 * t..3 * t + 3] {
-                if twin != u32::MAX && component[twin as usize / 3] == u32::MAX {
+                if twin != NO_TWIN && component[twin as usize / 3] == UNNUMBERED {
                     component[twin as usize / 3] = number;
                     pending.push(twin as usize / 3);
                 }
@@ -176,18 +179,18 @@ pub(super) fn components(twins: &[u32]) -> (Vec<u32>, Vec<usize>) {
 /// The boundary loops in the direction of their triangles, the longest first; at every vertex
 /// there must be at most one boundary edge that begins there.
 fn loops(surface: &Surface, twins: &[u32]) -> Vec<Vec<u32>> {
-    let mut next = vec![u32::MAX; surface.vertices.len()];
-    for (half, _) in twins.iter().enumerate().filter(|(_, twin)| **twin == u32::MAX) {
+    let mut next = vec![None; surface.vertices.len()];
+    for (half, _) in twins.iter().enumerate().filter(|(_, twin)| **twin == NO_TWIN) {
         let [u, v] = ends(&surface.triangles, half as u32);
-        next[u as usize] = v;
+        next[u as usize] = Some(v);
     }
     let mut loops = Vec::new();
     for start in 0..next.len() {
         let mut vertices = Vec::new();
         let mut at = start as u32;
-        while next[at as usize] != u32::MAX {
+        while let Some(after) = next[at as usize].take() {
             vertices.push(at);
-            at = std::mem::replace(&mut next[at as usize], u32::MAX);
+            at = after;
         }
         if !vertices.is_empty() {
             loops.push(vertices);
@@ -245,7 +248,7 @@ impl Connectivity {
     /// The genus g of a connected surface with b loops, from V − E + F = 2 − 2g − b.
     fn genus(&self, vertices: usize) -> usize {
         let halves = self.twins.len();
-        let boundary = self.twins.iter().filter(|&&twin| twin == u32::MAX).count();
+        let boundary = self.twins.iter().filter(|&&twin| twin == NO_TWIN).count();
         let (faces, edges) = (halves / 3, halves.midpoint(boundary));
         (2 + edges).saturating_sub(vertices + faces + self.loops.len()) / 2
     }

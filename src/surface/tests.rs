@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
+use super::repair::ADDED;
 use super::*;
 use crate::mesh::{TriMesh, TriangleId, VertexId};
 

@@ -39,7 +39,7 @@ withEachBackend('everyone', (bench) => {
   );
 
   test(
-    'a German browser is spoken to in German, and everybody can choose',
+    'a German browser gets German text, and everybody can choose',
     bench.withApp(
       async (app) => {
         assert.equal(await app.language(), 'de');

@@ -39,7 +39,7 @@ test('both languages have all words, and none is the same in both', async () => 
 
 test('the address decides, then what was chosen, then the browser', async () => {
   const kept = '{"language":"de"}';
-  const language = async (wish) => (await wordsFor(wish)).language;
+  const language = async (requested) => (await wordsFor(requested)).language;
   assert.equal(await language({ search: '?lang=en', languages: ['de'], kept }), 'en');
   assert.equal(await language({ languages: ['fr', 'en'], kept }), 'de');
   assert.equal(await language({ languages: ['fr', 'de'], kept: 'no JSON' }), 'de');

@@ -3,7 +3,7 @@ import { words } from "./words.js";
 
 /** Replaces the page's contents by this explanation; `lack`, a key of `words`, names what is missing. */
 export function plainWords(lack) {
-  const { title, missing, remedies } = words[lack];
+  const { title, missing, suggestions } = words[lack];
   const page = document.createElement("main");
   page.className = "plain";
   page.id = "plain-words";
@@ -15,7 +15,7 @@ export function plainWords(lack) {
   add(page, "h1", title);
   add(page, "p", missing);
   const list = add(page, "ul");
-  for (const remedy of remedies) add(list, "li", remedy);
+  for (const suggestion of suggestions) add(list, "li", suggestion);
   const reload = add(page, "button", words.reload);
   reload.addEventListener("click", () => location.reload());
   document.body.replaceChildren(page);

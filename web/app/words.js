@@ -14,7 +14,7 @@ const WORDS = {
     graphics: {
       title: "riemap cannot draw here",
       missing: "riemap draws with WebGPU or WebGL 2, and this browser offers neither of them here.",
-      remedies: [
+      suggestions: [
         "Open this page in a current Firefox, Chrome, Edge or Safari.",
         "Turn on hardware acceleration (or “graphics acceleration”) in the browser's settings, and start the browser again.",
         "In a virtual machine or on a remote desktop, open the page on the computer itself.",
@@ -23,7 +23,7 @@ const WORDS = {
     program: {
       title: "riemap cannot run here",
       missing: "riemap computes in the browser, with WebAssembly and its vector instructions, and this browser does not have them.",
-      remedies: [
+      suggestions: [
         "Bring the browser up to date: Firefox from 2023, Chrome and Edge from 2022, Safari from 16.4 on will do.",
         "If WebAssembly was turned off (as in Safari's lockdown mode), allow it for this page.",
       ],
@@ -41,7 +41,7 @@ const WORDS = {
     graphics: {
       title: "riemap kann hier nicht zeichnen",
       missing: "riemap zeichnet mit WebGPU oder WebGL 2, und dieser Browser bietet hier keines von beiden.",
-      remedies: [
+      suggestions: [
         "Diese Seite in einem aktuellen Firefox, Chrome, Edge oder Safari öffnen.",
         "In den Einstellungen des Browsers die Hardwarebeschleunigung („Grafikbeschleunigung“) einschalten und den Browser neu starten.",
         "In einer virtuellen Maschine oder über eine Fernverbindung: die Seite auf dem Rechner selbst öffnen.",
@@ -50,7 +50,7 @@ const WORDS = {
     program: {
       title: "riemap kann hier nicht laufen",
       missing: "riemap rechnet im Browser, mit WebAssembly und dessen Vektorbefehlen; dieser Browser kennt sie nicht.",
-      remedies: [
+      suggestions: [
         "Den Browser aktualisieren: Firefox ab 2023, Chrome und Edge ab 2022, Safari ab 16.4 genügen.",
         "Wurde WebAssembly abgeschaltet (wie im Blockierungsmodus von Safari), es für diese Seite erlauben.",
       ],

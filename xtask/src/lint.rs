@@ -1,7 +1,8 @@
-//! The checks that do not run the program: the table of rooms, formatting, clippy and
-//! documentation, natively and for the web, and the licenses of dependencies.
+//! The checks that do not run the program: the table of rooms, the number of fields, formatting, clippy
+//! and documentation, natively and for the web, and the licenses of dependencies.
 
 use crate::cargo_tool::{CargoTool, Optimization, Source, path_with};
+use crate::fields;
 use crate::places::Places;
 use crate::report::Report;
 use crate::rooms;
@@ -22,6 +23,7 @@ pub fn everything(places: &Places) -> Result<(), Failure> {
     ensure_web_target()?;
     let mut report = Report::default();
     report.step("rooms", || rooms::check(places));
+    report.step("fields", || fields::check(places));
     let mut cargo_step = |name: &str, arguments: &[&str]| {
         report.step(name, || run(name, cargo(places, arguments).env("RUSTDOCFLAGS", "-D warnings")));
     };

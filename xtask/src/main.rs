@@ -4,6 +4,7 @@
 //! status 1 and the name of the failed step (2 for wrong usage). Only `serve` keeps running.
 
 mod cargo_tool;
+mod fields;
 mod lint;
 mod node;
 mod package;
@@ -26,7 +27,7 @@ usage: cargo xtask <command>
   serve [--port N] [--open]  install what the web app needs, build it and serve it
   dist                       build the web app into dist/, ready to be hosted
   test                       every test: unit, images on lavapipe, real browsers
-  lint                       rooms, rustfmt, clippy, rustdoc, the core alone, cargo-deny";
+  lint                       rooms, fields, rustfmt, clippy, rustdoc, the core alone, cargo-deny";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -121,7 +121,7 @@ const ROOMS: &[Row] = &[
     ),
 ];
 
-/// The rooms of `src/app`. The files directly in that folder may use all of them.
+/// The rooms of `src/app`. The files directly in that folder are the room [`APP_ROOT`].
 const APP_ROOMS: &[Row] = &[
     ("language", &[]),
     ("theme", &["language"]),
@@ -135,6 +135,10 @@ const APP_ROOMS: &[Row] = &[
     ("menus", &["language", "theme", "input", "panels"]),
     ("windows", &["language", "theme", "input", "plots", "panels", "menus"]),
 ];
+
+/// The room of the files directly in `src/app`: it may use every other room of the app, and none of them may use it,
+/// neither its files nor what `src/app/mod.rs` defines or re-exports.
+const APP_ROOT: &str = "app root";
 
 /// The maximal number of files in a folder of `src/app`.
 const MOST_FILES: usize = 20;
@@ -192,9 +196,9 @@ fn wrong_arrows(names: &[&str], code: &str) -> Vec<String> {
         wrong.extend(
             others(&used, inner, allowed, APP_ROOMS).map(|other| format!("app/{inner} may not use app/{other}")),
         );
-        if words(code).contains("RiemapApp") {
-            wrong.push(format!("app/{inner} may not know the whole app"));
-        }
+        // what is no room is a file of the root or an item that the root defines
+        let of_root = used.iter().filter(|name| APP_ROOMS.iter().all(|(room, _)| room != name));
+        wrong.extend(of_root.map(|name| format!("app/{inner} may not use {name} of the {APP_ROOT}")));
     }
     wrong
 }
@@ -278,7 +282,8 @@ fn crowded(folder: &Path) -> Result<Vec<String>, Failure> {
     Ok(crowded)
 }
 
-fn rust_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+/// All Rust files in a folder and its folders.
+pub fn rust_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut files = Vec::new();
     for entry in entries(folder)? {
         if entry.is_dir() {
@@ -333,7 +338,11 @@ mod tests {
         let code = "use super::super::panels::header;\nuse crate::app::theme;\nuse super::menus;";
         assert_eq!(wrong_arrows(&["app", "theme", "widgets"], code), ["app/theme may not use app/panels"]);
         let whole = wrong_arrows(&["app", "menus", "top_bar"], "use crate::app::RiemapApp;");
-        assert_eq!(whole, ["app/menus may not know the whole app"]);
+        assert_eq!(whole, ["app/menus may not use RiemapApp of the app root"]);
+        let constant = wrong_arrows(&["app", "panels", "shapes"], "fn f() -> bool { 1.0 < crate::app::PHONE_WIDTH }");
+        assert_eq!(constant, ["app/panels may not use PHONE_WIDTH of the app root"]);
+        let relative = wrong_arrows(&["app", "panels", "mod"], "use super::{messages, theme};");
+        assert_eq!(relative, ["app/panels may not use messages of the app root"]);
         assert!(wrong_arrows(&["app", "frame"], "use super::menus::top_bar;").is_empty());
         assert_eq!(wrong_arrows(&["app", "attic", "mod"], "").len(), 1, "a room that is not in the table");
     }

@@ -23,7 +23,7 @@ const HANDLES_TOOLTIP: Label = key::handles_tooltip();
 const ONE_ROW: f32 = 52.0;
 
 /// The height of a side's bar and the gap below it, in points.
-pub fn room(ui: &Ui, side: Side) -> f32 {
+pub fn height(ui: &Ui, side: Side) -> f32 {
     ui.memory(|memory| memory.area_rect(bar_id(side))).map_or(ONE_ROW, |area| area.height()) + GAP
 }
 
@@ -32,7 +32,7 @@ fn bar_id(side: Side) -> Id {
 }
 
 /// In a picture narrower than this the buttons have less padding, so that all fit into one row.
-const WIDE_ROOM: f32 = 300.0;
+const ONE_ROW_WIDTH: f32 = 300.0;
 const NARROW_PADDING: f32 = 5.0;
 
 /// The gap between the bar and the message above it.
@@ -42,12 +42,13 @@ const BELOW_TITLE: f32 = 64.0;
 /// The assumed height of a message before its first layout: two lines.
 const TWO_LINES: f32 = 56.0;
 
-/// Shows the bar of an edited side at the lower edge of `room`, the free part of its picture, and the message above it.
-pub fn show(ui: &mut Ui, side: Side, view: &View, room: Rect, editor: &Editor, actions: &mut Actions) {
+/// Shows the bar of an edited side at the lower edge of `free_area`, the free part of its picture, and the message
+/// above it.
+pub fn show(ui: &mut Ui, side: Side, view: &View, free_area: Rect, editor: &Editor, actions: &mut Actions) {
     if editor.side() != Some(side) {
         return;
     }
-    let bar = show_bar(ui, side, room, editor, actions);
+    let bar = show_bar(ui, side, free_area, editor, actions);
     if let Some(text) = editor.message() {
         let crossing = editor.crossing().and_then(|crossing| crossing.at).map(|at| view.to_screen(at));
         show_message(ui, side, view.rect, bar.top() - BELOW_MESSAGE, crossing, text, actions);
@@ -85,7 +86,7 @@ fn show_message(
 }
 
 /// Shows the buttons; returns the rectangle of the bar.
-fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Actions) -> Rect {
+fn show_bar(ui: &Ui, side: Side, free_area: Rect, editor: &Editor, actions: &mut Actions) -> Rect {
     let palette = Palette::of(ui.visuals());
     let frame = Frame::new()
         .fill(palette.raised)
@@ -95,13 +96,13 @@ fn show_bar(ui: &Ui, side: Side, room: Rect, editor: &Editor, actions: &mut Acti
     let area = Area::new(bar_id(side))
         .order(Order::Middle)
         .pivot(Align2::CENTER_BOTTOM)
-        .fixed_pos(pos2(room.center().x, room.bottom() - GAP));
+        .fixed_pos(pos2(free_area.center().x, free_area.bottom() - GAP));
     let shown = area.show(ui.ctx(), |ui| {
-        ui.set_max_width(widest(room));
+        ui.set_max_width(widest(free_area));
         frame.show(ui, |ui| {
             ui.horizontal_wrapped(|ui| {
                 ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
-                if room.width() < WIDE_ROOM {
+                if free_area.width() < ONE_ROW_WIDTH {
                     ui.spacing_mut().button_padding.x = NARROW_PADDING;
                 }
                 let height = control_height(ui, ROW_HEIGHT);

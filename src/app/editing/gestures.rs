@@ -17,9 +17,9 @@ use crate::model::editing::Pen;
 use egui::{CursorIcon, Key, Modifiers, Pos2, Response, Sense, Ui, Vec2};
 
 /// How far an arrow key moves a handle, in points.
-const NUDGE: f32 = 4.0;
+const KEY_STEP: f32 = 4.0;
 /// The same with Shift.
-const FINE_NUDGE: f32 = 0.5;
+const FINE_KEY_STEP: f32 = 0.5;
 
 /// Turns gestures over the picture of an edited side into actions and camera moves. While reshaping, dots can
 /// still be dragged where no handle is under the pointer.
@@ -190,7 +190,7 @@ fn hold_by_keys(ui: &Ui, reshaping: &Reshaping, view: &View, free: bool, actions
     let Some(handle) = held.or(reshaping.selected.filter(|_| takes)) else { return };
     let Some(at) = reshaping.shape().handle(handle) else { return };
     let [coarse, fine] = arrow_keys(ui);
-    let by = NUDGE * coarse + FINE_NUDGE * fine;
+    let by = KEY_STEP * coarse + FINE_KEY_STEP * fine;
     if held.is_none() && by == Vec2::ZERO {
         return;
     }

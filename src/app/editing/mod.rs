@@ -11,7 +11,7 @@ mod paste;
 mod pen;
 mod record;
 
-pub use bar::{room as bar_room, show as show_bar};
+pub use bar::{height as bar_height, show as show_bar};
 pub use gestures::{interact, keys};
 pub use paint::{paint, paint_sheet};
 pub use paste::{pasted, show as show_paste};

@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn a_boundary_dot_moves_along_its_boundary_counter_clockwise_and_back() {
         let mut harness = focused("y₂, boundary point of the target");
-        let at = |harness: &Harness<'_, RiemapApp>| harness.state().session().side(Side::Target).anchor;
+        let at = |harness: &Harness<'_, RiemapApp>| harness.state().session().side(Side::Target).anchor();
         let start = at(&harness);
         harness.key_press(Key::ArrowUp);
         harness.run_steps(3);

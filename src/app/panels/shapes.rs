@@ -5,7 +5,7 @@ use crate::app::input::locks::{guarded_by, menu_entry};
 use crate::app::language::words;
 use crate::app::theme::text_metrics::{menu_label, scroll_beyond};
 use crate::app::theme::widgets::chevron;
-use crate::app::theme::{Palette, ROUNDING};
+use crate::app::theme::{PHONE_WIDTH, Palette, ROUNDING};
 use crate::app::viewport::surface::surface_picture;
 use crate::conformal::Side;
 use crate::language::{key, tr};
@@ -45,7 +45,7 @@ fn name(shape: PresetShape) -> &'static str {
 }
 
 fn menu(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
-    let columns = if ui.ctx().content_rect().width() < crate::app::PHONE_WIDTH { 3 } else { COLUMNS };
+    let columns = if ui.ctx().content_rect().width() < PHONE_WIDTH { 3 } else { COLUMNS };
     let current = model.requested_preset(side);
     ui.set_width(columns as f32 * (CELL.x + 4.0));
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);

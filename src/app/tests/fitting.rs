@@ -172,7 +172,7 @@ fn assert_bar_between(screen: &mut Screen, where_: &str) {
     act(screen, Action::Edit(EditAction::Toggle(Side::Target)));
     let app = screen.state();
     let view = &app.pictures.views[Side::Target];
-    let arrangement = arrangement::Arrangement { narrow: whole(screen).width() < PHONE_WIDTH, stacked: false };
+    let arrangement = arrangement::Arrangement { narrow: whole(screen).width() < theme::PHONE_WIDTH, stacked: false };
     let legend = view.rect.bottom() - legend::height(view.rect, arrangement.is_tight(view.rect));
     let (low, _) = app.model.extent(Side::Target).unwrap();
     let outline = view.to_screen(low).y;
@@ -215,7 +215,7 @@ fn offer() -> Offer {
 }
 
 /// The lower edge of the pictures.
-fn foot(screen: &Screen) -> f32 {
+fn message_bar_top(screen: &Screen) -> f32 {
     screen.state().pictures.views.iter().map(|(_, view)| view.rect.bottom()).fold(0.0, f32::max)
 }
 
@@ -224,25 +224,29 @@ fn a_message_about_both_sides_covers_nothing_and_can_be_closed() {
     for size in [DESK, PHONE, LYING_PHONE, FRAME] {
         let mut screen = screen(size, Language::English);
         act(&mut screen, Action::Edit(EditAction::Toggle(Side::Source)));
-        let before = foot(&screen);
+        let before = message_bar_top(&screen);
         screen.state_mut().messages.common = Some("Not saved: there is no room. ".repeat(3).into());
         screen.state_mut().messages.offer = Some(offer());
         screen.run_steps(4);
-        let below = Rect::everything_below(foot(&screen)).intersect(whole(&screen));
+        let below = Rect::everything_below(message_bar_top(&screen)).intersect(whole(&screen));
         for label in ["Trace it as outline", "No", "Close this message"] {
             let button = screen.get_by_label(label).rect();
             assert!(below.contains_rect(button), "{size:?}: {label} at {button:?} is not in {below:?}");
         }
         screen.state_mut().messages.common = Some("The link could not be opened: ".repeat(200).into());
         screen.run_steps(4);
-        let share = (before - foot(&screen)) / before;
+        let share = (before - message_bar_top(&screen)) / before;
         assert!((0.25..0.5).contains(&share), "{size:?}: a long message takes {share} of the height");
         (screen.state_mut().messages.common, screen.state_mut().messages.offer) = (Some("Not saved.".into()), None);
         screen.run_steps(4);
-        assert!(before - foot(&screen) < 75.0, "{size:?}: a short one takes {}", before - foot(&screen));
+        assert!(
+            before - message_bar_top(&screen) < 75.0,
+            "{size:?}: a short one takes {}",
+            before - message_bar_top(&screen)
+        );
         screen.get_by_label("Close this message").click();
         screen.run_steps(3);
-        assert!(screen.state().messages.common.is_none() && foot(&screen) == before);
+        assert!(screen.state().messages.common.is_none() && message_bar_top(&screen) == before);
     }
 }
 
@@ -255,15 +259,15 @@ fn a_message_does_not_change_the_stacking_and_waits_for_the_end_of_a_drag() {
         source.bottom() <= target.top()
     };
     assert!(stacked(&screen));
-    let (before, place) = (foot(&screen), screen.state().stats().screen.handles.x1.unwrap());
+    let (before, place) = (message_bar_top(&screen), screen.state().stats().screen.handles.x1.unwrap());
     screen.drag_at(place.into());
     screen.step();
     screen.state_mut().messages.common = Some("Not saved.".into());
     screen.run_steps(3);
-    assert_eq!(foot(&screen), before, "a dot is held");
+    assert_eq!(message_bar_top(&screen), before, "a dot is held");
     screen.drop_at(place.into());
     screen.run_steps(3);
-    assert!(foot(&screen) < before && stacked(&screen));
+    assert!(message_bar_top(&screen) < before && stacked(&screen));
 }
 
 #[test]

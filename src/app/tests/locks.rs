@@ -45,7 +45,7 @@ fn a_locked_action_is_refused_and_the_others_are_carried_out() {
     ];
     app.carry_out(&context, actions);
     assert_eq!(app.session().texture(), before.texture());
-    assert_eq!(app.session().side(Side::Source).anchor, 0.25, "actions that are not locked are carried out");
+    assert_eq!(app.session().side(Side::Source).anchor(), 0.25, "actions that are not locked are carried out");
 }
 
 #[test]

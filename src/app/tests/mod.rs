@@ -277,7 +277,7 @@ fn the_key_p_opens_the_plots_and_closes_them() {
         harness.key_press(egui::Key::P);
         harness.step();
         assert!(harness.state().stats().overlays.plots);
-        if size[0] > PHONE_WIDTH {
+        if size[0] > theme::PHONE_WIDTH {
             for title in ["Poisson kernel", "Harmonic measure", "Reparameterisation"] {
                 harness.get_by_label(title);
             }

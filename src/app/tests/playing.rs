@@ -91,7 +91,7 @@ fn another_motion_waits_for_a_slow_map_and_then_goes_on() {
     }
     model.refresh(true);
     assert!(player.is_moving() && !model.is_ready(), "the map is behind the points");
-    let anchor = model.session().side(Side::Source).anchor;
+    let anchor = model.session().side(Side::Source).anchor();
     player.act(PlayAction::Along(Path::Boundary), &model);
     assert!(player.is_playing() && !player.is_moving());
     let there = model.interior(Side::Source);
@@ -106,7 +106,7 @@ fn another_motion_waits_for_a_slow_map_and_then_goes_on() {
     play_for(&mut player, &mut model, 100.0, 4);
     assert!(player.is_moving());
     assert_eq!(model.interior(Side::Source), there, "the old motion is over");
-    assert_ne!(model.session().side(Side::Source).anchor, anchor);
+    assert_ne!(model.session().side(Side::Source).anchor(), anchor);
 }
 
 #[test]

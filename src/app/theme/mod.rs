@@ -12,6 +12,8 @@ use egui::{
 };
 use std::sync::Arc;
 
+/// Below this width (in points) the controls become a sheet.
+pub const PHONE_WIDTH: f32 = 700.0;
 /// The height of buttons, segmented switches and rows.
 pub const ROW_HEIGHT: f32 = 28.0;
 /// The same height on touch screens, in points: a fingertip is 10 mm wide.

@@ -179,8 +179,8 @@ pub fn message_box(ui: &mut Ui, text: &Message, quick_fix: Option<Words>, most: 
         .inner_margin(Margin::symmetric(12, MESSAGE_MARGIN));
     let most = most - 2.0 * (f32::from(MESSAGE_MARGIN) + MESSAGE_EDGE);
     let content = |ui: &mut Ui| {
-        let remedy_width = quick_fix.map_or(0.0, |label| button_width(ui, tr(label)));
-        let buttons = control_height(ui, CROSS_WIDTH) + ui.spacing().item_spacing.x + remedy_width;
+        let quick_fix_width = quick_fix.map_or(0.0, |label| button_width(ui, tr(label)));
+        let buttons = control_height(ui, CROSS_WIDTH) + ui.spacing().item_spacing.x + quick_fix_width;
         if ui.available_width() - buttons < LEAST_WORDS {
             message_words(ui, text, most - ui.spacing().item_spacing.y - ui.spacing().interact_size.y);
             return ui.horizontal(|ui| message_buttons(ui, quick_fix)).inner;

@@ -12,8 +12,8 @@ use crate::model::Model;
 use crate::render::{CellStyle, OrbitCamera, Pace, TextureStyle};
 use egui::{Pos2, Rect, Ui};
 
-/// What differs between the two kinds of viewport: their cameras, by reference to draw and by mutable reference to handle
-/// gestures, or what the renderer needs of them.
+/// What differs between the two kinds of viewport: their cameras, by reference to draw and by mutable reference to
+/// handle gestures, or what the renderer needs of them.
 pub enum Picture<P, S> {
     /// A plane.
     Plane(P),
@@ -22,7 +22,7 @@ pub enum Picture<P, S> {
 }
 
 impl Pictures {
-    /// The picture of what stands on a side.
+    /// The picture of a side: planar for an outline, in space for a surface.
     pub fn of(&self, model: &Model, side: Side) -> Picture<&View, &OrbitView> {
         match model.surface(side) {
             Some(_) => Picture::Space(&self.orbits[side]),
@@ -30,7 +30,7 @@ impl Pictures {
         }
     }
 
-    /// The picture of what stands on a side, to be moved.
+    /// As [`Self::of`], to be moved.
     pub fn of_mut(&mut self, model: &Model, side: Side) -> Picture<&mut View, &mut OrbitView> {
         match model.surface(side) {
             Some(_) => Picture::Space(&mut self.orbits[side]),
@@ -42,14 +42,14 @@ impl Pictures {
 /// When a camera shows a new shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Seen {
-    /// Now.
+    /// In this frame: the view is already placed.
     Now,
     /// In the next frame, when the view is placed.
     InNextFrame,
 }
 
 impl Pictures {
-    /// Places the viewport of a side; a camera that is fitted shows all of what stands there.
+    /// Places the viewport of a side; a camera that is fitted shows the whole outline or surface.
     pub fn place(&mut self, model: &Model, side: Side, rect: Rect, pixels_per_point: f32, margins: Margins) {
         let view = &mut self.views[side];
         view.place(rect, pixels_per_point, margins, model.extent(side));

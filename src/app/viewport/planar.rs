@@ -123,7 +123,7 @@ fn stepped(side: Side, model: &Model, view: &View, key_step: KeyStep) -> Option<
             model.interior_near(side, at).map(|point| Command::MoveInterior { side, point: point.into() })
         }
         KeyStep::Boundary(step) => {
-            Some(Command::MoveAnchor { side, fraction: model.session().side(side).anchor + step })
+            Some(Command::MoveAnchor { side, fraction: model.session().side(side).anchor() + step })
         }
     }
 }

@@ -248,7 +248,7 @@ impl Reshaping {
         if model.side(self.side).is_busy() {
             return;
         }
-        let (polygon, anchor) = (self.sent.polygon(), model.session().side(self.side).anchor);
+        let (polygon, anchor) = (self.sent.polygon(), model.session().side(self.side).anchor());
         self.good.anchor = carried_fraction(polygon.vertices(), self.good.shape.vertices(), anchor);
         self.good.interior = model.interior(self.side);
     }
@@ -276,7 +276,7 @@ impl Reshaping {
 fn form(side: Side, outline: &OutlineSpec, model: &Model) -> Form {
     let polygon = outline.polygon();
     let shape = Shape::new(&polygon);
-    let anchor = carried_fraction(polygon.vertices(), shape.vertices(), model.session().side(side).anchor);
+    let anchor = carried_fraction(polygon.vertices(), shape.vertices(), model.session().side(side).anchor());
     Form { shape, interior: model.interior(side), anchor }
 }
 

@@ -34,6 +34,7 @@ const LEAST_CONTRAST: f64 = 0.02;
 
 /// Why a picture has no outline.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum TraceError {
     /// All pixels have one color.
     #[error("the whole picture has one colour: there is no shape to trace")]

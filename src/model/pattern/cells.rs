@@ -1,4 +1,4 @@
-//! The colors and the style of the mapped mesh's triangles, as the model has them.
+//! The colors and the style of the mapped mesh's triangles.
 
 use super::colouring::{self, ColourScale};
 use crate::conformal::MeshedSurface;
@@ -13,14 +13,14 @@ pub struct Cells {
     /// The measurement and the coloring that `scale` and `codes` are of.
     colored: Option<(u64, Colouring)>,
     codes: Vec<CellCode>,
-    /// The codes are others than when [`Self::take_recoloured`] was last called.
+    /// Whether the codes have changed since [`Self::take_recoloured`] was last called.
     recolored: bool,
     scale: Option<ColourScale>,
     style: Option<CellStyle>,
 }
 
 impl Cells {
-    /// How the triangles are shown; `None` where there is nothing to show but the texture.
+    /// How the triangles are shown; `None` if only the texture is shown.
     pub fn style(&self) -> Option<CellStyle> {
         self.style
     }
@@ -35,7 +35,7 @@ impl Cells {
         &mut self.codes
     }
 
-    /// What the colors mean, where they are not the texture's.
+    /// The scale of the colors; `None` if the texture is shown.
     pub fn scale(&self) -> Option<&ColourScale> {
         self.scale.as_ref()
     }
@@ -69,7 +69,7 @@ impl Cells {
         self.scale = ColourScale::new(session.colouring(), direction, measured, self.scale.as_ref());
         colouring::codes(self.scale.as_ref(), triangles, &mut self.codes);
         if let Some(surface) = repaired.and_then(|map| map.mapped().surface()) {
-            colouring::grey_added(surface.surface().triangle_origins(), &mut self.codes);
+            colouring::grey_added(surface.surface().origins_of_triangles(), &mut self.codes);
         }
         self.recolored = true;
     }

@@ -3,20 +3,20 @@
 //! Q has a fixed range, so that maps and resolutions can be compared (as in the
 //! paper's Figure 9). The area distortion spans powers of ten in one map and a few
 //! per cent in another: its range is symmetric and the smallest of a few that holds
-//! nearly the whole area, and it is kept while it serves, so that colors stay calm.
+//! nearly the whole area, and it is changed only if it no longer fits, so that colors do not flicker.
 
 use crate::conformal::{Direction, Histogram, TriangleDistortion};
 use crate::language::{Label, key};
+use crate::mesh::TriangleId;
 use crate::render::{CellCode, ColourMap};
 use crate::session::Colouring;
-use crate::surface::ADDED;
 
 /// Q from 1 to here: 1.5 is an angle of 90° seen as 67°, plainly wrong to the eye.
 const ANGLE_TOP: f64 = 1.5;
 
 /// Ranges of log₂ of the area's factor, either way.
 const AREA_RANGES: [f64; 9] = [1.0, 2.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0];
-/// A range serves while no more than this share of the area lies beyond it, …
+/// A range fits while no more than this share of the area lies beyond it, …
 const AREA_BEYOND: f64 = 0.02;
 /// … and is too wide when less than this share lies beyond a smaller one.
 const AREA_SPARE: f64 = 0.005;
@@ -27,9 +27,9 @@ const BINS: usize = 48;
 /// A quantity of triangles with its colors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColourScale {
-    /// What the triangles are painted with; not the texture.
+    /// The quantity; never [`Colouring::Texture`].
     colouring: Colouring,
-    /// Which way the map goes: the area's factor is that of source to target.
+    /// The direction of the map; the factor of the area is always that from source to target.
     direction: Direction,
     /// Its colors.
     pub map: ColourMap,
@@ -37,7 +37,7 @@ pub struct ColourScale {
     pub low: f64,
     /// The value of the last one.
     pub high: f64,
-    /// How the values are spread over the mapped mesh's area; `None` without triangles.
+    /// The distribution of the values over the mapped mesh's area; `None` without triangles.
     pub histogram: Option<Histogram>,
 }
 
@@ -78,7 +78,7 @@ impl ColourScale {
         (value - self.low) / (self.high - self.low)
     }
 
-    /// What is written above the colors, in English.
+    /// The title above the colors, in English.
     pub fn title(&self) -> Label {
         match self.colouring {
             Colouring::Area => key::area_distortion(),
@@ -119,9 +119,9 @@ pub fn codes(scale: Option<&ColourScale>, triangles: &[TriangleDistortion], code
     }));
 }
 
-/// Grays the triangles that a repair has added, by where the triangles come from: they are nobody's.
-pub fn grey_added(origins: &[u32], codes: &mut [CellCode]) {
-    for (code, _) in codes.iter_mut().zip(origins).filter(|(_, origin)| **origin == ADDED) {
+/// Grays the triangles that a repair has added: those without an origin in the surface as it was read.
+pub fn grey_added(origins: impl Iterator<Item = Option<TriangleId>>, codes: &mut [CellCode]) {
+    for (code, _) in codes.iter_mut().zip(origins).filter(|(_, origin)| origin.is_none()) {
         *code = CellCode::COLLAPSED;
     }
 }
@@ -204,7 +204,7 @@ mod tests {
     #[test]
     fn what_a_repair_has_added_is_grey() {
         let mut codes = [CellCode::at(0.5), CellCode::FLIPPED, CellCode::at(0.25)];
-        grey_added(&[0, ADDED, 1], &mut codes);
+        grey_added([Some(TriangleId::new(0)), None, Some(TriangleId::new(1))].into_iter(), &mut codes);
         assert_eq!(codes, [CellCode::at(0.5), CellCode::COLLAPSED, CellCode::at(0.25)]);
     }
 

@@ -1,8 +1,8 @@
 //! The disk coordinates of both meshes, for the conformal pattern.
 //!
-//! Each side has its own, from its own measure. f takes the level sets of one side to
-//! those of the other, f = g₂⁻¹ ∘ g₁, so the pattern that both pictures show is one
-//! pattern, carried by the map. They can be made in pieces; both sides change at once.
+//! The coordinates g of a side come from its own harmonic measure. Since f = g₂⁻¹ ∘ g₁, the map takes level sets of g₁
+//! to those of g₂: corresponding points have the same color. They are computed in steps of limited duration; the
+//! coordinates of both sides are replaced at the same time.
 
 use crate::conformal::{ConformalMap, ExtensionScratch, PerSide, Side, begin_disk_coordinates};
 use crate::geometry::DVec2;
@@ -13,9 +13,9 @@ use crate::laplace::Deadline;
 #[derive(Debug, Default)]
 pub struct DiskGrid {
     made: Coordinates,
-    /// Those that are under way.
+    /// The coordinates that are being computed.
     coming: Coordinates,
-    /// The side that is worked on.
+    /// The side whose coordinates are being computed.
     at: Option<Side>,
     scratch: ExtensionScratch,
 }
@@ -23,14 +23,14 @@ pub struct DiskGrid {
 #[derive(Debug, Default)]
 struct Coordinates {
     sides: PerSide<Vec<DVec2>>,
-    /// What they are of.
+    /// The generation of their map.
     generation: Option<u64>,
     error: Option<Message>,
 }
 
 impl DiskGrid {
-    /// Goes on with the coordinates of `map`, the `generation`-th, until they are there (true) or
-    /// `deadline` is over. Another generation starts over.
+    /// Continues to compute the coordinates of `map` until they are complete (true) or `deadline` has passed. If
+    /// `generation` differs from that of the last call, the computation starts again.
     pub fn advance(&mut self, map: &ConformalMap, generation: u64, deadline: Deadline) -> bool {
         if self.is_of(generation) {
             return true;

@@ -1,12 +1,15 @@
-//! What each viewport draws: a mesh, where its vertices lie, and where they look the pattern up.
+//! What each viewport draws: a mesh, the positions of its vertices, and their texture coordinates.
 //!
-//! The pattern lives on one side, its home, which shows its own mesh with its own
-//! positions. The other side shows the mapped mesh. If that is the home's, its vertices
-//! lie at their images and keep their own coordinates: pushed forward from the source,
-//! pulled back from the target. If it is the other side's, the images are what it looks up.
-//! The conformal pattern lives in the disk: both sides look up their own disk coordinates. With one surface the home
-//! is the plane, whichever side that is; between two surfaces every pattern lives in the disk, through which they are
-//! mapped, so that corresponding points have the same color.
+//! | pattern | defined in the coordinates of | texture coordinates on this side | on the other side |
+//! |---|---|---|---|
+//! | not conformal, between two outlines | the chosen side | the positions | see below |
+//! | not conformal, between an outline and a surface | the outline | the positions | see below |
+//! | any between two surfaces; the conformal one between any sides | the unit disk | the disk coordinates | the disk coordinates |
+//!
+//! The side in whose coordinates the pattern is defined shows its own mesh; the other side shows the mapped mesh. If
+//! that is the first side's mesh, its vertices are drawn at their images with their own positions as texture
+//! coordinates; otherwise they are drawn at their own positions with the images as texture coordinates. In all cases
+//! corresponding points have the same color.
 
 pub mod cells;
 pub mod colouring;
@@ -18,16 +21,17 @@ use crate::model::{Abilities, Model};
 use crate::render::{MeshGeometry, Pattern, TextureStyle};
 use crate::session::{Session, TextureKind};
 
-/// What changes when the map's images do.
+/// The attribute of the vertices that consists of the map's images.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Moved<'a> {
-    /// Where the vertices lie.
+    /// The positions.
     Positions(&'a [DVec2]),
-    /// Where they look the pattern up.
+    /// The texture coordinates.
     Coordinates(&'a [DVec2]),
 }
 
-/// The side where the pattern of a session lives; `None`: in the disk. The picture has it from [`Model::pattern_home`].
+/// The side in whose coordinates the pattern of a session is defined; `None` for the unit disk. While disk coordinates
+/// are being computed the picture uses another side, [`Model::pattern_home`].
 pub fn home(session: &Session) -> Option<Side> {
     let side = Abilities::of(session).pattern_home(session.texture_side());
     side.filter(|_| session.texture() != TextureKind::Conformal)
@@ -39,7 +43,7 @@ pub fn needs_grid(session: &Session) -> bool {
     home(session).is_none() && !Abilities::of(session).maps_through_disk()
 }
 
-/// The pattern as it is drawn on both sides, as soon as there is something; without an image a checkerboard in its place.
+/// The style of the pattern on both sides; a checkerboard if the image is missing. `None` until a side is prepared.
 pub fn style(model: &Model, has_image: bool, dark: bool) -> Option<TextureStyle> {
     let session = model.session();
     let pattern = match session.texture() {
@@ -60,7 +64,7 @@ pub fn style(model: &Model, has_image: bool, dark: bool) -> Option<TextureStyle>
     Some(TextureStyle { pattern, cells: session.texture_scale(), bounds, pole, dark })
 }
 
-/// What a side shows, as soon as there is something.
+/// The planar mesh that a side shows, with texture coordinates; `None` until it is prepared.
 pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
     let Some(home) = model.pattern_home() else {
         let mesh = model.shown_domain(side)?.mesh();
@@ -82,7 +86,7 @@ pub fn geometry(model: &Model, side: Side) -> Option<MeshGeometry<'_>> {
     Some(MeshGeometry { positions, texture_coordinates, triangles: mesh.triangles() })
 }
 
-/// What of it moves with the map's images.
+/// The attribute of [`geometry`] that consists of the map's images; `None` if neither does.
 pub fn moved(model: &Model, side: Side) -> Option<Moved<'_>> {
     let Some(home) = model.pattern_home() else { return disk_coordinates(model, side).map(Moved::Coordinates) };
     let map = model.map()?;
@@ -92,12 +96,12 @@ pub fn moved(model: &Model, side: Side) -> Option<Moved<'_>> {
     (side != home).then_some(moved)
 }
 
-/// Those of the mesh that a side shows in the plane; a surface has its own.
+/// The disk coordinates of the mesh of an outline; `None` for a surface.
 fn disk_coordinates(model: &Model, side: Side) -> Option<&[DVec2]> {
     model.map()?.domain(side).map(|_| model.shown_grid().of(side))
 }
 
-/// Where the vertices of a side's surface look the pattern up.
+/// The texture coordinates of the vertices of a side's surface.
 pub fn surface_coordinates(model: &Model, side: Side) -> Option<&[DVec2]> {
     let map = model.map().filter(|map| map.side(side).is_surface())?;
     match (map.disk(side), model.pattern_home()) {

@@ -32,15 +32,15 @@ pub struct Offscreen {
 /// The steps until the map is complete.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Doing {
-    /// A stage of the preparation of a side's outline, which begins.
+    /// The given stage of the preparation of a side's outline begins.
     PreparingOutline(Side, Stage),
-    /// A stage of the preparation of a side's surface, which begins.
+    /// The given stage of the preparation of a side's surface begins.
     PreparingSurface(Side, Stage),
-    /// The map, and what is measured of it.
+    /// The map and its measurement begin.
     Mapping,
 }
 
-/// Why there is nothing to show.
+/// The reason why a session has no picture.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{}", .0.english())]
 pub struct OffscreenError(Message);
@@ -54,7 +54,7 @@ impl From<&OffscreenError> for Message {
 /// The mapped mesh on one side, to be drawn triangle by triangle.
 #[derive(Debug, Clone, Copy)]
 pub struct OffscreenCells<'a> {
-    /// Where its vertices lie; `None` on a surface.
+    /// The positions of its vertices; `None` on a surface.
     pub positions: Option<&'a [DVec2]>,
     /// Its triangles.
     pub triangles: &'a [[u32; 3]],
@@ -67,24 +67,24 @@ pub struct OffscreenCells<'a> {
 /// A surface in the place of a side's outline.
 #[derive(Debug, Clone, Copy)]
 pub struct OffscreenSurface<'a> {
-    /// It.
+    /// The surface.
     pub surface: &'a MeshedSurface,
-    /// Where each vertex looks the pattern up.
+    /// The texture coordinates of its vertices.
     pub coordinates: &'a [DVec2],
     /// The interior and the boundary point.
     pub points: [DVec3; 2],
 }
 
 impl Offscreen {
-    /// Prepares and maps, which may take seconds. The triangles of surfaces from files come with
-    /// it. `pixels_per_point` scales what is drawn over the triangles.
+    /// Prepares both sides and computes the map, which may take seconds. `surface_files` holds the files of the
+    /// session's surfaces. `pixels_per_point` scales lines and dots.
     ///
-    /// Errors: what the app would say beside an outline or a surface, in words for the person.
+    /// Errors: the user error that the app would show beside an outline or a surface.
     pub fn new(session: &Session, surface_files: SurfaceFiles, pixels_per_point: f32) -> Result<Self, OffscreenError> {
         Self::telling(session, surface_files, pixels_per_point, &mut |_| ())
     }
 
-    /// As [`Self::new`], telling what it begins to do.
+    /// As [`Self::new`]; calls `tell` at the beginning of each stage.
     pub fn telling(
         session: &Session,
         surface_files: SurfaceFiles,
@@ -92,7 +92,7 @@ impl Offscreen {
         tell: &mut dyn FnMut(Doing),
     ) -> Result<Self, OffscreenError> {
         let mut model = begin(session, surface_files)?;
-        model.update_ms = f64::INFINITY; // nobody waits for a frame
+        model.update_ms = f64::INFINITY; // no frame has to be shown in time
         settle(&mut model, tell)?;
         let mut offscreen = Self { model, cells: Cells::default(), pixels_per_point };
         offscreen.rest();
@@ -104,7 +104,7 @@ impl Offscreen {
         self.model.session()
     }
 
-    /// The texture, the same on both sides; without an image a checkerboard in its place.
+    /// The style of the texture, the same on both sides; a checkerboard if the image is missing.
     pub fn style(&self, has_image: bool, dark: bool) -> Option<TextureStyle> {
         pattern::style(&self.model, has_image, dark)
     }
@@ -119,12 +119,12 @@ impl Offscreen {
         pattern::geometry(&self.model, side)
     }
 
-    /// What a model shows, on the same prepared domains: [`Self::advance`] brings its map to rest.
+    /// A copy of a model on the same prepared sides; [`Self::advance`] completes its map.
     pub fn of(model: &Model, pixels_per_point: f32) -> Self {
         Self { model: model.twin(), cells: Cells::default(), pixels_per_point }
     }
 
-    /// Spends a frame's share on the map; whether it is complete.
+    /// Computes the map for at most the time of a frame; returns whether it is complete.
     pub fn advance(&mut self) -> Result<bool, OffscreenError> {
         self.model.refresh(false);
         if let Some(error) = user_error(&self.model) {
@@ -137,7 +137,7 @@ impl Offscreen {
         Ok(is_complete)
     }
 
-    /// The loop along `path` that begins here; `None` where nothing would move.
+    /// The loop along `path` that begins at the present points; `None` if no point would move.
     pub fn way(&self, path: Path) -> Option<Loop> {
         looping::begin(&self.model, path)
     }

@@ -1,4 +1,4 @@
-//! What a worker is sent for: when it is to go, what it has in hand, and which of its answers count.
+//! A request to a worker: when it is due, whether it is in flight, and which responses belong to it.
 //!
 //! A side has one worker. All requests to it take their generation from the side's [`Generations`], so that a response
 //! belongs to exactly one request; [`PendingRequest::take_in`] is the one place where stale responses are dropped.
@@ -44,27 +44,27 @@ impl<W> Default for PendingRequest<W> {
 }
 
 impl<W> PendingRequest<W> {
-    /// A request is to be made: at the time `due`, in seconds.
+    /// Makes a request due at the time `due`, in seconds.
     pub fn want(&mut self, due: f64) {
         self.due = Some(due);
     }
 
-    /// A request is to be made at once.
+    /// Makes a request due at once.
     pub fn want_now(&mut self) {
         self.want(f64::NEG_INFINITY);
     }
 
-    /// Nothing is wanted, and what is under way does not count.
+    /// Cancels the request that is due; the response of one in flight will be dropped.
     pub fn forget(&mut self) {
         (self.due, self.running) = (None, None);
     }
 
-    /// When a request is to be made.
+    /// The time at which a request is due, if any.
     pub fn due(&self) -> Option<f64> {
         self.due
     }
 
-    /// Whether a request is to be made now, which is then up to the caller.
+    /// Whether a request is due at this time; the caller must then send it, as it is no longer due.
     pub fn take_due(&mut self, now: f64) -> bool {
         self.due.take_if(|due| *due <= now).is_some()
     }
@@ -83,7 +83,7 @@ impl<W> PendingRequest<W> {
         }
     }
 
-    /// Takes in an answer: a stage is remembered, a stale one dropped; what ends the request comes back.
+    /// Accepts a response: stores a stage, drops a stale one, and returns the one that ends the request.
     pub fn take_in(&mut self, generation: u64, response: Response) -> Option<Response> {
         let running = self.running.as_mut().filter(|running| running.generation == generation)?;
         let Response::Progress(stage) = response else { return Some(response) };
@@ -91,32 +91,33 @@ impl<W> PendingRequest<W> {
         None
     }
 
-    /// Whether what is under way is the request of this generation.
+    /// Whether the request in flight has this generation.
     pub fn awaits(&self, generation: u64) -> bool {
         self.running.as_ref().is_some_and(|running| running.generation == generation)
     }
 
-    /// Whether what is under way is lost with a worker that died over the request of this generation; `None`: over any.
+    /// Whether the request in flight is lost, given that the worker stopped during the request of this generation;
+    /// `None` means during any.
     pub fn is_lost(&self, generation: Option<u64>) -> bool {
         self.running.as_ref().is_some_and(|running| generation.is_none_or(|lost| running.generation == lost))
     }
 
-    /// Nothing is under way any more; what was.
+    /// Removes and returns the request in flight.
     pub fn end(&mut self) -> Option<W> {
         self.running.take().map(|running| running.in_flight)
     }
 
-    /// What the worker has in hand.
+    /// The request in flight.
     pub fn under_way(&self) -> Option<&W> {
         self.running.as_ref().map(|running| &running.in_flight)
     }
 
-    /// Whether something is wanted or under way.
+    /// Whether a request is due or in flight.
     pub fn is_busy(&self) -> bool {
         self.due.is_some() || self.running.is_some()
     }
 
-    /// The stage that the worker is in.
+    /// The stage that the worker has reported last.
     pub fn stage(&self) -> Option<Stage> {
         self.running.as_ref().and_then(|running| running.stage)
     }

@@ -1,4 +1,5 @@
-//! One side of the model: its two preparations, the file being parsed, and the parts of a session still to come.
+//! One side of the model: its two preparations, the file being parsed, and the parts of an opened session that are not
+//! prepared yet.
 
 use crate::conformal::{PerSide, Stage};
 use crate::model::side::opened_file::Reading;
@@ -9,41 +10,41 @@ use crate::model::side::{SurfaceFiles, SurfaceRequest, SurfaceSide};
 use crate::session::{SidePoints, SideState, SurfaceSpec, SurfaceState};
 use crate::worker::{Request, Task};
 
-/// What will stand on a side when what is pending is prepared.
+/// What replaces the outline or surface of a side once its preparation is complete.
 #[derive(Debug, Default)]
 pub enum Next {
-    /// What stands there now, perhaps in another shape.
+    /// No replacement: an outline stays an outline, a surface a surface; another form of it may be in preparation.
     #[default]
     Same,
-    /// An outline in the place of the surface, which goes when the outline is there.
+    /// An outline; the present surface is shown until the outline is prepared.
     Outline,
-    /// The surface of a session, with its points: it is being prepared, or its file is awaited.
+    /// A surface of an opened session, with its points. It is being prepared, or its file has not been opened yet.
     Surface(Box<SurfaceState>),
 }
 
 impl Next {
-    /// The surface to come.
+    /// The surface that replaces the side's shape.
     pub fn surface(&self) -> Option<&SurfaceState> {
         if let Self::Surface(state) = self { Some(state) } else { None }
     }
 
-    /// The surface to come.
+    /// As [`Self::surface`], to be changed.
     pub fn surface_mut(&mut self) -> Option<&mut SurfaceState> {
         if let Self::Surface(state) = self { Some(state) } else { None }
     }
 
-    /// Takes the surface to come, if there is one; an outline to come stays.
+    /// Returns the surface and resets the value to [`Self::Same`]; any other value is unchanged.
     pub fn take_surface(&mut self) -> Option<SurfaceState> {
         self.take_surface_if(|_| true)
     }
 
-    /// Takes the surface to come, if there is one that `is_it`; anything else stays.
+    /// As [`Self::take_surface`], but only a surface for which `is_it` is true.
     pub fn take_surface_if(&mut self, is_it: impl FnOnce(&SurfaceState) -> bool) -> Option<SurfaceState> {
         self.surface().filter(|state| is_it(state))?;
         if let Self::Surface(state) = std::mem::take(self) { Some(*state) } else { None }
     }
 
-    /// Whether an outline is to come in the place of a surface; it no longer is.
+    /// Returns whether the value was [`Self::Outline`], which becomes [`Self::Same`].
     pub fn take_outline(&mut self) -> bool {
         let is_outline = matches!(self, Self::Outline);
         if is_outline {
@@ -53,7 +54,7 @@ impl Next {
     }
 }
 
-/// One side. Whether an outline or a surface stands there is in the session, which undo, links and files keep.
+/// One side: its preparations and requests. The session, not this type, says whether it has an outline or a surface.
 ///
 /// Invariants: `incoming_points` is `Some` only while the outline is being prepared; the side's worker has at most one
 /// request, and every request has a generation of its own.
@@ -68,21 +69,21 @@ pub struct ModelSide {
     pub surface: SurfaceSide,
     /// The points of a session whose outline is being prepared.
     pub incoming_points: Option<SidePoints>,
-    /// What will stand there instead.
+    /// What replaces the present outline or surface.
     pub next: Next,
-    /// The points of the last map that could be made, of what stood here then.
+    /// The points of the last map that was computed without error, on the outline or the surface of that time.
     pub last_good: SidePoints,
-    /// What is shown is new: its viewport is to fit it.
+    /// Whether the viewport must be fitted, because the outline or surface is new.
     pub refit: bool,
 }
 
 impl ModelSide {
-    /// Wants the outline of a session's side.
+    /// Requests the preparation of the outline of a session's side.
     pub fn new(state: &SideState) -> Self {
         Self {
             generations: Generations::default(),
             reading: Reading::default(),
-            outline: Preparation::new(state.domain.clone()),
+            outline: Preparation::new(state.domain().clone()),
             surface: SurfaceSide::default(),
             incoming_points: None,
             next: Next::Same,
@@ -91,13 +92,15 @@ impl ModelSide {
         }
     }
 
-    /// Exchanges the two sides, for none of which a request is due or in flight. Each worker keeps counting on.
+    /// Exchanges the two sides. Precondition: no request of either is due or in flight. Each side keeps the numbering
+    /// of its worker's requests, so that no generation is used twice.
     pub fn swap(sides: &mut PerSide<Self>) {
         sides.swap();
         std::mem::swap(&mut sides.source.generations, &mut sides.target.generations);
     }
 
-    /// Takes over the surface that `other` has prepared, if it is the one that `spec` describes and this side has another.
+    /// Takes over the surface that `other` has prepared, if it is the one that `spec` describes and this side has
+    /// another.
     pub fn take_over_surface(
         &mut self,
         other: &Preparation<Option<SurfaceRequest>>,
@@ -111,7 +114,7 @@ impl ModelSide {
         }
     }
 
-    /// What is prepared here, and nothing that is wanted or under way.
+    /// A copy of the prepared outline and surface, without requests.
     #[must_use]
     pub fn twin(&self) -> Self {
         Self {
@@ -126,16 +129,17 @@ impl ModelSide {
         }
     }
 
-    /// Whether a session waits for the file of this name, for its surface here; a file that is being prepared is there.
+    /// Whether the session's surface on this side needs the file of this name, which has not been opened: a file whose
+    /// surface is in preparation has been.
     pub fn awaits_surface_file(&self, name: &str) -> bool {
         let preparation = &self.surface.preparation;
         let is_there = preparation.is_busy() && preparation.wanted().is_some_and(|spec| spec.shape.is_file(name));
         !is_there && self.next.surface().is_some_and(|state| state.spec.shape.is_file(name))
     }
 
-    /// The request for the side's worker that is due, if any: for a file, else for a surface, else for the outline,
-    /// which waits until the worker is done with those. An outline that is being dragged waits until the picture
-    /// `shows` the last one.
+    /// The request for the side's worker that is due, if any: for a file, else for a surface, else for the outline.
+    /// The outline's request is sent after the other two are answered, and during a drag only if the picture `shows`
+    /// the last prepared outline.
     pub fn take_request(&mut self, now: f64, shows: bool) -> Option<Request> {
         let Self { generations, reading, outline, surface, .. } = self;
         let surface = &mut surface.preparation;

@@ -1,4 +1,4 @@
-//! The surface that is shown: where its points lie, and from where it is seen.
+//! The surface that is shown: the positions of its two points, and its first camera.
 
 use crate::conformal::{MeshedSurface, PreparedSide};
 use crate::geometry::DVec3;
@@ -11,15 +11,15 @@ use crate::session::{SurfaceShape, SurfaceSpec, SurfaceState};
 use crate::worker::{NamedFile, SurfaceSource};
 use std::sync::Arc;
 
-/// The share of a point's weight that corners on the boundary may have: nearer to the loop harmonic
-/// measure is a peak that no drag can hold still.
+/// The largest sum of barycentric weights of corners on the boundary that an interior point may have. Nearer to the
+/// boundary loop the harmonic measure is a peak that moves far with every pixel of a drag.
 const MOST_BOUNDARY_WEIGHT: f64 = 0.9;
 
-/// How much larger than the surface what is fitted into the viewport is.
+/// The radius of the ball that is fitted into the viewport, relative to the surface's bounding sphere.
 const ROOM: f64 = 1.12;
 
-/// Triangles that are sorted into their tree within a frame, about 20 ms for 70,000; of more the dots
-/// are never drawn fainter before the first one was dragged.
+/// The most triangles whose search tree is built within a frame, which takes about 20 ms for 70,000. For larger
+/// surfaces it is built at the first drag; until then hidden dots are not drawn fainter.
 const SORTED_AT_ONCE: usize = 150_000;
 
 /// The surface side of the model.
@@ -27,20 +27,20 @@ const SORTED_AT_ONCE: usize = 150_000;
 pub struct SurfaceSide {
     /// The preparation of the next surface.
     pub preparation: Preparation<Option<SurfaceRequest>>,
-    /// The surface that is shown; its map may still be missing.
+    /// The surface that is shown; its map may not be computed yet.
     shown: Option<Arc<PreparedSide>>,
     scene: Option<BoundingSphere>,
 }
 
 impl SurfaceSide {
-    /// Requests the surface of a file that was kept, with the repairs and settings of `spec`, which then names the file.
+    /// Requests the surface of an opened file, with the repairs and settings of `spec`, which then names the file.
     pub fn want_file(&mut self, spec: &SurfaceSpec, file: NamedFile) {
         let spec = SurfaceSpec { shape: SurfaceShape::File { name: file.name.clone() }, ..spec.clone() };
         self.preparation.want_surface(spec, SurfaceSource::File(file), f64::NEG_INFINITY);
     }
 
-    /// Requests the surface that `spec` describes: at once, or after `now` if only a preset's resolution changes. Returns
-    /// whether it has to be prepared. The person is asked for a file that is not among `files`.
+    /// Requests the surface that `spec` describes: at once, or after `now` if only a preset's resolution changes.
+    /// Returns whether it has to be prepared. The person is asked for a file that is not among `files`.
     pub fn want_spec(&mut self, spec: &SurfaceSpec, files: &SurfaceFiles, now: f64) -> bool {
         let source = files.source(&spec.shape);
         if self.preparation.want_last_good(spec, source.as_ref()) {
@@ -59,7 +59,7 @@ impl SurfaceSide {
         self.shown.as_ref().map(Arc::as_ptr) != self.preparation.prepared().map(Arc::as_ptr)
     }
 
-    /// Takes over the surface that was prepared.
+    /// Shows the surface that was prepared last.
     pub fn renew(&mut self) {
         self.shown = self.preparation.prepared().map(Arc::clone);
         self.scene = self.surface().map(|surface| {
@@ -68,7 +68,7 @@ impl SurfaceSide {
         });
     }
 
-    /// The same surface.
+    /// A copy with the same surface and no request.
     #[must_use]
     pub fn twin(&self) -> Self {
         let mut twin = Self { preparation: self.preparation.twin(), ..Self::default() };
@@ -86,8 +86,9 @@ impl SurfaceSide {
         self.shown.as_ref()
     }
 
-    /// Sorts its triangles for rays, now that there is time for it: until then, a tenth of a second after a surface is
-    /// prepared, its dots are drawn as if nothing were before them. Returns whether that was still to be done.
+    /// Builds the search tree for rays if it is missing and the surface has at most [`SORTED_AT_ONCE`] triangles;
+    /// returns whether it was built. Called at rest, about 0.1 s after the preparation; without the tree no dot counts
+    /// as hidden.
     pub fn sort_at_rest(&self) -> bool {
         let is_due = |surface: &MeshedSurface| {
             surface.tree_if_made().is_none() && surface.mesh().triangles().len() <= SORTED_AT_ONCE
@@ -97,12 +98,12 @@ impl SurfaceSide {
         true
     }
 
-    /// A ball around it, with room for the words above and below it.
+    /// The ball that a camera fits into the viewport: the bounding sphere, enlarged for the texts above and below it.
     pub fn scene(&self) -> Option<BoundingSphere> {
         self.scene
     }
 
-    /// From where the surface is looked at first, in a viewport of this width over height.
+    /// The first camera, in a viewport with this ratio of width to height.
     pub fn first_view(&self, state: &SurfaceState, aspect: f64) -> Option<OrbitCamera> {
         let (surface, scene) = (self.surface()?, self.scene?);
         let mesh = surface.mesh();
@@ -117,19 +118,19 @@ impl SurfaceSide {
         Some(camera)
     }
 
-    /// The interior point where its handle is.
+    /// The interior point: that of `state`, or the default if it has none in this mesh.
     pub fn point(&self, state: &SurfaceState) -> Option<BarycentricPoint> {
         let surface = self.surface()?;
         let count = surface.mesh().triangles().len();
         Some(state.point.filter(|point| point.triangle().index() < count).unwrap_or(surface.centre()))
     }
 
-    /// Where the interior point lies in space.
+    /// The interior point in space.
     pub fn place(&self, state: &SurfaceState) -> Option<DVec3> {
         Some(self.surface()?.position(self.point(state)?))
     }
 
-    /// Where the boundary point lies in space.
+    /// The boundary point in space.
     pub fn anchor_place(&self, state: &SurfaceState) -> Option<DVec3> {
         let (prepared, surface) = (self.prepared()?, self.surface()?);
         Some(surface.boundary_position(prepared.at_fraction(state.anchor)))

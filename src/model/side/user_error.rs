@@ -1,10 +1,10 @@
-//! What is said beside the input that caused it, and the way out that it offers.
+//! An error shown beside the input that caused it, and its quick fix.
 
 use crate::language::{Label, Message, key};
 use crate::model::side::opened_file::OpenedFile;
 use crate::outline::Outline;
 
-/// What a click can do about a user error.
+/// An action that may resolve a user error.
 #[derive(Debug, Clone, PartialEq)]
 pub enum QuickFix {
     /// Prepare the same once more.
@@ -18,7 +18,7 @@ pub enum QuickFix {
 }
 
 impl QuickFix {
-    /// What is written on its button.
+    /// The label of its button.
     pub fn label(&self) -> Label {
         match self {
             Self::Retry | Self::ReadAgain(_) => key::try_again(),
@@ -33,7 +33,7 @@ impl QuickFix {
 pub struct UserError {
     /// What is wrong, where, and what to do.
     pub text: Message,
-    /// What a click can do.
+    /// The action that the button offers.
     pub quick_fix: Option<QuickFix>,
 }
 

@@ -5,6 +5,7 @@ use serde_json::Value;
 
 /// The kind of a JSON value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum JsonKind {
     /// `null`.
     #[error("null")]
@@ -41,6 +42,7 @@ impl JsonKind {
 
 /// What was found where a point `[x, y]` is required.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PointFault {
     /// The value is not a list.
     #[error("is {0}")]
@@ -58,6 +60,7 @@ pub enum PointFault {
 
 /// What a JSON file holds instead of an outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum JsonFault {
     /// The object's `points` is not a list.
     #[error("\"points\" is {0}")]
@@ -72,6 +75,7 @@ pub enum JsonFault {
 
 /// A structural error in `GeoJSON`.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum GeoJsonFault {
     /// A member is not a list.
     #[error("\"{key}\" is {kind}, not a list")]
@@ -103,6 +107,7 @@ pub enum GeoJsonFault {
 
 /// Why an SVG file was not read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SvgFault {
     /// The SVG reader's message, with line and column if it knows them.
     #[error("{0}")]

@@ -34,6 +34,7 @@ pub const MAX_BYTES: usize = 64 << 20;
 
 /// Why a session cannot be written or a file cannot be read.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum FileError {
     /// It has more than [`MAX_BYTES`].
     #[error("the file is too large for a session: {} MiB are the most", MAX_BYTES >> 20)]

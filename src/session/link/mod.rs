@@ -38,29 +38,32 @@ const KEY: &str = "s=";
 /// The newest version that is written and read.
 pub const NEWEST: &str = "2";
 
-/// A link, and what it could not hold.
+/// A link, and the outlines that are too long for it.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Encoded {
     /// The part of the address after `#`.
     pub fragment: String,
-    /// Outlines that must be sent as files; the fragment holds everything else.
+    /// The outlines that are not in the fragment and must be sent as files.
     pub left_out: Vec<LeftOut>,
 }
 
 /// An outline that a link does not hold.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("the {side}'s outline \"{name}\" is not in the link: {reason}. It travels as a file")]
+#[non_exhaustive]
 pub struct LeftOut {
-    /// Its side.
+    /// The side of the session that has the outline.
     pub side: Side,
-    /// Its name.
+    /// The name of the outline, cut as in the link.
     pub name: String,
-    /// Why the link does not hold it.
+    /// The reason.
     pub reason: NotCarried,
 }
 
-/// Why an outline is not in a link.
+/// The reason why an outline is not in a link.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum NotCarried {
     /// It has too many points.
     #[error("its {points} points take more than {MAX_LENGTH} characters")]
@@ -78,6 +81,7 @@ pub enum NotCarried {
 
 /// The content of a link.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Decoded {
     /// The session, with a disk in place of each missing outline.
     pub session: Session,
@@ -85,12 +89,20 @@ pub struct Decoded {
     pub missing: Vec<MissingOutline>,
 }
 
-/// An outline that a link only names, and the points to set once it is loaded.
+impl Decoded {
+    /// A session whose outlines are all there.
+    pub fn complete(session: Session) -> Self {
+        Self { session, missing: Vec::new() }
+    }
+}
+
+/// An outline of which a link has only the name, and the points to set once its file is loaded.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct MissingOutline {
-    /// Its side.
+    /// The side of the session that has the outline.
     pub side: Side,
-    /// Its name.
+    /// The name of the outline.
     pub name: String,
     /// The interior point to set.
     pub interior: Option<DVec2>,
@@ -112,6 +124,7 @@ impl MissingOutline {
 
 /// The kinds of things that a link encodes by a name or a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Choice {
     /// The direction.
     #[error("direction")]
@@ -150,6 +163,7 @@ pub enum Choice {
 
 /// Why a link cannot be opened.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum LinkError {
     /// There is no `s=` in it.
     #[error("this is not a link to a session: there is no #s=… in it")]

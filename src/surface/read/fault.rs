@@ -5,6 +5,7 @@ use crate::counted::counted;
 
 /// A structural error. Quoted words are those of the file, shortened.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Fault {
     /// The file does not begin with the signature of GLB.
     #[error("a GLB file begins with glTF")]

@@ -4,6 +4,7 @@ use crate::counted::counted;
 
 /// A missing part of a file. Names and counts are those of the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Item {
     /// GLB: the version.
     #[error("the version")]
@@ -150,6 +151,7 @@ pub enum Item {
 
 /// A part of a format that is not supported.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Unsupported {
     /// GLB of an unsupported version.
     #[error("version {0} of glTF")]

@@ -91,7 +91,8 @@ fn stepped(side: Side, model: &Model, view: &OrbitView, key_step: KeyStep) -> Op
     }
 }
 
-/// The interior point for a pointer at `at`: what it is over; beside the surface, what is nearest.
+/// The command that moves the interior point to the surface point under `at`; if `at` is beside the surface, to the
+/// point nearest to the ray at the depth of the present one.
 fn point_at(side: Side, model: &Model, view: &OrbitView, at: Pos2) -> Option<Command> {
     let (surface, _) = model.surface(side)?;
     let (eye, direction) = view.ray(at)?;
