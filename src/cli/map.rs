@@ -2,13 +2,14 @@
 
 use super::CliError;
 use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments};
-use super::output::{Format, check_paths, print, triangles, write_all};
+use super::output::{Format, check_paths, print, triangles, words, write_all};
 use super::progress::Progress;
 use super::side::{self, Asked, NamedSide, Reading, is_surface};
 use super::tables::{self, Summary};
 use super::{picture, surface_picture};
 use crate::conformal::{ConformalMap, Constraints, Direction, Extension, MapError, MapSettings, PerSide, Side};
 use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
+use crate::outline::Interpreted;
 use std::sync::Arc;
 
 /// Squares of the drawn grid across the source's larger side.
@@ -19,9 +20,9 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let (map, constraints) = compute(arguments, &progress)?;
+    let Computed { map, constraints, interpreted } = compute(arguments, &progress)?;
     progress.enter("writing");
-    let summary = Summary::of(&map);
+    let summary = Summary::of(&map, interpreted);
     let names = PerSide::new(arguments.source.as_str(), arguments.target.as_str());
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
@@ -35,8 +36,11 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
         return print(&text);
     }
     let Summary { quality, counts, .. } = summary;
+    let kinds = interpreted.iter().filter_map(|(side, found)| found.map(|found| format!("{side}: {}", words(found))));
+    let kinds: Vec<String> = kinds.collect();
+    let kinds = if kinds.is_empty() { String::new() } else { format!("\n{}", kinds.join("; ")) };
     print(&format!(
-        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed",
+        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{kinds}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
@@ -46,7 +50,14 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     ))
 }
 
-fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMap, Constraints), CliError> {
+/// The map and what it was made from.
+struct Computed {
+    map: ConformalMap,
+    constraints: Constraints,
+    interpreted: PerSide<Option<Interpreted>>,
+}
+
+fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, CliError> {
     let settings = settings(arguments)?;
     let reading = Reading {
         repair: arguments.repair,
@@ -96,7 +107,8 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<(ConformalMa
             eprintln!("riemap: {}: {note}", asked.title);
         }
     }
-    Ok((map, constraints))
+    let interpreted = PerSide::new(source.interpreted(), target.interpreted());
+    Ok(Computed { map, constraints, interpreted })
 }
 
 fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {

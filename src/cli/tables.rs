@@ -1,6 +1,7 @@
 //! A map's numbers as JSON, with a summary.
 
-use crate::conformal::{ConformalMap, FrameTimings, Places, PrepareTimings, PreparedSide, Quality, Side};
+use crate::conformal::{ConformalMap, FrameTimings, PerSide, Places, PrepareTimings, PreparedSide, Quality, Side};
+use crate::outline::Interpreted;
 
 /// The size of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
@@ -38,11 +39,13 @@ pub struct Summary {
     pub timing_ms: MapTimings,
     /// The sizes of the mapped mesh.
     pub counts: Counts,
+    /// What the points of each outline were taken for; none for a surface.
+    pub interpretation: PerSide<Option<Interpreted>>,
 }
 
 impl Summary {
     /// The summary of this map.
-    pub fn of(map: &ConformalMap) -> Self {
+    pub fn of(map: &ConformalMap, interpretation: PerSide<Option<Interpreted>>) -> Self {
         let [a, b] = Side::BOTH.map(|side| map.side(side).timings());
         let prepare = PrepareTimings {
             sample: a.sample + b.sample,
@@ -56,6 +59,7 @@ impl Summary {
             quality: map.quality(),
             timing_ms: MapTimings { prepare, frame: map.timings() },
             counts: Counts::of(map.mapped()),
+            interpretation,
         }
     }
 }

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::corners::corners;
 use super::smooth::{StaysPolygon, smooth_curve};
-use super::{Preset, Segment};
-use crate::geometry::{Curve, CurveError, Junction, SimplePolygon};
+use super::{Preset, Segment, flattened};
+use crate::geometry::{Curve, CurveError, DVec2, Junction, SimplePolygon};
 
 /// What is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -65,9 +65,29 @@ impl CurveForm {
         Self { interpretation: Interpretation::Polygon, ..Self::default() }
     }
 
-    /// What is drawn, by default.
+    /// The form of an outline of which only the polygon is known: short lists of points are polygons anyway, longer ones
+    /// stay what they were before there were curves.
+    pub fn of_polygon(polygon: &SimplePolygon) -> Self {
+        if polygon.vertices().len() < LEAST_SMOOTH { Self::default() } else { Self::polygon() }
+    }
+
+    /// The curve that the source gives, interpreted automatically.
     pub fn of_source(source: CurveSource) -> Self {
         Self { source, ..Self::default() }
+    }
+
+    /// Whether the polygon is one that samples this form's source: the points of the path, up to a billionth of the size.
+    /// Other sources fit every polygon.
+    pub fn fits(&self, polygon: &SimplePolygon) -> bool {
+        let CurveSource::Segments(segments) = &self.source else { return true };
+        let (points, vertices) = (flattened(segments), polygon.vertices());
+        let tolerance = SAME_POLYGON * polygon.bounds().size().max_element();
+        let is_near = |p: DVec2, q: DVec2| p.distance(q) <= tolerance;
+        let ends = segments.iter().map(Segment::end);
+        let starts = segments.iter().skip(1).chain(segments.first()).map(Segment::start);
+        points.len() == vertices.len()
+            && points.iter().zip(vertices).all(|(&p, &q)| is_near(p, q))
+            && ends.zip(starts).all(|(end, start)| is_near(end, start))
     }
 
     /// The vertices at which a list of points has a corner: the detected ones, each of [`Self::switched`] reversed.
@@ -120,9 +140,20 @@ impl CurveForm {
 /// Lists of fewer points are polygons, unless asked otherwise: a smooth outline drawn with 64 points turns by 6° from
 /// edge to edge.
 pub const LEAST_SMOOTH: usize = 64;
+/// Points of a path nearer to each other, in sizes of the outline, are the same: elementary functions round differently.
+const SAME_POLYGON: f64 = 1e-9;
 /// With more corners than one in this many points, an outline is a polygon: the maple leaf's 29 corners among 665 points
 /// are drawn, the hundreds of a coast's 2,000 points are not.
 const POINTS_PER_CORNER: usize = 8;
+
+/// What an outline was taken for, for summaries.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Interpreted {
+    /// [`Interpretation::Polygon`] or [`Interpretation::Smooth`].
+    pub interpretation: Interpretation,
+    /// The number of corners.
+    pub corners: usize,
+}
 
 /// An outline's curve, and what its vertices were taken for.
 #[derive(Debug, Clone)]
@@ -150,6 +181,12 @@ impl OutlineCurve {
     /// Whether it is more than the polygon.
     pub fn is_smooth(&self) -> bool {
         self.is_smooth
+    }
+
+    /// What the outline was taken for.
+    pub fn interpreted(&self) -> Interpreted {
+        let interpretation = if self.is_smooth { Interpretation::Smooth } else { Interpretation::Polygon };
+        Interpreted { interpretation, corners: self.corner_count() }
     }
 
     /// Why it is the polygon although that was not asked for.

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::exact::{blob, vshape};
-use crate::geometry::{CurvePoint, DVec2, Jet, Piece};
+use crate::geometry::{CurvePoint, Jet, Piece};
 use crate::test_random::runner;
 use proptest::prelude::*;
 use std::f64::consts::TAU;

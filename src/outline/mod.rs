@@ -5,6 +5,7 @@
 
 mod corners;
 mod crossing;
+mod flatten;
 mod interpretation;
 mod overlaps;
 #[cfg(feature = "io")]
@@ -20,7 +21,8 @@ use std::fmt;
 
 use crate::counted::counted;
 use crate::geometry::{CurveError, SimplePolygon};
-pub use interpretation::{CurveForm, CurveSource, Interpretation, LEAST_SMOOTH, OutlineCurve};
+pub use flatten::flattened;
+pub use interpretation::{CurveForm, CurveSource, Interpretation, Interpreted, LEAST_SMOOTH, OutlineCurve};
 #[cfg(feature = "io")]
 pub use parse::{
     GeoJsonFault, JsonFault, JsonKind, MAX_BYTES, OutlineError, PointFault, SvgFault, parse, parse_repaired,
