@@ -196,3 +196,13 @@ fn clockwise_outline_is_accepted_and_said() {
     assert!(output.status.success());
     assert!(String::from_utf8(output.stderr).unwrap().contains("clockwise"));
 }
+
+#[test]
+fn an_outline_is_interpreted_as_asked() {
+    for (interpret, kind, corners) in [("auto", "smooth", 2), ("smooth", "smooth", 2), ("polygon", "polygon", 996)] {
+        let output = succeeds(&["prepare", "preset:heart", "--samples", "60", "--interpret", interpret, "--json"]);
+        let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(report["interpretation"]["interpretation"], kind, "{interpret}");
+        assert_eq!(report["interpretation"]["corners"], corners, "{interpret}");
+    }
+}

@@ -7,10 +7,10 @@ mod support;
 
 use proptest::prelude::*;
 use riemap::conformal::{Direction, Extension, KernelMode, PrepareSettings, Side, SurfaceSettings};
-use riemap::geometry::{Bounds, DVec2};
+use riemap::geometry::{Bounds, DVec2, SimplePolygon};
 use riemap::laplace::SolverKind;
 use riemap::mesh::{BarycentricPoint, Sizing, TriangleId};
-use riemap::outline::{Preset, Sampling};
+use riemap::outline::{CurveForm, Preset, Sampling};
 use riemap::session::link::{Decoded, MAX_LENGTH, MissingOutline, decode, encode};
 use riemap::session::{
     CELLS, Colouring, Command, Comparison, DomainSpec, GROWTH, OutlineSpec, SAMPLES, SURFACE_BOUNDARY, Session,
@@ -49,7 +49,10 @@ fn drawn() -> impl Strategy<Value = OutlineSpec> {
         };
         let scale = 10_f64.powi(exponent);
         let points = corners.iter().enumerate().map(corner).map(|p| scale * (p + DVec2::new(x, y)));
-        OutlineSpec::Points { name, polygon: points.collect::<Vec<_>>().try_into().unwrap() }
+        // as from a file or link older than curves
+        let polygon: SimplePolygon = points.collect::<Vec<_>>().try_into().unwrap();
+        let form = CurveForm::of_polygon(&polygon);
+        OutlineSpec::Points { name, polygon, form }
     })
 }
 

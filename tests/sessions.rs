@@ -249,7 +249,7 @@ fn an_outline_that_a_link_leaves_out_comes_from_a_file() {
     let mut session = coarse();
     session.apply(Change::SetOutline {
         side: Side::Source,
-        outline: OutlineSpec::Points { name: "rough".into(), polygon: points.try_into().unwrap() },
+        outline: OutlineSpec::points("rough".into(), points.try_into().unwrap()),
     });
     session.apply(Change::MoveInterior { side: Side::Source, point: DVec2::new(0.3, 0.1).into() });
     session.apply(Change::MoveAnchor { side: Side::Source, fraction: 0.3 });

@@ -358,7 +358,7 @@ mod tests {
         let points: Vec<_> =
             (0..6000).map(|k| jagged(k) * crate::geometry::DVec2::from_angle(f64::from(k) * 1e-3)).collect();
         let mut session = app.session().clone();
-        let outline = crate::session::OutlineSpec::Points { name: "big".into(), polygon: points.try_into().unwrap() };
+        let outline = crate::session::OutlineSpec::points("big".into(), points.try_into().unwrap());
         session.apply(Command::SetOutline { side: Side::Source, outline });
         app.try_link(&crate::session::link::encode(&session).unwrap().fragment).unwrap();
         let asked = app.messages.common.clone();

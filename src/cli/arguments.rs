@@ -6,7 +6,7 @@ use super::values::{FigureNumber, Size, SizingArgument};
 use crate::conformal::{KernelMode, PrepareSettings, Side};
 use crate::laplace::SolverKind;
 use crate::mesh::Sizing;
-use crate::outline::{self, Outline, Preset, Sampling};
+use crate::outline::{self, Interpretation, Interpreted, Outline, Preset, Sampling};
 use std::io::Read as _;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -315,6 +315,30 @@ pub struct Discretization {
     /// How linear systems are solved: with a complete Cholesky factor, or iteratively with an incomplete one.
     #[arg(long, default_value = "direct")]
     pub solver: SolverArgument,
+    /// What an outline's points are taken for: straight edges between corners, or a smooth curve. "auto" takes the curve
+    /// of a preset or an SVG path, and a smooth curve between the corners of 64 points or more; "smooth" tries that with
+    /// fewer too.
+    #[arg(long, default_value = "auto")]
+    pub interpret: InterpretArgument,
+}
+
+/// What an outline's points are taken for.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+#[allow(missing_docs, reason = "clap shows the comments of values as help")]
+pub enum InterpretArgument {
+    Auto,
+    Polygon,
+    Smooth,
+}
+
+impl From<InterpretArgument> for Interpretation {
+    fn from(argument: InterpretArgument) -> Self {
+        match argument {
+            InterpretArgument::Auto => Self::Auto,
+            InterpretArgument::Polygon => Self::Polygon,
+            InterpretArgument::Smooth => Self::Smooth,
+        }
+    }
 }
 
 /// How kernels are computed.
@@ -386,6 +410,31 @@ pub struct NamedOutline {
 }
 
 impl NamedOutline {
+    /// The same outline, interpreted as requested.
+    #[must_use]
+    pub fn interpreted(self, interpret: InterpretArgument) -> Self {
+        Self { outline: self.outline.interpreted(interpret.into()), ..self }
+    }
+
+    /// What its points were taken for; `None` if not even its polygon is a curve, as with spikes of 1e-5. Says on stderr
+    /// why many points stay a polygon.
+    pub fn interpretation(&self, name: &str) -> Option<Interpreted> {
+        match self.outline.curve() {
+            Ok(curve) => {
+                if let Some(reason) = curve.stays_polygon()
+                    && self.outline.polygon().vertices().len() >= outline::LEAST_SMOOTH
+                {
+                    eprintln!("riemap: {name}: taken as a polygon: {reason}");
+                }
+                Some(curve.interpreted())
+            }
+            Err(error) => {
+                eprintln!("riemap: {name}: taken as a polygon: {error}");
+                None
+            }
+        }
+    }
+
     /// Prints the reader's notes to stderr.
     pub fn say_notes(&self, name: &str) {
         for note in self.outline.notes() {

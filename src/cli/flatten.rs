@@ -2,7 +2,7 @@
 
 use super::arguments::{NamedOutline, read_outline};
 use super::flatten_arguments::{FlattenArguments, UvArgument, read};
-use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, write_all};
+use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, words, write_all};
 use super::progress::Progress;
 use super::tables::Counts;
 use super::{CliError, surface_picture};
@@ -13,6 +13,7 @@ use crate::conformal::{
 use crate::export::{FileFormat, Flattened, Placement};
 use crate::laplace::SolverKind;
 use crate::mesh::{BarycentricPoint, FlipReport};
+use crate::outline::Interpreted;
 use crate::surface::{Surface, SurfaceMesh};
 use std::path::Path;
 use std::sync::Arc;
@@ -42,6 +43,8 @@ struct Summary {
     surface_point: Point,
     surface_anchor: f64,
     uv: Placement,
+    /// What the outline's points were taken for.
+    interpretation: Option<Interpreted>,
     timing_ms: Timings,
 }
 
@@ -101,8 +104,9 @@ pub fn run(arguments: &FlattenArguments) -> Result<(), CliError> {
         return print(&text);
     }
     let Summary { quality, counts, flips, .. } = summary;
+    let kind = summary.interpretation.map(|found| format!("\noutline: {}", words(found))).unwrap_or_default();
     print(&format!(
-        "m = {}, n = {}, {}; {}, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed",
+        "m = {}, n = {}, {}; {}, negative weights {} → {}\nmean Q = {:.4}, {} flipped, {} collapsed{kind}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
@@ -131,7 +135,7 @@ fn compute(
     surface: &Surface,
     progress: &Progress,
 ) -> Result<(Parameterized, Timings), CliError> {
-    let outline = read_outline(&arguments.outline, arguments.repair)?;
+    let outline = read_outline(&arguments.outline, arguments.repair)?.interpreted(arguments.discretization.interpret);
     progress.enter(format!("checking {}", arguments.surface));
     let (disk, check) =
         timed(|| if arguments.repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) });
@@ -162,6 +166,7 @@ struct Sides {
     meshed: Arc<MeshedSurface>,
     /// The requested solver, which may differ from the one used.
     solver: SolverKind,
+    interpreted: Option<Interpreted>,
 }
 
 impl Sides {
@@ -180,7 +185,8 @@ impl Sides {
         let source = source.map_err(|error| about(&arguments.outline, &error))?;
         let domain = Arc::clone(source.domain().ok_or_else(no_outline)?);
         let meshed = Arc::clone(surface.surface().ok_or_else(no_surface)?);
-        Ok(Self { source: Arc::new(source), surface: Arc::new(surface), domain, meshed, solver })
+        let interpreted = outline.interpretation(&arguments.outline);
+        Ok(Self { source: Arc::new(source), surface: Arc::new(surface), domain, meshed, solver, interpreted })
     }
 
     fn say_notes(&self, arguments: &FlattenArguments) {
@@ -241,6 +247,7 @@ fn summarize(surface: &Surface, whole: &Parameterized, uv: Placement, timing_ms:
         },
         surface_anchor: *y2,
         uv,
+        interpretation: sides.interpreted,
         timing_ms,
     }
 }

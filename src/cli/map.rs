@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::arguments::{DirectionArgument, ExtensionArgument, MapArguments};
-use super::output::{Format, check_paths, print, triangles, write_all};
+use super::output::{Format, check_paths, print, triangles, words, write_all};
 use super::progress::Progress;
 use super::side::{self, Asked, NamedSide, Reading, is_surface};
 use super::tables::{self, Summary};
@@ -12,6 +12,7 @@ use crate::conformal::{
     Side,
 };
 use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
+use crate::outline::Interpreted;
 use std::sync::Arc;
 
 /// Squares of the drawn grid across the source's larger side.
@@ -22,9 +23,9 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let Computed { map, constraints, coarse } = compute(arguments, &progress)?;
+    let Computed { map, constraints, interpreted, coarse } = compute(arguments, &progress)?;
     progress.enter("writing");
-    let summary = Summary::of(&map, coarse);
+    let summary = Summary::of(&map, interpreted, coarse);
     let names = PerSide::new(arguments.source.as_str(), arguments.target.as_str());
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
@@ -40,10 +41,14 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     print(&in_words(&summary))
 }
 
-fn in_words(Summary { quality, counts, unresolved_area, .. }: &Summary) -> String {
+fn in_words(Summary { quality, counts, unresolved_area, interpretation, .. }: &Summary) -> String {
     let unresolved = unresolved_area.filter(|area| *area > 0.0);
+    let kinds =
+        interpretation.iter().filter_map(|(side, found)| found.map(|found| format!("{side}: {}", words(found))));
+    let kinds: Vec<String> = kinds.collect();
+    let kinds = if kinds.is_empty() { String::new() } else { format!("\n{}", kinds.join("; ")) };
     format!(
-        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}",
+        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{kinds}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
@@ -54,10 +59,11 @@ fn in_words(Summary { quality, counts, unresolved_area, .. }: &Summary) -> Strin
     )
 }
 
-/// A map with the preparation of its mapped mesh before that was refined.
+/// The map, what it was made from, and the preparation of its mapped mesh before that was refined.
 struct Computed {
     map: ConformalMap,
     constraints: Constraints,
+    interpreted: PerSide<Option<Interpreted>>,
     coarse: PrepareTimings,
 }
 
@@ -132,7 +138,8 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
             eprintln!("riemap: {}: {note}", asked.title);
         }
     }
-    Ok(Computed { map, constraints, coarse })
+    let interpreted = PerSide::new(source.interpreted(), target.interpreted());
+    Ok(Computed { map, constraints, interpreted, coarse })
 }
 
 fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {

@@ -4,6 +4,7 @@ use super::CliError;
 use crate::conformal::PreparedSide;
 use crate::counted::counted;
 use crate::laplace::SolverKind;
+use crate::outline::{Interpretation, Interpreted};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -113,4 +114,12 @@ pub fn say_solver(name: &str, wanted: SolverKind, used: SolverKind) {
     if used != wanted {
         eprintln!("riemap: {name}: the Cholesky factor does not fit into memory: solved iteratively, more slowly");
     }
+}
+
+/// An interpretation in words: "smooth, 2 corners".
+pub fn words(interpreted: Interpreted) -> String {
+    let corners = interpreted.corners;
+    let corners = counted!(corners, "1 corner", "{corners} corners");
+    let kind = if interpreted.interpretation == Interpretation::Smooth { "smooth" } else { "polygon" };
+    format!("{kind}, {corners}")
 }

@@ -2,14 +2,14 @@
 
 use super::CliError;
 use super::arguments::{PrepareArguments, read_outline};
-use super::output::{print, say_solver, triangles, warn_if_coarse};
+use super::output::{print, say_solver, triangles, warn_if_coarse, words};
 use super::progress::Progress;
 use super::tables::Counts;
 use crate::conformal::{PrepareTimings, prepare};
 
 /// Prepares the domain `repeat` times and prints the medians.
 pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
-    let named = read_outline(&arguments.domain, arguments.repair)?;
+    let named = read_outline(&arguments.domain, arguments.repair)?.interpreted(arguments.discretization.interpret);
     let settings = arguments.discretization.settings(&named, None);
     let mut runs = Vec::new();
     let mut counts = Counts::default();
@@ -25,15 +25,22 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
     drop(progress);
     let timings = medians(&runs);
     named.say_notes(&arguments.domain);
+    let interpreted = named.interpretation(&arguments.domain);
     if arguments.json {
-        let report = serde_json::json!({ "counts": counts, "timing_ms": timings, "total_ms": timings.total() });
+        let report = serde_json::json!({
+            "counts": counts,
+            "interpretation": interpreted,
+            "timing_ms": timings,
+            "total_ms": timings.total(),
+        });
         return print(&format!("{report:#}"));
     }
     let PrepareTimings { sample, mesh, assemble, order, factor, table } = timings;
     print(&format!(
-        "{}: m = {}, n = {}, {}\n\
+        "{}{}: m = {}, n = {}, {}\n\
          {:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}{}",
         named.outline.name(),
+        interpreted.map(|interpreted| format!(" ({})", words(interpreted))).unwrap_or_default(),
         counts.m,
         counts.n,
         triangles(counts.triangles),

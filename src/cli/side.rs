@@ -9,7 +9,7 @@ use super::values::{Anchor, Point};
 use crate::conformal::{
     InteriorPoint, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings, prepare, prepare_surface,
 };
-use crate::outline::Preset;
+use crate::outline::{Interpreted, Preset};
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, names_format};
 use std::str::FromStr;
 use std::sync::Arc;
@@ -76,6 +76,7 @@ pub enum Given {
 pub struct NamedSide {
     title: String,
     given: Given,
+    interpreted: Option<Interpreted>,
     pub prepared: Arc<PreparedSide>,
     /// The settings of an outline.
     pub settings: Option<PrepareSettings>,
@@ -168,6 +169,10 @@ impl NamedSide {
     ) -> Result<Self, CliError> {
         let about = |error: &dyn std::fmt::Display| CliError::Input(format!("{title}: {error}"));
         let Reading { repair, intrinsic_delaunay, discretization } = reading;
+        let given = match given {
+            Given::Outline(outline) => Given::Outline(outline.interpreted(discretization.interpret)),
+            surface @ Given::Surface(_) => surface,
+        };
         let mut kept = None;
         let prepared = match &given {
             Given::Surface(surface) => {
@@ -184,7 +189,13 @@ impl NamedSide {
                 prepared.map_err(|error| about(&error))?
             }
         };
-        Ok(Self { title: (*title).to_owned(), given, prepared: Arc::new(prepared), settings: kept })
+        let interpreted = if let Given::Outline(outline) = &given { outline.interpretation(title) } else { None };
+        Ok(Self { title: (*title).to_owned(), given, interpreted, prepared: Arc::new(prepared), settings: kept })
+    }
+
+    /// What an outline's points were taken for.
+    pub fn interpreted(&self) -> Option<Interpreted> {
+        self.interpreted
     }
 
     fn is_surface(&self) -> bool {

@@ -1,8 +1,9 @@
 //! A map's numbers as JSON, with a summary.
 
 use crate::conformal::{
-    ConformalMap, FrameTimings, Places, PrepareTimings, PreparedSide, Quality, ResolvedBoundary, Side,
+    ConformalMap, FrameTimings, PerSide, Places, PrepareTimings, PreparedSide, Quality, ResolvedBoundary, Side,
 };
+use crate::outline::Interpreted;
 
 /// The size of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
@@ -43,17 +44,20 @@ pub struct Summary {
     /// The share of the other outline's area that the images do not cover, because its preimage is smaller than 1e-6 of
     /// the mapped domain; none if the mesh was not refined.
     pub unresolved_area: Option<f64>,
+    /// What the points of each outline were taken for; none for a surface.
+    pub interpretation: PerSide<Option<Interpreted>>,
 }
 
 impl Summary {
     /// The summary of this map; `coarse` is the preparation of the mapped mesh before it was refined.
-    pub fn of(map: &ConformalMap, coarse: PrepareTimings) -> Self {
+    pub fn of(map: &ConformalMap, interpretation: PerSide<Option<Interpreted>>, coarse: PrepareTimings) -> Self {
         let [a, b] = Side::BOTH.map(|side| map.side(side).timings());
         Self {
             quality: map.quality(),
             timing_ms: MapTimings { prepare: a.and(b).and(coarse), frame: map.timings() },
             counts: Counts::of(map.mapped()),
             unresolved_area: map.resolution().map(ResolvedBoundary::unresolved_area),
+            interpretation,
         }
     }
 }

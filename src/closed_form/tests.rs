@@ -122,7 +122,7 @@ fn maps_without_a_closed_form_are_none() {
         session.apply(Command::SetOutline { side, outline: OutlineSpec::Preset(preset) });
     }
     assert!(ExactMap::of_session(&session, PerSide::default()).is_some());
-    let outline = OutlineSpec::Points { name: String::from("disk"), polygon: Preset::Disk.outline().into_polygon() };
+    let outline = OutlineSpec::points(String::from("disk"), Preset::Disk.outline().into_polygon());
     session.apply(Command::SetOutline { side: Side::Target, outline });
     assert!(ExactMap::of_session(&session, PerSide::default()).is_none(), "loaded points are what they are");
 }

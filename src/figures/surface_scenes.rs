@@ -81,7 +81,7 @@ pub(super) fn l_shapes(detail: Detail) -> Vec<Scene> {
     // a multiple of 6, so that each sixth of the loop ends at a vertex
     let boundary = detail.samples(HEMISPHERE_SAMPLES) / 6 * 6;
     let scene = |label: SceneLabel, points: Vec<DVec2>, interior: Option<DVec2>| {
-        let outline = OutlineSpec::Points { name: String::from("L"), polygon: SimplePolygon::known_simple(points) };
+        let outline = OutlineSpec::points(String::from("L"), SimplePolygon::known_simple(points));
         let session = over(outline, detail, SurfacePreset::Hemisphere, boundary, 0.0);
         let session = session.and(interior.map(source_point)).and([Command::SetTextureScale(L_SQUARES)]);
         Scene { label, session }

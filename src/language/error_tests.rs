@@ -274,7 +274,7 @@ fn sessions_and_links_that_cannot_be_opened() {
     let spike = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
     let polygon = SimplePolygon::try_from(spike.map(DVec2::from).to_vec()).unwrap();
     let session = Session::with(Side::BOTH.map(|side| {
-        let outline = OutlineSpec::Points { name: format!("a spike of the {side}"), polygon: polygon.clone() };
+        let outline = OutlineSpec::points(format!("a spike of the {side}"), polygon.clone());
         Command::SetOutline { side, outline }
     }));
     let both = link::encode(&session).unwrap().left_out;

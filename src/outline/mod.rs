@@ -1,40 +1,66 @@
 //! Outlines: reading them from files, the built-in ones, and sampling their boundary.
 //!
-//! `parse` and [`Preset::outline`] give an [`Outline`]; [`sample`] turns its
-//! polygon into the [`BoundarySamples`] on which everything else is computed.
+//! `parse` and [`Preset::outline`] give an [`Outline`]: a polygon, and how its curve is found ([`CurveForm`]).
+//! [`sample`] turns the polygon into the [`BoundarySamples`] on which finite elements are computed.
 
+mod corners;
+mod crossing;
+mod flatten;
+mod interpretation;
+mod overlaps;
 #[cfg(feature = "io")]
 mod parse;
 mod pen;
 mod preset;
 mod sampling;
+mod segment;
 mod shapes;
+mod smooth;
 
 use std::fmt;
 
 use crate::counted::counted;
-use crate::geometry::SimplePolygon;
+use crate::geometry::{CurveError, SimplePolygon};
+pub use flatten::flattened;
+pub use interpretation::{CurveForm, CurveSource, Interpretation, Interpreted, LEAST_SMOOTH, OutlineCurve};
 #[cfg(feature = "io")]
 pub use parse::{
     GeoJsonFault, JsonFault, JsonKind, MAX_BYTES, OutlineError, PointFault, SvgFault, parse, parse_repaired,
 };
 pub use preset::{Preset, UnknownPreset};
 pub use sampling::{BoundaryPoint, BoundarySamples, BrokenSamples, MAX_SAMPLES, Sampling, SamplingError, sample};
+pub use segment::Segment;
+pub use smooth::StaysPolygon;
 
-/// An outline: a simple polygon, counter-clockwise, with a name and the notes from reading it.
+/// An outline: a curve and the simple polygon, counter-clockwise, that samples it, with a name and the notes from
+/// reading it. The curve is found from the polygon and the [`CurveForm`], by [`Self::curve`].
 ///
 /// [`SimplePolygon`] carries the proof that the boundary does not cross itself; nothing here weakens it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     name: String,
     polygon: SimplePolygon,
+    form: CurveForm,
     notes: Vec<OutlineNote>,
 }
 
 impl Outline {
-    /// The outline of a polygon, without notes.
+    /// The outline of a list of points, without notes, to be interpreted automatically.
     pub fn new(name: impl Into<String>, polygon: SimplePolygon) -> Self {
-        Self { name: name.into(), polygon, notes: Vec::new() }
+        Self { name: name.into(), polygon, form: CurveForm::default(), notes: Vec::new() }
+    }
+
+    /// The same outline with another form of its curve.
+    #[must_use]
+    pub fn with_form(self, form: CurveForm) -> Self {
+        Self { form, ..self }
+    }
+
+    /// The same outline, interpreted otherwise.
+    #[must_use]
+    pub fn interpreted(mut self, interpretation: Interpretation) -> Self {
+        self.form.interpretation = interpretation;
+        self
     }
 
     /// The same outline with the notes of its reader in place of those it had.
@@ -51,6 +77,16 @@ impl Outline {
     /// The boundary.
     pub fn polygon(&self) -> &SimplePolygon {
         &self.polygon
+    }
+
+    /// How the curve is found.
+    pub fn form(&self) -> &CurveForm {
+        &self.form
+    }
+
+    /// The curve that the polygon samples. Errors: as [`CurveForm::curve`].
+    pub fn curve(&self) -> Result<OutlineCurve, CurveError> {
+        self.form.curve(&self.polygon)
     }
 
     /// The boundary, without name and notes.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::pen::{Drawn, fitted, is_one_circle};
-use super::{Outline, shapes};
+use super::{CurveForm, CurveSource, Outline, shapes};
 use crate::geometry::{Curve, CurveError, Junction, Piece, SimplePolygon};
 
 /// A built-in outline.
@@ -114,7 +114,8 @@ impl Preset {
     /// The V and the blob follow the paper's formulas; the others are drawn for
     /// riemap, within `[−1, 1]²`.
     pub fn outline(self) -> Outline {
-        Outline::new(self.name(), SimplePolygon::known_simple(self.drawn().points))
+        let polygon = SimplePolygon::known_simple(self.drawn().points);
+        Outline::new(self.name(), polygon).with_form(CurveForm::of_source(CurveSource::Preset(self)))
     }
 
     /// The curve on which the vertices of [`Self::outline`] lie: lines, arcs, cubic Bézier curves and formulas, exact

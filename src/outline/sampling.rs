@@ -206,11 +206,6 @@ impl BoundaryPoint {
 /// The largest number of samples.
 pub const MAX_SAMPLES: u32 = 200_000;
 
-/// A vertex is a corner if it turns by more than 30°; this is the cosine. Hand-drawn outlines of
-/// 200 points turn by up to 20° where they are meant to be smooth; a regular
-/// octagon, the bluntest figure usually drawn with corners, turns by 45°.
-const CORNER_COSINE: f64 = 0.866_025_403_784_438_6;
-
 /// Samples the boundary of `polygon`. The first sample is the polygon's first vertex.
 ///
 /// All samples lie on the polygon. Cost O(polygon vertices + samples), times a

@@ -137,7 +137,7 @@ mod tests {
         let points = steps.chain([DVec2::new(0.0, LARGE as f64)]).collect::<Vec<_>>();
         let polygon = crate::geometry::SimplePolygon::try_from(points).unwrap();
         let large = |k: usize| {
-            let outline = OutlineSpec::Points { name: format!("large {k}"), polygon: polygon.clone() };
+            let outline = OutlineSpec::points(format!("large {k}"), polygon.clone());
             Session::with([Command::SetOutline { side: Side::Source, outline }])
         };
         let mut history = History::new(large(0));

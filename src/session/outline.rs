@@ -1,13 +1,13 @@
-//! An outline in a session: a preset, or a loaded polygon that is known to be simple.
+//! An outline in a session: a preset, or a loaded polygon that is known to be simple, with the form of its curve.
 
 use crate::conformal::PrepareSettings;
-use crate::geometry::SimplePolygon;
-use crate::outline::{Outline, Preset};
+use crate::geometry::{CurveError, DVec2, SimplePolygon};
+use crate::outline::{CurveForm, CurveSource, Outline, OutlineCurve, Preset};
 use serde::{Serialize, Serializer};
 
-/// Where a domain's outline comes from. As JSON a loaded outline is its points; `file` reads it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+/// Where a domain's outline comes from. As JSON a loaded outline is its points and, unless they are only a polygon, the
+/// form of its curve; `file` reads it.
+#[derive(Debug, Clone, PartialEq)]
 pub enum OutlineSpec {
     /// A built-in outline.
     Preset(Preset),
@@ -16,17 +16,48 @@ pub enum OutlineSpec {
         /// Its name.
         name: String,
         /// The polygon, checked when it was read.
-        #[serde(rename = "points", serialize_with = "vertices")]
         polygon: SimplePolygon,
+        /// How its curve is found from the polygon.
+        form: CurveForm,
     },
 }
 
 impl OutlineSpec {
+    /// A loaded list of points, to be interpreted automatically.
+    pub fn points(name: String, polygon: SimplePolygon) -> Self {
+        Self::Points { name, polygon, form: CurveForm::default() }
+    }
+
+    /// This outline with another form of its curve; a preset is always its own curve.
+    #[must_use]
+    pub fn with_form(self, form: CurveForm) -> Self {
+        match self {
+            Self::Points { name, polygon, .. } => Self::Points { name, polygon, form },
+            preset @ Self::Preset(_) => preset,
+        }
+    }
+
     /// The outline as a polygon; computed for a preset, a copy of a loaded one. Cost O(k).
     pub fn polygon(&self) -> SimplePolygon {
         match self {
             Self::Preset(preset) => preset.outline().into_polygon(),
             Self::Points { polygon, .. } => polygon.clone(),
+        }
+    }
+
+    /// The outline as a curve. Errors: as [`CurveForm::curve`].
+    pub fn curve(&self) -> Result<OutlineCurve, CurveError> {
+        match self {
+            Self::Preset(preset) => preset.outline().curve(),
+            Self::Points { polygon, form, .. } => form.curve(polygon),
+        }
+    }
+
+    /// Whether the form of the curve is what the polygon alone says: before curves, outlines were stored without.
+    pub(super) fn is_only_polygon(&self) -> bool {
+        match self {
+            Self::Preset(_) => true,
+            Self::Points { polygon, form, .. } => *form == CurveForm::of_polygon(polygon),
         }
     }
 
@@ -40,14 +71,38 @@ impl OutlineSpec {
 }
 
 impl From<Outline> for OutlineSpec {
-    /// Drops the reader's notes.
+    /// Drops the reader's notes. The outline of a preset becomes a list of points.
     fn from(outline: Outline) -> Self {
-        Self::Points { name: outline.name().to_owned(), polygon: outline.into_polygon() }
+        let (name, mut form) = (outline.name().to_owned(), outline.form().clone());
+        if matches!(form.source, CurveSource::Preset(_)) {
+            form.source = CurveSource::Points;
+        }
+        Self::Points { name, polygon: outline.into_polygon(), form }
     }
 }
 
-fn vertices<S: Serializer>(polygon: &SimplePolygon, serializer: S) -> Result<S::Ok, S::Error> {
-    polygon.vertices().serialize(serializer)
+impl Serialize for OutlineSpec {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        #[serde(rename_all = "kebab-case")]
+        enum Written<'a> {
+            Preset(Preset),
+            Points {
+                name: &'a str,
+                points: &'a [DVec2],
+                #[serde(skip_serializing_if = "Option::is_none")]
+                curve: Option<&'a CurveForm>,
+            },
+        }
+        let written = match self {
+            Self::Preset(preset) => Written::Preset(*preset),
+            Self::Points { name, polygon, form } => {
+                let curve = (!self.is_only_polygon()).then_some(form);
+                Written::Points { name, points: polygon.vertices(), curve }
+            }
+        };
+        written.serialize(serializer)
+    }
 }
 
 /// An outline and how its interior is discretized.

@@ -242,7 +242,7 @@ fn comparisons_keep_their_names_and_show_what_they_say() {
 fn a_reshaped_outline_brings_its_points_along() {
     let mut session = Session::default();
     let points = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from).to_vec();
-    let outline = OutlineSpec::Points { name: "triangle".into(), polygon: points.try_into().unwrap() };
+    let outline = OutlineSpec::points("triangle".into(), points.try_into().unwrap());
     let interior = Some(DVec2::new(0.25, 0.25));
     session.apply(Command::ReshapeOutline { side: Side::Target, outline: outline.clone(), interior, anchor: 1.25 });
     assert_eq!(session.side(Side::Target).outline_points(), SidePoints::Outline { interior, anchor: 0.25 });

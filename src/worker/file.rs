@@ -48,14 +48,14 @@ impl NamedFile {
 pub struct FlatOutline {
     /// The vertices' coordinates: x and y of the first, of the second, …
     pub points: Vec<f64>,
-    /// Name and notes.
+    /// Name, notes, and the form of its curve.
     pub text: String,
 }
 
 impl From<&Outline> for FlatOutline {
     fn from(outline: &Outline) -> Self {
         // strings and plain enums, which always serialize
-        let text = serde_json::to_string(&(outline.name(), outline.notes())).unwrap_or_default();
+        let text = serde_json::to_string(&(outline.name(), outline.notes(), outline.form())).unwrap_or_default();
         Self { points: outline.polygon().vertices().iter().flat_map(DVec2::to_array).collect(), text }
     }
 }
@@ -64,9 +64,9 @@ impl FlatOutline {
     /// The outline; `None` if the text is malformed. The points must be those of a simple polygon, as [`Self::from`]
     /// makes them.
     pub fn outline(&self) -> Option<Outline> {
-        let (name, notes): (String, _) = serde_json::from_str(&self.text).ok()?;
+        let (name, notes, form): (String, _, _) = serde_json::from_str(&self.text).ok()?;
         let polygon = SimplePolygon::known_simple(self.points.chunks_exact(2).map(DVec2::from_slice).collect());
-        Some(Outline::new(name, polygon).with_notes(notes))
+        Some(Outline::new(name, polygon).with_form(form).with_notes(notes))
     }
 }
 
@@ -84,9 +84,9 @@ impl FlatSession {
     pub fn of(session: &Session) -> Option<Self> {
         let mut light = session.clone();
         let outlines = PerSide::from_fn(|side| {
-            let OutlineSpec::Points { name, polygon } = session.domain(side).outline.clone() else { return None };
+            let OutlineSpec::Points { name, polygon, form } = session.domain(side).outline.clone() else { return None };
             light.apply(reshaped(session, side, OutlineSpec::Preset(crate::outline::Preset::Disk)));
-            Some(FlatOutline::from(&Outline::new(name, polygon)))
+            Some(FlatOutline::from(&Outline::new(name, polygon).with_form(form)))
         });
         Some(Self { outlines, text: file::write_object(&light).ok()? })
     }

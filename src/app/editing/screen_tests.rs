@@ -269,7 +269,7 @@ fn a_file_opened_during_a_drag_replaces_the_dragged_outline() {
     let stats = settle(&mut harness);
     let outline = harness.state().session().domain(Side::Source).outline.clone();
     assert!(
-        matches!(&outline, OutlineSpec::Points { name, polygon } if name == "box" && polygon.vertices().len() == 4),
+        matches!(&outline, OutlineSpec::Points { name, polygon, .. } if name == "box" && polygon.vertices().len() == 4),
         "{outline:?}"
     );
     assert_eq!(stats.screen.editing.unwrap().handles.len(), 4, "the handles are those of the new outline");

@@ -43,7 +43,7 @@ impl Bench {
 
     fn square() -> Self {
         let points = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(DVec2::from).to_vec();
-        Self::of(OutlineSpec::Points { name: "square".into(), polygon: points.try_into().unwrap() })
+        Self::of(OutlineSpec::points("square".into(), points.try_into().unwrap()))
     }
 
     fn act(&mut self, action: EditAction) {
@@ -193,7 +193,7 @@ fn the_points_stay_where_they_are_and_come_back_when_the_outline_does() {
 #[test]
 fn an_outline_turned_inside_out_is_taken_the_other_way_round() {
     let points = [(0.0, 0.0), (2.0, 0.0), (1.0, 1.0)].map(DVec2::from).to_vec();
-    let mut bench = Bench::of(OutlineSpec::Points { name: "triangle".into(), polygon: points.try_into().unwrap() });
+    let mut bench = Bench::of(OutlineSpec::points("triangle".into(), points.try_into().unwrap()));
     bench.model.dispatch(Command::MoveAnchor { side: SIDE, fraction: 0.1 }, 0.0);
     bench.answer_all();
     let anchor = bench.model.anchor(SIDE).unwrap();

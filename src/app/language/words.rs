@@ -177,7 +177,7 @@ mod tests {
     use super::*;
 
     fn named(name: &str) -> OutlineSpec {
-        OutlineSpec::Points { name: name.into(), polygon: Preset::Square.outline().into_polygon() }
+        OutlineSpec::points(name.into(), Preset::Square.outline().into_polygon())
     }
 
     #[test]

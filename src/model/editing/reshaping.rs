@@ -267,7 +267,7 @@ impl Reshaping {
             self.good.shape = self.shape.clone();
             self.selected = None;
         }
-        self.sent = OutlineSpec::Points { name: self.name.clone(), polygon };
+        self.sent = OutlineSpec::points(self.name.clone(), polygon);
         model.reshape(self.side, self.sent.clone(), Reshaped { interior, anchor, in_hand });
     }
 }

@@ -81,7 +81,7 @@ mod tests {
         let points = [(0.1, 0.2), (1.0 / 3.0, 1e-12), (0.7, 0.9), (0.333, 0.77)].map(crate::geometry::DVec2::from);
         let mut drawn = scaled(5.0);
         let polygon = points.to_vec().try_into().unwrap();
-        let outline = crate::session::OutlineSpec::Points { name: "drawn".into(), polygon };
+        let outline = crate::session::OutlineSpec::points("drawn".into(), polygon);
         drawn.apply(Command::SetOutline { side: crate::conformal::Side::Source, outline });
         let fragment = link::encode(&drawn).unwrap().fragment;
         assert_ne!(link::decode(&fragment).unwrap().session, drawn, "rounded");

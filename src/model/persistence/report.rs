@@ -43,7 +43,7 @@ mod tests {
         let spike =
             [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
         let polygon = spike.map(DVec2::from).to_vec().try_into().unwrap();
-        session.apply(Command::SetOutline { side: Side::Source, outline: OutlineSpec::Points { name, polygon } });
+        session.apply(Command::SetOutline { side: Side::Source, outline: OutlineSpec::points(name, polygon) });
         assert_eq!(whole_link(&session, &[]), None, "a spike finer than a link can tell");
         let shape = SurfaceShape::File { name: "cow.obj".into() };
         session.apply(Command::SetSurface {

@@ -129,7 +129,7 @@ fn circle(name: &str, count: u32) -> OutlineSpec {
     // with noise, so that no link can hold it
     let radius = |k: u32| 1.0 + 1e-2 * f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
     let points: Vec<DVec2> = (0..count).map(|k| DVec2::from_angle(angle(k)) * radius(k)).collect();
-    OutlineSpec::Points { name: name.into(), polygon: points.try_into().unwrap() }
+    OutlineSpec::points(name.into(), points.try_into().unwrap())
 }
 
 /// A session whose source is too long for a link, and the decoded link.

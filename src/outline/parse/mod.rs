@@ -13,10 +13,11 @@ mod point_list;
 mod repair;
 mod ring;
 mod svg;
+mod svg_exact;
 mod svg_path;
 mod table;
 
-use super::{Outline, OutlineNote};
+use super::{CurveForm, CurveSource, Outline, OutlineNote, Segment, flattened};
 use crate::geometry::SimplePolygon;
 pub use error::OutlineError;
 pub use fault::{GeoJsonFault, JsonFault, JsonKind, PointFault, SvgFault};
@@ -44,8 +45,8 @@ enum Format {
 ///
 /// - JSON: `[[x, y], …]` or `{"name": …, "points": [[x, y], …]}`;
 /// - `GeoJSON`: the outer ring of largest area; holes are left out;
-/// - SVG: the first closed path in document order, transformed and flattened,
-///   with y upwards; of several closed subpaths the largest;
+/// - SVG: the first closed path in document order, transformed, with y upwards; of several closed subpaths the
+///   largest. Its lines, arcs and Bézier curves are kept; the polygon is flattened from them;
 /// - tables: two numbers on a line, between them spaces, a tab, a comma or a
 ///   semicolon; `#` begins a comment; the first line may be a header;
 /// - with any other extension or none, also the data of an SVG path (`M 0 0 L …`), and points on one
@@ -64,6 +65,8 @@ pub fn parse_repaired(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineE
     let mut ring = read(file_name, bytes)?;
     let dropped = repair::cut_loops_and_spikes(&mut ring.points);
     if dropped > 0 {
+        // the path has the loops that the points no longer have
+        ring.segments.clear();
         ring.notes.push(OutlineNote::Repaired { dropped });
     }
     outline(ring, stem_and_extension(file_name).0)
@@ -88,13 +91,19 @@ fn read(file_name: &str, bytes: &[u8]) -> Result<Ring, OutlineError> {
 }
 
 fn outline(ring: Ring, stem: &str) -> Result<Outline, OutlineError> {
-    let Ring { name, points, mut notes } = ring;
-    let polygon = SimplePolygon::try_from(points)?;
+    let Ring { name, points, mut notes, mut segments } = ring;
+    let mut polygon = SimplePolygon::try_from(points)?;
     if polygon.was_clockwise() {
         notes.push(OutlineNote::Reversed);
+        if !segments.is_empty() {
+            // the same points up to rounding, so that the path as it is kept gives the polygon again
+            segments = segments.into_iter().rev().map(Segment::reversed).collect();
+            polygon = SimplePolygon::try_from(flattened(&segments))?;
+        }
     }
+    let source = if segments.is_empty() { CurveSource::Points } else { CurveSource::Segments(segments) };
     let name = name.filter(|n| !n.trim().is_empty()).unwrap_or_else(|| stem.to_owned());
-    Ok(Outline::new(name, polygon).with_notes(notes))
+    Ok(Outline::new(name, polygon).with_form(CurveForm::of_source(source)).with_notes(notes))
 }
 
 /// `("leaf", "json")` from `some/folder/leaf.json`.
@@ -127,3 +136,7 @@ fn format_of(extension: &str, text: &str) -> Format {
 #[allow(clippy::unwrap_used, clippy::panic, clippy::format_collect, reason = "tests")]
 #[path = "tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+mod svg_tests;

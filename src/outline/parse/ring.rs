@@ -1,5 +1,6 @@
 //! A closed chain of points, before it is checked.
 
+use super::super::{Segment, flattened};
 use super::OutlineNote;
 use crate::geometry::DVec2;
 
@@ -10,6 +11,8 @@ pub(super) struct Ring {
     pub name: Option<String>,
     pub points: Vec<DVec2>,
     pub notes: Vec<OutlineNote>,
+    /// The path on which the points lie, if the format has one.
+    pub segments: Vec<Segment>,
 }
 
 impl Ring {
@@ -21,7 +24,7 @@ impl Ring {
             points.pop();
             notes.push(OutlineNote::ClosingPointDropped);
         }
-        Self { name: None, points, notes }
+        Self { points, notes, ..Self::default() }
     }
 
     /// The candidate of largest area, with a note if there were several.
@@ -30,7 +33,14 @@ impl Ring {
         let index = largest(&candidates)?;
         let points = candidates.into_iter().nth(index)?;
         let notes = if rings > 1 { vec![OutlineNote::LargestOf { rings }] } else { Vec::new() };
-        Some(Self { name: None, points, notes })
+        Some(Self { points, notes, ..Self::default() })
+    }
+
+    /// The closed path of largest area, with a note if there were several.
+    pub fn largest_path_of(mut paths: Vec<Vec<Segment>>) -> Option<Self> {
+        let polygons: Vec<Vec<DVec2>> = paths.iter().map(|path| flattened(path)).collect();
+        let index = largest(&polygons)?;
+        Some(Self { segments: paths.swap_remove(index), ..Self::largest_of(polygons)? })
     }
 }
 

@@ -1,7 +1,8 @@
 //! SVG: the first closed path in document order.
 //!
 //! `usvg` resolves shapes, styles, transforms and `use`; its coordinates are
-//! single precision, about 1e-7 of the drawing's size. Images and external
+//! single precision, about 1e-7 of the drawing's size, so the numbers of the path itself are taken from the document
+//! where it has them (`svg_exact`). Images and external
 //! files are never opened; paints, clips, masks, markers and filters, which
 //! do not change an outline, are disabled. Because `usvg` recurses over the
 //! document, nesting and chains of `use` are checked against limits first.
@@ -12,7 +13,8 @@ use usvg::roxmltree::{Document, ParsingOptions};
 use usvg::{Group, ImageHrefResolver, Node, Options, Tree};
 
 use super::ring::Ring;
-use super::svg_path::Subpath;
+use super::svg_exact;
+use super::svg_path::{Subpath, with_common_tangents};
 use super::{OutlineError, SvgFault};
 
 /// The largest nesting depth of elements; drawings have about 10.
@@ -34,7 +36,7 @@ pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
         ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = Options { image_href_resolver, ..Options::default() };
     let tree = Tree::from_xmltree(&document, &options).map_err(|e| failed(e.to_string()))?;
-    first_closed_path(&tree)
+    first_closed_path(&document, &tree)
 }
 
 /// Reads the content of a path's `d` attribute. It holds no quotes or brackets.
@@ -42,7 +44,7 @@ pub(super) fn read_path_data(data: &str) -> Result<Ring, OutlineError> {
     read(&format!("<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"{data}\"/></svg>"))
 }
 
-fn first_closed_path(tree: &Tree) -> Result<Ring, OutlineError> {
+fn first_closed_path(document: &Document, tree: &Tree) -> Result<Ring, OutlineError> {
     let mut paths = 0;
     let mut stack: Vec<std::slice::Iter<Node>> = vec![children(tree.root())];
     while let Some(level) = stack.last_mut() {
@@ -51,9 +53,10 @@ fn first_closed_path(tree: &Tree) -> Result<Ring, OutlineError> {
             Some(Node::Group(group)) => stack.push(children(group)),
             Some(Node::Path(path)) => {
                 paths += 1;
-                let closed: Vec<_> =
-                    Subpath::of(path.data(), path.abs_transform()).into_iter().filter(Subpath::is_closed).collect();
-                if let Some(ring) = Ring::largest_of(closed.iter().map(Subpath::flatten).collect()) {
+                let subpaths = svg_exact::subpaths(document, path.data()).unwrap_or_else(|| Subpath::of(path.data()));
+                let place = |subpath: &Subpath| with_common_tangents(subpath.placed(path.abs_transform()));
+                let closed = subpaths.iter().filter(|subpath| subpath.is_closed()).map(place);
+                if let Some(ring) = Ring::largest_path_of(closed.collect()) {
                     let name = (!path.id().is_empty()).then(|| path.id().to_owned());
                     return Ok(Ring { name, ..ring });
                 }

@@ -1,31 +1,17 @@
-//! The subpaths of an SVG path as dense polygons, y upwards.
+//! The subpaths of an SVG path as segments, y upwards.
 //!
-//! Curves are cut into equal parameter steps, as many as needed for chords to deviate from the
-//! curve by less than 1e-5 of the subpath's size (Wang's bound for Bézier
-//! curves) and to turn by about 0.04 from one to the next.
+//! `usvg` gives every path as lines and Bézier curves in single precision. Where the document has the same path as plain
+//! numbers (`svg_exact`), those are taken instead, with its arcs; `usvg`'s transform is applied to them.
 
 use usvg::Transform;
 use usvg::tiny_skia_path::{Path, PathSegment, Point};
 
-use crate::geometry::{Bounds, DVec2, MAX_POINTS};
-
-/// The distance of a chord from its curve, as a fraction of the subpath's size.
-const FLATNESS: f64 = 1e-5;
-
-/// The turn from chord to chord, in radians.
-const TURN: f64 = 0.04;
-
-/// The largest number of chords for one curve.
-const MAX_CHORDS: f64 = 512.0;
-
-#[derive(Debug, Clone, Copy)]
-enum Segment {
-    Line(DVec2),
-    Cubic([DVec2; 3]),
-}
+use super::super::Segment;
+use super::super::corners::turn_between;
+use crate::geometry::DVec2;
 
 /// A connected piece of a path.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Subpath {
     start: DVec2,
     segments: Vec<Segment>,
@@ -33,43 +19,60 @@ pub(super) struct Subpath {
 }
 
 impl Subpath {
-    /// The subpaths of `path`, transformed; those without a segment are left out.
-    pub fn of(path: &Path, transform: Transform) -> Vec<Self> {
-        let place = |p: Point| {
-            let [x, y] = [p.x, p.y].map(f64::from);
-            let [sx, kx, ky, sy, tx, ty] =
-                [transform.sx, transform.kx, transform.ky, transform.sy, transform.tx, transform.ty].map(f64::from);
-            // SVG's y points down.
-            DVec2::new(sx * x + kx * y + tx, -(ky * x + sy * y + ty))
-        };
+    /// The subpaths of `path` in its own coordinates; those without a segment are left out.
+    pub fn of(path: &Path) -> Vec<Self> {
+        let place = |p: Point| DVec2::new(f64::from(p.x), f64::from(p.y));
         let mut subpaths: Vec<Self> = Vec::new();
         for segment in path.segments() {
             match segment {
                 PathSegment::MoveTo(p) => subpaths.push(Self::at(place(p))),
-                PathSegment::LineTo(p) => with_last(&mut subpaths, |s| s.segments.push(Segment::Line(place(p)))),
+                PathSegment::LineTo(p) => with_last(&mut subpaths, |s| s.line(place(p))),
                 PathSegment::QuadTo(q, p) => with_last(&mut subpaths, |s| s.quadratic(place(q), place(p))),
                 PathSegment::CubicTo(b, c, d) => {
-                    with_last(&mut subpaths, |s| s.segments.push(Segment::Cubic([b, c, d].map(place))));
+                    with_last(&mut subpaths, |s| s.cubic(place(b), place(c), place(d)));
                 }
-                PathSegment::Close => with_last(&mut subpaths, |s| s.closed_explicitly = true),
+                PathSegment::Close => with_last(&mut subpaths, Self::close),
             }
         }
         subpaths.retain(|s| !s.segments.is_empty());
         subpaths
     }
 
-    fn at(start: DVec2) -> Self {
+    pub fn at(start: DVec2) -> Self {
         Self { start, segments: Vec::new(), closed_explicitly: false }
     }
 
-    fn end(&self) -> DVec2 {
+    pub fn start(&self) -> DVec2 {
+        self.start
+    }
+
+    pub fn end(&self) -> DVec2 {
         self.segments.last().map_or(self.start, Segment::end)
     }
 
-    fn quadratic(&mut self, control: DVec2, end: DVec2) {
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+
+    pub fn line(&mut self, to: DVec2) {
+        self.segments.push(Segment::Line([self.end(), to]));
+    }
+
+    pub fn cubic(&mut self, b: DVec2, c: DVec2, d: DVec2) {
+        self.segments.push(Segment::Cubic([self.end(), b, c, d]));
+    }
+
+    pub fn quadratic(&mut self, control: DVec2, end: DVec2) {
         let third = 2.0 / 3.0;
-        let inner = [self.end().lerp(control, third), end.lerp(control, third), end];
-        self.segments.push(Segment::Cubic(inner));
+        self.cubic(self.end().lerp(control, third), end.lerp(control, third), end);
+    }
+
+    pub fn push(&mut self, segment: Segment) {
+        self.segments.push(segment);
+    }
+
+    pub fn close(&mut self) {
+        self.closed_explicitly = true;
     }
 
     /// Whether the subpath was closed explicitly or ends where it starts.
@@ -77,62 +80,47 @@ impl Subpath {
         self.closed_explicitly || self.end() == self.start
     }
 
-    /// The points, without repeating consecutive ones or the first.
-    pub fn flatten(&self) -> Vec<DVec2> {
-        let all = self.segments.iter().flat_map(Segment::points);
-        let size = Bounds::of([self.start].into_iter().chain(all)).size().max_element();
-        let mut coarseness = 1.0;
-        loop {
-            let points = self.flatten_to(size, coarseness);
-            // 64 times coarser means at most 8 chords a curve: if that is too many, so are the file's own segments.
-            if points.len() <= MAX_POINTS || coarseness >= 64.0 {
-                return points;
-            }
-            coarseness *= 4.0;
-        }
-    }
-
-    fn flatten_to(&self, size: f64, coarseness: f64) -> Vec<DVec2> {
-        let mut points = vec![self.start];
-        let mut push = |p: DVec2| {
-            // A segment without length is no edge.
-            if points.last() != Some(&p) {
-                points.push(p);
+    /// The closed chain of segments with positive length, transformed, y upwards.
+    pub fn placed(&self, transform: Transform) -> Vec<Segment> {
+        let [sx, kx, ky, sy, tx, ty] =
+            [transform.sx, transform.kx, transform.ky, transform.sy, transform.tx, transform.ty].map(f64::from);
+        // SVG's y points down.
+        let turn = |p: DVec2| DVec2::new(sx * p.x + kx * p.y, -(ky * p.x + sy * p.y));
+        let place = |p: DVec2| turn(p) + DVec2::new(tx, -ty);
+        let placed = |segment: &Segment| match *segment {
+            Segment::Line(ends) => Segment::Line(ends.map(place)),
+            Segment::Cubic(control) => Segment::Cubic(control.map(place)),
+            Segment::Arc { center, axes, from, to } => {
+                Segment::Arc { center: place(center), axes: axes.map(turn), from, to }
             }
         };
-        let mut from = self.start;
-        for segment in &self.segments {
-            if let Segment::Cubic(control) = segment {
-                let count = (chords(from, control, size) / coarseness).ceil().max(1.0);
-                for k in 1..count as u32 {
-                    push(bezier(from, control, f64::from(k) / count));
-                }
+        self.closed_chain().iter().map(placed).filter(has_length).map(straightened).collect()
+    }
+
+    /// The segments and the line back to the start. If that is no longer than rounding, the last segment ends there
+    /// instead.
+    fn closed_chain(&self) -> Vec<Segment> {
+        let mut chain = self.segments.clone();
+        let (start, gap) = (self.start, self.end() - self.start);
+        let size = chain.iter().fold(0.0, |size: f64, s| size.max(s.end().abs().max_element()));
+        if gap == DVec2::ZERO {
+            return chain;
+        }
+        match chain.last_mut() {
+            Some(Segment::Line([_, end]) | Segment::Cubic([.., end])) if gap.length() <= SAME_POINT * size => {
+                *end = start;
             }
-            from = segment.end();
-            push(from);
+            Some(Segment::Arc { .. }) if gap.length() <= SAME_END * size => {}
+            _ => chain.push(Segment::Line([self.end(), start])),
         }
-        while points.len() > 1 && points.last() == points.first() {
-            points.pop();
-        }
-        points
+        chain
     }
 }
 
-impl Segment {
-    fn end(&self) -> DVec2 {
-        match *self {
-            Self::Line(p) | Self::Cubic([.., p]) => p,
-        }
-    }
-
-    fn points(&self) -> impl Iterator<Item = DVec2> + use<> {
-        match *self {
-            Self::Line(p) => [p, p, p],
-            Self::Cubic(control) => control,
-        }
-        .into_iter()
-    }
-}
+/// Ends nearer to the start, in largest coordinates, are the start: sums of steps in single precision.
+const SAME_POINT: f64 = 2e-6;
+/// The same for ends of arcs, which are computed in double precision and cannot be moved.
+const SAME_END: f64 = 1e-13;
 
 /// A drawing command before the first "move to" draws nothing; `tiny_skia_path` never yields one.
 fn with_last(subpaths: &mut [Subpath], change: impl FnOnce(&mut Subpath)) {
@@ -141,18 +129,66 @@ fn with_last(subpaths: &mut [Subpath], change: impl FnOnce(&mut Subpath)) {
     }
 }
 
-fn bezier(a: DVec2, &[b, c, d]: &[DVec2; 3], t: f64) -> DVec2 {
-    let (ab, bc, cd) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
-    ab.lerp(bc, t).lerp(bc.lerp(cd, t), t)
+fn has_length(segment: &Segment) -> bool {
+    match segment {
+        Segment::Line([a, b]) => a != b,
+        Segment::Cubic([a, b, c, d]) => a != b || a != c || a != d,
+        Segment::Arc { from, to, .. } => from != to,
+    }
 }
 
-/// The number of chords that the curve needs, not rounded.
-fn chords(a: DVec2, &[b, c, d]: &[DVec2; 3], size: f64) -> f64 {
-    let bend = (a - 2.0 * b + c).length().max((b - 2.0 * c + d).length());
-    let flat = (0.75 * bend / (FLATNESS * size)).sqrt();
-    let legs = [b - a, c - b, d - c];
-    let turn = |u: DVec2, v: DVec2| if u == DVec2::ZERO || v == DVec2::ZERO { 0.0 } else { u.angle_to(v).abs() };
-    let smooth = (turn(legs[0], legs[1]) + turn(legs[1], legs[2])) / TURN;
-    // NaN, from coordinates that overflow, becomes the maximum; the polygon check reports such coordinates.
-    flat.max(smooth).min(MAX_CHORDS)
+/// A cubic whose inner control points are its ends is the line between them; its parametrization would have no speed
+/// at the ends.
+fn straightened(segment: Segment) -> Segment {
+    match segment {
+        Segment::Cubic([a, b, c, d]) if b == a && c == d => Segment::Line([a, d]),
+        other => other,
+    }
+}
+
+/// Tangents of neighboring Bézier curves that differ by less, from rounding, become one.
+///
+/// With coordinates of single precision (6e-8 of the drawing's size) and handles of 1/50 of it, two tangents differ by
+/// up to 6e-6; the bluntest joint meant as a corner that was seen, of the turkey, has 1.5e-2.
+const ONE_TANGENT: f64 = 2e-5;
+
+/// Turns the handles on both sides of each smooth joint into one direction: half of the way each, or beside a line or
+/// an arc all of it.
+pub(super) fn with_common_tangents(mut segments: Vec<Segment>) -> Vec<Segment> {
+    let n = segments.len();
+    for k in 0..n {
+        let before = (k + n - 1) % n;
+        let turn = match (out_of(&segments[before]), into(&segments[k])) {
+            (Some(a), Some(b)) => turn_between(a, b),
+            _ => continue,
+        };
+        if before == k || turn == 0.0 || turn.abs() > ONE_TANGENT {
+            continue;
+        }
+        let is_cubic = [before, k].map(|j| matches!(segments[j], Segment::Cubic(_)));
+        let (first, second) = match is_cubic {
+            [true, true] => (0.5 * turn, -0.5 * turn),
+            [true, false] => (turn, 0.0),
+            [false, true] => (0.0, -turn),
+            [false, false] => continue,
+        };
+        if let Segment::Cubic([.., c, d]) = &mut segments[before] {
+            *c = *d + DVec2::from_angle(first).rotate(*c - *d);
+        }
+        if let Segment::Cubic([a, b, ..]) = &mut segments[k] {
+            *b = *a + DVec2::from_angle(second).rotate(*b - *a);
+        }
+    }
+    segments
+}
+
+/// The direction at the beginning, if it has one.
+fn into(segment: &Segment) -> Option<DVec2> {
+    let direction = crate::geometry::Piece::from(*segment).jet(0.0).first;
+    (direction != DVec2::ZERO).then_some(direction)
+}
+
+/// The direction at the end.
+fn out_of(segment: &Segment) -> Option<DVec2> {
+    into(&segment.reversed()).map(|direction| -direction)
 }

@@ -6,7 +6,7 @@
 //! the outline are added as samples until they no longer cross; in the limit the chords are
 //! the outline itself.
 
-use super::CORNER_COSINE;
+use super::super::corners::CORNER_COSINE;
 use super::arc::Arc;
 use super::chords::first_vertices_to_add;
 use super::spacing::{Spacing, Station, samples_between};

@@ -1,17 +1,20 @@
 //! Finds chords between samples that cross, and the vertices that separate them when added as samples.
 
+use super::super::overlaps::for_each_overlap;
 use super::arc::Arc;
-use crate::geometry::{DVec2, on_segment, side};
+use crate::geometry::{Bounds, DVec2, on_segment, side};
 
 /// For each chord that meets another one, the arc length of the polygon vertex
 /// nearest to its middle, if there is any vertex inside. Exact tests, on the
 /// pairs of chords whose bounding boxes overlap. Cost O(m c) with c chords over the
-/// same x, but at most [`BUDGET`] such pairs are examined: further crossings are
+/// same x, but only as many such pairs are examined as [`for_each_overlap`] visits: further crossings are
 /// left to the mesher, which reports them.
 pub(super) fn first_vertices_to_add(arc: &Arc, positions: &[f64]) -> Vec<f64> {
     let points: Vec<DVec2> = positions.iter().map(|&s| arc.point(s)).collect();
     let mut crossing = vec![false; points.len()];
-    for_each_candidate(&points, &mut |i, j| {
+    let m = points.len();
+    let boxes: Vec<Bounds> = (0..m).map(|k| Bounds::of([points[k], points[(k + 1) % m]])).collect();
+    for_each_overlap(&boxes, &mut |i, j| {
         if !(crossing[i] && crossing[j]) && meet(&points, i, j) {
             (crossing[i], crossing[j]) = (true, true);
         }
@@ -43,28 +46,4 @@ fn meet(points: &[DVec2], i: usize, j: usize) -> bool {
     let touch = on_segment(a, b, c) || on_segment(a, b, d) || on_segment(c, d, a) || on_segment(c, d, b);
     let parted = |a: DVec2, b: DVec2, c: DVec2, d: DVec2| side(a, b, c) != side(a, b, d);
     touch || (parted(a, b, c, d) && parted(c, d, a, b))
-}
-
-/// Limit on examined pairs, 0.1 s; a coastline of 1,500 chords has 2e4 pairs over the same x, the worst preset 1e5.
-const BUDGET: usize = 20_000_000;
-
-/// Calls `visit` for pairs of chords whose bounding boxes overlap, by a sweep over x.
-fn for_each_candidate(points: &[DVec2], visit: &mut dyn FnMut(usize, usize)) {
-    let m = points.len();
-    let low = |k: u32| points[k as usize].min(points[(k as usize + 1) % m]);
-    let high = |k: u32| points[k as usize].max(points[(k as usize + 1) % m]);
-    let mut order: Vec<u32> = (0..m as u32).collect();
-    order.sort_unstable_by(|&i, &j| low(i).x.total_cmp(&low(j).x).then(i.cmp(&j)));
-    let mut active: Vec<u32> = Vec::new();
-    let mut budget = BUDGET;
-    for k in order {
-        let (from, to) = (low(k), high(k));
-        let Some(left) = budget.checked_sub(active.len()) else { return };
-        budget = left;
-        active.retain(|&j| high(j).x >= from.x);
-        for &j in active.iter().filter(|&&j| low(j).y <= to.y && high(j).y >= from.y) {
-            visit(j as usize, k as usize);
-        }
-        active.push(k);
-    }
 }

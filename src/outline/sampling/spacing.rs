@@ -8,7 +8,7 @@
 //! the spacing do not count and wiggles of its size do.
 //! Cost O(L/H), whatever the number of polygon vertices.
 
-use super::CORNER_COSINE;
+use super::super::corners::CORNER_COSINE;
 use super::arc::Arc;
 use super::width::limit_by_width;
 use crate::geometry::DVec2;

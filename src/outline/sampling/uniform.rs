@@ -1,7 +1,8 @@
 //! Samples equally spaced in arc length, with or without the outline's corners.
 
+use super::super::corners::CORNER_COSINE;
+use super::SamplingError;
 use super::arc::Arc;
-use super::{CORNER_COSINE, SamplingError};
 
 /// The arc lengths `k L / count`.
 pub(super) fn equal(arc: &Arc, count: u32) -> Vec<f64> {

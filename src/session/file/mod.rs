@@ -7,7 +7,7 @@
 //! | format | holds | module |
 //! |---|---|---|
 //! | 1 | at most a surface on the target's side | `version1` |
-//! | 2 | a surface on either side, or on both | `version2` |
+//! | 2 | a surface on either side, or on both; the curves of loaded outlines | `version2` |
 //!
 //! The oldest format that holds the session is written, so that older programs and the scripts of pages that
 //! embed the app can read as many files as possible. Both formats will always be readable.
@@ -18,7 +18,7 @@ mod version2;
 use super::{OutOfRange, OutlineSpec, Session};
 use crate::conformal::Side;
 use crate::geometry::{DVec2, PolygonError, SimplePolygon};
-use crate::outline::Preset;
+use crate::outline::{CurveForm, Preset};
 use serde::{Deserialize, Serialize};
 use version1::Version1;
 use version2::Version2;
@@ -157,16 +157,26 @@ fn malformed(error: &serde_json::Error) -> FileError {
 #[serde(rename_all = "kebab-case")]
 enum OutlineForm {
     Preset(Preset),
-    Points { name: String, points: Vec<DVec2> },
+    Points {
+        name: String,
+        points: Vec<DVec2>,
+        #[serde(default)]
+        curve: Option<CurveForm>,
+    },
 }
 
 impl OutlineForm {
     fn checked(self, side: Side) -> Result<OutlineSpec, FileError> {
         Ok(match self {
             Self::Preset(preset) => OutlineSpec::Preset(preset),
-            Self::Points { name, points } => {
-                let polygon = SimplePolygon::try_from(points);
-                OutlineSpec::Points { name, polygon: polygon.map_err(|reason| FileError::Outline { side, reason })? }
+            Self::Points { name, points, curve } => {
+                let polygon = SimplePolygon::try_from(points).map_err(|reason| FileError::Outline { side, reason })?;
+                let form = curve.unwrap_or_else(|| CurveForm::of_polygon(&polygon));
+                if !form.fits(&polygon) {
+                    let reason = format!("the curve of the {side}'s outline does not pass through its points");
+                    return Err(FileError::Malformed(reason));
+                }
+                OutlineSpec::Points { name, polygon, form }
             }
         })
     }

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 fn drawn() -> Session {
     let points = [(0.1, 0.2), (1.0 / 3.0, 1e-12), (0.7, 0.9)].map(DVec2::from).to_vec();
     let polygon = SimplePolygon::try_from(points).unwrap();
-    let outline = OutlineSpec::Points { name: "Drachen \"ü\"".into(), polygon };
+    let outline = OutlineSpec::points("Drachen \"ü\"".into(), polygon);
     Session::with([
         Command::SetOutline { side: Side::Source, outline },
         Command::MoveInterior { side: Side::Source, point: DVec2::new(0.4, 0.35).into() },
@@ -137,4 +137,42 @@ fn points_that_run_clockwise_are_an_outline() {
     let found = changed(&drawn(), |value| value["source"]["outline"]["points"]["points"] = clockwise).unwrap();
     let expected = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from);
     assert_eq!(found.domain(Side::Source).outline.polygon().vertices(), expected);
+}
+
+#[test]
+fn curves_of_outlines_are_kept_bit_for_bit() {
+    let path = b"M 10.1 10 H 20.3 A 5 5 0 0 1 20.3 20 C 15 22 12 17 10.1 20 A 5 5 0 0 1 10.1 10 Z";
+    let path: OutlineSpec = crate::outline::parse("stadium", path).unwrap().into();
+    let points = OutlineSpec::points("heart".into(), Preset::Heart.outline().into_polygon());
+    let form = CurveForm { switched: vec![7], ..CurveForm::default() };
+    let session = Session::with([
+        Command::SetOutline { side: Side::Source, outline: path },
+        Command::SetOutline { side: Side::Target, outline: points.clone().with_form(form) },
+    ]);
+    let text = write(&session).unwrap();
+    assert!(text.contains("\"version\": 2") && text.contains("\"curve\""), "{}", &text[..200]);
+    assert_eq!(read(text.as_bytes()), Ok(session));
+    // a file from before there were curves
+    let old = Session::with([Command::SetOutline {
+        side: Side::Target,
+        outline: points.clone().with_form(CurveForm::polygon()),
+    }]);
+    let text = write(&old).unwrap();
+    assert!(text.contains("\"version\": 1") && !text.contains("\"curve\""));
+    let read_back = read(text.as_bytes()).unwrap();
+    assert!(!read_back.domain(Side::Target).outline.curve().unwrap().is_smooth());
+    assert_eq!(read_back, old);
+}
+
+#[test]
+fn a_curve_beside_its_points_is_refused() {
+    let path: OutlineSpec = crate::outline::parse("a", b"M 0 0 H 9 A 5 5 0 0 1 9 9 Z").unwrap().into();
+    let session = Session::with([Command::SetOutline { side: Side::Source, outline: path }]);
+    let text = write_compact(&session).unwrap();
+    let moved = text
+        .replace("\"line\":[[0.0,-0.0],[9.0,-0.0]]", "\"line\":[[0.0,1.0],[9.0,0.0]]")
+        .replace("\"line\":[[9.0,-0.0],[0.0,-0.0]]", "\"line\":[[9.0,1.0],[0.0,0.0]]");
+    assert_ne!(moved, text, "{text}");
+    let error = read(moved.as_bytes()).unwrap_err();
+    assert!(error.to_string().contains("does not pass through its points"), "{error}");
 }

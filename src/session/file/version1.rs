@@ -1,4 +1,4 @@
-//! File format 1, frozen: a session with at most one surface, on the target's side.
+//! File format 1, frozen: a session with at most one surface, on the target's side; loaded outlines are polygons.
 
 use super::{FileError, OutlineForm};
 use crate::conformal::{Direction, Extension, PerSide, PrepareSettings, Side};
@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 /// Whether the format can hold the session.
 pub(super) fn holds(session: &Session) -> bool {
     session.surface(Side::Source).is_none()
+        && Side::BOTH.iter().all(|&side| session.domain(side).outline.is_only_polygon())
 }
 
 /// A session as written.

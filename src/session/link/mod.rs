@@ -3,20 +3,22 @@
 //! | content | file |
 //! |---|---|
 //! | version 1, frozen | `version1` |
-//! | version 2: surfaces on either side, and later additions | `version2` |
+//! | version 2: surfaces on either side, curves, and later additions | `version2` |
 //! | the numbers of enum values | `codes` |
-//! | outlines in 16 bits | `quantized` |
+//! | polygons in 16 bits | `quantized` |
+//! | outlines with curves: points in 24 bits, or the pieces of a path | `curves` |
 //! | deflate and base 64 | `envelope` |
 //!
 //! Guarantees: for any input, [`decode`] returns a session that [`Session::check`] accepts, with simple
 //! polygons, or an error; it does not panic and allocates less than 8 MiB in all. Decoding the result of
-//! [`encode`] gives the same session, except that outlines are rounded to 16 bits and long names are
-//! cut; encoding and decoding again changes nothing more. Links of both versions will always open.
+//! [`encode`] gives the same session, except that polygons are rounded to 16 bits, points of smooth
+//! curves to 24, and long names are cut; encoding and decoding again changes nothing more. Links of both versions will always open.
 //!
 //! The oldest version that holds the session is written, since the recipient's riemap may be an older one, for
 //! example one installed for use without a network.
 
 mod codes;
+mod curves;
 mod envelope;
 mod quantized;
 mod version1;
@@ -25,6 +27,7 @@ mod version2;
 use super::{OutOfRange, OutlineSpec, Session};
 use crate::conformal::{PerSide, Side};
 use crate::geometry::{DVec2, PolygonError};
+use curves::WiredCurve;
 use quantized::Quantized;
 use serde::de::DeserializeOwned;
 use version1::{STAND_IN, Version1, WiredOutline, short_name};
@@ -71,7 +74,7 @@ pub enum NotCarried {
         /// The number of points after quantization.
         points: usize,
     },
-    /// Rounded to 16 bits it is no longer a simple polygon.
+    /// Rounded to the bits of a link it is no longer a simple polygon.
     #[error("it is finer than a link can tell ({0})")]
     NotSimple(PolygonError),
     /// Rounding it twice gives another result than rounding it once.
@@ -272,18 +275,21 @@ fn state_of(link: &str) -> Option<&str> {
 enum Prepared {
     Preset(String),
     Points { name: String, points: Quantized },
+    Curve { name: String, curve: WiredCurve },
     LeftOut { name: String, reason: NotCarried },
 }
 
 fn prepared(outline: &OutlineSpec) -> Prepared {
     match outline {
         OutlineSpec::Preset(preset) => Prepared::Preset(preset.name().to_owned()),
-        OutlineSpec::Points { name, polygon } => {
+        OutlineSpec::Points { name, polygon, form } => {
             let name = short_name(name);
-            match Quantized::of(polygon.vertices()) {
-                Ok(points) => Prepared::Points { name, points },
-                Err(reason) => Prepared::LeftOut { name, reason },
-            }
+            let prepared = if outline.is_only_polygon() {
+                Quantized::of(polygon.vertices()).map(|points| Prepared::Points { name: name.clone(), points })
+            } else {
+                WiredCurve::of(polygon, form).map(|curve| Prepared::Curve { name: name.clone(), curve })
+            };
+            prepared.unwrap_or_else(|reason| Prepared::LeftOut { name, reason })
         }
     }
 }
@@ -293,20 +299,31 @@ impl Prepared {
         match self {
             Self::Preset(name) => WiredOutline::Preset(name.clone()),
             Self::Points { name, points } => WiredOutline::Points { name: name.clone(), points: points.clone() },
-            Self::LeftOut { name, .. } => WiredOutline::File { name: name.clone() },
+            Self::Curve { name, .. } | Self::LeftOut { name, .. } => WiredOutline::File { name: name.clone() },
         }
     }
 
+    /// The curve, which only version 2 holds.
+    fn curve(&self) -> Option<&WiredCurve> {
+        if let Self::Curve { curve, .. } = self { Some(curve) } else { None }
+    }
+
     fn point_count(&self) -> usize {
-        if let Self::Points { points, .. } = self { points.len() } else { 0 }
+        match self {
+            Self::Points { points, .. } => points.len(),
+            Self::Curve { curve, .. } => curve.len(),
+            Self::Preset(_) | Self::LeftOut { .. } => 0,
+        }
     }
 }
 
 /// The fragment, or `None` if it is too long; without points it never is.
 fn fragment(session: &Session, outlines: &PerSide<Prepared>) -> Option<String> {
     let wired = outlines.as_ref().map(Prepared::wired);
-    let (version, bytes) = if version2::is_needed(session) {
-        (NEWEST, postcard::to_allocvec(&Version2::new(session, wired)?))
+    let curves = outlines.as_ref().map(Prepared::curve);
+    let has_curves = curves.iter().any(|(_, curve)| curve.is_some());
+    let (version, bytes) = if version2::is_needed(session) || has_curves {
+        (NEWEST, postcard::to_allocvec(&Version2::new(session, wired, &curves)?))
     } else {
         ("1", postcard::to_allocvec(&Version1::new(session, wired)))
     };
@@ -321,9 +338,9 @@ fn framed(version: &str, bytes: &[u8]) -> Option<String> {
 fn leave_out_longest(outlines: &mut PerSide<Prepared>) {
     let PerSide { source, target } = outlines;
     let longest = if target.point_count() > source.point_count() { target } else { source };
-    if let Prepared::Points { name, points } = longest {
-        let reason = NotCarried::TooLong { points: points.len() };
-        *longest = Prepared::LeftOut { name: std::mem::take(name), reason };
+    let points = longest.point_count();
+    if let Prepared::Points { name, .. } | Prepared::Curve { name, .. } = longest {
+        *longest = Prepared::LeftOut { name: std::mem::take(name), reason: NotCarried::TooLong { points } };
     }
 }
 

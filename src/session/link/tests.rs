@@ -5,7 +5,7 @@ use crate::conformal::{Direction, Extension, KernelMode, PrepareSettings};
 use crate::geometry::SimplePolygon;
 use crate::laplace::SolverKind;
 use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
-use crate::outline::{Preset, Sampling};
+use crate::outline::{CurveForm, Preset, Sampling};
 use crate::session::{Colouring, Command, Comparison, SurfaceShape, SurfaceSpec, TextureKind};
 use crate::surface::SurfacePreset;
 
@@ -61,7 +61,7 @@ fn everything() -> Session {
 /// A house with corners on the 16-bit grid of its box: quantizing does not change it.
 fn house() -> Session {
     let corners = [(0.0, 0.0), (65535.0, 0.0), (65535.0, 40000.0), (32768.0, 65535.0), (0.0, 40000.0)];
-    let outline = OutlineSpec::Points { name: "Häuschen".into(), polygon: polygon(corners.map(DVec2::from).to_vec()) };
+    let outline = OutlineSpec::points("Häuschen".into(), polygon(corners.map(DVec2::from).to_vec()));
     Session::with([
         Command::SetOutline { side: Side::Target, outline },
         Command::SetSurface { side: Side::Target, surface: cow() },
@@ -159,7 +159,7 @@ fn the_oldest_version_that_holds_a_session_is_written() {
 fn with_section(section: version2::Section) -> Result<Decoded, LinkError> {
     let session = solids();
     let wired = PerSide::from_fn(|side| prepared(&session.domain(side).outline).wired());
-    let wired = Version2::new(&session, wired).unwrap().and(section);
+    let wired = Version2::new(&session, wired, &PerSide::new(None, None)).unwrap().and(section);
     decode(&framed(NEWEST, &postcard::to_allocvec(&wired).unwrap()).unwrap())
 }
 
@@ -181,7 +181,9 @@ fn rough(count: u32) -> OutlineSpec {
         let noise = f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65536.0;
         DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / f64::from(count)) * (1.0 + 0.01 * noise)
     };
-    OutlineSpec::Points { name: "rough".into(), polygon: polygon((0..count).map(point).collect()) }
+    let polygon = polygon((0..count).map(point).collect());
+    let form = CurveForm::of_polygon(&polygon);
+    OutlineSpec::Points { name: "rough".into(), polygon, form }
 }
 
 #[test]
@@ -192,7 +194,7 @@ fn the_usual_links_are_short() {
         dragged.apply(Command::MoveAnchor { side, fraction: 0.7_f64.sqrt() });
     }
     let mut drawn = Session::default();
-    let leaf = OutlineSpec::Points { name: "leaf".into(), polygon: Preset::MapleLeaf.outline().into_polygon() };
+    let leaf = OutlineSpec::points("leaf".into(), Preset::MapleLeaf.outline().into_polygon());
     drawn.apply(Command::SetOutline { side: Side::Source, outline: leaf });
     for (name, session, most) in [
         ("default", Session::default(), 110),
@@ -254,7 +256,7 @@ fn an_outline_too_fine_for_16_bits_is_left_out() {
     let spike = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.31 + 1e-9, 1.0), (0.31, 0.2), (0.31 - 1e-9, 1.0), (0.0, 1.0)];
     let mut session = Session::default();
     let polygon = polygon(spike.map(DVec2::from).to_vec());
-    set_outline(&mut session, Side::Target, OutlineSpec::Points { name: "spike".into(), polygon });
+    set_outline(&mut session, Side::Target, OutlineSpec::points("spike".into(), polygon));
     let Encoded { fragment, left_out } = encode(&session).unwrap();
     assert!(matches!(left_out[0].reason, NotCarried::NotSimple(_)), "{left_out:?}");
     assert_eq!(decode(&fragment).unwrap().missing[0].name, "spike");

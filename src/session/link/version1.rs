@@ -14,7 +14,7 @@ use super::{Choice, Decoded, LinkError, MissingOutline};
 use crate::conformal::{PerSide, PrepareSettings, Side, SurfaceSettings};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::mesh::{BarycentricPoint, Sizing, TriangleId};
-use crate::outline::{Preset, Sampling};
+use crate::outline::{CurveForm, Preset, Sampling};
 use crate::session::view::Display;
 use crate::session::{DomainSpec, OutlineSpec, Session, SideState, SurfaceShape, SurfaceSpec, SurfaceState};
 use serde::{Deserialize, Serialize};
@@ -215,7 +215,8 @@ fn preset(name: &str) -> Result<OutlineSpec, LinkError> {
 
 fn with_points(side: Side, name: String, points: &Quantized) -> Result<OutlineSpec, LinkError> {
     let polygon = SimplePolygon::try_from(points.points()).map_err(|reason| LinkError::Outline { side, reason })?;
-    Ok(OutlineSpec::Points { name: checked_name(name)?, polygon })
+    let form = CurveForm::of_polygon(&polygon);
+    Ok(OutlineSpec::Points { name: checked_name(name)?, polygon, form })
 }
 
 impl Surface {

@@ -8,15 +8,19 @@
 //! | number | content | may be skipped |
 //! |---|---|---|
 //! | 1 | the surface on the source's side, as `version1` has that of the target's | no |
+//! | 2, 3 | the source's, the target's outline with its curve, which version 1 says to be in a file | no |
 
+use super::curves::WiredCurve;
 use super::version1::{Surface, Version1, WiredOutline};
-use super::{Choice, Decoded, LinkError};
+use super::{Choice, Decoded, LinkError, MissingOutline};
 use crate::conformal::{PerSide, Side};
-use crate::session::Session;
+use crate::session::{OutlineSpec, Session};
 use serde::{Deserialize, Serialize};
 
 /// The number of the section with the source's surface.
 const SOURCE_SURFACE: u16 = 1;
+/// The sections with the sides' curves.
+const CURVES: PerSide<u16> = PerSide::new(2, 3);
 
 /// A session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -39,11 +43,21 @@ pub(super) fn is_needed(session: &Session) -> bool {
 
 impl Version2 {
     /// `session` with `outlines` in place of its own; `None` if it cannot be written.
-    pub fn new(session: &Session, outlines: PerSide<WiredOutline>) -> Option<Self> {
+    pub fn new(
+        session: &Session,
+        outlines: PerSide<WiredOutline>,
+        curves: &PerSide<Option<&WiredCurve>>,
+    ) -> Option<Self> {
         let mut sections = Vec::new();
         if let Some(surface) = session.surface(Side::Source) {
             let content = postcard::to_allocvec(&Surface::new(surface)).ok()?;
             sections.push(Section { number: SOURCE_SURFACE, may_be_skipped: false, content });
+        }
+        for (side, curve) in curves.iter() {
+            if let Some(curve) = curve {
+                let content = postcard::to_allocvec(curve).ok()?;
+                sections.push(Section { number: CURVES[side], may_be_skipped: false, content });
+            }
         }
         Some(Self { first: Version1::new(session, outlines), sections })
     }
@@ -60,6 +74,8 @@ impl Version2 {
                     }
                     *surface = Some(super::whole::<Surface>(content)?.state()?);
                 }
+                _ if *number == CURVES.source => place_curve(&mut decoded, Side::Source, content)?,
+                _ if *number == CURVES.target => place_curve(&mut decoded, Side::Target, content)?,
                 _ if *may_be_skipped => {}
                 unknown => return Err(LinkError::Unknown { what: Choice::Setting, name: unknown.to_string() }),
             }
@@ -73,4 +89,16 @@ impl Version2 {
         self.sections.push(section);
         self
     }
+}
+
+/// Puts an outline with its curve where the link's part of version 1 has a file's name. Errors: there is no such name,
+/// as when the section comes twice, or the outline is none.
+fn place_curve(decoded: &mut Decoded, side: Side, content: &[u8]) -> Result<(), LinkError> {
+    let place = decoded.missing.iter().position(|outline| outline.side == side).ok_or(LinkError::Damaged)?;
+    let MissingOutline { name, interior, anchor, .. } = decoded.missing.remove(place);
+    let (polygon, form) = super::whole::<WiredCurve>(content)?.outline(side)?;
+    let state = &mut decoded.session.sides[side];
+    state.domain.outline = OutlineSpec::Points { name, polygon, form };
+    (state.interior, state.anchor) = (interior, anchor);
+    Ok(())
 }
