@@ -61,7 +61,7 @@ impl FlatBuffers {
         self.indices.push([&counts[..], &[centre.triangle().number()]].concat());
         self.put_mesh(surface.mesh());
         self.indices.extend([surface.vertex_origins().to_vec(), surface.triangle_origins().to_vec()]);
-        self.floats.push(surface.dropped().iter().flat_map(|position| position.to_array()).collect());
+        self.floats.push(surface.dropped().iter().flat_map(DVec3::to_array).collect());
         self.repairs = surface.repairs().to_vec();
     }
 }

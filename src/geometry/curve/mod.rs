@@ -259,7 +259,8 @@ fn area(pieces: &[Piece]) -> f64 {
 /// The junction from `before` to `after`, which is piece `index`.
 fn junction(before: &Piece, index: usize, after: &Piece) -> Result<Junction, CurveError> {
     let (end, start) = (before.jet(1.0), after.jet(0.0));
-    let angle = start.first.angle_to(-end.first).rem_euclid(TAU);
+    // atan2, since an arccosine is off by 1e-8 near π
+    let angle = start.first.perp_dot(-end.first).atan2(start.first.dot(-end.first)).rem_euclid(TAU);
     let turn = (angle - PI).abs();
     if !(CUSP..=TAU - CUSP).contains(&angle) {
         return Err(CurveError::Cusp { piece: index, at: start.position });

@@ -5,7 +5,7 @@
 //! shorter (smooth outlines), the changes of the steps; both modulo 2¹⁶, so that any list of steps
 //! decodes to a list of points.
 //!
-//! Guarantees: the result of [`Quantised::of`] is a simple polygon with the same bounding box, and
+//! Guarantees: the result of [`Quantized::of`] is a simple polygon with the same bounding box, and
 //! quantizing it again changes nothing. Points that round to their predecessor are dropped.
 
 use super::envelope::{self, MAX_BYTES};
