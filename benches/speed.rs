@@ -1,4 +1,5 @@
-//! Preparation and frame times on one thread, with the paper's settings and with the defaults;
+//! Preparation and frame times on one thread, with the paper's settings and with the defaults; the integral kernel's
+//! factor and measure;
 //! Cauchy–Green time per term (vertex × sample) on `RAYON_NUM_THREADS` threads.
 //!
 //! `cargo bench` prints criterion's results for each preset and setting; the targets are
@@ -7,6 +8,7 @@
 #![allow(missing_docs, clippy::unwrap_used, reason = "a benchmark")]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use riemap::boundary_integral::{BoundaryIntegral, Settings};
 use riemap::conformal::{
     BoundaryValues, CauchyGreen, ConformalMap, Constraints, Contour, MapSettings, PrepareSettings, PreparedSide,
     prepare,
@@ -66,6 +68,25 @@ fn frame(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Integral kernel: panels and factor of each preset's exact curve, and the measure from another point.
+fn boundary_integral(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("boundary-integral");
+    group.sample_size(10);
+    for preset in Preset::ALL {
+        let (curve, x) = (preset.curve().unwrap(), preset.outline().polygon.pole_of_inaccessibility(1e-3));
+        let settings = Settings::default().with_points(&[x]);
+        let prepared = BoundaryIntegral::prepare(&curve, &settings).unwrap();
+        let name = format!("{}/{} unknowns", preset.name(), prepared.unknowns());
+        group.bench_function(format!("{name}/factor"), |bencher| {
+            bencher.iter(|| BoundaryIntegral::prepare(black_box(&curve), &settings).unwrap());
+        });
+        group.bench_function(format!("{name}/measure"), |bencher| {
+            bencher.iter(|| prepared.harmonic_measure(black_box(x)).unwrap());
+        });
+    }
+    group.finish();
+}
+
 /// Elements are terms: a thread with 1 Gelem/s takes 1 ns per term.
 fn cauchy_green(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("cauchy-green");
@@ -92,5 +113,5 @@ fn prepared(preset: Preset, settings: PrepareSettings) -> Arc<PreparedSide> {
     Arc::new(prepare(preset.outline().polygon(), &settings, &mut |_| ()).unwrap())
 }
 
-criterion_group!(benches, preparation, frame, cauchy_green);
+criterion_group!(benches, preparation, frame, boundary_integral, cauchy_green);
 criterion_main!(benches);

@@ -106,17 +106,18 @@ mod tests {
         for k in 0..=20 {
             let x = -1.0 + 0.1 * f64::from(k);
             let (value, integral) = series(&coefficients, x);
-            assert!((value - (2.0 * x + 0.3).sin()).abs() < 1e-14, "at {x}");
+            // the coefficients beyond degree 15 sum up to 1.2e-13
+            assert!((value - (2.0 * x + 0.3).sin()).abs() < 1e-12, "at {x}");
             let exact = 0.5 * ((-1.7_f64).cos() - (2.0 * x + 0.3).cos());
-            assert!((integral - exact).abs() < 1e-14, "to {x}: {integral} for {exact}");
+            assert!((integral - exact).abs() < 1e-13, "to {x}: {integral} for {exact}");
         }
         for (side, half) in rule.halves.iter().enumerate() {
             for (row, node) in half.iter().zip(rule.nodes) {
                 let x = side as f64 - 0.5 + 0.5 * node;
-                assert!((dot(row, &values) - (2.0 * x + 0.3).sin()).abs() < 1e-14);
+                assert!((dot(row, &values) - (2.0 * x + 0.3).sin()).abs() < 1e-12);
             }
         }
         let integrals = rule.integrals(&values);
-        assert!(rule.nodes.iter().zip(integrals).all(|(&x, i)| (series(&coefficients, x).1 - i).abs() < 1e-15));
+        assert!(rule.nodes.iter().zip(integrals).all(|(&x, i)| (series(&coefficients, x).1 - i).abs() < 1e-14));
     }
 }

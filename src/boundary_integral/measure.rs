@@ -1,6 +1,6 @@
 //! Harmonic measure along the curve: of pieces, of arcs between any two points, and from an anchor both ways.
 
-use super::corner::Compressed;
+use super::corner::{Compressed, Problem};
 use super::layout::{Block, End, Layout};
 use super::legendre::{NODES, Rule};
 use super::span::Span;
@@ -68,38 +68,29 @@ fn block_spans(
 impl HarmonicMeasure {
     /// From the transformed density of the interior problem.
     pub(super) fn new(curve: &Curve, layout: &Layout, system: &System, transformed: &[f64]) -> Self {
-        let mut of_blocks: Vec<[Vec<Span>; 2]> = Vec::new();
-        for (block, (rows, compressed)) in layout.blocks.iter().zip(system.blocks()) {
-            let exponent = super::Problem::Interior.exponent(curve.junctions()[block.junction]);
-            of_blocks.push(block_spans(curve, block, compressed, exponent, gather(rows, transformed)));
-        }
-        let (mut spans, mut first) = (Vec::new(), vec![0]);
-        let mut panels = layout.panels.iter().enumerate().peekable();
-        let mut taken: Option<(usize, End)> = None;
-        for piece in 0..curve.pieces().len() {
-            while let Some((index, panel)) = panels.next_if(|(_, panel)| panel.piece == piece) {
-                let Some(block) = panel.block else {
-                    let half = 0.5 * (panel.to - panel.from) * curve.lengths()[piece];
+        let of_block = |(block, (rows, compressed)): (&Block, &(Vec<usize>, Compressed))| {
+            let exponent = Problem::Interior.exponent(curve.junctions()[block.junction]);
+            block_spans(curve, block, compressed, exponent, gather(rows, transformed))
+        };
+        let mut of_blocks: Vec<[Vec<Span>; 2]> = layout.blocks.iter().zip(system.blocks()).map(of_block).collect();
+        let mut spans = Vec::new();
+        let mut first = vec![0; curve.pieces().len() + 1];
+        for (index, panel) in layout.panels.iter().enumerate() {
+            match (panel.block, panel.end) {
+                (None, end) => {
+                    let half = 0.5 * (panel.to - panel.from) * curve.lengths()[panel.piece];
                     let values = std::array::from_fn(|i| half * transformed[index * NODES + i]);
-                    spans.push(Span::new(piece, panel.end, [panel.from, panel.to], &values));
-                    continue;
-                };
-                // the first panel of a block stands for all of its leg
-                if taken != Some((block, panel.end)) {
-                    taken = Some((block, panel.end));
-                    match panel.end {
-                        End::Start => spans.append(&mut of_blocks[block][1]),
-                        End::Finish => spans.extend(std::mem::take(&mut of_blocks[block][0]).into_iter().rev()),
-                    }
+                    spans.push(Span::new(panel.piece, end, [panel.from, panel.to], &values));
                 }
+                // the first panel of a block's leg stands for all of the leg, the others find nothing left
+                (Some(block), End::Start) => spans.append(&mut of_blocks[block][1]),
+                (Some(block), End::Finish) => spans.extend(of_blocks[block][0].drain(..).rev()),
             }
-            first.push(spans.len());
+            first[panel.piece + 1] = spans.len();
         }
-        let mut measure = Self { spans, first, error: 0.0 };
-        let total: f64 = measure.spans.iter().map(|span| span.measure).sum();
-        let unresolved = measure.spans.iter().map(Span::unresolved).fold(0.0, f64::max);
-        measure.error = unresolved.max((total - 1.0).abs()).max(f64::EPSILON);
-        measure
+        let total: f64 = spans.iter().map(|span| span.measure).sum();
+        let unresolved = spans.iter().map(Span::unresolved).fold(0.0, f64::max);
+        Self { spans, first, error: unresolved.max((total - 1.0).abs()).max(f64::EPSILON) }
     }
 
     /// Takes a residual of an identity into the error estimate.

@@ -78,6 +78,7 @@ pub struct BoundaryIntegral {
     /// Points outside, for the identity of the logarithm.
     outside: Vec<DVec2>,
     extent: f64,
+    duration_ms: f64,
 }
 
 /// The largest number of points outside that the error estimate uses.
@@ -86,12 +87,14 @@ const OUTSIDE_POINTS: usize = 8;
 impl BoundaryIntegral {
     /// Divides the curve into panels, assembles and factors the equation. O(N³) for N unknowns, on one thread.
     pub fn prepare(curve: &Curve, settings: &Settings) -> Result<Self, BoundaryIntegralError> {
+        let started = web_time::Instant::now();
         let layout = layout(curve, &settings.near, settings.fineness, settings.max_unknowns)?;
         let system = System::new(curve, &layout, Problem::Interior);
         let outside = outside_points(curve, &layout, &system);
         let origin = curve.pieces()[0].jet(0.0).position;
         let extent = system.places().map(|place| place.distance(origin)).fold(0.0, f64::max);
-        Ok(Self { curve: curve.clone(), layout, system, outside, extent })
+        let duration_ms = 1e3 * started.elapsed().as_secs_f64();
+        Ok(Self { curve: curve.clone(), layout, system, outside, extent, duration_ms })
     }
 
     /// The curve.
@@ -102,6 +105,11 @@ impl BoundaryIntegral {
     /// The number of unknowns.
     pub fn unknowns(&self) -> usize {
         self.system.unknowns()
+    }
+
+    /// The time that the preparation took, in milliseconds.
+    pub fn duration_ms(&self) -> f64 {
+        self.duration_ms
     }
 
     /// The harmonic measure from `x`, which must lie inside. O(N²).

@@ -56,6 +56,34 @@ fn exact_measure_and_exact_map_of_the_v_agree_with_the_60_digit_table() {
 }
 
 #[test]
+fn every_preset_s_curve_is_followed_by_its_polygon() {
+    for preset in Preset::ALL {
+        let (curve, polygon) = (preset.curve().unwrap(), preset.outline().polygon);
+        let first = curve.position(curve.point_at_fraction(0.0)).distance(polygon.vertices()[0]);
+        assert!(first < 1e-14, "{preset} begins {first:e} away");
+        let shorter = curve.perimeter() - polygon.perimeter();
+        // chords are shorter than their arcs
+        assert!((-1e-12..1e-4).contains(&shorter), "{preset}: {shorter:e}");
+        let tree = crate::geometry::EdgeTree::new(polygon.vertices().to_vec());
+        for (piece, k) in curve.pieces().iter().flat_map(|piece| (0..100).map(move |k| (piece, k))) {
+            let place = piece.jet(f64::from(k) / 100.0).position;
+            let distance = tree.nearest_point(place).distance;
+            // chords of the blob, whose extent is 8, and of the maple leaf's flat arcs
+            assert!(distance < 3e-4, "{preset}: {place} is {distance:e} away from the polygon");
+        }
+        for piece in curve.pieces() {
+            let (step, t) = (1e-6, 0.37);
+            let [a, here, b] = [t - step, t, t + step].map(|t| piece.jet(t));
+            let slope = (b.position - a.position) / (2.0 * step);
+            let scale = here.first.length() + here.second.length();
+            assert!(slope.distance(here.first) < 1e-6 * scale, "{preset}: {slope} for {}", here.first);
+            let bend = (b.first - a.first) / (2.0 * step);
+            assert!(bend.distance(here.second) < 1e-5 * scale, "{preset}: {bend} for {}", here.second);
+        }
+    }
+}
+
+#[test]
 fn every_preset_is_a_counter_clockwise_simple_polygon_of_bounded_size() {
     for preset in Preset::ALL {
         let outline = preset.outline();
