@@ -73,7 +73,7 @@ fn boundary_integral(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("boundary-integral");
     group.sample_size(10);
     for preset in Preset::ALL {
-        let (curve, x) = (preset.curve().unwrap(), preset.outline().polygon.pole_of_inaccessibility(1e-3));
+        let (curve, x) = (preset.curve().unwrap(), preset.outline().polygon().pole_of_inaccessibility(1e-3));
         let settings = Settings::default().with_points(&[x]);
         let prepared = BoundaryIntegral::prepare(&curve, &settings).unwrap();
         let name = format!("{}/{} unknowns", preset.name(), prepared.unknowns());

@@ -7,7 +7,9 @@ use super::progress::Progress;
 use super::side::{self, Asked, NamedSide, Reading, is_surface};
 use super::tables::{self, Summary};
 use super::{picture, surface_picture};
-use crate::conformal::{ConformalMap, Constraints, Direction, Extension, MapError, MapSettings, PerSide, Side};
+use crate::conformal::{
+    ConformalMap, Constraints, Direction, Extension, KernelMode, MapError, MapSettings, PerSide, Side,
+};
 use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
 use std::sync::Arc;
 
@@ -26,7 +28,7 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
-        files.push((path.clone(), scene.encode(format, summary, arguments.size.0)?));
+        files.push((path.clone(), scene.encode(format, &summary, arguments.size.0)?));
     }
     write_all(&files)?;
     drop(progress);
@@ -34,15 +36,16 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
         let text = serde_json::to_string_pretty(&summary).map_err(|error| CliError::Input(error.to_string()))?;
         return print(&text);
     }
-    let Summary { quality, counts, .. } = summary;
+    let Summary { quality, counts, accuracy, .. } = &summary;
     print(&format!(
-        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed",
+        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
         quality.q_mean,
         quality.flipped,
-        quality.collapsed
+        quality.collapsed,
+        accuracy.text()
     ))
 }
 
@@ -110,6 +113,9 @@ fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
     };
     let surface = [&arguments.source, &arguments.target].into_iter().find(|name| is_surface(name));
     match surface {
+        Some(name) if arguments.discretization.kernel_mode() == KernelMode::Integral => Err(CliError::Usage(format!(
+            "--kernel integral is for two outlines; {name} is a surface, which is computed with finite elements"
+        ))),
         Some(name) if extension == Extension::CauchyGreen => Err(CliError::Usage(format!(
             "--extension cauchy-green is for two outlines; {name} is a surface, whose map is extended harmonically"
         ))),
@@ -140,7 +146,7 @@ struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn encode(&self, format: Format, summary: Summary, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
+    fn encode(&self, format: Format, summary: &Summary, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
         match format {
             Format::Json => tables::json(self.map, summary).map_err(|error| CliError::Input(error.to_string())),
             Format::Csv => Ok(boundary_csv(self.map).into_bytes()),

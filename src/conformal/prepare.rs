@@ -1,11 +1,12 @@
 //! The preparation of a side: its settings, stages, memory limits and the computation itself.
 
+use super::curved::Outlined;
 use super::domain::MeshedDomain;
 use super::prepared_side::{PreparedSide, SideGeometry};
 use super::surface::MeshedSurface;
 use super::system::DirichletSystem;
 use super::{HarmonicTable, TableError};
-use crate::geometry::SimplePolygon;
+use crate::geometry::{Curve, DVec2, SimplePolygon};
 use crate::laplace::{DirichletLaplacian, LaplaceError, Ordering, Solver, SolverKind};
 use crate::mesh::{MeshError, Sizing};
 use crate::outline::{Sampling, SamplingError};
@@ -60,7 +61,7 @@ impl PrepareSettings {
     }
 }
 
-/// How the kernel at a point is computed; both methods give the same numbers.
+/// How harmonic measure is computed. The first two give the same numbers, those of finite elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -70,6 +71,9 @@ pub enum KernelMode {
     Adjoint,
     /// From a table of all harmonic coordinates, computed in advance (the paper's method).
     Table,
+    /// From the integral equation on the boundary's curve, to ten digits and more, where it fits; else, and for what it
+    /// does not resolve, as with [`Self::Adjoint`]. For outlines only.
+    Integral,
 }
 
 /// The memory that a preparation may use.
@@ -140,12 +144,13 @@ pub struct PrepareTimings {
     pub order: f64,
     pub factor: f64,
     pub table: f64,
+    pub integral: f64,
 }
 
 impl PrepareTimings {
     /// The duration of the whole preparation.
     pub fn total(&self) -> f64 {
-        self.sample + self.mesh + self.assemble + self.order + self.factor + self.table
+        self.sample + self.mesh + self.assemble + self.order + self.factor + self.table + self.integral
     }
 }
 
@@ -165,6 +170,9 @@ pub enum PrepareError {
     /// The table of harmonic coordinates could not be made.
     #[error(transparent)]
     Table(#[from] TableError),
+    /// The boundary integral was requested for a surface, which has no boundary curve in the plane.
+    #[error("the integral kernel is for outlines: a surface is computed with finite elements")]
+    IntegralOfSurface,
 }
 
 /// How a surface is discretised.
@@ -218,6 +226,17 @@ pub enum Unprepared<'a> {
         /// How to discretise it.
         settings: &'a PrepareSettings,
     },
+    /// The inside of an outline whose curve is known. Without [`KernelMode::Integral`] as the outline alone.
+    Curve {
+        /// Points of the curve, from its first one on.
+        polygon: &'a SimplePolygon,
+        /// The curve.
+        curve: &'a Curve,
+        /// Interior points that harmonic measure will be taken from: next to the boundary, only these are resolved.
+        near: &'a [DVec2],
+        /// How to discretize it.
+        settings: &'a PrepareSettings,
+    },
     /// A triangle mesh in space.
     Surface {
         /// The mesh, topologically a disk.
@@ -234,6 +253,17 @@ pub fn prepare(
     progress: &mut dyn FnMut(Stage),
 ) -> Result<PreparedSide, PrepareError> {
     prepare_within(Memory::default(), Unprepared::Outline { polygon, settings }, progress)
+}
+
+/// As [`prepare`], for an outline whose curve is known and, with [`KernelMode::Integral`], used: samples lie on it, and
+/// harmonic measure is that of its inside. `near` are points from which harmonic measure will be taken.
+pub fn prepare_curve(
+    (polygon, curve): (&SimplePolygon, &Curve),
+    near: &[DVec2],
+    settings: &PrepareSettings,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<PreparedSide, PrepareError> {
+    prepare_within(Memory::default(), Unprepared::Curve { polygon, curve, near, settings }, progress)
 }
 
 /// As [`prepare`], for a surface (section 4.3): its edges are flipped to the intrinsic Delaunay triangulation if
@@ -254,12 +284,27 @@ pub fn prepare_within(
     progress: &mut dyn FnMut(Stage),
 ) -> Result<PreparedSide, PrepareError> {
     let mut timings = PrepareTimings::default();
+    let mut integral = None;
     let (geometry, laplacian, kernel, solver) = match unprepared {
-        Unprepared::Outline { polygon, settings } => {
-            let domain = MeshedDomain::new(polygon, settings, &mut timings, progress)?;
+        Unprepared::Outline { polygon, settings } | Unprepared::Curve { polygon, settings, .. } => {
+            let (curve, near) = match unprepared {
+                Unprepared::Curve { curve, near, .. } => (Some(curve), near),
+                _ => (None, [].as_slice()),
+            };
+            let domain = if settings.kernel == KernelMode::Integral {
+                let outlined = Outlined { polygon, curve, near };
+                let (domain, boundary) = outlined.domain(settings, &mut timings, progress)?;
+                integral = Some(boundary);
+                domain
+            } else {
+                MeshedDomain::new(polygon, settings, &mut timings, progress)?
+            };
             progress(Stage::Assemble);
             let laplacian = timed(&mut timings.assemble, || DirichletLaplacian::assemble(domain.mesh()))?;
             (SideGeometry::Plane(Arc::new(domain)), laplacian, settings.kernel, settings.solver)
+        }
+        Unprepared::Surface { settings, .. } if settings.kernel == KernelMode::Integral => {
+            return Err(PrepareError::IntegralOfSurface);
         }
         Unprepared::Surface { surface, settings } => {
             progress(Stage::Mesh);
@@ -281,7 +326,8 @@ pub fn prepare_within(
         let coordinates = || HarmonicTable::new(&solver, laplacian.coupling(), &mut tell);
         table = Some(timed(&mut timings.table, coordinates)?);
     }
-    Ok(PreparedSide::new(geometry, DirichletSystem::new(laplacian.into_coupling(), solver, table), timings))
+    let side = PreparedSide::new(geometry, DirichletSystem::new(laplacian.into_coupling(), solver, table), timings);
+    Ok(side.with_integral(integral))
 }
 
 /// The requested solver, or the iterative one if the direct one does not fit.

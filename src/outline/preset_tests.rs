@@ -152,7 +152,7 @@ fn names_are_read_back_and_an_unknown_one_lists_them() {
 /// The bits of all coordinates, folded by FNV-1a (64 bits).
 #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
 fn fingerprint(points: &[DVec2]) -> u64 {
-    let bytes = points.iter().flat_map(|p| p.to_array()).flat_map(|x| x.to_bits().to_le_bytes());
+    let bytes = points.iter().flat_map(DVec2::to_array).flat_map(|x| x.to_bits().to_le_bytes());
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 

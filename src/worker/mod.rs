@@ -13,7 +13,9 @@ pub use rehearsal::rehearsal;
 pub use study::{Finding, Study};
 pub use transfer::Transfer;
 
-use crate::conformal::{PrepareSettings, PreparedSide, Stage, SurfaceSettings, prepare, prepare_surface};
+use crate::conformal::{
+    KernelMode, NotFlat, PrepareSettings, PreparedSide, Stage, SurfaceSettings, prepare, prepare_surface,
+};
 use crate::geometry::SimplePolygon;
 use crate::language::Message;
 use crate::outline::Outline;
@@ -64,6 +66,18 @@ pub enum Task {
         /// How to discretize it.
         settings: SurfaceSettings,
     },
+}
+
+impl Task {
+    /// Whether the boundary integral is requested, whose factor does not cross to the app.
+    fn needs_integral(&self) -> bool {
+        let kernel = match self {
+            Self::Outline { settings, .. } | Self::OutlineFile { settings, .. } => settings.kernel,
+            Self::Surface { settings, .. } => settings.kernel,
+            Self::SessionFile(_) => return false,
+        };
+        kernel == KernelMode::Integral
+    }
 }
 
 /// The source of a surface's triangles.
@@ -126,6 +140,9 @@ impl Response {
 /// Processes `request`, emitting `(generation, response)`.
 pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
     let answer = &mut |response| emit(request.generation, response);
+    if request.task.needs_integral() {
+        return answer(Response::Failed(Failure::new(&NotFlat)));
+    }
     let last = match &request.task {
         Task::Outline { polygon, settings } => outline(polygon, settings, answer),
         Task::OutlineFile { file, settings } => outline_file(file, settings, answer),
@@ -228,6 +245,20 @@ mod tests {
         let last = answers.pop().unwrap();
         assert!(matches!(&last, Response::Prepared(side, _) if side.domain().is_some()) && !last.goes_on());
         assert!(answers.iter().all(Response::goes_on));
+    }
+
+    #[test]
+    fn the_integral_kernel_is_refused_and_never_dropped() {
+        let settings = PrepareSettings::default().with_kernel(KernelMode::Integral);
+        let polygon = crate::outline::Preset::Square.outline().into_polygon();
+        let side = prepare(&polygon, &settings, &mut |_| ()).unwrap();
+        assert!(side.curve_boundary().is_some());
+        assert_eq!(Transfer::try_from(&side), Err(NotFlat));
+        let task = Task::Outline { polygon, settings };
+        let mut answers = Vec::new();
+        run(&Request { generation: 1, task }, &mut |_, response| answers.push(response));
+        let [Response::Failed(failure)] = answers.as_slice() else { panic!("{answers:?}") };
+        assert_eq!(*failure, Failure::new(&NotFlat));
     }
 
     #[test]

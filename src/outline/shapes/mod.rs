@@ -136,10 +136,11 @@ pub(super) fn blob() -> Drawn {
 }
 
 pub(super) fn v_shape() -> Drawn {
-    let (right, left): (fn(f64) -> Jet, fn(f64) -> Jet) =
-        (exact::vshape::around_right_tip, exact::vshape::around_left_tip);
-    let mut pen = Pen::at(exact::vshape::boundary(0.0));
-    pen.formula(right, &[0.0, 1.0], FINE).formula(left, &[1.0, 0.0, -1.0], FINE).formula(right, &[-1.0, 0.0], FINE);
+    use exact::vshape::{around_left_tip, around_right_tip, boundary};
+    let mut pen = Pen::at(boundary(0.0));
+    pen.formula(around_right_tip, &[0.0, 1.0], FINE);
+    pen.formula(around_left_tip, &[1.0, 0.0, -1.0], FINE);
+    pen.formula(around_right_tip, &[-1.0, 0.0], FINE);
     pen.close()
 }
 
