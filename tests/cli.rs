@@ -206,3 +206,73 @@ fn an_outline_is_interpreted_as_asked() {
         assert_eq!(report["interpretation"]["corners"], corners, "{interpret}");
     }
 }
+
+#[test]
+fn the_integral_kernel_says_what_it_used_and_how_accurate_it_is() {
+    let folder = folder("integral");
+    let files = ["map.json", "map.csv"].map(|name| folder.join(name).display().to_string());
+    let arguments = [
+        "map",
+        "preset:l-shape",
+        "preset:disk",
+        "--kernel",
+        "integral",
+        "--direction",
+        "forward",
+        "--json",
+        "--out",
+        &files[0],
+        "--out",
+        &files[1],
+    ];
+    let summary: Value = serde_json::from_slice(&succeeds(&arguments).stdout).unwrap();
+    assert_eq!(summary["kernel"], serde_json::json!({ "source": "integral", "target": "integral" }));
+    assert!(summary["unknowns"]["source"].as_u64().unwrap() > summary["unknowns"]["target"].as_u64().unwrap());
+    let [omega, image] = ["omega", "image"].map(|key| summary["error_estimate"][key].as_f64().unwrap());
+    assert!(omega > 0.0 && omega < 1e-10 && image > 0.0 && image < 1e-9, "{omega:e}, {image:e}");
+    assert_eq!(summary["finite_element_share"], serde_json::json!({ "source": 0.0, "target": 0.0 }));
+    assert_eq!(summary["coinciding_edges"], 0);
+    let document: Value = serde_json::from_str(&std::fs::read_to_string(&files[0]).unwrap()).unwrap();
+    let csv = std::fs::read_to_string(&files[1]).unwrap();
+    assert!(csv.lines().next().unwrap().ends_with(",error (target units)"), "{}", csv.lines().next().unwrap());
+    let errors: Vec<f64> = csv.lines().skip(1).map(|row| row.rsplit(',').next().unwrap().parse().unwrap()).collect();
+    assert_eq!(errors.iter().copied().fold(0.0, f64::max), image);
+    assert_eq!(document["boundary_error"].as_array().unwrap().len(), errors.len());
+    for row in csv.lines().skip(1) {
+        let row: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let (s2, x2, y2) = (row[1], row[4], row[5]);
+        let (sin, cos) = (std::f64::consts::TAU * s2).sin_cos();
+        let radius = x2.hypot(y2);
+        assert!((x2 - radius * cos).hypot(y2 - radius * sin) < 1e-14, "{row:?}");
+    }
+    // without it, the estimate is null
+    let arguments = ["map", "preset:disk", "preset:square", "--json", "--samples", "100"];
+    let summary: Value = serde_json::from_slice(&succeeds(&arguments).stdout).unwrap();
+    assert_eq!((&summary["error_estimate"], &summary["kernel"]["target"]), (&Value::Null, &"adjoint".into()));
+    assert_eq!(summary["unknowns"]["source"], Value::Null);
+}
+
+#[test]
+fn where_the_integral_kernel_does_not_fit_finite_elements_are_used_and_said() {
+    let folder = folder("unsharpened");
+    let point = |k: u32| {
+        let radius = if k.is_multiple_of(2) { 1.0 } else { 0.8 };
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 800.0).sin_cos();
+        format!("[{},{}]", radius * cos, radius * sin)
+    };
+    let points: Vec<String> = (0..800).map(point).collect();
+    let path = file(&folder, "coast.json", &format!("[{}]", points.join(",")));
+    let output = riemap(&["map", &path, "preset:disk", "--kernel", "integral", "--json"]);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && stderr.contains("finite elements") && stderr.contains("unknowns"), "{stderr}");
+    let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(summary["kernel"], serde_json::json!({ "source": "adjoint", "target": "integral" }));
+    assert_eq!(summary["error_estimate"], Value::Null);
+    fails(&["map", "preset:disk", "preset:hemisphere", "--kernel", "integral"], 2, &["two outlines", "hemisphere"]);
+    fails(&["flatten", "preset:hemisphere", "preset:disk", "--kernel", "integral"], 1, &["for outlines"]);
+    fails(
+        &["map", "preset:disk", "preset:disk", "--kernel", "integral", "--source-point", "1.1,0"],
+        1,
+        &["not inside"],
+    );
+}

@@ -69,7 +69,7 @@ fn domain() -> impl Strategy<Value = DomainSpec> {
 }
 
 fn kernel() -> impl Strategy<Value = KernelMode> {
-    one_of(&[KernelMode::Adjoint, KernelMode::Table])
+    one_of(&[KernelMode::Adjoint, KernelMode::Table, KernelMode::Integral])
 }
 
 fn solver() -> impl Strategy<Value = SolverKind> {

@@ -131,13 +131,17 @@ fn factor_above_the_budget_gives_way_to_the_iterative_solver() {
 fn every_mode_survives_the_trip_through_flat_arrays() {
     for settings in [COARSE, TABLE, PCG] {
         let domain = domain(Preset::Square, settings);
-        let back = Transfer::from(&*domain).into_side().unwrap();
-        assert_eq!(Transfer::from(&back), Transfer::from(&*domain), "to the bit, with its factor");
+        let back = Transfer::try_from(&*domain).unwrap().into_side().unwrap();
+        assert_eq!(
+            Transfer::try_from(&back).unwrap(),
+            Transfer::try_from(&*domain).unwrap(),
+            "to the bit, with its factor"
+        );
         assert_eq!(back.solver_kind(), settings.solver);
         assert_eq!(back.table(), domain.table());
         assert_eq!(back.timings(), domain.timings());
         let broken = |damage: fn(&mut Transfer)| {
-            let mut buffers = Transfer::from(&*domain);
+            let mut buffers = Transfer::try_from(&*domain).unwrap();
             damage(&mut buffers);
             buffers.into_side().is_none()
         };

@@ -1,15 +1,13 @@
 //! The arguments of the command line, and their conversion to the core's types.
 
-use super::CliError;
+use super::named_outline::NamedOutline;
 use super::side::{SideAnchor, SidePoint};
 use super::values::{FigureNumber, Size, SizingArgument};
 use crate::conformal::{KernelMode, PrepareSettings, Side};
 use crate::laplace::SolverKind;
 use crate::mesh::Sizing;
-use crate::outline::{self, Interpretation, Interpreted, Outline, Preset, Sampling};
-use std::io::Read as _;
+use crate::outline::{Interpretation, Sampling};
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// Real-time conformal maps between outlines or surfaces.
 ///
@@ -309,7 +307,9 @@ pub struct Discretization {
     /// Triangle size: uniform, or growing by G per unit of distance from the boundary [default: graded].
     #[arg(long, value_name = "uniform|graded:G")]
     pub sizing: Option<SizingArgument>,
-    /// How kernels are computed: by one adjoint solve each, or from the paper's table of all harmonic coordinates.
+    /// How harmonic measure is computed: with finite elements by one adjoint solve for each point, or from the paper's
+    /// table of all harmonic coordinates; or, between outlines, from an integral equation on the boundary's curve, to
+    /// ten digits and more.
     #[arg(long, default_value = "adjoint")]
     pub kernel: KernelArgument,
     /// How linear systems are solved: with a complete Cholesky factor, or iteratively with an incomplete one.
@@ -347,6 +347,7 @@ impl From<InterpretArgument> for Interpretation {
 pub enum KernelArgument {
     Adjoint,
     Table,
+    Integral,
 }
 
 /// How linear systems are solved.
@@ -401,75 +402,13 @@ pub enum SamplingArgument {
     Adaptive,
 }
 
-/// An outline named on the command line.
-pub struct NamedOutline {
-    /// The outline.
-    pub outline: Outline,
-    /// The paper's number of samples, for presets used in the paper.
-    paper_samples: Option<u32>,
-}
-
-impl NamedOutline {
-    /// The same outline, interpreted as requested.
-    #[must_use]
-    pub fn interpreted(self, interpret: InterpretArgument) -> Self {
-        Self { outline: self.outline.interpreted(interpret.into()), ..self }
-    }
-
-    /// What its points were taken for; `None` if not even its polygon is a curve, as with spikes of 1e-5. Says on stderr
-    /// why many points stay a polygon.
-    pub fn interpretation(&self, name: &str) -> Option<Interpreted> {
-        match self.outline.curve() {
-            Ok(curve) => {
-                if let Some(reason) = curve.stays_polygon()
-                    && self.outline.polygon().vertices().len() >= outline::LEAST_SMOOTH
-                {
-                    eprintln!("riemap: {name}: taken as a polygon: {reason}");
-                }
-                Some(curve.interpreted())
-            }
-            Err(error) => {
-                eprintln!("riemap: {name}: taken as a polygon: {error}");
-                None
-            }
-        }
-    }
-
-    /// Prints the reader's notes to stderr.
-    pub fn say_notes(&self, name: &str) {
-        for note in self.outline.notes() {
-            eprintln!("riemap: {name}: {note}");
-        }
-    }
-}
-
-/// Reads at most `most` + 1 bytes of a file, so that the parser sees, and rejects, one with more than `most`.
-pub fn read_file(name: &str, most: usize) -> Result<Vec<u8>, CliError> {
-    let mut bytes = Vec::new();
-    let read = std::fs::File::open(name).and_then(|file| file.take(most as u64 + 1).read_to_end(&mut bytes));
-    read.map_err(|error| CliError::Input(format!("cannot read {name}: {error}")))?;
-    Ok(bytes)
-}
-
-/// Reads `preset:NAME` or a file. With `repair`, loops and spikes of an outline are cut off and noted.
-pub fn read_outline(name: &str, repair: bool) -> Result<NamedOutline, CliError> {
-    if let Some(preset) = name.strip_prefix("preset:") {
-        let preset = Preset::from_str(preset).map_err(|error| CliError::Input(error.to_string()))?;
-        return Ok(NamedOutline { outline: preset.outline(), paper_samples: preset.paper_samples() });
-    }
-    let bytes = read_file(name, outline::MAX_BYTES)?;
-    let parse = if repair { outline::parse_repaired } else { outline::parse };
-    let outline = parse(name, &bytes).map_err(|error| CliError::Input(format!("{name}: {error}")))?;
-    Ok(NamedOutline { outline, paper_samples: None })
-}
-
 impl Discretization {
     /// The settings for one outline; `samples` overrides the number for both sides.
     pub fn settings(&self, outline: &NamedOutline, samples: Option<u32>) -> PrepareSettings {
         let samples = samples.or(self.samples);
         let sampling = match self.sampling {
             SamplingArgument::Uniform => Sampling::Uniform {
-                count: samples.or(outline.paper_samples).unwrap_or(500),
+                count: samples.or(outline.paper_samples()).unwrap_or(500),
                 keep_corners: self.keep_corners,
             },
             SamplingArgument::Adaptive => Sampling::Adaptive { target: samples },
@@ -487,6 +426,7 @@ impl Discretization {
         match self.kernel {
             KernelArgument::Adjoint => KernelMode::Adjoint,
             KernelArgument::Table => KernelMode::Table,
+            KernelArgument::Integral => KernelMode::Integral,
         }
     }
 

@@ -1,7 +1,7 @@
 //! `riemap flatten`: parameterizes a surface over an outline and writes it with texture coordinates.
 
-use super::arguments::{NamedOutline, read_outline};
 use super::flatten_arguments::{FlattenArguments, UvArgument, read};
+use super::named_outline::{NamedOutline, read_outline};
 use super::output::{check_paths, edges_flipped, print, say_solver, triangles, warn_if_coarse, words, write_all};
 use super::progress::Progress;
 use super::tables::Counts;
@@ -146,7 +146,7 @@ fn compute(
     let x2 =
         arguments.surface_point.map_or(Ok(default), |point| point.locate("--surface-point", surface, &sides.meshed))?;
     let y2 = arguments.surface_anchor.fraction("--surface-anchor", &sides.meshed)?;
-    let constraints = Constraints::new((x1, arguments.outline_anchor.fraction(&sides.domain)), (x2, y2));
+    let constraints = Constraints::new((x1, arguments.outline_anchor.fraction(&sides.domain, None)), (x2, y2));
     outline.say_notes(&arguments.outline);
     sides.say_notes(arguments);
     progress.enter("the map");

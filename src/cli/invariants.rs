@@ -1,8 +1,8 @@
 //! `riemap invariants`: conformal invariants of an outline, each with its error.
 
 use super::CliError;
-use super::arguments::read_outline;
 use super::invariants_arguments::InvariantsArguments;
+use super::named_outline::read_outline;
 use super::output::print;
 use crate::boundary_integral::{BoundaryIntegralError, Estimate, Invariants, InvariantsRequest, invariants};
 use crate::geometry::Curve;

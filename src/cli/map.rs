@@ -8,8 +8,8 @@ use super::side::{self, Asked, NamedSide, Reading, is_surface};
 use super::tables::{self, Summary};
 use super::{picture, surface_picture};
 use crate::conformal::{
-    ConformalMap, Constraints, Direction, Extension, MapError, MapSettings, PerSide, PrepareSettings, PrepareTimings,
-    Side,
+    ConformalMap, Constraints, Direction, Extension, KernelMode, MapError, MapSettings, PerSide, PrepareSettings,
+    PrepareTimings, Side,
 };
 use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
 use crate::outline::Interpreted;
@@ -30,7 +30,7 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
-        files.push((path.clone(), scene.encode(format, summary, arguments.size.0)?));
+        files.push((path.clone(), scene.encode(format, &summary, arguments.size.0)?));
     }
     write_all(&files)?;
     drop(progress);
@@ -41,21 +41,22 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     print(&in_words(&summary))
 }
 
-fn in_words(Summary { quality, counts, unresolved_area, interpretation, .. }: &Summary) -> String {
+fn in_words(Summary { quality, counts, unresolved_area, interpretation, accuracy, .. }: &Summary) -> String {
     let unresolved = unresolved_area.filter(|area| *area > 0.0);
     let kinds =
         interpretation.iter().filter_map(|(side, found)| found.map(|found| format!("{side}: {}", words(found))));
     let kinds: Vec<String> = kinds.collect();
     let kinds = if kinds.is_empty() { String::new() } else { format!("\n{}", kinds.join("; ")) };
     format!(
-        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{kinds}",
+        "m = {}, n = {}, {}\nmean Q = {:.4}, {} flipped, {} collapsed{}{}{kinds}",
         counts.m,
         counts.n,
         triangles(counts.triangles),
         quality.q_mean,
         quality.flipped,
         quality.collapsed,
-        unresolved.map(|area| format!("\nunresolved: {area:.2e} of the other area")).unwrap_or_default()
+        unresolved.map(|area| format!("\nunresolved: {area:.2e} of the other area")).unwrap_or_default(),
+        accuracy.text()
     )
 }
 
@@ -153,6 +154,9 @@ fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
     };
     let surface = [&arguments.source, &arguments.target].into_iter().find(|name| is_surface(name));
     match surface {
+        Some(name) if arguments.discretization.kernel_mode() == KernelMode::Integral => Err(CliError::Usage(format!(
+            "--kernel integral is for two outlines; {name} is a surface, which is computed with finite elements"
+        ))),
         Some(name) if extension == Extension::CauchyGreen => Err(CliError::Usage(format!(
             "--extension cauchy-green is for two outlines; {name} is a surface, whose map is extended harmonically"
         ))),
@@ -183,7 +187,7 @@ struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn encode(&self, format: Format, summary: Summary, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
+    fn encode(&self, format: Format, summary: &Summary, size: [u32; 2]) -> Result<Vec<u8>, CliError> {
         match format {
             Format::Json => tables::json(self.map, summary).map_err(|error| CliError::Input(error.to_string())),
             Format::Csv => Ok(boundary_csv(self.map).into_bytes()),

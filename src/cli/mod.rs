@@ -4,6 +4,7 @@
 //! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
 //! are written whole or not at all.
 
+mod accuracy;
 mod animate;
 mod arguments;
 mod bench;
@@ -16,6 +17,7 @@ mod invariants;
 mod invariants_arguments;
 mod map;
 mod moved;
+mod named_outline;
 mod output;
 mod picture;
 mod prepare;

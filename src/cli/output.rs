@@ -109,6 +109,13 @@ fn temporary_name(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
+/// Reports on stderr if the boundary integral was requested for a side but finite elements are used.
+pub fn say_kernel(name: &str, side: &PreparedSide) {
+    if let Some(reason) = side.unsharpened() {
+        eprintln!("riemap: {name}: computed with finite elements instead of the boundary integral: {reason}");
+    }
+}
+
 /// Reports on stderr if the domain uses another solver than the requested one.
 pub fn say_solver(name: &str, wanted: SolverKind, used: SolverKind) {
     if used != wanted {

@@ -1,11 +1,12 @@
 //! `riemap prepare`: vertex counts and durations of the preparation of one domain.
 
 use super::CliError;
-use super::arguments::{PrepareArguments, read_outline};
-use super::output::{print, say_solver, triangles, warn_if_coarse, words};
+use super::arguments::PrepareArguments;
+use super::named_outline::read_outline;
+use super::output::{print, say_kernel, say_solver, triangles, warn_if_coarse, words};
 use super::progress::Progress;
 use super::tables::Counts;
-use crate::conformal::{PrepareTimings, prepare};
+use crate::conformal::PrepareTimings;
 
 /// Prepares the domain `repeat` times and prints the medians.
 pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
@@ -15,11 +16,12 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
     let mut counts = Counts::default();
     let progress = Progress::new("preparing");
     for _ in 0..arguments.repeat {
-        let side = prepare(named.outline.polygon(), &settings, &mut progress.preparing(&arguments.domain))
-            .map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
+        let side = named.prepare(&[], &settings, &mut progress.preparing(&arguments.domain));
+        let side = side.map_err(|error| CliError::Input(format!("{}: {error}", arguments.domain)))?;
         counts = Counts::of(&side);
         warn_if_coarse(&arguments.domain, &side);
         say_solver(&arguments.domain, settings.solver, side.solver_kind());
+        say_kernel(&arguments.domain, &side);
         runs.push(side.timings());
     }
     drop(progress);
@@ -35,10 +37,10 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
         });
         return print(&format!("{report:#}"));
     }
-    let PrepareTimings { sample, mesh, assemble, order, factor, table } = timings;
+    let PrepareTimings { sample, mesh, assemble, order, factor, table, integral } = timings;
     print(&format!(
         "{}{}: m = {}, n = {}, {}\n\
-         {:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}{}",
+         {:.1} ms: sample {sample:.1}, mesh {mesh:.1}, assemble {assemble:.1}, order {order:.1}, factor {factor:.1}{}{}",
         named.outline.name(),
         interpreted.map(|interpreted| format!(" ({})", words(interpreted))).unwrap_or_default(),
         counts.m,
@@ -46,6 +48,7 @@ pub fn run(arguments: &PrepareArguments) -> Result<(), CliError> {
         triangles(counts.triangles),
         timings.total(),
         if table > 0.0 { format!(", table {table:.1}") } else { String::new() },
+        if integral > 0.0 { format!(", integral {integral:.1}") } else { String::new() },
     ))
 }
 
@@ -62,5 +65,6 @@ fn medians(runs: &[PrepareTimings]) -> PrepareTimings {
         order: median(|t| t.order),
         factor: median(|t| t.factor),
         table: median(|t| t.table),
+        integral: median(|t| t.integral),
     }
 }

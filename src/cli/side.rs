@@ -1,14 +1,13 @@
 //! A side given on the command line, an outline or a surface: reading, preparing and locating its points.
 
 use super::CliError;
-use super::arguments::{Discretization, NamedOutline, read_outline};
+use super::arguments::Discretization;
 use super::flatten_arguments::{self, SurfaceAnchor, SurfacePoint, preset};
-use super::output::{say_solver, warn_if_coarse};
+use super::named_outline::{NamedOutline, read_outline};
+use super::output::{say_kernel, say_solver, warn_if_coarse};
 use super::progress::Progress;
 use super::values::{Anchor, Point};
-use crate::conformal::{
-    InteriorPoint, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings, prepare, prepare_surface,
-};
+use crate::conformal::{InteriorPoint, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings, prepare_surface};
 use crate::outline::{Interpreted, Preset};
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, names_format};
 use std::str::FromStr;
@@ -162,7 +161,7 @@ pub fn read(name: &str, repair: bool) -> Result<Given, CliError> {
 impl NamedSide {
     /// Prepares a side.
     pub fn prepare(
-        Asked { title, samples, .. }: &Asked<'_>,
+        Asked { title, samples, point, .. }: &Asked<'_>,
         given: Given,
         reading: Reading<'_>,
         progress: &Progress,
@@ -185,7 +184,11 @@ impl NamedSide {
             Given::Outline(outline) => {
                 let settings: PrepareSettings = discretization.settings(outline, *samples);
                 kept = Some(settings);
-                let prepared = prepare(outline.outline.polygon(), &settings, &mut progress.preparing(title));
+                let near = match point {
+                    (_, Some(SidePoint::Plane(point))) => vec![point.0],
+                    _ => Vec::new(),
+                };
+                let prepared = outline.prepare(&near, &settings, &mut progress.preparing(title));
                 prepared.map_err(|error| about(&error))?
             }
         };
@@ -224,7 +227,9 @@ impl NamedSide {
     fn anchor(&self, option: &str, anchor: SideAnchor) -> Result<f64, CliError> {
         match (anchor, self.prepared.geometry()) {
             (SideAnchor::Fraction(s), _) => Ok(s.rem_euclid(1.0)),
-            (SideAnchor::Plane(anchor), SideGeometry::Plane(domain)) => Ok(anchor.fraction(domain)),
+            (SideAnchor::Plane(anchor), SideGeometry::Plane(domain)) => {
+                Ok(anchor.fraction(domain, self.prepared.curve_boundary().map(Arc::as_ref)))
+            }
             (SideAnchor::Surface(anchor), SideGeometry::Space(surface)) => anchor.fraction(option, surface),
             (SideAnchor::Plane(_) | SideAnchor::Surface(_), _) => {
                 Err(other_anchor(&self.title, self.is_surface(), option))
@@ -243,6 +248,7 @@ impl NamedSide {
             }
         }
         warn_if_coarse(&self.title, &self.prepared);
+        say_kernel(&self.title, &self.prepared);
         say_solver(&self.title, discretization.solver_kind(), self.prepared.solver_kind());
     }
 }

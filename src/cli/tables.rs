@@ -1,5 +1,6 @@
 //! A map's numbers as JSON, with a summary.
 
+use super::accuracy::Accuracy;
 use crate::conformal::{
     ConformalMap, FrameTimings, PerSide, Places, PrepareTimings, PreparedSide, Quality, ResolvedBoundary, Side,
 };
@@ -33,7 +34,7 @@ pub struct MapTimings {
 }
 
 /// The summary printed by `--json`, also written at the end of a .json file.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Summary {
     /// Angle distortion of the mapped mesh.
     pub quality: Quality,
@@ -46,6 +47,9 @@ pub struct Summary {
     pub unresolved_area: Option<f64>,
     /// What the points of each outline were taken for; none for a surface.
     pub interpretation: PerSide<Option<Interpreted>>,
+    /// How the measures were computed, and how accurately.
+    #[serde(flatten)]
+    pub accuracy: Accuracy,
 }
 
 impl Summary {
@@ -58,6 +62,7 @@ impl Summary {
             counts: Counts::of(map.mapped()),
             unresolved_area: map.resolution().map(ResolvedBoundary::unresolved_area),
             interpretation,
+            accuracy: Accuracy::of(map),
         }
     }
 }
@@ -79,8 +84,11 @@ struct MapDocument<'a> {
     /// For each vertex of a mapped surface its index in the file, or 2³² − 1 if a repair has added it.
     #[serde(skip_serializing_if = "Option::is_none")]
     vertex_origins: Option<&'a [u32]>,
+    /// The estimated error of each image of `boundary_map`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    boundary_error: Option<&'a [f64]>,
     #[serde(flatten)]
-    summary: Summary,
+    summary: &'a Summary,
 }
 
 /// The first `count` positions.
@@ -108,7 +116,7 @@ fn harmonic_measure(map: &ConformalMap) -> Vec<f64> {
 }
 
 /// The whole map as JSON.
-pub fn json(map: &ConformalMap, summary: Summary) -> Result<Vec<u8>, serde_json::Error> {
+pub fn json(map: &ConformalMap, summary: &Summary) -> Result<Vec<u8>, serde_json::Error> {
     let boundary = |side: Side| {
         let side = map.side(side);
         Boundary { boundary: first(side.vertices(), side.boundary_count()) }
@@ -122,6 +130,7 @@ pub fn json(map: &ConformalMap, summary: Summary) -> Result<Vec<u8>, serde_json:
         triangles: map.mapped().triangles(),
         images: map.image_places(),
         vertex_origins: map.mapped().surface().map(|meshed| meshed.surface().vertex_origins()),
+        boundary_error: summary.accuracy.points(),
         summary,
     })
 }

@@ -1,6 +1,6 @@
 //! Values of options that have a grammar of their own, and how they are parsed.
 
-use crate::conformal::MeshedDomain;
+use crate::conformal::{CurveBoundary, MeshedDomain};
 use crate::figures::Figure;
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
@@ -45,10 +45,13 @@ impl FromStr for Anchor {
 }
 
 impl Anchor {
-    /// The fraction of the outline's arc length.
-    pub fn fraction(self, domain: &MeshedDomain) -> f64 {
+    /// The fraction of the arc length of the outline, or of its curve.
+    pub fn fraction(self, domain: &MeshedDomain, curve: Option<&CurveBoundary>) -> f64 {
         match self {
-            Self::Nearest(x) => domain.samples().fraction_at(domain.samples().nearest(x)),
+            Self::Nearest(x) => {
+                let near = domain.samples().fraction_at(domain.samples().nearest(x));
+                curve.map_or(near, |curve| curve.nearest_fraction(x, near))
+            }
             Self::Fraction(s) => s.rem_euclid(1.0),
         }
     }

@@ -14,9 +14,18 @@ use std::sync::Arc;
 const PLANE: u32 = 0;
 const SPACE: u32 = 1;
 
+/// The factor of a boundary integral has no flat form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the integral kernel is available on the command line only")]
+pub struct NotFlat;
+
 impl PreparedSide {
-    /// Converts the side to flat arrays.
-    pub(crate) fn to_buffers(&self) -> FlatBuffers {
+    /// Converts the side to flat arrays. Errors: the boundary integral was requested for the side; its factor, or why
+    /// there is none, has no flat form.
+    pub(crate) fn to_buffers(&self) -> Result<FlatBuffers, NotFlat> {
+        if self.curve_boundary().is_some() || self.unsharpened().is_some() {
+            return Err(NotFlat);
+        }
         let mut buffers = FlatBuffers::default();
         match self.geometry() {
             SideGeometry::Plane(domain) => buffers.put_domain(domain),
@@ -24,7 +33,7 @@ impl PreparedSide {
         }
         buffers.put_timings(&self.timings());
         buffers.put_system(&self.system);
-        buffers
+        Ok(buffers)
     }
 
     /// The side from flat arrays; `None` unless they have the layout that [`Self::to_buffers`] writes.

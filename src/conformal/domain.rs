@@ -3,7 +3,7 @@
 use super::prepare::timed;
 use super::{PrepareError, PrepareSettings, PrepareTimings, Resampled, Stage};
 use crate::geometry::{DVec2, SimplePolygon};
-use crate::mesh::{RefineReport, Sizing, TriMesh, mesh_domain};
+use crate::mesh::{MeshError, RefineReport, Sizing, TriMesh, mesh_domain};
 use crate::outline::{BoundarySamples, sample};
 
 /// A planar domain, sampled and meshed.
@@ -28,7 +28,17 @@ impl MeshedDomain {
         progress(Stage::Sample);
         let samples = timed(&mut timings.sample, || sample(polygon, settings.sampling))?;
         progress(Stage::Mesh);
-        let sizing = settings.sizing.at(samples.len());
+        Ok(Self::of_samples(polygon, samples, settings.sizing, timings)?)
+    }
+
+    /// Meshes the inside of samples on, or next to, `polygon`.
+    pub(super) fn of_samples(
+        polygon: &SimplePolygon,
+        samples: BoundarySamples,
+        sizing: Sizing,
+        timings: &mut PrepareTimings,
+    ) -> Result<Self, MeshError> {
+        let sizing = sizing.at(samples.len());
         let (mesh, refinement) = timed(&mut timings.mesh, || mesh_domain(samples.points(), sizing))?;
         let default_point = default_point(polygon, &mesh);
         Ok(Self { samples, mesh, refinement, default_point })

@@ -76,8 +76,8 @@ impl FlatBuffers {
     }
 
     pub(super) fn put_timings(&mut self, timings: &PrepareTimings) {
-        let PrepareTimings { sample, mesh, assemble, order, factor, table } = *timings;
-        self.floats.push(vec![sample, mesh, assemble, order, factor, table]);
+        let PrepareTimings { sample, mesh, assemble, order, factor, table, integral } = *timings;
+        self.floats.push(vec![sample, mesh, assemble, order, factor, table, integral]);
     }
 }
 
@@ -134,8 +134,8 @@ impl FlatReader {
 
     pub fn timings(&mut self) -> Option<PrepareTimings> {
         let values = self.floats()?;
-        let &[sample, mesh, assemble, order, factor, table] = values.as_slice() else { return None };
-        Some(PrepareTimings { sample, mesh, assemble, order, factor, table })
+        let &[sample, mesh, assemble, order, factor, table, integral] = values.as_slice() else { return None };
+        Some(PrepareTimings { sample, mesh, assemble, order, factor, table, integral })
     }
 
     /// Whether all arrays have been read.

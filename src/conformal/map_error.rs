@@ -1,6 +1,7 @@
 //! The errors of a map, and the warnings about the images of a surface's boundary.
 
 use super::Side;
+use crate::boundary_integral::BoundaryIntegralError;
 use crate::counted::counted;
 use crate::laplace::NotConverged;
 use crate::mesh::TriangleId;
@@ -70,6 +71,14 @@ pub enum MapError {
         /// The solver's error.
         error: NotConverged,
     },
+    /// The boundary integral gives no harmonic measure from the interior point: it lies outside of the curve.
+    #[error("{side}: {error}")]
+    BoundaryIntegral {
+        /// Which side.
+        side: Side,
+        /// The reason.
+        error: BoundaryIntegralError,
+    },
 }
 
 impl MapError {
@@ -82,7 +91,8 @@ impl MapError {
             | Self::OtherKind { side }
             | Self::AnchorNotFinite { side }
             | Self::LoopAnchorNotFinite { side }
-            | Self::NotConverged { side, .. } => *side,
+            | Self::NotConverged { side, .. }
+            | Self::BoundaryIntegral { side, .. } => *side,
         }
     }
 }

@@ -6,6 +6,7 @@
 use super::kernel::{KernelScratch, advance_kernel, begin_kernel};
 use super::measured::{Measured, Renewal};
 use super::{Constraints, HarmonicMeasure, InteriorPoint, MapError, MeshedDomain, PreparedSide, Side, SideGeometry};
+use crate::boundary_integral::BoundaryIntegralError;
 use crate::geometry::{DVec2, DVec3};
 use crate::laplace::Deadline;
 use crate::mesh::{BarycentricPoint, TriMesh, TriangleId, locate};
@@ -13,6 +14,10 @@ use std::sync::Arc;
 
 /// The largest accepted deviation from 1 of the sum of a point's weights.
 const WEIGHT_TOLERANCE: f64 = 1e-9;
+
+/// The distance from the mesh's boundary, in its shortest edges, at which the finite-element measure of a point between
+/// mesh and curve is taken.
+const INSET: f64 = 0.1;
 
 /// One side of a map.
 #[derive(Debug)]
@@ -97,11 +102,23 @@ impl MapSide {
         Ok(Change { located, re_anchor: anchor != self.anchor })
     }
 
-    /// Locates a point that must lie inside the domain.
+    /// Locates a point that must lie inside the domain; one inside of the curve that the mesh does not reach, at the
+    /// nearest place of the mesh.
     fn inside(&self, side: Side, domain: &MeshedDomain, x: DVec2) -> Result<BarycentricPoint, MapError> {
         let found = if x.is_finite() { locate(domain.mesh(), x, Some(self.located.triangle())) } else { None };
         let inside = found.filter(|found| !on_boundary(domain.mesh(), *found));
-        inside.ok_or(MapError::PointOutside { side, x: x.x, y: x.y })
+        let Some(boundary) = self.prepared.curve_boundary() else {
+            return inside.ok_or(MapError::PointOutside { side, x: x.x, y: x.y });
+        };
+        let error = BoundaryIntegralError::NotInside { at: x };
+        if !boundary.curve().contains(x) {
+            return Err(MapError::BoundaryIntegral { side, error });
+        }
+        let beside = || {
+            let shortest = self.prepared.edge_lengths().iter().copied().fold(f64::INFINITY, f64::min);
+            locate(domain.mesh(), domain.nearest_inside(x, INSET * shortest), None)
+        };
+        inside.or_else(beside).ok_or(MapError::BoundaryIntegral { side, error })
     }
 
     /// Starts computing the kernel, if the change requires a new one.
@@ -127,9 +144,15 @@ impl MapSide {
                 return Ok(false);
             }
         }
+        if let (Some(_), Some(boundary), InteriorPoint::Plane(x)) =
+            (change.located, self.prepared.curve_boundary(), constraints.points[side])
+        {
+            let swept = boundary.integral().harmonic_measure(x);
+            let swept = swept.map_err(|error| MapError::BoundaryIntegral { side, error })?;
+            self.measured.coming_swept = Some(Arc::new(swept));
+        }
         if change.renewal().measure {
-            let anchor = self.prepared.at_fraction(constraints.anchors[side]);
-            self.measured.set_measure(self.prepared.edge_lengths(), anchor, change.renewal());
+            self.measured.set_measure(&self.prepared, constraints.anchors[side], change.renewal());
         }
         Ok(true)
     }

@@ -5,13 +5,16 @@
 //! the cyclic order (weakly: where ω is flat in f64, points coincide).
 
 use super::HarmonicMeasure;
-use crate::geometry::DVec2;
+use super::curved::match_sharply;
+use crate::geometry::{CurvePoint, DVec2};
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
 /// The images of the mapped side's boundary vertices on the other boundary, in weakly cyclic order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BoundaryCorrespondence {
     points: Vec<BoundaryPoint>,
+    /// The images on the other side's curve, and their positions, if its measure is from the boundary integral.
+    exact: Vec<(CurvePoint, DVec2)>,
 }
 
 impl BoundaryCorrespondence {
@@ -20,20 +23,50 @@ impl BoundaryCorrespondence {
         &self.points
     }
 
-    /// Sets the images.
+    /// Sets the images, on the polygon of the other side's samples.
     pub(super) fn set(&mut self, points: Vec<BoundaryPoint>) {
         self.points = points;
+        self.exact.clear();
     }
 
-    /// The images `w_k` of the boundary vertices, equation (13).
+    /// The images `w_k` of the boundary vertices, equation (13): on the other side's curve, or on its samples' polygon.
     pub fn images<'a>(&'a self, samples: &'a BoundarySamples) -> impl Iterator<Item = DVec2> + 'a {
-        self.points.iter().map(|&point| samples.position(point))
+        let position = |(k, &point): (usize, _)| match self.exact.get(k) {
+            Some(&(_, position)) => position,
+            None => samples.position(point),
+        };
+        self.points.iter().enumerate().map(position)
+    }
+
+    /// The image of boundary vertex `k` on the other side's curve, with its position; `None` if the other side's
+    /// measure is not from the boundary integral.
+    pub fn on_curve(&self, k: usize) -> Option<(CurvePoint, DVec2)> {
+        self.exact.get(k).copied()
+    }
+
+    /// Starts a correspondence of `m` vertices with images on a curve.
+    pub(super) fn begin_exact(&mut self, m: usize, anchor: BoundaryPoint, on_curve: CurvePoint) {
+        self.points.clear();
+        self.points.resize(m, anchor);
+        self.exact.clear();
+        self.exact.resize(m, (on_curve, DVec2::ZERO));
+    }
+
+    /// Sets the image of vertex `k`.
+    pub(super) fn set_exact(&mut self, k: usize, point: BoundaryPoint, on_curve: CurvePoint, position: DVec2) {
+        self.points[k] = point;
+        self.exact[k] = (on_curve, position);
     }
 }
 
-/// Matches `source` to `target` into `result`; both run from 0 to 1.
+/// Matches `source` to `target` into `result`; both run from 0 to 1. If the target's measure is from the boundary
+/// integral, images lie on its curve.
 pub fn match_measures(source: &HarmonicMeasure, target: &HarmonicMeasure, result: &mut BoundaryCorrespondence) {
+    if let Some(sharp) = target.sharp() {
+        return match_sharply(source, target, sharp, result);
+    }
     let m = source.vertex_count();
+    result.exact.clear();
     let (a, b, density) = (source.at_knots(), target.at_knots(), target.density());
     let last = target.vertex_count();
     result.points.clear();

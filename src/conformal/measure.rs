@@ -3,6 +3,7 @@
 //! ω̃ is piecewise quadratic, the integral of the piecewise linear ψ; it runs from
 //! exactly 0 to exactly 1. The anchor may lie inside an edge, which is then divided into two intervals.
 
+use super::curved::SharpMeasure;
 use super::matching::inverse_quadratic;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
@@ -15,11 +16,12 @@ pub struct HarmonicMeasure {
     anchor: BoundaryPoint,
     density: Vec<f64>,
     cumulative: Vec<f64>,
+    sharp: Option<Box<SharpMeasure>>,
 }
 
 impl Default for HarmonicMeasure {
     fn default() -> Self {
-        Self { anchor: BoundaryPoint::new(0, 0.0), density: Vec::new(), cumulative: Vec::new() }
+        Self { anchor: BoundaryPoint::new(0, 0.0), density: Vec::new(), cumulative: Vec::new(), sharp: None }
     }
 }
 
@@ -44,6 +46,7 @@ impl HarmonicMeasure {
         let vertex = |j: usize| (first + j) % m;
         let at_anchor = (1.0 - f) * psi[first] + f * psi[vertex(1)];
         self.anchor = anchor;
+        self.sharp = None;
         self.density.clear();
         self.density.push(at_anchor);
         self.density.extend((1..=m).map(|j| psi[vertex(j)]));
@@ -74,7 +77,7 @@ impl HarmonicMeasure {
         let vertex = |j: usize| (anchor.edge() as usize + j) % m;
         let f = anchor.fraction();
         let at_anchor = (1.0 - f) * density(vertex(0)) + f * density(vertex(1));
-        let mut measure = Self { anchor, density: vec![at_anchor], cumulative: vec![0.0] };
+        let mut measure = Self { anchor, density: vec![at_anchor], cumulative: vec![0.0], sharp: None };
         let mut before = 0.0f64;
         for j in 1..=m {
             // a vertex at the anchor is the last one
@@ -85,6 +88,41 @@ impl HarmonicMeasure {
         measure.density.push(at_anchor);
         measure.cumulative.push(1.0);
         measure
+    }
+
+    /// The measure at the knots, summed from the anchor counter-clockwise and, from the last knot on, clockwise, so
+    /// that both keep their relative accuracy.
+    pub(super) fn sums(&self, edge_lengths: &[f64]) -> [Vec<f64>; 2] {
+        let m = self.vertex_count();
+        let step = |j: usize| {
+            let (from, to) = self.span(j);
+            0.5 * edge_lengths[self.vertex_at(j)] * (to - from) * (self.density[j] + self.density[j + 1])
+        };
+        let total: f64 = (0..=m).map(step).sum();
+        let sums = |steps: &mut dyn Iterator<Item = usize>| {
+            let running = steps.scan(0.0, |sum, j| {
+                *sum += step(j) / total;
+                Some(*sum)
+            });
+            std::iter::once(0.0).chain(running).collect::<Vec<f64>>()
+        };
+        [sums(&mut (0..=m)), sums(&mut (0..=m).rev())]
+    }
+
+    /// Replaces the values at the knots by those of the boundary integral.
+    pub(super) fn sharpen(&mut self, forward: Vec<f64>, sharp: SharpMeasure) {
+        self.cumulative = forward;
+        self.sharp = Some(Box::new(sharp));
+    }
+
+    /// The measure from the boundary integral that the values at the knots are from; `None` of one by finite elements.
+    pub(super) fn sharp(&self) -> Option<&SharpMeasure> {
+        self.sharp.as_deref()
+    }
+
+    /// Whether the values at the knots are those of the integral equation on the boundary.
+    pub fn is_sharp(&self) -> bool {
+        self.sharp.is_some()
     }
 
     /// The number of boundary vertices, m.
@@ -124,18 +162,29 @@ impl HarmonicMeasure {
 
     /// ω̃ from the anchor to the boundary point `point`, in `[0, 1]`.
     pub fn at(&self, point: BoundaryPoint) -> f64 {
+        let (j, lambda) = self.place_of(point);
+        self.within(j, lambda)
+    }
+
+    /// The interval that contains a boundary point, and the point's fraction of it.
+    pub(super) fn place_of(&self, point: BoundaryPoint) -> (usize, f64) {
         let m = self.vertex_count();
         let before_anchor = point.edge() == self.anchor.edge() && point.fraction() < self.anchor.fraction();
         let j = if before_anchor { m } else { (point.edge() as usize + m - self.anchor.edge() as usize) % m };
         let (from, to) = self.span(j);
-        self.within(j, if to > from { (point.fraction() - from) / (to - from) } else { 0.0 })
+        (j, if to > from { (point.fraction() - from) / (to - from) } else { 0.0 })
+    }
+
+    /// The share of the measure of an interval before `lambda` of its length.
+    pub(super) fn share(&self, j: usize, lambda: f64) -> f64 {
+        let (p, q) = (self.density[j], self.density[j + 1]);
+        let share = if p + q > 0.0 { lambda * (2.0 * p + (q - p) * lambda) / (p + q) } else { lambda };
+        share.clamp(0.0, 1.0)
     }
 
     /// ω̃ in interval `j` at `lambda` of its length: the integral of a linear density.
     pub(super) fn within(&self, j: usize, lambda: f64) -> f64 {
-        let (p, q) = (self.density[j], self.density[j + 1]);
-        let share = if p + q > 0.0 { lambda * (2.0 * p + (q - p) * lambda) / (p + q) } else { lambda };
-        self.cumulative[j] + (self.cumulative[j + 1] - self.cumulative[j]) * share.clamp(0.0, 1.0)
+        self.cumulative[j] + (self.cumulative[j + 1] - self.cumulative[j]) * self.share(j, lambda)
     }
 
     /// The knot of boundary vertex `k`, in `1 ..= m`.

@@ -9,6 +9,7 @@
 //! | Poisson kernel ψ at x | `kernel` | (9), (10), (B.2), by the adjoint solve |
 //! | harmonic measure ω̃ from y | `measure` | (11), (12) |
 //! | boundary correspondence | `matching` | section 3.2, C.4, in a form that does not cancel |
+//! | both by the integral equation on the boundary | `curved` | |
 //! | images of the vertices | `extension` | (14) |
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
@@ -26,6 +27,7 @@
 mod buffers;
 mod cauchy_green;
 mod constraints;
+mod curved;
 mod disk_coordinates;
 mod distortion;
 mod domain;
@@ -57,8 +59,11 @@ mod table;
 mod through_disk;
 mod unfold;
 
+#[cfg(feature = "io")]
+pub use buffers::NotFlat;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use constraints::{Constraints, Direction, InteriorPoint, MapSettings, PerSide, Side};
+pub use curved::{CurveBoundary, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};
 pub(crate) use disk_coordinates::begin_disk_coordinates;
 pub use disk_coordinates::disk_coordinates;
 pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
@@ -77,7 +82,7 @@ pub use measure::HarmonicMeasure;
 pub use places::{Places, Unfold};
 pub use prepare::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, Stage, SurfaceSettings, Unprepared, prepare,
-    prepare_surface, prepare_within,
+    prepare_curve, prepare_surface, prepare_within,
 };
 pub use prepared_side::{PreparedSide, SideGeometry};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};

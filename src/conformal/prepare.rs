@@ -1,11 +1,12 @@
 //! The preparation of a side: its settings, stages, memory limits and the computation itself.
 
+use super::curved::Outlined;
 use super::domain::MeshedDomain;
 use super::prepared_side::{PreparedSide, SideGeometry};
 use super::surface::MeshedSurface;
 use super::system::DirichletSystem;
 use super::{HarmonicTable, Resampled, TableError};
-use crate::geometry::SimplePolygon;
+use crate::geometry::{Curve, DVec2, SimplePolygon};
 use crate::laplace::{DirichletLaplacian, LaplaceError, Ordering, Solver, SolverKind};
 use crate::mesh::{MeshError, Sizing};
 use crate::outline::{Sampling, SamplingError};
@@ -67,7 +68,7 @@ impl PrepareSettings {
     }
 }
 
-/// How the kernel at a point is computed; both methods give the same numbers.
+/// How harmonic measure is computed. The first two give the same numbers, those of finite elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -77,6 +78,9 @@ pub enum KernelMode {
     Adjoint,
     /// From a table of all harmonic coordinates, computed in advance (the paper's method).
     Table,
+    /// From the integral equation on the boundary's curve, to ten digits and more, where it fits; else, and for what it
+    /// does not resolve, as with [`Self::Adjoint`]. For outlines only.
+    Integral,
 }
 
 /// The memory that a preparation may use.
@@ -147,6 +151,7 @@ pub struct PrepareTimings {
     pub order: f64,
     pub factor: f64,
     pub table: f64,
+    pub integral: f64,
 }
 
 impl PrepareTimings {
@@ -160,12 +165,13 @@ impl PrepareTimings {
             order: self.order + other.order,
             factor: self.factor + other.factor,
             table: self.table + other.table,
+            integral: self.integral + other.integral,
         }
     }
 
     /// The duration of the whole preparation.
     pub fn total(&self) -> f64 {
-        self.sample + self.mesh + self.assemble + self.order + self.factor + self.table
+        self.sample + self.mesh + self.assemble + self.order + self.factor + self.table + self.integral
     }
 }
 
@@ -185,6 +191,9 @@ pub enum PrepareError {
     /// The table of harmonic coordinates could not be made.
     #[error(transparent)]
     Table(#[from] TableError),
+    /// The boundary integral was requested for a surface, which has no boundary curve in the plane.
+    #[error("the integral kernel is for outlines: a surface is computed with finite elements")]
+    IntegralOfSurface,
 }
 
 /// How a surface is discretised.
@@ -238,6 +247,17 @@ pub enum Unprepared<'a> {
         /// How to discretise it.
         settings: &'a PrepareSettings,
     },
+    /// The inside of an outline whose curve is known. Without [`KernelMode::Integral`] as the outline alone.
+    Curve {
+        /// Points of the curve, from its first one on.
+        polygon: &'a SimplePolygon,
+        /// The curve.
+        curve: &'a Curve,
+        /// Interior points that harmonic measure will be taken from: next to the boundary, only these are resolved.
+        near: &'a [DVec2],
+        /// How to discretize it.
+        settings: &'a PrepareSettings,
+    },
     /// A triangle mesh in space.
     Surface {
         /// The mesh, topologically a disk.
@@ -254,6 +274,17 @@ pub fn prepare(
     progress: &mut dyn FnMut(Stage),
 ) -> Result<PreparedSide, PrepareError> {
     prepare_within(Memory::default(), Unprepared::Outline { polygon, settings }, progress)
+}
+
+/// As [`prepare`], for an outline whose curve is known and, with [`KernelMode::Integral`], used: samples lie on it, and
+/// harmonic measure is that of its inside. `near` are points from which harmonic measure will be taken.
+pub fn prepare_curve(
+    (polygon, curve): (&SimplePolygon, &Curve),
+    near: &[DVec2],
+    settings: &PrepareSettings,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<PreparedSide, PrepareError> {
+    prepare_within(Memory::default(), Unprepared::Curve { polygon, curve, near, settings }, progress)
 }
 
 /// As [`prepare`], for a surface (section 4.3): its edges are flipped to the intrinsic Delaunay triangulation if
@@ -274,12 +305,27 @@ pub fn prepare_within(
     progress: &mut dyn FnMut(Stage),
 ) -> Result<PreparedSide, PrepareError> {
     let mut timings = PrepareTimings::default();
+    let mut integral = None;
     let (geometry, laplacian, kernel, solver) = match unprepared {
-        Unprepared::Outline { polygon, settings } => {
-            let domain = MeshedDomain::new(polygon, settings, &mut timings, progress)?;
+        Unprepared::Outline { polygon, settings } | Unprepared::Curve { polygon, settings, .. } => {
+            let (curve, near) = match unprepared {
+                Unprepared::Curve { curve, near, .. } => (Some(curve), near),
+                _ => (None, [].as_slice()),
+            };
+            let domain = if settings.kernel == KernelMode::Integral {
+                let outlined = Outlined { polygon, curve, near };
+                let (domain, boundary) = outlined.domain(settings, &mut timings, progress)?;
+                integral = Some(boundary);
+                domain
+            } else {
+                MeshedDomain::new(polygon, settings, &mut timings, progress)?
+            };
             progress(Stage::Assemble);
             let laplacian = timed(&mut timings.assemble, || DirichletLaplacian::assemble(domain.mesh()))?;
             (SideGeometry::Plane(Arc::new(domain)), laplacian, settings.kernel, settings.solver)
+        }
+        Unprepared::Surface { settings, .. } if settings.kernel == KernelMode::Integral => {
+            return Err(PrepareError::IntegralOfSurface);
         }
         Unprepared::Surface { surface, settings } => {
             progress(Stage::Mesh);
@@ -290,7 +336,8 @@ pub fn prepare_within(
             (SideGeometry::Space(Arc::new(surface)), laplacian, settings.kernel, settings.solver)
         }
     };
-    factored(geometry, laplacian, Solving { kernel, solver, memory }, timings, progress)
+    let side = factored(geometry, laplacian, Solving { kernel, solver, memory }, timings, progress)?;
+    Ok(side.with_integral(integral))
 }
 
 /// Meshes a domain with other samples of its boundary, then as [`prepare`].

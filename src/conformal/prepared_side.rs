@@ -4,6 +4,7 @@
 //! lengths, and a factored Laplacian; they differ in how a point becomes weights of vertices and in the positions of
 //! the vertices.
 
+use super::curved::{CurveBoundary, Unsharpened};
 use super::system::DirichletSystem;
 use super::{HarmonicTable, InteriorPoint, MeshedDomain, MeshedSurface, Places, PrepareTimings};
 use crate::geometry::DVec3;
@@ -29,6 +30,8 @@ pub struct PreparedSide {
     geometry: SideGeometry,
     pub(super) system: DirichletSystem,
     timings: PrepareTimings,
+    /// The boundary's integral equation or why there is none, if it was requested.
+    integral: Option<Result<Arc<CurveBoundary>, Unsharpened>>,
 }
 
 impl SideGeometry {
@@ -65,7 +68,22 @@ impl SideGeometry {
 impl PreparedSide {
     /// Combines the parts.
     pub(super) fn new(geometry: SideGeometry, system: DirichletSystem, timings: PrepareTimings) -> Self {
-        Self { geometry, system, timings }
+        Self { geometry, system, timings, integral: None }
+    }
+
+    /// The same side with the boundary's integral equation, or the reason why there is none.
+    pub(super) fn with_integral(self, integral: Option<Result<CurveBoundary, Unsharpened>>) -> Self {
+        Self { integral: integral.map(|result| result.map(Arc::new)), ..self }
+    }
+
+    /// The boundary as a curve with its integral equation; `None` if harmonic measure is from finite elements.
+    pub fn curve_boundary(&self) -> Option<&Arc<CurveBoundary>> {
+        self.integral.as_ref()?.as_ref().ok()
+    }
+
+    /// Why harmonic measure is from finite elements although the boundary integral was requested.
+    pub fn unsharpened(&self) -> Option<&Unsharpened> {
+        self.integral.as_ref()?.as_ref().err()
     }
 
     /// The side's geometry.

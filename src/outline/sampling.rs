@@ -91,6 +91,12 @@ impl BoundarySamples {
         Some(Self { points, edge_lengths, fractions }).filter(|samples| samples.check_invariants().is_ok())
     }
 
+    /// Points of a curve in its order at these fractions of its length; `None` if an invariant does not hold.
+    pub(crate) fn on_curve(points: Vec<DVec2>, fractions: Vec<f64>) -> Option<Self> {
+        let edge_lengths = cyclic_distances(&points);
+        Some(Self { points, edge_lengths, fractions }).filter(|samples| samples.check_invariants().is_ok())
+    }
+
     /// At most `most` of the samples, at least 3, evenly spaced in the list, so that they stay denser where they were.
     #[must_use]
     pub fn thinned(&self, most: usize) -> Self {

@@ -14,8 +14,8 @@ pub use study::{Finding, Study};
 pub use transfer::Transfer;
 
 use crate::conformal::{
-    PrepareError, PrepareSettings, PreparedSide, Resampled, Stage, SurfaceSettings, prepare, prepare_resampled,
-    prepare_surface,
+    KernelMode, NotFlat, PrepareError, PrepareSettings, PreparedSide, Resampled, Stage, SurfaceSettings, prepare,
+    prepare_resampled, prepare_surface,
 };
 use crate::geometry::SimplePolygon;
 use crate::language::Message;
@@ -74,6 +74,20 @@ pub enum Task {
         /// How to discretize it.
         settings: SurfaceSettings,
     },
+}
+
+impl Task {
+    /// Whether the boundary integral is requested, whose factor does not cross to the app.
+    fn needs_integral(&self) -> bool {
+        let kernel = match self {
+            Self::Outline { settings, .. } | Self::Resampled { settings, .. } | Self::OutlineFile { settings, .. } => {
+                settings.kernel
+            }
+            Self::Surface { settings, .. } => settings.kernel,
+            Self::SessionFile(_) => return false,
+        };
+        kernel == KernelMode::Integral
+    }
 }
 
 /// The source of a surface's triangles.
@@ -136,6 +150,9 @@ impl Response {
 /// Processes `request`, emitting `(generation, response)`.
 pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
     let answer = &mut |response| emit(request.generation, response);
+    if request.task.needs_integral() {
+        return answer(Response::Failed(Failure::new(&NotFlat)));
+    }
     let last = match &request.task {
         Task::Outline { polygon, settings } => outline(polygon, settings, answer),
         Task::Resampled { resampled, settings } => {
@@ -251,13 +268,27 @@ mod tests {
     fn positions_of_dropped_vertices_survive_the_transfer() {
         let text = "v 9 8 7\nv 0 0 0\nv 1 0 0\nv 6 5 4\nv 1 1 0\nf 2 3 5\n";
         let Response::Prepared(side, _) = last(file(text), true) else { panic!() };
-        let back = transfer::Transfer::from(&*side).into_side().unwrap();
+        let back = Transfer::try_from(&*side).unwrap().into_side().unwrap();
         let given = file(text).surface().unwrap();
         for side in [&*side, &back] {
             let surface = side.surface().unwrap().surface();
             assert_eq!(surface.origin_positions().collect::<Vec<_>>(), given.vertices());
             assert_eq!(surface.origin_count(), 5);
         }
+    }
+
+    #[test]
+    fn the_integral_kernel_is_refused_and_never_dropped() {
+        let settings = PrepareSettings::default().with_kernel(KernelMode::Integral);
+        let polygon = crate::outline::Preset::Square.outline().into_polygon();
+        let side = prepare(&polygon, &settings, &mut |_| ()).unwrap();
+        assert!(side.curve_boundary().is_some());
+        assert_eq!(Transfer::try_from(&side), Err(NotFlat));
+        let task = Task::Outline { polygon, settings };
+        let mut answers = Vec::new();
+        run(&Request { generation: 1, task }, &mut |_, response| answers.push(response));
+        let [Response::Failed(failure)] = answers.as_slice() else { panic!("{answers:?}") };
+        assert_eq!(*failure, Failure::new(&NotFlat));
     }
 
     #[test]

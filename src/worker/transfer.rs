@@ -2,7 +2,7 @@
 //!
 //! The arrays are those of `PreparedSide::to_buffers`, in its order; the text is the surface's repairs as JSON.
 
-use crate::conformal::{FlatBuffers, PreparedSide};
+use crate::conformal::{FlatBuffers, NotFlat, PreparedSide};
 
 /// A [`PreparedSide`] in transferable form.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,11 +15,13 @@ pub struct Transfer {
     pub text: String,
 }
 
-impl From<&PreparedSide> for Transfer {
-    fn from(side: &PreparedSide) -> Self {
-        let FlatBuffers { floats, indices, repairs } = side.to_buffers();
+impl TryFrom<&PreparedSide> for Transfer {
+    type Error = NotFlat;
+
+    fn try_from(side: &PreparedSide) -> Result<Self, NotFlat> {
+        let FlatBuffers { floats, indices, repairs } = side.to_buffers()?;
         // Plain data can always be written as JSON.
-        Self { floats, indices, text: serde_json::to_string(&repairs).unwrap_or_default() }
+        Ok(Self { floats, indices, text: serde_json::to_string(&repairs).unwrap_or_default() })
     }
 }
 

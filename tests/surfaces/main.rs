@@ -317,24 +317,28 @@ fn prepared_surfaces_survive_the_trip_through_flat_arrays() {
     ] {
         let settings = SurfaceSettings::default().with_kernel(kernel).with_solver(solver);
         let whole = prepare_surface(repaired.clone(), settings, &mut |_| ()).unwrap();
-        let back = Transfer::from(&whole).into_side().unwrap();
+        let back = Transfer::try_from(&whole).unwrap().into_side().unwrap();
         let [there, here] = [&back, &whole].map(|side| side.surface().unwrap());
         assert_eq!(there.surface(), here.surface(), "with its repairs");
         assert_eq!(
             (back.solver_kind(), back.table(), there.flips()),
             (whole.solver_kind(), whole.table(), here.flips())
         );
-        assert_eq!(Transfer::from(&back), Transfer::from(&whole), "to the bit, with its factor");
+        assert_eq!(
+            Transfer::try_from(&back).unwrap(),
+            Transfer::try_from(&whole).unwrap(),
+            "to the bit, with its factor"
+        );
         assert_eq!((back.default_point(), back.fractions()), (whole.default_point(), whole.fractions()));
         let broken = |damage: fn(&mut Transfer)| {
-            let mut buffers = Transfer::from(&whole);
+            let mut buffers = Transfer::try_from(&whole).unwrap();
             damage(&mut buffers);
             buffers.into_side().is_none()
         };
         assert!(broken(|b| b.text.clear()), "no repairs");
         assert!(broken(|b| b.indices.truncate(3)), "arrays missing");
         assert!(broken(|b| b.indices[0][0] = 2), "no geometry");
-        assert!(broken(|b| b.indices[1][4] = u32::MAX), "a point in no triangle");
+        assert!(broken(|b| b.indices[1][3] = u32::MAX), "a point in no triangle");
         assert!(broken(|b| b.indices[3][0] = u32::MAX), "a triangle without a corner");
         assert!(broken(|b| b.indices[5][0] = 1 << 30), "a vertex from nowhere");
     }

@@ -359,6 +359,13 @@ map_negative_kernel = { $edges ->
 walk_start_outside = der Anfang ({ $x }, { $y }) der Irrfahrten liegt nicht im abgetasteten Umriss
 walk_no_boundary = nötig ist ein Rand aus mindestens 3 endlichen Punkten, keine zwei Nachbarn gleich
 map_not_converged = { $side }: { $reason }
+map_boundary_integral = { $side }: { $reason }
+integral_of_surface = der Integralkern ist für Umrisse: Eine Fläche wird mit finiten Elementen berechnet
+integral_not_in_app = den Integralkern gibt es nur auf der Kommandozeile
+integral_too_large = der Rand braucht mindestens { $needed } Unbekannte, mehr als die erlaubten { $limit }: Er hat zu viele Ecken, oder Teile liegen zu nah beieinander
+integral_not_resolved = der Rand lässt sich nicht auflösen: Teile berühren sich, oder ein Stück ist nicht glatt
+integral_singular = die Gleichungen des Randes haben keine Lösung: Kreuzt der Rand sich selbst?
+integral_not_inside = ({ $x }, { $y }) liegt nicht im Umriss
 
 ## zipper
 

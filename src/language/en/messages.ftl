@@ -359,6 +359,13 @@ map_negative_kernel = { $edges ->
 walk_start_outside = the start ({ $x }, { $y }) of the random walks is not inside the outline as it is sampled
 walk_no_boundary = a boundary of finite points is needed, at least 3 of them, no two neighbours equal
 map_not_converged = { $side }: { $reason }
+map_boundary_integral = { $side }: { $reason }
+integral_of_surface = the integral kernel is for outlines: a surface is computed with finite elements
+integral_not_in_app = the integral kernel is available on the command line only
+integral_too_large = the boundary needs at least { $needed } unknowns, more than the limit of { $limit }: it has too many corners, or parts too close to each other
+integral_not_resolved = the boundary cannot be resolved: parts of it touch, or a piece is not smooth
+integral_singular = the equations of the boundary have no solution: does the boundary cross itself?
+integral_not_inside = ({ $x }, { $y }) is not inside the outline
 
 ## zipper
 

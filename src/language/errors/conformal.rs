@@ -1,6 +1,7 @@
 //! Messages for errors of the map, and for its notes.
 
-use crate::conformal::{MapError, MapNote, PrepareError, TableError, WalkError};
+use crate::boundary_integral::BoundaryIntegralError;
+use crate::conformal::{MapError, MapNote, NotFlat, PrepareError, TableError, WalkError};
 use crate::figures::FigureError;
 use crate::language::{Message, key};
 
@@ -11,6 +12,7 @@ impl From<&PrepareError> for Message {
             PrepareError::Mesh(error) => error.into(),
             PrepareError::Laplace(error) => error.into(),
             PrepareError::Table(error) => error.into(),
+            PrepareError::IntegralOfSurface => key::integral_of_surface().into(),
         }
     }
 }
@@ -38,7 +40,25 @@ impl From<&MapError> for Message {
             MapError::AnchorNotFinite { side } => key::map_anchor_not_finite(*side),
             MapError::LoopAnchorNotFinite { .. } => key::map_loop_anchor_not_finite().into(),
             MapError::NotConverged { side, error } => key::map_not_converged(*side, Message::from(error)),
+            MapError::BoundaryIntegral { side, error } => key::map_boundary_integral(*side, Message::from(error)),
         }
+    }
+}
+
+impl From<&BoundaryIntegralError> for Message {
+    fn from(error: &BoundaryIntegralError) -> Self {
+        match error {
+            BoundaryIntegralError::TooManyUnknowns { needed, limit } => key::integral_too_large(*needed, *limit),
+            BoundaryIntegralError::NotResolved => key::integral_not_resolved().into(),
+            BoundaryIntegralError::Singular => key::integral_singular().into(),
+            BoundaryIntegralError::NotInside { at } => key::integral_not_inside(at.x, at.y),
+        }
+    }
+}
+
+impl From<&NotFlat> for Message {
+    fn from(NotFlat: &NotFlat) -> Self {
+        key::integral_not_in_app().into()
     }
 }
 

@@ -30,7 +30,8 @@ keys_of_labels! {
     unsupported_encoding, unsupported_binary_off, unsupported_strips, fault_no_glb, fault_node_twice, fault_no_ply,
     fault_list_length_type,
     // conformal
-    map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary,
+    map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, integral_not_in_app,
+    integral_not_resolved, integral_singular,
     // session
     link_no_session, link_damaged, link_too_much, not_carried_inexact, limit_version, limit_coordinate, limit_anchor,
     limit_cells, limit_samples, limit_growth, limit_surface_boundary, limit_weight, limit_weight_sum,
@@ -114,7 +115,8 @@ keys_of_messages! {
     table_too_large(rows, columns, megabytes, allowed, fitting_samples);
     map_no_point(triangles, a, b, c, triangle); map_other_kind(side);
     map_no_measure(edges); map_negative_kernel(edges); walk_start_outside(x, y);
-    map_not_converged(side, reason);
+    map_not_converged(side, reason); map_boundary_integral(side, reason);
+    integral_too_large(needed, limit); integral_not_inside(x, y);
     // zipper
     zipper_too_few_points(count); zipper_not_finite(index); zipper_repeated(index); zipper_point_outside(x, y);
     // session

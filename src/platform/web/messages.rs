@@ -14,7 +14,8 @@ use crate::conformal::{PerSide, Resampled};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::session::Session;
 use crate::worker::{
-    Finding, FlatOutline, FlatSession, NamedFile, Request, Response, Study, SurfaceSource, Task, Transfer, Unread,
+    Failure, Finding, FlatOutline, FlatSession, NamedFile, Request, Response, Study, SurfaceSource, Task, Transfer,
+    Unread,
 };
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
@@ -131,7 +132,12 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
         Response::Session(session) => object(&[number, ("session", encode_session(&session, &transfer))]),
         Response::Unread(unread) => object(&[number, ("unread", encode_unread(&unread, &transfer))]),
         Response::Prepared(side, notes) => {
-            let buffers = Transfer::from(&*side);
+            let buffers = match Transfer::try_from(&*side) {
+                Ok(buffers) => buffers,
+                Err(error) => {
+                    return (object(&[number, ("failed", json(&Failure::new(&error)))]), transfer);
+                }
+            };
             drop(side);
             object(&[&[number, ("notes", json(&notes))], &encode_buffers(buffers, &transfer)[..]].concat())
         }
