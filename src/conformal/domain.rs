@@ -94,10 +94,15 @@ impl MeshedDomain {
     }
 }
 
+/// The pole of inaccessibility, to a thousandth of the polygon's size.
+pub(super) fn pole(polygon: &SimplePolygon) -> DVec2 {
+    polygon.pole_of_inaccessibility(1e-3 * polygon.bounds().size().max_element())
+}
+
 /// The pole of inaccessibility of the polygon. On a very coarse sampling it may lie outside
 /// the mesh; then the centroid of the largest triangle is used.
 fn default_point(polygon: &SimplePolygon, mesh: &TriMesh) -> DVec2 {
-    let pole = polygon.pole_of_inaccessibility(1e-3 * polygon.bounds().size().max_element());
+    let pole = pole(polygon);
     if crate::mesh::locate(mesh, pole, None).is_some() {
         return pole;
     }

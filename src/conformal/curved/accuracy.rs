@@ -68,7 +68,7 @@ impl ConformalMap {
             lengths[measure.vertex_at(j)] * (to - from)
         };
         let is_continued = |j: &usize| sharp.is_continued(*j) && sharp.is_continued(j + 1);
-        (0..=measure.vertex_count()).filter(is_continued).map(length).sum::<f64>() / total
+        (0..=measure.vertex_count()).filter(is_continued).map(length).fold(0.0, |sum, length| sum + length) / total
     }
 
     /// The fraction of the other curve's length at an image on it; 0 if its measure is from finite elements.

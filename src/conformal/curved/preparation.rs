@@ -1,6 +1,6 @@
 //! Sampling and meshing of an outline whose measure is to come from the boundary integral.
 
-use super::super::domain::MeshedDomain;
+use super::super::domain::{MeshedDomain, pole};
 use super::super::prepare::timed;
 use super::super::{PrepareError, PrepareSettings, PrepareTimings, Stage};
 use super::{CurveBoundary, Unsharpened};
@@ -8,7 +8,8 @@ use crate::geometry::{Curve, DVec2, SimplePolygon};
 use crate::mesh::MeshError;
 use crate::outline::{BoundarySamples, sample};
 
-/// An outline with its curve, if that is not the polygon itself, and points to resolve.
+/// An outline with its curve, if that is not the polygon itself, and points to resolve: where there are none, the default
+/// interior point.
 #[derive(Debug, Clone, Copy)]
 pub struct Outlined<'a> {
     pub polygon: &'a SimplePolygon,
@@ -47,9 +48,11 @@ impl Outlined<'_> {
 
     /// The equation of the curve, and the samples on it.
     fn placed(&self, samples: &BoundarySamples) -> Result<(CurveBoundary, BoundarySamples), Unsharpened> {
+        let default_point = [pole(self.polygon)];
+        let near = if self.near.is_empty() { &default_point } else { self.near };
         let mut boundary = match self.curve {
-            Some(curve) => CurveBoundary::prepare(curve, self.near)?,
-            None => CurveBoundary::prepare(&Curve::from_polygon(self.polygon)?, self.near)?,
+            Some(curve) => CurveBoundary::prepare(curve, near)?,
+            None => CurveBoundary::prepare(&Curve::from_polygon(self.polygon)?, near)?,
         };
         let moved = boundary.set_samples(self.polygon, samples)?;
         Ok((boundary, moved))

@@ -86,7 +86,7 @@ impl SurfaceSide {
         self.shown.as_ref()
     }
 
-    /// Builds the search tree for rays if it is missing and the surface has at most [`SORTED_AT_ONCE`] triangles;
+    /// Builds the search tree for rays if it is missing and the surface has at most `SORTED_AT_ONCE` triangles;
     /// returns whether it was built. Called at rest, about 0.1 s after the preparation; without the tree no dot counts
     /// as hidden.
     pub fn sort_at_rest(&self) -> bool {
