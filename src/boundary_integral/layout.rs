@@ -117,6 +117,10 @@ pub fn layout(
     fineness: Fineness,
     limit: usize,
 ) -> Result<Layout, BoundaryIntegralError> {
+    let least = curve.pieces().len() * NODES;
+    if least > limit {
+        return Err(BoundaryIntegralError::TooManyUnknowns { needed: least, limit });
+    }
     let mut draft = Draft::new(curve, near, fineness);
     for _ in 0..MOST_ROUNDS {
         let layout = draft.panels();

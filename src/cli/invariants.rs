@@ -6,7 +6,7 @@ use super::named_outline::read_outline;
 use super::output::print;
 use crate::boundary_integral::{BoundaryIntegralError, Estimate, Invariants, InvariantsRequest, invariants};
 use crate::geometry::Curve;
-use crate::outline::Preset;
+use crate::outline::{OutlineNote, Preset};
 use std::fmt::Write as _;
 use std::str::FromStr as _;
 
@@ -53,7 +53,8 @@ impl Given {
         named.say_notes(name);
         let polygon = named.outline.polygon();
         let curve = Curve::from_polygon(polygon).map_err(|error| refused(&error))?;
-        Ok(Self { curve, is_reversed: polygon.was_clockwise() })
+        let is_reversed = polygon.was_clockwise() || named.outline.notes().contains(&OutlineNote::Reversed);
+        Ok(Self { curve, is_reversed })
     }
 
     /// The measures of the arcs from mark to mark, or else of the sides in the file's order.

@@ -30,11 +30,10 @@ impl NamedOutline {
         progress: &mut dyn FnMut(Stage),
     ) -> Result<PreparedSide, PrepareError> {
         let polygon = self.outline.polygon();
-        match self.outline.curve() {
-            Ok(curve) if settings.kernel == KernelMode::Integral => {
-                prepare_curve((polygon, curve.curve()), near, settings, progress)
-            }
-            _ => prepare(polygon, settings, progress),
+        let is_integral = settings.kernel == KernelMode::Integral;
+        match is_integral.then(|| self.outline.curve()) {
+            Some(Ok(curve)) => prepare_curve((polygon, curve.curve()), near, settings, progress),
+            Some(Err(_)) | None => prepare(polygon, settings, progress),
         }
     }
 

@@ -175,8 +175,8 @@ impl Model {
                 self.sides[side].incoming_points = None; // their domain was refused
             }
         }
-        let is_busy = |side: Side| requests.iter().any(|(other, _)| *other == side);
-        if !Side::BOTH.into_iter().any(is_busy) {
+        // a worker that still prepares or reads would be stopped for it
+        if requests.is_empty() && self.is_ready() {
             requests.extend(self.take_refinement());
         }
         requests

@@ -255,8 +255,9 @@ impl ConformalMap {
         if !first.is_folded() {
             return Ok(Some(first));
         }
-        let Some(measured) = first.remeasured()? else { return Ok(Some(first)) };
-        let second = self.refined_from(&measured, settings, progress)?;
+        // a second pass that fails, or is no better, leaves the first one
+        let measured = first.remeasured().ok().flatten();
+        let second = measured.and_then(|measured| self.refined_from(&measured, settings, progress).ok().flatten());
         Ok(Some(second.filter(|second| second.folds() < first.folds()).unwrap_or(first)))
     }
 

@@ -53,7 +53,11 @@ fn first_closed_path(document: &Document, tree: &Tree) -> Result<Ring, OutlineEr
             Some(Node::Group(group)) => stack.push(children(group)),
             Some(Node::Path(path)) => {
                 paths += 1;
-                let subpaths = svg_exact::subpaths(document, path.data()).unwrap_or_else(|| Subpath::of(path.data()));
+                let rounded = Subpath::of(path.data());
+                if !rounded.iter().any(Subpath::is_closed) {
+                    continue; // finding its exact numbers takes a pass over the document
+                }
+                let subpaths = svg_exact::subpaths(document, path.data()).unwrap_or(rounded);
                 let place = |subpath: &Subpath| with_common_tangents(subpath.placed(path.abs_transform()));
                 let closed = subpaths.iter().filter(|subpath| subpath.is_closed()).map(place);
                 if let Some(ring) = Ring::largest_path_of(closed.collect()) {
