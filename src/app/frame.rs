@@ -139,11 +139,6 @@ impl RiemapApp {
         if refined.images {
             self.show_changes(context, refined);
         }
-        // a handle or an outline in the hand moves on soon
-        let is_held = context.input(|input| input.pointer.any_down());
-        if !is_held && self.model.resolve_at_rest() {
-            context.request_repaint(); // which sends the request
-        }
         if self.model.map().is_some() && self.model.sort_surface_at_rest() {
             context.request_repaint_after_secs(platform::ONE_FRAME); // for the other side's
         }

@@ -86,7 +86,8 @@ pub use prepare::{
 };
 pub use prepared_side::{PreparedSide, SideGeometry};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
-pub use resolution::{Resampled, ResolveError, ResolvedBoundary, prepare_resampled};
+pub(crate) use resolution::Resampled;
+pub use resolution::{ResolveError, ResolvedBoundary};
 pub use surface::MeshedSurface;
 pub use table::{HarmonicTable, TableError};
 pub use through_disk::SurfaceImages;

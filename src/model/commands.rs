@@ -175,24 +175,17 @@ impl Model {
                 self.sides[side].incoming_points = None; // their domain was refused
             }
         }
-        // a worker that still prepares or reads would be stopped for it
-        if requests.is_empty() && self.is_ready() {
-            requests.extend(self.take_refinement());
-        }
         requests
     }
 
     /// The time at which the next request is due.
     pub fn next_due(&self) -> Option<f64> {
-        let file = (self.can_read_on() || (self.shown.fine.is_due() && self.is_ready())).then_some(f64::NEG_INFINITY);
+        let file = self.can_read_on().then_some(f64::NEG_INFINITY);
         self.sides.iter().filter_map(|(_, side)| side.due()).chain(file).reduce(f64::min)
     }
 
     /// Processes a response of a side's worker. [`Self::take_arrived`] returns the file that it completed, if any.
     pub fn accept(&mut self, side: Side, generation: u64, response: Response) {
-        if self.shown.fine.is_of(side) && self.shown.fine.awaits(generation) {
-            return self.accept_refinement(generation, response);
-        }
         if self.sides[side].reading.pending_request().awaits(generation) {
             return self.accept_read(side, generation, response);
         }
@@ -258,9 +251,6 @@ impl Model {
     pub fn worker_died(&mut self, side: Side, generation: Option<u64>, reason: &Message) {
         if self.sides[side].reading.pending_request().is_lost(generation) {
             self.reader_died(side, reason);
-        }
-        if self.shown.fine.is_of(side) {
-            self.shown.fine.worker_died(generation);
         }
         self.side_mut(side).worker_died(generation, reason);
         self.sides[side].surface.preparation.worker_died(generation, reason);

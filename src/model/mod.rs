@@ -13,7 +13,6 @@ pub mod curves;
 pub mod editing;
 pub mod export;
 pub mod files;
-mod fine;
 mod measurement;
 mod method;
 pub mod motion;
@@ -213,10 +212,10 @@ impl Model {
         self.map().is_some_and(ConformalMap::is_through_disk)
     }
 
-    /// The map that is shown; `None` before the first. It is the full map, a coarse one
-    /// while the full one is being computed or is too slow for the current drag, or at rest a refined one.
+    /// The map that is shown; `None` before the first. It is the full map, or a coarse one
+    /// while the full one is being computed or is too slow for the current drag.
     pub fn map(&self) -> Option<&ConformalMap> {
-        self.coarse.map().or(self.shown.fine.map()).or(self.shown.map.as_ref())
+        self.coarse.map().or(self.shown.map.as_ref())
     }
 
     /// Whether the map that is shown is the coarse one.
@@ -236,11 +235,7 @@ impl Model {
 
     /// The disk coordinates of the map that is shown, if [`Self::pattern_home`] requires them.
     pub fn shown_grid(&self) -> &DiskGrid {
-        match (self.is_draft(), self.shown.fine.map()) {
-            (true, _) => self.coarse.grid(),
-            (false, Some(_)) => self.shown.fine.grid(),
-            (false, None) => &self.overlay_state.grid,
-        }
+        if self.is_draft() { self.coarse.grid() } else { &self.overlay_state.grid }
     }
 
     /// The side on which the pattern in the picture is defined; `None`: in the disk. It follows the

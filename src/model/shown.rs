@@ -3,7 +3,6 @@
 use crate::conformal::{ConformalMap, Direction, FrameTimings, Side};
 use crate::geometry::DVec2;
 use crate::model::Model;
-use crate::model::fine::Fine;
 
 /// The last complete full map, and its state in the picture.
 ///
@@ -13,8 +12,6 @@ use crate::model::fine::Fine;
 pub struct ShownMap {
     /// The last complete full map.
     pub map: Option<ConformalMap>,
-    /// The map on a mesh refined for it, which replaces it in the picture while nothing moves.
-    pub fine: Fine,
     /// The revision of the request that the map was last updated to.
     pub map_revision: u64,
     /// The revision of the map when the picture was last updated.
@@ -36,7 +33,6 @@ impl ShownMap {
     pub fn new(pattern_home: Option<Side>) -> Self {
         Self {
             map: None,
-            fine: Fine::default(),
             map_revision: 0,
             revision: 0,
             direction: Direction::default(),

@@ -14,8 +14,7 @@ pub use study::{Finding, Study};
 pub use transfer::Transfer;
 
 use crate::conformal::{
-    KernelMode, NotFlat, PrepareError, PrepareSettings, PreparedSide, Resampled, Stage, SurfaceSettings, prepare,
-    prepare_resampled, prepare_surface,
+    KernelMode, NotFlat, PrepareSettings, PreparedSide, Stage, SurfaceSettings, prepare, prepare_surface,
 };
 use crate::geometry::SimplePolygon;
 use crate::language::Message;
@@ -49,13 +48,6 @@ pub enum Task {
         /// How to discretize it.
         settings: PrepareSettings,
     },
-    /// The inside of an outline with samples that resolve the images of a map.
-    Resampled {
-        /// The samples.
-        resampled: Box<Resampled>,
-        /// How the unrefined domain is discretised.
-        settings: PrepareSettings,
-    },
     /// The inside of an outline that is parsed from a file first.
     OutlineFile {
         /// The file.
@@ -80,9 +72,7 @@ impl Task {
     /// Whether the boundary integral is requested, whose factor does not cross to the app.
     fn needs_integral(&self) -> bool {
         let kernel = match self {
-            Self::Outline { settings, .. } | Self::Resampled { settings, .. } | Self::OutlineFile { settings, .. } => {
-                settings.kernel
-            }
+            Self::Outline { settings, .. } | Self::OutlineFile { settings, .. } => settings.kernel,
             Self::Surface { settings, .. } => settings.kernel,
             Self::SessionFile(_) => return false,
         };
@@ -155,9 +145,6 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
     }
     let last = match &request.task {
         Task::Outline { polygon, settings } => outline(polygon, settings, answer),
-        Task::Resampled { resampled, settings } => {
-            prepared(prepare_resampled(resampled, settings, &mut |stage| answer(Response::Progress(stage))))
-        }
         Task::OutlineFile { file, settings } => outline_file(file, settings, answer),
         Task::SessionFile(file) => match file.session() {
             Ok(session) => Response::Session(Box::new(session)),
@@ -172,11 +159,7 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
 }
 
 fn outline(polygon: &SimplePolygon, settings: &PrepareSettings, answer: &mut dyn FnMut(Response)) -> Response {
-    prepared(prepare(polygon, settings, &mut |stage| answer(Response::Progress(stage))))
-}
-
-fn prepared(side: Result<PreparedSide, PrepareError>) -> Response {
-    match side {
+    match prepare(polygon, settings, &mut |stage| answer(Response::Progress(stage))) {
         Ok(side) => Response::Prepared(Box::new(side), Vec::new()),
         Err(error) => Response::Failed(Failure::new(&error)),
     }

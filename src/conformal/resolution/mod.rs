@@ -84,7 +84,7 @@ impl ResolvedBoundary {
     }
 
     /// What is needed to prepare the domain `coarse` with these samples.
-    pub fn resampled(&self, coarse: &MeshedDomain) -> Resampled {
+    pub(super) fn resampled(&self, coarse: &MeshedDomain) -> Resampled {
         Resampled {
             samples: self.samples.clone(),
             coarse_count: coarse.samples().len(),
@@ -193,45 +193,19 @@ pub enum ResolveError {
     Map(#[from] MapError),
 }
 
-/// The samples of a refined boundary with what else is needed to prepare the domain: what a worker is sent.
+/// The samples of a refined boundary with what else is needed to prepare the domain.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Resampled {
+pub(crate) struct Resampled {
     pub(super) samples: BoundarySamples,
     pub(super) coarse_count: usize,
     pub(super) default_point: DVec2,
-}
-
-impl Resampled {
-    /// Samples at `points`, at these fractions of the outline's length, of a domain whose own samples are
-    /// `coarse_count`; `None` unless the fractions ascend from 0 and neighbors differ.
-    pub fn new(points: Vec<DVec2>, fractions: Vec<f64>, coarse_count: usize, default_point: DVec2) -> Option<Self> {
-        let m = points.len();
-        let edge_lengths = (0..m).map(|k| points[k].distance(points[(k + 1) % m])).collect();
-        let samples = BoundarySamples::checked(points, edge_lengths, fractions)?;
-        Some(Self { samples, coarse_count, default_point })
-    }
-
-    /// The samples.
-    pub fn samples(&self) -> &BoundarySamples {
-        &self.samples
-    }
-
-    /// The number of samples of the unrefined domain, which determines how fine the interior is.
-    pub fn coarse_count(&self) -> usize {
-        self.coarse_count
-    }
-
-    /// The default interior point.
-    pub fn default_point(&self) -> DVec2 {
-        self.default_point
-    }
 }
 
 /// Meshes and factors a domain with a refined boundary; `settings` are those of the unrefined domain. Kernels are
 /// computed by adjoint solves.
 ///
 /// Errors: as [`super::prepare`].
-pub fn prepare_resampled(
+pub(super) fn prepare_resampled(
     resampled: &Resampled,
     settings: &PrepareSettings,
     progress: &mut dyn FnMut(Stage),

@@ -5,10 +5,10 @@ use crate::conformal::{PerSide, Stage};
 use crate::model::side::opened_file::Reading;
 use crate::model::side::outline_request::OutlineRequest;
 use crate::model::side::preparation::Preparation;
-use crate::model::side::request::{Generations, PendingRequest};
+use crate::model::side::request::Generations;
 use crate::model::side::{SurfaceFiles, SurfaceRequest, SurfaceSide};
 use crate::session::{SidePoints, SideState, SurfaceSpec, SurfaceState};
-use crate::worker::{Request, Task};
+use crate::worker::Request;
 
 /// What replaces the outline or surface of a side once its preparation is complete.
 #[derive(Debug, Default)]
@@ -159,11 +159,6 @@ impl ModelSide {
             return None;
         }
         outline.take_request(now, generations)
-    }
-
-    /// Sends another task to the side's worker.
-    pub fn send<W>(&mut self, request: &mut PendingRequest<W>, in_flight: W, task: Task) -> Request {
-        request.send(in_flight, task, &mut self.generations)
     }
 
     /// When the next request will be due.

@@ -1,7 +1,6 @@
 //! Requests and responses as JavaScript values: flat arrays, which are transferred instead of copied.
 //!
 //! A request is `{ generation, task }`, whose `task` names the other fields: `points` and `settings` of an outline,
-//! with `fractions` and `rest` (the number of coarse samples, the default point) of a resampled one,
 //! `file` and `settings` of an outline file, `file` of a session file, `repair`, `settings` and either `preset` or
 //! `file` of a surface. A file is `{ name, bytes }`.
 //!
@@ -10,7 +9,7 @@
 //! failure to read `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
 //! a panic is reported by `{ died }`. Small enums are JSON text in serde's form.
 
-use crate::conformal::{PerSide, Resampled};
+use crate::conformal::PerSide;
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::session::Session;
 use crate::worker::{
@@ -25,7 +24,6 @@ use wasm_bindgen::{JsCast, JsValue};
 
 // The values of a request's field `task`.
 const OUTLINE: &str = "outline";
-const RESAMPLED: &str = "resampled";
 const OUTLINE_FILE: &str = "outline-file";
 const SESSION_FILE: &str = "session-file";
 const SURFACE: &str = "surface";
@@ -39,20 +37,6 @@ pub fn encode_request(request: &Request) -> (JsValue, Array) {
             let points = Float64Array::from(flat.as_slice());
             transfer.push(&points.buffer());
             (OUTLINE, vec![("points", points.into()), ("settings", json(settings))])
-        }
-        Task::Resampled { resampled, settings } => {
-            let samples = resampled.samples();
-            let flat: Vec<f64> = samples.points().iter().flat_map(DVec2::to_array).collect();
-            let arrays = [flat.as_slice(), samples.fractions()].map(Float64Array::from);
-            for array in &arrays {
-                transfer.push(&array.buffer());
-            }
-            let [points, fractions] = arrays.map(JsValue::from);
-            let rest = json(&(resampled.coarse_count(), resampled.default_point()));
-            (
-                RESAMPLED,
-                vec![("points", points), ("fractions", fractions), ("rest", rest), ("settings", json(settings))],
-            )
         }
         Task::OutlineFile { file, settings } => {
             (OUTLINE_FILE, vec![("file", encode_file(file, &transfer)), ("settings", json(settings))])
@@ -84,14 +68,6 @@ pub fn decode_request(message: &JsValue) -> Option<Request> {
             let points: Vec<DVec2> = flat.chunks_exact(2).map(DVec2::from_slice).collect();
             // known to be simple: the page sends the vertices of a `SimplePolygon`
             Task::Outline { polygon: SimplePolygon::known_simple(points), settings: parsed(message, "settings")? }
-        }
-        RESAMPLED => {
-            let [points, fractions] = ["points", "fractions"].map(|name| get(message, name).map(Float64Array::from));
-            let (points, fractions) = (points?.to_vec(), fractions?.to_vec());
-            let points = points.chunks_exact(2).map(DVec2::from_slice).collect();
-            let (coarse_count, default_point) = parsed(message, "rest")?;
-            let resampled = Box::new(Resampled::new(points, fractions, coarse_count, default_point)?);
-            Task::Resampled { resampled, settings: parsed(message, "settings")? }
         }
         OUTLINE_FILE => Task::OutlineFile { file: decode_file(message)?, settings: parsed(message, "settings")? },
         SESSION_FILE => Task::SessionFile(decode_file(message)?),
