@@ -111,6 +111,11 @@ impl HarmonicMeasure {
         self.first.windows(2).map(sum).collect()
     }
 
+    /// The points between which the density is one polynomial, or next to a corner one power, in the order of the curve.
+    pub fn breaks(&self) -> Vec<CurvePoint> {
+        self.spans.iter().map(Span::start).collect()
+    }
+
     /// The index of the span that contains a point.
     fn span(&self, point: CurvePoint) -> usize {
         let piece = point.piece().min(self.first.len() - 2);

@@ -50,6 +50,14 @@ impl Span {
         }
     }
 
+    /// The first point, in the direction of the curve.
+    pub fn start(&self) -> CurvePoint {
+        match self.end {
+            End::Start => CurvePoint::new(self.piece, self.from),
+            End::Finish => CurvePoint::before_end(self.piece, self.to),
+        }
+    }
+
     /// Whether the span lies before the point, in the direction of the curve.
     pub fn is_before(&self, point: CurvePoint) -> bool {
         match self.end {

@@ -63,7 +63,7 @@ mod unfold;
 pub use buffers::NotFlat;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use constraints::{Constraints, Direction, InteriorPoint, MapSettings, PerSide, Side};
-pub use curved::{CurveBoundary, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};
+pub use curved::{CurveBoundary, CurveMap, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};
 pub(crate) use disk_coordinates::begin_disk_coordinates;
 pub use disk_coordinates::disk_coordinates;
 pub use distortion::{Quality, TriangleDistortion, triangle_distortions};

@@ -6,6 +6,8 @@
 mod accuracy;
 mod arc_table;
 mod boundary;
+mod curve_map;
+mod curve_measure;
 mod error;
 mod matching;
 mod preparation;
@@ -13,6 +15,8 @@ mod sharp;
 
 pub use accuracy::ErrorEstimate;
 pub use boundary::CurveBoundary;
+pub use curve_map::CurveMap;
+pub(super) use curve_measure::CurveMeasure;
 pub use error::Unsharpened;
 pub(super) use matching::match_sharply;
 pub(super) use preparation::Outlined;

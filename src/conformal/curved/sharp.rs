@@ -109,6 +109,11 @@ impl SharpMeasure {
         self.anchor
     }
 
+    /// The ends of the intervals on which the density is one polynomial, in the order of the curve.
+    pub fn breaks(&self) -> Vec<CurvePoint> {
+        self.swept.breaks()
+    }
+
     /// The measure counted from the anchor.
     pub fn anchored(&self) -> AnchoredMeasure<'_> {
         self.swept.from_anchor(self.anchor)
@@ -124,6 +129,11 @@ impl SharpMeasure {
     /// The measure from each knot on to the anchor, from 1 to 0.
     pub fn backward(&self) -> &[f64] {
         &self.backward
+    }
+
+    /// The numbers of knots after the anchor, forward and backward, that finite elements continue.
+    pub fn continued(&self) -> [usize; 2] {
+        self.continued
     }
 
     /// Whether finite elements continue the measure up to knot `j`, of `m` + 2.
