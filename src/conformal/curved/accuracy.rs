@@ -24,10 +24,9 @@ impl ConformalMap {
         let (source, map) = (self.measure(side), self.curve_map(side)?);
         let mut points = vec![0.0; source.vertex_count()];
         let sharp = Side::BOTH.iter().filter_map(|&side| self.measure(side).sharp());
-        let mut omega = sharp.map(SharpMeasure::error).fold(0.0, f64::max);
+        let omega = sharp.map(SharpMeasure::error).fold(0.0, f64::max);
         for j in 1..=source.vertex_count() {
             let (measure, way) = nearer(source, j);
-            omega = omega.max(map.continued_error(measure, way));
             points[source.vertex_at(j)] = map.error_of(measure, way);
         }
         let image = points.iter().copied().fold(0.0, f64::max);
