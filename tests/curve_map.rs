@@ -49,7 +49,7 @@ fn moebius_maps_of_the_disk_are_exact_at_any_point_both_ways() {
                 largest = largest.max(off);
             }
             println!("{direction:?} from {from:?}: off by {largest:.1e}, {uncovered} of {count} not covered");
-            assert!(largest < 1e-12 && uncovered * 20 < count as usize, "{largest:e}, {uncovered}");
+            assert!(largest < 1e-12 && uncovered * 20 < count, "{largest:e}, {uncovered}");
         }
     }
 }

@@ -17,16 +17,21 @@ pub struct ErrorEstimate {
 }
 
 impl ConformalMap {
-    /// An estimate of the errors; `None` unless both measures are from the boundary integral.
+    /// An estimate of the errors; `None` unless both measures are from the boundary integral, or the map was
+    /// [compared](Self::compare_with) with one on finer meshes.
     /// That of images is [`super::CurveMap::error`]. Cost O(m).
     pub fn error_estimate(&self) -> Option<ErrorEstimate> {
+        if let Some(compared) = &self.compared {
+            return Some(ErrorEstimate::clone(compared));
+        }
         let side = self.mapped_side();
         let (source, map) = (self.measure(side), self.curve_map(side)?);
         let mut points = vec![0.0; source.vertex_count()];
         let sharp = Side::BOTH.iter().filter_map(|&side| self.measure(side).sharp());
-        let omega = sharp.map(SharpMeasure::error).fold(0.0, f64::max);
+        let mut omega = sharp.map(SharpMeasure::error).fold(0.0, f64::max);
         for j in 1..=source.vertex_count() {
             let (measure, way) = nearer(source, j);
+            omega = omega.max(map.continued_error(measure, way));
             points[source.vertex_at(j)] = map.error_of(measure, way);
         }
         let image = points.iter().copied().fold(0.0, f64::max);

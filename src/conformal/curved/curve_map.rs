@@ -91,6 +91,11 @@ impl<'a> CurveMap<'a> {
         self.rounding() + arc(further).max(arc(nearer))
     }
 
+    /// The error of a measure that finite elements continue on either side.
+    pub(super) fn continued_error(&self, omega: f64, way: Way) -> f64 {
+        (self.from.factor(omega, way) * self.onto.factor(omega, way) - 1.0) * omega
+    }
+
     /// The error of a position on the other curve that is known exactly.
     fn rounding(&self) -> f64 {
         let (sharp, boundary) = (self.onto.sharp(), self.onto.sharp().boundary());
