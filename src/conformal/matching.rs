@@ -5,7 +5,7 @@
 //! the cyclic order (weakly: where ω is flat in f64, points coincide).
 
 use super::HarmonicMeasure;
-use super::curved::match_sharply;
+use super::curved::{CurveMeasure, match_sharply};
 use crate::geometry::{CurvePoint, DVec2};
 use crate::outline::{BoundaryPoint, BoundarySamples};
 
@@ -62,8 +62,8 @@ impl BoundaryCorrespondence {
 /// Matches `source` to `target` into `result`; both run from 0 to 1. If the target's measure is from the boundary
 /// integral, images lie on its curve.
 pub fn match_measures(source: &HarmonicMeasure, target: &HarmonicMeasure, result: &mut BoundaryCorrespondence) {
-    if let Some(sharp) = target.sharp() {
-        return match_sharply(source, target, sharp, result);
+    if let Some(target) = CurveMeasure::new(target) {
+        return match_sharply(source, &target, result);
     }
     let m = source.vertex_count();
     result.exact.clear();

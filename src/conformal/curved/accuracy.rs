@@ -1,13 +1,9 @@
 //! The error estimate of a map with both measures from the boundary integral.
 
 use super::super::{ConformalMap, Side};
-use super::matching::{Inverse, nearer};
-use super::sharp::Way;
+use super::curve_measure::nearer;
+use super::sharp::SharpMeasure;
 use crate::geometry::CurvePoint;
-
-/// The relative error of measures that finite elements continue: their exponential decay along a channel has a slightly
-/// wrong rate, so that nothing but the order of magnitude is claimed.
-const CONTINUED: f64 = 1.0;
 
 /// Estimates of the largest errors on the boundary.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,37 +17,22 @@ pub struct ErrorEstimate {
 }
 
 impl ConformalMap {
-    /// An estimate of the errors; `None` unless both measures are from the boundary integral.
-    ///
-    /// Δω, the sum of both measures' errors, moves an image to where the target's measure is ω ± Δω: next to a corner
-    /// of angle α by Δω^(α/π), elsewhere by Δω over the density. The error is the longer one of the two arcs. Cost O(m).
+    /// An estimate of the errors; `None` unless both measures are from the boundary integral, or the map was
+    /// [compared](Self::compare_with) with one on finer meshes.
+    /// That of images is [`super::CurveMap::error`]. Cost O(m).
     pub fn error_estimate(&self) -> Option<ErrorEstimate> {
+        if let Some(compared) = &self.compared {
+            return Some(ErrorEstimate::clone(compared));
+        }
         let side = self.mapped_side();
-        let (source, target) = (self.measure(side), self.measure(side.other()));
-        let (from, onto) = (source.sharp()?, target.sharp()?);
-        let inverse = Inverse::new(target, onto);
-        let boundary = onto.boundary();
-        let rounding = f64::EPSILON * boundary.curve().position(onto.anchor()).length().max(boundary.perimeter());
+        let (source, map) = (self.measure(side), self.curve_map(side)?);
         let mut points = vec![0.0; source.vertex_count()];
-        let mut omega = from.error().max(onto.error());
+        let sharp = Side::BOTH.iter().filter_map(|&side| self.measure(side).sharp());
+        let mut omega = sharp.map(SharpMeasure::error).fold(0.0, f64::max);
         for j in 1..=source.vertex_count() {
             let (measure, way) = nearer(source, j);
-            let is_continued = from.is_continued(j) || measure < onto.sharp_from(target.at_knots(), way);
-            let relative = if is_continued { CONTINUED * measure } else { 0.0 };
-            omega = omega.max(relative);
-            let off = from.error() + onto.error() + relative;
-            let image = inverse.at(measure, way);
-            let further = inverse.at((measure + off).min(1.0), way);
-            let nearer = if measure >= off {
-                inverse.at(measure - off, way)
-            } else {
-                inverse.at(off - measure, if way == Way::Forward { Way::Backward } else { Way::Forward })
-            };
-            let arc = |a: CurvePoint| {
-                let apart = (boundary.fraction(a) - boundary.fraction(image)).abs();
-                apart.min(1.0 - apart) * boundary.perimeter()
-            };
-            points[source.vertex_at(j)] = rounding + arc(further).max(arc(nearer));
+            omega = omega.max(map.continued_error(measure, way));
+            points[source.vertex_at(j)] = map.error_of(measure, way);
         }
         let image = points.iter().copied().fold(0.0, f64::max);
         Some(ErrorEstimate { omega, image, points })

@@ -6,6 +6,8 @@
 mod accuracy;
 mod arc_table;
 mod boundary;
+mod curve_map;
+mod curve_measure;
 mod error;
 mod matching;
 mod preparation;
@@ -13,10 +15,12 @@ mod sharp;
 
 pub use accuracy::ErrorEstimate;
 pub use boundary::CurveBoundary;
+pub use curve_map::CurveMap;
+pub(super) use curve_measure::CurveMeasure;
 pub use error::Unsharpened;
 pub(super) use matching::match_sharply;
 pub(super) use preparation::Outlined;
-pub(super) use sharp::SharpMeasure;
+pub(super) use sharp::{SharpMeasure, Way};
 
 /// The most unknowns of a side's integral equation in a map: the dense factor is then made in less than about a second
 /// on one thread. The largest built-in outlines need less; a coast of 1,000 corners needs 16,000 and more.

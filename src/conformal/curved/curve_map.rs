@@ -1,0 +1,104 @@
+//! The boundary map between the curves of two sides, at any point of either curve.
+//!
+//! The image of a point has the same harmonic measure from its anchor, counted in the way in which that is smaller.
+//! The map preserves the order along the curves up to rounding. Where finite elements continue a measure, the image
+//! is interpolated there, and its estimated error says so.
+
+use super::super::{ConformalMap, Side};
+use super::curve_measure::CurveMeasure;
+use super::sharp::Way;
+use crate::geometry::{Curve, CurvePoint};
+
+/// The map from one side's curve onto the other's.
+#[derive(Debug, Clone)]
+pub struct CurveMap<'a> {
+    from: CurveMeasure<'a>,
+    onto: CurveMeasure<'a>,
+}
+
+impl ConformalMap {
+    /// The boundary map from the curve of side `from` to the other curve, whichever mesh is mapped; `None` unless both
+    /// measures are from the integral equation. Cost O(panels).
+    pub fn curve_map(&self, from: Side) -> Option<CurveMap<'_>> {
+        let [from, onto] = [from, from.other()].map(|side| CurveMeasure::new(self.measure(side)));
+        Some(CurveMap { from: from?, onto: onto? })
+    }
+}
+
+impl<'a> CurveMap<'a> {
+    /// The curve that is mapped.
+    pub fn from_curve(&self) -> &'a Curve {
+        self.from.sharp().boundary().curve()
+    }
+
+    /// The curve that is mapped onto.
+    pub fn onto_curve(&self) -> &'a Curve {
+        self.onto.sharp().boundary().curve()
+    }
+
+    /// The measures of a point of the mapped curve from the anchor, counter-clockwise and clockwise. They add up to 1;
+    /// each keeps its relative accuracy next to the anchor.
+    pub fn measure_at(&self, point: CurvePoint) -> (f64, f64) {
+        let [forward, backward] = self.from.at(point);
+        (forward, backward)
+    }
+
+    /// The image of a point of the mapped curve on the other one. O(log panels).
+    pub fn image(&self, point: CurvePoint) -> CurvePoint {
+        let (omega, way) = self.from.nearer(point);
+        self.onto.point(omega, way)
+    }
+
+    /// The points between which the density of the mapped curve is one polynomial, in the order of the curve from its
+    /// first point: the ends of the panels and, towards corners, of dyadic ones. From the last one to the corner the
+    /// measure is a power of the distance, π/α.
+    pub fn from_breaks(&self) -> Vec<CurvePoint> {
+        self.from.sharp().breaks()
+    }
+
+    /// As [`Self::from_breaks`], on the curve that is mapped onto.
+    pub fn onto_breaks(&self) -> Vec<CurvePoint> {
+        self.onto.sharp().breaks()
+    }
+
+    /// An estimate of the error of [`Self::image`], in the units of the other side.
+    ///
+    /// Δω, the sum of both measures' errors, moves an image to where the other measure is ω ± Δω: next to a corner of
+    /// angle α by Δω^(α/π), elsewhere by Δω over the density. The error is the longer one of the two arcs. The image of
+    /// the anchor is exact, and errors next to it are in proportion to the measure.
+    pub fn error(&self, point: CurvePoint) -> f64 {
+        let (omega, way) = self.from.nearer(point);
+        self.error_of(omega, way)
+    }
+
+    /// The error of the image of a point with this measure.
+    pub(super) fn error_of(&self, omega: f64, way: Way) -> f64 {
+        let off = self.from.error(omega, way) + self.onto.error(omega, way);
+        let factor = self.from.factor(omega, way) * self.onto.factor(omega, way);
+        let boundary = self.onto.sharp().boundary();
+        let image = self.onto.point(omega, way);
+        let further = self.onto.point((factor * omega + off).min(1.0), way);
+        let least = omega / factor;
+        let nearer = if least >= off {
+            self.onto.point(least - off, way)
+        } else {
+            self.onto.point(off - least, if way == Way::Forward { Way::Backward } else { Way::Forward })
+        };
+        let arc = |a: CurvePoint| {
+            let apart = (boundary.fraction(a) - boundary.fraction(image)).abs();
+            apart.min(1.0 - apart) * boundary.perimeter()
+        };
+        self.rounding() + arc(further).max(arc(nearer))
+    }
+
+    /// The error of a measure that finite elements continue on either side.
+    pub(super) fn continued_error(&self, omega: f64, way: Way) -> f64 {
+        (self.from.factor(omega, way) * self.onto.factor(omega, way) - 1.0) * omega
+    }
+
+    /// The error of a position on the other curve that is known exactly.
+    fn rounding(&self) -> f64 {
+        let (sharp, boundary) = (self.onto.sharp(), self.onto.sharp().boundary());
+        f64::EPSILON * boundary.curve().position(sharp.anchor()).length().max(boundary.perimeter())
+    }
+}
