@@ -1,12 +1,11 @@
 //! Harmonic measure along the curve: of pieces, of arcs between any two points, and from an anchor both ways.
 
-use super::corner::{Compressed, Problem};
-use super::layout::{Block, End, Layout};
-use super::legendre::{NODES, Rule};
+use super::layout::Layout;
+use super::peak::Peaks;
 use super::span::Span;
-use super::system::{System, gather};
+use super::spans::{spans, unresolved};
+use super::system::System;
 use crate::geometry::{Curve, CurvePoint};
-use faer::Mat;
 
 /// The harmonic measure of the boundary, seen from one interior point; its total is 1.
 #[derive(Debug, Clone)]
@@ -18,78 +17,12 @@ pub struct HarmonicMeasure {
     error: f64,
 }
 
-/// The measure at which the recursion into a corner ends, as a power of 2: what is left is a power of the distance.
-const DEPTH: f64 = 50.0;
-
-/// The spans of a block on both its legs, from the junction outwards.
-fn block_spans(
-    curve: &Curve,
-    block: &Block,
-    compressed: &Compressed,
-    exponent: f64,
-    density: Mat<f64>,
-) -> [Vec<Span>; 2] {
-    let count = curve.pieces().len();
-    let pieces = [(block.junction + count - 1) % count, block.junction];
-    let ends = [End::Finish, End::Start];
-    let outer_panels = block.mesh.outer();
-    let (mut spans, mut density, mut shrink) = ([Vec::new(), Vec::new()], density, 1.0);
-    let depth = (DEPTH / exponent.min(1.0)).ceil() as usize;
-    for level in 0..depth {
-        let step = compressed.step(level);
-        let outer = &step.outer * &density;
-        for leg in 0..2 {
-            let unit = block.scales[leg] * shrink;
-            for (k, &(start, length)) in outer_panels.iter().enumerate().rev() {
-                let row = (leg * outer_panels.len() + k) * NODES;
-                let half = 0.5 * length * unit * curve.lengths()[pieces[leg]];
-                let values = std::array::from_fn(|i| half * outer[(row + i, 0)]);
-                spans[leg].push(Span::new(pieces[leg], ends[leg], [start * unit, (start + length) * unit], &values));
-            }
-        }
-        density = &step.inner * &density;
-        shrink *= 0.5;
-    }
-    let rest = &compressed.innermost * &density;
-    for leg in 0..2 {
-        let unit = block.scales[leg] * shrink;
-        let weight = |k: usize| 0.5 * unit * curve.lengths()[pieces[leg]] * Rule::get().weights[k % NODES];
-        let rows = block.mesh.panels * NODES;
-        let measure = (0..rows).map(|k| weight(k) * rest[(leg * rows + k, 0)]).sum();
-        let to = unit * block.mesh.panels as f64;
-        spans[leg].push(Span::rest(pieces[leg], ends[leg], to, measure, exponent));
-    }
-    spans.map(|mut list| {
-        list.reverse();
-        list
-    })
-}
-
 impl HarmonicMeasure {
-    /// From the transformed density of the interior problem.
-    pub(super) fn new(curve: &Curve, layout: &Layout, system: &System, transformed: &[f64]) -> Self {
-        let of_block = |(block, (rows, compressed)): (&Block, &(Vec<usize>, Compressed))| {
-            let exponent = Problem::Interior.exponent(curve.junctions()[block.junction]);
-            block_spans(curve, block, compressed, exponent, gather(rows, transformed))
-        };
-        let mut of_blocks: Vec<[Vec<Span>; 2]> = layout.blocks.iter().zip(system.blocks()).map(of_block).collect();
-        let mut spans = Vec::new();
-        let mut first = vec![0; curve.pieces().len() + 1];
-        for (index, panel) in layout.panels.iter().enumerate() {
-            match (panel.block, panel.end) {
-                (None, end) => {
-                    let half = 0.5 * (panel.to - panel.from) * curve.lengths()[panel.piece];
-                    let values = std::array::from_fn(|i| half * transformed[index * NODES + i]);
-                    spans.push(Span::new(panel.piece, end, [panel.from, panel.to], &values));
-                }
-                // the first panel of a block's leg stands for all of the leg, the others find nothing left
-                (Some(block), End::Start) => spans.append(&mut of_blocks[block][1]),
-                (Some(block), End::Finish) => spans.extend(of_blocks[block][0].drain(..).rev()),
-            }
-            first[panel.piece + 1] = spans.len();
-        }
+    /// From the transformed density of the interior problem, and the peaks of the panels near the point.
+    pub(super) fn new(curve: &Curve, layout: &Layout, system: &System, solution: (&[f64], &Peaks)) -> Self {
+        let (spans, first) = spans(curve, layout, system, solution);
         let total: f64 = spans.iter().map(|span| span.measure).sum();
-        let unresolved = spans.iter().map(Span::unresolved).fold(0.0, f64::max);
+        let unresolved = unresolved(curve, layout, &spans, solution);
         Self { spans, first, error: unresolved.max((total - 1.0).abs()).max(f64::EPSILON) }
     }
 

@@ -1,8 +1,10 @@
 //! Harmonic measure along one interval of a piece: a Legendre series, or a power next to a corner.
 
 use super::layout::End;
-use super::legendre::{NODES, Rule, Values, series};
+use super::legendre::{Rule, Values, series};
+use super::peak::Peak;
 use crate::geometry::CurvePoint;
+use std::sync::Arc;
 
 /// The measure on the parameters [from, to] of a piece, counted from one of its ends.
 #[derive(Debug, Clone)]
@@ -13,6 +15,9 @@ pub struct Span {
     pub to: f64,
     pub measure: f64,
     shape: Shape,
+    /// What the density exceeds the shape by, next to the interior point, and the measure of that on the panel before
+    /// `from`.
+    peak: Option<(Arc<Peak>, f64)>,
 }
 
 #[derive(Debug, Clone)]
@@ -23,8 +28,6 @@ enum Shape {
     Power(f64),
 }
 
-/// The error of ω in a span for its last two coefficients.
-const UNRESOLVED: f64 = 0.1;
 /// Steps of Newton's method, or bisections, to a place in a span.
 const MOST_STEPS: u32 = 100;
 
@@ -33,20 +36,30 @@ impl Span {
     pub fn new(piece: usize, end: End, [from, to]: [f64; 2], values: &Values) -> Self {
         let rule = Rule::get();
         let measure = values.iter().zip(rule.weights).map(|(v, w)| v * w).sum();
-        Self { piece, end, from, to, measure, shape: Shape::Series(Box::new(rule.coefficients(values))) }
+        Self { piece, end, from, to, measure, shape: Shape::Series(Box::new(rule.coefficients(values))), peak: None }
     }
 
     /// The rest of a corner, [0, to], where ω is proportional to a power of the distance.
     pub fn rest(piece: usize, end: End, to: f64, measure: f64, exponent: f64) -> Self {
-        Self { piece, end, from: 0.0, to, measure, shape: Shape::Power(exponent) }
+        Self { piece, end, from: 0.0, to, measure, shape: Shape::Power(exponent), peak: None }
     }
 
-    /// The part of the measure that the last coefficients leave open. Integration would divide them by 2 · NODES; on
-    /// the L-shape and the half-disk, the error of ω is 1 to 2 times what that gives.
-    pub fn unresolved(&self) -> f64 {
+    /// With the peak of the panel that the span belongs to.
+    #[must_use]
+    pub fn with_peak(mut self, peak: Option<&Arc<Peak>>) -> Self {
+        if let (Some(peak), Shape::Series(_)) = (peak, &self.shape) {
+            let before = peak.excess(self.from);
+            self.measure += peak.excess(self.to) - before;
+            self.peak = Some((Arc::clone(peak), before));
+        }
+        self
+    }
+
+    /// The Legendre coefficients of dω/dξ, of spans inside of a block and of those without a peak.
+    pub fn coefficients(&self) -> Option<&Values> {
         match &self.shape {
-            Shape::Series(c) => (c[NODES - 1].abs() + c[NODES - 2].abs()) * UNRESOLVED,
-            Shape::Power(_) => 0.0,
+            Shape::Series(coefficients) if self.peak.is_none() => Some(coefficients),
+            _ => None,
         }
     }
 
@@ -66,6 +79,11 @@ impl Span {
         }
     }
 
+    /// The part of the peak from the span's first parameter on.
+    fn excess(&self, parameter: f64) -> f64 {
+        self.peak.as_ref().map_or(0.0, |(peak, before)| peak.excess(parameter) - before)
+    }
+
     /// The measure of the span's part up to the parameter, counted from the span's own end of the piece.
     fn near_end(&self, parameter: f64) -> f64 {
         let value = match &self.shape {
@@ -74,7 +92,7 @@ impl Span {
                 if xi >= 1.0 {
                     return self.measure;
                 }
-                series(coefficients, xi.max(-1.0)).1
+                series(coefficients, xi.max(-1.0)).1 + self.excess(parameter)
             }
             Shape::Power(exponent) => self.measure * (parameter / self.to).clamp(0.0, 1.0).powf(*exponent),
         };
@@ -119,7 +137,12 @@ impl Span {
         let (mut low, mut high) = (-1.0, 1.0);
         let mut xi = 2.0 * near / self.measure - 1.0;
         for _ in 0..MOST_STEPS {
-            let (density, below) = series(coefficients, xi);
+            let (mut density, mut below) = series(coefficients, xi);
+            if let Some((peak, _)) = &self.peak {
+                let parameter = self.at(xi);
+                density += 0.5 * (self.to - self.from) * peak.density(parameter);
+                below += self.excess(parameter);
+            }
             if below > near {
                 high = xi;
             } else {
@@ -132,6 +155,10 @@ impl Span {
             }
             xi = next;
         }
+        self.at(xi)
+    }
+
+    fn at(&self, xi: f64) -> f64 {
         self.from + 0.5 * (self.to - self.from) * (1.0 + xi)
     }
 }

@@ -39,6 +39,12 @@ pub enum StaysPolygon {
         /// The first point of one of the edges.
         at: DVec2,
     },
+    /// The path crosses itself although its vertices are those of a simple polygon.
+    #[error("its path crosses itself near ({}, {})", .at.x, .at.y)]
+    PathCrossesItself {
+        /// The first point of one of the parts that meet.
+        at: DVec2,
+    },
     /// The file's or the spline's pieces do not form a curve.
     #[error("its pieces form no curve: {0}")]
     NoCurve(#[from] CurveError),

@@ -25,6 +25,9 @@ pub struct Spline {
     slopes: Vec<DVec2>,
     /// The length of the curve up to each point.
     arcs: Vec<f64>,
+    /// What the points leave open of the position around each knot: |h⁴ z⁗|/384 (Hall and Meyer 1976), z⁗ by the jump
+    /// of z‴.
+    open: Vec<f64>,
 }
 
 impl Spline {
@@ -59,12 +62,17 @@ impl Spline {
     }
 
     fn with_slopes(knots: Vec<f64>, points: Vec<DVec2>, slopes: Vec<DVec2>) -> Self {
-        let mut spline = Self { knots, points, slopes, arcs: vec![0.0] };
+        let mut spline = Self { knots, points, slopes, arcs: vec![0.0], open: Vec::new() };
         let mut length = 0.0;
         for k in 0..spline.points.len() - 1 {
             length += Local::new(&spline, k, true).length_to(1.0);
             spline.arcs.push(length);
         }
+        let last = spline.points.len() - 1;
+        let width = |k: usize| spline.span([k - 1, k]).max(spline.span([k, k + 1]));
+        let at_knot = |k: usize| spline.third_jump(k) * width(k) / 384.0;
+        // at an end, and at the knot next to it where nothing jumps, as at the third knot
+        spline.open = (0..=last).map(|k| if last < 4 { 0.0 } else { at_knot(k.clamp(2, last - 2)) }).collect();
         spline
     }
 
@@ -139,6 +147,15 @@ impl Spline {
         let place = self.locate(ends, t);
         let begin = if ends[0] <= ends[1] { place.interval } else { place.interval + 1 };
         (self.arcs[begin] - self.arcs[ends[0]]).abs() + place.local.length_to(place.v)
+    }
+
+    /// A bound of the distance that a smooth curve through the points may have from the part [low, high] of t.
+    pub fn left_open(&self, [from, to]: [usize; 2], [low, high]: [f64; 2]) -> f64 {
+        let at = |t: f64| self.knots[from] + t * self.span([from, to]);
+        let (a, b) = (at(low).min(at(high)), at(low).max(at(high)));
+        let first = self.knots.partition_point(|&knot| knot <= a).max(1) - 1;
+        let end = (self.knots.partition_point(|&knot| knot < b) + 1).clamp(first + 1, self.knots.len());
+        self.open[first..end].iter().copied().fold(0.0, f64::max)
     }
 
     /// The knots strictly inside of [low, high] of t of a part, as values of t, with their indices.
