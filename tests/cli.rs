@@ -215,10 +215,10 @@ fn the_integral_kernel_says_what_it_used_and_how_accurate_it_is() {
         "map",
         "preset:l-shape",
         "preset:disk",
-        "--kernel",
-        "integral",
         "--direction",
         "forward",
+        "--refine",
+        "off",
         "--json",
         "--out",
         &files[0],
@@ -245,11 +245,31 @@ fn the_integral_kernel_says_what_it_used_and_how_accurate_it_is() {
         let radius = x2.hypot(y2);
         assert!((x2 - radius * cos).hypot(y2 - radius * sin) < 1e-14, "{row:?}");
     }
-    // without it, the estimate is null
-    let arguments = ["map", "preset:disk", "preset:square", "--json", "--samples", "100"];
-    let summary: Value = serde_json::from_slice(&succeeds(&arguments).stdout).unwrap();
-    assert_eq!((&summary["error_estimate"], &summary["kernel"]["target"]), (&Value::Null, &"adjoint".into()));
-    assert_eq!(summary["unknowns"]["source"], Value::Null);
+}
+
+#[test]
+fn errors_of_finite_elements_are_estimated_by_comparison_if_numbers_are_asked_for() {
+    let estimate = |arguments: &[&str]| {
+        let summary: Value = serde_json::from_slice(&succeeds(arguments).stdout).unwrap();
+        assert_eq!(summary["kernel"]["source"], "adjoint", "{arguments:?}");
+        assert_eq!(summary["unknowns"]["source"], Value::Null);
+        ["omega", "image"].map(|key| summary["error_estimate"][key].as_f64().unwrap())
+    };
+    let plain = ["map", "preset:l-shape", "preset:square", "--json", "--kernel", "adjoint"];
+    let [omega, image] = estimate(&plain);
+    assert!((1e-6..1e-2).contains(&omega) && (1e-5..1e-1).contains(&image), "{omega:e}, {image:e}");
+    let few = [&plain[..], &["--samples", "100"]].concat();
+    assert!(estimate(&few)[0] > omega, "fewer samples are estimated to be better");
+    // a surface, with the integral equation on the other side
+    let [omega, _] = estimate(&["map", "preset:hemisphere:60", "preset:disk", "--json"]);
+    assert!((1e-6..1e-1).contains(&omega), "{omega:e}");
+    // not where they are not asked for, and not with too many vertices
+    let text = succeeds(&["map", "preset:disk", "preset:square", "--kernel", "adjoint", "--samples", "100"]).stdout;
+    assert!(!String::from_utf8(text).unwrap().contains("estimated error"));
+    let many = ["map", "preset:disk", "preset:disk", "--json", "--kernel", "adjoint", "--samples", "1500"];
+    let summary: Value = serde_json::from_slice(&succeeds(&many).stdout).unwrap();
+    assert_eq!(summary["error_estimate"], Value::Null);
+    assert!(summary["error_estimate_missing"].as_str().unwrap().contains("too many"), "{summary}");
 }
 
 #[test]
@@ -262,13 +282,16 @@ fn where_the_integral_kernel_does_not_fit_finite_elements_are_used_and_said() {
     };
     let points: Vec<String> = (0..800).map(point).collect();
     let path = file(&folder, "coast.json", &format!("[{}]", points.join(",")));
-    let output = riemap(&["map", &path, "preset:disk", "--kernel", "integral", "--json"]);
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success() && stderr.contains("finite elements") && stderr.contains("unknowns"), "{stderr}");
+    let output = succeeds(&["map", &path, "preset:disk", "--json"]);
     let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(summary["kernel"], serde_json::json!({ "source": "adjoint", "target": "integral" }));
-    assert_eq!(summary["error_estimate"], Value::Null);
-    fails(&["map", "preset:disk", "preset:hemisphere", "--kernel", "integral"], 2, &["two outlines", "hemisphere"]);
+    let reason = &summary["finite_element_reason"];
+    assert!(reason["source"].as_str().unwrap().contains("unknowns") && reason["target"].is_null(), "{reason}");
+    let text = String::from_utf8(succeeds(&["map", &path, "preset:disk"]).stdout).unwrap();
+    let line = text.lines().find(|line| line.starts_with("source: finite elements")).unwrap();
+    assert!(line.contains("unknowns"), "{line}");
+    let two = ["map", "preset:hemisphere", "preset:hemisphere", "--kernel", "integral"];
+    fails(&two, 2, &["for outlines", "surfaces"]);
     fails(&["flatten", "preset:hemisphere", "preset:disk", "--kernel", "integral"], 1, &["for outlines"]);
     fails(
         &["map", "preset:disk", "preset:disk", "--kernel", "integral", "--source-point", "1.1,0"],

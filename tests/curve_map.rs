@@ -6,7 +6,7 @@ use riemap::conformal::{
     ConformalMap, Constraints, Direction, KernelMode, PrepareSettings, PreparedSide, Side, prepare, prepare_curve,
 };
 use riemap::exact::{Complex, complex, disk, point};
-use riemap::geometry::{CurvePoint, DVec2};
+use riemap::geometry::{CurvePoint, DVec2, Junction};
 use riemap::outline::Preset;
 use std::sync::Arc;
 
@@ -49,7 +49,7 @@ fn moebius_maps_of_the_disk_are_exact_at_any_point_both_ways() {
                 largest = largest.max(off);
             }
             println!("{direction:?} from {from:?}: off by {largest:.1e}, {uncovered} of {count} not covered");
-            assert!(largest < 1e-12 && uncovered * 20 < count as usize, "{largest:e}, {uncovered}");
+            assert!(largest < 1e-12 && uncovered * 20 < count, "{largest:e}, {uncovered}");
         }
     }
 }
@@ -94,9 +94,11 @@ fn breaks_are_in_order_and_hold_every_junction() {
         assert!(is_later, "{pair:?}");
     }
     for piece in 0..curves.from_curve().pieces().len() {
+        let is_analytic = curves.from_curve().junctions()[piece] == Junction::Analytic;
         assert!(breaks.contains(&CurvePoint::new(piece, 0.0)), "the start of piece {piece}");
         let nearest = breaks.iter().filter(|b| b.piece() == piece && b.from_start() > 0.0);
-        assert!(nearest.map(CurvePoint::from_start).fold(1.0, f64::min) < 1e-9, "towards the start of piece {piece}");
+        let nearest = nearest.map(CurvePoint::from_start).fold(1.0, f64::min);
+        assert!(is_analytic || nearest < 1e-5, "towards the start of piece {piece}: {nearest}");
     }
 }
 
@@ -105,25 +107,25 @@ fn breaks_are_in_order_and_hold_every_junction() {
 fn next_to_an_anchor_in_a_corner_points_keep_apart() {
     let square = curved(Preset::Square, &[]);
     let disk = curved(Preset::Disk, &[]);
-    let constraints = Constraints::new((DVec2::ZERO, 0.0), (DVec2::ZERO, 0.0));
+    // the curve begins in the middle of an edge
+    let constraints = Constraints::new((DVec2::ZERO, 0.125), (DVec2::ZERO, 0.0));
     let map = map_of([&square, &disk], &constraints, Direction::Forward);
     let curves = map.curve_map(Side::Source).unwrap();
-    let last = curves.from_curve().pieces().len() - 1;
-    let measures: Vec<[f64; 2]> = (1..=140)
-        .map(|k| {
-            let t = 10f64.powi(-k);
-            let [after, before] = [CurvePoint::new(0, t), CurvePoint::before_end(last, t)];
-            [curves.measure_at(after).0, curves.measure_at(before).1]
-        })
-        .collect();
-    for (k, pair) in measures.windows(2).enumerate().skip(3) {
-        for way in 0..2 {
-            let ratio = pair[0][way] / pair[1][way];
-            assert!((ratio - 100.0).abs() < 1e-3, "from 1e-{} on: {ratio}", k + 1);
-        }
+    let distances = || (4..=140).map(|k| 10f64.powi(-k));
+    let after: Vec<f64> = distances().map(|t| curves.measure_at(CurvePoint::new(1, t)).0).collect();
+    let before: Vec<f64> = distances().map(|t| curves.measure_at(CurvePoint::before_end(0, t)).1).collect();
+    for (k, pair) in after.windows(2).chain(before.windows(2)).enumerate() {
+        let ratio = pair[0] / pair[1];
+        assert!((ratio / 100.0 - 1.0).abs() < 1e-5, "step {k}: {ratio}");
     }
-    let images: Vec<CurvePoint> = (1..=140).map(|k| curves.image(CurvePoint::new(0, 10f64.powi(-k)))).collect();
-    assert!(images.windows(2).all(|pair| pair[0].from_start() > pair[1].from_start()), "images coincide");
+    let back = map.curve_map(Side::Target).unwrap();
+    for t in distances() {
+        // the disk's anchor is where its parameter begins, and what is left of it there can be told apart
+        let image = curves.image(CurvePoint::new(1, t));
+        let again = back.image(image).from_start();
+        assert!(image.from_start() > 0.0 && (again / t - 1.0).abs() < 1e-7, "{again:e} for {t:e} through {image:?}");
+    }
+    assert_eq!((map.continued_share(Side::Source), map.coinciding_edges()), (0.0, 0));
 }
 
 #[test]

@@ -218,7 +218,7 @@ const STANDING: f64 = 4e-15;
 /// change with 1e-15.
 const LEVEL_TOLERANCE: f64 = 1e-14;
 /// The change of R at which the fixed point inside of these levels is reached: the measure there is below 1e-7.
-const LEVEL_STANDING: f64 = 1e-9;
+const LEVEL_STANDING: f64 = 1e-11;
 
 /// R of straight legs of equal length that meet as the tangents of these legs do, and its step.
 fn fixed_point(recursion: &Recursion<'_>, scales: [f64; 2], size: usize, standing: f64) -> (Step, Mat<f64>) {

@@ -2,7 +2,7 @@
 
 use super::layout::Layout;
 use super::peak::Peaks;
-use super::span::Span;
+use super::span::{Beside, Span};
 use super::spans::{spans, unresolved};
 use super::system::System;
 use crate::geometry::{Curve, CurvePoint};
@@ -122,6 +122,17 @@ impl<'a> AnchoredMeasure<'a> {
         self.backward[0] + self.measure.spans[self.start].parts(self.anchor)[1].max(0.0)
     }
 
+    /// The measure next to the anchor, after and before it.
+    pub fn beside_anchor(&self) -> [Beside; 2] {
+        let (spans, count) = (&self.measure.spans, self.measure.spans.len());
+        let own = &spans[self.start];
+        let [before, after] = own.parts(self.anchor);
+        let (next, last) = (&spans[(self.start + 1) % count], &spans[(self.start + count - 1) % count]);
+        let after = if after == 0.0 { next.beside(next.start()) } else { own.beside(self.anchor) };
+        let before = if before == 0.0 { last.beside(last.finish()) } else { own.beside(self.anchor) };
+        [after, before]
+    }
+
     /// The segment that contains a point, and the measure of its parts before and after the point.
     fn segment(&self, point: CurvePoint) -> (usize, [f64; 2]) {
         let (measure, count) = (self.measure, self.measure.spans.len());
@@ -130,10 +141,11 @@ impl<'a> AnchoredMeasure<'a> {
         if span != self.start {
             return ((span + count - self.start) % count, [before, after]);
         }
-        let [before_anchor, after_anchor] = measure.spans[span].parts(self.anchor);
+        // parts counted from the span's own end of the piece do not cancel there, where the anchor may be
+        let between = measure.spans[span].between(self.anchor, point).abs();
         let is_behind = point.piece() == self.anchor.piece()
             && (point.from_start() < self.anchor.from_start() || point.to_end() > self.anchor.to_end());
-        if is_behind { (count, [before, before_anchor - before]) } else { (0, [after_anchor - after, after]) }
+        if is_behind { (count, [before, between]) } else { (0, [between, after]) }
     }
 
     /// The measure of the arc from the anchor counter-clockwise to the point.

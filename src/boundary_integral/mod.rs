@@ -29,6 +29,7 @@ pub use invariants::{Estimate, Invariants, InvariantsRequest, invariants};
 use layout::{Fineness, Layout, layout};
 pub use measure::{AnchoredMeasure, HarmonicMeasure};
 use peak::peaks;
+pub use span::Beside;
 use system::System;
 
 /// The default limit of the number of unknowns. Matrix and factor then take 0.5 GB, and the factor 3 s on one thread.

@@ -137,15 +137,31 @@ impl Peak {
     }
 
     /// ∫ (g − g̃) from the panel's first parameter to `t`.
-    pub fn excess(&self, t: f64) -> f64 {
+    fn excess(&self, t: f64) -> f64 {
         let ([start, middle], end) = (self.seen, self.place(t));
         // the panel bends by less than π/2 on either side of the peak
-        let angle = if t <= self.nearest { start.angle_to(end) } else { start.angle_to(middle) + middle.angle_to(end) };
-        self.rate * angle - series(&self.projection, self.xi(t)).1
+        let seen = if t <= self.nearest { angle(start, end) } else { angle(start, middle) + angle(middle, end) };
+        self.rate * seen - series(&self.projection, self.xi(t)).1
+    }
+
+    /// ∫ (g − g̃) from one parameter to a larger one; in proportion to itself where they are near to each other.
+    pub fn between(&self, from: f64, to: f64) -> f64 {
+        let half = 0.5 * (to - from);
+        let speed = self.leg.length * self.leg.outward(from).length();
+        if 4.0 * half * speed > self.place(from).length() {
+            return self.excess(to) - self.excess(from);
+        }
+        let rule = Rule::get();
+        rule.nodes.iter().zip(rule.weights).map(|(x, w)| half * w * self.density(from + half * (1.0 + x))).sum()
     }
 
     /// g − g̃ by the parameter.
     pub fn density(&self, t: f64) -> f64 {
         self.sharp(t) - series(&self.projection, self.xi(t)).0 * 2.0 / (self.to - self.from)
     }
+}
+
+/// The angle from one direction to another; an arccosine would be off by 1e-8 near 0.
+fn angle(a: DVec2, b: DVec2) -> f64 {
+    a.perp_dot(b).atan2(a.dot(b))
 }

@@ -15,9 +15,27 @@ pub struct Span {
     pub to: f64,
     pub measure: f64,
     shape: Shape,
-    /// What the density exceeds the shape by, next to the interior point, and the measure of that on the panel before
-    /// `from`.
-    peak: Option<(Arc<Peak>, f64)>,
+    /// What the density exceeds the shape by, next to the interior point.
+    peak: Option<Arc<Peak>>,
+    rounding: Rounding,
+}
+
+/// The error that rounding leaves in the density of a span.
+#[derive(Debug, Clone, Copy)]
+pub enum Rounding {
+    /// Everywhere so much of dω/dξ.
+    Density(f64),
+    /// So much of the density itself: a corner's, whose leg has this measure in all.
+    Corner { relative: f64, measure: f64 },
+}
+
+/// The measure next to a point, on one of its sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Beside {
+    /// The measure of the panel, or of the leg of a corner, that begins or ends at the point or contains it.
+    pub measure: f64,
+    /// The error that rounding leaves in the density at the point, in densities.
+    pub rounding: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -28,34 +46,81 @@ enum Shape {
     Power(f64),
 }
 
+/// Up to this ξ + 1, the differences of polynomials that integrate a series lose 6 bits and more.
+const NEAR_END: f64 = 1.0 / 64.0;
+
+/// The value at ξ = u − 1 of a series, and its integral from −1, right in proportion to itself.
+fn up_to(coefficients: &Values, u: f64) -> (f64, f64) {
+    let (value, integral) = series(coefficients, u - 1.0);
+    if u > NEAR_END {
+        return (value, integral);
+    }
+    let rule = Rule::get();
+    let at = |(x, w): (&f64, f64)| w * series(coefficients, 0.5 * u * (1.0 + x) - 1.0).0;
+    (value, 0.5 * u * rule.nodes.iter().zip(rule.weights).map(at).sum::<f64>())
+}
+
 /// Steps of Newton's method, or bisections, to a place in a span.
 const MOST_STEPS: u32 = 100;
 
 impl Span {
     /// From the values of dω/dξ at the nodes.
-    pub fn new(piece: usize, end: End, [from, to]: [f64; 2], values: &Values) -> Self {
+    pub fn new(piece: usize, end: End, [from, to]: [f64; 2], values: &Values, rounding: Rounding) -> Self {
         let rule = Rule::get();
         let measure = values.iter().zip(rule.weights).map(|(v, w)| v * w).sum();
-        Self { piece, end, from, to, measure, shape: Shape::Series(Box::new(rule.coefficients(values))), peak: None }
+        Self {
+            piece,
+            end,
+            from,
+            to,
+            measure,
+            shape: Shape::Series(Box::new(rule.coefficients(values))),
+            peak: None,
+            rounding,
+        }
     }
 
     /// The rest of a corner, [0, to], where ω is proportional to a power of the distance.
-    pub fn rest(piece: usize, end: End, to: f64, measure: f64, exponent: f64) -> Self {
-        Self { piece, end, from: 0.0, to, measure, shape: Shape::Power(exponent), peak: None }
+    pub fn rest(piece: usize, end: End, to: f64, measure: f64, exponent: f64, rounding: Rounding) -> Self {
+        Self { piece, end, from: 0.0, to, measure, shape: Shape::Power(exponent), peak: None, rounding }
+    }
+
+    /// The measure next to a point of the span.
+    pub fn beside(&self, point: CurvePoint) -> Beside {
+        match (self.rounding, &self.shape) {
+            (Rounding::Density(error), Shape::Series(coefficients)) => {
+                let density = self.up_to(coefficients, self.along(self.parameter_of(point)).clamp(0.0, 2.0)).0;
+                Beside { measure: self.measure, rounding: error / density.max(0.0) }
+            }
+            (Rounding::Density(_), Shape::Power(_)) => Beside { measure: self.measure, rounding: f64::EPSILON },
+            (Rounding::Corner { relative, measure }, _) => Beside { measure, rounding: relative },
+        }
+    }
+
+    /// The parameter of a point, counted from the span's own end of the piece.
+    fn parameter_of(&self, point: CurvePoint) -> f64 {
+        match self.end {
+            End::Start => point.from_start(),
+            End::Finish => point.to_end(),
+        }
+    }
+
+    /// The place of a parameter in the span, ξ + 1, from 0 to 2.
+    fn along(&self, parameter: f64) -> f64 {
+        2.0 * (parameter - self.from) / (self.to - self.from)
     }
 
     /// With the peak of the panel that the span belongs to.
     #[must_use]
     pub fn with_peak(mut self, peak: Option<&Arc<Peak>>) -> Self {
         if let (Some(peak), Shape::Series(_)) = (peak, &self.shape) {
-            let before = peak.excess(self.from);
-            self.measure += peak.excess(self.to) - before;
-            self.peak = Some((Arc::clone(peak), before));
+            self.measure += peak.between(self.from, self.to);
+            self.peak = Some(Arc::clone(peak));
         }
         self
     }
 
-    /// The Legendre coefficients of dω/dξ, of spans inside of a block and of those without a peak.
+    /// The Legendre coefficients of dω/dξ, of spans without a peak.
     pub fn coefficients(&self) -> Option<&Values> {
         match &self.shape {
             Shape::Series(coefficients) if self.peak.is_none() => Some(coefficients),
@@ -63,11 +128,28 @@ impl Span {
         }
     }
 
+    /// dω/dξ at ξ = u − 1, and the measure up to there.
+    fn up_to(&self, coefficients: &Values, u: f64) -> (f64, f64) {
+        let (value, integral) = up_to(coefficients, u);
+        let Some(peak) = &self.peak else { return (value, integral) };
+        let half = 0.5 * (self.to - self.from);
+        let parameter = self.from + half * u;
+        (value + half * peak.density(parameter), integral + peak.between(self.from, parameter))
+    }
+
     /// The first point, in the direction of the curve.
     pub fn start(&self) -> CurvePoint {
         match self.end {
             End::Start => CurvePoint::new(self.piece, self.from),
             End::Finish => CurvePoint::before_end(self.piece, self.to),
+        }
+    }
+
+    /// The last point, in the direction of the curve.
+    pub fn finish(&self) -> CurvePoint {
+        match self.end {
+            End::Start => CurvePoint::new(self.piece, self.to),
+            End::Finish => CurvePoint::before_end(self.piece, self.from),
         }
     }
 
@@ -79,20 +161,15 @@ impl Span {
         }
     }
 
-    /// The part of the peak from the span's first parameter on.
-    fn excess(&self, parameter: f64) -> f64 {
-        self.peak.as_ref().map_or(0.0, |(peak, before)| peak.excess(parameter) - before)
-    }
-
     /// The measure of the span's part up to the parameter, counted from the span's own end of the piece.
     fn near_end(&self, parameter: f64) -> f64 {
         let value = match &self.shape {
             Shape::Series(coefficients) => {
-                let xi = 2.0 * (parameter - self.from) / (self.to - self.from) - 1.0;
-                if xi >= 1.0 {
+                let u = self.along(parameter);
+                if u >= 2.0 {
                     return self.measure;
                 }
-                series(coefficients, xi.max(-1.0)).1 + self.excess(parameter)
+                self.up_to(coefficients, u.max(0.0)).1
             }
             Shape::Power(exponent) => self.measure * (parameter / self.to).clamp(0.0, 1.0).powf(*exponent),
         };
@@ -102,16 +179,17 @@ impl Span {
 
     /// The measure of the span before and after the point, in the direction of the curve.
     pub fn parts(&self, point: CurvePoint) -> [f64; 2] {
+        let near = self.near_end(self.parameter_of(point));
         match self.end {
-            End::Start => {
-                let near = self.near_end(point.from_start());
-                [near, self.measure - near]
-            }
-            End::Finish => {
-                let near = self.near_end(point.to_end());
-                [self.measure - near, near]
-            }
+            End::Start => [near, self.measure - near],
+            End::Finish => [self.measure - near, near],
         }
+    }
+
+    /// The measure between two points of the span, positive or negative.
+    pub fn between(&self, a: CurvePoint, b: CurvePoint) -> f64 {
+        let [a, b] = [a, b].map(|point| self.near_end(self.parameter_of(point)));
+        if self.end == End::Start { b - a } else { a - b }
     }
 
     /// The point with this measure before it (`is_after` false) or after it in the span.
@@ -134,31 +212,22 @@ impl Span {
             Shape::Power(exponent) => return self.to * (near / self.measure).powf(1.0 / exponent),
             Shape::Series(coefficients) => coefficients,
         };
-        let (mut low, mut high) = (-1.0, 1.0);
-        let mut xi = 2.0 * near / self.measure - 1.0;
+        let (mut low, mut high) = (0.0, 2.0);
+        let mut u = 2.0 * near / self.measure;
         for _ in 0..MOST_STEPS {
-            let (mut density, mut below) = series(coefficients, xi);
-            if let Some((peak, _)) = &self.peak {
-                let parameter = self.at(xi);
-                density += 0.5 * (self.to - self.from) * peak.density(parameter);
-                below += self.excess(parameter);
-            }
+            let (density, below) = self.up_to(coefficients, u);
             if below > near {
-                high = xi;
+                high = u;
             } else {
-                low = xi;
+                low = u;
             }
-            let next = xi - (below - near) / density;
-            let next = if next > low && next < high { next } else { 0.5 * (low + high) };
-            if (next - xi).abs() <= f64::EPSILON {
+            let next = u - (below - near) / density;
+            let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
+            if (next - u).abs() <= f64::EPSILON * u {
                 break;
             }
-            xi = next;
+            u = next;
         }
-        self.at(xi)
-    }
-
-    fn at(&self, xi: f64) -> f64 {
-        self.from + 0.5 * (self.to - self.from) * (1.0 + xi)
+        self.from + 0.5 * (self.to - self.from) * u
     }
 }

@@ -9,8 +9,13 @@ pub struct Accuracy {
     kernel: PerSide<&'static str>,
     /// The unknowns of the integral equations.
     unknowns: PerSide<Option<usize>>,
-    /// `None` unless both measures are from integral equations.
+    /// Why an outline stays with finite elements although the integral equation was to be used.
+    finite_element_reason: PerSide<Option<String>>,
+    /// From the integral equations, or by comparison with finer meshes.
     error_estimate: Option<LargestErrors>,
+    /// Why there is none although it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error_estimate_missing: Option<String>,
     /// The share of each boundary where finite elements continue the measure of the integral equation.
     finite_element_share: PerSide<f64>,
     /// The number of edges of the mapped boundary both of whose ends have one image.
@@ -28,20 +33,23 @@ struct LargestErrors {
 }
 
 impl Accuracy {
-    /// That of this map.
-    pub fn of(map: &ConformalMap) -> Self {
+    /// That of this map; `missing` is why its errors are not estimated.
+    pub fn of(map: &ConformalMap, missing: Option<String>) -> Self {
         let kernel = |side: Side| match (map.side(side).curve_boundary(), map.side(side).table()) {
             (Some(_), _) => "integral",
             (None, Some(_)) => "table",
             (None, None) => "adjoint",
         };
         let unknowns = |side: Side| map.side(side).curve_boundary().map(|boundary| boundary.integral().unknowns());
+        let reason = |side: Side| map.side(side).unsharpened().map(ToString::to_string);
         let estimate = map.error_estimate();
         let largest = |&ErrorEstimate { omega, image, .. }: &ErrorEstimate| LargestErrors { omega, image };
         Self {
             kernel: PerSide::from_fn(kernel),
             unknowns: PerSide::from_fn(unknowns),
+            finite_element_reason: PerSide::from_fn(reason),
             error_estimate: estimate.as_ref().map(largest),
+            error_estimate_missing: missing,
             finite_element_share: PerSide::from_fn(|side| map.continued_share(side)),
             coinciding_edges: map.coinciding_edges(),
             points: estimate.map(|estimate| estimate.points),
@@ -53,8 +61,18 @@ impl Accuracy {
         self.points.as_deref()
     }
 
-    /// The estimate as a line, after a line break; nothing without one.
+    /// Where finite elements are used instead of the integral equation, and the estimate, as lines after line breaks.
     pub fn text(&self) -> String {
+        let finite = |(side, reason): (Side, &Option<String>)| {
+            reason
+                .as_ref()
+                .map(|reason| format!("\n{side}: finite elements instead of the integral equation: {reason}"))
+        };
+        let finite: String = self.finite_element_reason.iter().filter_map(finite).collect();
+        format!("{finite}{}", self.estimate())
+    }
+
+    fn estimate(&self) -> String {
         let line = |LargestErrors { omega, image }| {
             format!("\nestimated error of harmonic measure {omega:.1e}, of images of the boundary {image:.1e}")
         };

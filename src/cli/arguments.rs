@@ -76,7 +76,7 @@ pub struct MapArguments {
     #[arg(long, default_value = "harmonic")]
     pub extension: ExtensionArgument,
     /// Whether the mapped mesh is refined where images are long, so that they fill the other outline without folds;
-    /// auto: with adaptive samples, graded triangles and the adjoint kernel, the defaults.
+    /// auto: with adaptive samples and graded triangles, the defaults, and not with the table.
     #[arg(long, default_value = "auto")]
     pub refine: RefineArgument,
     /// Write the map to this file; may be repeated; the extension selects the format: json, csv, obj, svg, png.
@@ -307,11 +307,11 @@ pub struct Discretization {
     /// Triangle size: uniform, or growing by G per unit of distance from the boundary [default: graded].
     #[arg(long, value_name = "uniform|graded:G")]
     pub sizing: Option<SizingArgument>,
-    /// How harmonic measure is computed: with finite elements by one adjoint solve for each point, or from the paper's
-    /// table of all harmonic coordinates; or, between outlines, from an integral equation on the boundary's curve, to
-    /// ten digits and more.
-    #[arg(long, default_value = "adjoint")]
-    pub kernel: KernelArgument,
+    /// How harmonic measure is computed: from an integral equation on the curve of an outline, to ten digits and more;
+    /// or with finite elements, by one adjoint solve for each point or from the paper's table of all harmonic
+    /// coordinates [default: integral for the outlines of `map`, adjoint for surfaces, `flatten` and `prepare`].
+    #[arg(long)]
+    pub kernel: Option<KernelArgument>,
     /// How linear systems are solved: with a complete Cholesky factor, or iteratively with an incomplete one.
     #[arg(long, default_value = "direct")]
     pub solver: SolverArgument,
@@ -403,7 +403,8 @@ pub enum SamplingArgument {
 }
 
 impl Discretization {
-    /// The settings for one outline; `samples` overrides the number for both sides.
+    /// The settings for one outline, with the adjoint kernel if none is given; `samples` overrides the number for both
+    /// sides.
     pub fn settings(&self, outline: &NamedOutline, samples: Option<u32>) -> PrepareSettings {
         let samples = samples.or(self.samples);
         let sampling = match self.sampling {
@@ -416,17 +417,18 @@ impl Discretization {
         PrepareSettings {
             sampling,
             sizing: self.sizing.map_or_else(Sizing::default, |sizing| sizing.0),
-            kernel: self.kernel_mode(),
+            kernel: self.kernel_or(KernelMode::Adjoint),
             solver: self.solver_kind(),
         }
     }
 
-    /// The selected kernel mode.
-    pub fn kernel_mode(&self) -> KernelMode {
+    /// The selected kernel mode; `default` if none is given.
+    pub fn kernel_or(&self, default: KernelMode) -> KernelMode {
         match self.kernel {
-            KernelArgument::Adjoint => KernelMode::Adjoint,
-            KernelArgument::Table => KernelMode::Table,
-            KernelArgument::Integral => KernelMode::Integral,
+            None => default,
+            Some(KernelArgument::Adjoint) => KernelMode::Adjoint,
+            Some(KernelArgument::Table) => KernelMode::Table,
+            Some(KernelArgument::Integral) => KernelMode::Integral,
         }
     }
 

@@ -13,6 +13,7 @@ use crate::conformal::{
 };
 use crate::export::{Ruling, boundary_csv, mapped_obj, panels, parts, svg};
 use crate::outline::Interpreted;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Squares of the drawn grid across the source's larger side.
@@ -23,9 +24,9 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let Computed { map, constraints, interpreted, coarse } = compute(arguments, &progress)?;
+    let Computed { map, constraints, interpreted, coarse, unestimated } = compute(arguments, &progress)?;
     progress.enter("writing");
-    let summary = Summary::of(&map, interpreted, coarse);
+    let summary = Summary::of(&map, interpreted, coarse, unestimated);
     let names = PerSide::new(arguments.source.as_str(), arguments.target.as_str());
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
@@ -66,6 +67,46 @@ struct Computed {
     constraints: Constraints,
     interpreted: PerSide<Option<Interpreted>>,
     coarse: PrepareTimings,
+    /// Why there is no estimate of the errors, although it was asked for.
+    unestimated: Option<String>,
+}
+
+/// The most vertices of both meshes whose errors are estimated by comparison with four times as many.
+const MAX_COMPARED: usize = 20_000;
+
+/// Whether numbers are written that an estimate of their errors belongs to.
+fn asks_for_errors(arguments: &MapArguments) -> bool {
+    let has_errors = |path: &PathBuf| matches!(Format::of(path), Ok(Format::Json | Format::Csv));
+    arguments.json || arguments.out.iter().any(has_errors)
+}
+
+/// Estimates the errors of a map with finite elements by comparison with finer meshes; returns why not.
+fn estimate(
+    map: &mut ConformalMap,
+    sides: [&NamedSide; 2],
+    reading: Reading<'_>,
+    progress: &Progress,
+) -> Option<String> {
+    if map.error_estimate().is_some() {
+        return None;
+    }
+    let vertices: usize = sides.iter().map(|side| side.prepared.vertex_count()).sum();
+    if vertices > MAX_COMPARED {
+        return Some(format!("{vertices} vertices are too many to compare with a finer mesh"));
+    }
+    let compared = |map: &mut ConformalMap| -> Result<bool, String> {
+        let [Some(source), Some(target)] = [sides[0].finer(reading, progress)?, sides[1].finer(reading, progress)?]
+        else {
+            return Ok(false);
+        };
+        let finer = map.on_finer(&PerSide::new(source, target)).map_err(|error| error.to_string())?;
+        Ok(finer.is_some_and(|finer| map.compare_with(&finer)))
+    };
+    match compared(map) {
+        Ok(true) => None,
+        Ok(false) => Some("the map cannot be compared with one on finer meshes".to_owned()),
+        Err(error) => Some(format!("a finer mesh to compare with cannot be prepared: {error}")),
+    }
 }
 
 /// The map on a mesh refined for it, if the settings of the `mapped` side or the argument ask for that, with the
@@ -76,9 +117,15 @@ fn refined(
     arguments: &MapArguments,
     progress: &Progress,
 ) -> (ConformalMap, PrepareTimings) {
-    let asked = |settings: &&PrepareSettings| arguments.refine.refines(settings);
-    let Some(settings) = mapped.settings.as_ref().filter(asked) else { return (map, PrepareTimings::default()) };
-    match map.refined(settings, &mut progress.preparing("refined")) {
+    // where the integral equation does not fit, the side is refined as with the adjoint kernel
+    let is_finite = mapped.prepared.curve_boundary().is_none();
+    let settings = mapped.settings.map(|settings| match settings.kernel {
+        KernelMode::Integral if is_finite => settings.with_kernel(KernelMode::Adjoint),
+        _ => settings,
+    });
+    let asked = |settings: &PrepareSettings| arguments.refine.refines(settings);
+    let Some(settings) = settings.filter(asked) else { return (map, PrepareTimings::default()) };
+    match map.refined(&settings, &mut progress.preparing("refined")) {
         Ok(Some(fine)) => (fine, map.mapped().timings()),
         Ok(None) => (map, PrepareTimings::default()),
         Err(error) => {
@@ -131,6 +178,12 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
         progress.enter("the Cauchy–Green extension");
     }
     map.refine_exactly_with(&mut |done| progress.report(done));
+    let unestimated = if asks_for_errors(arguments) {
+        progress.enter("the errors");
+        estimate(&mut map, [&source, &target], reading, progress)
+    } else {
+        None
+    };
     for side in [&source, &target] {
         side.say_notes(&arguments.discretization);
     }
@@ -140,7 +193,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
         }
     }
     let interpreted = PerSide::new(source.interpreted(), target.interpreted());
-    Ok(Computed { map, constraints, interpreted, coarse })
+    Ok(Computed { map, constraints, interpreted, coarse, unestimated })
 }
 
 fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
@@ -152,11 +205,14 @@ fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
         ExtensionArgument::Harmonic => Extension::Harmonic,
         ExtensionArgument::CauchyGreen => Extension::CauchyGreen,
     };
-    let surface = [&arguments.source, &arguments.target].into_iter().find(|name| is_surface(name));
-    match surface {
-        Some(name) if arguments.discretization.kernel_mode() == KernelMode::Integral => Err(CliError::Usage(format!(
-            "--kernel integral is for two outlines; {name} is a surface, which is computed with finite elements"
-        ))),
+    let names = [&arguments.source, &arguments.target];
+    let is_integral = arguments.discretization.kernel_or(KernelMode::Adjoint) == KernelMode::Integral;
+    if is_integral && names.iter().all(|name| is_surface(name)) {
+        let text =
+            "--kernel integral is for outlines; both sides are surfaces, which are computed with finite elements";
+        return Err(CliError::Usage(text.to_owned()));
+    }
+    match names.into_iter().find(|name| is_surface(name)) {
         Some(name) if extension == Extension::CauchyGreen => Err(CliError::Usage(format!(
             "--extension cauchy-green is for two outlines; {name} is a surface, whose map is extended harmonically"
         ))),

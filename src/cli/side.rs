@@ -4,10 +4,13 @@ use super::CliError;
 use super::arguments::Discretization;
 use super::flatten_arguments::{self, SurfaceAnchor, SurfacePoint, preset};
 use super::named_outline::{NamedOutline, read_outline};
-use super::output::{say_kernel, say_solver, warn_if_coarse};
+use super::output::{say_solver, warn_if_coarse};
 use super::progress::Progress;
 use super::values::{Anchor, Point};
-use crate::conformal::{InteriorPoint, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings, prepare_surface};
+use crate::conformal::{
+    InteriorPoint, KernelMode, PrepareSettings, PreparedSide, SideGeometry, SurfaceSettings, prepare_quartered,
+    prepare_surface,
+};
 use crate::outline::{Interpreted, Preset};
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, names_format};
 use std::str::FromStr;
@@ -91,6 +94,18 @@ pub struct Reading<'a> {
     pub discretization: &'a Discretization,
 }
 
+impl Reading<'_> {
+    /// The settings for surfaces, which are computed with finite elements.
+    fn surface_settings(&self) -> SurfaceSettings {
+        let kernel = match self.discretization.kernel_or(KernelMode::Adjoint) {
+            KernelMode::Integral => KernelMode::Adjoint,
+            finite => finite,
+        };
+        let solver = self.discretization.solver_kind();
+        SurfaceSettings { intrinsic_delaunay: self.intrinsic_delaunay, kernel, solver }
+    }
+}
+
 /// Whether a name means a surface: a surface preset, or a file with a surface format's extension.
 pub fn is_surface(name: &str) -> bool {
     preset(name).is_some() || (!name.starts_with("preset:") && names_format(name))
@@ -167,7 +182,7 @@ impl NamedSide {
         progress: &Progress,
     ) -> Result<Self, CliError> {
         let about = |error: &dyn std::fmt::Display| CliError::Input(format!("{title}: {error}"));
-        let Reading { repair, intrinsic_delaunay, discretization } = reading;
+        let Reading { repair, discretization, .. } = reading;
         let given = match given {
             Given::Outline(outline) => Given::Outline(outline.interpreted(discretization.interpret)),
             surface @ Given::Surface(_) => surface,
@@ -176,13 +191,13 @@ impl NamedSide {
         let prepared = match &given {
             Given::Surface(surface) => {
                 let mesh = if repair { SurfaceMesh::repaired(surface) } else { SurfaceMesh::new(surface) };
-                let (kernel, solver) = (discretization.kernel_mode(), discretization.solver_kind());
-                let settings = SurfaceSettings { intrinsic_delaunay, kernel, solver };
+                let settings = reading.surface_settings();
                 let mesh = mesh.map_err(|error| about(&error))?;
                 prepare_surface(mesh, settings, &mut progress.preparing(title)).map_err(|error| about(&error))?
             }
             Given::Outline(outline) => {
-                let settings: PrepareSettings = discretization.settings(outline, *samples);
+                let kernel = discretization.kernel_or(KernelMode::Integral);
+                let settings = discretization.settings(outline, *samples).with_kernel(kernel);
                 kept = Some(settings);
                 let near = match point {
                     (_, Some(SidePoint::Plane(point))) => vec![point.0],
@@ -194,6 +209,23 @@ impl NamedSide {
         };
         let interpreted = if let Given::Outline(outline) = &given { outline.interpretation(title) } else { None };
         Ok(Self { title: (*title).to_owned(), given, interpreted, prepared: Arc::new(prepared), settings: kept })
+    }
+
+    /// The side on a finer mesh, to compare with; itself if it has the integral equation. `None` with too many samples.
+    pub fn finer(&self, reading: Reading<'_>, progress: &Progress) -> Result<Option<Arc<PreparedSide>>, String> {
+        let mut progress = progress.preparing(&self.title);
+        let finer = match (&self.given, self.prepared.geometry()) {
+            _ if self.prepared.curve_boundary().is_some() => return Ok(Some(Arc::clone(&self.prepared))),
+            (_, SideGeometry::Space(surface)) => prepare_quartered(surface, reading.surface_settings(), &mut progress)
+                .map_err(|error| error.to_string())?,
+            (Given::Outline(outline), SideGeometry::Plane(_)) => {
+                let finer = self.settings.and_then(|settings| settings.finer(self.prepared.boundary_count()));
+                let Some(settings) = finer else { return Ok(None) };
+                outline.prepare(&[], &settings, &mut progress).map_err(|error| error.to_string())?
+            }
+            (Given::Surface(_), SideGeometry::Plane(_)) => return Ok(None),
+        };
+        Ok(Some(Arc::new(finer)))
     }
 
     /// What an outline's points were taken for.
@@ -248,7 +280,6 @@ impl NamedSide {
             }
         }
         warn_if_coarse(&self.title, &self.prepared);
-        say_kernel(&self.title, &self.prepared);
         say_solver(&self.title, discretization.solver_kind(), self.prepared.solver_kind());
     }
 }

@@ -53,8 +53,14 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// The summary of this map; `coarse` is the preparation of the mapped mesh before it was refined.
-    pub fn of(map: &ConformalMap, interpretation: PerSide<Option<Interpreted>>, coarse: PrepareTimings) -> Self {
+    /// The summary of this map; `coarse` is the preparation of the mapped mesh before it was refined, `unestimated` why
+    /// there is no estimate of its errors.
+    pub fn of(
+        map: &ConformalMap,
+        interpretation: PerSide<Option<Interpreted>>,
+        coarse: PrepareTimings,
+        unestimated: Option<String>,
+    ) -> Self {
         let [a, b] = Side::BOTH.map(|side| map.side(side).timings());
         Self {
             quality: map.quality(),
@@ -62,7 +68,7 @@ impl Summary {
             counts: Counts::of(map.mapped()),
             unresolved_area: map.resolution().map(ResolvedBoundary::unresolved_area),
             interpretation,
-            accuracy: Accuracy::of(map),
+            accuracy: Accuracy::of(map, unestimated),
         }
     }
 }

@@ -19,8 +19,8 @@ use super::map_side::MapSide;
 use super::refinement::Refinement;
 use super::through_disk::ThroughDisk;
 use super::{
-    BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, Extension, ExtensionScratch, MapError,
-    MapSettings, PerSide, PreparedSide, ResolvedBoundary, Side,
+    BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, ErrorEstimate, Extension, ExtensionScratch,
+    MapError, MapSettings, PerSide, PreparedSide, ResolvedBoundary, Side,
 };
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
@@ -60,6 +60,8 @@ pub struct ConformalMap {
     pub(super) through_disk: ThroughDisk,
     /// The boundary of the mapped mesh, if it was refined for this map.
     pub(super) resolution: Option<Arc<ResolvedBoundary>>,
+    /// The errors by comparison with finer meshes, if they were estimated.
+    pub(super) compared: Option<Box<ErrorEstimate>>,
 }
 
 impl ConformalMap {
@@ -91,6 +93,7 @@ impl ConformalMap {
             refinement: Refinement::default(),
             through_disk: ThroughDisk::default(),
             resolution: None,
+            compared: None,
         }
     }
 
@@ -149,7 +152,7 @@ impl ConformalMap {
         }
         std::mem::swap(&mut self.correspondence, &mut self.coming);
         (self.settings, self.timings) = (run.settings, run.timings);
-        self.resolution = None;
+        (self.resolution, self.compared) = (None, None);
         self.begin_refinement();
     }
 

@@ -10,6 +10,7 @@
 //! | harmonic measure ω̃ from y | `measure` | (11), (12) |
 //! | boundary correspondence | `matching` | section 3.2, C.4, in a form that does not cancel |
 //! | both by the integral equation on the boundary | `curved` | |
+//! | errors of finite elements by comparison with finer meshes | `comparison` | |
 //! | images of the vertices | `extension` | (14) |
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
@@ -26,6 +27,7 @@
 #[cfg(feature = "io")]
 mod buffers;
 mod cauchy_green;
+mod comparison;
 mod constraints;
 mod curved;
 mod disk_coordinates;
@@ -62,6 +64,7 @@ mod unfold;
 #[cfg(feature = "io")]
 pub use buffers::NotFlat;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
+pub use comparison::{QuarteredError, prepare_quartered};
 pub use constraints::{Constraints, Direction, InteriorPoint, MapSettings, PerSide, Side};
 pub use curved::{CurveBoundary, CurveMap, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};
 pub(crate) use disk_coordinates::begin_disk_coordinates;

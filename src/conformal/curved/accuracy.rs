@@ -17,9 +17,13 @@ pub struct ErrorEstimate {
 }
 
 impl ConformalMap {
-    /// An estimate of the errors; `None` unless both measures are from the boundary integral.
+    /// An estimate of the errors; `None` unless both measures are from the boundary integral, or the map was
+    /// [compared](Self::compare_with) with one on finer meshes.
     /// That of images is [`super::CurveMap::error`]. Cost O(m).
     pub fn error_estimate(&self) -> Option<ErrorEstimate> {
+        if let Some(compared) = &self.compared {
+            return Some(ErrorEstimate::clone(compared));
+        }
         let side = self.mapped_side();
         let (source, map) = (self.measure(side), self.curve_map(side)?);
         let mut points = vec![0.0; source.vertex_count()];

@@ -1,4 +1,4 @@
-//! The boundary map between the curves of two sides, at any point of either curve and not only at the samples.
+//! The boundary map between the curves of two sides, at any point of either curve.
 //!
 //! The image of a point has the same harmonic measure from its anchor, counted in the way in which that is smaller.
 //! The map preserves the order along the curves up to rounding. Where finite elements continue a measure, the image
@@ -8,10 +8,6 @@ use super::super::{ConformalMap, Side};
 use super::curve_measure::CurveMeasure;
 use super::sharp::Way;
 use crate::geometry::{Curve, CurvePoint};
-
-/// The relative error of measures that finite elements continue: their exponential decay along a channel has a slightly
-/// wrong rate, so that nothing but the order of magnitude is claimed.
-const CONTINUED: f64 = 1.0;
 
 /// The map from one side's curve onto the other's.
 #[derive(Debug, Clone)]
@@ -54,8 +50,8 @@ impl<'a> CurveMap<'a> {
     }
 
     /// The points between which the density of the mapped curve is one polynomial, in the order of the curve from its
-    /// first point: the ends of the panels and, towards corners, of dyadic ones, as far as the measure there is above
-    /// 2^−50 of that next to the corner.
+    /// first point: the ends of the panels and, towards corners, of dyadic ones. From the last one to the corner the
+    /// measure is a power of the distance, π/α.
     pub fn from_breaks(&self) -> Vec<CurvePoint> {
         self.from.sharp().breaks()
     }
@@ -68,7 +64,8 @@ impl<'a> CurveMap<'a> {
     /// An estimate of the error of [`Self::image`], in the units of the other side.
     ///
     /// Δω, the sum of both measures' errors, moves an image to where the other measure is ω ± Δω: next to a corner of
-    /// angle α by Δω^(α/π), elsewhere by Δω over the density. The error is the longer one of the two arcs.
+    /// angle α by Δω^(α/π), elsewhere by Δω over the density. The error is the longer one of the two arcs. The image of
+    /// the anchor is exact, and errors next to it are in proportion to the measure.
     pub fn error(&self, point: CurvePoint) -> f64 {
         let (omega, way) = self.from.nearer(point);
         self.error_of(omega, way)
@@ -76,14 +73,16 @@ impl<'a> CurveMap<'a> {
 
     /// The error of the image of a point with this measure.
     pub(super) fn error_of(&self, omega: f64, way: Way) -> f64 {
-        let off = self.measures_error() + self.continued_error(omega, way);
+        let off = self.from.error(omega, way) + self.onto.error(omega, way);
+        let factor = self.from.factor(omega, way) * self.onto.factor(omega, way);
         let boundary = self.onto.sharp().boundary();
         let image = self.onto.point(omega, way);
-        let further = self.onto.point((omega + off).min(1.0), way);
-        let nearer = if omega >= off {
-            self.onto.point(omega - off, way)
+        let further = self.onto.point((factor * omega + off).min(1.0), way);
+        let least = omega / factor;
+        let nearer = if least >= off {
+            self.onto.point(least - off, way)
         } else {
-            self.onto.point(off - omega, if way == Way::Forward { Way::Backward } else { Way::Forward })
+            self.onto.point(off - least, if way == Way::Forward { Way::Backward } else { Way::Forward })
         };
         let arc = |a: CurvePoint| {
             let apart = (boundary.fraction(a) - boundary.fraction(image)).abs();
@@ -92,15 +91,9 @@ impl<'a> CurveMap<'a> {
         self.rounding() + arc(further).max(arc(nearer))
     }
 
-    /// The sum of both measures' errors.
-    fn measures_error(&self) -> f64 {
-        self.from.sharp().error() + self.onto.sharp().error()
-    }
-
-    /// The error of a measure that finite elements continue on either side, otherwise 0.
+    /// The error of a measure that finite elements continue on either side.
     pub(super) fn continued_error(&self, omega: f64, way: Way) -> f64 {
-        let is_continued = omega < self.from.sharp_from(way) || omega < self.onto.sharp_from(way);
-        if is_continued { CONTINUED * omega } else { 0.0 }
+        (self.from.factor(omega, way) * self.onto.factor(omega, way) - 1.0) * omega
     }
 
     /// The error of a position on the other curve that is known exactly.

@@ -12,6 +12,12 @@ use crate::geometry::CurvePoint;
 /// Stations next to the anchor, in perimeters, at which rounding may leave a point on its other side.
 const BEHIND: f64 = 1e-14;
 
+/// Measures that finite elements continue may be wrong by this factor, and by [`WRONG_RATE`].
+const CONTINUED: f64 = 1.1;
+/// The relative error of the rate at which finite elements let measure decay along a channel. In the arms of the V, over
+/// 23 decades, it is 1.3 % at the default samples.
+const WRONG_RATE: f64 = 0.03;
+
 /// A measure from the boundary integral, between points of its curve.
 #[derive(Debug, Clone)]
 pub struct CurveMeasure<'a> {
@@ -39,6 +45,25 @@ impl<'a> CurveMeasure<'a> {
     /// continue nothing.
     pub fn sharp_from(&self, way: Way) -> f64 {
         self.sharp_from[way as usize]
+    }
+
+    /// The error of a measure counted from the anchor, apart from the [factor](Self::factor) of finite elements: on the
+    /// panels next to the anchor, in proportion to the measure.
+    pub fn error(&self, omega: f64, way: Way) -> f64 {
+        let beside = self.sharp.beside(way);
+        match omega {
+            _ if omega <= 0.0 || omega < self.sharp_from(way) => 0.0,
+            _ if omega < beside => self.sharp.error() * (omega / beside),
+            _ => self.sharp.error(),
+        }
+    }
+
+    /// The factor by which a measure may be wrong that finite elements continue, otherwise 1.
+    pub fn factor(&self, omega: f64, way: Way) -> f64 {
+        match self.sharp_from(way) {
+            from if omega < from && omega > 0.0 => CONTINUED * (from / omega).powf(WRONG_RATE),
+            _ => 1.0,
+        }
     }
 
     /// The measures from the anchor counter-clockwise to the point, and from the point on to the anchor.

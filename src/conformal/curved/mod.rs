@@ -20,7 +20,7 @@ pub(super) use curve_measure::CurveMeasure;
 pub use error::Unsharpened;
 pub(super) use matching::match_sharply;
 pub(super) use preparation::Outlined;
-pub(super) use sharp::SharpMeasure;
+pub(super) use sharp::{SharpMeasure, Way};
 
 /// The most unknowns of a side's integral equation in a map: the dense factor is then made in less than about a second
 /// on one thread. The largest built-in outlines need less; a coast of 1,000 corners needs 16,000 and more.

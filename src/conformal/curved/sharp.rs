@@ -1,10 +1,11 @@
 //! The measure from the boundary integral at the knots of [`HarmonicMeasure`], counted from the anchor both ways.
 //!
-//! The computed density has an error of about 1e-15 of the largest one, of either sign. Around an anchor in a crowded
-//! part of the boundary, where the measure from it is below [`LEAST`], the positive finite-element density continues:
-//! its measure, summed from the anchor, times the ratio of both measures over the adjoining stretch where the measure
-//! is between 1e-11 and 1e-9. No total below 1e-11 is divided by. Elsewhere steps below 1e-16 cannot be told apart in
-//! f64; there the measure stands still.
+//! The computed density has an error of either sign. Where that leaves the density next to the anchor three digits or
+//! more, measures counted from the anchor keep them at any distance, in corners too: both are summed from there. Around
+//! an anchor in a crowded part of the boundary, where the measure from it is below [`LEAST`], the positive
+//! finite-element density continues: its measure, summed from the anchor, times the ratio of both measures over the
+//! adjoining stretch where the measure is between 1e-11 and 1e-9. No total below 1e-11 is divided by. Elsewhere steps
+//! below 1e-16 cannot be told apart in f64; there the measure stands still.
 
 use super::super::matching::inverse_quadratic;
 use super::super::{HarmonicMeasure, PreparedSide};
@@ -17,12 +18,17 @@ use std::sync::Arc;
 /// Measures from the anchor below this one are those of finite elements: the sums of the boundary integral have
 /// relative errors of 1e-3 there.
 const LEAST: f64 = 1e-12;
+/// The largest error of the density next to the anchor, in densities, with which measures are counted from there.
+const RESOLVED: f64 = 1e-3;
 /// The stretch over which the two measures are compared.
 const COMPARED: [f64; 2] = [1e-11, 1e-9];
 
 /// What Gauss's rule leaves on panels that are next to panels beyond a junction, and the identities do not see: 2e-13
 /// inside of the square's sides, whose measures are right to 1e-15.
 const NEAR_PARTS: f64 = 4e-13;
+
+/// The rounding error of sums over all panels: up to 3e-15 is found where nothing else is left, on disk and blob.
+const SUMMED: f64 = 6e-15;
 
 /// The direction in which measure is counted from the anchor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,6 +54,8 @@ pub struct SharpMeasure {
     backward: Vec<f64>,
     /// The number of knots after the anchor, both ways, that finite elements continue.
     continued: [usize; 2],
+    /// The measure of the panels, or of the corner's legs, next to the anchor, both ways.
+    beside: [f64; 2],
 }
 
 impl PartialEq for SharpMeasure {
@@ -89,13 +97,19 @@ impl SharpMeasure {
             }
         }
         let sums = finite.sums(side.edge_lengths());
+        let beside = anchored.beside_anchor();
         let continued = Way::BOTH.map(|way| {
+            if beside[way as usize].rounding <= RESOLVED {
+                return 0;
+            }
             let sums = &sums[way as usize];
             carry_on(&mut measures[way as usize], sums, || ratio(boundary, &anchored, (&*finite, sums), way))
         });
         let [forward, mut backward] = measures;
         backward.reverse();
-        let sharp = Self { boundary: Arc::clone(boundary), swept: Arc::clone(swept), anchor, backward, continued };
+        let beside = beside.map(|beside| beside.measure.max(0.0));
+        let (boundary, swept) = (Arc::clone(boundary), Arc::clone(swept));
+        let sharp = Self { boundary, swept, anchor, backward, continued, beside };
         finite.sharpen(forward, sharp);
     }
 
@@ -123,7 +137,12 @@ impl SharpMeasure {
     pub fn error(&self) -> f64 {
         let is_analytic = |junction: &Junction| *junction == Junction::Analytic;
         let has_parts = !self.boundary.curve().junctions().iter().all(is_analytic);
-        self.swept.error_estimate().max(if has_parts { NEAR_PARTS } else { 0.0 })
+        self.swept.error_estimate().max(if has_parts { NEAR_PARTS } else { SUMMED })
+    }
+
+    /// The measure of the panel, or of the corner's leg, next to the anchor.
+    pub fn beside(&self, way: Way) -> f64 {
+        self.beside[way as usize]
     }
 
     /// The measure from each knot on to the anchor, from 1 to 0.
