@@ -13,6 +13,7 @@ pub mod curves;
 pub mod editing;
 pub mod export;
 pub mod files;
+mod invariants;
 mod measurement;
 mod method;
 pub mod motion;
