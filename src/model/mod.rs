@@ -14,6 +14,7 @@ pub mod editing;
 pub mod export;
 pub mod files;
 mod fine;
+mod invariants;
 mod measurement;
 mod method;
 pub mod motion;

@@ -8,7 +8,7 @@
 use super::arc_table::ArcTable;
 use super::error::Unsharpened;
 use crate::boundary_integral::{BoundaryIntegral, Settings};
-use crate::geometry::{Curve, CurvePoint, DVec2, SimplePolygon, nearest_of_polygon};
+use crate::geometry::{Curve, CurvePoint, DVec2, Piece, SimplePolygon, nearest_of_polygon};
 use crate::outline::{BoundaryPoint, BoundarySamples};
 use std::sync::Arc;
 
@@ -41,7 +41,7 @@ impl CurveBoundary {
         let inside: Vec<DVec2> = near.iter().copied().filter(|&x| curve.contains(x)).collect();
         let settings = Settings::default().with_points(&inside).with_max_unknowns(super::MAX_UNKNOWNS);
         let integral = BoundaryIntegral::prepare(curve, &settings)?;
-        let arc = |(&piece, &length)| ArcTable::new(piece, length);
+        let arc = |(piece, &length): (&Piece, &f64)| ArcTable::new(piece.clone(), length);
         let arcs = curve.pieces().iter().zip(curve.lengths()).map(arc).collect();
         let mut starts = vec![0.0];
         starts.extend(curve.lengths().iter().scan(0.0, |sum, length| {
@@ -111,6 +111,11 @@ impl CurveBoundary {
         let count = self.arcs.len();
         let piece = (junctions.partition_point(|&junction| junction <= s).max(1) - 1).min(count - 1);
         let share = (s - junctions[piece]) / (junctions[piece + 1] - junctions[piece]);
+        let is_spline = matches!(self.curve().pieces()[piece], Piece::Spline { .. });
+        if is_spline && (SNAP..=1.0 - SNAP).contains(&share) {
+            // the parameter of a spline through the vertices is the length along the polygon
+            return CurvePoint::new(piece, share);
+        }
         self.on_piece(piece, share)
     }
 
