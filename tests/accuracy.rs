@@ -5,7 +5,7 @@
 
 mod support;
 
-use support::program::{self, folder, succeeds};
+use support::program::{fails, folder, succeeds};
 
 #[test]
 fn the_ladder_is_written_as_table_and_figure_and_said() {
@@ -43,8 +43,5 @@ fn json_has_the_machine_and_a_row_for_each_resolution() {
 
 #[test]
 fn other_formats_are_refused_before_anything_is_measured() {
-    let output = program::run(&["accuracy", "--out", "accuracy.png"]);
-    assert_eq!(output.status.code(), Some(2));
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(said.contains("csv") && said.contains("svg"), "{said}");
+    fails(&["accuracy", "--out", "accuracy.png"], 2, &["csv", "svg"]);
 }
