@@ -185,7 +185,7 @@ mod tests {
             let truth = Truth::new(shape).unwrap();
             let pieces = truth.curve().pieces().len();
             let parts = if shape.reference() == Reference::Corners { 1 } else { 40 };
-            let mut before = -1.0;
+            let mut before = -1.0_f64;
             for k in 0..pieces * parts {
                 let at = CurvePoint::new(k / parts, (k % parts) as f64 / parts as f64);
                 let omega = truth.omega(at).unwrap();
