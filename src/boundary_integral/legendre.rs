@@ -41,7 +41,7 @@ const RECURRENCE: [[f64; 3]; NODES + 1] = {
 };
 
 /// P₀ … P_NODES at x.
-fn polynomials(x: f64) -> [f64; NODES + 1] {
+pub fn polynomials(x: f64) -> [f64; NODES + 1] {
     let mut p = [1.0; NODES + 1];
     p[1] = x;
     for k in 2..=NODES {

@@ -8,8 +8,9 @@
 use super::arc_table::ArcTable;
 use super::error::Unsharpened;
 use crate::boundary_integral::{BoundaryIntegral, Settings};
-use crate::geometry::{Curve, CurvePoint, DVec2, SimplePolygon, nearest_of_polygon};
+use crate::geometry::{Curve, CurvePoint, DVec2, Piece, SimplePolygon, nearest_of_polygon};
 use crate::outline::{BoundaryPoint, BoundarySamples};
+use std::sync::Arc;
 
 /// A part of a piece, or of an edge, below which a point is its end: as for samples, whose rounding is below 1e-10 of
 /// the shortest edges.
@@ -22,8 +23,8 @@ const SAME_PLACE: f64 = 1e-12;
 /// The boundary of a side as a curve, with the samples on it.
 #[derive(Debug)]
 pub struct CurveBoundary {
-    integral: BoundaryIntegral,
-    arcs: Vec<ArcTable>,
+    integral: Arc<BoundaryIntegral>,
+    arcs: Arc<[ArcTable]>,
     /// The lengths up to the pieces, and the perimeter.
     starts: Vec<f64>,
     /// The samples' points.
@@ -40,14 +41,14 @@ impl CurveBoundary {
         let inside: Vec<DVec2> = near.iter().copied().filter(|&x| curve.contains(x)).collect();
         let settings = Settings::default().with_points(&inside).with_max_unknowns(super::MAX_UNKNOWNS);
         let integral = BoundaryIntegral::prepare(curve, &settings)?;
-        let arc = |(&piece, &length)| ArcTable::new(piece, length);
+        let arc = |(piece, &length): (&Piece, &f64)| ArcTable::new(piece.clone(), length);
         let arcs = curve.pieces().iter().zip(curve.lengths()).map(arc).collect();
         let mut starts = vec![0.0];
         starts.extend(curve.lengths().iter().scan(0.0, |sum, length| {
             *sum += length;
             Some(*sum)
         }));
-        Ok(Self { integral, arcs, starts, points: Vec::new(), stations: Vec::new() })
+        Ok(Self { integral: Arc::new(integral), arcs, starts, points: Vec::new(), stations: Vec::new() })
     }
 
     /// Moves samples of the polygon, whose vertices lie on the curve, onto the curve. Between two junctions lengths along
@@ -67,6 +68,14 @@ impl CurveBoundary {
         self.stations = points.iter().map(|&point| self.station(point)).chain([self.perimeter()]).collect();
         self.points = points;
         Ok(moved)
+    }
+
+    /// The same curve with other samples, at these places of the samples' boundary, the first of which is sample 0.
+    pub(in crate::conformal) fn resampled(&self, places: &[BoundaryPoint]) -> Self {
+        let points: Vec<CurvePoint> = places.iter().map(|&place| self.curved(place)).collect();
+        let stations = points.iter().map(|&point| self.station(point)).chain([self.perimeter()]).collect();
+        let (integral, arcs) = (Arc::clone(&self.integral), Arc::clone(&self.arcs));
+        Self { integral, arcs, starts: self.starts.clone(), points, stations }
     }
 
     /// The fractions of the polygon's length at the junctions, and 1.
@@ -102,6 +111,11 @@ impl CurveBoundary {
         let count = self.arcs.len();
         let piece = (junctions.partition_point(|&junction| junction <= s).max(1) - 1).min(count - 1);
         let share = (s - junctions[piece]) / (junctions[piece + 1] - junctions[piece]);
+        let is_spline = matches!(self.curve().pieces()[piece], Piece::Spline { .. });
+        if is_spline && (SNAP..=1.0 - SNAP).contains(&share) {
+            // the parameter of a spline through the vertices is the length along the polygon
+            return CurvePoint::new(piece, share);
+        }
         self.on_piece(piece, share)
     }
 
@@ -170,7 +184,7 @@ impl CurveBoundary {
     }
 
     /// The point at a station, taken modulo the perimeter.
-    fn at_station(&self, station: f64) -> CurvePoint {
+    pub(in crate::conformal) fn at_station(&self, station: f64) -> CurvePoint {
         let station = station.rem_euclid(self.perimeter());
         let piece = (self.starts.partition_point(|&start| start <= station).max(1) - 1).min(self.arcs.len() - 1);
         CurvePoint::new(piece, (station - self.starts[piece]) / self.curve().lengths()[piece])
