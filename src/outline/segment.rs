@@ -26,7 +26,7 @@ pub enum Segment {
 }
 
 /// The sweep of an arc that one Bézier curve stands for, in radians: π/8.
-const ARC_PART: f64 = 0.392_699_081_698_724_14;
+const ARC_PART: f64 = std::f64::consts::FRAC_PI_8;
 
 impl From<Segment> for Piece {
     fn from(segment: Segment) -> Self {
