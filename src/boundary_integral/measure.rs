@@ -142,10 +142,14 @@ impl<'a> AnchoredMeasure<'a> {
             return ((span + count - self.start) % count, [before, after]);
         }
         // parts counted from the span's own end of the piece do not cancel there, where the anchor may be
-        let between = measure.spans[span].between(self.anchor, point).abs();
         let is_behind = point.piece() == self.anchor.piece()
             && (point.from_start() < self.anchor.from_start() || point.to_end() > self.anchor.to_end());
-        if is_behind { (count, [before, between]) } else { (0, [between, after]) }
+        let own = &measure.spans[span];
+        if is_behind {
+            (count, [before, own.between(point, self.anchor)])
+        } else {
+            (0, [own.between(self.anchor, point), after])
+        }
     }
 
     /// [`Self::forward`] and [`Self::backward`] of a point.
