@@ -65,6 +65,17 @@ impl Settings {
         self
     }
 
+    /// Panels up to `factor` ≥ 1 times as long, on which the curve is less resolved: to show how errors fall.
+    #[must_use]
+    pub fn coarser(mut self, factor: f64) -> Self {
+        let fineness = &mut self.fineness;
+        fineness.proximity *= factor;
+        fineness.nearness *= factor;
+        // a panel twice as long has half of the digits
+        fineness.tail = fineness.tail.powf(factor.recip());
+        self
+    }
+
     /// The limit of the number of unknowns.
     #[must_use]
     pub fn with_max_unknowns(mut self, max_unknowns: usize) -> Self {

@@ -76,6 +76,17 @@ impl PreparedSide {
         Self { integral: integral.map(|result| result.map(Arc::new)), ..self }
     }
 
+    /// The same side with the integral equation of `coarse`, whose samples are among this side's; these lie at `places`
+    /// of them.
+    pub(super) fn with_curve_of(self, coarse: &Self, places: &[BoundaryPoint]) -> Self {
+        let carried = |found: &Result<Arc<CurveBoundary>, Unsharpened>| match found {
+            Ok(boundary) => Ok(boundary.resampled(places)),
+            Err(reason) => Err(reason.clone()),
+        };
+        let integral = coarse.integral.as_ref().map(carried);
+        self.with_integral(integral)
+    }
+
     /// The boundary as a curve with its integral equation; `None` if harmonic measure is from finite elements.
     pub fn curve_boundary(&self) -> Option<&Arc<CurveBoundary>> {
         self.integral.as_ref()?.as_ref().ok()

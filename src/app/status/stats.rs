@@ -6,6 +6,7 @@ use crate::geometry::DVec2;
 use crate::model::overlays::disk_comparison::Found;
 use crate::model::{Model, Processor};
 use crate::session::{Colouring, DiskWay};
+use crate::worker::FoundInvariants;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -115,6 +116,8 @@ pub struct OverlayStats {
     pub comparison: ComparisonsStats,
     /// How many random walks were counted, and the largest deviation of their hits from the harmonic measure.
     pub walks: (u64, Option<f64>),
+    /// The invariants of both sides, where they are asked for and there; a text is why not.
+    pub invariants: [Option<Result<FoundInvariants, String>>; 2],
 }
 
 /// What the screen knows and the model does not.
@@ -246,6 +249,7 @@ fn overlays(model: &Model) -> OverlayStats {
             precomputed: comparison(model, DiskWay::Precomputed),
         },
         walks: (walks.count(), walks.deviation()),
+        invariants: Side::BOTH.map(|side| Some(model.invariants(side)?.clone().map_err(|reason| reason.english()))),
     }
 }
 
@@ -288,7 +292,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 36] = [
+    const KEYS: [&str; 37] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -308,6 +312,7 @@ mod tests {
         "generation",
         "handles",
         "image_of_mapped_point",
+        "invariants",
         "marked_boundary",
         "measured_generation",
         "notes",

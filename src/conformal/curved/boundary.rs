@@ -10,6 +10,7 @@ use super::error::Unsharpened;
 use crate::boundary_integral::{BoundaryIntegral, Settings};
 use crate::geometry::{Curve, CurvePoint, DVec2, Piece, SimplePolygon, nearest_of_polygon};
 use crate::outline::{BoundaryPoint, BoundarySamples};
+use std::sync::Arc;
 
 /// A part of a piece, or of an edge, below which a point is its end: as for samples, whose rounding is below 1e-10 of
 /// the shortest edges.
@@ -22,8 +23,8 @@ const SAME_PLACE: f64 = 1e-12;
 /// The boundary of a side as a curve, with the samples on it.
 #[derive(Debug)]
 pub struct CurveBoundary {
-    integral: BoundaryIntegral,
-    arcs: Vec<ArcTable>,
+    integral: Arc<BoundaryIntegral>,
+    arcs: Arc<[ArcTable]>,
     /// The lengths up to the pieces, and the perimeter.
     starts: Vec<f64>,
     /// The samples' points.
@@ -47,7 +48,7 @@ impl CurveBoundary {
             *sum += length;
             Some(*sum)
         }));
-        Ok(Self { integral, arcs, starts, points: Vec::new(), stations: Vec::new() })
+        Ok(Self { integral: Arc::new(integral), arcs, starts, points: Vec::new(), stations: Vec::new() })
     }
 
     /// Moves samples of the polygon, whose vertices lie on the curve, onto the curve. Between two junctions lengths along
@@ -67,6 +68,14 @@ impl CurveBoundary {
         self.stations = points.iter().map(|&point| self.station(point)).chain([self.perimeter()]).collect();
         self.points = points;
         Ok(moved)
+    }
+
+    /// The same curve with other samples, at these places of the samples' boundary, the first of which is sample 0.
+    pub(in crate::conformal) fn resampled(&self, places: &[BoundaryPoint]) -> Self {
+        let points: Vec<CurvePoint> = places.iter().map(|&place| self.curved(place)).collect();
+        let stations = points.iter().map(|&point| self.station(point)).chain([self.perimeter()]).collect();
+        let (integral, arcs) = (Arc::clone(&self.integral), Arc::clone(&self.arcs));
+        Self { integral, arcs, starts: self.starts.clone(), points, stations }
     }
 
     /// The fractions of the polygon's length at the junctions, and 1.
@@ -175,7 +184,7 @@ impl CurveBoundary {
     }
 
     /// The point at a station, taken modulo the perimeter.
-    fn at_station(&self, station: f64) -> CurvePoint {
+    pub(in crate::conformal) fn at_station(&self, station: f64) -> CurvePoint {
         let station = station.rem_euclid(self.perimeter());
         let piece = (self.starts.partition_point(|&start| start <= station).max(1) - 1).min(self.arcs.len() - 1);
         CurvePoint::new(piece, (station - self.starts[piece]) / self.curve().lengths()[piece])
