@@ -190,12 +190,7 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     }
     map.refine_exactly_with(&mut |done| progress.report(done));
     if arguments.extension == ExtensionArgument::Exact {
-        progress.enter("the exact extension");
-        let beyond = map.extend_exactly(&mut |done| progress.report(done));
-        let beyond = beyond.map_err(|error| CliError::Usage(format!("--extension exact: {error}")))?;
-        if beyond > 0 {
-            eprintln!("riemap: {beyond} vertices of the mesh lie outside of the curve and keep their harmonic images");
-        }
+        extend_exactly(&mut map, progress)?;
     }
     let unestimated = if asks_for_errors(arguments) {
         progress.enter("the errors");
@@ -217,6 +212,17 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     }
     let interpreted = PerSide::new(source.interpreted(), target.interpreted());
     Ok(Computed { map, constraints, interpreted, coarse, unestimated, table })
+}
+
+/// Places the mesh's vertices by Cauchy's integral; says on stderr how many it cannot place.
+fn extend_exactly(map: &mut ConformalMap, progress: &Progress) -> Result<(), CliError> {
+    progress.enter("the exact extension");
+    let beyond = map.extend_exactly(&mut |done| progress.report(done));
+    let beyond = beyond.map_err(|error| CliError::Usage(format!("--extension exact: {error}")))?;
+    if beyond > 0 {
+        eprintln!("riemap: {beyond} vertices of the mesh lie outside of the curve and keep their harmonic images");
+    }
+    Ok(())
 }
 
 fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
