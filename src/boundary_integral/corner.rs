@@ -66,9 +66,9 @@ pub struct Compressed {
     /// R of the whole block: rows and columns are the nodes of the first leg, then of the second, outwards.
     pub matrix: Mat<f64>,
     /// The steps of curved legs, from outside in; none for straight ones.
-    steps: Vec<Step>,
+    pub(super) steps: Vec<Step>,
     /// The step of all further levels, with the tangents as legs.
-    repeated: Step,
+    pub(super) repeated: Step,
     /// R at all further levels.
     pub innermost: Mat<f64>,
 }
@@ -81,7 +81,7 @@ impl Compressed {
 }
 
 /// The panels of a block and of its finer mesh on one leg, in units of the block's panels.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, serde::Serialize, serde::Deserialize)]
 pub struct BlockMesh {
     /// Panels of the block on each leg: 1, 2 or 4.
     pub panels: usize,

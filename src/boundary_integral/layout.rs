@@ -32,7 +32,7 @@ impl Fineness {
 }
 
 /// The end of a piece from which a panel is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum End {
     /// By t.
     Start,
@@ -41,7 +41,7 @@ pub enum End {
 }
 
 /// A panel: the parameters from `from` to `to` of a piece, measured from one of its ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Panel {
     pub piece: usize,
     pub end: End,
@@ -52,7 +52,7 @@ pub struct Panel {
 }
 
 /// A compressed block at a junction.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize, serde::Deserialize)]
 pub struct Block {
     pub junction: usize,
     pub mesh: BlockMesh,
@@ -63,7 +63,7 @@ pub struct Block {
 }
 
 /// The panels in the order of the curve, and the blocks among them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default, serde::Serialize, serde::Deserialize)]
 pub struct Layout {
     pub panels: Vec<Panel>,
     pub blocks: Vec<Block>,
