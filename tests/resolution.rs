@@ -4,9 +4,12 @@
 
 mod support;
 
-use riemap::conformal::{ConformalMap, Constraints, Direction, PrepareSettings, PreparedSide, Side};
+use riemap::conformal::{
+    ConformalMap, Constraints, Direction, KernelMode, PrepareSettings, PreparedSide, ResolvedBoundary, Side,
+    prepare_curve,
+};
 use riemap::geometry::DVec2;
-use riemap::outline::Preset;
+use riemap::outline::{Outline, Preset};
 use std::sync::Arc;
 use support::domains::domain;
 
@@ -15,36 +18,64 @@ use support::domains::domain;
 struct Numbers {
     triangles: usize,
     flipped: u32,
+    collapsed: u32,
     /// The area inside the images of the boundary over that of the other domain.
     covered: f64,
     /// The area painted with the wrong orientation over that of the other domain.
     folded: f64,
     /// The longest image of a boundary edge over the length of the other boundary.
     longest: f64,
+    /// How far images of boundary edges leave the other outline, over its extent.
+    outside: f64,
 }
 
 fn area(points: &[DVec2]) -> f64 {
     0.5 * points.windows(2).map(|w| (w[0] - points[0]).perp_dot(w[1] - points[0])).sum::<f64>()
 }
 
+/// The distance of a point outside of a polygon from it; 0 inside.
+fn distance_outside(polygon: &[DVec2], p: DVec2) -> f64 {
+    let edges = || polygon.iter().zip(polygon.iter().cycle().skip(1));
+    let mut inside = false;
+    let mut nearest = f64::INFINITY;
+    for (&a, &b) in edges() {
+        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) {
+            inside = !inside;
+        }
+        let along = ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+        nearest = nearest.min(p.distance(a.lerp(b, along)));
+    }
+    if inside { 0.0 } else { nearest }
+}
+
+fn extent(points: &[DVec2]) -> f64 {
+    let ends = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    let (low, high) = points.iter().fold(ends, |(low, high), &p| (low.min(p), high.max(p)));
+    (high - low).max_element()
+}
+
 impl Numbers {
-    fn of(map: &ConformalMap) -> Self {
+    /// Of a map onto the inside of `outline`.
+    fn of(map: &ConformalMap, outline: &[DVec2]) -> Self {
         let (mapped, images) = (map.mapped(), map.images());
-        let other = map.domain(map.mapped_side().other()).unwrap().samples();
         let m = mapped.boundary_count();
         let quality = map.quality();
-        let whole = area(other.points());
+        let whole = area(outline);
         let turned = |t: &[u32; 3]| {
             let [a, b, c] = t.map(|v| images[v as usize]);
             (-0.5 * (b - a).perp_dot(c - a)).max(0.0)
         };
-        let longest = (0..m).map(|k| images[k].distance(images[(k + 1) % m])).fold(0.0, f64::max);
+        let edges = || (0..m).map(|k| (images[k], images[(k + 1) % m]));
+        let length: f64 = outline.iter().zip(outline.iter().cycle().skip(1)).map(|(p, &q)| p.distance(q)).sum();
+        let middles = edges().flat_map(|(p, q)| [0.25, 0.5, 0.75].map(|t| p.lerp(q, t)));
         Self {
             triangles: mapped.triangles().len(),
             flipped: quality.flipped,
+            collapsed: quality.collapsed,
             covered: area(&images[..m]) / whole,
             folded: mapped.triangles().iter().map(turned).sum::<f64>() / whole,
-            longest: longest / other.edge_lengths().iter().sum::<f64>(),
+            longest: edges().map(|(p, q)| p.distance(q)).fold(0.0, f64::max) / length,
+            outside: middles.map(|p| distance_outside(outline, p)).fold(0.0, f64::max) / extent(outline),
         }
     }
 
@@ -62,24 +93,125 @@ fn map_between(source: &Arc<PreparedSide>, target: &Arc<PreparedSide>, direction
     ConformalMap::new(source.clone(), target.clone(), &constraints, direction.into()).unwrap()
 }
 
-/// Each preset onto each; a table with `--nocapture`.
+/// An outline with its preparation.
+struct Prepared {
+    name: String,
+    points: Vec<DVec2>,
+    side: Arc<PreparedSide>,
+}
+
+impl Prepared {
+    fn of(name: &str, outline: &Outline, kernel: KernelMode) -> Self {
+        let settings = PrepareSettings::default().with_kernel(kernel);
+        let curve = outline.curve().unwrap();
+        let side = prepare_curve((outline.polygon(), curve.curve()), &[], &settings, &mut |_| ()).unwrap();
+        if let Some(reason) = side.unsharpened() {
+            println!("{name} stays with finite elements: {reason}");
+        }
+        let name = format!("{name} ({kernel:?})");
+        Self { name, points: outline.polygon().vertices().to_vec(), side: Arc::new(side) }
+    }
+
+    fn preset(preset: Preset, kernel: KernelMode) -> Self {
+        Self::of(preset.name(), &preset.outline(), kernel)
+    }
+}
+
+/// Refines the map from `a` to `b`, whose source is mapped, prints its numbers, and checks them.
+fn check(a: &Prepared, b: &Prepared) -> Vec<String> {
+    let map = map_between(&a.side, &b.side, Direction::Forward);
+    let started = std::time::Instant::now();
+    let fine = refined(&map);
+    let ms = started.elapsed().as_secs_f64() * 1e3;
+    let (before, after) = (Numbers::of(&map, &b.points), Numbers::of(&fine, &b.points));
+    let unresolved = fine.resolution().map_or(0.0, ResolvedBoundary::unresolved_area);
+    let title = format!("{} → {}", a.name, b.name);
+    println!("{title}: {before:?}\n    refined in {ms:.0} ms: {after:?}, unresolved {unresolved:.2e}");
+    let mut faults = Vec::new();
+    if after.flips() > 1e-3 {
+        faults.push(format!("{title}: {} of {} flipped", after.flipped, after.triangles));
+    }
+    let covered = after.covered / (1.0 - unresolved);
+    if (covered - 1.0).abs() > 1e-3 {
+        faults.push(format!("{title}: {covered} of what is resolved is covered"));
+    }
+    if after.folded > 1e-6 {
+        faults.push(format!("{title}: {:e} is painted in folds", after.folded));
+    }
+    if after.outside > 1e-3 {
+        faults.push(format!("{title}: painted {:e} outside", after.outside));
+    }
+    faults
+}
+
+/// All pairs of `sides`, with each as the mapped one.
+fn check_all<'a>(pairs: impl Iterator<Item = (&'a Prepared, &'a Prepared)>) {
+    let faults: Vec<String> = pairs.flat_map(|(a, b)| check(a, b)).collect();
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+fn pairs(sides: &[Prepared]) -> impl Iterator<Item = (&Prepared, &Prepared)> {
+    sides.iter().flat_map(move |a| sides.iter().map(move |b| (a, b)))
+}
+
+/// Each preset onto each, with finite elements; a table with `--nocapture`. The source is mapped: a → b backward is
+/// b → a forward.
 #[test]
 fn refined_maps_between_presets_fill_the_other_outline_without_folds() {
-    let sides = Preset::ALL.map(|preset| (preset.name(), domain(preset, PrepareSettings::default())));
-    for (a, source) in &sides {
-        for (b, target) in &sides {
-            // forward from a to b is backward from b to a
-            let map = map_between(source, target, Direction::Forward);
-            let fine = refined(&map);
-            let (before, after) = (Numbers::of(&map), Numbers::of(&fine));
-            let unresolved = fine.resolution().unwrap().unresolved_area();
-            println!("{a} → {b}: {before:?}\n    refined: {after:?}, unresolved {unresolved:.2e}");
-            assert!(after.flips() <= 1e-3, "{a} → {b}: {} of {} flipped", after.flipped, after.triangles);
-            let covered = after.covered / (1.0 - unresolved);
-            assert!((covered - 1.0).abs() < 1e-3, "{a} → {b}: {covered} of what is resolved is covered");
-            assert!(after.folded < 1e-6, "{a} → {b}: {:e} is painted in folds", after.folded);
-        }
+    let sides = Preset::ALL.map(|preset| Prepared::preset(preset, KernelMode::Adjoint));
+    check_all(pairs(&sides));
+}
+
+/// Some presets by the boundary integral, and each onto each with finite elements on one side only.
+#[test]
+fn refined_maps_by_the_boundary_integral_do_so_too() {
+    let presets = [Preset::VShape, Preset::Star, Preset::Heart, Preset::Disk];
+    let sides = |kernel| presets.map(|preset| Prepared::preset(preset, kernel));
+    let (sharp, finite) = (sides(KernelMode::Integral), sides(KernelMode::Adjoint));
+    check_all(pairs(&sharp));
+    check_all(sharp.iter().zip(&finite).chain(finite.iter().zip(&sharp)));
+    check_all(sharp.iter().zip(finite.iter().cycle().skip(1)).chain(finite.iter().zip(sharp.iter().cycle().skip(1))));
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn refined_maps_between_all_presets_by_the_boundary_integral_do_so_too() {
+    let sides = Preset::ALL.map(|preset| Prepared::preset(preset, KernelMode::Integral));
+    check_all(pairs(&sides));
+}
+
+/// Vertices of the refined mesh and their images lie on the curves, at equal measure to rounding.
+#[test]
+fn refined_vertices_lie_on_the_curves_at_equal_measure() {
+    let [heart, blob] = [Preset::Heart, Preset::Blob].map(|preset| Prepared::preset(preset, KernelMode::Integral));
+    let map = map_between(&heart.side, &blob.side, Direction::Forward);
+    let fine = refined(&map);
+    let (here, there) = (map.curve_map(Side::Source).unwrap(), map.curve_map(Side::Target).unwrap());
+    let boundary = fine.side(Side::Source).curve_boundary().unwrap();
+    let mut worst = 0.0f64;
+    for (k, &point) in boundary.points().iter().enumerate() {
+        assert_eq!(here.from_curve().position(point), fine.domain(Side::Source).unwrap().samples().points()[k]);
+        let (image, position) = fine.correspondence().on_curve(k).unwrap();
+        assert_eq!(there.from_curve().position(image), position);
+        worst = worst.max((here.measure_at(point).0 - there.measure_at(image).0).abs());
     }
+    println!("measures of vertices and images differ by at most {worst:.1e}");
+    assert!(fine.error_estimate().is_some() && fine.measure(Side::Source).is_sharp());
+}
+
+/// The interior point may lie between the mesh's polygon and the curve.
+#[test]
+fn an_interior_point_beside_the_mesh_is_kept() {
+    let [disk, heart] = [Preset::Disk, Preset::Heart].map(|preset| Prepared::preset(preset, KernelMode::Integral));
+    let samples = disk.side.domain().unwrap().samples().points();
+    let middle = samples[0].midpoint(samples[1]);
+    let x = middle * (0.5 + 0.5 / middle.length());
+    let constraints = Constraints::new((x, 0.5), (heart.side.default_point(), 0.0));
+    let map =
+        ConformalMap::new(disk.side.clone(), heart.side.clone(), &constraints, Direction::Forward.into()).unwrap();
+    assert!(map.image_of(x).is_none(), "the point is inside of the mesh");
+    let fine = refined(&map);
+    assert!(Numbers::of(&fine, &heart.points).flips() < 1e-3);
 }
 
 /// What the maps were like before: without the refinement these statements fail.
@@ -87,7 +219,8 @@ fn refined_maps_between_presets_fill_the_other_outline_without_folds() {
 fn a_coarse_map_into_the_v_folds_and_leaves_it() {
     let [disk, v] = [Preset::Disk, Preset::VShape].map(|preset| domain(preset, PrepareSettings::default()));
     let map = map_between(&disk, &v, Direction::Forward);
-    let (coarse, fine) = (Numbers::of(&map), Numbers::of(&refined(&map)));
+    let outline = v.domain().unwrap().samples().points();
+    let (coarse, fine) = (Numbers::of(&map, outline), Numbers::of(&refined(&map), outline));
     assert!(coarse.flipped > 10 && coarse.longest > 0.1, "{coarse:?}");
     assert!(fine.flipped == 0 && fine.longest < 0.03, "{fine:?}");
 }
@@ -121,4 +254,43 @@ fn a_refined_map_follows_other_constraints() {
     assert!(fine.resolution().is_none());
     let direct = ConformalMap::new(square, fine.mapped().clone(), &moved, Direction::Backward.into()).unwrap();
     assert!(fine.images() == direct.images(), "the images differ from those of a new map on the same mesh");
+}
+
+/// The outlines of `../shared/data`, which may not be part of the repository.
+mod shared_data {
+    use super::*;
+    use riemap::geometry::SimplePolygon;
+    use support::data::shared_outlines;
+
+    /// The points of a file: the numbers after `"points"`.
+    fn read(text: &str) -> Vec<DVec2> {
+        let (_, points) = text.split_once("\"points\"").unwrap();
+        let numbers = points.split(|c: char| !(c.is_ascii_digit() || "+-.e".contains(c)));
+        let numbers: Vec<f64> = numbers.filter_map(|word| word.parse().ok()).collect();
+        numbers.chunks_exact(2).map(|p| DVec2::new(p[0], p[1])).collect()
+    }
+
+    fn prepared(kernel: KernelMode) -> Vec<Prepared> {
+        let prepared = |path: std::path::PathBuf| {
+            let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+            match SimplePolygon::try_from(read(&std::fs::read_to_string(&path).unwrap())) {
+                Ok(polygon) => Some(Prepared::of(&name, &Outline::new(name.as_str(), polygon), kernel)),
+                Err(error) => {
+                    println!("{name} needs a repair: {error}");
+                    None
+                }
+            }
+        };
+        shared_outlines().into_iter().filter_map(prepared).collect()
+    }
+
+    #[test]
+    #[ignore = "needs ../shared/data"]
+    fn natural_outlines_are_filled_without_folds() {
+        for kernel in [KernelMode::Adjoint, KernelMode::Integral] {
+            let mut sides = prepared(kernel);
+            sides.extend([Preset::Heart, Preset::Disk, Preset::VShape].map(|preset| Prepared::preset(preset, kernel)));
+            check_all(pairs(&sides));
+        }
+    }
 }

@@ -5,10 +5,12 @@
 
 use crate::app::RiemapApp;
 use crate::app::language::words;
+use crate::app::panels::invariants_panel;
 use crate::conformal::{PerSide, Side};
 use crate::language::{key, number, say, tr};
 use crate::model::Model;
 use crate::model::shape::Shape;
+use crate::worker::Number;
 use egui::{Role, WidgetInfo};
 
 /// A description of the picture in a few sentences.
@@ -20,6 +22,7 @@ pub fn state(app: &RiemapApp) -> String {
         let mean = number(quality.q_mean, 3);
         sentences.push(say(&key::accessible_quality(mean, quality.flipped)));
     }
+    sentences.extend(Side::BOTH.into_iter().filter_map(|side| invariants(model, side)));
     if !model.is_ready() {
         sentences.push(tr(key::being_prepared()).into());
     }
@@ -49,6 +52,19 @@ fn points(model: &Model, side: Side) -> Option<String> {
     let place = place.iter().map(|coordinate| number(*coordinate, 3)).collect::<Vec<_>>().join("; ");
     let along = number(100.0 * fraction, 1);
     Some(say(&key::points_of_side(x, place, y, along)))
+}
+
+/// The invariants of a side that are shown.
+fn invariants(model: &Model, side: Side) -> Option<String> {
+    let heading = say(&key::invariants_of(words::side(side)));
+    let numbers = match model.invariants(side)? {
+        Ok(found) => {
+            let row = |(name, number): (String, Number)| format!("{name}: {}", invariants_panel::shown(number));
+            invariants_panel::rows(found).into_iter().map(row).collect::<Vec<_>>().join("; ")
+        }
+        Err(reason) => say(reason),
+    };
+    Some(format!("{heading}: {numbers}."))
 }
 
 /// The description of a control, for when it gets the focus or changes.

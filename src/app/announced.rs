@@ -3,8 +3,10 @@
 use super::frame::REST_SECONDS;
 use super::input::preferences::Preferences;
 use super::{RiemapApp, accessibility, message_bar};
+use crate::conformal::Side;
 use crate::language::Message;
 use crate::platform::{self, PageEvent};
+use crate::worker::FoundInvariants;
 
 /// The reports so far.
 #[derive(Debug, Default)]
@@ -21,6 +23,8 @@ pub struct Announced {
 struct News {
     generation: u64,
     is_ready: bool,
+    /// Which sides' invariants are shown.
+    invariants: [Option<Result<FoundInvariants, Message>>; 2],
     errors: Vec<Message>,
     /// The step of the tour.
     step: Option<usize>,
@@ -75,6 +79,7 @@ impl RiemapApp {
         News {
             generation: self.model.generation(),
             is_ready: self.model.is_ready(),
+            invariants: Side::BOTH.map(|side| self.model.invariants(side).cloned()),
             errors: self.errors(),
             step: self.windows.explore.step(),
             preferences: self.screen.preferences,

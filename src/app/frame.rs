@@ -12,6 +12,7 @@ use crate::conformal::Side;
 use crate::language::key;
 use crate::model::{Changes, Refines};
 use crate::platform;
+use crate::worker::Study;
 
 /// How long the map must be unchanged before an expensive quality is computed, in seconds.
 pub(super) const REST_SECONDS: f64 = 0.15;
@@ -79,6 +80,7 @@ impl RiemapApp {
         self.await_map(context, moves);
         self.refit(context);
         self.measure_at_rest(context, now);
+        self.begin_invariants(context, now);
         self.advance_overlays(context, now);
         self.work_on_export(context);
         self.describe(context, now);
@@ -89,6 +91,18 @@ impl RiemapApp {
     fn begin_study(&mut self) {
         if let Some(study) = self.windows.reports.take_study() {
             self.workers.study_runner.begin(study);
+        }
+    }
+
+    /// Requests the invariants that are asked for, once the points rest.
+    fn begin_invariants(&mut self, context: &egui::Context, now: f64) {
+        if !self.model.are_invariants_due() {
+            return;
+        }
+        if !self.is_resting(now) || self.input.handles.grip.is_some() {
+            context.request_repaint_after_secs(REST_SECONDS as f32);
+        } else if let Some(task) = self.model.take_invariants() {
+            self.workers.invariants_runner.begin(Study::Invariants(Box::new(task)));
         }
     }
 

@@ -17,7 +17,7 @@ use crate::model::side::user_error::UserError;
 use crate::outline::Outline;
 use crate::platform::{self, Event};
 use crate::session::{Command, TextureKind, Touched};
-use crate::worker::Response;
+use crate::worker::{Finding, Response, Study};
 use std::sync::Arc;
 
 /// The delay of the frame that updates the panels after the pictures, in seconds: sooner than anyone reads them.
@@ -38,7 +38,7 @@ impl RiemapApp {
                     self.model.worker_died(side, generation, &reason);
                     self.take_arrived();
                 }
-                Event::Found { study, finding } => self.windows.reports.accept(study, finding),
+                Event::Found { study, finding } => self.take_finding(study, finding),
                 Event::File { purpose, name, bytes } => self.open_file(purpose, &name, bytes),
                 Event::Link(address) => {
                     if self.may(Touched::EVERYTHING) {
@@ -52,6 +52,21 @@ impl RiemapApp {
                 Event::NoDialog(reason) => self.messages.common = Some(reason),
                 Event::NotSaved { name, reason } => self.messages.common = Some(key::not_saved(name, reason)),
             }
+        }
+    }
+
+    /// Takes the finding of a study; without a study, the worker of one has died, and either may be meant.
+    fn take_finding(&mut self, study: Option<Study>, finding: Finding) {
+        let is_of_invariants = matches!(study, Some(Study::Invariants(_)));
+        if is_of_invariants || study.is_none() {
+            self.model.accept_invariants(match &finding {
+                Finding::Invariants(found) => Ok((**found).clone()),
+                Finding::Failed(reason) => Err(reason.clone()),
+                _ => Err(key::another_answer().into()),
+            });
+        }
+        if !is_of_invariants {
+            self.windows.reports.accept(study.as_ref(), finding);
         }
     }
 

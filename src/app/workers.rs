@@ -11,6 +11,8 @@ use std::sync::mpsc;
 pub struct Workers {
     pub preparer: Preparer,
     pub study_runner: StudyRunner,
+    /// For the invariants, so that a table under way does not delay them.
+    pub invariants_runner: StudyRunner,
     /// The sending end; its receiver is `events`.
     pub mailbox: Mailbox,
     pub events: mpsc::Receiver<Event>,
@@ -23,6 +25,7 @@ impl Workers {
         Self {
             preparer: Preparer::new(mailbox.clone()),
             study_runner: StudyRunner::new(mailbox.clone()),
+            invariants_runner: StudyRunner::new(mailbox.clone()),
             mailbox,
             events,
         }

@@ -214,11 +214,14 @@ impl<'a> Recursion<'a> {
 const MOST_ROUNDS: usize = 400;
 /// The change of R at which the fixed point is reached: a few units of rounding of its entries, which are of order 1.
 const STANDING: f64 = 4e-15;
-/// The levels of a curved corner end where curvature changes the measure by less than this.
-const LEVEL_TOLERANCE: f64 = 1e-15;
+/// The levels of a curved corner end where curvature changes the measure by less than this; the presets' measures do not
+/// change with 1e-15.
+const LEVEL_TOLERANCE: f64 = 1e-14;
+/// The change of R at which the fixed point inside of these levels is reached: the measure there is below 1e-7.
+const LEVEL_STANDING: f64 = 1e-11;
 
 /// R of straight legs of equal length that meet as the tangents of these legs do, and its step.
-fn fixed_point(recursion: &Recursion<'_>, scales: [f64; 2], size: usize) -> (Step, Mat<f64>) {
+fn fixed_point(recursion: &Recursion<'_>, scales: [f64; 2], size: usize, standing: f64) -> (Step, Mat<f64>) {
     let level = recursion.level(scales);
     let mut r = Mat::identity(size, size);
     let (mut step, mut next) = recursion.step(&level, &r);
@@ -227,7 +230,7 @@ fn fixed_point(recursion: &Recursion<'_>, scales: [f64; 2], size: usize) -> (Ste
         let change = (&next - &r).norm_max();
         r = next;
         // rounding may keep R from standing still altogether
-        if change <= STANDING || (change < 1e-13 && change >= best) {
+        if change <= standing || (change < 1e-13 && change >= best) {
             break;
         }
         best = best.min(change);
@@ -247,11 +250,12 @@ pub fn compress(
     let size = 2 * mesh.panels * NODES;
     let recursion = Recursion::new(legs, mesh, problem.sign());
     if legs.iter().all(Leg::is_straight) {
-        let (repeated, matrix) = fixed_point(&recursion, scales, size);
+        let (repeated, matrix) = fixed_point(&recursion, scales, size, STANDING);
         return Compressed { innermost: matrix.clone(), matrix, steps: Vec::new(), repeated };
     }
     let tangents = [0, 1].map(|k| legs[k].tangent_line());
-    let (repeated, innermost) = fixed_point(&Recursion::new(&tangents, mesh, problem.sign()), scales, size);
+    let (repeated, innermost) =
+        fixed_point(&Recursion::new(&tangents, mesh, problem.sign()), scales, size, LEVEL_STANDING);
     // a level's error, of the order of its size, counts in proportion to its measure
     let order = 1.0 + problem.exponent(junction).min(1.0);
     let levels = (-LEVEL_TOLERANCE.log2() / order).ceil() as i32;

@@ -26,7 +26,7 @@ pub fn kernel(normal: DVec2, difference: DVec2) -> f64 {
 }
 
 /// One of the two pieces that meet in a junction, from there outwards.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Leg {
     piece: Piece,
     is_incoming: bool,
@@ -45,9 +45,10 @@ impl Leg {
 
     /// The start of a piece, or its end.
     pub fn new(curve: &Curve, piece: usize, is_incoming: bool) -> Self {
-        let (given, length) = (curve.pieces()[piece], curve.lengths()[piece]);
-        let piece = if is_incoming { given.reversed() } else { given };
-        Self { piece, is_incoming, length, speed: piece.jet(0.0).first.length() / length }
+        let (given, length) = (&curve.pieces()[piece], curve.lengths()[piece]);
+        let piece = if is_incoming { given.reversed() } else { given.clone() };
+        let speed = piece.jet(0.0).first.length() / length;
+        Self { piece, is_incoming, length, speed }
     }
 
     pub fn is_straight(&self) -> bool {
@@ -72,7 +73,7 @@ impl Leg {
     /// The leg's tangent at the junction as a straight leg with the same speed.
     pub fn tangent_line(&self) -> Self {
         let line = Piece::Line([DVec2::ZERO, self.piece.jet(0.0).first]);
-        Self { piece: line, ..*self }
+        Self { piece: line, is_incoming: self.is_incoming, length: self.length, speed: self.speed }
     }
 
     /// dz/dλ at t, in the direction away from the junction.

@@ -29,7 +29,7 @@ pub struct Rule {
 }
 
 /// P₀ … P_NODES at x.
-fn polynomials(x: f64) -> [f64; NODES + 1] {
+pub fn polynomials(x: f64) -> [f64; NODES + 1] {
     let mut p = [1.0; NODES + 1];
     p[1] = x;
     for k in 2..=NODES {

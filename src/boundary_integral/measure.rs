@@ -1,12 +1,11 @@
 //! Harmonic measure along the curve: of pieces, of arcs between any two points, and from an anchor both ways.
 
-use super::corner::{Compressed, Problem};
-use super::layout::{Block, End, Layout};
-use super::legendre::{NODES, Rule};
-use super::span::{Beside, Rounding, Span};
-use super::system::{System, gather};
+use super::layout::Layout;
+use super::peak::Peaks;
+use super::span::{Beside, Span};
+use super::spans::{spans, unresolved};
+use super::system::System;
 use crate::geometry::{Curve, CurvePoint};
-use faer::Mat;
 
 /// The harmonic measure of the boundary, seen from one interior point; its total is 1.
 #[derive(Debug, Clone)]
@@ -18,110 +17,12 @@ pub struct HarmonicMeasure {
     error: f64,
 }
 
-/// The bits of a density that the recursion into a corner shares between its two errors, see [`depth`].
-const BITS: f64 = 53.0;
-
-/// The levels after which the recursion into a corner ends, and the measure is a power of the distance.
-///
-/// Into a corner of less than π the density falls as 2^{−(e−1)} from level to level, e = π/α, but its rounding error does
-/// not: after L levels it is 2^{(e−1)L − 53} of the density. The power leaves out the next mode, r^{2e}, or r^{e+1} of
-/// curved legs, which is 2^{−eL} or 2^{−L} of it. The depth is that at which both are equal: in the square's corners
-/// the measure is then right to 1e-10 of itself at every distance.
-fn depth(exponent: f64, is_straight: bool) -> usize {
-    let next_mode = if is_straight { exponent } else { exponent.min(1.0) };
-    (BITS / ((exponent - 1.0).max(0.0) + next_mode)).ceil() as usize
-}
-
-/// The error that rounding leaves in the density times the perimeter. Where the true density is nothing, in the arms of
-/// the V and the ends of rectangles of 10×1 and 40×1, it is found to be 2e-17 to 4e-15.
-const ROUNDING: f64 = 4e-15;
-
-/// The measure of both legs of a block with these true densities at its nodes, and their lengths.
-fn leg_measures(curve: &Curve, block: &Block, density: &Mat<f64>) -> [(f64, f64); 2] {
-    let count = curve.pieces().len();
-    let pieces = [(block.junction + count - 1) % count, block.junction];
-    let rows = block.mesh.panels * NODES;
-    [0, 1].map(|leg| {
-        let panel = block.scales[leg] * curve.lengths()[pieces[leg]];
-        let weight = |k: usize| 0.5 * panel * Rule::get().weights[k % NODES];
-        let measure = (0..rows).map(|k| weight(k) * density[(leg * rows + k, 0)]).sum();
-        (measure, panel * block.mesh.panels as f64)
-    })
-}
-
-/// The spans of a block on both its legs, from the junction outwards. `least` is the density that rounding leaves.
-fn block_spans(
-    curve: &Curve,
-    block: &Block,
-    compressed: &Compressed,
-    (exponent, least): (f64, f64),
-    density: Mat<f64>,
-) -> [Vec<Span>; 2] {
-    let count = curve.pieces().len();
-    let pieces = [(block.junction + count - 1) % count, block.junction];
-    let ends = [End::Finish, End::Start];
-    let outer_panels = block.mesh.outer();
-    let legs = leg_measures(curve, block, &(&compressed.matrix * &density));
-    let rounding = legs.map(|(measure, length)| Rounding::Corner {
-        relative: (least * length / measure.abs()).max(f64::EPSILON),
-        measure,
-    });
-    let (mut spans, mut density, mut shrink) = ([Vec::new(), Vec::new()], density, 1.0);
-    let is_straight = pieces.iter().all(|&piece| curve.pieces()[piece].is_straight());
-    for level in 0..depth(exponent, is_straight) {
-        let step = compressed.step(level);
-        let outer = &step.outer * &density;
-        for leg in 0..2 {
-            let unit = block.scales[leg] * shrink;
-            for (k, &(start, length)) in outer_panels.iter().enumerate().rev() {
-                let row = (leg * outer_panels.len() + k) * NODES;
-                let half = 0.5 * length * unit * curve.lengths()[pieces[leg]];
-                let values = std::array::from_fn(|i| half * outer[(row + i, 0)]);
-                let places = [start * unit, (start + length) * unit];
-                spans[leg].push(Span::new(pieces[leg], ends[leg], places, &values, rounding[leg]));
-            }
-        }
-        density = &step.inner * &density;
-        shrink *= 0.5;
-    }
-    let rest = leg_measures(curve, block, &(&compressed.innermost * &density));
-    for leg in 0..2 {
-        let to = block.scales[leg] * shrink * block.mesh.panels as f64;
-        spans[leg].push(Span::rest(pieces[leg], ends[leg], to, shrink * rest[leg].0, exponent, rounding[leg]));
-    }
-    spans.map(|mut list| {
-        list.reverse();
-        list
-    })
-}
-
 impl HarmonicMeasure {
-    /// From the transformed density of the interior problem.
-    pub(super) fn new(curve: &Curve, layout: &Layout, system: &System, transformed: &[f64]) -> Self {
-        let least = ROUNDING / curve.perimeter();
-        let of_block = |(block, (rows, compressed)): (&Block, &(Vec<usize>, Compressed))| {
-            let exponent = Problem::Interior.exponent(curve.junctions()[block.junction]);
-            block_spans(curve, block, compressed, (exponent, least), gather(rows, transformed))
-        };
-        let mut of_blocks: Vec<[Vec<Span>; 2]> = layout.blocks.iter().zip(system.blocks()).map(of_block).collect();
-        let mut spans = Vec::new();
-        let mut first = vec![0; curve.pieces().len() + 1];
-        for (index, panel) in layout.panels.iter().enumerate() {
-            match (panel.block, panel.end) {
-                (None, end) => {
-                    let half = 0.5 * (panel.to - panel.from) * curve.lengths()[panel.piece];
-                    let values = std::array::from_fn(|i| half * transformed[index * NODES + i]);
-                    let rounding = Rounding::Density(half * least);
-                    spans.push(Span::new(panel.piece, end, [panel.from, panel.to], &values, rounding));
-                }
-                // the first panel of a block's leg stands for all of the leg, the others find nothing left
-                (Some(block), End::Start) => spans.append(&mut of_blocks[block][1]),
-                (Some(block), End::Finish) => spans.extend(of_blocks[block][0].drain(..).rev()),
-            }
-            first[panel.piece + 1] = spans.len();
-        }
+    /// From the transformed density of the interior problem, and the peaks of the panels near the point.
+    pub(super) fn new(curve: &Curve, layout: &Layout, system: &System, solution: (&[f64], &Peaks)) -> Self {
+        let (spans, first) = spans(curve, layout, system, solution);
         let total: f64 = spans.iter().map(|span| span.measure).sum();
-        let unresolved = spans.iter().map(Span::unresolved).fold(0.0, f64::max);
+        let unresolved = unresolved(curve, layout, &spans, solution);
         Self { spans, first, error: unresolved.max((total - 1.0).abs()).max(f64::EPSILON) }
     }
 

@@ -20,7 +20,9 @@ mod layout;
 mod leg;
 mod legendre;
 mod measure;
+mod peak;
 mod span;
+mod spans;
 mod system;
 
 use crate::geometry::{Curve, DVec2};
@@ -31,6 +33,7 @@ pub(crate) use flat::FlatIntegral;
 pub use invariants::{Estimate, Invariants, InvariantsRequest, invariants};
 use layout::{Fineness, Layout, layout};
 pub use measure::{AnchoredMeasure, HarmonicMeasure};
+use peak::peaks;
 pub use span::Beside;
 use system::System;
 
@@ -64,6 +67,17 @@ impl Settings {
     #[must_use]
     pub fn finer(mut self) -> Self {
         self.fineness = Fineness::FINE;
+        self
+    }
+
+    /// Panels up to `factor` ≥ 1 times as long, on which the curve is less resolved: to show how errors fall.
+    #[must_use]
+    pub fn coarser(mut self, factor: f64) -> Self {
+        let fineness = &mut self.fineness;
+        fineness.proximity *= factor;
+        fineness.nearness *= factor;
+        // a panel twice as long has half of the digits
+        fineness.tail = fineness.tail.powf(factor.recip());
         self
     }
 
@@ -139,18 +153,20 @@ impl BoundaryIntegral {
         if !self.curve.contains(x) {
             return Err(BoundaryIntegralError::NotInside { at: x });
         }
-        let transformed = self.system.harmonic(x);
+        let peaks = peaks(&self.curve, &self.layout, &self.system, x);
+        let transformed = self.system.harmonic(x, &peaks);
         let charges = self.system.charges(&transformed);
         if !charges.iter().all(|charge| charge.is_finite()) {
             return Err(BoundaryIntegralError::Singular);
         }
-        let measure = HarmonicMeasure::new(&self.curve, &self.layout, &self.system, &transformed);
+        let measure = HarmonicMeasure::new(&self.curve, &self.layout, &self.system, (&transformed, &peaks));
         Ok(measure.with_residual(self.residual(&charges, x)))
     }
 
     /// ∫ log|s − a| dω_x(s), for any `a` that is not too near to the boundary.
     pub fn logarithmic_mean(&self, x: DVec2, a: DVec2) -> f64 {
-        let charges = self.system.charges(&self.system.harmonic(x));
+        let peaks = peaks(&self.curve, &self.layout, &self.system, x);
+        let charges = self.system.charges(&self.system.harmonic(x, &peaks));
         self.system.logarithm(&charges, a)
     }
 

@@ -1,8 +1,10 @@
 //! Harmonic measure along one interval of a piece: a Legendre series, or a power next to a corner.
 
 use super::layout::End;
-use super::legendre::{NODES, Rule, Values, series};
+use super::legendre::{Rule, Values, series};
+use super::peak::Peak;
 use crate::geometry::CurvePoint;
+use std::sync::Arc;
 
 /// The measure on the parameters [from, to] of a piece, counted from one of its ends.
 #[derive(Debug, Clone)]
@@ -13,6 +15,8 @@ pub struct Span {
     pub to: f64,
     pub measure: f64,
     shape: Shape,
+    /// What the density exceeds the shape by, next to the interior point.
+    peak: Option<Arc<Peak>>,
     rounding: Rounding,
 }
 
@@ -56,8 +60,6 @@ fn up_to(coefficients: &Values, u: f64) -> (f64, f64) {
     (value, 0.5 * u * rule.nodes.iter().zip(rule.weights).map(at).sum::<f64>())
 }
 
-/// The error of ω in a span for its last two coefficients.
-const UNRESOLVED: f64 = 0.1;
 /// Steps of Newton's method, or bisections, to a place in a span.
 const MOST_STEPS: u32 = 100;
 
@@ -66,19 +68,28 @@ impl Span {
     pub fn new(piece: usize, end: End, [from, to]: [f64; 2], values: &Values, rounding: Rounding) -> Self {
         let rule = Rule::get();
         let measure = values.iter().zip(rule.weights).map(|(v, w)| v * w).sum();
-        Self { piece, end, from, to, measure, shape: Shape::Series(Box::new(rule.coefficients(values))), rounding }
+        Self {
+            piece,
+            end,
+            from,
+            to,
+            measure,
+            shape: Shape::Series(Box::new(rule.coefficients(values))),
+            peak: None,
+            rounding,
+        }
     }
 
     /// The rest of a corner, [0, to], where ω is proportional to a power of the distance.
     pub fn rest(piece: usize, end: End, to: f64, measure: f64, exponent: f64, rounding: Rounding) -> Self {
-        Self { piece, end, from: 0.0, to, measure, shape: Shape::Power(exponent), rounding }
+        Self { piece, end, from: 0.0, to, measure, shape: Shape::Power(exponent), peak: None, rounding }
     }
 
     /// The measure next to a point of the span.
     pub fn beside(&self, point: CurvePoint) -> Beside {
         match (self.rounding, &self.shape) {
             (Rounding::Density(error), Shape::Series(coefficients)) => {
-                let density = up_to(coefficients, self.along(self.parameter_of(point)).clamp(0.0, 2.0)).0;
+                let density = self.up_to(coefficients, self.along(self.parameter_of(point)).clamp(0.0, 2.0)).0;
                 Beside { measure: self.measure, rounding: error / density.max(0.0) }
             }
             (Rounding::Density(_), Shape::Power(_)) => Beside { measure: self.measure, rounding: f64::EPSILON },
@@ -99,13 +110,31 @@ impl Span {
         2.0 * (parameter - self.from) / (self.to - self.from)
     }
 
-    /// The part of the measure that the last coefficients leave open. Integration would divide them by 2 · NODES; on
-    /// the L-shape and the half-disk, the error of ω is 1 to 2 times what that gives.
-    pub fn unresolved(&self) -> f64 {
-        match &self.shape {
-            Shape::Series(c) => (c[NODES - 1].abs() + c[NODES - 2].abs()) * UNRESOLVED,
-            Shape::Power(_) => 0.0,
+    /// With the peak of the panel that the span belongs to.
+    #[must_use]
+    pub fn with_peak(mut self, peak: Option<&Arc<Peak>>) -> Self {
+        if let (Some(peak), Shape::Series(_)) = (peak, &self.shape) {
+            self.measure += peak.between(self.from, self.to);
+            self.peak = Some(Arc::clone(peak));
         }
+        self
+    }
+
+    /// The Legendre coefficients of dω/dξ, of spans without a peak.
+    pub fn coefficients(&self) -> Option<&Values> {
+        match &self.shape {
+            Shape::Series(coefficients) if self.peak.is_none() => Some(coefficients),
+            _ => None,
+        }
+    }
+
+    /// dω/dξ at ξ = u − 1, and the measure up to there.
+    fn up_to(&self, coefficients: &Values, u: f64) -> (f64, f64) {
+        let (value, integral) = up_to(coefficients, u);
+        let Some(peak) = &self.peak else { return (value, integral) };
+        let half = 0.5 * (self.to - self.from);
+        let parameter = self.from + half * u;
+        (value + half * peak.density(parameter), integral + peak.between(self.from, parameter))
     }
 
     /// The first point, in the direction of the curve.
@@ -140,7 +169,7 @@ impl Span {
                 if u >= 2.0 {
                     return self.measure;
                 }
-                up_to(coefficients, u.max(0.0)).1
+                self.up_to(coefficients, u.max(0.0)).1
             }
             Shape::Power(exponent) => self.measure * (parameter / self.to).clamp(0.0, 1.0).powf(*exponent),
         };
@@ -186,7 +215,7 @@ impl Span {
         let (mut low, mut high) = (0.0, 2.0);
         let mut u = 2.0 * near / self.measure;
         for _ in 0..MOST_STEPS {
-            let (density, below) = up_to(coefficients, u);
+            let (density, below) = self.up_to(coefficients, u);
             if below > near {
                 high = u;
             } else {

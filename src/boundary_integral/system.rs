@@ -5,6 +5,7 @@ use super::factor::DenseFactor;
 use super::layout::{End, Layout, Panel};
 use super::leg::{Leg, Node, kernel};
 use super::legendre::{NODES, Rule};
+use super::peak::Peaks;
 use crate::geometry::{Curve, DVec2, Junction};
 use faer::Mat;
 
@@ -141,9 +142,17 @@ impl System {
         &self.blocks
     }
 
-    /// The transformed density ρ̃ of harmonic measure from x.
-    pub fn harmonic(&self, x: DVec2) -> Vec<f64> {
-        self.solution(self.nodes().map(|(base, node)| kernel(node.normal, (base - x) + node.offset)))
+    /// The transformed density ρ̃ of harmonic measure from x; where there are peaks, without what they exceed their
+    /// projections by.
+    pub fn harmonic(&self, x: DVec2, peaks: &Peaks) -> Vec<f64> {
+        let at_node = |(base, node): (DVec2, &Node)| kernel(node.normal, (base - x) + node.offset);
+        let mut right: Vec<f64> = self.nodes().map(at_node).collect();
+        for (values, peak) in right.chunks_mut(NODES).zip(peaks) {
+            if let Some(peak) = peak {
+                values.copy_from_slice(&peak.right_side());
+            }
+        }
+        self.solution(right.into_iter())
     }
 
     /// The transformed density of the equilibrium measure, up to a factor.

@@ -42,6 +42,8 @@ pub enum Subcommand {
     Figure(FigureArguments),
     /// Measures Tables 1 and 2 of the paper on this machine.
     Bench(BenchArguments),
+    /// Measures the errors of all methods on outlines whose maps are known, and their times on this machine.
+    Accuracy(super::ladder_arguments::LadderArguments),
 }
 
 /// `riemap map SOURCE TARGET`.

@@ -2,9 +2,9 @@
 
 use super::CliError;
 use super::arguments::BenchArguments;
+use super::machine::Machine;
 use super::output::print;
 use super::progress::Progress;
-use crate::counted::counted;
 use crate::figures::{
     BenchRow, BenchSetting, Frame, Measurement, PAPER_MACHINE, PaperFrame, PaperPreparation, Preparation, TABLE_1,
     TABLE_2,
@@ -13,41 +13,6 @@ use std::fmt::Write as _;
 
 /// Runs per row; their median is reported. The paper does not state its number of runs.
 const RUNS: usize = 5;
-
-/// The machine the times are measured on.
-#[derive(serde::Serialize)]
-struct Machine {
-    cpu: Option<String>,
-    cores: Option<usize>,
-    threads: usize,
-    system: String,
-    optimised: bool,
-}
-
-impl Machine {
-    fn this() -> Self {
-        Self {
-            cpu: std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| model_name(&text)),
-            cores: std::thread::available_parallelism().ok().map(std::num::NonZero::get),
-            threads: 1,
-            system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
-            optimised: !cfg!(debug_assertions),
-        }
-    }
-
-    fn say(&self) -> String {
-        let cpu = self.cpu.as_deref().unwrap_or("a processor that does not say its name");
-        let cores = self.cores.map_or_else(String::new, |cores| counted!(cores, ", 1 core", ", {cores} cores"));
-        let build = if self.optimised { "" } else { "; not a release build: times are too long" };
-        format!("{cpu}{cores} ({}); one thread{build}", self.system)
-    }
-}
-
-/// The name of the first processor in Linux's `/proc/cpuinfo`.
-fn model_name(cpuinfo: &str) -> Option<String> {
-    let line = cpuinfo.lines().find(|line| line.starts_with("model name"))?;
-    Some(line.split_once(':')?.1.trim().to_owned())
-}
 
 /// A measured row and the paper's.
 #[derive(serde::Serialize)]
@@ -202,16 +167,5 @@ fn title(setting: BenchSetting) -> &'static str {
     match setting {
         BenchSetting::Paper => "the paper's settings: uniform samples and triangles",
         BenchSetting::Default => "riemap's defaults: adaptive samples, graded triangles (the paper's numbers as above)",
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn processor_is_read_from_cpuinfo() {
-        assert_eq!(model_name("processor\t: 0\nmodel name\t: A B @ 2 GHz\n"), Some("A B @ 2 GHz".to_owned()));
-        assert_eq!(model_name("Features : fp"), None);
     }
 }

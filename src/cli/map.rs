@@ -56,7 +56,9 @@ fn in_words(Summary { quality, counts, unresolved_area, interpretation, accuracy
         quality.q_mean,
         quality.flipped,
         quality.collapsed,
-        unresolved.map(|area| format!("\nunresolved: {area:.2e} of the other area")).unwrap_or_default(),
+        unresolved
+            .map(|area| format!("\nunresolved, hatched in pictures: {area:.2e} of the other area"))
+            .unwrap_or_default(),
         accuracy.text()
     )
 }

@@ -1,5 +1,5 @@
 //! The command line: `riemap map`, `flatten`, `render`, `animate`, `link`, `prepare`, `invariants`, `figure`,
-//! `bench`; headless and native only.
+//! `bench`, `accuracy`; headless and native only.
 //!
 //! Exit status: 0, 1 for bad input (one line on stderr), 2 for bad usage. Files
 //! are written whole or not at all.
@@ -15,6 +15,9 @@ mod flatten;
 mod flatten_arguments;
 mod invariants;
 mod invariants_arguments;
+mod ladder;
+mod ladder_arguments;
+mod machine;
 mod map;
 mod moved;
 mod named_outline;
@@ -56,7 +59,11 @@ pub fn silence_display(command: &Subcommand) {
     #[cfg(all(unix, not(target_vendor = "apple")))]
     if !matches!(
         command,
-        Subcommand::Link(_) | Subcommand::Prepare(_) | Subcommand::Invariants(_) | Subcommand::Bench(_)
+        Subcommand::Link(_)
+            | Subcommand::Prepare(_)
+            | Subcommand::Invariants(_)
+            | Subcommand::Bench(_)
+            | Subcommand::Accuracy(_)
     ) {
         display::name_one();
     }
@@ -76,6 +83,7 @@ pub fn run(command: &Subcommand) -> ExitCode {
         Subcommand::Invariants(arguments) => invariants::run(arguments),
         Subcommand::Figure(arguments) => figure::run(arguments),
         Subcommand::Bench(arguments) => bench::run(arguments),
+        Subcommand::Accuracy(arguments) => ladder::run(arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -41,6 +41,7 @@ pub fn png(
         coordinates: domain.mesh().vertices(),
         triangles: domain.mesh().triangles(),
         boundary: domain.samples().points(),
+        unresolved: &[],
         handles: planar_places(domain, x1, anchors[plane]),
     };
     let style = TextureStyle { pattern: Pattern::Checker, cells: CELLS, bounds: panel.bounds(), pole: x1, dark: true };

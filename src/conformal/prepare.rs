@@ -61,10 +61,10 @@ impl PrepareSettings {
     }
 
     /// Whether maps of the domain are [refined](super::ConformalMap::refined) at rest: with adaptive samples, graded
-    /// triangles and the adjoint kernel. The paper's settings are kept as they are.
+    /// triangles and not from a table. The paper's settings are kept as they are.
     pub const fn is_refined(&self) -> bool {
         let is_adaptive = matches!(self.sampling, Sampling::Adaptive { .. });
-        is_adaptive && matches!(self.sizing, Sizing::Graded(_)) && matches!(self.kernel, KernelMode::Adjoint)
+        is_adaptive && matches!(self.sizing, Sizing::Graded(_)) && !matches!(self.kernel, KernelMode::Table)
     }
 }
 

@@ -99,6 +99,16 @@ impl PreparedSide {
         &self.sharpness
     }
 
+    /// The same side with the integral equation of `coarse`, whose samples are among this side's; these lie at `places`
+    /// of them.
+    pub(super) fn with_curve_of(self, coarse: &Self, places: &[BoundaryPoint]) -> Self {
+        let sharpness = match &coarse.sharpness {
+            Sharpness::Integral(equation) => Sharpness::Integral(equation.resampled(places)),
+            other => other.clone(),
+        };
+        self.with_sharpness(sharpness)
+    }
+
     /// The same side with the factored equation of its boundary, or the reason why there is none; mesh and system are
     /// shared. An equation whose samples are not the side's is refused.
     #[must_use]

@@ -3,6 +3,8 @@
 pub mod blob;
 mod complex;
 pub mod disk;
+pub mod ellipse;
+pub mod rectangle;
 pub mod square;
 pub mod vshape;
 

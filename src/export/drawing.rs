@@ -1,9 +1,10 @@
 //! A planar map as SVG: outlines, the lines of a pattern, mesh edges, and the points of the constraints.
 //!
-//! The domains lie side by side, each in its own group, whose elements have the classes `outline`, `mesh`,
-//! `lines`, `interior` and `boundary`. The first closed path is the first domain's outline, so that the
-//! drawing can be loaded as an outline.
+//! The domains lie side by side, each in its own group, whose elements have the classes `outline`, `unresolved`
+//! (hatching), `mesh`, `lines`, `interior` and `boundary`. The first closed path is the first domain's outline, so
+//! that the drawing can be loaded as an outline.
 
+use super::hatching::{hatching, spacing};
 use super::polylines::Line;
 use super::ruling::{FAMILIES, Ruling};
 use crate::conformal::{ConformalMap, Constraints, Direction, MeshedDomain, PerSide, Side};
@@ -23,6 +24,8 @@ pub struct Panel<'a> {
     pub triangles: &'a [[u32; 3]],
     /// The outline.
     pub boundary: &'a [DVec2],
+    /// The parts that images do not cover, to be hatched.
+    pub unresolved: &'a [Vec<DVec2>],
     /// The interior and the boundary point.
     pub handles: [DVec2; 2],
 }
@@ -43,14 +46,16 @@ pub fn panels<'a>(map: &'a ConformalMap, constraints: &Constraints) -> Option<Pe
             positions: source.mesh().vertices(),
             coordinates: source.mesh().vertices(),
             triangles: source.mesh().triangles(),
-            boundary: source.samples().points(),
+            boundary: map.drawn_outline(Side::Source),
+            unresolved: map.unresolved(Side::Source),
             handles: handles(Side::Source, source)?,
         },
         Panel {
             positions,
             coordinates,
             triangles: map.mapped().triangles(),
-            boundary: target.samples().points(),
+            boundary: map.drawn_outline(Side::Target),
+            unresolved: map.unresolved(Side::Target),
             handles: handles(Side::Target, target)?,
         },
     ))
@@ -75,8 +80,14 @@ fn part_with_surface<'a>(map: &'a ConformalMap, constraints: &Constraints, side:
     if let Some(places) = map.disk(side) {
         let triangles = map.side(side).triangles();
         let boundary = &places[..map.side(side).boundary_count()];
-        let panel =
-            Panel { positions: places, coordinates: places, triangles, boundary, handles: [DVec2::ZERO, DVec2::X] };
+        let panel = Panel {
+            positions: places,
+            coordinates: places,
+            triangles,
+            boundary,
+            unresolved: &[],
+            handles: [DVec2::ZERO, DVec2::X],
+        };
         return Some(Part { side, panel, wire: Some((places, triangles)) });
     }
     let domain = map.domain(side)?;
@@ -87,6 +98,7 @@ fn part_with_surface<'a>(map: &'a ConformalMap, constraints: &Constraints, side:
         coordinates: vertices,
         triangles,
         boundary: domain.samples().points(),
+        unresolved: &[],
         handles: [constraints.points[side].in_plane()?, anchor],
     };
     Some(Part { side, panel, wire: Some((map.images(), map.mapped().triangles())) })
@@ -178,6 +190,7 @@ impl Part<'_> {
             write!(text, "<path id=\"{side}\" class=\"outline\" stroke=\"{OUTLINE_COLOR}\" stroke-width=\"1.5\" d=\"");
         placement.path(text, panel.boundary.iter().copied(), true);
         text.push_str("\"/>\n");
+        self.hatch(text, placement);
         if let Some(ruling) = ruling {
             for (family, colour) in LINE_COLORS.into_iter().enumerate() {
                 let lines = ruling.lines(family, panel.positions, panel.coordinates, panel.triangles);
@@ -201,6 +214,22 @@ impl Part<'_> {
             );
         }
         text.push_str("</g>\n");
+    }
+}
+
+impl Part<'_> {
+    /// Hatches what images do not cover.
+    fn hatch(&self, text: &mut String, placement: Placement) {
+        let spacing = spacing(self.panel.boundary);
+        for part in self.panel.unresolved {
+            let _ = write!(text, "<path class=\"unresolved\" stroke=\"{OUTLINE_COLOR}\" stroke-width=\"0.8\" d=\"");
+            let chord = [part.first(), part.last()].into_iter().flatten().copied();
+            placement.path(text, chord, false);
+            for segment in hatching(part, spacing) {
+                placement.path(text, segment, false);
+            }
+            text.push_str("\"/>\n");
+        }
     }
 }
 

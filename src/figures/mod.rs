@@ -15,11 +15,13 @@
 //! | `convergence` | the same for increasing m | Figure 15 |
 //! | `surfaces` | surfaces over planar domains | Figures 14, 16, 17 |
 //! | `bench` | times of this machine beside the paper's | Tables 1 and 2 |
+//! | `ladder` | errors of all methods against unknowns and time | – |
 
 mod bench;
 mod convergence;
 mod crowding;
 mod disk_kernel;
+mod ladder;
 mod moebius;
 mod scenes;
 mod surface_scenes;
@@ -34,11 +36,13 @@ pub use bench::{
 pub use convergence::{ConvergenceRow, ConvergenceStudy, SecondMap, fitted_order};
 pub use crowding::{BoundaryMap, CrowdingStudy, Method};
 pub use disk_kernel::DiskKernelStudy;
+pub use ladder::{Errors, ImageOf, LadderMethod, LadderRow, LadderShape, Reference, Rung};
 pub use moebius::{GRID_CIRCLES, GRID_RAYS, MoebiusStudy, grid_point};
 pub use scenes::{Scene, SceneLabel};
 pub use surfaces::SurfaceStudy;
 pub use table::{Cell, Table};
 
+use crate::boundary_integral::BoundaryIntegralError;
 use crate::conformal::{MapError, MeshedDomain, PrepareError, PreparedSide, prepare};
 use crate::laplace::NotConverged;
 use crate::session::DomainSpec;
@@ -100,6 +104,9 @@ pub enum FigureError {
     /// A domain could not be prepared.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
+    /// Harmonic measure could not be computed from the boundary.
+    #[error(transparent)]
+    BoundaryIntegral(#[from] BoundaryIntegralError),
     /// A map could not be computed.
     #[error(transparent)]
     Map(#[from] MapError),

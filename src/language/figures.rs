@@ -2,7 +2,8 @@
 
 use super::{Label, Message, key, preset};
 use crate::conformal::{Direction, Extension};
-use crate::figures::{Figure, Method, SceneLabel};
+use crate::figures::{Figure, LadderMethod, LadderShape, Method, SceneLabel};
+use crate::outline::Preset;
 
 /// A figure's title.
 pub fn title(figure: Figure) -> Label {
@@ -66,6 +67,31 @@ pub fn method(method: Method) -> Label {
         Method::HarmonicMeasure => key::riemap_harmonic_measure(),
         Method::FreshZipper => key::zipper_run_x1_x2(),
         Method::PrecomputedZipper => key::zipper_once_then_mobius(),
+    }
+}
+
+/// The name of a method in the plot of accuracy.
+pub fn ladder_method(method: LadderMethod) -> Label {
+    match method {
+        LadderMethod::Integral => key::boundary_integral(),
+        LadderMethod::AdjointUniform => key::finite_elements_uniform(),
+        LadderMethod::AdjointDefault => key::finite_elements_graded(),
+        LadderMethod::Zipper => key::zipper(),
+    }
+}
+
+/// The name of an outline in the plot of accuracy.
+pub fn ladder_shape(shape: LadderShape) -> Message {
+    match shape {
+        LadderShape::Disk => preset(Preset::Disk).into(),
+        LadderShape::Ellipse => key::ellipse_4_1().into(),
+        LadderShape::Square => preset(Preset::Square).into(),
+        LadderShape::RoundedSquare => key::rounded_square().into(),
+        LadderShape::LShape => preset(Preset::LShape).into(),
+        LadderShape::Rectangle => key::rectangle_10_1().into(),
+        LadderShape::VShape => preset(Preset::VShape).into(),
+        LadderShape::Blob => preset(Preset::Blob).into(),
+        LadderShape::Quintic => shape.title().into(),
     }
 }
 

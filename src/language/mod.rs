@@ -16,7 +16,7 @@ pub mod key;
 mod message;
 mod names;
 
-pub use figures::{choices, method, title};
+pub use figures::{choices, ladder_method, ladder_shape, method, title};
 pub use message::{Label, Message, Value};
 pub use names::{preset, side_heading, surface_preset};
 

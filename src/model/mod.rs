@@ -13,7 +13,9 @@ pub mod curves;
 pub mod editing;
 pub mod export;
 pub mod files;
+mod fine;
 mod interpretation;
+mod invariants;
 mod measurement;
 mod method;
 pub mod motion;
@@ -43,6 +45,7 @@ use crate::conformal::{
 use crate::geometry::{Bounds, DVec2};
 use crate::language::Message;
 use crate::model::coarse::Draft;
+use crate::model::fine::Fine;
 use crate::model::measurement::Measurement;
 use crate::model::opening::{Arrived, FileQueue};
 use crate::model::overlays::OverlayState;
@@ -115,6 +118,7 @@ pub struct Model {
     shown: ShownMap,
     under_way: MapUnderWay,
     coarse: Draft,
+    fine: Fine,
     measurement: Measurement,
     overlay_state: OverlayState,
     refines: Refines,
@@ -143,6 +147,7 @@ impl Model {
             session,
             under_way: MapUnderWay::default(),
             coarse: Draft::default(),
+            fine: Fine::default(),
             measurement: Measurement::default(),
             overlay_state: OverlayState::default(),
             refines: Refines::InRefresh,
@@ -217,9 +222,9 @@ impl Model {
     }
 
     /// The map that is shown; `None` before the first. It is the full map, or a coarse one
-    /// while the full one is being computed or is too slow for the current drag.
+    /// while the full one is being computed or is too slow for the current drag, or without a window a refined one.
     pub fn map(&self) -> Option<&ConformalMap> {
-        self.coarse.map().or(self.shown.map.as_ref())
+        self.coarse.map().or(self.fine.map()).or(self.shown.map.as_ref())
     }
 
     /// Whether the map that is shown is the coarse one.
@@ -237,9 +242,21 @@ impl Model {
         self.map().and_then(|map| map.domain(side)).or_else(|| self.domain(side))
     }
 
+    /// The outline of a side's domain as it is drawn, through the images of the other side's vertices.
+    pub fn shown_outline(&self, side: Side) -> Option<&[DVec2]> {
+        match self.map() {
+            Some(map) if map.domain(side).is_some() => Some(map.drawn_outline(side)),
+            _ => self.domain(side).map(|domain| domain.samples().points()),
+        }
+    }
+
     /// The disk coordinates of the map that is shown, if [`Self::pattern_home`] requires them.
     pub fn shown_grid(&self) -> &DiskGrid {
-        if self.is_draft() { self.coarse.grid() } else { &self.overlay_state.grid }
+        match (self.is_draft(), self.fine.map()) {
+            (true, _) => self.coarse.grid(),
+            (false, Some(_)) => self.fine.grid(),
+            (false, None) => &self.overlay_state.grid,
+        }
     }
 
     /// The side on which the pattern in the picture is defined; `None`: in the disk. It follows the

@@ -21,8 +21,11 @@ impl Model {
     /// Updates the map to session and domains, or continues an update; `dragging`: a dot is being moved.
     pub fn refresh(&mut self, dragging: bool) -> Changes {
         let mut changes = Changes::default();
+        if self.sides_changed || self.points_changed {
+            changes |= self.fine.retire();
+        }
         if std::mem::take(&mut self.sides_changed) {
-            changes.meshes = self.take_sides();
+            changes.meshes |= self.take_sides();
             self.points_changed = true;
         }
         if std::mem::take(&mut self.points_changed) {
@@ -35,7 +38,7 @@ impl Model {
             changes |= self.go_on(dragging);
         }
         let refined = self.refines == Refines::InRefresh && self.refine();
-        changes.images = changes.map || refined;
+        changes.images |= changes.map || refined;
         self.shown.map_generation += u64::from(changes.map || changes.meshes);
         if changes.meshes || changes.images {
             self.shown.mesh_generation += u64::from(changes.meshes);
@@ -53,6 +56,7 @@ impl Model {
         let home = pattern::home(&self.session);
         if home.is_none() {
             self.coarse.make_grid();
+            self.fine.make_grid();
         }
         let has_grid = home.is_some() || self.is_draft() || !self.lacks_grid();
         let is_there = self.map().is_some() && self.shows_present_surfaces() && has_grid;
@@ -133,14 +137,14 @@ impl Model {
     }
 
     fn advance_measure(&mut self, deadline: Deadline) {
-        let map = self.coarse.map().or(self.shown.map.as_ref());
+        let map = self.coarse.map().or(self.fine.map()).or(self.shown.map.as_ref());
         self.measurement.advance(map, self.shown.generation, deadline);
     }
 
     /// Refines the extension in the picture if it is incomplete; returns whether images changed.
     fn refine(&mut self) -> bool {
         let full = self.shown.map.as_mut().filter(|_| !self.under_way.is_pending());
-        let Some(map) = self.coarse.map_mut().or(full) else { return false };
+        let Some(map) = self.coarse.map_mut().or(self.fine.map_mut()).or(full) else { return false };
         let incomplete = map.extension_progress() < 1.0;
         if incomplete {
             map.refine(REFINE_MS);

@@ -4,7 +4,7 @@ use crate::conformal::{KernelMode, PrepareSettings, Unsharpened};
 use crate::geometry::SimplePolygon;
 use crate::language::Message;
 use crate::mesh::Sizing;
-use crate::model::scene::{Offscreen, SurfaceFiles};
+use crate::model::scene::Offscreen;
 use crate::model::*;
 use crate::outline::{Preset, Sampling};
 use crate::session::{Command, OutlineSpec, SurfaceSpec};
@@ -70,7 +70,7 @@ fn finite_elements_are_shown_first_and_only_the_sharpened_map_is_ready() {
 }
 
 #[test]
-fn the_map_at_rest_is_that_of_an_offscreen_picture_however_it_was_come_to() {
+fn the_map_at_rest_is_the_same_however_it_was_come_to() {
     let wanted = session([Preset::Blob, Preset::Square]);
     let model = settled(wanted.clone());
     let mut other = settled(session([Preset::Square, Preset::Square]));
@@ -79,13 +79,8 @@ fn the_map_at_rest_is_that_of_an_offscreen_picture_however_it_was_come_to() {
         answer(&mut other, requests);
     }
     assert_eq!(model.map().unwrap().images(), other.map().unwrap().images());
-    let offscreen = Offscreen::new(&wanted, SurfaceFiles::default(), 1.0).unwrap();
-    let on_mapped = model.map().unwrap().mapped_side().other();
-    let drawn = [offscreen.panel(on_mapped).unwrap(), export::panel(&model, on_mapped).unwrap()];
-    assert_eq!(drawn[0].positions, drawn[1].positions);
     let mut copy = Offscreen::of(&model, 1.0);
-    let is_complete = (0..1000).any(|_| copy.advance().unwrap());
-    assert!(is_complete && copy.panel(on_mapped).unwrap().positions == drawn[0].positions, "a copy awaits nothing");
+    assert!((0..1000).any(|_| copy.advance().unwrap()), "a copy awaits nothing");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Pictures put together: domains and surfaces side by side, with their outlines and dots, as a scene.
 
 use crate::conformal::MeshedSurface;
-use crate::export::Panel;
+use crate::export::{Panel, hatched};
 use crate::geometry::{DVec2, DVec3};
 use crate::render::{
     CellCode, CellStyle, Handle, MeshGeometry, OrbitCamera, SceneCells, SceneDescription, ScenePicture, SceneSurface,
@@ -68,9 +68,11 @@ pub struct SurfacePart<'a> {
     pub cells: Option<(&'a [CellCode], CellStyle)>,
 }
 
-/// The dots of a part. Only one list has entries: `plane` for an outline, `space` for a surface.
+/// What is drawn over a part: of an outline its line and the dots `plane`, of a surface the dots `space`.
 #[derive(Default)]
-struct Dots {
+struct Marks {
+    /// The outline, and the hatching of what images do not cover.
+    line: Vec<DVec2>,
     plane: Vec<Handle>,
     space: Vec<SurfaceHandle>,
 }
@@ -82,29 +84,33 @@ pub fn compose<R>(
     size: [u32; 2],
     draw: impl FnOnce(&SceneDescription) -> R,
 ) -> R {
-    let dots: Vec<_> = parts.iter().map(|part| part.dots(look.radius_px)).collect();
+    let marks: Vec<_> = parts.iter().map(|part| part.marks(look.radius_px)).collect();
     let pictures: Vec<ScenePicture<'_>> =
-        parts.iter().zip(&dots).map(|(part, dots)| part.picture(dots, look)).collect();
+        parts.iter().zip(&marks).map(|(part, marks)| part.picture(marks, look)).collect();
     // free space around what is drawn
     let margin_px = 0.06 * size[1] as f32;
     draw(&SceneDescription { pictures: &pictures, background: look.background, image: look.image, margin_px })
 }
 
 impl<'a> ScenePart<'a> {
-    fn dots(&self, radius_px: f32) -> Dots {
+    fn marks(&self, radius_px: f32) -> Marks {
         match self {
-            Self::Plane(part) => Dots { plane: handles(&part.panel, radius_px).to_vec(), ..Dots::default() },
+            Self::Plane(PlanarPart { panel, .. }) => Marks {
+                line: hatched(panel.boundary, panel.unresolved),
+                plane: handles(panel, radius_px).to_vec(),
+                ..Marks::default()
+            },
             Self::Space(part) => {
                 let space = surface_handles(part.surface, part.handles, &part.camera, radius_px).to_vec();
-                Dots { space, ..Dots::default() }
+                Marks { space, ..Marks::default() }
             }
         }
     }
 
-    fn picture(&self, dots: &'a Dots, look: &Look<'a>) -> ScenePicture<'a> {
+    fn picture(&self, marks: &'a Marks, look: &Look<'a>) -> ScenePicture<'a> {
         match self {
-            Self::Plane(part) => viewport(part, &dots.plane, look).into(),
-            Self::Space(part) => in_space(part, &dots.space, look).into(),
+            Self::Plane(part) => viewport(part, marks, look).into(),
+            Self::Space(part) => in_space(part, &marks.space, look).into(),
         }
     }
 }
@@ -113,16 +119,16 @@ fn handles(panel: &Panel<'_>, radius_px: f32) -> [Handle; 2] {
     [0, 1].map(|k| Handle { position: panel.handles[k], colour: HANDLE_COLORS[k], radius_px })
 }
 
-fn viewport<'a>(part: &PlanarPart<'a>, handles: &'a [Handle], look: &Look<'a>) -> SceneViewport<'a> {
-    let Panel { positions, coordinates, triangles, boundary, .. } = part.panel;
+fn viewport<'a>(part: &PlanarPart<'a>, marks: &'a Marks, look: &Look<'a>) -> SceneViewport<'a> {
+    let Panel { positions, coordinates, triangles, .. } = part.panel;
     SceneViewport {
         geometry: MeshGeometry { positions, texture_coordinates: coordinates, triangles },
-        boundary,
+        boundary: &marks.line,
         boundary_style: look.stroke,
         camera: None,
         style: look.style,
         cells: part.cells,
-        handles,
+        handles: &marks.plane,
     }
 }
 

@@ -28,10 +28,10 @@ pub fn flattened(segments: &[Segment]) -> Vec<DVec2> {
     let size = Bounds::of([first.start()].into_iter().chain(all)).size().max_element();
     let mut coarseness = 1.0;
     loop {
-        let points = flattened_to(segments, size, coarseness);
+        let total: f64 = segments.iter().map(|segment| chord_count(segment, size, coarseness)).sum();
         // 64 times coarser means at most 8 chords a curve: if that is too many, so are the file's own segments.
-        if points.len() <= MAX_POINTS || coarseness >= 64.0 {
-            return points;
+        if total <= MAX_POINTS as f64 || coarseness >= 64.0 {
+            return flattened_to(segments, size, coarseness);
         }
         coarseness *= 4.0;
     }
@@ -47,7 +47,7 @@ fn flattened_to(segments: &[Segment], size: f64, coarseness: f64) -> Vec<DVec2> 
         }
     };
     for segment in segments {
-        let count = (chords(segment, size) / coarseness).ceil().max(1.0);
+        let count = chord_count(segment, size, coarseness);
         for k in 1..count as u32 {
             push(at(segment, f64::from(k) / count));
         }
@@ -59,6 +59,10 @@ fn flattened_to(segments: &[Segment], size: f64, coarseness: f64) -> Vec<DVec2> 
         points.pop();
     }
     points
+}
+
+fn chord_count(segment: &Segment, size: f64, coarseness: f64) -> f64 {
+    (chords(segment, size) / coarseness).ceil().max(1.0)
 }
 
 /// Points that frame the segment.

@@ -6,9 +6,10 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
 use super::corners::corners;
+use super::crossing::first_crossing;
 use super::smooth::{StaysPolygon, smooth_curve};
 use super::{Preset, Segment, flattened};
-use crate::geometry::{Curve, CurveError, DVec2, Junction, SimplePolygon};
+use crate::geometry::{Curve, CurveError, DVec2, Junction, MAX_POINTS, SimplePolygon};
 
 /// What is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -80,7 +81,11 @@ impl CurveForm {
     /// Other sources fit every polygon.
     pub fn fits(&self, polygon: &SimplePolygon) -> bool {
         let CurveSource::Segments(segments) = &self.source else { return true };
-        let (points, vertices) = (flattened(segments), polygon.vertices());
+        let vertices = polygon.vertices();
+        if segments.len() > MAX_POINTS {
+            return false;
+        }
+        let points = flattened(segments);
         let tolerance = SAME_POLYGON * polygon.bounds().size().max_element();
         let is_near = |p: DVec2, q: DVec2| p.distance(q) <= tolerance;
         let ends = segments.iter().map(Segment::end);
@@ -112,9 +117,7 @@ impl CurveForm {
         let smooth = match (self.interpretation, &self.source) {
             (Interpretation::Polygon, _) => return OutlineCurve::straight(polygon, None),
             (_, CurveSource::Preset(preset)) => preset.curve().map_err(StaysPolygon::from),
-            (_, CurveSource::Segments(segments)) => {
-                Curve::new(segments.iter().map(|&segment| segment.into()).collect()).map_err(StaysPolygon::from)
-            }
+            (_, CurveSource::Segments(segments)) => path_curve(segments),
             (_, CurveSource::Points) => self.through_points(polygon),
         };
         match smooth {
@@ -134,6 +137,16 @@ impl CurveForm {
             return Err(StaysPolygon::ManyCorners { corners: corners.len(), count });
         }
         smooth_curve(polygon.vertices(), &corners)
+    }
+}
+
+/// The curve of a path, unless it crosses itself.
+fn path_curve(segments: &[Segment]) -> Result<Curve, StaysPolygon> {
+    let curve = Curve::new(segments.iter().map(|&segment| segment.into()).collect())?;
+    let parts: Vec<[DVec2; 4]> = segments.iter().flat_map(Segment::cubics).collect();
+    match first_crossing(&parts) {
+        Some((_, j)) => Err(StaysPolygon::PathCrossesItself { at: parts[j][0] }),
+        None => Ok(curve),
     }
 }
 

@@ -87,6 +87,7 @@ const SNAP: f64 = 1e-9;
 
 impl BoundarySamples {
     /// From points, the lengths of their edges and their fractions; `None` if an invariant does not hold. Cost O(m).
+    #[cfg(any(feature = "io", test))]
     pub(crate) fn checked(points: Vec<DVec2>, edge_lengths: Vec<f64>, fractions: Vec<f64>) -> Option<Self> {
         Some(Self { points, edge_lengths, fractions }).filter(|samples| samples.check_invariants().is_ok())
     }

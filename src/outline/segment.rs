@@ -25,6 +25,9 @@ pub enum Segment {
     Cubic([DVec2; 4]),
 }
 
+/// The sweep of an arc that one Bézier curve stands for, in radians: π/8.
+const ARC_PART: f64 = 0.392_699_081_698_724_14;
+
 impl From<Segment> for Piece {
     fn from(segment: Segment) -> Self {
         match segment {
@@ -50,6 +53,31 @@ impl Segment {
             Self::Line([_, b]) | Self::Cubic([.., b]) => b,
             Self::Arc { .. } => Piece::from(*self).jet(1.0).position,
         }
+    }
+
+    /// Bézier curves along the segment: of arcs to 1e-8 of their radius. At least four, but one for a line, so that parts
+    /// that meet are neighbors or cross.
+    pub(super) fn cubics(&self) -> Vec<[DVec2; 4]> {
+        let piece = Piece::from(*self);
+        let parts = match *self {
+            Self::Line([a, b]) => return vec![[a, a.lerp(b, 1.0 / 3.0), a.lerp(b, 2.0 / 3.0), b]],
+            Self::Cubic(_) => 4,
+            Self::Arc { from, to, .. } => ((to - from).abs() / ARC_PART).ceil().max(4.0) as u32,
+        };
+        let handle = match *self {
+            // a part of the sweep θ has handles of 4/3 tan(θ/4) radii
+            Self::Arc { from, to, .. } => {
+                let part = (to - from) / f64::from(parts);
+                4.0 / 3.0 * (0.25 * part).tan() / (to - from)
+            }
+            _ => 1.0 / (3.0 * f64::from(parts)),
+        };
+        let at = |k: u32| piece.jet(f64::from(k) / f64::from(parts));
+        let part = |k: u32| {
+            let [a, d] = [at(k), at(k + 1)];
+            [a.position, a.position + handle * a.first, d.position - handle * d.first, d.position]
+        };
+        (0..parts).map(part).collect()
     }
 
     /// The same points in the opposite direction.

@@ -4,6 +4,8 @@
 //! corners become a line. Guarantees: the curve passes through the points, stays within a quarter of each edge's length
 //! from that edge, and does not cross itself; otherwise the reason is returned.
 
+use std::sync::Arc;
+
 use super::crossing::first_crossing;
 use crate::geometry::{Curve, CurveError, DVec2, Junction, Piece, Spline};
 
@@ -37,6 +39,12 @@ pub enum StaysPolygon {
         /// The first point of one of the edges.
         at: DVec2,
     },
+    /// The path crosses itself although its vertices are those of a simple polygon.
+    #[error("its path crosses itself near ({}, {})", .at.x, .at.y)]
+    PathCrossesItself {
+        /// The first point of one of the parts that meet.
+        at: DVec2,
+    },
     /// The file's or the spline's pieces do not form a curve.
     #[error("its pieces form no curve: {0}")]
     NoCurve(#[from] CurveError),
@@ -47,28 +55,27 @@ const STRAIGHT: f64 = 1e-14;
 /// The largest distance from an edge, in its lengths.
 const LARGEST_DISTANCE: f64 = 0.25;
 
-/// The vertex at which a piece begins, its control points, and whether it is a line.
-type Placed = (usize, [DVec2; 4], bool);
+/// A piece between two vertices, the first one given.
+struct Placed {
+    vertex: usize,
+    piece: Piece,
+}
 
 /// The curve through all vertices of a simple, counter-clockwise polygon; `corners` are ascending. Piece 0 begins at
 /// vertex 0. Junctions at points that are no corners are called analytic: there the curve stands for a smooth one.
 pub(super) fn smooth_curve(vertices: &[DVec2], corners: &[usize]) -> Result<Curve, StaysPolygon> {
     let mut placed = pieces(vertices, corners)?;
-    placed.sort_by_key(|piece| piece.0);
-    for (vertex, control, _) in &placed {
-        if !stays_near(control) {
-            return Err(StaysPolygon::LeavesEdge { at: vertices[*vertex] });
-        }
+    placed.sort_by_key(|placed| placed.vertex);
+    let cubics: Vec<[DVec2; 4]> = placed.iter().flat_map(|placed| cubics(&placed.piece)).collect();
+    if let Some(leaving) = cubics.iter().find(|cubic| !stays_near(cubic)) {
+        return Err(StaysPolygon::LeavesEdge { at: leaving[0] });
     }
-    let cubics: Vec<[DVec2; 4]> = placed.iter().map(|piece| piece.1).collect();
     if let Some((_, j)) = first_crossing(&cubics) {
         return Err(StaysPolygon::CrossesItself { at: cubics[j][0] });
     }
-    let piece = |&(_, control, is_line): &Placed| {
-        if is_line { Piece::Line([control[0], control[3]]) } else { Piece::Cubic(control) }
-    };
-    let mut curve = Curve::new(placed.iter().map(piece).collect())?;
-    for (k, (vertex, ..)) in placed.iter().enumerate() {
+    let starts: Vec<usize> = placed.iter().map(|placed| placed.vertex).collect();
+    let mut curve = Curve::new(placed.into_iter().map(|placed| placed.piece).collect())?;
+    for (k, vertex) in starts.iter().enumerate() {
         let is_smooth = curve.junctions()[k] == Junction::Smooth;
         if is_smooth && corners.binary_search(vertex).is_err() {
             curve = curve.analytic_at(k)?;
@@ -77,32 +84,43 @@ pub(super) fn smooth_curve(vertices: &[DVec2], corners: &[usize]) -> Result<Curv
     Ok(curve)
 }
 
-/// The pieces, in any order.
+/// The pieces, in any order: a line or a spline from corner to corner, divided where vertex 0 is between.
 fn pieces(vertices: &[DVec2], corners: &[usize]) -> Result<Vec<Placed>, StaysPolygon> {
     let n = vertices.len();
     let no_spline = StaysPolygon::LeavesEdge { at: vertices[0] };
     let Some(&first) = corners.first() else {
-        let spline = Spline::closed(vertices).ok_or(no_spline)?;
-        return Ok(spline.cubics().enumerate().map(|(k, control)| (k, control, false)).collect());
+        let spline = Arc::new(Spline::closed(vertices).ok_or(no_spline)?);
+        return Ok(vec![Placed { vertex: 0, piece: Piece::Spline { spline, from: 0, to: n } }]);
     };
-    let mut placed = Vec::with_capacity(n);
+    let mut placed = Vec::new();
     for (k, &from) in corners.iter().enumerate() {
         let to = corners.get(k + 1).copied().unwrap_or(first + n);
         let points: Vec<DVec2> = (from..=to).map(|k| vertices[k % n]).collect();
-        if is_straight(&points) {
-            // vertex 0 stays a junction
-            let cut = (from + 1..to).find(|k| k % n == 0);
-            for (a, b) in [(from, cut.unwrap_or(to)), (cut.unwrap_or(to), to)] {
-                if a < b {
-                    placed.push((a % n, line(vertices[a % n], vertices[b % n]), true));
-                }
-            }
+        let spline = if is_straight(&points) {
+            None
         } else {
-            let spline = Spline::open(&points).ok_or_else(|| no_spline.clone())?;
-            placed.extend(spline.cubics().enumerate().map(|(k, control)| ((from + k) % n, control, false)));
+            Some(Arc::new(Spline::open(&points).ok_or_else(|| no_spline.clone())?))
+        };
+        // vertex 0 stays a junction
+        let cut = if from < n && n < to { n } else { to };
+        for [a, b] in [[from, cut], [cut, to]].into_iter().filter(|[a, b]| a < b) {
+            let piece = match &spline {
+                None => Piece::Line([vertices[a % n], vertices[b % n]]),
+                Some(spline) => Piece::Spline { spline: Arc::clone(spline), from: a - from, to: b - from },
+            };
+            placed.push(Placed { vertex: a % n, piece });
         }
     }
     Ok(placed)
+}
+
+/// The polynomials of a piece as Bézier curves.
+fn cubics(piece: &Piece) -> Vec<[DVec2; 4]> {
+    match *piece {
+        Piece::Line([a, b]) => vec![line(a, b)],
+        Piece::Spline { ref spline, from, to } => spline.cubics().skip(from).take(to - from).collect(),
+        _ => Vec::new(),
+    }
 }
 
 fn line(a: DVec2, b: DVec2) -> [DVec2; 4] {

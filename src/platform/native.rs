@@ -71,9 +71,12 @@ impl StudyRunner {
     /// Starts a thread for `study`.
     pub fn begin(&mut self, study: Study) {
         let mailbox = self.mailbox.clone();
-        let found = move |finding| Event::Found { study: Some(study), finding };
+        let found = {
+            let study = study.clone();
+            move |finding| Event::Found { study: Some(study.clone()), finding }
+        };
         let work = {
-            let mailbox = mailbox.clone();
+            let (mailbox, found) = (mailbox.clone(), found.clone());
             move || {
                 let finding = catch_unwind(move || study.run());
                 mailbox.post(found(finding.unwrap_or_else(|_| Finding::Failed(key::internal_error().into()))));

@@ -43,7 +43,7 @@ pub struct SceneViewport<'a> {
     pub boundary: &'a [DVec2],
     /// The outline's stroke; `None` for the theme's.
     pub boundary_style: Option<StrokeStyle>,
-    /// `None` fits the positions with [`SceneDescription::margin_px`].
+    /// `None` fits the positions and the outline with [`SceneDescription::margin_px`].
     pub camera: Option<Camera>,
     /// The texture.
     pub style: TextureStyle,
@@ -177,10 +177,19 @@ impl SceneViewport<'_> {
         scene: &SceneDescription,
     ) -> Result<(), RenderError> {
         upload(device, queue, renderer, viewport, self)?;
-        let camera = self.camera.unwrap_or_else(|| fitted(self.geometry.positions, size_px, scene.margin_px));
+        let camera = self.camera.unwrap_or_else(|| self.fitted(size_px, scene.margin_px));
         let frame = PlanarFrame { size_px, camera, style: self.style, background: scene.background };
         renderer.prepare(device, queue, encoder, viewport, &frame, Pace::Full);
         Ok(())
+    }
+
+    /// The camera that shows all of the mesh and of the outline, which images may not reach everywhere.
+    fn fitted(&self, size_px: [u32; 2], margin_px: f32) -> Camera {
+        let points = self.geometry.positions.iter().chain(self.boundary);
+        let (low, high) =
+            points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+        let bounds = if low.is_finite() && high.is_finite() { (low, high) } else { (DVec2::ZERO, DVec2::ONE) };
+        Camera::fit(bounds, size_px.map(|side| side as f32), margin_px)
     }
 }
 
@@ -206,13 +215,6 @@ fn upload(
     renderer.set_boundary_style(viewport, part.boundary_style);
     renderer.set_handles(device, queue, viewport, part.handles);
     Ok(())
-}
-
-fn fitted(positions: &[DVec2], size_px: [u32; 2], margin_px: f32) -> Camera {
-    let (low, high) =
-        positions.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
-    let bounds = if low.is_finite() && high.is_finite() { (low, high) } else { (DVec2::ZERO, DVec2::ONE) };
-    Camera::fit(bounds, size_px.map(|side| side as f32), margin_px)
 }
 
 fn paint(

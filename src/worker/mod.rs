@@ -4,12 +4,14 @@
 //! message carries the generation of its request; the receiver drops stale ones.
 
 mod file;
+mod invariants;
 mod rehearsal;
 mod study;
 mod taken;
 mod transfer;
 
 pub use file::{FlatOutline, FlatSession, NamedFile, Unread};
+pub use invariants::{FoundInvariants, InvariantsTask, Number, StudiedOutline};
 pub use rehearsal::rehearsal;
 pub use study::{Finding, Study};
 pub use taken::{Corner, Taken};

@@ -2,9 +2,11 @@
 
 use crate::app::input::preferences::Preferences;
 use crate::conformal::Side;
+use crate::figures::LadderShape;
 use crate::geometry::DVec2;
 use crate::model::editing::{Change, Hold, Pen};
 use crate::model::motion::PlayAction;
+use crate::model::overlays::invariants::InvariantsAction;
 use crate::model::overlays::walks::WalkAction;
 use crate::session::{Command, Touched};
 
@@ -47,10 +49,14 @@ pub enum Action {
     Dismiss(Side),
     /// Show a window of measurements, and start measuring.
     OpenReport(Report),
+    /// Show another outline or horizontal axis in the plot of accuracy, and measure what is not measured yet.
+    ShowLadder(LadderShown),
     /// Close the report window and drop its remaining measurements.
     CloseReport,
     /// Close the message that belongs to neither side.
     DismissMessage,
+    /// Change which invariants are computed.
+    Invariants(InvariantsAction),
     /// An action of the export window.
     Export(ExportAction),
     /// Start or stop the motion of the points, or change its path or period.
@@ -96,10 +102,12 @@ impl Action {
             | Self::QuickFix(_)
             | Self::Dismiss(_)
             | Self::OpenReport(_)
+            | Self::ShowLadder(_)
             | Self::CloseReport
             | Self::DismissMessage
             | Self::Export(_)
             | Self::Walks(_)
+            | Self::Invariants(_)
             | Self::Explore(ExploreAction::Shortcuts | ExploreAction::Close | ExploreAction::LeaveTour { .. })
             | Self::Prefer(_)
             | Self::TogglePanels
@@ -224,6 +232,32 @@ pub enum ExportAction {
 pub enum Report {
     /// Tables 1 and 2.
     Bench,
-    /// Figure 15.
+    /// The accuracy of all methods, and Figure 15.
     Convergence,
+}
+
+/// What the plot of accuracy shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LadderShown {
+    /// The outline.
+    pub shape: LadderShape,
+    /// What errors are plotted against.
+    pub axis: LadderAxis,
+}
+
+impl Default for LadderShown {
+    fn default() -> Self {
+        Self { shape: LadderShape::VShape, axis: LadderAxis::Unknowns }
+    }
+}
+
+/// The horizontal axis of the plot of accuracy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LadderAxis {
+    /// Unknowns of the linear system.
+    Unknowns,
+    /// Points on the boundary.
+    Points,
+    /// The time for an outline and a point.
+    Milliseconds,
 }

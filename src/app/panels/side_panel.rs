@@ -1,4 +1,5 @@
-//! The column of controls: direction, coloring, texture, motion, method, overlays, resolution of both sides.
+//! The column of controls: direction, coloring, texture, motion, method, overlays, invariants and resolution of both
+//! sides.
 //!
 //! The controls show the *requested* settings, not those of the map on the screen; a click becomes an [`Action`].
 
@@ -7,7 +8,7 @@ use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, guarded_by};
 use crate::app::language::words;
 use crate::app::overlays;
-use crate::app::panels::{interpretation, method, play_panel};
+use crate::app::panels::{interpretation, invariants_panel, method, play_panel};
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::{Segment, captioned_slider, group_heading, segmented};
 use crate::conformal::{Direction, PrepareSettings, Side};
@@ -52,6 +53,11 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str
     guarded_by(ui, Touched::POINTS, |ui| play_panel::show(ui, model, player, actions));
     guarded(ui, Control::Method, |ui| method::show(ui, model, actions));
     guarded(ui, Control::Comparison, |ui| overlays::panel::show(ui, model, actions));
+    for side in Side::BOTH.into_iter().filter(|side| model.abilities().has_outline(*side)) {
+        ui.push_id(("invariants", side), |ui| {
+            guarded(ui, Control::Comparison, |ui| invariants_panel::show(ui, side, model, actions));
+        });
+    }
     for side in Side::BOTH {
         if let Some(settings) = model.outline_settings(side) {
             ui.push_id(side, |ui| {

@@ -6,8 +6,10 @@
 
 mod chart;
 mod convergence;
+mod ladder;
 
 pub use convergence::convergence_chart;
+pub use ladder::ladder_chart;
 
 use super::theme::{self, Palette};
 use crate::app::input::action::{Action, Actions, PlotKind, PlotsAction};

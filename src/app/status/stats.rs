@@ -7,6 +7,7 @@ use crate::model::overlays::disk_comparison::Found;
 use crate::model::{ErrorBounds, Model, Processor, SideKernel};
 use crate::outline::Interpreted;
 use crate::session::{Colouring, DiskWay};
+use crate::worker::FoundInvariants;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -135,6 +136,8 @@ pub struct OverlayStats {
     pub comparison: ComparisonsStats,
     /// How many random walks were counted, and the largest deviation of their hits from the harmonic measure.
     pub walks: (u64, Option<f64>),
+    /// The invariants of both sides, where they are asked for and there; a text is why not.
+    pub invariants: [Option<Result<FoundInvariants, String>>; 2],
 }
 
 /// What the screen knows and the model does not.
@@ -279,6 +282,7 @@ fn overlays(model: &Model) -> OverlayStats {
             precomputed: comparison(model, DiskWay::Precomputed),
         },
         walks: (walks.count(), walks.deviation()),
+        invariants: Side::BOTH.map(|side| Some(model.invariants(side)?.clone().map_err(|reason| reason.english()))),
     }
 }
 
@@ -321,7 +325,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 38] = [
+    const KEYS: [&str; 39] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -342,6 +346,7 @@ mod tests {
         "generation",
         "handles",
         "image_of_mapped_point",
+        "invariants",
         "kernels",
         "marked_boundary",
         "measured_generation",

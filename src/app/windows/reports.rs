@@ -1,13 +1,15 @@
-//! Windows with the paper's tables and its convergence figure, measured on this machine row by row.
+//! Windows with the paper's tables, and with its convergence figure and the accuracy of all methods, measured on this
+//! machine row by row.
 //!
 //! Closing a window stops its measurements: no further row is requested, and the result in flight is dropped.
 
-use crate::app::input::action::{Action, Actions, Report};
-use crate::app::plots::convergence_chart;
+use crate::app::input::action::{Action, Actions, LadderShown, Report};
+use crate::app::plots::{convergence_chart, ladder_chart};
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::close_button;
 use crate::figures::{
-    BenchRow, BenchSetting, ConvergenceRow, Measurement, PaperFrame, PaperPreparation, TABLE_1, TABLE_2,
+    BenchRow, BenchSetting, ConvergenceRow, Detail, LadderRow, LadderShape, Measurement, PaperFrame, PaperPreparation,
+    Rung, TABLE_1, TABLE_2,
 };
 use crate::language::{self, Label, Message, key, say, tr};
 use crate::worker::{Finding, Study};
@@ -31,6 +33,8 @@ pub struct Reports {
     is_abandoned: bool,
     rows: Vec<(BenchRow, Measurement)>,
     convergence: Vec<ConvergenceRow>,
+    ladder: Vec<LadderRow>,
+    shown: LadderShown,
     failures: Vec<Message>,
 }
 
@@ -39,7 +43,10 @@ impl Reports {
     pub fn open(&mut self, report: Report) {
         let waiting = match report {
             Report::Bench => BenchRow::all().into_iter().map(|row| Study::Bench { row, runs: runs(row) }).collect(),
-            Report::Convergence => RESOLUTIONS.map(|m| Study::Convergence { m }).into(),
+            Report::Convergence => {
+                let ladder = ladder(self.shown.shape);
+                ladder.chain(RESOLUTIONS.map(|m| Study::Convergence { m })).collect()
+            }
         };
         self.close();
         (self.open, self.waiting) = (Some(report), waiting);
@@ -47,7 +54,19 @@ impl Reports {
 
     /// Closes the window: what is under way is dropped when it comes.
     pub fn close(&mut self) {
-        *self = Self { is_abandoned: self.is_abandoned || self.running.is_some(), ..Self::default() };
+        let is_abandoned = self.is_abandoned || self.running.is_some();
+        *self = Self { is_abandoned, shown: self.shown, ..Self::default() };
+    }
+
+    /// Shows another outline or axis of the plot of accuracy; what is not measured yet comes first.
+    pub fn show_ladder(&mut self, shown: LadderShown) {
+        self.shown = shown;
+        let is_waiting = |study: &Study| matches!(study, Study::Ladder { rung } if rung.shape == shown.shape);
+        let (first, rest): (Vec<Study>, Vec<Study>) = self.waiting.drain(..).partition(is_waiting);
+        let is_known = self.ladder.iter().any(|row| row.rung.shape == shown.shape)
+            || self.running.as_ref().is_some_and(is_waiting);
+        let missing = ladder(shown.shape).filter(|_| first.is_empty() && !is_known);
+        self.waiting = missing.collect::<Vec<_>>().into_iter().chain(first).chain(rest).collect();
     }
 
     /// Takes the next study to run; `None` while one is in flight or when all are done.
@@ -56,18 +75,21 @@ impl Reports {
             return None;
         }
         self.running = self.waiting.pop_front();
-        self.running
+        self.running.clone()
     }
 
     /// Stores the finding of a study; `None` stands for the one in flight. The finding of a stale study is dropped.
-    pub fn accept(&mut self, study: Option<Study>, finding: Finding) {
+    pub fn accept(&mut self, study: Option<&Study>, finding: Finding) {
         if std::mem::take(&mut self.is_abandoned) {
             return;
         }
-        let Some(running) = self.running.take_if(|running| study.is_none_or(|study| study == *running)) else { return };
+        let Some(running) = self.running.take_if(|running| study.is_none_or(|study| study == running)) else {
+            return;
+        };
         match (running, finding) {
             (Study::Bench { row, .. }, Finding::Bench(measurement)) => self.rows.push((row, measurement)),
             (Study::Convergence { .. }, Finding::Convergence(rows)) => self.convergence.extend(rows),
+            (Study::Ladder { .. }, Finding::Ladder(row)) => self.ladder.push(*row),
             (_, Finding::Failed(reason)) => self.failures.push(reason),
             _ => self.failures.push(key::another_answer().into()),
         }
@@ -83,7 +105,7 @@ impl Reports {
         let Some(report) = self.open else { return };
         let title = match report {
             Report::Bench => key::tables_of_paper(),
-            Report::Convergence => key::convergence_of_paper(),
+            Report::Convergence => key::accuracy_and_convergence(),
         };
         let screen = context.content_rect();
         let mut still_open = true;
@@ -94,13 +116,13 @@ impl Reports {
             .pivot(egui::Align2::CENTER_CENTER)
             .default_pos(screen.center())
             .default_size(vec2(780.0, 700.0).min(screen.size() - vec2(24.0, 90.0)))
-            .show(context, |ui| self.content(ui, report));
+            .show(context, |ui| self.content(ui, report, actions));
         if !still_open || given_up {
             actions.push(Action::CloseReport);
         }
     }
 
-    fn content(&self, ui: &mut Ui, report: Report) {
+    fn content(&self, ui: &mut Ui, report: Report, actions: &mut Actions) {
         let palette = Palette::of(ui.visuals());
         let left = self.waiting.len() + usize::from(self.running.is_some());
         let state = if left == 0 { String::from(tr(key::done())) } else { say(&key::measuring_rows(left)) };
@@ -112,7 +134,12 @@ impl Reports {
         let height = ui.available_height() - below;
         ScrollArea::both().auto_shrink(false).max_height(height).show(ui, |ui| match report {
             Report::Bench => self.tables(ui),
-            Report::Convergence => convergence_chart(ui, &self.convergence),
+            Report::Convergence => {
+                heading(ui, key::accuracy_of_methods());
+                ladder_chart(ui, &self.ladder, self.shown, actions);
+                heading(ui, key::convergence_of_paper());
+                convergence_chart(ui, &self.convergence);
+            }
         });
         if close_button(ui).clicked() {
             ui.close();
@@ -129,7 +156,7 @@ impl Reports {
     }
 
     fn table_1(&self, ui: &mut Ui, setting: BenchSetting) {
-        heading(ui, key::table_1(), setting);
+        table_heading(ui, key::table_1(), setting);
         grid(ui, format!("table 1 {setting:?}"), |ui| {
             header(
                 ui,
@@ -179,7 +206,7 @@ impl Reports {
     }
 
     fn table_2(&self, ui: &mut Ui, setting: BenchSetting) {
-        heading(ui, key::table_2(), setting);
+        table_heading(ui, key::table_2(), setting);
         grid(ui, format!("table 2 {setting:?}"), |ui| {
             header(
                 ui,
@@ -220,18 +247,27 @@ impl Reports {
     }
 }
 
+/// The measurements of an outline for the plot of accuracy.
+fn ladder(shape: LadderShape) -> impl Iterator<Item = Study> {
+    Rung::of(shape, Detail::Quick).into_iter().map(|rung| Study::Ladder { rung })
+}
+
 /// Measurements of a row: one for the tables of Ψ, which take seconds each and which riemap does not need.
 fn runs(row: BenchRow) -> usize {
     if matches!(row, BenchRow::PsiTable { .. }) { 1 } else { RUNS }
 }
 
-fn heading(ui: &mut Ui, table: Label, setting: BenchSetting) {
+fn heading(ui: &mut Ui, text: Label) {
     ui.add_space(8.0);
+    ui.label(RichText::new(tr(text)).strong());
+}
+
+fn table_heading(ui: &mut Ui, table: Label, setting: BenchSetting) {
+    heading(ui, table);
     let of = match setting {
         BenchSetting::Paper => key::setting_paper(),
         BenchSetting::Default => key::setting_default(),
     };
-    ui.label(RichText::new(tr(table)).strong());
     ui.label(RichText::new(tr(of)).small().color(Palette::of(ui.visuals()).weak));
 }
 
@@ -274,10 +310,10 @@ mod tests {
         assert!(first.is_some() && reports.take_study().is_none(), "one at a time");
         reports.open(Report::Bench);
         assert!(reports.take_study().is_none(), "the closed window's study is still in flight");
-        reports.accept(first, Finding::Convergence(Vec::new()));
+        reports.accept(first.as_ref(), Finding::Convergence(Vec::new()));
         assert!(reports.convergence.is_empty(), "the finding of the closed window is dropped");
         let second = reports.take_study();
-        reports.accept(second, Finding::Failed("no".into()));
+        reports.accept(second.as_ref(), Finding::Failed("no".into()));
         assert_eq!(reports.failures.len(), 1);
         assert!(reports.take_study().is_some());
         reports.accept(None, Finding::Failed("the worker died".into()));

@@ -8,10 +8,10 @@ mod disk_kernel;
 mod distortion;
 mod moebius;
 mod pictures;
-mod plot;
+pub(super) mod plot;
 mod raster;
 mod surfaces;
-mod svg;
+pub(super) mod svg;
 
 use super::CliError;
 use super::arguments::FigureArguments;

@@ -15,7 +15,7 @@ const MOST_STEPS: u32 = 40;
 #[derive(Debug, Clone)]
 pub struct ArcTable {
     piece: Piece,
-    /// Length up to parameter k/CELLS; empty for a straight line, whose length is linear.
+    /// Length up to parameter k/CELLS; empty for a straight line, whose length is linear, and a spline, which knows it.
     ends: Vec<f64>,
     length: f64,
 }
@@ -29,7 +29,8 @@ impl ArcTable {
     /// The table of a piece of this length.
     pub fn new(piece: Piece, length: f64) -> Self {
         let mut table = Self { piece, ends: Vec::new(), length };
-        if piece.is_straight() {
+        // a spline has its own table
+        if table.piece.is_straight() || matches!(table.piece, Piece::Spline { .. }) {
             return table;
         }
         let mut sum = 0.0;
@@ -50,8 +51,11 @@ impl ArcTable {
 
     /// The length up to parameter `t` in [0, 1].
     pub fn length_to(&self, t: f64) -> f64 {
-        if self.ends.is_empty() || t >= 1.0 {
-            return t.min(1.0) * self.length;
+        if t >= 1.0 {
+            return self.length;
+        }
+        if self.ends.is_empty() {
+            return self.piece.length_to(t);
         }
         let cell = ((t * CELLS as f64) as usize).min(CELLS - 1);
         self.ends[cell] + self.integral(cell as f64 / CELLS as f64, t)
@@ -60,8 +64,11 @@ impl ArcTable {
     /// The parameter up to which the length is `length`, in [0, 1].
     pub fn parameter_at(&self, length: f64) -> f64 {
         let share = (length / self.length).clamp(0.0, 1.0);
-        if self.ends.is_empty() || share <= 0.0 || share >= 1.0 {
+        if share <= 0.0 || share >= 1.0 {
             return share;
+        }
+        if self.ends.is_empty() {
+            return self.piece.parameter_at(length, self.length);
         }
         let cell = self.ends.partition_point(|&end| end <= length).clamp(1, CELLS) - 1;
         let [from, to] = [cell, cell + 1].map(|k| k as f64 / CELLS as f64);

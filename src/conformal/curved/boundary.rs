@@ -7,8 +7,9 @@
 
 use super::arc_table::ArcTable;
 use super::error::Unsharpened;
-use crate::geometry::{Curve, CurvePoint, DVec2, SimplePolygon, nearest_of_polygon};
+use crate::geometry::{Curve, CurvePoint, DVec2, Piece, SimplePolygon, nearest_of_polygon};
 use crate::outline::{BoundaryPoint, BoundarySamples};
+use std::sync::Arc;
 
 /// A part of a piece, or of an edge, below which a point is its end: as for samples, whose rounding is below 1e-10 of
 /// the shortest edges.
@@ -22,7 +23,7 @@ const SAME_PLACE: f64 = 1e-12;
 #[derive(Debug)]
 pub struct CurveBoundary {
     curve: Curve,
-    arcs: Vec<ArcTable>,
+    arcs: Arc<[ArcTable]>,
     /// The lengths up to the pieces, and the perimeter.
     starts: Vec<f64>,
     /// The samples' points.
@@ -34,7 +35,7 @@ pub struct CurveBoundary {
 impl CurveBoundary {
     /// The curve, without samples.
     pub(super) fn new(curve: &Curve) -> Self {
-        let arc = |(&piece, &length)| ArcTable::new(piece, length);
+        let arc = |(piece, &length): (&Piece, &f64)| ArcTable::new(piece.clone(), length);
         let arcs = curve.pieces().iter().zip(curve.lengths()).map(arc).collect();
         let mut starts = vec![0.0];
         starts.extend(curve.lengths().iter().scan(0.0, |sum, length| {
@@ -80,6 +81,14 @@ impl CurveBoundary {
         Ok(moved)
     }
 
+    /// The same curve with other samples, at these places of the samples' boundary, the first of which is sample 0.
+    pub(in crate::conformal) fn resampled(&self, places: &[BoundaryPoint]) -> Self {
+        let points: Vec<CurvePoint> = places.iter().map(|&place| self.curved(place)).collect();
+        let stations = points.iter().map(|&point| self.station(point)).chain([self.perimeter()]).collect();
+        let (curve, arcs) = (self.curve.clone(), Arc::clone(&self.arcs));
+        Self { curve, arcs, starts: self.starts.clone(), points, stations }
+    }
+
     /// The fractions of the polygon's length at the junctions, and 1.
     fn junctions_on(&self, polygon: &SimplePolygon) -> Result<Vec<f64>, Unsharpened> {
         let vertices = polygon.vertices();
@@ -113,6 +122,11 @@ impl CurveBoundary {
         let count = self.arcs.len();
         let piece = (junctions.partition_point(|&junction| junction <= s).max(1) - 1).min(count - 1);
         let share = (s - junctions[piece]) / (junctions[piece + 1] - junctions[piece]);
+        let is_spline = matches!(self.curve().pieces()[piece], Piece::Spline { .. });
+        if is_spline && (SNAP..=1.0 - SNAP).contains(&share) {
+            // the parameter of a spline through the vertices is the length along the polygon
+            return CurvePoint::new(piece, share);
+        }
         self.on_piece(piece, share)
     }
 
@@ -176,7 +190,7 @@ impl CurveBoundary {
     }
 
     /// The point at a station, taken modulo the perimeter.
-    fn at_station(&self, station: f64) -> CurvePoint {
+    pub(in crate::conformal) fn at_station(&self, station: f64) -> CurvePoint {
         let station = station.rem_euclid(self.perimeter());
         let piece = (self.starts.partition_point(|&start| start <= station).max(1) - 1).min(self.arcs.len() - 1);
         CurvePoint::new(piece, (station - self.starts[piece]) / self.curve().lengths()[piece])

@@ -4,6 +4,7 @@ use super::preparation::{Outlined, equation_settings};
 use super::{CurveBoundary, Unsharpened};
 use crate::boundary_integral::BoundaryIntegral;
 use crate::geometry::{Curve, DVec2, SimplePolygon};
+use crate::outline::BoundaryPoint;
 use std::sync::Arc;
 
 use super::super::{MeshedDomain, PrepareSettings};
@@ -34,6 +35,11 @@ impl BoundaryEquation {
     pub(in crate::conformal) fn of(boundary: CurveBoundary, near: &[DVec2]) -> Result<Self, Unsharpened> {
         let integral = BoundaryIntegral::prepare(boundary.curve(), &equation_settings(boundary.curve(), near))?;
         Ok(Self { boundary: Arc::new(boundary), integral: Arc::new(integral) })
+    }
+
+    /// The same equation with samples at `places` among its own.
+    pub(in crate::conformal) fn resampled(&self, places: &[BoundaryPoint]) -> Self {
+        Self { boundary: Arc::new(self.boundary.resampled(places)), integral: Arc::clone(&self.integral) }
     }
 
     /// The curve with the samples.

@@ -113,6 +113,13 @@ impl SharpMeasure {
         finite.sharpen(forward, sharp);
     }
 
+    /// The same measure from the anchor at the fraction `s`, at the samples of `side`, other ones of the same curve.
+    pub fn resampled(&self, side: &PreparedSide, s: f64, finite: &mut HarmonicMeasure) {
+        if let Some(boundary) = side.curve_boundary() {
+            Self::set(side, boundary, &self.swept, s, finite);
+        }
+    }
+
     /// The curve.
     pub fn boundary(&self) -> &CurveBoundary {
         &self.boundary

@@ -3,8 +3,8 @@
 use crate::geometry::{DVec2, Side, on_segment, side};
 
 /// The largest number of vertices by which the ends of a cut are moved: the ends lie on the two sides of a channel
-/// whose width is four samples, and need to be nearly opposite each other.
-const MOVES: usize = 12;
+/// whose width is four samples, and need to be nearly opposite each other; more only where the channel bends.
+const MOVES: usize = 40;
 
 /// The numbers of vertices to add before and after the `steps` edges from `vertex` on, at most `room`, so that the
 /// chord between the ends lies inside the counter-clockwise polygon `points`; none if there is no such chord.

@@ -3,7 +3,8 @@
 use super::ResolvedBoundary;
 use crate::conformal::map_side::MapSide;
 use crate::conformal::{
-    ConformalMap, Constraints, HarmonicMeasure, MapError, MapSettings, PerSide, PreparedSide, Side,
+    BoundaryCorrespondence, ConformalMap, Constraints, HarmonicMeasure, MapError, MapSettings, PerSide, PreparedSide,
+    Side,
 };
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
@@ -19,16 +20,17 @@ impl ConformalMap {
     pub fn resolved(
         &self,
         boundary: Arc<ResolvedBoundary>,
-        refined: Arc<PreparedSide>,
+        refined: PreparedSide,
         settings: MapSettings,
     ) -> Result<Self, MapError> {
         let side = self.mapped_side();
+        let refined = Arc::new(refined.with_curve_of(self.side(side), &boundary.places));
         let mut map = Self::unmapped(Arc::clone(&self.sides.source.prepared), Arc::clone(&self.sides.target.prepared));
         map.sides[side.other()] = self.sides[side.other()].copied();
-        let measure = self.refined_measure(&boundary, &refined);
-        let kernel = boundary.places.iter().map(|&place| value_at(self.kernel(side), place)).collect();
+        let kernel: Vec<f64> = boundary.places.iter().map(|&place| value_at(self.kernel(side), place)).collect();
+        let measure = self.refined_measure(&boundary, &refined, &kernel);
         map.sides[side] = MapSide::with_measure(refined, side, &self.sides[side], kernel, measure)?;
-        map.correspondence.set(boundary.images.clone());
+        self.set_images(&boundary, &mut map.correspondence);
         map.settings = MapSettings { direction: self.settings.direction, ..settings };
         map.resolution = Some(boundary);
         map.extend_now()?;
@@ -42,13 +44,32 @@ impl ConformalMap {
         Some(Constraints { points: PerSide::new(source.0, target.0), anchors: PerSide::new(source.1, target.1) })
     }
 
-    /// The measure at the vertices of the refined boundary: that of their images.
-    fn refined_measure(&self, boundary: &ResolvedBoundary, refined: &PreparedSide) -> HarmonicMeasure {
+    /// The measure at the vertices of the refined boundary, at which the finite-element density is `kernel`.
+    fn refined_measure(&self, boundary: &ResolvedBoundary, refined: &PreparedSide, kernel: &[f64]) -> HarmonicMeasure {
         let side = self.mapped_side();
-        let (own, other) = (self.measure(side), self.measure(side.other()));
+        let own = self.measure(side);
+        let fraction = self.sides[side].constraint().map(|(_, anchor)| anchor.rem_euclid(1.0));
+        if let (Some(sharp), Some(fraction)) = (own.sharp(), fraction) {
+            let mut measure = HarmonicMeasure::default();
+            measure.set_along(refined.edge_lengths(), kernel, refined.at_fraction(fraction));
+            sharp.resampled(refined, fraction, &mut measure);
+            return measure;
+        }
         let anchor = refined.at_fraction(self.side(side).fraction_at(own.anchor()));
-        let density = |k: usize| value_at(self.kernel(side), boundary.places[k]);
-        HarmonicMeasure::from_values(anchor, boundary.places.len(), density, |k| other.at(boundary.images[k]))
+        HarmonicMeasure::from_values(anchor, kernel.len(), |k| kernel[k], |k| boundary.measures[k])
+    }
+
+    /// The images of the refined boundary: on the other side's curve, if its measure is from the boundary integral.
+    fn set_images(&self, boundary: &ResolvedBoundary, result: &mut BoundaryCorrespondence) {
+        let other = self.mapped_side().other();
+        let (Some(sharp), measure) = (self.measure(other).sharp(), self.measure(other)) else {
+            return result.set(boundary.images.clone());
+        };
+        result.begin_exact(boundary.images.len(), measure.anchor(), sharp.anchor());
+        for (k, &image) in boundary.images.iter().enumerate() {
+            let point = sharp.boundary().curved(image);
+            result.set_exact(k, image, point, sharp.boundary().curve().position(point));
+        }
     }
 
     fn extend_now(&mut self) -> Result<(), MapError> {
@@ -59,6 +80,7 @@ impl ConformalMap {
         prepared.begin_extension(boundary.into_iter(), &mut self.extension_scratch);
         let is_done = prepared.advance_extension(&mut self.extension_scratch, &mut self.images, Deadline::NEVER);
         is_done.map_err(|error| MapError::NotConverged { side, error })?;
+        self.straighten_corners()?;
         self.begin_refinement();
         Ok(())
     }

@@ -20,7 +20,7 @@ const SNAP: f64 = 0.12;
 /// A vertex of the resolved boundary.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Knot {
-    /// The arc length on the mapped boundary, from the start.
+    /// The length on the mapped boundary, from the start.
     pub at: f64,
     /// Which vertex of the mapped boundary it is, if it is one.
     pub own: Option<u32>,
@@ -34,7 +34,7 @@ pub(super) struct Knot {
 pub(super) struct Merged {
     /// In the order of the mapped boundary from its start, a vertex of the other boundary.
     pub knots: Vec<Knot>,
-    /// The arc length from the mapped boundary's anchor to the start.
+    /// The length from the mapped boundary's anchor to the start.
     pub start: f64,
     /// The length of the mapped boundary.
     pub length: f64,
@@ -66,16 +66,18 @@ impl Merged {
         let first = vertices[turn];
         let mut own: Vec<(f64, u32, f64)> = (mapped.vertices())
             .map(|(vertex, knot)| {
-                let (s, image) = (mapped.length_at(knot), other.point(other.place(mapped.at_knot(knot))));
+                let (s, image) = (mapped.length_at(knot), other.point(other.length_of(mapped.at_knot(knot))));
                 let passed = (image.edge() as usize + count - first) % count;
-                (from_start(s, s < start), vertex as u32, passed as f64 + image.fraction())
+                // rounding may leave the start's own vertex before it
+                let at = from_start(s, s < start - 0.2 * finest).max(0.0);
+                (at, vertex as u32, passed as f64 + image.fraction())
             })
             .collect();
         own.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut merged = Self { knots: Vec::new(), start, length, first, cuts: Vec::new() };
         let gap = |i: usize| gaps[(i + turn) % count];
         let groups = merged.groups(&gap, other.samples, finest);
-        merged.join(&own, &others, &groups, mapped.samples, finest);
+        merged.join(&own, &others, &groups, mapped, finest);
         merged
     }
 
@@ -106,14 +108,7 @@ impl Merged {
     }
 
     /// Merges own and other vertices, of each group the first and the last.
-    fn join(
-        &mut self,
-        own: &[(f64, u32, f64)],
-        others: &[f64],
-        groups: &[[usize; 2]],
-        samples: &BoundarySamples,
-        finest: f64,
-    ) {
+    fn join(&mut self, own: &[(f64, u32, f64)], others: &[f64], groups: &[[usize; 2]], mapped: &Rim<'_>, finest: f64) {
         let mut kept: Vec<(f64, usize, bool)> = Vec::new();
         let mut pending = groups.iter().peekable();
         let mut i = 0;
@@ -129,16 +124,16 @@ impl Merged {
                 i += 1;
             }
         }
-        self.knots = snapped(own, &kept, others.len(), samples, finest);
+        self.knots = snapped(own, &kept, others.len(), mapped, finest);
     }
 }
 
-/// The arc lengths on the mapped boundary, from its anchor, where the other boundary's vertices lie by their measure,
+/// The lengths on the mapped boundary, from its anchor, where the other boundary's vertices lie by their measure,
 /// ascending, and those vertices.
 fn preimages(mapped: &Rim<'_>, other: &Rim<'_>) -> (Vec<f64>, Vec<usize>) {
     let mut before = 0.0;
     let place = |(vertex, knot): (usize, usize)| {
-        before = mapped.length_of(mapped.place(other.at_knot(knot))).clamp(before, mapped.length());
+        before = mapped.length_of(other.at_knot(knot)).clamp(before, mapped.length());
         (before, vertex)
     };
     other.vertices().map(place).unzip()
@@ -149,12 +144,12 @@ fn snapped(
     own: &[(f64, u32, f64)],
     kept: &[(f64, usize, bool)],
     count: usize,
-    samples: &BoundarySamples,
+    mapped: &Rim<'_>,
     finest: f64,
 ) -> Vec<Knot> {
     let mut knots: Vec<Knot> = Vec::with_capacity(own.len() + kept.len());
-    let m = samples.len() as u32;
-    let edges = |k: u32| [samples.edge_lengths()[((k + m - 1) % m) as usize], samples.edge_lengths()[k as usize]];
+    let m = mapped.samples.len() as u32;
+    let edges = |k: u32| [mapped.edge(((k + m - 1) % m) as usize), mapped.edge(k as usize)];
     let mut taken = vec![false; kept.len()];
     let gap = |i: usize| if i + 1 < kept.len() { kept[i + 1].0 - kept[i].0 } else { f64::INFINITY };
     let mut next = 0;
@@ -178,7 +173,7 @@ fn snapped(
             taken[i] = true;
         } else {
             let [low, high] = [next.checked_sub(1).map_or(0, |i| kept[i].1), kept.get(next).map_or(count, |k| k.1)];
-            images.push((image.clamp(low as f64, high as f64), false));
+            images.push((nearest_lap(image, [low as f64, high as f64], count), false));
         }
     }
     let own = own.iter().zip(images).map(|(&(at, k, _), (image, is_cut))| Knot { at, own: Some(k), image, is_cut });
@@ -188,6 +183,12 @@ fn snapped(
     knots.sort_by(|a, b| a.at.total_cmp(&b.at));
     monotone(&mut knots, finest);
     knots
+}
+
+/// The image, which rounding may have moved around the whole boundary, between two others.
+pub(super) fn nearest_lap(image: f64, [low, high]: [f64; 2], count: usize) -> f64 {
+    let count = count as f64;
+    (image - count * ((image - 0.5 * (low + high)) / count).round()).max(low).min(high)
 }
 
 /// Drops vertices that coincide with others, and makes the images ascend.

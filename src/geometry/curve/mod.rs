@@ -11,6 +11,7 @@ mod quadrature;
 mod tests;
 
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 use glam::DVec2;
 
@@ -18,6 +19,7 @@ use super::SimplePolygon;
 pub use error::CurveError;
 pub use piece::{Jet, Piece};
 pub(crate) use quadrature::gauss_legendre;
+pub(super) use quadrature::integral;
 
 /// How the curve passes from one piece to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -184,35 +186,11 @@ impl Curve {
                 return CurvePoint::new(k, 0.0);
             }
             if rest < length - rounding || (k + 1 == self.lengths.len() && rest < length) {
-                return CurvePoint::new(k, self.parameter_at(k, rest));
+                return CurvePoint::new(k, self.pieces[k].parameter_at(rest, length));
             }
             rest -= length;
         }
         CurvePoint::new(0, 0.0)
-    }
-
-    /// The t at which piece `k` has this length, by Newton's method inside of a bracket.
-    fn parameter_at(&self, k: usize, length: f64) -> f64 {
-        let piece = &self.pieces[k];
-        let (mut low, mut high, mut t) = (0.0, 1.0, (length / self.lengths[k]).min(1.0));
-        if piece.is_straight() {
-            return t;
-        }
-        for _ in 0..60 {
-            let excess = piece.length_to(t) - length;
-            if excess > 0.0 {
-                high = t;
-            } else {
-                low = t;
-            }
-            let next = t - excess / piece.jet(t).first.length();
-            let next = if next > low && next < high { next } else { 0.5 * (low + high) };
-            if (next - t).abs() <= f64::EPSILON {
-                break;
-            }
-            t = next;
-        }
-        t
     }
 
     /// Whether `x` lies inside, by the winding number. Points within rounding of the curve may count either way.
@@ -252,13 +230,15 @@ fn check_lengths(pieces: &[Piece], lengths: &[f64]) -> Result<(), CurveError> {
     Ok(())
 }
 
-/// Twice the signed area, ∮ (z − z₀) × dz, by 64 parts of each curved piece: enough for its sign.
+/// Parts of a curved piece for the sign of the area.
+const AREA_PARTS: u32 = 64;
+
+/// Twice the signed area, ∮ (z − z₀) × dz, by inscribed chords of each piece: enough for its sign.
 fn area(pieces: &[Piece]) -> f64 {
     let origin = pieces[0].jet(0.0).position;
-    let parts = 64;
     let of_piece = |piece: &Piece| -> f64 {
-        let chord = |k: u32| piece.jet(f64::from(k) / f64::from(parts)).position - origin;
-        (0..parts).map(|k| chord(k).perp_dot(chord(k + 1))).sum()
+        let places = piece.inscribed(AREA_PARTS);
+        places.windows(2).map(|pair| (pair[0] - origin).perp_dot(pair[1] - origin)).sum()
     };
     pieces.iter().map(of_piece).sum()
 }
@@ -277,6 +257,7 @@ fn junction(before: &Piece, index: usize, after: &Piece) -> Result<Junction, Cur
     }
     let is_one_curve = match (before, after) {
         (Piece::Line(_), Piece::Line(_)) => turn <= ONE_LINE,
+        (Piece::Spline { spline: a, to, .. }, Piece::Spline { spline: b, from, .. }) => Arc::ptr_eq(a, b) && to == from,
         (Piece::Arc { center: c, axes: a, .. }, Piece::Arc { center: d, axes: b, .. }) => {
             let size = ONE_ELLIPSE * (a[0].length() + a[1].length());
             c.distance(*d) <= size && a[0].distance(b[0]) <= size && a[1].distance(b[1]) <= size

@@ -1,4 +1,5 @@
-//! Smooth pieces of curves: straight lines, elliptic arcs, cubic Bézier curves, and curves by formula.
+//! Smooth pieces of curves: straight lines, elliptic arcs, cubic Bézier curves, curves by formula, and parts of cubic
+//! splines, which are not analytic at their knots.
 //!
 //! Every piece is a function of t in [0, 1] with its first two derivatives. [`Piece::from_start`] gives the
 //! offset z(t) − z(0) in a form that does not cancel for small t, which the corners of an integral equation need.
@@ -6,6 +7,8 @@
 use glam::DVec2;
 
 use super::quadrature::integral;
+use crate::geometry::Spline;
+use std::sync::Arc;
 
 /// A point of a curve and its derivatives by the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,8 +29,8 @@ impl Jet {
     }
 }
 
-/// A smooth curve over t in [0, 1]; it should be analytic, closed interval included, with z′ ≠ 0.
-#[derive(Debug, Clone, Copy)]
+/// A smooth curve over t in [0, 1] with z′ ≠ 0; it should be analytic, closed interval included, or a spline.
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Piece {
     /// The straight line from the first point to the second.
@@ -55,6 +58,15 @@ pub enum Piece {
         /// s at t = 1.
         to: f64,
     },
+    /// The part of a spline between two of its knots, t in proportion to the spline's parameter.
+    Spline {
+        /// The spline.
+        spline: Arc<Spline>,
+        /// The knot at t = 0.
+        from: usize,
+        /// The knot at t = 1, another one; the part runs backwards if it is the earlier one.
+        to: usize,
+    },
 }
 
 /// Up to this t, the offset of a formula is the integral of z′; beyond it, the difference z(t) − z(0) loses at most
@@ -81,10 +93,12 @@ impl Piece {
                 let offset = self.from_start(t);
                 Jet { position: a + offset.position, ..offset }
             }
+            Self::Spline { ref spline, from, to } => spline.jet_between([from, to], t),
         }
     }
 
-    /// z(t) − z(0) as the position, with relative accuracy for every t, and the derivatives at t.
+    /// z(t) − z(0) as the position, with relative accuracy for every t (beyond the first interval of a spline, that of
+    /// a difference of positions), and the derivatives at t.
     pub fn from_start(&self, t: f64) -> Jet {
         match *self {
             Self::Line([a, b]) => Jet { position: t * (b - a), first: b - a, second: DVec2::ZERO },
@@ -111,6 +125,7 @@ impl Piece {
                 };
                 Jet { position, ..here }
             }
+            Self::Spline { ref spline, from, to } => spline.offset_between([from, to], t),
         }
     }
 
@@ -128,6 +143,7 @@ impl Piece {
             Self::Arc { center, axes, from, to } => Self::Arc { center, axes, from: to, to: from },
             Self::Cubic([a, b, c, d]) => Self::Cubic([d, c, b, a]),
             Self::Formula { function, from, to } => Self::Formula { function, from: to, to: from },
+            Self::Spline { ref spline, from, to } => Self::Spline { spline: Arc::clone(spline), from: to, to: from },
         }
     }
 
@@ -138,8 +154,10 @@ impl Piece {
 
     /// ∫ |z′| over [0, t], to about 14 digits for pieces without sharp bends.
     pub fn length_to(&self, t: f64) -> f64 {
-        if let Self::Line([a, b]) = *self {
-            return t * a.distance(b);
+        match *self {
+            Self::Line([a, b]) => return t * a.distance(b),
+            Self::Spline { ref spline, from, to } => return spline.length_between([from, to], t),
+            _ => {}
         }
         let mut count = 1;
         let mut length = self.composite_length(t, count);
@@ -154,12 +172,48 @@ impl Piece {
         length
     }
 
+    /// The t up to which the length is `length`, of `whole` in all, by Newton's method inside of a bracket.
+    pub fn parameter_at(&self, length: f64, whole: f64) -> f64 {
+        let (mut low, mut high, mut t) = (0.0, 1.0, (length / whole).clamp(0.0, 1.0));
+        if self.is_straight() {
+            return t;
+        }
+        for _ in 0..60 {
+            let excess = self.length_to(t) - length;
+            if excess > 0.0 {
+                high = t;
+            } else {
+                low = t;
+            }
+            let next = t - excess / self.jet(t).first.length();
+            let next = if next > low && next < high { next } else { 0.5 * (low + high) };
+            if (next - t).abs() <= f64::EPSILON {
+                break;
+            }
+            t = next;
+        }
+        t
+    }
+
+    /// Points on the piece in order, its ends among them: those of a spline, or the ends of `parts` equal steps of t.
+    pub(super) fn inscribed(&self, parts: u32) -> Vec<DVec2> {
+        match *self {
+            Self::Line(ends) => ends.to_vec(),
+            Self::Spline { ref spline, from, to } if from <= to => spline.points()[from..=to].to_vec(),
+            Self::Spline { ref spline, from, to } => spline.points()[to..=from].iter().rev().copied().collect(),
+            _ => (0..=parts).map(|k| self.jet(f64::from(k) / f64::from(parts)).position).collect(),
+        }
+    }
+
     fn composite_length(&self, t: f64, count: u32) -> f64 {
         let width = t / f64::from(count);
         (0..count).map(|k| integral(width, |s| self.jet(f64::from(k) * width + s).first.length())).sum()
     }
 
     pub(super) fn is_finite(&self) -> bool {
+        if let Self::Spline { spline, .. } = self {
+            return spline.is_finite();
+        }
         [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().all(|t| {
             let Jet { position, first, second } = self.jet(t);
             position.is_finite() && first.is_finite() && second.is_finite()

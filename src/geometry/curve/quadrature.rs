@@ -42,7 +42,7 @@ fn unit_rule() -> &'static [(f64, f64)] {
 }
 
 /// ∫ f over [0, t], exact up to degree 31; relative accuracy is kept for every positive t.
-pub(super) fn integral<T>(t: f64, f: impl Fn(f64) -> T) -> T
+pub(in crate::geometry) fn integral<T>(t: f64, f: impl Fn(f64) -> T) -> T
 where
     T: std::ops::Mul<f64, Output = T> + std::iter::Sum,
 {

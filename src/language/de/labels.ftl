@@ -45,6 +45,49 @@ max = Maximum
 mean = Mittel
 convergence_about = Abstand der Randbilder von den exakten, V-Form → Klecks; der Klecks ist etwa 2 breit.
 
+## accuracy
+
+ladder_about = Größte Fehler auf dem Rand, hier gemessen, in einem Thread: des harmonischen Maßes (durchgezogen) und der Bilder (gestrichelt: des Randes der Kreisscheibe, auf ihr, oder vom V auf dem Klecks).
+ladder_at_corners = Fehler an den sechs Ecken, wo genaue Werte bekannt sind.
+ladder_against_finer = Verglichen mit dem Randintegral mit etwa doppelt so vielen Unbekannten: eine geschlossene Form ist nicht bekannt.
+unknowns = Unbekannte
+unknowns_tooltip = Unbekannte des linearen Gleichungssystems; bei Zipper seine Punkte
+boundary_points = Randpunkte
+boundary_points_tooltip = Punkte auf dem Rand: Abtastpunkte oder Knoten der Integralgleichung
+milliseconds = Millisekunden
+milliseconds_tooltip = Die Zeit für einen Umriss und einen inneren Punkt
+boundary_images = Bilder
+ladder_outline = Gemessener Umriss
+boundary_integral = Randintegral
+finite_elements_uniform = Finite Elemente, gleichmäßig
+finite_elements_graded = Finite Elemente, voreingestellt
+ellipse_4_1 = Ellipse 4:1
+rounded_square = Abgerundetes Quadrat
+rectangle_10_1 = Rechteck 10×1
+accuracy_of_methods = Genauigkeit der Verfahren
+accuracy_and_convergence = Genauigkeit und Konvergenz
+
+## invariants
+
+invariants_of = Invarianten · { $side }
+compute_invariants = Berechnen
+invariants_explained = Zahlen, die keine konforme Abbildung ändert, jede mit einer Schätzung ihres Fehlers, aus einer Integralgleichung auf dem Rand. Harmonisches Maß: die Wahrscheinlichkeit, dass ein zufälliger Weg vom inneren Punkt den Rand dort zuerst trifft. Konformer Radius: der Betrag der Ableitung der Abbildung der Kreisscheibe auf die Form, 0 auf den inneren Punkt. Kapazität: der Radius der Scheibe, deren Äußeres gleich aussieht. Modul: der extremale Abstand zwischen den Bögen von Marke 1 bis 2 und von Marke 3 bis 4. Hyperbolischer Abstand: zwischen dem inneren und dem zweiten Punkt, für die Krümmung −1.
+what_invariants_are = Was sind Invarianten?
+four_marks = Vier Marken
+four_marks_tooltip = Randpunkte als Anteile der Randlänge vom ersten Punkt an, gegen den Uhrzeigersinn: die Maße der Bögen zwischen ihnen und der Modul
+mark = Marke { $number }
+second_point = Zweiter Punkt
+second_point_tooltip = Für den hyperbolischen Abstand
+computing = wird berechnet…
+conformal_radius = Konformer Radius
+capacity = Kapazität
+modulus = Modul
+hyperbolic_distance = Hyperbolischer Abstand
+measure_of_arc = Maß, Bogen { $number }
+more_arcs = und { $count } weitere
+marks_not_in_order = die Marken müssen vier verschiedene Punkte gegen den Uhrzeigersinn sein
+outline_without_curve = der Umriss ist keine Kurve: eine Spitze ist zu schmal
+
 ## crowding
 
 riemap_harmonic_measure = riemap (harmonisches Maß)

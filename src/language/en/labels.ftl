@@ -45,6 +45,49 @@ max = max
 mean = mean
 convergence_about = Distance of the boundary images from the exact ones, V-shape → blob; the blob is about 2 across.
 
+## accuracy
+
+ladder_about = Largest errors on the boundary, measured here, on one thread: of harmonic measure (solid) and of images (dashed: of the disk's boundary, on the disk, or from the V on the blob).
+ladder_at_corners = Errors at the six corners, where exact values are known.
+ladder_against_finer = Compared with the boundary integral with about twice the unknowns: no closed form is known.
+unknowns = unknowns
+unknowns_tooltip = Unknowns of the linear system; for Zipper, its points
+boundary_points = boundary points
+boundary_points_tooltip = Points on the boundary: samples, or nodes of the integral equation
+milliseconds = milliseconds
+milliseconds_tooltip = The time for an outline and one interior point
+boundary_images = images
+ladder_outline = Outline to measure
+boundary_integral = boundary integral
+finite_elements_uniform = finite elements, uniform
+finite_elements_graded = finite elements, default
+ellipse_4_1 = Ellipse 4:1
+rounded_square = Rounded square
+rectangle_10_1 = Rectangle 10×1
+accuracy_of_methods = Accuracy of the methods
+accuracy_and_convergence = Accuracy and convergence
+
+## invariants
+
+invariants_of = Invariants · { $side }
+compute_invariants = Compute
+invariants_explained = Numbers that no conformal map changes, each with an estimate of its error, from an integral equation on the boundary. Harmonic measure: the chance that a random walk from the interior point first meets the boundary there. Conformal radius: the size of the derivative of the map of the unit disk onto the shape with 0 to the interior point. Capacity: the radius of the disk whose outside looks the same. Modulus: the extremal distance between the arcs from mark 1 to 2 and from mark 3 to 4. Hyperbolic distance: between the interior point and the second point, of curvature −1.
+what_invariants_are = What are invariants?
+four_marks = Four marks
+four_marks_tooltip = Boundary points as fractions of the boundary's length from its first point, counter-clockwise: the measures of the arcs between them, and the modulus
+mark = mark { $number }
+second_point = Second point
+second_point_tooltip = For the hyperbolic distance
+computing = computing…
+conformal_radius = Conformal radius
+capacity = Capacity
+modulus = Modulus
+hyperbolic_distance = Hyperbolic distance
+measure_of_arc = Measure, arc { $number }
+more_arcs = and { $count } more
+marks_not_in_order = the marks must be four different points in counter-clockwise order
+outline_without_curve = the outline is no curve: a spike of it is too narrow
+
 ## crowding
 
 riemap_harmonic_measure = riemap (harmonic measure)

@@ -95,6 +95,7 @@ impl From<&FigureError> for Message {
     fn from(error: &FigureError) -> Self {
         match error {
             FigureError::Prepare(error) => error.into(),
+            FigureError::BoundaryIntegral(error) => error.into(),
             FigureError::Map(error) => error.into(),
             FigureError::Zipper(error) => error.into(),
             FigureError::NotConverged(error) => error.into(),

@@ -15,6 +15,15 @@ keys_of_labels! {
     area_distortion, angle_distortion,
     // convergence
     boundary_samples_m, error, max, mean, convergence_about,
+    // accuracy
+    ladder_about, ladder_at_corners, ladder_against_finer, unknowns, unknowns_tooltip, boundary_points,
+    boundary_points_tooltip, milliseconds, milliseconds_tooltip, boundary_images, ladder_outline, boundary_integral, finite_elements_uniform,
+    finite_elements_graded, ellipse_4_1, rounded_square, rectangle_10_1, accuracy_of_methods,
+    accuracy_and_convergence,
+    // invariants
+    compute_invariants, invariants_explained, what_invariants_are, four_marks, four_marks_tooltip, second_point,
+    second_point_tooltip, computing, conformal_radius, capacity, modulus, hyperbolic_distance, marks_not_in_order,
+    outline_without_curve,
     // crowding
     riemap_harmonic_measure, zipper_run_x1_x2, zipper_once_then_mobius,
     // figures
@@ -165,7 +174,7 @@ keys_of_messages! {
     // settings
     per_second(rate);
     // side panel
-    resolution_of(side); automatic(value); per_distance(growth);
+    invariants_of(side); mark(number); measure_of_arc(number); more_arcs(count); resolution_of(side); automatic(value); per_distance(growth);
     // interpretation
     outline_of(side); taken_for(kind, corners); corners_of(count); corner_at(number, x, y);
     // accessibility

@@ -90,7 +90,8 @@ pub fn panel(model: &Model, side: Side) -> Option<Panel<'_>> {
         positions: geometry.positions,
         coordinates: geometry.texture_coordinates,
         triangles: geometry.triangles,
-        boundary: model.shown_domain(side)?.samples().points(),
+        boundary: model.shown_outline(side)?,
+        unresolved: model.map().map_or(&[], |map| map.unresolved(side)),
         handles: [model.interior(side)?, model.anchor(side)?],
     })
 }

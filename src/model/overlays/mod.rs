@@ -3,6 +3,7 @@
 //! Each call does work for a fraction of a frame and returns when to call again.
 
 pub mod disk_comparison;
+pub mod invariants;
 pub mod overlay;
 pub mod walks;
 
@@ -11,6 +12,7 @@ use crate::geometry::DVec2;
 use crate::model::pattern::disk_grid::DiskGrid;
 use crate::session::Comparison;
 use disk_comparison::DiskComparison;
+use invariants::InvariantsState;
 use overlay::Overlays;
 use std::sync::Arc;
 use walks::Walks;
@@ -44,6 +46,8 @@ pub struct OverlayState {
     pub disk_comparison: DiskComparison,
     /// The walks from x₁.
     pub walks: Walks,
+    /// The conformal invariants of the sides.
+    pub invariants: InvariantsState,
     /// The coordinates of the conformal pattern.
     pub grid: DiskGrid,
     overlays: Overlays,

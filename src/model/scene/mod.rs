@@ -1,7 +1,8 @@
 //! What both viewports show of a session, without a window: the model brought to rest, and what there is to draw.
 //!
 //! The model is the app's own, its workers run here and now; so a picture made from this shows what
-//! the app shows. It does not depend on how fast the machine is: no coarse map ever stands in.
+//! the app shows, but on a mesh refined for the map (`riemap map` does the same). It does not depend on how fast the
+//! machine is: no coarse map ever stands in.
 
 mod shot;
 
@@ -96,6 +97,7 @@ impl Offscreen {
         settle(&mut model, tell)?;
         // along a loop the equations stay those of its beginning, as in the app's copy of a model
         model.end_sharpening();
+        model.refine_mesh();
         let mut offscreen = Self { model, cells: Cells::default(), pixels_per_point };
         offscreen.rest();
         Ok(offscreen)
@@ -121,7 +123,7 @@ impl Offscreen {
         pattern::geometry(&self.model, side)
     }
 
-    /// A copy of a model on the same prepared sides; [`Self::advance`] completes its map.
+    /// A copy of a model on the same prepared sides; [`Self::advance`] completes its map, on the mesh that the app shows.
     pub fn of(model: &Model, pixels_per_point: f32) -> Self {
         Self { model: model.twin(), cells: Cells::default(), pixels_per_point }
     }
@@ -148,6 +150,7 @@ impl Offscreen {
     pub fn go(&mut self, place: Place) -> Result<(), OffscreenError> {
         self.head_for(place);
         settle(&mut self.model, &mut |_| ())?;
+        self.model.refine_mesh();
         self.rest();
         Ok(())
     }

@@ -20,7 +20,7 @@ pub fn listen(scope: &DedicatedWorkerGlobalScope) {
         let scope = scope.clone();
         Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
             if let Some(study) = messages::decode_study(&event.data()) {
-                if let Err(error) = scope.post_message(&messages::encode_finding(study, &study.run())) {
+                if let Err(error) = scope.post_message(&messages::encode_finding(&study, &study.run())) {
                     wasm_bindgen::throw_val(error);
                 }
                 return;

@@ -223,8 +223,8 @@ pub fn is_rehearsal(message: &JsValue) -> bool {
 }
 
 /// Encodes a study for its worker.
-pub fn encode_study(study: Study) -> JsValue {
-    object(&[("study", json(&study))])
+pub fn encode_study(study: &Study) -> JsValue {
+    object(&[("study", json(study))])
 }
 
 /// Decodes a study; `None` if [`encode_study`] did not make it.
@@ -233,8 +233,8 @@ pub fn decode_study(message: &JsValue) -> Option<Study> {
 }
 
 /// Encodes the finding of a study.
-pub fn encode_finding(study: Study, finding: &Finding) -> JsValue {
-    object(&[("study", json(&study)), ("finding", json(finding))])
+pub fn encode_finding(study: &Study, finding: &Finding) -> JsValue {
+    object(&[("study", json(study)), ("finding", json(finding))])
 }
 
 /// Decodes a finding; `None` if [`encode_finding`] did not make it.

@@ -32,7 +32,7 @@ impl StudyRunner {
             }
         }
         let Some(worker) = &self.worker else { return };
-        if let Err(reason) = worker.post(&messages::encode_study(study), &Array::new()) {
+        if let Err(reason) = worker.post(&messages::encode_study(&study), &Array::new()) {
             self.mailbox.post(Event::Found { study: Some(study), finding: Finding::Failed(reason.into()) });
         }
     }

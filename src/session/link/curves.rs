@@ -51,10 +51,12 @@ impl WiredCurve {
     /// The form for a link. Errors: the outline is too long, or rounded to the bits of its kind it is no simple polygon
     /// or another one when rounded again.
     pub fn of(polygon: &SimplePolygon, form: &CurveForm) -> Result<Self, NotCarried> {
-        let is_smooth = form.curve(polygon).is_ok_and(|curve| curve.is_smooth());
+        // a list that is too long is refused without its curve
+        let is_short = polygon.vertices().len() <= MAX_BYTES / 2;
+        let is_smooth = || is_short && form.curve(polygon).is_ok_and(|curve| curve.is_smooth());
         let shape = match &form.source {
             CurveSource::Segments(segments) => WiredShape::Path(segments.iter().map(WiredSegment::of).collect()),
-            _ if is_smooth => WiredShape::Fine(Fine::of(polygon.vertices())?),
+            _ if is_smooth() => WiredShape::Fine(Fine::of(polygon.vertices())?),
             _ => WiredShape::Coarse(Quantized::of(polygon.vertices())?),
         };
         Ok(Self { interpretation: code(form.interpretation), switched: form.switched.clone(), shape })

@@ -1,0 +1,188 @@
+//! The group "Invariants" of an outline: which numbers are wanted, and each number with its error.
+//!
+//! The numbers are computed at rest, by a worker of their own; what does not fit is said in words.
+
+use crate::app::input::action::{Action, Actions};
+use crate::app::language::words;
+use crate::app::theme::Palette;
+use crate::app::theme::widgets::group_heading;
+use crate::conformal::Side;
+use crate::geometry::DVec2;
+use crate::language::{Label, key, number, say, tr};
+use crate::model::Model;
+use crate::model::overlays::invariants::{InvariantsAction, SideInvariants};
+use crate::worker::{FoundInvariants, Number};
+use egui::{DragValue, Grid, RichText, Ui, WidgetInfo};
+
+/// Measures beyond this number of arcs are not listed.
+const MOST_ARCS: usize = 12;
+/// The marks to start with.
+const MARKS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
+/// The change of a fraction by a drag over one point of the screen.
+const MARK_SPEED: f64 = 0.002;
+
+/// Shows the group of an outline.
+pub fn show(ui: &mut Ui, side: Side, model: &Model, actions: &mut Actions) {
+    let asked = model.overlay_state().invariants.of(side);
+    let heading = say(&key::invariants_of(words::side(side)));
+    group_heading(ui, &heading);
+    let mut wanted = Vec::new();
+    ui.horizontal(|ui| {
+        let mut is_open = asked.is_open;
+        let compute = ui.checkbox(&mut is_open, tr(key::compute_invariants()));
+        // both sides have such a box
+        compute.widget_info(|| WidgetInfo::selected(egui::Role::CheckBox, true, is_open, &heading));
+        if compute.changed() {
+            wanted.push(InvariantsAction::Open(side, is_open));
+        }
+        explain(ui);
+    });
+    explanation(ui);
+    if asked.is_open {
+        marks(ui, side, asked, &mut wanted);
+        second_point(ui, side, asked, model, &mut wanted);
+        result(ui, side, model);
+    }
+    actions.extend(wanted.into_iter().map(Action::Invariants));
+}
+
+/// Whether the explanation is shown, for both sides.
+fn explained() -> egui::Id {
+    egui::Id::unique("invariants explained")
+}
+
+/// The button "?", which shows the explanation below, for fingers too.
+fn explain(ui: &mut Ui) {
+    let button = ui.button("?").on_hover_text(tr(key::invariants_explained()));
+    button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, tr(key::what_invariants_are())));
+    if button.clicked() {
+        ui.data_mut(|data| {
+            let shown = data.get_temp_mut_or_default::<bool>(explained());
+            *shown = !*shown;
+        });
+    }
+}
+
+fn explanation(ui: &mut Ui) {
+    let is_shown = ui.data(|data| data.get_temp::<bool>(explained())).unwrap_or(false);
+    if is_shown {
+        let weak = Palette::of(ui.visuals()).weak;
+        ui.label(RichText::new(tr(key::invariants_explained())).small().color(weak));
+    }
+}
+
+fn marks(ui: &mut Ui, side: Side, asked: &SideInvariants, wanted: &mut Vec<InvariantsAction>) {
+    let mut has_marks = asked.marks.is_some();
+    let box_ = ui.checkbox(&mut has_marks, tr(key::four_marks())).on_hover_text(tr(key::four_marks_tooltip()));
+    if box_.changed() {
+        wanted.push(InvariantsAction::Marks(side, has_marks.then_some(MARKS)));
+    }
+    let Some(old) = asked.marks else { return };
+    let mut new = old;
+    ui.horizontal_wrapped(|ui| {
+        for (k, mark) in new.iter_mut().enumerate() {
+            let drag = DragValue::new(mark).speed(MARK_SPEED).range(0.0..=1.0).max_decimals(6);
+            let name = say(&key::mark(k + 1));
+            let value = old[k];
+            ui.add(drag).widget_info(|| WidgetInfo::slider(true, value, &name));
+        }
+    });
+    if new != old {
+        wanted.push(InvariantsAction::Marks(side, Some(new)));
+    }
+}
+
+fn second_point(ui: &mut Ui, side: Side, asked: &SideInvariants, model: &Model, wanted: &mut Vec<InvariantsAction>) {
+    let mut has_point = asked.second_point.is_some();
+    let box_ = ui.checkbox(&mut has_point, tr(key::second_point())).on_hover_text(tr(key::second_point_tooltip()));
+    if box_.changed() {
+        // half way from the point to the anchor, or as near to that as is inside
+        let half_way = model.interior(side).zip(model.anchor(side)).map(|(x, y)| x.midpoint(y));
+        let start = half_way.and_then(|point| model.interior_near(side, point)).unwrap_or_default();
+        wanted.push(InvariantsAction::SecondPoint(side, has_point.then_some(start)));
+    }
+    let Some(old) = asked.second_point else { return };
+    let mut new = old;
+    let speed = 1e-3 * model.extent(side).map_or(1.0, |(low, high)| (high - low).max_element());
+    ui.horizontal_wrapped(|ui| {
+        for (name, coordinate) in [("x", &mut new.x), ("y", &mut new.y)] {
+            let value = *coordinate;
+            let drag = DragValue::new(coordinate).speed(speed).max_decimals(8).prefix(format!("{name} "));
+            ui.add(drag).widget_info(|| WidgetInfo::slider(true, value, name));
+        }
+    });
+    if new != old && new.is_finite() {
+        wanted.push(InvariantsAction::SecondPoint(side, Some(DVec2::new(new.x, new.y))));
+    }
+}
+
+fn result(ui: &mut Ui, side: Side, model: &Model) {
+    let palette = Palette::of(ui.visuals());
+    match model.invariants(side) {
+        Some(Ok(found)) => table(ui, found),
+        Some(Err(reason)) => {
+            ui.label(RichText::new(say(reason)).small().color(palette.error_edge));
+        }
+        None => {
+            ui.label(RichText::new(tr(key::computing())).small().color(palette.weak));
+        }
+    }
+}
+
+fn table(ui: &mut Ui, found: &FoundInvariants) {
+    Grid::new("invariants").striped(true).spacing([10.0, 2.0]).show(ui, |ui| {
+        for (name, number) in rows(found) {
+            ui.label(RichText::new(name).small());
+            ui.label(RichText::new(shown(number)).small().monospace());
+            ui.end_row();
+        }
+    });
+    if let Some(hidden) = found.measures.len().checked_sub(MOST_ARCS).filter(|hidden| *hidden > 0) {
+        ui.label(RichText::new(say(&key::more_arcs(hidden))).small());
+    }
+}
+
+/// The numbers with their names.
+pub fn rows(found: &FoundInvariants) -> Vec<(String, Number)> {
+    let named = |label: Label, number: Option<Number>| Some((tr(label).to_owned(), number?));
+    let single = [
+        named(key::conformal_radius(), Some(found.conformal_radius)),
+        named(key::capacity(), Some(found.capacity)),
+        named(key::modulus(), found.modulus),
+        named(key::hyperbolic_distance(), found.hyperbolic_distance),
+    ];
+    let arcs = found.measures.iter().take(MOST_ARCS).enumerate();
+    let arcs = arcs.map(|(k, &measure)| (say(&key::measure_of_arc(k + 1)), measure));
+    single.into_iter().flatten().chain(arcs).collect()
+}
+
+/// The most decimals: beyond them is rounding.
+const MOST_DECIMALS: f64 = 15.0;
+/// Below this, numbers are written with an exponent.
+const SMALL: f64 = 1e-4;
+
+/// A number to the digits that its error allows, and the error.
+pub fn shown(Number { value, error }: Number) -> String {
+    let decimals = if error > 0.0 { (-error.log10()).ceil().clamp(0.0, MOST_DECIMALS) } else { MOST_DECIMALS };
+    let value = if value != 0.0 && value.abs() < SMALL {
+        let digits = (decimals + value.abs().log10()).clamp(0.0, MOST_DECIMALS) as usize;
+        format!("{value:.digits$e}")
+    } else {
+        number(value, decimals as usize)
+    };
+    format!("{value} ± {error:.0e}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_the_digits_that_their_errors_allow() {
+        crate::language::set(crate::language::Language::English);
+        let of = |value, error| shown(Number { value, error });
+        assert_eq!(of(0.762_759_763_501_813, 1e-9), "0.762759764 ± 1e-9");
+        assert_eq!(of(3.837_587_979_251e-7, 1e-17), "3.8375879793e-7 ± 1e-17");
+        assert_eq!(of(2.5, 0.3), "2.5 ± 3e-1");
+    }
+}

@@ -1,0 +1,143 @@
+//! Errors of harmonic measure and of boundary images by all methods on one outline, both axes logarithmic; and the
+//! choice of outline and horizontal axis.
+
+use super::super::theme::Palette;
+use super::super::theme::widgets::{Segment, segmented};
+use super::chart::power_of_ten;
+use crate::app::input::action::{Action, Actions, LadderAxis, LadderShown};
+use crate::figures::{LadderMethod, LadderRow, LadderShape, Reference};
+use crate::language::{self, Label, key, say, tr};
+use egui::{Color32, ComboBox, RichText, Ui};
+use egui_plot::{AxisHints, GridInput, GridMark, Legend, Line, LineStyle, Plot, Points};
+
+/// The colors of the methods: Okabe–Ito.
+const INKS: [Color32; 4] = [
+    Color32::from_rgb(86, 180, 233),
+    Color32::from_rgb(230, 159, 0),
+    Color32::from_rgb(0, 158, 115),
+    Color32::from_rgb(213, 94, 0),
+];
+
+/// Errors below rounding are shown at it.
+const LEAST: f64 = 1e-16;
+
+const AXES: [Segment<LadderAxis>; 3] = [
+    Segment { value: LadderAxis::Unknowns, label: key::unknowns(), tooltip: key::unknowns_tooltip() },
+    Segment { value: LadderAxis::Points, label: key::boundary_points(), tooltip: key::boundary_points_tooltip() },
+    Segment { value: LadderAxis::Milliseconds, label: key::milliseconds(), tooltip: key::milliseconds_tooltip() },
+];
+
+/// Shows the rows measured so far of the chosen outline.
+pub fn ladder_chart(ui: &mut Ui, rows: &[LadderRow], shown: LadderShown, actions: &mut Actions) {
+    let palette = Palette::of(ui.visuals());
+    let width = ui.available_width().clamp(280.0, 720.0);
+    ui.set_max_width(width);
+    ui.label(RichText::new(tr(key::ladder_about())).small().color(palette.weak));
+    choices(ui, shown, actions);
+    if let Some(note) = note(shown.shape) {
+        ui.label(RichText::new(tr(note)).small().color(palette.weak));
+    }
+    let rows: Vec<&LadderRow> = rows.iter().filter(|row| row.rung.shape == shown.shape).collect();
+    Plot::new("ladder")
+        .sense(egui::Sense::hover())
+        .height(340.0)
+        .width(width)
+        .legend(Legend::default())
+        .allow_scroll(false)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_boxed_zoom(false)
+        .allow_axis_zoom_drag(false)
+        .allow_double_click_reset(false)
+        .x_grid_spacer(whole)
+        .y_grid_spacer(pairs)
+        .custom_x_axes(vec![
+            AxisHints::new_x()
+                .label(tr(axis_label(shown.axis)).to_owned())
+                .formatter(|mark, _| power_of_ten(mark.value)),
+        ])
+        .custom_y_axes(vec![AxisHints::new_y().label(tr(key::error())).formatter(|mark, _| power_of_ten(mark.value))])
+        .show(ui, |plot| {
+            for (method, ink) in LadderMethod::ALL.into_iter().zip(INKS) {
+                for (name, points, style) in curves(&rows, method, shown.axis) {
+                    plot.line(Line::new(name.clone(), points.clone()).color(ink).style(style));
+                    plot.points(Points::new(name, points).color(ink).radius(3.5));
+                }
+            }
+        });
+}
+
+fn choices(ui: &mut Ui, shown: LadderShown, actions: &mut Actions) {
+    let mut shape = shown.shape;
+    let name = tr(key::ladder_outline());
+    let response = ComboBox::from_id_salt("ladder outline").selected_text(say(&language::ladder_shape(shape)));
+    let response = response.show_ui(ui, |ui| {
+        for choice in LadderShape::ALL {
+            ui.selectable_value(&mut shape, choice, say(&language::ladder_shape(choice)));
+        }
+    });
+    response.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, name));
+    let axis = segmented(ui, &AXES, shown.axis).unwrap_or(shown.axis);
+    let wanted = LadderShown { shape, axis };
+    if wanted != shown {
+        actions.push(Action::ShowLadder(wanted));
+    }
+}
+
+/// What errors are measured against where that is not an exact value along the boundary.
+fn note(shape: LadderShape) -> Option<Label> {
+    match shape.reference() {
+        Reference::Exact => None,
+        Reference::Corners => Some(key::ladder_at_corners()),
+        Reference::Finer => Some(key::ladder_against_finer()),
+    }
+}
+
+fn axis_label(axis: LadderAxis) -> Label {
+    match axis {
+        LadderAxis::Unknowns => key::unknowns(),
+        LadderAxis::Points => key::boundary_points(),
+        LadderAxis::Milliseconds => key::milliseconds(),
+    }
+}
+
+fn place(row: &LadderRow, axis: LadderAxis) -> f64 {
+    match axis {
+        LadderAxis::Unknowns => row.unknowns as f64,
+        LadderAxis::Points => row.m as f64,
+        LadderAxis::Milliseconds => row.prepare_ms + row.point_ms,
+    }
+}
+
+type NamedCurve = (String, Vec<[f64; 2]>, LineStyle);
+
+/// ω solid, images dashed; curves without points are left out.
+fn curves(rows: &[&LadderRow], method: LadderMethod, axis: LadderAxis) -> Vec<NamedCurve> {
+    let of_method = || rows.iter().filter(|row| row.rung.method == method);
+    let point = |row: &LadderRow, error: f64| [place(row, axis).log10(), error.max(LEAST).log10()];
+    let named = |what: Label| format!("{}, {}", tr(language::ladder_method(method)), tr(what));
+    let omega = of_method().map(|row| point(row, row.omega.max)).collect();
+    let image = of_method().filter_map(|row| Some(point(row, row.image?.max))).collect();
+    let curves: [NamedCurve; 2] = [
+        (named(key::harmonic_measure()), omega, LineStyle::Solid),
+        (named(key::boundary_images()), image, LineStyle::dashed_dense()),
+    ];
+    curves.into_iter().filter(|curve| !curve.1.is_empty()).collect()
+}
+
+/// A grid line at every power of ten.
+#[allow(clippy::needless_pass_by_value, reason = "the plot hands it over")]
+fn whole(input: GridInput) -> Vec<GridMark> {
+    marks(input.bounds, 1)
+}
+
+/// A grid line at every second power of ten.
+#[allow(clippy::needless_pass_by_value, reason = "the plot hands it over")]
+fn pairs(input: GridInput) -> Vec<GridMark> {
+    marks(input.bounds, 2)
+}
+
+fn marks((low, high): (f64, f64), step: i64) -> Vec<GridMark> {
+    let inside = (low.ceil() as i64..=high.floor() as i64).filter(|k| k % step == 0);
+    inside.map(|k| GridMark { value: k as f64, step_size: step as f64 }).collect()
+}

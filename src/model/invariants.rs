@@ -1,0 +1,50 @@
+//! The conformal invariants of the outlines that the session shows: requests to their worker, and its results.
+
+use super::Model;
+use super::overlays::invariants::InvariantsAction;
+use crate::conformal::{PerSide, Side};
+use crate::language::Message;
+use crate::worker::{FoundInvariants, InvariantsTask};
+
+impl Model {
+    /// Changes what is asked for.
+    pub fn act_on_invariants(&mut self, action: InvariantsAction) {
+        self.overlay_state.invariants.act(action);
+    }
+
+    /// The result for a side as it is now; `None` until it is there, and for a surface.
+    pub fn invariants(&self, side: Side) -> Option<&Result<FoundInvariants, Message>> {
+        self.overlay_state.invariants.of(side).result(&self.invariants_task(side)?)
+    }
+
+    /// Whether a side's invariants are to be computed.
+    pub fn are_invariants_due(&self) -> bool {
+        self.overlay_state.invariants.is_due(&PerSide::from_fn(|side| self.invariants_task(side)))
+    }
+
+    /// The next request for the worker.
+    pub fn take_invariants(&mut self) -> Option<InvariantsTask> {
+        let tasks = PerSide::from_fn(|side| self.invariants_task(side));
+        self.overlay_state.invariants.take(&tasks)
+    }
+
+    /// Stores the worker's result.
+    pub fn accept_invariants(&mut self, result: Result<FoundInvariants, Message>) {
+        self.overlay_state.invariants.accept(result);
+    }
+
+    /// What is asked for of a side; `None` if nothing is, if the side is a surface, or while its outline is prepared.
+    fn invariants_task(&self, side: Side) -> Option<InvariantsTask> {
+        let asked = self.overlay_state.invariants.of(side);
+        if !asked.is_open || !self.abilities().has_outline(side) || self.is_preparing(side) {
+            return None;
+        }
+        Some(InvariantsTask {
+            side,
+            outline: (&self.session.domain(side).outline).into(),
+            point: self.interior(side)?,
+            second_point: asked.second_point,
+            marks: asked.marks,
+        })
+    }
+}
