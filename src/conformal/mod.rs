@@ -69,7 +69,9 @@ pub use buffers::NotFlat;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use comparison::{QuarteredError, prepare_quartered};
 pub use constraints::{Constraints, Direction, InteriorPoint, MapSettings, PerSide, Side};
-pub use curved::{CurveBoundary, CurveMap, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};
+#[cfg(feature = "io")]
+pub(crate) use curved::FlatEquation;
+pub use curved::{BoundaryEquation, CurveBoundary, CurveMap, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};
 pub(crate) use disk_coordinates::begin_disk_coordinates;
 pub use disk_coordinates::disk_coordinates;
 pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
@@ -88,7 +90,7 @@ pub use measure::HarmonicMeasure;
 pub use places::{Places, Unfold};
 pub use prepare::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, Stage, SurfaceSettings, Unprepared, prepare,
-    prepare_curve, prepare_surface, prepare_within,
+    prepare_curve, prepare_on_curve, prepare_surface, prepare_within,
 };
 pub use prepared_side::{PreparedSide, SideGeometry};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
