@@ -73,6 +73,8 @@ impl RiemapApp {
         self.begin_study();
         let moves = self.play(context, now);
         self.refresh(context, moves, now);
+        let is_held = context.input(|input| input.pointer.any_down());
+        self.model.set_at_rest(!moves && !is_held && self.is_resting(now));
         self.send_requests(context, now);
         self.refine_at_rest(context, now);
         self.await_map(context, moves);
@@ -141,6 +143,8 @@ impl RiemapApp {
         self.workers.send_due(&mut self.model, now);
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
+        } else if !self.is_resting(now) && Side::BOTH.into_iter().any(|side| self.model.is_sharpening(side)) {
+            context.request_repaint_after_secs(REST_SECONDS as f32); // an equation for a point that moved is due at rest
         }
     }
 

@@ -11,7 +11,7 @@ use crate::session::{Command, Session, file, link};
 impl RiemapApp {
     /// Goes to another entry of the history: `to` is undo or redo.
     pub(super) fn step(&mut self, to: impl Fn(&mut Persistence, Option<&Session>) -> Option<Session>) {
-        let at_rest = self.model.is_ready().then(|| self.model.session());
+        let at_rest = self.model.is_mapped().then(|| self.model.session());
         let Some(session) = to(&mut self.persistence, at_rest) else { return };
         self.end_tour();
         self.show_session(session);
@@ -84,7 +84,7 @@ impl RiemapApp {
         let (held, now) = context.input(|input| (input.pointer.any_down() || !input.keys_down.is_empty(), input.time));
         // the tour's sessions are not stored: a reload restores the user's own
         let passes = self.player.is_playing() || self.windows.explore.is_touring();
-        if held || passes || !self.model.is_ready() {
+        if held || passes || !self.model.is_mapped() {
             return;
         }
         let settled = self.persistence.settle(self.model.session(), now);

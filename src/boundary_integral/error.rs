@@ -3,7 +3,7 @@
 use crate::geometry::DVec2;
 
 /// Why harmonic measure cannot be computed from the boundary.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub enum BoundaryIntegralError {
     /// The boundary needs more unknowns than the dense factor may have.

@@ -12,6 +12,9 @@
 mod corner;
 mod elliptic;
 mod error;
+mod factor;
+#[cfg(feature = "io")]
+mod flat;
 mod invariants;
 mod layout;
 mod leg;
@@ -25,6 +28,8 @@ mod system;
 use crate::geometry::{Curve, DVec2};
 use corner::Problem;
 pub use error::BoundaryIntegralError;
+#[cfg(feature = "io")]
+pub(crate) use flat::FlatIntegral;
 pub use invariants::{Estimate, Invariants, InvariantsRequest, invariants};
 use layout::{Fineness, Layout, layout};
 pub use measure::{AnchoredMeasure, HarmonicMeasure};
@@ -96,6 +101,10 @@ pub struct BoundaryIntegral {
     duration_ms: f64,
 }
 
+/// The largest length of a panel, in distances from an interior point, at which the point counts as resolved: the
+/// series of 16 terms then leave 4.65⁻¹⁶ = 2e-11 of the density.
+const RESOLVED: f64 = 0.9;
+
 /// The largest number of points outside that the error estimate uses.
 const OUTSIDE_POINTS: usize = 8;
 
@@ -110,6 +119,18 @@ impl BoundaryIntegral {
         let extent = system.places().map(|place| place.distance(origin)).fold(0.0, f64::max);
         let duration_ms = 1e3 * started.elapsed().as_secs_f64();
         Ok(Self { curve: curve.clone(), layout, system, outside, extent, duration_ms })
+    }
+
+    /// Whether the curve can be divided within the limit of `settings`; a part of what [`Self::prepare`] costs.
+    pub fn check(curve: &Curve, settings: &Settings) -> Result<(), BoundaryIntegralError> {
+        layout(curve, &settings.near, settings.fineness, settings.max_unknowns).map(|_| ())
+    }
+
+    /// Whether the panels resolve harmonic measure from `x`, which may lie next to the boundary.
+    pub fn resolves(&self, x: DVec2) -> bool {
+        let lengths = self.system.panel_lengths();
+        let mut nodes = self.system.places().enumerate();
+        nodes.all(|(k, place)| lengths[k / legendre::NODES] <= RESOLVED * place.distance(x))
     }
 
     /// The curve.

@@ -1,13 +1,13 @@
 //! The global system (I ± K° R) ρ̃ = g: its nodes, its matrix and its dense LU factor.
 
 use super::corner::{Compressed, Problem, compress};
+use super::factor::DenseFactor;
 use super::layout::{End, Layout, Panel};
 use super::leg::{Leg, Node, kernel};
 use super::legendre::{NODES, Rule};
 use super::peak::Peaks;
 use crate::geometry::{Curve, DVec2, Junction};
 use faer::Mat;
-use faer::linalg::solvers::{PartialPivLu, Solve as _};
 
 /// The nodes of one panel, in the order of its parameter.
 #[derive(Debug, Clone)]
@@ -48,7 +48,7 @@ pub struct System {
     bases: Vec<DVec2>,
     /// For each block the first rows of its panels, in the block's order, and its compressed matrix.
     blocks: Vec<(Vec<usize>, Compressed)>,
-    factor: PartialPivLu<f64>,
+    factor: DenseFactor,
 }
 
 impl System {
@@ -64,12 +64,30 @@ impl System {
         for k in 0..matrix.nrows() {
             matrix[(k, k)] += 1.0;
         }
-        let mut system = Self { panels, bases, blocks, factor: PartialPivLu::new(Mat::<f64>::identity(1, 1).as_ref()) };
+        let mut system = Self { panels, bases, blocks, factor: DenseFactor::new(&Mat::new()) };
         if problem == Problem::Exterior {
             system.complete(&mut matrix);
         }
-        system.factor = PartialPivLu::new(matrix.as_ref());
+        system.factor = DenseFactor::new(&matrix);
         system
+    }
+
+    /// A system that was factored before, with the compressed matrices of its blocks.
+    #[cfg(feature = "io")]
+    pub fn factored(curve: &Curve, layout: &Layout, blocks: Vec<Compressed>, factor: DenseFactor) -> Self {
+        let rows = |block: &super::layout::Block| block.panels.iter().map(|panel| panel * NODES).collect();
+        Self {
+            panels: layout.panels.iter().map(|panel| PanelNodes::new(curve, panel)).collect(),
+            bases: curve.pieces().iter().map(|piece| piece.jet(0.0).position).collect(),
+            blocks: layout.blocks.iter().map(rows).zip(blocks).collect(),
+            factor,
+        }
+    }
+
+    /// The factor of the matrix.
+    #[cfg(feature = "io")]
+    pub fn factor(&self) -> &DenseFactor {
+        &self.factor
     }
 
     /// Adds the total charge, times |z′|/length, to the singular system of the exterior: the solution then has total 1.
@@ -144,9 +162,7 @@ impl System {
 
     fn solution(&self, right: impl Iterator<Item = f64>) -> Vec<f64> {
         let right: Vec<f64> = right.collect();
-        let mut column = Mat::from_fn(right.len(), 1, |i, _| right[i]);
-        self.factor.solve_in_place(column.as_mut());
-        (0..right.len()).map(|i| column[(i, 0)]).collect()
+        self.factor.solve(&right)
     }
 
     /// The measure of each node, weight times R ρ̃: sums of smooth functions over them are integrals.

@@ -1,5 +1,6 @@
 //! How a map's harmonic measures were computed, and the estimate of their errors, for `--json` and in words.
 
+use crate::boundary_integral::BoundaryIntegral;
 use crate::conformal::{ConformalMap, ErrorEstimate, PerSide, Side};
 
 /// The method and the accuracy of a map.
@@ -40,7 +41,7 @@ impl Accuracy {
             (None, Some(_)) => "table",
             (None, None) => "adjoint",
         };
-        let unknowns = |side: Side| map.side(side).curve_boundary().map(|boundary| boundary.integral().unknowns());
+        let unknowns = |side: Side| map.side(side).boundary_integral().map(BoundaryIntegral::unknowns);
         let reason = |side: Side| map.side(side).unsharpened().map(ToString::to_string);
         let estimate = map.error_estimate();
         let largest = |&ErrorEstimate { omega, image, .. }: &ErrorEstimate| LargestErrors { omega, image };

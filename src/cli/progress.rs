@@ -76,6 +76,7 @@ fn stage_words(stage: Stage) -> String {
         Stage::Assemble => "assembling the Laplacian",
         Stage::Order => "ordering",
         Stage::Factor => "factoring",
+        Stage::Integral => "the integral equation",
         Stage::Table { percent } => return format!("harmonic coordinates: {percent} %"),
     };
     words.to_owned()

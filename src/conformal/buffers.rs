@@ -1,8 +1,8 @@
 //! Conversion of a prepared side to flat arrays and back.
 
 use super::domain::MeshedDomain;
-use super::flat::{FlatBuffers, FlatReader};
-use super::prepared_side::{PreparedSide, SideGeometry};
+use super::flat::{Expected, FlatBuffers, FlatReader};
+use super::prepared_side::{PreparedSide, Sharpness, SideGeometry};
 use super::surface::MeshedSurface;
 use crate::geometry::{DVec2, DVec3};
 use crate::mesh::{BarycentricPoint, FlipReport, RefineReport, TriangleId};
@@ -14,19 +14,22 @@ use std::sync::Arc;
 const PLANE: u32 = 0;
 const SPACE: u32 = 1;
 
-/// The factor of a boundary integral has no flat form.
+/// The integral equation of a side does not travel with the side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the integral kernel is available on the command line only")]
+#[error("the integral equation of a side travels apart from the side")]
 pub struct NotFlat;
 
 impl PreparedSide {
-    /// Converts the side to flat arrays. Errors: the boundary integral was requested for the side; its factor, or why
-    /// there is none, has no flat form.
+    /// Converts the side to flat arrays. Errors: the side has its integral equation already, which travels as
+    /// [`super::FlatEquation`].
     pub(crate) fn to_buffers(&self) -> Result<FlatBuffers, NotFlat> {
-        if self.curve_boundary().is_some() || self.unsharpened().is_some() {
-            return Err(NotFlat);
-        }
-        let mut buffers = FlatBuffers::default();
+        let expected = match self.sharpness() {
+            Sharpness::FiniteElements => Expected::FiniteElements,
+            Sharpness::Awaited => Expected::Equation,
+            Sharpness::Stays(reason) => Expected::Refused(reason.clone()),
+            Sharpness::Integral(_) => return Err(NotFlat),
+        };
+        let mut buffers = FlatBuffers { expected, ..FlatBuffers::default() };
         match self.geometry() {
             SideGeometry::Plane(domain) => buffers.put_domain(domain),
             SideGeometry::Space(surface) => buffers.put_surface(surface),
@@ -39,6 +42,11 @@ impl PreparedSide {
     /// The side from flat arrays; `None` unless they have the layout that [`Self::to_buffers`] writes.
     pub(crate) fn from_buffers(mut buffers: FlatBuffers) -> Option<Self> {
         let repairs = std::mem::take(&mut buffers.repairs);
+        let sharpness = match std::mem::take(&mut buffers.expected) {
+            Expected::FiniteElements => Sharpness::FiniteElements,
+            Expected::Equation => Sharpness::Awaited,
+            Expected::Refused(reason) => Sharpness::Stays(reason),
+        };
         let mut reader = FlatReader::new(buffers);
         let geometry = match *reader.indices()?.as_slice() {
             [PLANE] => SideGeometry::Plane(Arc::new(reader.domain()?)),
@@ -47,7 +55,7 @@ impl PreparedSide {
         };
         let timings = reader.timings()?;
         let system = reader.system(geometry.interior_count(), geometry.boundary_count())?;
-        reader.is_at_end().then(|| Self::new(geometry, system, timings))
+        reader.is_at_end().then(|| Self::new(geometry, system, timings).with_sharpness(sharpness))
     }
 }
 

@@ -4,7 +4,7 @@
 //! the reader validates everything: `None` for arrays that the writer does not produce.
 
 use super::system::DirichletSystem;
-use super::{HarmonicTable, PrepareTimings};
+use super::{HarmonicTable, PrepareTimings, Unsharpened};
 use crate::laplace::{Factor, FactorBuffers, Pcg, PcgBuffers, Solver};
 use crate::mesh::TriMesh;
 use crate::surface::RepairNote;
@@ -19,6 +19,20 @@ pub(crate) struct FlatBuffers {
     pub indices: Vec<Vec<u32>>,
     /// The repairs of a surface.
     pub repairs: Vec<RepairNote>,
+    /// Whether an integral equation follows.
+    pub expected: Expected,
+}
+
+/// Whether an integral equation follows a side.
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+pub(crate) enum Expected {
+    /// None was requested.
+    #[default]
+    FiniteElements,
+    /// It does.
+    Equation,
+    /// It was requested, and there is none.
+    Refused(Unsharpened),
 }
 
 /// A point as its coordinates.

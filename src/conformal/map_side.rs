@@ -144,10 +144,10 @@ impl MapSide {
                 return Ok(false);
             }
         }
-        if let (Some(_), Some(boundary), InteriorPoint::Plane(x)) =
-            (change.located, self.prepared.curve_boundary(), constraints.points[side])
+        if let (Some(_), Some(integral), InteriorPoint::Plane(x)) =
+            (change.located, self.prepared.boundary_integral(), constraints.points[side])
         {
-            let swept = boundary.integral().harmonic_measure(x);
+            let swept = integral.harmonic_measure(x);
             let swept = swept.map_err(|error| MapError::BoundaryIntegral { side, error })?;
             self.measured.coming_swept = Some(Arc::new(swept));
         }

@@ -13,6 +13,7 @@
 //! | errors of finite elements by comparison with finer meshes | `comparison` | |
 //! | images of the vertices | `extension` | (14) |
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
+//! | f and f′ at any point by Cauchy's integral over the boundary map | `anywhere` | |
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
 //! | images on another surface, through the disk | `through_disk` | |
 //! | the mapped mesh refined where images are long | `resolution` | |
@@ -24,6 +25,7 @@
 //! [`Walker`] and [`HitCounts`] demonstrate harmonic measure: the distribution of the points where random walks hit the
 //! boundary.
 
+mod anywhere;
 #[cfg(feature = "io")]
 mod buffers;
 mod cauchy_green;
@@ -61,12 +63,15 @@ mod table;
 mod through_disk;
 mod unfold;
 
+pub use anywhere::{InteriorImage, InteriorMap, NoInteriorMap};
 #[cfg(feature = "io")]
 pub use buffers::NotFlat;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
 pub use comparison::{QuarteredError, prepare_quartered};
 pub use constraints::{Constraints, Direction, InteriorPoint, MapSettings, PerSide, Side};
-pub use curved::{CurveBoundary, CurveMap, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};
+#[cfg(feature = "io")]
+pub(crate) use curved::FlatEquation;
+pub use curved::{BoundaryEquation, CurveBoundary, CurveMap, ErrorEstimate, MAX_UNKNOWNS, Unsharpened};
 pub(crate) use disk_coordinates::begin_disk_coordinates;
 pub use disk_coordinates::disk_coordinates;
 pub use distortion::{Quality, TriangleDistortion, triangle_distortions};
@@ -85,7 +90,7 @@ pub use measure::HarmonicMeasure;
 pub use places::{Places, Unfold};
 pub use prepare::{
     KernelMode, Memory, PrepareError, PrepareSettings, PrepareTimings, Stage, SurfaceSettings, Unprepared, prepare,
-    prepare_curve, prepare_surface, prepare_within,
+    prepare_curve, prepare_on_curve, prepare_surface, prepare_within,
 };
 pub use prepared_side::{PreparedSide, SideGeometry};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};

@@ -1,8 +1,8 @@
 //! The preparation of a side: its settings, stages, memory limits and the computation itself.
 
-use super::curved::Outlined;
+use super::curved::{BoundaryEquation, CurveBoundary, Outlined};
 use super::domain::MeshedDomain;
-use super::prepared_side::{PreparedSide, SideGeometry};
+use super::prepared_side::{PreparedSide, Sharpness, SideGeometry};
 use super::surface::MeshedSurface;
 use super::system::DirichletSystem;
 use super::{HarmonicTable, Resampled, TableError};
@@ -133,6 +133,8 @@ pub enum Stage {
     Order,
     /// Cholesky factorisation, complete or incomplete.
     Factor,
+    /// Factoring the boundary's integral equation.
+    Integral,
     /// Solving for the table of harmonic coordinates.
     Table {
         /// The percentage that is done.
@@ -287,6 +289,18 @@ pub fn prepare_curve(
     prepare_within(Memory::default(), Unprepared::Curve { polygon, curve, near, settings }, progress)
 }
 
+/// As [`prepare_curve`] without the integral equation, which the side can be [given](PreparedSide::with_equation)
+/// afterwards: until then harmonic measure is that of finite elements, on samples that lie on the curve.
+/// [`PreparedSide::awaits_equation`] says whether there will be one.
+pub fn prepare_on_curve(
+    (polygon, curve): (&SimplePolygon, &Curve),
+    settings: &PrepareSettings,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<PreparedSide, PrepareError> {
+    let unprepared = Unprepared::Curve { polygon, curve, near: &[], settings };
+    finite_elements(Memory::default(), unprepared, progress).map(|(side, _)| side)
+}
+
 /// As [`prepare`], for a surface (section 4.3): its edges are flipped to the intrinsic Delaunay triangulation if
 /// requested; the other stages are the same.
 pub fn prepare_surface(
@@ -304,8 +318,25 @@ pub fn prepare_within(
     unprepared: Unprepared<'_>,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<PreparedSide, PrepareError> {
+    let (side, boundary) = finite_elements(memory, unprepared, progress)?;
+    let Some((boundary, near)) = boundary else { return Ok(side) };
+    progress(Stage::Integral);
+    let mut timings = side.timings();
+    let equation = timed(&mut timings.integral, || BoundaryEquation::of(boundary, &near));
+    Ok(side.with_equation(equation).with_timings(timings))
+}
+
+/// A curve with the samples on it, and the interior points to resolve.
+type Unfactored = (CurveBoundary, Vec<DVec2>);
+
+/// Prepares without the integral equation; with what that is to be made from, if it was requested and fits.
+fn finite_elements(
+    memory: Memory,
+    unprepared: Unprepared<'_>,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<(PreparedSide, Option<Unfactored>), PrepareError> {
     let mut timings = PrepareTimings::default();
-    let mut integral = None;
+    let (mut sharpness, mut unfactored) = (Sharpness::FiniteElements, None);
     let (geometry, laplacian, kernel, solver) = match unprepared {
         Unprepared::Outline { polygon, settings } | Unprepared::Curve { polygon, settings, .. } => {
             let (curve, near) = match unprepared {
@@ -313,9 +344,11 @@ pub fn prepare_within(
                 _ => (None, [].as_slice()),
             };
             let domain = if settings.kernel == KernelMode::Integral {
-                let outlined = Outlined { polygon, curve, near };
+                let outlined = Outlined { polygon, curve };
                 let (domain, boundary) = outlined.domain(settings, &mut timings, progress)?;
-                integral = Some(boundary);
+                sharpness =
+                    boundary.as_ref().map_or_else(|reason| Sharpness::Stays(reason.clone()), |_| Sharpness::Awaited);
+                unfactored = boundary.ok().map(|boundary| (boundary, outlined.near(near)));
                 domain
             } else {
                 MeshedDomain::new(polygon, settings, &mut timings, progress)?
@@ -337,7 +370,7 @@ pub fn prepare_within(
         }
     };
     let side = factored(geometry, laplacian, Solving { kernel, solver, memory }, timings, progress)?;
-    Ok(side.with_integral(integral))
+    Ok((side.with_sharpness(sharpness), unfactored))
 }
 
 /// Meshes a domain with other samples of its boundary, then as [`prepare`].

@@ -4,9 +4,10 @@
 //! lengths, and a factored Laplacian; they differ in how a point becomes weights of vertices and in the positions of
 //! the vertices.
 
-use super::curved::{CurveBoundary, Unsharpened};
+use super::curved::{BoundaryEquation, CurveBoundary, Unsharpened};
 use super::system::DirichletSystem;
 use super::{HarmonicTable, InteriorPoint, MeshedDomain, MeshedSurface, Places, PrepareTimings};
+use crate::boundary_integral::BoundaryIntegral;
 use crate::geometry::DVec3;
 use crate::laplace::SolverKind;
 use crate::outline::BoundaryPoint;
@@ -28,10 +29,22 @@ pub enum SideGeometry {
 #[derive(Debug, Clone)]
 pub struct PreparedSide {
     geometry: SideGeometry,
-    pub(super) system: DirichletSystem,
+    pub(super) system: Arc<DirichletSystem>,
     timings: PrepareTimings,
-    /// The boundary's integral equation or why there is none, if it was requested.
-    integral: Option<Result<Arc<CurveBoundary>, Unsharpened>>,
+    sharpness: Sharpness,
+}
+
+/// Whether harmonic measure is that of the boundary's integral equation.
+#[derive(Debug, Clone)]
+pub(super) enum Sharpness {
+    /// Finite elements were requested.
+    FiniteElements,
+    /// The samples lie on the curve, and the side is still to be given the factored equation.
+    Awaited,
+    /// The equation was requested, and there is none.
+    Stays(Unsharpened),
+    /// Harmonic measure is that of the equation.
+    Integral(BoundaryEquation),
 }
 
 impl SideGeometry {
@@ -68,33 +81,70 @@ impl SideGeometry {
 impl PreparedSide {
     /// Combines the parts.
     pub(super) fn new(geometry: SideGeometry, system: DirichletSystem, timings: PrepareTimings) -> Self {
-        Self { geometry, system, timings, integral: None }
+        Self { geometry, system: Arc::new(system), timings, sharpness: Sharpness::FiniteElements }
     }
 
-    /// The same side with the boundary's integral equation, or the reason why there is none.
-    pub(super) fn with_integral(self, integral: Option<Result<CurveBoundary, Unsharpened>>) -> Self {
-        Self { integral: integral.map(|result| result.map(Arc::new)), ..self }
+    /// The same side with another kernel.
+    pub(super) fn with_sharpness(self, sharpness: Sharpness) -> Self {
+        Self { sharpness, ..self }
+    }
+
+    /// The same side with other timings.
+    pub(super) fn with_timings(self, timings: PrepareTimings) -> Self {
+        Self { timings, ..self }
+    }
+
+    /// Whether harmonic measure is that of the boundary's integral equation.
+    pub(super) fn sharpness(&self) -> &Sharpness {
+        &self.sharpness
     }
 
     /// The same side with the integral equation of `coarse`, whose samples are among this side's; these lie at `places`
     /// of them.
     pub(super) fn with_curve_of(self, coarse: &Self, places: &[BoundaryPoint]) -> Self {
-        let carried = |found: &Result<Arc<CurveBoundary>, Unsharpened>| match found {
-            Ok(boundary) => Ok(boundary.resampled(places)),
-            Err(reason) => Err(reason.clone()),
+        let sharpness = match &coarse.sharpness {
+            Sharpness::Integral(equation) => Sharpness::Integral(equation.resampled(places)),
+            other => other.clone(),
         };
-        let integral = coarse.integral.as_ref().map(carried);
-        self.with_integral(integral)
+        self.with_sharpness(sharpness)
     }
 
-    /// The boundary as a curve with its integral equation; `None` if harmonic measure is from finite elements.
+    /// The same side with the factored equation of its boundary, or the reason why there is none; mesh and system are
+    /// shared. An equation whose samples are not the side's is refused.
+    #[must_use]
+    pub fn with_equation(&self, equation: Result<BoundaryEquation, Unsharpened>) -> Self {
+        let fits = |equation: &BoundaryEquation| self.domain().is_some_and(|domain| equation.is_of(domain));
+        let sharpness = match equation {
+            Ok(equation) if fits(&equation) => Sharpness::Integral(equation),
+            Ok(_) => Sharpness::Stays(Unsharpened::Apart),
+            Err(reason) => Sharpness::Stays(reason),
+        };
+        self.clone().with_sharpness(sharpness)
+    }
+
+    /// Whether the boundary integral was requested, and the side is still to be [given](Self::with_equation) its equation.
+    pub fn awaits_equation(&self) -> bool {
+        matches!(self.sharpness, Sharpness::Awaited)
+    }
+
+    /// The boundary's integral equation; `None` if harmonic measure is from finite elements.
+    pub fn equation(&self) -> Option<&BoundaryEquation> {
+        if let Sharpness::Integral(equation) = &self.sharpness { Some(equation) } else { None }
+    }
+
+    /// The boundary as a curve; `None` if harmonic measure is from finite elements.
     pub fn curve_boundary(&self) -> Option<&Arc<CurveBoundary>> {
-        self.integral.as_ref()?.as_ref().ok()
+        self.equation().map(BoundaryEquation::boundary)
+    }
+
+    /// The factored integral equation; `None` if harmonic measure is from finite elements.
+    pub fn boundary_integral(&self) -> Option<&BoundaryIntegral> {
+        self.equation().map(BoundaryEquation::integral)
     }
 
     /// Why harmonic measure is from finite elements although the boundary integral was requested.
     pub fn unsharpened(&self) -> Option<&Unsharpened> {
-        self.integral.as_ref()?.as_ref().err()
+        if let Sharpness::Stays(reason) = &self.sharpness { Some(reason) } else { None }
     }
 
     /// The side's geometry.

@@ -3,7 +3,7 @@
 use crate::geometry::{DVec2, orientation};
 
 /// Why a boundary could not be meshed.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub enum MeshError {
     /// The samples do not form a simple polygon (too few of them for this outline).

@@ -6,6 +6,7 @@ use crate::language::Message;
 use crate::model::Model;
 use crate::model::editing::Reshaped;
 use crate::model::side::preparation::Progress;
+use crate::model::side::sharpening::Sharpening;
 use crate::model::side::user_error::{QuickFix, UserError};
 use crate::model::side::{ModelSide, Next, OutlineRequest};
 use crate::outline::{Outline, OutlineNote};
@@ -170,7 +171,8 @@ impl Model {
         let shows = !self.is_pending() && !self.sides_changed;
         let mut requests = Vec::new();
         for side in Side::BOTH {
-            requests.extend(self.sides[side].take_request(now, shows).map(|request| (side, request)));
+            let at = (self.equation_point(side), !self.under_way.is_moving);
+            requests.extend(self.sides[side].take_request(now, shows, at).map(|request| (side, request)));
             if !self.side(side).is_busy() {
                 self.sides[side].incoming_points = None; // their domain was refused
             }
@@ -180,7 +182,12 @@ impl Model {
 
     /// The time at which the next request is due.
     pub fn next_due(&self) -> Option<f64> {
-        let file = self.can_read_on().then_some(f64::NEG_INFINITY);
+        let is_due = |side| {
+            let is_due = |point| self.sides[side].is_equation_due(point, !self.under_way.is_moving);
+            self.equation_point(side).is_some_and(is_due)
+        };
+        let is_due = self.can_read_on() || Side::BOTH.into_iter().any(is_due);
+        let file = is_due.then_some(f64::NEG_INFINITY);
         self.sides.iter().filter_map(|(_, side)| side.due()).chain(file).reduce(f64::min)
     }
 
@@ -191,6 +198,12 @@ impl Model {
         }
         if self.sides[side].surface.preparation.pending_request().awaits(generation) {
             return self.accept_surface(side, generation, response);
+        }
+        if self.sides[side].sharpening.awaits(generation) {
+            if self.sides[side].accept_equation(generation, response) && self.session.surface(side).is_none() {
+                self.change_sides();
+            }
+            return;
         }
         match self.side_mut(side).accept(generation, response) {
             Progress::Nothing => {}
@@ -203,6 +216,30 @@ impl Model {
             }
             Progress::Ready { request, is_new } => self.take_prepared(side, request.spec, is_new),
         }
+    }
+
+    /// The interior point for which a side's integral equation is factored; `None` for a surface.
+    fn equation_point(&self, side: Side) -> Option<DVec2> {
+        if self.session.surface(side).is_some() { None } else { self.interior(side) }
+    }
+
+    /// Whether a side's integral equation is due or under way: finite elements are shown for now, or an equation that
+    /// does not resolve the interior point.
+    pub fn is_sharpening(&self, side: Side) -> bool {
+        let ModelSide { outline, sharpening, .. } = &self.sides[side];
+        self.equation_point(side).is_some_and(|point| sharpening.is_wanted(outline, point))
+    }
+
+    /// Makes no more requests for integral equations: the sides keep those that they have.
+    pub(super) fn end_sharpening(&mut self) {
+        for side in Side::BOTH {
+            self.sides[side].sharpening = Sharpening::none();
+        }
+    }
+
+    /// Tells whether no point moves: an integral equation for another point is requested only then.
+    pub fn set_at_rest(&mut self, is_at_rest: bool) {
+        self.under_way.is_moving = !is_at_rest;
     }
 
     /// Applies a prepared outline, with the points that a session has for it.
@@ -252,6 +289,7 @@ impl Model {
         if self.sides[side].reading.pending_request().is_lost(generation) {
             self.reader_died(side, reason);
         }
+        self.sides[side].sharpening.worker_died(generation, reason);
         self.side_mut(side).worker_died(generation, reason);
         self.sides[side].surface.preparation.worker_died(generation, reason);
     }

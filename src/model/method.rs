@@ -27,7 +27,7 @@ impl Model {
     }
 
     /// The commands that change the method of everything that is requested: of both outlines, also behind a surface, and
-    /// of the surfaces that are shown.
+    /// of the surfaces that are shown, whose kernels are by adjoint solves where the outlines' are by the boundary integral.
     pub fn set_method(&self, change: impl Fn(Method) -> Method) -> Vec<Command> {
         let of_outline = |side: Side| {
             let settings = self.side(side).wanted().settings;
@@ -35,9 +35,11 @@ impl Model {
             Command::SetSettings { side, settings: PrepareSettings { kernel, solver, ..settings } }
         };
         let Method { kernel, solver } = change(self.method());
+        // a surface has no curve
+        let of_surfaces = if kernel == KernelMode::Integral { KernelMode::Adjoint } else { kernel };
         let of_surface = |side: Side| {
             let mut surface: SurfaceSpec = self.surface_settings(side)?.clone();
-            (surface.settings.kernel, surface.settings.solver) = (kernel, solver);
+            (surface.settings.kernel, surface.settings.solver) = (of_surfaces, solver);
             Some(Command::RefineSurface { side, surface })
         };
         Side::BOTH.into_iter().map(of_outline).chain(Side::BOTH.into_iter().filter_map(of_surface)).collect()

@@ -14,6 +14,7 @@ pub mod editing;
 pub mod export;
 pub mod files;
 mod fine;
+mod interpretation;
 mod invariants;
 mod measurement;
 mod method;
@@ -26,6 +27,7 @@ pub mod persistence;
 mod refresh;
 pub mod scene;
 pub mod shape;
+mod sharpness;
 mod shown;
 pub mod side;
 mod surface;
@@ -33,7 +35,9 @@ mod under_way;
 mod update;
 
 pub use abilities::{Abilities, Unavailable};
+pub use interpretation::Interpreting;
 pub use method::Method;
+pub use sharpness::{ErrorBounds, SideKernel};
 
 use crate::conformal::{
     ConformalMap, InteriorPoint, MeshedDomain, PerSide, PreparedSide, Quality, Side, Stage, TriangleDistortion,
@@ -299,8 +303,14 @@ impl Model {
         !shows_the_old_one && std::mem::take(&mut self.sides[side].refit)
     }
 
-    /// Whether the full map for the session is shown and no preparation is in progress.
+    /// Whether the final map for the session is shown: [`Self::is_mapped`], and no side awaits its integral equation.
+    /// What is written and measured then does not depend on the moment.
     pub fn is_ready(&self) -> bool {
+        self.is_mapped() && !Side::BOTH.into_iter().any(|side| self.is_sharpening(side))
+    }
+
+    /// Whether the full map for the session is shown and no preparation is in progress; it may still be sharpened.
+    pub fn is_mapped(&self) -> bool {
         let is_busy = Side::BOTH.into_iter().any(|side| self.is_preparing(side));
         self.shown.map.is_some() && self.shows_present_surfaces() && !self.is_pending() && !is_busy
     }
@@ -353,6 +363,9 @@ pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod either_side_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+mod sharpening_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod surface_tests;

@@ -45,6 +45,9 @@ impl Model {
             self.count_images(changes.meshes);
         }
         changes.meshes |= self.follow_pattern();
+        if !self.is_pending() {
+            self.estimate(dragging);
+        }
         changes
     }
 

@@ -3,6 +3,7 @@
 use crate::conformal::{ConformalMap, Direction, FrameTimings, Side};
 use crate::geometry::DVec2;
 use crate::model::Model;
+use crate::model::sharpness::Estimated;
 
 /// The last complete full map, and its state in the picture.
 ///
@@ -26,6 +27,8 @@ pub struct ShownMap {
     pub mesh_generation: u64,
     /// Incremented when the boundary map changes.
     pub map_generation: u64,
+    /// The estimate of the map's errors.
+    pub estimated: Estimated,
 }
 
 impl ShownMap {
@@ -40,6 +43,7 @@ impl ShownMap {
             generation: 0,
             mesh_generation: 0,
             map_generation: 0,
+            estimated: Estimated::default(),
         }
     }
 }

@@ -17,6 +17,8 @@ pub struct MapUnderWay {
     held: Option<Asked>,
     /// The number of successive frames that were too short for an update.
     pub unfinished: u32,
+    /// Whether a point moves, so that requests that depend on its place wait.
+    pub is_moving: bool,
 }
 
 /// A request to the map.

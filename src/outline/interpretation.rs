@@ -160,7 +160,7 @@ const SAME_POLYGON: f64 = 1e-9;
 const POINTS_PER_CORNER: usize = 8;
 
 /// What an outline was taken for, for summaries.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Interpreted {
     /// [`Interpretation::Polygon`] or [`Interpretation::Smooth`].
     pub interpretation: Interpretation,

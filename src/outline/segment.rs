@@ -25,7 +25,7 @@ pub enum Segment {
     Cubic([DVec2; 4]),
 }
 
-/// The sweep of an arc that one Bézier curve stands for, in radians: π/8.
+/// The sweep of an arc that one Bézier curve stands for, in radians.
 const ARC_PART: f64 = std::f64::consts::FRAC_PI_8;
 
 impl From<Segment> for Piece {

@@ -27,7 +27,7 @@ pub use touched::Touched;
 use view::Display;
 pub use view::{Colouring, Comparison, DiskWay, TextureKind};
 
-use crate::conformal::{Constraints, Direction, Extension, MapSettings, PerSide, PrepareSettings, Side};
+use crate::conformal::{Constraints, Direction, Extension, KernelMode, MapSettings, PerSide, PrepareSettings, Side};
 use crate::geometry::DVec2;
 use crate::mesh::Sizing;
 use crate::outline::{Preset, Sampling};
@@ -49,6 +49,7 @@ impl Default for Session {
         let settings = PrepareSettings {
             sampling: Sampling::Adaptive { target: Some(DEFAULT_SAMPLES) },
             sizing: Sizing::Graded(DEFAULT_GROWTH),
+            kernel: KernelMode::Integral,
             ..PrepareSettings::default()
         };
         let side = |preset| SideState::new(OutlineSpec::Preset(preset), settings);
@@ -160,6 +161,17 @@ impl Session {
     pub fn map_settings(&self) -> MapSettings {
         MapSettings { direction: self.display.direction, extension: self.display.extension }
     }
+}
+
+/// The same session with finite elements in place of the boundary integral, as sessions were before there was one.
+#[cfg(test)]
+pub(crate) fn by_finite_elements(session: Session) -> Session {
+    let of_integral = Side::BOTH.map(|side| (side, session.domain(side).settings));
+    let of_integral = of_integral.into_iter().filter(|(_, settings)| settings.kernel == KernelMode::Integral);
+    session.and(
+        of_integral
+            .map(|(side, settings)| Command::SetSettings { side, settings: settings.with_kernel(KernelMode::Adjoint) }),
+    )
 }
 
 /// The default session with another texture scale, by which tests tell sessions apart.

@@ -53,6 +53,29 @@ impl OutlineSpec {
         }
     }
 
+    /// The form of this outline's curve for an edited form of its polygon: the interpretation stays, and the vertices
+    /// that were switched, where the edited polygon has them. An edited path is a list of points.
+    pub fn carried_form(&self, edited: &SimplePolygon) -> CurveForm {
+        let Self::Points { polygon, form, .. } = self else { return CurveForm::default() };
+        let (old, new) = (polygon.vertices(), edited.vertices());
+        let same_order = old.len() == new.len() && old.iter().zip(new).filter(|(a, b)| a == b).count() > old.len() / 4;
+        let count = old.len();
+        let is_mirrored = count == new.len() && (0..count).all(|k| new[k].y == old[(count - k) % count].y);
+        let carried = |&vertex: &u32| {
+            let place = old.get(vertex as usize)?;
+            if is_mirrored {
+                Some((count as u32 - vertex) % count as u32)
+            } else if same_order {
+                Some(vertex)
+            } else {
+                new.iter().position(|p| p == place).map(|k| k as u32)
+            }
+        };
+        let mut switched: Vec<u32> = form.switched.iter().filter_map(carried).collect();
+        switched.sort_unstable();
+        CurveForm { interpretation: form.interpretation, switched, ..CurveForm::default() }
+    }
+
     /// Whether the form of the curve is what the polygon alone says: before curves, outlines were stored without.
     pub(super) fn is_only_polygon(&self) -> bool {
         match self {

@@ -7,21 +7,24 @@ mod file;
 mod invariants;
 mod rehearsal;
 mod study;
+mod taken;
 mod transfer;
 
 pub use file::{FlatOutline, FlatSession, NamedFile, Unread};
 pub use invariants::{FoundInvariants, InvariantsTask, Number, StudiedOutline};
 pub use rehearsal::rehearsal;
 pub use study::{Finding, Study};
+pub use taken::{Corner, Taken};
 pub use transfer::Transfer;
 
 use crate::conformal::{
-    KernelMode, NotFlat, PrepareSettings, PreparedSide, Stage, SurfaceSettings, prepare, prepare_surface,
+    BoundaryEquation, KernelMode, PrepareError, PrepareSettings, PreparedSide, Stage, SurfaceSettings, Unsharpened,
+    prepare, prepare_on_curve, prepare_surface,
 };
-use crate::geometry::SimplePolygon;
+use crate::geometry::{DVec2, SimplePolygon};
 use crate::language::Message;
-use crate::outline::Outline;
-use crate::session::Session;
+use crate::outline::{CurveForm, Outline};
+use crate::session::{OutlineSpec, Session};
 use crate::surface::{Surface, SurfaceMesh, SurfacePreset, read_surface};
 
 /// A request to read or to prepare something.
@@ -46,9 +49,18 @@ pub enum Task {
     /// The inside of an outline.
     Outline {
         /// The outline.
-        polygon: SimplePolygon,
+        outline: Box<Drawn>,
         /// How to discretize it.
         settings: PrepareSettings,
+    },
+    /// The integral equation of an outline that was prepared before with these settings.
+    Equation {
+        /// The outline.
+        outline: Box<Drawn>,
+        /// How it was discretized.
+        settings: PrepareSettings,
+        /// The interior point to resolve.
+        point: DVec2,
     },
     /// The inside of an outline that is parsed from a file first.
     OutlineFile {
@@ -70,15 +82,27 @@ pub enum Task {
     },
 }
 
-impl Task {
-    /// Whether the boundary integral is requested, whose factor does not cross to the app.
-    fn needs_integral(&self) -> bool {
-        let kernel = match self {
-            Self::Outline { settings, .. } | Self::OutlineFile { settings, .. } => settings.kernel,
-            Self::Surface { settings, .. } => settings.kernel,
-            Self::SessionFile(_) => return false,
-        };
-        kernel == KernelMode::Integral
+/// An outline as far as a preparation needs it: its polygon, and how its curve is found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawn {
+    /// The polygon.
+    pub polygon: SimplePolygon,
+    /// How the curve is found.
+    pub form: CurveForm,
+}
+
+impl From<&OutlineSpec> for Drawn {
+    fn from(outline: &OutlineSpec) -> Self {
+        match outline {
+            OutlineSpec::Preset(preset) => Self::from(&preset.outline()),
+            OutlineSpec::Points { polygon, form, .. } => Self { polygon: polygon.clone(), form: form.clone() },
+        }
+    }
+}
+
+impl From<&Outline> for Drawn {
+    fn from(outline: &Outline) -> Self {
+        Self { polygon: outline.polygon().clone(), form: outline.form().clone() }
     }
 }
 
@@ -103,12 +127,16 @@ pub enum Response {
     Progress(Stage),
     /// The outline of a file is parsed; its inside is prepared next.
     Outline(Box<Outline>),
+    /// What the points of an outline are taken for; it is prepared next.
+    Taken(Box<Taken>),
     /// The session of a file is read.
     Session(Box<Session>),
     /// The file could not be read.
     Unread(Unread),
     /// A side is done; with what the reader of a surface noticed.
     Prepared(Box<PreparedSide>, Vec<Message>),
+    /// The integral equation of a side is factored, or why there is none.
+    Equation(Box<Result<Transfer, Unsharpened>>),
     /// The preparation failed.
     Failed(Failure),
 }
@@ -135,18 +163,19 @@ impl Failure {
 impl Response {
     /// Whether more responses to the same request follow.
     pub fn goes_on(&self) -> bool {
-        matches!(self, Self::Progress(_) | Self::Outline(_))
+        matches!(self, Self::Progress(_) | Self::Outline(_) | Self::Taken(_))
     }
 }
 
 /// Processes `request`, emitting `(generation, response)`.
 pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
     let answer = &mut |response| emit(request.generation, response);
-    if request.task.needs_integral() {
-        return answer(Response::Failed(Failure::new(&NotFlat)));
-    }
     let last = match &request.task {
-        Task::Outline { polygon, settings } => outline(polygon, settings, answer),
+        Task::Outline { outline, settings } => prepared(outline, settings, answer),
+        Task::Equation { outline, settings, point } => {
+            answer(Response::Progress(Stage::Integral));
+            Response::Equation(Box::new(outline.equation(*point, settings)))
+        }
         Task::OutlineFile { file, settings } => outline_file(file, settings, answer),
         Task::SessionFile(file) => match file.session() {
             Ok(session) => Response::Session(Box::new(session)),
@@ -160,8 +189,40 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
     answer(last);
 }
 
-fn outline(polygon: &SimplePolygon, settings: &PrepareSettings, answer: &mut dyn FnMut(Response)) -> Response {
-    match prepare(polygon, settings, &mut |stage| answer(Response::Progress(stage))) {
+impl Drawn {
+    /// Prepares the inside with finite elements; for the boundary integral, with samples on the curve.
+    fn prepare(
+        &self,
+        settings: &PrepareSettings,
+        answer: &mut dyn FnMut(Response),
+    ) -> Result<PreparedSide, PrepareError> {
+        if settings.kernel != KernelMode::Integral {
+            return prepare(&self.polygon, settings, &mut |stage| answer(Response::Progress(stage)));
+        }
+        match self.form.curve(&self.polygon) {
+            Ok(curve) => {
+                answer(Response::Taken(Box::new(Taken::new(&self.polygon, &self.form, &curve))));
+                let progress = &mut |stage| answer(Response::Progress(stage));
+                prepare_on_curve((&self.polygon, curve.curve()), settings, progress)
+            }
+            Err(error) => {
+                let progress = &mut |stage| answer(Response::Progress(stage));
+                let side = prepare(&self.polygon, &settings.with_kernel(KernelMode::Adjoint), progress)?;
+                Ok(side.with_equation(Err(error.into())))
+            }
+        }
+    }
+
+    /// Factors the integral equation.
+    fn equation(&self, point: DVec2, settings: &PrepareSettings) -> Result<Transfer, Unsharpened> {
+        let curve = self.form.curve(&self.polygon)?;
+        BoundaryEquation::prepare((&self.polygon, curve.curve()), &[point], settings)
+            .map(|equation| Transfer::from(&equation))
+    }
+}
+
+fn prepared(outline: &Drawn, settings: &PrepareSettings, answer: &mut dyn FnMut(Response)) -> Response {
+    match outline.prepare(settings, answer) {
         Ok(side) => Response::Prepared(Box::new(side), Vec::new()),
         Err(error) => Response::Failed(Failure::new(&error)),
     }
@@ -174,7 +235,7 @@ fn outline_file(file: &NamedFile, settings: &PrepareSettings, answer: &mut dyn F
         Err(unread) => return Response::Unread(unread),
     };
     answer(Response::Outline(Box::new(read.clone())));
-    outline(read.polygon(), settings, answer)
+    prepared(&Drawn::from(&read), settings, answer)
 }
 
 impl SurfaceSource {
@@ -211,7 +272,9 @@ fn surface(
 #[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::*;
+    use crate::conformal::{NotFlat, prepare_curve};
     use crate::language::key;
+    use crate::outline::Preset;
     use std::sync::Arc;
 
     fn last(source: SurfaceSource, repair: bool) -> Response {
@@ -263,17 +326,53 @@ mod tests {
     }
 
     #[test]
-    fn the_integral_kernel_is_refused_and_never_dropped() {
+    fn a_side_and_then_its_equation_are_those_of_one_preparation() {
         let settings = PrepareSettings::default().with_kernel(KernelMode::Integral);
-        let polygon = crate::outline::Preset::Square.outline().into_polygon();
-        let side = prepare(&polygon, &settings, &mut |_| ()).unwrap();
-        assert!(side.curve_boundary().is_some());
-        assert_eq!(Transfer::try_from(&side), Err(NotFlat));
-        let task = Task::Outline { polygon, settings };
+        for preset in [Preset::Square, Preset::Blob, Preset::Heart] {
+            let outline = preset.outline();
+            let drawn = Box::new(Drawn::from(&outline));
+            let Response::Prepared(side, _) = only(Task::Outline { outline: drawn.clone(), settings }) else {
+                panic!()
+            };
+            assert!(side.awaits_equation() && side.equation().is_none());
+            let side = Transfer::try_from(&*side).unwrap().into_side().unwrap();
+            assert!(side.awaits_equation());
+            let point = side.domain().unwrap().default_point();
+            let Response::Equation(flat) = only(Task::Equation { outline: drawn, settings, point }) else { panic!() };
+            let curve = outline.curve().unwrap().into_curve();
+            let equation = flat.unwrap().into_equation(&curve).unwrap();
+            let side = side.with_equation(Ok(equation));
+            let at_once = prepare_curve((outline.polygon(), &curve), &[point], &settings, &mut |_| ()).unwrap();
+            let kernels = [&side, &at_once].map(|side| {
+                let x = side.domain().unwrap().default_point();
+                side.boundary_integral().unwrap().harmonic_measure(x).unwrap().pieces()
+            });
+            assert_eq!(kernels[0], kernels[1], "{preset:?}");
+            assert_eq!(side.vertices(), at_once.vertices());
+            assert_eq!(Transfer::try_from(&side), Err(NotFlat));
+        }
+    }
+
+    #[test]
+    fn why_there_is_no_equation_travels_with_the_side() {
+        let settings = PrepareSettings::default().with_kernel(KernelMode::Integral);
+        let corner = |k: u32| {
+            let (angle, radius) = (f64::from(k) * std::f64::consts::TAU / 600.0, 1.0 + 0.1 * f64::from(k % 2));
+            radius * DVec2::from_angle(angle)
+        };
+        let polygon = SimplePolygon::try_from((0..600).map(corner).collect::<Vec<_>>()).unwrap();
+        let outline = Box::new(Drawn { polygon, form: CurveForm::default() });
+        let Response::Prepared(side, _) = only(Task::Outline { outline, settings }) else { panic!() };
+        let side = Transfer::try_from(&*side).unwrap().into_side().unwrap();
+        let reason = side.unsharpened().unwrap().to_string();
+        assert!(!side.awaits_equation() && reason.contains("unknowns"), "{reason}");
+    }
+
+    fn only(task: Task) -> Response {
         let mut answers = Vec::new();
         run(&Request { generation: 1, task }, &mut |_, response| answers.push(response));
-        let [Response::Failed(failure)] = answers.as_slice() else { panic!("{answers:?}") };
-        assert_eq!(*failure, Failure::new(&NotFlat));
+        assert!(answers.iter().rev().skip(1).all(Response::goes_on));
+        answers.pop().unwrap()
     }
 
     #[test]

@@ -1,10 +1,12 @@
-//! The transferable form of a prepared side: flat arrays, which are moved between workers, and a short text.
+//! The transferable form of a prepared side and of an integral equation: flat arrays, which are moved between workers, and a short text.
 //!
-//! The arrays are those of `PreparedSide::to_buffers`, in its order; the text is the surface's repairs as JSON.
+//! The arrays of a side are those of `PreparedSide::to_buffers`, in its order; the text is the surface's repairs, and whether an
+//! integral equation follows, as JSON.
 
-use crate::conformal::{FlatBuffers, NotFlat, PreparedSide};
+use crate::conformal::{BoundaryEquation, FlatBuffers, FlatEquation, NotFlat, PreparedSide};
+use crate::geometry::Curve;
 
-/// A [`PreparedSide`] in transferable form.
+/// A [`PreparedSide`] or a [`BoundaryEquation`] in transferable form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Transfer {
     /// The floating-point arrays.
@@ -19,16 +21,39 @@ impl TryFrom<&PreparedSide> for Transfer {
     type Error = NotFlat;
 
     fn try_from(side: &PreparedSide) -> Result<Self, NotFlat> {
-        let FlatBuffers { floats, indices, repairs } = side.to_buffers()?;
+        let FlatBuffers { floats, indices, repairs, expected } = side.to_buffers()?;
         // Plain data can always be written as JSON.
-        Ok(Self { floats, indices, text: serde_json::to_string(&repairs).unwrap_or_default() })
+        Ok(Self { floats, indices, text: serde_json::to_string(&(repairs, expected)).unwrap_or_default() })
+    }
+}
+
+/// The points first, then the arrays of the factored equation.
+impl From<&BoundaryEquation> for Transfer {
+    fn from(equation: &BoundaryEquation) -> Self {
+        let mut equation = equation.to_flat();
+        // Plain data can always be written as JSON.
+        let text = serde_json::to_string(&equation).unwrap_or_default();
+        let points = std::mem::take(&mut equation.points);
+        let floats = std::iter::once(points).chain(equation.integral.floats).collect();
+        Self { floats, indices: vec![equation.integral.rows], text }
     }
 }
 
 impl Transfer {
+    /// The integral equation of `curve`; `None` if the arrays and the text are not those of its equation.
+    pub fn into_equation(self, curve: &Curve) -> Option<BoundaryEquation> {
+        let mut equation: FlatEquation = serde_json::from_str(&self.text).ok()?;
+        let mut floats = self.floats.into_iter();
+        equation.points = floats.next()?;
+        equation.integral.floats = floats.collect();
+        let [rows]: [Vec<u32>; 1] = self.indices.try_into().ok()?;
+        equation.integral.rows = rows;
+        BoundaryEquation::from_flat(curve, equation)
+    }
+
     /// The side; `None` if the arrays and the text are not those of a side.
     pub fn into_side(self) -> Option<PreparedSide> {
-        let repairs = serde_json::from_str(&self.text).ok()?;
-        PreparedSide::from_buffers(FlatBuffers { floats: self.floats, indices: self.indices, repairs })
+        let (repairs, expected) = serde_json::from_str(&self.text).ok()?;
+        PreparedSide::from_buffers(FlatBuffers { floats: self.floats, indices: self.indices, repairs, expected })
     }
 }

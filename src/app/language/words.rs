@@ -6,7 +6,7 @@ use crate::language::{self, Label, key, say, tr};
 use crate::mesh::FlipReport;
 use crate::model::shape::Shape;
 use crate::model::{Processor, names};
-use crate::outline::Preset;
+use crate::outline::{Interpretation, Interpreted, Preset};
 use crate::session::{OutlineSpec, SurfaceShape};
 use crate::surface::SurfacePreset;
 use std::borrow::Cow;
@@ -24,7 +24,7 @@ pub fn stage(stage: Option<Stage>) -> (f32, Cow<'static, str>) {
         Some(Stage::Mesh) => (0.25, key::triangulating()),
         Some(Stage::Assemble) => (0.6, key::assembling_laplacian()),
         Some(Stage::Order) => (0.7, key::ordering()),
-        Some(Stage::Factor | Stage::Table { .. }) => (0.85, key::factoring()),
+        Some(Stage::Factor | Stage::Integral | Stage::Table { .. }) => (0.85, key::factoring()),
     };
     (share, tr(words).into())
 }
@@ -46,6 +46,12 @@ pub fn side(side: Side) -> &'static str {
 /// "source", "target" within a sentence.
 pub fn side_within(side: Side) -> &'static str {
     tr(side.into())
+}
+
+/// What an outline was taken for: "smooth, 2 corners".
+pub fn interpreted(Interpreted { interpretation, corners }: Interpreted) -> String {
+    let kind = if interpretation == Interpretation::Smooth { key::taken_smooth() } else { key::taken_polygon() };
+    say(&key::taken_for(tr(kind), corners))
 }
 
 /// A preset's name in a menu.

@@ -138,7 +138,7 @@ fn swap_button(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     let swap = Action::Session(Command::Swap);
     let is_locked = Locks::of(ui.ctx()).refused(&swap).is_some();
     let refusal = if is_locked { REFUSAL } else { key::swap_waits() };
-    let button = ui.add_enabled(!is_locked && model.is_ready(), egui::Button::new(tr(key::swap())));
+    let button = ui.add_enabled(!is_locked && model.is_mapped(), egui::Button::new(tr(key::swap())));
     if button.on_hover_text(tr(key::swap_tooltip())).on_disabled_hover_text(tr(refusal)).clicked() {
         actions.push(swap);
     }

@@ -2,12 +2,13 @@
 //!
 //! | content | file |
 //! |---|---|
-//! | the column of controls | `side_panel`, `method`, `surface_panel`, `play_panel`, `invariants_panel` |
+//! | the column of controls | `side_panel`, `method`, `surface_panel`, `play_panel`, `interpretation`, `invariants_panel` |
 //! | title, buttons, messages and legend of a picture | `header` |
 //! | the menu of outlines and surfaces | `shapes` |
 //! | the offer to trace a picture | `offer` |
 
 pub mod header;
+mod interpretation;
 pub mod invariants_panel;
 pub mod method;
 pub mod offer;

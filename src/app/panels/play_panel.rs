@@ -31,7 +31,7 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, actions: &mut Actions) 
         actions.push(Action::Play(PlayAction::Period(seconds)));
     }
     let label = if player.is_playing() { tr(key::stop_here()) } else { tr(key::play()) };
-    let button = ui.add_enabled(player.is_playing() || model.is_ready(), egui::Button::new(label));
+    let button = ui.add_enabled(player.is_playing() || model.is_mapped(), egui::Button::new(label));
     if button.on_hover_text(tr(PLAY_TOOLTIP)).clicked() {
         actions.push(Action::Play(PlayAction::Toggle));
     }

@@ -8,7 +8,7 @@ use crate::app::input::action::{Action, Actions};
 use crate::app::input::locks::{Control, guarded, guarded_by};
 use crate::app::language::words;
 use crate::app::overlays;
-use crate::app::panels::{invariants_panel, method, play_panel};
+use crate::app::panels::{interpretation, invariants_panel, method, play_panel};
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::{Segment, captioned_slider, group_heading, segmented};
 use crate::conformal::{Direction, PrepareSettings, Side};
@@ -55,7 +55,10 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str
     guarded(ui, Control::Comparison, |ui| overlays::panel::show(ui, model, actions));
     for side in Side::BOTH {
         if let Some(settings) = model.outline_settings(side) {
-            ui.push_id(side, |ui| guarded(ui, Control::Method, |ui| resolution(ui, side, settings, model, actions)));
+            ui.push_id(side, |ui| {
+                guarded(ui, Control::Outline, |ui| interpretation::show(ui, side, model, actions));
+                guarded(ui, Control::Method, |ui| resolution(ui, side, settings, model, actions));
+            });
         }
     }
     for side in Side::BOTH.into_iter().filter(|side| model.abilities().has_outline(*side)) {

@@ -7,8 +7,9 @@ use crate::app::language::words;
 use crate::app::language::words::grouped;
 use crate::app::theme::text_metrics::text_width;
 use crate::app::theme::widgets::caption_font;
+use crate::conformal::Side;
 use crate::language::{key, say, tr};
-use crate::model::Model;
+use crate::model::{Model, SideKernel};
 use egui::{Align, Label, Layout, RichText, Ui};
 
 /// A longer time between two frames is not counted for the frame rate: nothing moved meanwhile.
@@ -71,6 +72,7 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
             let flipped = say(&key::flipped(grouped(quality.flipped as usize)));
             ui.label(RichText::new(flipped).small().color(ink)).on_hover_text(tr(words::FLIPPED_TOOLTIP));
         }
+        sharpness(ui, model);
         if let Some(map) = model.shown() {
             let t = map.timings;
             let compute = t.kernel + t.matching + t.extend;
@@ -97,4 +99,23 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
             }
         });
     });
+}
+
+/// The estimate of the error, or why there is none: sides are being sharpened, or stay with finite elements.
+fn sharpness(ui: &mut Ui, model: &Model) {
+    let palette = Palette::of(ui.visuals());
+    let weak = |text: String| RichText::new(text).small().color(palette.weak);
+    if Side::BOTH.into_iter().any(|side| model.is_sharpening(side)) {
+        ui.label(weak(String::from(tr(key::sharpening())))).on_hover_text(tr(key::sharpening_tooltip()));
+    } else if let Some(bounds) = model.error_bounds() {
+        let tooltip = format!("{} {:.0e}", tr(key::error_estimate_tooltip()), bounds.omega);
+        ui.label(weak(say(&key::error_estimate(format!("{:.0e}", bounds.image))))).on_hover_text(tooltip);
+    }
+    for side in Side::BOTH {
+        if let Some(SideKernel::Stays(reason)) = model.side_kernel(side) {
+            let tooltip = format!("{} {}", tr(key::finite_elements_tooltip()), say(&reason));
+            let text = say(&key::kernel_of(words::side(side), tr(key::finite_elements())));
+            ui.label(weak(text)).on_hover_text(tooltip);
+        }
+    }
 }

@@ -1,10 +1,11 @@
 //! The state of the screen as one plain record, for `window.riemap.stats()` and for tests.
 
 use crate::app::editing::EditingStats;
-use crate::conformal::{FrameTimings, PerSide, PrepareTimings, Side};
+use crate::conformal::{FrameTimings, KernelMode, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::model::overlays::disk_comparison::Found;
-use crate::model::{Model, Processor};
+use crate::model::{ErrorBounds, Model, Processor, SideKernel};
+use crate::outline::Interpreted;
 use crate::session::{Colouring, DiskWay};
 use crate::worker::FoundInvariants;
 use serde::Serialize;
@@ -71,6 +72,23 @@ pub struct PreparationStats {
     pub prepare_ms: [PrepareTimings; 2],
     /// The times of the mapped surface's preparation, in ms; `None` where no surface is shown.
     pub surface_ms: Option<PrepareTimings>,
+    /// The kernel of each side; `None` until it is prepared.
+    pub kernels: [Option<KernelStats>; 2],
+}
+
+/// The kernel that a side uses.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct KernelStats {
+    /// "integral", "adjoint" or "table".
+    pub kernel: KernelMode,
+    /// The unknowns of the integral equation.
+    pub unknowns: Option<usize>,
+    /// Whether the integral equation is due or being factored.
+    pub sharpening: bool,
+    /// Why finite elements are used although the boundary integral was requested.
+    pub reason: Option<String>,
+    /// What the points of a loaded outline were taken for.
+    pub interpretation: Option<Interpreted>,
 }
 
 /// The map that is shown.
@@ -86,6 +104,8 @@ pub struct MapStats {
     pub image_of_mapped_point: Option<[f64; 2]>,
     /// The expected value of [`Self::image_of_mapped_point`]: the other side's interior point, or the disk's center.
     pub expected: Option<[f64; 2]>,
+    /// The estimate of the map's errors; `None` unless both sides use the boundary integral.
+    pub error_estimate: Option<ErrorBounds>,
     /// `Σ (k + 1)/m · (x_k + y_k)` over the images of the mapped side's boundary vertices.
     pub boundary_checksum: f64,
 }
@@ -212,7 +232,19 @@ fn preparation(model: &Model) -> PreparationStats {
         target: size(model, Side::Target),
         prepare_ms: Side::BOTH.map(|side| model.side(side).prepared().map(|side| side.timings()).unwrap_or_default()),
         surface_ms: model.surface_timings(),
+        kernels: Side::BOTH.map(|side| kernel(model, side)),
     }
+}
+
+fn kernel(model: &Model, side: Side) -> Option<KernelStats> {
+    let (kernel, unknowns, reason) = match model.side_kernel(side)? {
+        SideKernel::Integral { unknowns } => (KernelMode::Integral, Some(unknowns), None),
+        SideKernel::Stays(reason) => (KernelMode::Adjoint, None, Some(reason.english())),
+        SideKernel::Sharpening => (KernelMode::Adjoint, None, None),
+        SideKernel::FiniteElements(kernel) => (kernel, None, None),
+    };
+    let interpretation = model.interpretation(side).map(|interpreting| interpreting.taken.interpreted);
+    Some(KernelStats { kernel, unknowns, sharpening: model.is_sharpening(side), reason, interpretation })
 }
 
 fn map(model: &Model) -> MapStats {
@@ -224,6 +256,7 @@ fn map(model: &Model) -> MapStats {
         image_of_mapped_point: image_of_point(model, mapped),
         expected: if model.is_through_disk() { Some(DVec2::ZERO) } else { model.interior(mapped.other()) }
             .map(|point| point.to_array()),
+        error_estimate: model.error_bounds(),
         boundary_checksum: boundary_checksum(model),
     }
 }
@@ -292,7 +325,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 37] = [
+    const KEYS: [&str; 39] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -301,6 +334,7 @@ mod tests {
         "comparison",
         "dark",
         "editing",
+        "error_estimate",
         "errors",
         "exact_difference",
         "expected",
@@ -313,6 +347,7 @@ mod tests {
         "handles",
         "image_of_mapped_point",
         "invariants",
+        "kernels",
         "marked_boundary",
         "measured_generation",
         "notes",

@@ -8,10 +8,12 @@
 //! | the state of both pictures | `pictures` |
 //! | a side's picture: of a plane or of a surface | `picture` |
 //! | dragging and painting the dots | `dots` |
+//! | the marks at an outline's corners | `corners` |
 //! | uploads to the GPU and drawing | `gpu`, `gpu_extension`, `cells` |
 //! | the legend of triangle colors | `legend` |
 
 pub mod cells;
+mod corners;
 pub mod dots;
 pub mod gpu;
 mod gpu_extension;

@@ -11,6 +11,7 @@ use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
 use crate::app::input::locks::{Control, Locks};
 use crate::app::theme::Palette;
 use crate::app::theme::widgets::caption_font;
+use crate::app::viewport::corners;
 use crate::app::viewport::dots;
 use crate::app::viewport::dots::Dot;
 use crate::app::viewport::gpu::ViewportCallback;
@@ -47,6 +48,8 @@ pub fn interact(
     }
     drag_dots(ui, &response, side, model, view, handles, actions);
     move_camera(ui, &response, view, handles.grip.is_some(), handles.hovered.is_none());
+    let is_over = handles.grip.is_some() || handles.hovered.is_some();
+    corners::interact(ui, &response, side, model, view, is_over, actions);
     match keyboard_navigation::of_viewport(ui, &response, side, handles) {
         Some(EyeMove::Step(step)) => view.pan(-step),
         Some(EyeMove::Zoom(factor)) => view.zoom(factor, view.rect.center()),
@@ -167,6 +170,7 @@ pub fn paint_mesh(ui: &Ui, side: Side, view: &View, style: Option<&TextureStyle>
 
 /// Draws the dots, over all other content of the viewport.
 pub fn paint_dots(ui: &Ui, side: Side, model: &Model, view: &View, handles: &HandleState) {
+    corners::paint(ui, side, model, view);
     let painter = ui.painter_at(view.rect);
     let points = [(HandleKind::Boundary, model.anchor(side)), (HandleKind::Interior, model.interior(side))];
     for (kind, point) in points {

@@ -1,4 +1,4 @@
-//! The boundary of a planar side as a curve: the samples' points on it, arc length, and the factored integral equation.
+//! The boundary of a planar side as a curve: the samples' points on it, and arc length.
 //!
 //! Two coordinates along the curve are used. The *fraction* of its length is what anchors and files hold. The
 //! *station*, the length of the pieces before plus t times the length of the own piece, costs nothing, increases
@@ -7,7 +7,6 @@
 
 use super::arc_table::ArcTable;
 use super::error::Unsharpened;
-use crate::boundary_integral::{BoundaryIntegral, Settings};
 use crate::geometry::{Curve, CurvePoint, DVec2, Piece, SimplePolygon, nearest_of_polygon};
 use crate::outline::{BoundaryPoint, BoundarySamples};
 use std::sync::Arc;
@@ -23,7 +22,7 @@ const SAME_PLACE: f64 = 1e-12;
 /// The boundary of a side as a curve, with the samples on it.
 #[derive(Debug)]
 pub struct CurveBoundary {
-    integral: Arc<BoundaryIntegral>,
+    curve: Curve,
     arcs: Arc<[ArcTable]>,
     /// The lengths up to the pieces, and the perimeter.
     starts: Vec<f64>,
@@ -34,13 +33,8 @@ pub struct CurveBoundary {
 }
 
 impl CurveBoundary {
-    /// Factors the integral equation of the curve. `near` are interior points to resolve even next to the boundary.
-    ///
-    /// Errors: the curve needs more than [`super::MAX_UNKNOWNS`] unknowns, or is not resolved.
-    pub(in crate::conformal) fn prepare(curve: &Curve, near: &[DVec2]) -> Result<Self, Unsharpened> {
-        let inside: Vec<DVec2> = near.iter().copied().filter(|&x| curve.contains(x)).collect();
-        let settings = Settings::default().with_points(&inside).with_max_unknowns(super::MAX_UNKNOWNS);
-        let integral = BoundaryIntegral::prepare(curve, &settings)?;
+    /// The curve, without samples.
+    pub(super) fn new(curve: &Curve) -> Self {
         let arc = |(piece, &length): (&Piece, &f64)| ArcTable::new(piece.clone(), length);
         let arcs = curve.pieces().iter().zip(curve.lengths()).map(arc).collect();
         let mut starts = vec![0.0];
@@ -48,14 +42,32 @@ impl CurveBoundary {
             *sum += length;
             Some(*sum)
         }));
-        Ok(Self { integral: Arc::new(integral), arcs, starts, points: Vec::new(), stations: Vec::new() })
+        Self { curve: curve.clone(), arcs, starts, points: Vec::new(), stations: Vec::new() }
+    }
+
+    /// The curve with samples at these points of it; `None` unless they ascend from the curve's first point.
+    #[cfg(feature = "io")]
+    pub(super) fn with_points(curve: &Curve, points: Vec<CurvePoint>) -> Option<Self> {
+        let mut boundary = Self::new(curve);
+        let is_sound = points.iter().all(|point| point.piece() < curve.pieces().len());
+        if !is_sound || points.is_empty() {
+            return None;
+        }
+        boundary.set_points(points);
+        let stations = &boundary.stations;
+        (stations[0] == 0.0 && stations.windows(2).all(|pair| pair[0] < pair[1])).then_some(boundary)
+    }
+
+    fn set_points(&mut self, points: Vec<CurvePoint>) {
+        self.stations = points.iter().map(|&point| self.station(point)).chain([self.perimeter()]).collect();
+        self.points = points;
     }
 
     /// Moves samples of the polygon, whose vertices lie on the curve, onto the curve. Between two junctions lengths along
     /// polygon and curve are in proportion, so that corners stay corners.
     ///
     /// Errors: the junctions do not lie on the polygon in their order, beginning with its first vertex.
-    pub(in crate::conformal) fn set_samples(
+    pub(super) fn set_samples(
         &mut self,
         polygon: &SimplePolygon,
         samples: &BoundarySamples,
@@ -65,8 +77,7 @@ impl CurveBoundary {
         let fractions: Vec<f64> = points.iter().map(|&point| self.fraction(point)).collect();
         let places = points.iter().map(|&point| self.curve().position(point)).collect();
         let moved = BoundarySamples::on_curve(places, fractions).ok_or(Unsharpened::Apart)?;
-        self.stations = points.iter().map(|&point| self.station(point)).chain([self.perimeter()]).collect();
-        self.points = points;
+        self.set_points(points);
         Ok(moved)
     }
 
@@ -74,8 +85,8 @@ impl CurveBoundary {
     pub(in crate::conformal) fn resampled(&self, places: &[BoundaryPoint]) -> Self {
         let points: Vec<CurvePoint> = places.iter().map(|&place| self.curved(place)).collect();
         let stations = points.iter().map(|&point| self.station(point)).chain([self.perimeter()]).collect();
-        let (integral, arcs) = (Arc::clone(&self.integral), Arc::clone(&self.arcs));
-        Self { integral, arcs, starts: self.starts.clone(), points, stations }
+        let (curve, arcs) = (self.curve.clone(), Arc::clone(&self.arcs));
+        Self { curve, arcs, starts: self.starts.clone(), points, stations }
     }
 
     /// The fractions of the polygon's length at the junctions, and 1.
@@ -132,12 +143,7 @@ impl CurveBoundary {
 
     /// The curve.
     pub fn curve(&self) -> &Curve {
-        self.integral.curve()
-    }
-
-    /// The factored equation.
-    pub fn integral(&self) -> &BoundaryIntegral {
-        &self.integral
+        &self.curve
     }
 
     /// The samples' points on the curve, `m` of them.

@@ -5,7 +5,7 @@ use crate::geometry::CurveError;
 use crate::mesh::MeshError;
 
 /// Why a side stays with finite elements although the boundary integral was requested.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub enum Unsharpened {
     /// The outline's points do not make a curve.

@@ -8,6 +8,7 @@ mod arc_table;
 mod boundary;
 mod curve_map;
 mod curve_measure;
+mod equation;
 mod error;
 mod matching;
 mod preparation;
@@ -17,6 +18,9 @@ pub use accuracy::ErrorEstimate;
 pub use boundary::CurveBoundary;
 pub use curve_map::CurveMap;
 pub(super) use curve_measure::CurveMeasure;
+pub use equation::BoundaryEquation;
+#[cfg(feature = "io")]
+pub(crate) use equation::FlatEquation;
 pub use error::Unsharpened;
 pub(super) use matching::match_sharply;
 pub(super) use preparation::Outlined;

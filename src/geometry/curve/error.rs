@@ -5,7 +5,7 @@
 use glam::DVec2;
 
 /// Why pieces do not make a closed curve, and where.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub enum CurveError {
     /// There is no piece.

@@ -58,6 +58,13 @@ impl CurvePoint {
         Self { piece, from_start: 1.0 - u, to_end: u }
     }
 
+    /// The point with these two parameters, t and 1 − t; `None` unless they are.
+    #[cfg(feature = "io")]
+    pub(crate) fn of_parts(piece: usize, from_start: f64, to_end: f64) -> Option<Self> {
+        let is_sound = from_start >= 0.0 && to_end >= 0.0 && (from_start + to_end - 1.0).abs() <= f64::EPSILON;
+        is_sound.then_some(Self { piece, from_start, to_end })
+    }
+
     /// The index of the piece.
     pub fn piece(&self) -> usize {
         self.piece

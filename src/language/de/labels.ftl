@@ -238,16 +238,47 @@ cauchy_green_needs_plane = Das Cauchy-Integral läuft über einen Rand in der Eb
 harmonic_for_now = vorerst harmonisch · Cauchy–Green { $percent } %
 harmonic = Harmonisch
 cauchy_green = Cauchy–Green
+integral_kernel = Integral
 adjoint_kernel = Adjungiert
 table_paper = Tabelle (Artikel)
 cholesky = Cholesky
 pcg = PCG
 harmonic_tooltip = Das Innere folgt dem Rand nach der diskreten Laplace-Gleichung: überdeckt das andere Gebiet genau
 cauchy_green_tooltip = Das Innere folgt nach dem Cauchy-Integral des Randes: glatt, doch der Rand kann schrumpfen oder sich wölben
-adjoint_kernel_tooltip = Eine Lösung des transponierten Systems für jeden neuen inneren Punkt: keine Tabelle
-table_paper_tooltip = Die harmonischen Koordinaten jeder Ecke, wie im Artikel im Voraus berechnet: dieselben Zahlen
+integral_kernel_tooltip = Das harmonische Maß aus einer Integralgleichung auf der Randkurve: zehn Stellen und mehr. Bis ihre Matrix zerlegt ist, werden finite Elemente gezeigt
+adjoint_kernel_tooltip = Das harmonische Maß mit finiten Elementen, zwei bis drei Stellen: eine Lösung des transponierten Systems für jeden neuen inneren Punkt
+finite_elements = finite Elemente
+finite_elements_tooltip = Den Integralkern gibt es hier nicht:
+surfaces_use_finite_elements = Eine Fläche hat keine Randkurve in der Ebene: Ihre Seite wird mit finiten Elementen berechnet
+sharpening = wird geschärft…
+sharpening_tooltip = Die Abbildung mit finiten Elementen wird gezeigt, während die Integralgleichung des Randes zerlegt wird
+error_estimate_tooltip = Eine Schätzung des größten Fehlers eines Bildes auf dem Rand, in den Einheiten seines Umrisses. Sie berücksichtigt die Kondition an Ecken und folgt aus Identitäten, für die man die genaue Abbildung nicht braucht. Das harmonische Maß selbst:
+unknowns_of = { $side }: Integral, { $count } Unbekannte
+kernel_of = { $side }: { $kernel }
+table_paper_tooltip = Die harmonischen Koordinaten jeder Ecke, wie im Artikel im Voraus berechnet: dieselben Zahlen wie mit dem adjungierten Kern
 cholesky_tooltip = Ein vollständiger dünnbesetzter Cholesky-Faktor: schnell und genau, selbst wo das Maß 1e-300 ist
 pcg_tooltip = Konjugierte Gradienten mit einem unvollständigen Faktor: wenig Speicher, 15- bis 300-mal langsamer; beim Ziehen springt eine grobe Abbildung ein
+
+## interpretation
+
+outline_of = Umriss · { $side }
+interpret_auto = Automatisch
+interpret_polygon = Vieleck
+interpret_smooth = Glatt
+interpret_auto_tooltip = Die Kurve der Datei, falls es eine gibt, sonst eine glatte Kurve durch 64 Punkte oder mehr, wenn nicht viele davon Ecken sind
+interpret_polygon_tooltip = Gerade Kanten zwischen den Punkten
+interpret_smooth_tooltip = Die Kurve der Datei oder eine glatte Kurve durch die Punkte, so wenige es sind, mit Ecken, wo sie scharf abbiegen
+taken_for = aufgefasst als { $kind }, { $corners ->
+    [one] { $corners } Ecke
+   *[other] { $corners } Ecken
+}
+taken_polygon = Vieleck
+taken_smooth = glatt
+corners_of = Ecken ({ $count })
+corner_at = Ecke { $number } bei ({ $x }, { $y })
+corner_tooltip = Mit Haken biegt der Umriss hier ab, ohne Haken geht er glatt hindurch
+corner_mark_tooltip = Eine Ecke: klicken, um sie zu glätten
+smooth_mark_tooltip = Glatt: klicken, um eine Ecke daraus zu machen
 
 ## names
 
@@ -594,6 +625,7 @@ not_available = nicht verfügbar
 ## status
 
 fps_tooltip = Solange sich etwas bewegt; in Ruhe wird nichts gezeichnet
+error_estimate = Fehler { $value }
 largest_q = größtes Q: { $value }
 flipped = umgeklappt { $count }
 frame_parts = Kern { $kernel } ms + Abgleich { $matching } ms + Fortsetzung { $extension } ms

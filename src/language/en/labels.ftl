@@ -238,16 +238,47 @@ cauchy_green_needs_plane = Cauchy's integral is one over a boundary in the plane
 harmonic_for_now = harmonic for now · Cauchy–Green { $percent } %
 harmonic = Harmonic
 cauchy_green = Cauchy–Green
-adjoint_kernel = Adjoint kernel
+integral_kernel = Integral
+adjoint_kernel = Adjoint
 table_paper = Table (paper)
 cholesky = Cholesky
 pcg = PCG
 harmonic_tooltip = The inside follows the boundary by the discrete Laplace equation: covers the other domain exactly
 cauchy_green_tooltip = The inside follows by Cauchy's integral of the boundary: smooth, but the boundary may shrink or bulge
-adjoint_kernel_tooltip = One solve with the transposed system for each new interior point: no table
-table_paper_tooltip = The harmonic coordinates of every vertex, computed in advance as in the paper: the same numbers
+integral_kernel_tooltip = Harmonic measure from an integral equation on the boundary's curve: ten digits and more. Finite elements are shown until its matrix is factored
+adjoint_kernel_tooltip = Harmonic measure by finite elements, two to three digits: one solve with the transposed system for each new interior point
+finite_elements = finite elements
+finite_elements_tooltip = The integral kernel is not available here:
+surfaces_use_finite_elements = A surface has no boundary curve in the plane: its side uses finite elements
+sharpening = sharpening…
+sharpening_tooltip = The map by finite elements is shown while the boundary's integral equation is factored
+error_estimate_tooltip = An estimate of the largest error of an image on the boundary, in the units of its outline. It covers the conditioning at corners and is computed from identities that need no exact map. Harmonic measure itself:
+unknowns_of = { $side }: integral, { $count } unknowns
+kernel_of = { $side }: { $kernel }
+table_paper_tooltip = The harmonic coordinates of every vertex, computed in advance as in the paper: the same numbers as with the adjoint kernel
 cholesky_tooltip = A complete sparse Cholesky factor: fast, and accurate even where the measure is 1e-300
 pcg_tooltip = Conjugate gradients with an incomplete factor: little memory, 15 to 300 times slower; a coarse map stands in while you drag
+
+## interpretation
+
+outline_of = Outline · { $side }
+interpret_auto = Auto
+interpret_polygon = Polygon
+interpret_smooth = Smooth
+interpret_auto_tooltip = The file's curve if there is one, else a smooth curve through 64 points or more, unless many of them are corners
+interpret_polygon_tooltip = Straight edges between the points
+interpret_smooth_tooltip = The file's curve, or a smooth curve through the points, however few, with corners where they turn sharply
+taken_for = taken as { $kind }, { $corners ->
+    [one] { $corners } corner
+   *[other] { $corners } corners
+}
+taken_polygon = a polygon
+taken_smooth = smooth
+corners_of = Corners ({ $count })
+corner_at = Corner { $number } at ({ $x }, { $y })
+corner_tooltip = With a tick the outline turns here; without one it passes smoothly
+corner_mark_tooltip = A corner: click to make it smooth
+smooth_mark_tooltip = Smooth: click to make it a corner
 
 ## names
 
@@ -594,6 +625,7 @@ not_available = not available
 ## status
 
 fps_tooltip = While something moves; at rest nothing is drawn
+error_estimate = error { $value }
 largest_q = largest Q: { $value }
 flipped = flipped { $count }
 frame_parts = kernel { $kernel } ms + match { $matching } ms + extend { $extension } ms

@@ -1,7 +1,7 @@
 //! Messages for errors of the map, and for its notes.
 
 use crate::boundary_integral::BoundaryIntegralError;
-use crate::conformal::{MapError, MapNote, NotFlat, PrepareError, TableError, WalkError};
+use crate::conformal::{MapError, MapNote, NotFlat, PrepareError, TableError, Unsharpened, WalkError};
 use crate::figures::FigureError;
 use crate::language::{Message, key};
 
@@ -58,7 +58,18 @@ impl From<&BoundaryIntegralError> for Message {
 
 impl From<&NotFlat> for Message {
     fn from(NotFlat: &NotFlat) -> Self {
-        key::integral_not_in_app().into()
+        key::equation_travels_apart().into()
+    }
+}
+
+impl From<&Unsharpened> for Message {
+    fn from(reason: &Unsharpened) -> Self {
+        match reason {
+            Unsharpened::Curve(_) => key::integral_no_curve().into(),
+            Unsharpened::Integral(error) => error.into(),
+            Unsharpened::Apart => key::integral_apart().into(),
+            Unsharpened::Mesh(error) => key::integral_not_meshed(Self::from(error)),
+        }
     }
 }
 

@@ -1,7 +1,21 @@
 //! Messages for files that are not outlines, and for changes made while reading one.
 
 use crate::language::{Label, Message, Value, key};
-use crate::outline::{GeoJsonFault, JsonFault, JsonKind, MAX_BYTES, OutlineError, OutlineNote, PointFault, SvgFault};
+use crate::outline::{
+    GeoJsonFault, JsonFault, JsonKind, MAX_BYTES, OutlineError, OutlineNote, PointFault, StaysPolygon, SvgFault,
+};
+
+impl From<&StaysPolygon> for Message {
+    fn from(reason: &StaysPolygon) -> Self {
+        match reason {
+            StaysPolygon::FewPoints { count } => key::stays_few_points(*count),
+            StaysPolygon::ManyCorners { corners, count } => key::stays_many_corners(*corners, *count),
+            StaysPolygon::LeavesEdge { at } => key::stays_leaves_edge(at.x, at.y),
+            StaysPolygon::CrossesItself { at } => key::stays_crosses_itself(at.x, at.y),
+            StaysPolygon::NoCurve(_) => key::stays_no_curve().into(),
+        }
+    }
+}
 
 impl From<&OutlineError> for Message {
     fn from(error: &OutlineError) -> Self {

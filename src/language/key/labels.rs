@@ -57,8 +57,11 @@ keys_of_labels! {
     // locks
     locked,
     // method
-    method, cauchy_green_needs_plane, harmonic, cauchy_green, adjoint_kernel, table_paper, cholesky, pcg,
-    harmonic_tooltip, cauchy_green_tooltip, adjoint_kernel_tooltip, table_paper_tooltip, cholesky_tooltip,
+    method, cauchy_green_needs_plane, harmonic, cauchy_green, integral_kernel, adjoint_kernel, table_paper, cholesky, pcg,
+    harmonic_tooltip, cauchy_green_tooltip, integral_kernel_tooltip, adjoint_kernel_tooltip, finite_elements,
+    finite_elements_tooltip, surfaces_use_finite_elements, sharpening, sharpening_tooltip, error_estimate_tooltip,
+    interpret_auto, interpret_polygon, interpret_smooth, interpret_auto_tooltip, interpret_polygon_tooltip,
+    interpret_smooth_tooltip, taken_polygon, taken_smooth, corner_tooltip, corner_mark_tooltip, smooth_mark_tooltip, table_paper_tooltip, cholesky_tooltip,
     pcg_tooltip,
     // names
     disk, square, gingerbread_man, heart, blob, v_shape, cinquefoil, maple_leaf, hand, turkey, l_shape, star, spiral,
@@ -172,12 +175,14 @@ keys_of_messages! {
     per_second(rate);
     // side panel
     invariants_of(side); mark(number); measure_of_arc(number); more_arcs(count); resolution_of(side); automatic(value); per_distance(growth);
+    // interpretation
+    outline_of(side); taken_for(kind, corners); corners_of(count); corner_at(number, x, y);
     // accessibility
     accessible_quality(mean, count); problem(what); accessible_surface_map(surface, outline); accessible_map(source, target);
     accessible_map_of_surfaces(source, target);
     points_of_side(interior, place, boundary, percent);
     // status
-    largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
+    error_estimate(value); unknowns_of(side, count); kernel_of(side, kernel); largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
     // tour
     of(part, whole);
     // window

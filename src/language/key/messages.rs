@@ -30,7 +30,7 @@ keys_of_labels! {
     unsupported_encoding, unsupported_binary_off, unsupported_strips, fault_no_glb, fault_node_twice, fault_no_ply,
     fault_list_length_type,
     // conformal
-    map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, integral_not_in_app,
+    map_on_boundary, map_loop_anchor_not_finite, walk_no_boundary, integral_of_surface, stays_no_curve, equation_travels_apart, integral_no_curve, integral_apart,
     integral_not_resolved, integral_singular,
     // session
     link_no_session, link_damaged, link_too_much, not_carried_inexact, limit_version, limit_coordinate, limit_anchor,
@@ -116,7 +116,8 @@ keys_of_messages! {
     map_no_point(triangles, a, b, c, triangle); map_other_kind(side);
     map_no_measure(edges); map_negative_kernel(edges); walk_start_outside(x, y);
     map_not_converged(side, reason); map_boundary_integral(side, reason);
-    integral_too_large(needed, limit); integral_not_inside(x, y);
+    integral_too_large(needed, limit); integral_not_inside(x, y); integral_not_meshed(reason);
+    stays_few_points(count); stays_many_corners(corners, count); stays_leaves_edge(x, y); stays_crosses_itself(x, y);
     // zipper
     zipper_too_few_points(count); zipper_not_finite(index); zipper_repeated(index); zipper_point_outside(x, y);
     // session

@@ -267,7 +267,8 @@ impl Reshaping {
             self.good.shape = self.shape.clone();
             self.selected = None;
         }
-        self.sent = OutlineSpec::points(self.name.clone(), polygon);
+        let form = self.sent.carried_form(&polygon);
+        self.sent = OutlineSpec::points(self.name.clone(), polygon).with_form(form);
         model.reshape(self.side, self.sent.clone(), Reshaped { interior, anchor, in_hand });
     }
 }

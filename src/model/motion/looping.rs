@@ -8,7 +8,7 @@ use crate::session::Command;
 /// The loop along `path` that starts at the model's points; `None` if the map is not complete, or if no point would
 /// move.
 pub fn begin(model: &Model, path: Path) -> Option<Loop> {
-    if !model.is_ready() {
+    if !model.is_mapped() {
         return None;
     }
     let map = model.map()?;

@@ -122,7 +122,7 @@ impl Player {
         let Some(scene) = &self.awaited else { return };
         if !scene.is_of(model) {
             self.pause();
-        } else if model.is_ready() {
+        } else if model.is_mapped() {
             self.awaited = None;
             self.play(model);
         }

@@ -95,6 +95,8 @@ impl Offscreen {
         let mut model = begin(session, surface_files)?;
         model.update_ms = f64::INFINITY; // no frame has to be shown in time
         settle(&mut model, tell)?;
+        // along a loop the equations stay those of its beginning, as in the app's copy of a model
+        model.end_sharpening();
         model.refine_mesh();
         let mut offscreen = Self { model, cells: Cells::default(), pixels_per_point };
         offscreen.rest();

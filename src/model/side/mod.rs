@@ -9,6 +9,7 @@
 //! | the files of surfaces that a person has opened | `surface_files` |
 //! | a file or a text that the worker reads as an outline or a session | `opened_file` |
 //! | the surface that is shown | `surface` |
+//! | the integral equation of an outline | `sharpening` |
 //! | all of them, and what is on its way to the side | `state` |
 //! | an error beside the input that caused it, and its quick fix | `user_error` |
 
@@ -16,6 +17,7 @@ pub mod opened_file;
 mod outline_request;
 pub mod preparation;
 pub mod request;
+pub mod sharpening;
 mod state;
 mod surface;
 mod surface_files;

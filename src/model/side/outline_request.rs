@@ -36,7 +36,7 @@ impl OutlineRequest {
 
 impl Requested for OutlineRequest {
     fn task(&self) -> Option<Task> {
-        Some(Task::Outline { polygon: self.spec.outline.polygon(), settings: self.spec.settings })
+        Some(Task::Outline { outline: Box::new((&self.spec.outline).into()), settings: self.spec.settings })
     }
 
     fn sent(&self) -> Self {

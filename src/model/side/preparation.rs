@@ -12,7 +12,7 @@ use crate::conformal::PreparedSide;
 use crate::language::Message;
 use crate::model::side::request::{Generations, PendingRequest};
 use crate::model::side::user_error::{QuickFix, UserError};
-use crate::worker::{Failure, Request, Response, Task};
+use crate::worker::{Failure, Request, Response, Taken, Task};
 use std::sync::Arc;
 
 /// A request that a side's worker can be sent.
@@ -82,6 +82,7 @@ pub enum Progress<R> {
 struct LastGood<R> {
     request: R,
     side: Arc<PreparedSide>,
+    taken: Option<Taken>,
 }
 
 /// Requested settings, request in flight, last good side, user error.
@@ -90,6 +91,8 @@ pub struct Preparation<R> {
     pub(super) wanted: R,
     pub(super) pending_request: PendingRequest<R>,
     last_good: Option<LastGood<R>>,
+    /// What the points of the outline in preparation are taken for.
+    coming_taken: Option<Taken>,
     /// The user error beside the side, about the last request or about a file.
     pub(in crate::model) error: Option<UserError>,
     /// Whether `error` is about a preparation: the next one that succeeds clears it.
@@ -105,6 +108,7 @@ impl<R: Requested> Preparation<R> {
             wanted,
             pending_request: PendingRequest::default(),
             last_good: None,
+            coming_taken: None,
             error: None,
             has_failed: false,
             notes: Vec::new(),
@@ -127,6 +131,18 @@ impl<R: Requested> Preparation<R> {
     /// The last good side.
     pub fn prepared(&self) -> Option<&Arc<PreparedSide>> {
         self.last_good.as_ref().map(|good| &good.side)
+    }
+
+    /// Replaces the last good side by another form of it, which belongs to the same request.
+    pub(super) fn replace_prepared(&mut self, side: PreparedSide) {
+        if let Some(good) = &mut self.last_good {
+            good.side = Arc::new(side);
+        }
+    }
+
+    /// What the points of the last good outline were taken for; `None` if it was prepared without its curve.
+    pub fn taken(&self) -> Option<&Taken> {
+        self.last_good.as_ref()?.taken.as_ref()
     }
 
     /// The request of the last good side.
@@ -183,12 +199,17 @@ impl<R: Requested> Preparation<R> {
         self.pending_request.end();
         let sent = self.wanted.sent();
         let task = sent.task()?;
+        self.coming_taken = None;
         Some(self.pending_request.send(sent, task, generations))
     }
 
     /// Accepts a response of the worker; a stale one changes nothing.
     pub fn accept(&mut self, generation: u64, response: Response) -> Progress<R> {
         match self.pending_request.take_in(generation, response) {
+            Some(Response::Taken(taken)) => {
+                self.coming_taken = Some(*taken);
+                Progress::Nothing
+            }
             Some(Response::Prepared(side, notes)) => self.finish(*side, notes),
             Some(Response::Failed(failure)) => {
                 self.pending_request.end();
@@ -215,7 +236,8 @@ impl<R: Requested> Preparation<R> {
         if self.pending_request.due().is_none() {
             self.wanted.settle();
         }
-        self.last_good = Some(LastGood { request: request.kept(), side: Arc::new(side) });
+        let taken = self.coming_taken.take();
+        self.last_good = Some(LastGood { request: request.kept(), side: Arc::new(side), taken });
         Progress::Ready { request, is_new }
     }
 

@@ -2,13 +2,15 @@
 //! prepared yet.
 
 use crate::conformal::{PerSide, Stage};
+use crate::geometry::DVec2;
 use crate::model::side::opened_file::Reading;
 use crate::model::side::outline_request::OutlineRequest;
 use crate::model::side::preparation::Preparation;
 use crate::model::side::request::Generations;
+use crate::model::side::sharpening::Sharpening;
 use crate::model::side::{SurfaceFiles, SurfaceRequest, SurfaceSide};
 use crate::session::{SidePoints, SideState, SurfaceSpec, SurfaceState};
-use crate::worker::Request;
+use crate::worker::{Request, Response};
 
 /// What replaces the outline or surface of a side once its preparation is complete.
 #[derive(Debug, Default)]
@@ -65,6 +67,8 @@ pub struct ModelSide {
     pub reading: Reading,
     /// The outline's preparation.
     pub outline: Preparation<OutlineRequest>,
+    /// The integral equation of the prepared outline.
+    pub sharpening: Sharpening,
     /// The surface's preparation, and the surface that is shown.
     pub surface: SurfaceSide,
     /// The points of a session whose outline is being prepared.
@@ -84,6 +88,7 @@ impl ModelSide {
             generations: Generations::default(),
             reading: Reading::default(),
             outline: Preparation::new(state.domain().clone()),
+            sharpening: Sharpening::default(),
             surface: SurfaceSide::default(),
             incoming_points: None,
             next: Next::Same,
@@ -92,11 +97,14 @@ impl ModelSide {
         }
     }
 
-    /// Exchanges the two sides. Precondition: no request of either is due or in flight. Each side keeps the numbering
+    /// Exchanges the two sides. Precondition: no request of either is due or in flight, except for an integral equation,
+    /// which is requested again. Each side keeps the numbering
     /// of its worker's requests, so that no generation is used twice.
     pub fn swap(sides: &mut PerSide<Self>) {
         sides.swap();
         std::mem::swap(&mut sides.source.generations, &mut sides.target.generations);
+        sides.source.sharpening.forget();
+        sides.target.sharpening.forget();
     }
 
     /// Takes over the surface that `other` has prepared, if it is the one that `spec` describes and this side has
@@ -121,6 +129,7 @@ impl ModelSide {
             generations: Generations::default(),
             reading: Reading::default(),
             outline: self.outline.twin(),
+            sharpening: Sharpening::none(),
             surface: self.surface.twin(),
             incoming_points: None,
             next: Next::Same,
@@ -137,10 +146,40 @@ impl ModelSide {
         !is_there && self.next.surface().is_some_and(|state| state.spec.shape.is_file(name))
     }
 
+    /// The request for the side's worker that is due, if any, as [`Self::take_preparation`], else for the integral
+    /// equation of the outline, if its interior point is at `point`. Any other request supersedes the equation's.
+    pub fn take_request(
+        &mut self,
+        now: f64,
+        shows: bool,
+        (point, is_at_rest): (Option<DVec2>, bool),
+    ) -> Option<Request> {
+        let request = self.take_preparation(now, shows);
+        if request.is_some() {
+            self.sharpening.forget();
+            return request;
+        }
+        let point = point.filter(|&point| self.is_equation_due(point, is_at_rest))?;
+        self.sharpening.send(&self.outline, point, &mut self.generations)
+    }
+
+    /// Whether the outline's integral equation is to be requested.
+    pub fn is_equation_due(&self, point: DVec2, is_at_rest: bool) -> bool {
+        !self.is_busy() && self.sharpening.is_due(&self.outline, point, is_at_rest)
+    }
+
+    /// Accepts a response about the integral equation; returns whether the prepared outline has one now.
+    pub fn accept_equation(&mut self, generation: u64, response: Response) -> bool {
+        let Some(side) = self.sharpening.accept(&self.outline, generation, response) else { return false };
+        let is_sharp = side.equation().is_some();
+        self.outline.replace_prepared(side);
+        is_sharp
+    }
+
     /// The request for the side's worker that is due, if any: for a file, else for a surface, else for the outline.
     /// The outline's request is sent after the other two are answered, and during a drag only if the picture `shows`
     /// the last prepared outline.
-    pub fn take_request(&mut self, now: f64, shows: bool) -> Option<Request> {
+    fn take_preparation(&mut self, now: f64, shows: bool) -> Option<Request> {
         let Self { generations, reading, outline, surface, .. } = self;
         let surface = &mut surface.preparation;
         if let Some(request) = reading.take_request(outline.wanted().settings, generations) {

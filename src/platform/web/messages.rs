@@ -1,20 +1,21 @@
 //! Requests and responses as JavaScript values: flat arrays, which are transferred instead of copied.
 //!
-//! A request is `{ generation, task }`, whose `task` names the other fields: `points` and `settings` of an outline,
+//! A request is `{ generation, task }`, whose `task` names the other fields: `points`, `form` and `settings` of an
+//! outline, with `point` if its integral equation is requested,
 //! `file` and `settings` of an outline file, `file` of a session file, `repair`, `settings` and either `preset` or
 //! `file` of a surface. A file is `{ name, bytes }`.
 //!
-//! A response is `{ generation }` with `stage`, `failed`, `outline`, `session`, `unread`, or `floats`, `indices`, `text`
-//! and `notes`. An outline is `{ points, text }`, a session `{ source, target, text }` with its loaded outlines, a
+//! A response is `{ generation }` with `stage`, `failed`, `outline`, `taken`, `session`, `unread`, `refused`, or `floats`,
+//! `indices`, `text` and, of a side, `notes`. An outline is `{ points, text }`, a session `{ source, target, text }` with its loaded outlines, a
 //! failure to read `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
 //! a panic is reported by `{ died }`. Small enums are JSON text in serde's form.
 
-use crate::conformal::PerSide;
+use crate::conformal::{PerSide, PrepareSettings};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::session::Session;
 use crate::worker::{
-    Failure, Finding, FlatOutline, FlatSession, NamedFile, Request, Response, Study, SurfaceSource, Task, Transfer,
-    Unread,
+    Drawn, Failure, Finding, FlatOutline, FlatSession, NamedFile, Request, Response, Study, SurfaceSource, Task,
+    Transfer, Unread,
 };
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
@@ -24,6 +25,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 // The values of a request's field `task`.
 const OUTLINE: &str = "outline";
+const EQUATION: &str = "equation";
 const OUTLINE_FILE: &str = "outline-file";
 const SESSION_FILE: &str = "session-file";
 const SURFACE: &str = "surface";
@@ -32,11 +34,11 @@ const SURFACE: &str = "surface";
 pub fn encode_request(request: &Request) -> (JsValue, Array) {
     let transfer = Array::new();
     let (kind, fields) = match &request.task {
-        Task::Outline { polygon, settings } => {
-            let flat: Vec<f64> = polygon.vertices().iter().flat_map(DVec2::to_array).collect();
-            let points = Float64Array::from(flat.as_slice());
-            transfer.push(&points.buffer());
-            (OUTLINE, vec![("points", points.into()), ("settings", json(settings))])
+        Task::Outline { outline, settings } => (OUTLINE, encode_drawn(outline, settings, &transfer)),
+        Task::Equation { outline, settings, point } => {
+            let mut fields = encode_drawn(outline, settings, &transfer);
+            fields.push(("point", json(point)));
+            (EQUATION, fields)
         }
         Task::OutlineFile { file, settings } => {
             (OUTLINE_FILE, vec![("file", encode_file(file, &transfer)), ("settings", json(settings))])
@@ -54,6 +56,24 @@ pub fn encode_request(request: &Request) -> (JsValue, Array) {
     (object(&[&common[..], &fields].concat()), transfer)
 }
 
+fn encode_drawn(
+    Drawn { polygon, form }: &Drawn,
+    settings: &PrepareSettings,
+    transfer: &Array,
+) -> Vec<(&'static str, JsValue)> {
+    let flat: Vec<f64> = polygon.vertices().iter().flat_map(DVec2::to_array).collect();
+    let points = Float64Array::from(flat.as_slice());
+    transfer.push(&points.buffer());
+    vec![("points", points.into()), ("form", json(form)), ("settings", json(settings))]
+}
+
+/// An outline; its polygon is known to be simple: the page sends the vertices of a `SimplePolygon`.
+fn decode_drawn(message: &JsValue) -> Option<Box<Drawn>> {
+    let flat = Float64Array::from(get(message, "points")?).to_vec();
+    let polygon = SimplePolygon::known_simple(flat.chunks_exact(2).map(DVec2::from_slice).collect());
+    Some(Box::new(Drawn { polygon, form: parsed(message, "form")? }))
+}
+
 fn encode_file(NamedFile { name, bytes }: &NamedFile, transfer: &Array) -> JsValue {
     let bytes = Uint8Array::from(bytes.as_slice());
     transfer.push(&bytes.buffer());
@@ -63,12 +83,12 @@ fn encode_file(NamedFile { name, bytes }: &NamedFile, transfer: &Array) -> JsVal
 /// Decodes a request; `None` if [`encode_request`] did not make it.
 pub fn decode_request(message: &JsValue) -> Option<Request> {
     let task = match get(message, "task")?.as_string()?.as_str() {
-        OUTLINE => {
-            let flat = Float64Array::from(get(message, "points")?).to_vec();
-            let points: Vec<DVec2> = flat.chunks_exact(2).map(DVec2::from_slice).collect();
-            // known to be simple: the page sends the vertices of a `SimplePolygon`
-            Task::Outline { polygon: SimplePolygon::known_simple(points), settings: parsed(message, "settings")? }
-        }
+        OUTLINE => Task::Outline { outline: decode_drawn(message)?, settings: parsed(message, "settings")? },
+        EQUATION => Task::Equation {
+            outline: decode_drawn(message)?,
+            settings: parsed(message, "settings")?,
+            point: parsed(message, "point")?,
+        },
         OUTLINE_FILE => Task::OutlineFile { file: decode_file(message)?, settings: parsed(message, "settings")? },
         SESSION_FILE => Task::SessionFile(decode_file(message)?),
         SURFACE => Task::Surface {
@@ -105,8 +125,13 @@ pub fn encode_response(generation: u64, response: Response) -> (JsValue, Array) 
         Response::Outline(outline) => {
             object(&[number, ("outline", encode_outline(&FlatOutline::from(&*outline), &transfer))])
         }
+        Response::Taken(taken) => object(&[number, ("taken", json(&taken))]),
         Response::Session(session) => object(&[number, ("session", encode_session(&session, &transfer))]),
         Response::Unread(unread) => object(&[number, ("unread", encode_unread(&unread, &transfer))]),
+        Response::Equation(equation) => match *equation {
+            Ok(equation) => object(&[&[number], &encode_buffers(equation, &transfer)[..]].concat()),
+            Err(reason) => object(&[number, ("refused", json(&reason))]),
+        },
         Response::Prepared(side, notes) => {
             let buffers = match Transfer::try_from(&*side) {
                 Ok(buffers) => buffers,
@@ -236,13 +261,18 @@ pub fn decode_response(message: &JsValue) -> Option<(u64, Response)> {
         Response::Failed(failure)
     } else if let Some(outline) = get(message, "outline") {
         Response::Outline(Box::new(decode_outline(&outline)?.outline()?))
+    } else if let Some(taken) = parsed(message, "taken") {
+        Response::Taken(taken)
     } else if let Some(session) = get(message, "session") {
         Response::Session(Box::new(decode_session(&session)?))
     } else if let Some(unread) = get(message, "unread") {
         Response::Unread(decode_unread(&unread)?)
+    } else if let Some(reason) = parsed(message, "refused") {
+        Response::Equation(Box::new(Err(reason)))
+    } else if let Some(notes) = parsed(message, "notes") {
+        Response::Prepared(Box::new(decode_buffers(message)?.into_side()?), notes)
     } else {
-        let side = decode_buffers(message)?.into_side()?;
-        Response::Prepared(Box::new(side), parsed(message, "notes")?)
+        Response::Equation(Box::new(Ok(decode_buffers(message)?)))
     };
     Some((generation, response))
 }

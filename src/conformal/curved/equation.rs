@@ -1,0 +1,102 @@
+//! The factored integral equation of a side's boundary, which a prepared side is given with its preparation or afterwards.
+
+use super::preparation::{Outlined, equation_settings};
+use super::{CurveBoundary, Unsharpened};
+use crate::boundary_integral::BoundaryIntegral;
+use crate::geometry::{Curve, DVec2, SimplePolygon};
+use crate::outline::BoundaryPoint;
+use std::sync::Arc;
+
+use super::super::{MeshedDomain, PrepareSettings};
+
+/// The integral equation of a curve, with the samples of a side on the curve.
+#[derive(Debug, Clone)]
+pub struct BoundaryEquation {
+    boundary: Arc<CurveBoundary>,
+    integral: Arc<BoundaryIntegral>,
+}
+
+impl BoundaryEquation {
+    /// Factors the equation of an outline's curve, on which the samples of the outline's preparation with `settings`
+    /// lie; `near` are interior points to resolve even next to the boundary.
+    ///
+    /// Errors: the equation needs more than [`super::MAX_UNKNOWNS`] unknowns, or is not resolved, or the samples do not lie
+    /// on the curve.
+    pub fn prepare(
+        (polygon, curve): (&SimplePolygon, &Curve),
+        near: &[DVec2],
+        settings: &PrepareSettings,
+    ) -> Result<Self, Unsharpened> {
+        let outlined = Outlined { polygon, curve: Some(curve) };
+        Self::of(outlined.boundary(settings)?, &outlined.near(near))
+    }
+
+    /// Factors the equation of a curve with samples.
+    pub(in crate::conformal) fn of(boundary: CurveBoundary, near: &[DVec2]) -> Result<Self, Unsharpened> {
+        let integral = BoundaryIntegral::prepare(boundary.curve(), &equation_settings(boundary.curve(), near))?;
+        Ok(Self { boundary: Arc::new(boundary), integral: Arc::new(integral) })
+    }
+
+    /// The same equation with samples at `places` among its own.
+    pub(in crate::conformal) fn resampled(&self, places: &[BoundaryPoint]) -> Self {
+        Self { boundary: Arc::new(self.boundary.resampled(places)), integral: Arc::clone(&self.integral) }
+    }
+
+    /// The curve with the samples.
+    pub fn boundary(&self) -> &Arc<CurveBoundary> {
+        &self.boundary
+    }
+
+    /// The factored equation.
+    pub fn integral(&self) -> &BoundaryIntegral {
+        &self.integral
+    }
+
+    /// Whether harmonic measure from `x` is resolved as well as from a point far from the boundary.
+    pub fn resolves(&self, x: DVec2) -> bool {
+        self.integral.resolves(x)
+    }
+
+    /// Whether the samples of a domain are those on the curve.
+    pub(in crate::conformal) fn is_of(&self, domain: &MeshedDomain) -> bool {
+        let (points, places) = (self.boundary.points(), domain.samples().points());
+        let position = |k: usize| self.boundary.curve().position(points[k]);
+        points.len() == places.len() && places.iter().enumerate().all(|(k, place)| position(k) == *place)
+    }
+}
+
+/// A [`BoundaryEquation`] as flat arrays, without its curve.
+#[cfg(feature = "io")]
+#[derive(Debug, Clone, Default, serde::Serialize, serde::Deserialize)]
+pub(crate) struct FlatEquation {
+    /// The factored equation.
+    pub integral: crate::boundary_integral::FlatIntegral,
+    /// Of each sample the piece, t and 1 − t.
+    #[serde(skip)]
+    pub points: Vec<f64>,
+}
+
+#[cfg(feature = "io")]
+impl BoundaryEquation {
+    /// The equation as flat arrays.
+    pub(crate) fn to_flat(&self) -> FlatEquation {
+        let flat = |point: &crate::geometry::CurvePoint| [point.piece() as f64, point.from_start(), point.to_end()];
+        FlatEquation {
+            integral: self.integral.to_flat(),
+            points: self.boundary.points().iter().flat_map(flat).collect(),
+        }
+    }
+
+    /// The equation of `curve` from flat arrays; `None` unless [`Self::to_flat`] wrote them for this curve.
+    pub(crate) fn from_flat(curve: &Curve, FlatEquation { integral, points }: FlatEquation) -> Option<Self> {
+        let (points, []) = points.as_chunks::<3>() else { return None };
+        let point = |&[piece, from_start, to_end]: &[f64; 3]| {
+            let point = crate::geometry::CurvePoint::of_parts(piece as usize, from_start, to_end)?;
+            (point.piece() as f64 == piece).then_some(point)
+        };
+        let points = points.iter().map(point).collect::<Option<Vec<_>>>()?;
+        let boundary = CurveBoundary::with_points(curve, points)?;
+        let integral = BoundaryIntegral::from_flat(curve, integral)?;
+        Some(Self { boundary: Arc::new(boundary), integral: Arc::new(integral) })
+    }
+}
