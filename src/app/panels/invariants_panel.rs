@@ -163,12 +163,12 @@ const SMALL: f64 = 1e-4;
 
 /// A number to the digits that its error allows, and the error.
 pub fn shown(Number { value, error }: Number) -> String {
-    let decimals = if error > 0.0 { (-error.log10()).ceil().clamp(0.0, MOST_DECIMALS) } else { MOST_DECIMALS };
+    let places = if error > 0.0 { (-error.log10()).ceil() } else { f64::INFINITY };
     let value = if value != 0.0 && value.abs() < SMALL {
-        let digits = (decimals + value.abs().log10()).clamp(0.0, MOST_DECIMALS) as usize;
+        let digits = (places + value.abs().log10()).clamp(0.0, MOST_DECIMALS) as usize;
         format!("{value:.digits$e}")
     } else {
-        number(value, decimals as usize)
+        number(value, places.clamp(0.0, MOST_DECIMALS) as usize)
     };
     format!("{value} ± {error:.0e}")
 }

@@ -1,4 +1,4 @@
-//! The column of controls: direction, coloring, texture, motion, method, overlays, invariants and resolution of both
+//! The column of controls: direction, coloring, texture, motion, method, overlays, resolution and invariants of both
 //! sides.
 //!
 //! The controls show the *requested* settings, not those of the map on the screen; a click becomes an [`Action`].
@@ -53,11 +53,6 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str
     guarded_by(ui, Touched::POINTS, |ui| play_panel::show(ui, model, player, actions));
     guarded(ui, Control::Method, |ui| method::show(ui, model, actions));
     guarded(ui, Control::Comparison, |ui| overlays::panel::show(ui, model, actions));
-    for side in Side::BOTH.into_iter().filter(|side| model.abilities().has_outline(*side)) {
-        ui.push_id(("invariants", side), |ui| {
-            guarded(ui, Control::Comparison, |ui| invariants_panel::show(ui, side, model, actions));
-        });
-    }
     for side in Side::BOTH {
         if let Some(settings) = model.outline_settings(side) {
             ui.push_id(side, |ui| {
@@ -65,6 +60,11 @@ pub fn show(ui: &mut Ui, model: &Model, player: &Player, image_name: Option<&str
                 guarded(ui, Control::Method, |ui| resolution(ui, side, settings, model, actions));
             });
         }
+    }
+    for side in Side::BOTH.into_iter().filter(|side| model.abilities().has_outline(*side)) {
+        ui.push_id(("invariants", side), |ui| {
+            guarded(ui, Control::Comparison, |ui| invariants_panel::show(ui, side, model, actions));
+        });
     }
 }
 

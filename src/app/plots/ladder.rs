@@ -70,7 +70,7 @@ pub fn ladder_chart(ui: &mut Ui, rows: &[LadderRow], shown: LadderShown, actions
 fn choices(ui: &mut Ui, shown: LadderShown, actions: &mut Actions) {
     let mut shape = shown.shape;
     let name = tr(key::ladder_outline());
-    let response = ComboBox::from_id_salt("ladder outline").selected_text(say(&language::ladder_shape(shape)));
+    let response = ComboBox::from_id_salt("ladder-outline").selected_text(say(&language::ladder_shape(shape)));
     let response = response.show_ui(ui, |ui| {
         for choice in LadderShape::ALL {
             ui.selectable_value(&mut shape, choice, say(&language::ladder_shape(choice)));

