@@ -199,21 +199,6 @@ fn refined_vertices_lie_on_the_curves_at_equal_measure() {
     assert!(fine.error_estimate().is_some() && fine.measure(Side::Source).is_sharp());
 }
 
-/// The interior point may lie between the mesh's polygon and the curve.
-#[test]
-fn an_interior_point_beside_the_mesh_is_kept() {
-    let [disk, heart] = [Preset::Disk, Preset::Heart].map(|preset| Prepared::preset(preset, KernelMode::Integral));
-    let samples = disk.side.domain().unwrap().samples().points();
-    let middle = samples[0].midpoint(samples[1]);
-    let x = middle * (0.5 + 0.5 / middle.length());
-    let constraints = Constraints::new((x, 0.5), (heart.side.default_point(), 0.0));
-    let map =
-        ConformalMap::new(disk.side.clone(), heart.side.clone(), &constraints, Direction::Forward.into()).unwrap();
-    assert!(map.image_of(x).is_none(), "the point is inside of the mesh");
-    let fine = refined(&map);
-    assert!(Numbers::of(&fine, &heart.points).flips() < 1e-3);
-}
-
 /// What the maps were like before: without the refinement these statements fail.
 #[test]
 fn a_coarse_map_into_the_v_folds_and_leaves_it() {
