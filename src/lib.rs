@@ -7,8 +7,8 @@
 //! Dependencies between the modules run one way:
 //! `geometry → outline, mesh → surface, laplace → conformal → session, export → figures → language → worker`, then
 //! `render → model → offscreen → platform → cli, app`.
-//! Five modules are side branches: `boundary_integral` (harmonic measure from the boundary alone, invariants) on the
-//! level of `mesh`; `drawing` (outlines drawn by hand) on the level of `outline`; `zipper` (a map
+//! Six modules are side branches: `boundary_integral` (harmonic measure from the boundary alone, invariants) and
+//! `cauchy_integral` (an analytic function inside of a curve from its values on it) on the level of `mesh`; `drawing` (outlines drawn by hand) on the level of `outline`; `zipper` (a map
 //! through the disk, for comparison, without a mesh) on that of `conformal`; `closed_form` (the presets' maps that are
 //! known exactly) on that of `session`; `family` (loops through all maps of one domain onto another) on that of
 //! `export`.
@@ -24,6 +24,7 @@
 struct ReadmeExamples;
 
 pub mod boundary_integral;
+pub mod cauchy_integral;
 pub mod closed_form;
 pub mod conformal;
 mod counted;

@@ -315,7 +315,9 @@ fn points_next_to_a_smooth_boundary_need_no_new_factor() {
             let exact = 2.0 * seen / TAU - share;
             worst = worst.max((anchored.forward(CurvePoint::new(0, share)) - exact).abs());
             let found = anchored.point_at(share);
-            assert!((anchored.forward(found) - share).abs() < 1e-13, "{distance:e}, {share}");
+            // the density is 1/distance there, and the parameter is rounded
+            let off = (anchored.forward(found) - share).abs();
+            assert!(off < 1e-13 + 1e-15 / distance, "{distance:e}, {share}: {off:e}");
         }
         println!("{distance:e}: off by {worst:.1e}, estimated {:.1e}", measure.error_estimate());
         assert!(worst < 1e-12 / distance.sqrt(), "{distance:e}: off by {worst:e}");

@@ -38,7 +38,7 @@ impl RiemapApp {
                     self.model.worker_died(side, generation, &reason);
                     self.take_arrived();
                 }
-                Event::Found { study, finding } => self.take_finding(study, finding),
+                Event::Found { study, finding } => self.take_finding(study.as_ref(), finding),
                 Event::File { purpose, name, bytes } => self.open_file(purpose, &name, bytes),
                 Event::Link(address) => {
                     if self.may(Touched::EVERYTHING) {
@@ -56,7 +56,7 @@ impl RiemapApp {
     }
 
     /// Takes the finding of a study; without a study, the worker of one has died, and either may be meant.
-    fn take_finding(&mut self, study: Option<Study>, finding: Finding) {
+    fn take_finding(&mut self, study: Option<&Study>, finding: Finding) {
         let is_of_invariants = matches!(study, Some(Study::Invariants(_)));
         if is_of_invariants || study.is_none() {
             self.model.accept_invariants(match &finding {
@@ -66,7 +66,7 @@ impl RiemapApp {
             });
         }
         if !is_of_invariants {
-            self.windows.reports.accept(study.as_ref(), finding);
+            self.windows.reports.accept(study, finding);
         }
     }
 

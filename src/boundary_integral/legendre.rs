@@ -28,13 +28,24 @@ pub struct Rule {
     from_left: [Values; NODES],
 }
 
+/// (2k − 1)/k, (k − 1)/k and 1/(2k + 1).
+const RECURRENCE: [[f64; 3]; NODES + 1] = {
+    let mut all = [[0.0; 3]; NODES + 1];
+    let mut k = 1;
+    while k <= NODES {
+        let n = k as f64;
+        all[k] = [(2.0 * n - 1.0) / n, (n - 1.0) / n, 1.0 / (2.0 * n + 1.0)];
+        k += 1;
+    }
+    all
+};
+
 /// P₀ … P_NODES at x.
 pub fn polynomials(x: f64) -> [f64; NODES + 1] {
     let mut p = [1.0; NODES + 1];
     p[1] = x;
     for k in 2..=NODES {
-        let n = k as f64;
-        p[k] = ((2.0 * n - 1.0) * x * p[k - 1] - (n - 1.0) * p[k - 2]) / n;
+        p[k] = RECURRENCE[k][0] * x * p[k - 1] - RECURRENCE[k][1] * p[k - 2];
     }
     p
 }
@@ -46,7 +57,7 @@ pub fn series(coefficients: &Values, x: f64) -> (f64, f64) {
     let mut integral = coefficients[0] * (x + 1.0);
     for k in 1..NODES {
         value += coefficients[k] * p[k];
-        integral += coefficients[k] * (p[k + 1] - p[k - 1]) / (2 * k + 1) as f64;
+        integral += coefficients[k] * (p[k + 1] - p[k - 1]) * RECURRENCE[k][2];
     }
     (value, integral)
 }

@@ -84,6 +84,9 @@ pub struct MapArguments {
     /// Write the map to this file; may be repeated; the extension selects the format: json, csv, obj, svg, png.
     #[arg(long, value_name = "FILE")]
     pub out: Vec<PathBuf>,
+    /// Points at which the map is evaluated.
+    #[command(flatten)]
+    pub evaluate: super::points::PointsArguments,
     /// Size of a .png in pixels.
     #[arg(long, value_name = "WxH", default_value = "1600x900")]
     pub size: Size,
@@ -369,11 +372,13 @@ pub enum DirectionArgument {
 }
 
 /// How the boundary map is extended.
-#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 #[allow(missing_docs, reason = "clap shows the comments of values as help")]
 pub enum ExtensionArgument {
     Harmonic,
     CauchyGreen,
+    /// As --points: by Cauchy's integral over the boundary map, each vertex on its own; the mesh is not refined.
+    Exact,
 }
 
 /// Whether the mapped mesh is refined for the map.

@@ -24,14 +24,18 @@ pub fn run(arguments: &MapArguments) -> Result<(), CliError> {
     let formats = arguments.out.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
     check_paths(&arguments.out)?;
     let progress = Progress::new("reading");
-    let Computed { map, constraints, interpreted, coarse, unestimated } = compute(arguments, &progress)?;
+    let Computed { map, constraints, interpreted, coarse, unestimated, table } = compute(arguments, &progress)?;
     progress.enter("writing");
     let summary = Summary::of(&map, interpreted, coarse, unestimated);
     let names = PerSide::new(arguments.source.as_str(), arguments.target.as_str());
     let scene = Scene { map: &map, constraints, names };
     let mut files = Vec::new();
     for (path, format) in arguments.out.iter().zip(formats) {
-        files.push((path.clone(), scene.encode(format, &summary, arguments.size.0)?));
+        let bytes = match &table {
+            Some(table) if format == Format::Csv => table.clone().into_bytes(),
+            _ => scene.encode(format, &summary, arguments.size.0)?,
+        };
+        files.push((path.clone(), bytes));
     }
     write_all(&files)?;
     drop(progress);
@@ -71,6 +75,8 @@ struct Computed {
     coarse: PrepareTimings,
     /// Why there is no estimate of the errors, although it was asked for.
     unestimated: Option<String>,
+    /// The images of the given points.
+    table: Option<String>,
 }
 
 /// The most vertices of both meshes whose errors are estimated by comparison with four times as many.
@@ -125,7 +131,8 @@ fn refined(
         KernelMode::Integral if is_finite => settings.with_kernel(KernelMode::Adjoint),
         _ => settings,
     });
-    let asked = |settings: &PrepareSettings| arguments.refine.refines(settings);
+    let is_exact = arguments.extension == ExtensionArgument::Exact;
+    let asked = |settings: &PrepareSettings| arguments.refine.refines(settings) && !is_exact;
     let Some(settings) = settings.filter(asked) else { return (map, PrepareTimings::default()) };
     match map.refined(&settings, &mut progress.preparing("refined")) {
         Ok(Some(fine)) => (fine, map.mapped().timings()),
@@ -139,6 +146,7 @@ fn refined(
 
 fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, CliError> {
     let settings = settings(arguments)?;
+    let points = arguments.evaluate.read(&arguments.out)?;
     let reading = Reading {
         repair: arguments.repair,
         intrinsic_delaunay: !arguments.no_intrinsic_delaunay,
@@ -174,17 +182,27 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
     progress.enter("the map");
     let sides = (Arc::clone(&source.prepared), Arc::clone(&target.prepared));
     let map = ConformalMap::new(sides.0, sides.1, &constraints, settings).map_err(|error| refused(&error, &asked))?;
+    // a refined mesh has its measures from the images, not from the integral equation
+    let sharp = points.as_ref().filter(|_| map.curve_map(Side::Source).is_some());
+    let table = sharp.map(|points| points.table(&map, progress)).transpose()?;
     let mapped = if map.mapped_side() == Side::Source { &source } else { &target };
     let (mut map, coarse) = refined(map, mapped, arguments, progress);
     if settings.extension == Extension::CauchyGreen {
         progress.enter("the Cauchy–Green extension");
     }
     map.refine_exactly_with(&mut |done| progress.report(done));
+    if arguments.extension == ExtensionArgument::Exact {
+        extend_exactly(&mut map, progress)?;
+    }
     let unestimated = if asks_for_errors(arguments) {
         progress.enter("the errors");
         estimate(&mut map, [&source, &target], reading, progress)
     } else {
         None
+    };
+    let table = match (table, points) {
+        (None, Some(points)) => Some(points.table(&map, progress)?),
+        (table, _) => table,
     };
     for side in [&source, &target] {
         side.say_notes(&arguments.discretization);
@@ -195,7 +213,18 @@ fn compute(arguments: &MapArguments, progress: &Progress) -> Result<Computed, Cl
         }
     }
     let interpreted = PerSide::new(source.interpreted(), target.interpreted());
-    Ok(Computed { map, constraints, interpreted, coarse, unestimated })
+    Ok(Computed { map, constraints, interpreted, coarse, unestimated, table })
+}
+
+/// Places the mesh's vertices by Cauchy's integral; says on stderr how many it cannot place.
+fn extend_exactly(map: &mut ConformalMap, progress: &Progress) -> Result<(), CliError> {
+    progress.enter("the exact extension");
+    let beyond = map.extend_exactly(&mut |done| progress.report(done));
+    let beyond = beyond.map_err(|error| CliError::Usage(format!("--extension exact: {error}")))?;
+    if beyond > 0 {
+        eprintln!("riemap: {beyond} vertices of the mesh lie outside of the curve and keep their harmonic images");
+    }
+    Ok(())
 }
 
 fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
@@ -206,6 +235,8 @@ fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
     let extension = match arguments.extension {
         ExtensionArgument::Harmonic => Extension::Harmonic,
         ExtensionArgument::CauchyGreen => Extension::CauchyGreen,
+        // from harmonic images, once they are complete
+        ExtensionArgument::Exact => Extension::Harmonic,
     };
     let names = [&arguments.source, &arguments.target];
     let is_integral = arguments.discretization.kernel_or(KernelMode::Adjoint) == KernelMode::Integral;
@@ -215,6 +246,12 @@ fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
         return Err(CliError::Usage(text.to_owned()));
     }
     match names.into_iter().find(|name| is_surface(name)) {
+        Some(name) if arguments.evaluate.points.is_some() => {
+            Err(CliError::Usage(format!("--points is for two outlines; {name} is a surface")))
+        }
+        Some(name) if arguments.extension == ExtensionArgument::Exact => Err(CliError::Usage(format!(
+            "--extension exact is for two outlines; {name} is a surface, whose map is extended harmonically"
+        ))),
         Some(name) if extension == Extension::CauchyGreen => Err(CliError::Usage(format!(
             "--extension cauchy-green is for two outlines; {name} is a surface, whose map is extended harmonically"
         ))),

@@ -23,6 +23,7 @@ mod moved;
 mod named_outline;
 mod output;
 mod picture;
+mod points;
 mod prepare;
 mod progress;
 mod render;

@@ -13,6 +13,7 @@
 //! | errors of finite elements by comparison with finer meshes | `comparison` | |
 //! | images of the vertices | `extension` | (14) |
 //! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
+//! | f and f′ at any point by Cauchy's integral over the boundary map | `anywhere` | |
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
 //! | images on another surface, through the disk | `through_disk` | |
 //! | the mapped mesh refined where images are long | `resolution` | |
@@ -24,6 +25,7 @@
 //! [`Walker`] and [`HitCounts`] demonstrate harmonic measure: the distribution of the points where random walks hit the
 //! boundary.
 
+mod anywhere;
 #[cfg(feature = "io")]
 mod buffers;
 mod cauchy_green;
@@ -61,6 +63,7 @@ mod table;
 mod through_disk;
 mod unfold;
 
+pub use anywhere::{InteriorImage, InteriorMap, NoInteriorMap};
 #[cfg(feature = "io")]
 pub use buffers::NotFlat;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};

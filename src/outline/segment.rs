@@ -25,8 +25,8 @@ pub enum Segment {
     Cubic([DVec2; 4]),
 }
 
-/// The sweep of an arc that one Bézier curve stands for, in radians: π/8.
-const ARC_PART: f64 = 0.392_699_081_698_724_14;
+/// The sweep of an arc that one Bézier curve stands for, in radians.
+const ARC_PART: f64 = std::f64::consts::FRAC_PI_8;
 
 impl From<Segment> for Piece {
     fn from(segment: Segment) -> Self {

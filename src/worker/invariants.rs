@@ -184,6 +184,6 @@ mod tests {
         let points: Vec<DVec2> = (0..628).map(star).collect();
         let many = task(StudiedOutline::Points { points, form: CurveForm::polygon() });
         let words = many.run().unwrap_err();
-        assert_eq!(words.key(), key::integral_too_large(0, 0).key());
+        assert_eq!(words.key(), key::integral_too_large(0_usize, 0_usize).key());
     }
 }

@@ -68,7 +68,7 @@ impl<'a> CurveMeasure<'a> {
 
     /// The measures from the anchor counter-clockwise to the point, and from the point on to the anchor.
     pub fn at(&self, point: CurvePoint) -> [f64; 2] {
-        let sharp = [self.anchored.forward(point), self.anchored.backward(point)];
+        let sharp = self.anchored.both(point);
         if self.sharp_from == [0.0; 2] {
             return sharp;
         }

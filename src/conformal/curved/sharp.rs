@@ -82,8 +82,7 @@ impl SharpMeasure {
         for j in 1..=m {
             let is_anchor = j == m && at.fraction() == 0.0;
             let [forward, backward] = &mut measures;
-            (forward[j], backward[j]) =
-                if is_anchor { (1.0, 0.0) } else { (anchored.forward(knot(j)), anchored.backward(knot(j))) };
+            [forward[j], backward[j]] = if is_anchor { [1.0, 0.0] } else { anchored.both(knot(j)) };
         }
         measures[0][m + 1] = 1.0;
         measures[1][0] = 1.0;

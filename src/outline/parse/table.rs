@@ -11,6 +11,11 @@ use crate::geometry::DVec2;
 type Field<'a> = (usize, &'a str);
 
 pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
+    points(text).map(Ring::implicitly_closed)
+}
+
+/// All points, in the order of their lines; at least one.
+pub(super) fn points(text: &str) -> Result<Vec<DVec2>, OutlineError> {
     let mut points = Vec::new();
     let mut first = true;
     for (content, line) in text.lines().zip(1..) {
@@ -23,7 +28,7 @@ pub(super) fn read(text: &str) -> Result<Ring, OutlineError> {
             points.push(point(&fields, line)?);
         }
     }
-    if points.is_empty() { Err(OutlineError::Empty) } else { Ok(Ring::implicitly_closed(points)) }
+    if points.is_empty() { Err(OutlineError::Empty) } else { Ok(points) }
 }
 
 /// The fields of a line; an error where a comma or semicolon has no field before or after it.

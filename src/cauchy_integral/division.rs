@@ -1,0 +1,162 @@
+//! The division of a curve into panels on which a function is resolved.
+//!
+//! The curve is cut at its junctions, at the function's break points and in the middle of each piece, and bisected until
+//! on each panel the last Legendre coefficients of the function are below rounding, or below the function's own errors.
+//! Next to a break point that leads to panels whose lengths halve from one to the next.
+
+use super::panel::{End, Panel, Sampled, Stretch};
+use super::{BoundaryFunction, Complex};
+use crate::geometry::{Curve, CurvePoint};
+
+/// The values and panels.
+pub struct Divided {
+    pub panels: Vec<Panel>,
+    pub center: Complex,
+    pub magnitude: f64,
+    pub extent: f64,
+}
+
+/// The most panels. Presets need 200 to 1,500.
+const MOST_PANELS: usize = 16_384;
+/// Last coefficients that count as rounding, in extents of the values: those of computed values are 2e-16 of them.
+const RESOLVED: f64 = 2e-15;
+/// The same for positions, in lengths of a panel, beside the rounding of positions.
+const RESOLVED_POSITIONS: f64 = 1e-13;
+/// Two interpolations of the values differ by no more than this multiple of their errors, at the ends of a panel.
+const MISMATCH: f64 = 64.0;
+/// Values are not resolved below this multiple of their error.
+const NOISE: f64 = 2.0;
+/// The largest last coefficients that may be due to errors, relative to the variation of the values. Next to an
+/// algebraic singular point they are above 1e-4 of it.
+const NOISY: f64 = 1e-7;
+/// What a bisection leaves at least of last coefficients that are due to errors.
+const STANDSTILL: f64 = 0.25;
+/// The largest change of the unit tangent along a panel; F is then as well resolved in position as in the parameter.
+const MOST_BEND: f64 = 0.8;
+/// A panel whose length times the variation of the function is below this, in extents of curve and function, is not
+/// divided: 1e-9 away from it, what is not resolved there changes an integral by 1e-16.
+const NEGLIGIBLE: f64 = 1e-25;
+/// The shortest panel in terms of its distance from the end of the piece: parameters are only so exact.
+const SHORTEST: f64 = 64.0 * f64::EPSILON;
+/// The shortest panel of all, in parameters.
+const LEAST: f64 = 1e-40;
+/// Break points nearer than this to an end of a piece, in parameters, coincide with it.
+const SAME_POINT: f64 = 1e-14;
+/// A piece is cut in its middle unless there is a break point about there.
+const MIDDLE: [f64; 2] = [0.45, 0.55];
+
+/// Divides a curve for a function that is not analytic at `breaks`.
+pub fn divide(curve: &Curve, breaks: &[CurvePoint], function: &dyn BoundaryFunction) -> Divided {
+    let waiting: Vec<Stretch> = (0..curve.pieces().len()).flat_map(|k| stretches(k, breaks)).collect();
+    let sampled = |stretch: &Stretch| Sampled::new(curve, *stretch, function);
+    let first: Vec<Complex> = waiting.iter().flat_map(|stretch| sampled(stretch).values).collect();
+    let center = first.iter().sum::<Complex>() / first.len() as f64;
+    let extent = first.iter().map(|value| (value - center).norm()).fold(0.0, f64::max);
+    let magnitude = center.norm() + extent;
+    let mut division = Division { curve, function, center, extent, magnitude, panels: Vec::new() };
+    let mut waiting: Vec<Waiting> =
+        waiting.into_iter().rev().map(|stretch| Waiting { stretch, parent_tail: f64::INFINITY }).collect();
+    while let Some(Waiting { stretch, parent_tail }) = waiting.pop() {
+        let sampled = sampled(&stretch);
+        let is_last = division.panels.len() + waiting.len() >= MOST_PANELS;
+        if !division.take(&sampled, parent_tail, is_last) {
+            let parent_tail = sampled.tail();
+            waiting.extend(stretch.halves().into_iter().rev().map(|stretch| Waiting { stretch, parent_tail }));
+        }
+    }
+    Divided { panels: division.panels, center, magnitude, extent }
+}
+
+/// A stretch to sample, and the tail on the stretch that it is a half of.
+struct Waiting {
+    stretch: Stretch,
+    parent_tail: f64,
+}
+
+struct Division<'a> {
+    curve: &'a Curve,
+    function: &'a dyn BoundaryFunction,
+    center: Complex,
+    extent: f64,
+    magnitude: f64,
+    panels: Vec<Panel>,
+}
+
+impl Division<'_> {
+    /// Makes a panel of the samples if they are enough, or cannot be more.
+    fn take(&mut self, sampled: &Sampled, parent_tail: f64, is_last: bool) -> bool {
+        let (tail, rounding, is_plain) = (sampled.tail(), self.rounding(sampled), self.is_plain(sampled));
+        let is_small = is_plain && self.is_small(sampled);
+        let is_final = is_last || is_small || self.is_shortest(sampled);
+        if !is_final && !is_plain {
+            return false;
+        }
+        let error = sampled.function_error(self.curve, self.function);
+        let noise = if is_noise(sampled, parent_tail) { tail } else { NOISE * error };
+        if !is_final && tail > rounding.max(noise) {
+            return false;
+        }
+        let panel = Panel::new(self.curve, sampled, self.center, error + f64::EPSILON * self.magnitude);
+        if !is_final && panel.mismatch > MISMATCH * rounding.max(noise) {
+            return false;
+        }
+        let error = panel.error + tail + panel.mismatch / MISMATCH;
+        self.panels.push(Panel { error, ..panel });
+        true
+    }
+
+    /// The rounding of values, also by that of the parameters.
+    fn rounding(&self, sampled: &Sampled) -> f64 {
+        let Stretch { from, to, .. } = sampled.stretch;
+        let of_parameters = if from == 0.0 { 0.0 } else { 4.0 * f64::EPSILON * to / (to - from) };
+        RESOLVED * self.extent + f64::EPSILON * self.magnitude + of_parameters * sampled.variation()
+    }
+
+    /// Whether the panel's shape is resolved.
+    fn is_plain(&self, sampled: &Sampled) -> bool {
+        let rounding = 4.0 * f64::EPSILON * (self.curve.perimeter() + sampled.distance_from_origin(self.curve));
+        sampled.bend() <= MOST_BEND && sampled.tail_of_positions() <= RESOLVED_POSITIONS * sampled.length() + rounding
+    }
+
+    /// Whether what is not resolved on the panel does not matter.
+    fn is_small(&self, sampled: &Sampled) -> bool {
+        sampled.variation() * sampled.length() <= NEGLIGIBLE * self.extent * self.curve.perimeter()
+    }
+
+    /// Whether the parameters of a half could not be told apart.
+    fn is_shortest(&self, sampled: &Sampled) -> bool {
+        let Stretch { from, to, .. } = sampled.stretch;
+        to - from <= SHORTEST * from || to <= LEAST
+    }
+}
+
+/// Whether the last coefficients are due to errors of the values: small, and not less than before the last bisection,
+/// which divides those of a resolved function by 1,000 and more.
+fn is_noise(sampled: &Sampled, parent_tail: f64) -> bool {
+    let tail = sampled.tail();
+    tail <= NOISY * sampled.variation() && tail >= STANDSTILL * parent_tail
+}
+
+/// The stretches of a piece between its ends, its middle and the break points on it, in the order of the curve.
+fn stretches(piece: usize, breaks: &[CurvePoint]) -> Vec<Stretch> {
+    let is_inside =
+        |point: &&CurvePoint| point.piece() == piece && point.from_start() > SAME_POINT && point.to_end() > SAME_POINT;
+    let mut inner: Vec<CurvePoint> = breaks.iter().filter(is_inside).copied().collect();
+    let [low, high] = MIDDLE;
+    if !inner.iter().any(|point| (low..=high).contains(&point.from_start())) {
+        inner.push(CurvePoint::new(piece, 0.5));
+    }
+    inner.sort_by(|a, b| a.from_start().total_cmp(&b.from_start()).then(b.to_end().total_cmp(&a.to_end())));
+    inner.dedup_by(|a, b| a.from_start() == b.from_start() && a.to_end() == b.to_end());
+    let ends = [CurvePoint::new(piece, 0.0), CurvePoint::before_end(piece, 0.0)];
+    let cuts: Vec<CurvePoint> = ends[..1].iter().chain(&inner).chain(&ends[1..]).copied().collect();
+    let between = |pair: &[CurvePoint]| {
+        let [a, b] = [pair[0], pair[1]];
+        if b.from_start() <= high {
+            Stretch { piece, end: End::Start, from: a.from_start(), to: b.from_start() }
+        } else {
+            Stretch { piece, end: End::Finish, from: b.to_end(), to: a.to_end() }
+        }
+    };
+    cuts.windows(2).map(between).filter(|stretch| stretch.to > stretch.from).collect()
+}
