@@ -365,6 +365,7 @@ stays_few_points = er hat nur { $count } Punkte
 stays_many_corners = { $corners } seiner { $count } Punkte sind Ecken
 stays_leaves_edge = die glatte Kurve durch seine Punkte würde die Kante bei ({ $x }, { $y }) um mehr als ein Viertel ihrer Länge verlassen
 stays_crosses_itself = die glatte Kurve durch seine Punkte würde sich nahe ({ $x }, { $y }) kreuzen
+stays_path_crosses = seine Kurven kreuzen sich nahe ({ $x }, { $y })
 stays_no_curve = seine Stücke bilden keine Kurve
 equation_travels_apart = die Integralgleichung einer Seite wird getrennt von der Seite übertragen
 integral_no_curve = die Punkte des Umrisses bilden keine Kurve: Er hat eine Nadel

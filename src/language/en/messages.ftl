@@ -365,6 +365,7 @@ stays_few_points = it has only { $count } points
 stays_many_corners = { $corners } of its { $count } points are corners
 stays_leaves_edge = the smooth curve through its points would leave the edge at ({ $x }, { $y }) by more than a quarter of its length
 stays_crosses_itself = the smooth curve through its points would cross itself near ({ $x }, { $y })
+stays_path_crosses = its curves cross near ({ $x }, { $y })
 stays_no_curve = its pieces form no curve
 equation_travels_apart = the integral equation of a side travels apart from the side
 integral_no_curve = the outline's points form no curve: it has a spike

@@ -12,6 +12,7 @@ impl From<&StaysPolygon> for Message {
             StaysPolygon::ManyCorners { corners, count } => key::stays_many_corners(*corners, *count),
             StaysPolygon::LeavesEdge { at } => key::stays_leaves_edge(at.x, at.y),
             StaysPolygon::CrossesItself { at } => key::stays_crosses_itself(at.x, at.y),
+            StaysPolygon::PathCrossesItself { at } => key::stays_path_crosses(at.x, at.y),
             StaysPolygon::NoCurve(_) => key::stays_no_curve().into(),
         }
     }

@@ -118,6 +118,7 @@ keys_of_messages! {
     map_not_converged(side, reason); map_boundary_integral(side, reason);
     integral_too_large(needed, limit); integral_not_inside(x, y); integral_not_meshed(reason);
     stays_few_points(count); stays_many_corners(corners, count); stays_leaves_edge(x, y); stays_crosses_itself(x, y);
+    stays_path_crosses(x, y);
     // zipper
     zipper_too_few_points(count); zipper_not_finite(index); zipper_repeated(index); zipper_point_outside(x, y);
     // session
