@@ -230,7 +230,7 @@ fn there_and_back_is_the_identity() {
             let z = triangle.iter().map(|&v| mesh[v as usize]).sum::<DVec2>() / 3.0;
             let InteriorImage::Inside(image) = there.image(z) else { continue };
             let InteriorImage::Inside(again) = back.image(image.value) else {
-                println!("{z} → {:?} is not inside", image);
+                println!("{z} → {image:?} is not inside");
                 continue;
             };
             let off = again.value.distance(z);

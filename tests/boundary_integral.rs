@@ -256,6 +256,9 @@ fn quintic_measure(y: DVec2) -> f64 {
     z.arg().rem_euclid(TAU) / TAU
 }
 
+/// A name, the curve by its fraction, an interior point, and the measure up to a boundary point.
+type Case<'a> = (&'a str, &'a dyn Fn(f64) -> DVec2, DVec2, &'a dyn Fn(DVec2) -> f64);
+
 /// Lists of points of smooth curves, whose splines the panels span: the error falls to 1e-9, and is covered by the
 /// estimate although the spline is not the curve.
 #[test]
@@ -270,14 +273,15 @@ fn dense_lists_of_smooth_curves_have_their_measures() {
         (image(y) / image(DVec2::X)).arg().rem_euclid(TAU) / TAU
     };
     let fifth = |s: f64| quintic(TAU * s).position;
-    type Case<'a> = (&'a str, &'a dyn Fn(f64) -> DVec2, DVec2, &'a dyn Fn(DVec2) -> f64);
     let cases: [Case<'_>; 2] =
         [("disk", &circle, x, &of_circle), ("z + 0.12 z⁵", &fifth, DVec2::ZERO, &quintic_measure)];
     for (name, curve, x, exact) in cases {
         for (n, most) in [(64, 1e-4), (200, 1e-6), (1000, 1e-8), (6000, 1e-9), (100_000, 1e-9)] {
             let points: Vec<DVec2> = (0..n).map(|k| curve(f64::from(k) / f64::from(n))).collect();
             let smooth = CurveForm::default().curve(&SimplePolygon::try_from(points).unwrap()).unwrap();
-            let Piece::Spline { spline, .. } = &smooth.curve().pieces()[0] else { panic!("{name}: no spline") };
+            let Some(Piece::Spline { spline, .. }) = smooth.curve().pieces().first() else {
+                unreachable!("{name}: no spline")
+            };
             let integral = BoundaryIntegral::prepare(smooth.curve(), &Settings::default().with_points(&[x])).unwrap();
             let measure = integral.harmonic_measure(x).unwrap();
             let anchored = measure.from_anchor(CurvePoint::new(0, 0.0));

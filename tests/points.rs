@@ -55,9 +55,9 @@ fn a_moebius_map_of_the_disk_has_its_values_in_either_direction_of_the_mesh() {
 fn there_and_back_between_outlines_with_corners() {
     let folder = folder("there and back");
     let inside: Vec<[f64; 2]> =
-        (0..200).map(|k| f64::from(k)).map(|k| [0.9 * (0.7 * k).sin(), 0.9 * (1.3 * k).cos()]).collect();
+        (0..200).map(f64::from).map(|k| [0.9 * (0.7 * k).sin(), 0.9 * (1.3 * k).cos()]).collect();
     let write = |points: &[[f64; 2]], name: &str| {
-        let text: String = points.iter().map(|[x, y]| format!("{x};{y}\n")).collect();
+        let text: String = points.iter().map(|[x, y]| format!("{x};{y}")).collect::<Vec<_>>().join("\n");
         file(&folder, name, &text)
     };
     let points = write(&inside, "in.csv");

@@ -18,7 +18,6 @@ use support::domains::domain;
 struct Numbers {
     triangles: usize,
     flipped: u32,
-    collapsed: u32,
     /// The area inside the images of the boundary over that of the other domain.
     covered: f64,
     /// The area painted with the wrong orientation over that of the other domain.
@@ -71,7 +70,6 @@ impl Numbers {
         Self {
             triangles: mapped.triangles().len(),
             flipped: quality.flipped,
-            collapsed: quality.collapsed,
             covered: area(&images[..m]) / whole,
             folded: mapped.triangles().iter().map(turned).sum::<f64>() / whole,
             longest: edges().map(|(p, q)| p.distance(q)).fold(0.0, f64::max) / length,

@@ -86,9 +86,9 @@ mod tests {
         let factor = DenseFactor::new(&matrix);
         let right: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
         let x = factor.solve(&right);
-        for i in 0..n {
+        for (i, expected) in right.iter().enumerate() {
             let left: f64 = (0..n).map(|j| entry(i, j) * x[j]).sum();
-            assert!((left - right[i]).abs() < 1e-11, "row {i}: {left}, expected {}", right[i]);
+            assert!((left - expected).abs() < 1e-11, "row {i}: {left}, expected {expected}");
         }
         let (values, rows) = factor.arrays();
         let again = DenseFactor::from_arrays(values.to_vec(), rows.to_vec()).unwrap();

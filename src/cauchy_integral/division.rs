@@ -87,7 +87,7 @@ impl Division<'_> {
     fn take(&mut self, sampled: &Sampled, parent_tail: f64, is_last: bool) -> bool {
         let (tail, rounding, is_plain) = (sampled.tail(), self.rounding(sampled), self.is_plain(sampled));
         let is_small = is_plain && self.is_small(sampled);
-        let is_final = is_last || is_small || self.is_shortest(sampled);
+        let is_final = is_last || is_small || is_shortest(sampled);
         if !is_final && !is_plain {
             return false;
         }
@@ -122,12 +122,12 @@ impl Division<'_> {
     fn is_small(&self, sampled: &Sampled) -> bool {
         sampled.variation() * sampled.length() <= NEGLIGIBLE * self.extent * self.curve.perimeter()
     }
+}
 
-    /// Whether the parameters of a half could not be told apart.
-    fn is_shortest(&self, sampled: &Sampled) -> bool {
-        let Stretch { from, to, .. } = sampled.stretch;
-        to - from <= SHORTEST * from || to <= LEAST
-    }
+/// Whether the parameters of a half could not be told apart.
+fn is_shortest(sampled: &Sampled) -> bool {
+    let Stretch { from, to, .. } = sampled.stretch;
+    to - from <= SHORTEST * from || to <= LEAST
 }
 
 /// Whether the last coefficients are due to errors of the values: small, and not less than before the last bisection,

@@ -148,7 +148,7 @@ impl CauchyIntegral {
     /// rounding of a joint next to z, where F − f is f′ times the distance.
     fn quadrature_error(&self, sum: Complex, near: &[Near], slope: f64) -> f64 {
         let whole = (sum / Complex::new(0.0, TAU) - Complex::ONE).norm();
-        let joint = near.iter().flat_map(|near| near.ends).map(|end| end.norm()).fold(f64::INFINITY, f64::min);
+        let joint = near.iter().flat_map(|near| near.ends).map(Complex::norm).fold(f64::INFINITY, f64::min);
         whole * self.extent.min(slope * joint)
     }
 

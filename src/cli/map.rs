@@ -233,10 +233,9 @@ fn settings(arguments: &MapArguments) -> Result<MapSettings, CliError> {
         DirectionArgument::Backward => Direction::Backward,
     };
     let extension = match arguments.extension {
-        ExtensionArgument::Harmonic => Extension::Harmonic,
+        // exact images replace the harmonic ones once these are complete
+        ExtensionArgument::Harmonic | ExtensionArgument::Exact => Extension::Harmonic,
         ExtensionArgument::CauchyGreen => Extension::CauchyGreen,
-        // from harmonic images, once they are complete
-        ExtensionArgument::Exact => Extension::Harmonic,
     };
     let names = [&arguments.source, &arguments.target];
     let is_integral = arguments.discretization.kernel_or(KernelMode::Adjoint) == KernelMode::Integral;

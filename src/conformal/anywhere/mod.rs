@@ -102,7 +102,7 @@ impl ConformalMap {
             progress(k as f64 / vertices.len() as f64);
             match interior.image(vertices[k]) {
                 InteriorImage::Inside(Evaluation { value, .. }) | InteriorImage::Boundary { value, .. } => {
-                    images[k] = value
+                    images[k] = value;
                 }
                 InteriorImage::Outside => beyond += 1,
             }
