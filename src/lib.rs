@@ -7,11 +7,11 @@
 //! Dependencies between the modules run one way:
 //! `geometry → outline, mesh → surface, laplace → conformal → session, export → figures → language → worker`, then
 //! `render → model → offscreen → platform → cli, app`.
-//! Six modules are side branches: `boundary_integral` (harmonic measure from the boundary alone, invariants) and
+//! Seven modules are side branches: `boundary_integral` (harmonic measure from the boundary alone, invariants) and
 //! `cauchy_integral` (an analytic function inside of a curve from its values on it) on the level of `mesh`; `drawing` (outlines drawn by hand) on the level of `outline`; `zipper` (a map
 //! through the disk, for comparison, without a mesh) on that of `conformal`; `closed_form` (the presets' maps that are
-//! known exactly) on that of `session`; `family` (loops through all maps of one domain onto another) on that of
-//! `export`.
+//! known exactly) and `rational` (maps as formulas) on that of `session`; `family` (loops through all maps of one domain
+//! onto another) on that of `export`.
 //!
 //! | feature | what it adds to the numerical core |
 //! |---|---|
@@ -40,6 +40,7 @@ pub mod language;
 pub mod laplace;
 pub mod mesh;
 pub mod outline;
+pub mod rational;
 pub mod session;
 pub mod surface;
 #[cfg(feature = "io")]

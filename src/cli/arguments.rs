@@ -38,6 +38,8 @@ pub enum Subcommand {
     /// Computes conformal invariants of an outline to many digits, each with its error: harmonic measure, conformal
     /// radius, capacity, modulus, hyperbolic distance.
     Invariants(super::invariants_arguments::InvariantsArguments),
+    /// Writes the map between two outlines, and its inverse, as rational functions: as numbers or as code.
+    Formula(Box<super::formula_arguments::FormulaArguments>),
     /// Reproduces a figure of the paper: a drawing and a table of its numbers.
     Figure(FigureArguments),
     /// Measures Tables 1 and 2 of the paper on this machine.

@@ -30,10 +30,11 @@ const ROOMS: &[Row] = &[
         "conformal",
         &["counted", "geometry", "outline", "mesh", "boundary_integral", "cauchy_integral", "surface", "laplace"],
     ),
+    ("rational", &["geometry", "conformal"]),
     ("session", &["counted", "geometry", "outline", "mesh", "surface", "laplace", "conformal"]),
     ("closed_form", &["geometry", "exact", "outline", "conformal", "session"]),
     ("family", &["geometry", "mesh", "outline", "conformal"]),
-    ("export", &["geometry", "mesh", "outline", "surface", "conformal"]),
+    ("export", &["geometry", "mesh", "outline", "surface", "conformal", "rational"]),
     (
         "figures",
         &[
@@ -117,6 +118,7 @@ const ROOMS: &[Row] = &[
             "surface",
             "laplace",
             "conformal",
+            "rational",
             "session",
             "family",
             "export",

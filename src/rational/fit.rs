@@ -1,0 +1,115 @@
+//! Rational approximation on a boundary: AAA, points added where it is wrong between its points, poles inside removed.
+//!
+//! If r has no pole inside and f is analytic there, |f − r| is largest on the boundary, so an error that is measured
+//! there holds inside too (maximum principle). It is measured on ten times as many points as were fitted.
+
+use super::fitting::Fitting;
+use super::function::{Rational, rounded};
+use super::samples::Boundary;
+use num_complex::Complex64;
+
+/// What is to be reached.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Goal {
+    /// The error relative to the extent of the values: half the larger side of the box around them.
+    pub tolerance: f64,
+    /// The largest degree.
+    pub degree: usize,
+    /// The arithmetic in which the function will be evaluated.
+    pub precision: Precision,
+}
+
+/// The arithmetic of an evaluation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Precision {
+    /// f64.
+    Double,
+    /// f32: support points, values and weights are rounded, and the error is that of the rounded function in f32.
+    Single,
+}
+
+impl Precision {
+    /// The distance from 1 to the next number.
+    pub(super) fn epsilon(self) -> f64 {
+        match self {
+            Self::Double => f64::EPSILON,
+            Self::Single => f32::EPSILON.into(),
+        }
+    }
+}
+
+/// A boundary whose pairs are rounded to single precision.
+struct Rounded<'a>(&'a dyn Boundary);
+
+impl Boundary for Rounded<'_> {
+    fn rays(&self) -> usize {
+        self.0.rays()
+    }
+
+    fn is_singular(&self, ray: usize) -> bool {
+        self.0.is_singular(ray)
+    }
+
+    fn pair(&self, ray: usize, offset: f64) -> [Complex64; 2] {
+        self.0.pair(ray, offset).map(rounded)
+    }
+}
+
+/// A rational function with what was measured of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    function: Rational,
+    poles: Vec<Complex64>,
+    error: f64,
+    extent: f64,
+}
+
+/// The fit was cancelled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("cancelled")]
+pub struct Cancelled;
+
+impl Fit {
+    /// Fits the map of a boundary. `contains` says whether a point lies inside; `report` gets the share of the digits
+    /// that is reached, before every step, and returns whether to go on.
+    ///
+    /// The error is not guaranteed to reach the goal: [`Self::error`] says what it is. No pole lies inside.
+    pub fn new(
+        boundary: &dyn Boundary,
+        contains: &dyn Fn(Complex64) -> bool,
+        goal: Goal,
+        report: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<Self, Cancelled> {
+        let rounded = Rounded(boundary);
+        let mut fitting = Fitting::new(if goal.precision == Precision::Single { &rounded } else { boundary }, goal);
+        let supports = fitting.converge(report)?;
+        let (function, poles) = fitting.without_bad_poles(supports, contains);
+        let error = fitting.measured(&function);
+        Ok(Self { function, poles, error, extent: fitting.extent() })
+    }
+
+    /// r.
+    pub fn function(&self) -> &Rational {
+        &self.function
+    }
+
+    /// Its poles, none of which lies inside.
+    pub fn poles(&self) -> &[Complex64] {
+        &self.poles
+    }
+
+    /// The largest error measured on the boundary, in the units of the values.
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
+    /// Half the larger side of the box around the values.
+    pub fn extent(&self) -> f64 {
+        self.extent
+    }
+
+    /// The number of digits, relative to the extent.
+    pub fn digits(&self) -> u32 {
+        (self.extent / self.error.max(f64::EPSILON * self.extent)).log10().max(0.0).floor() as u32
+    }
+}
