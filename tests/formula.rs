@@ -190,6 +190,7 @@ fn the_tip_of_the_v_shape_is_mapped_onto_the_blob() {
     formula.check("f", &points, &exact);
     // seen from the tip, the other arm of the V is below what doubles tell apart on the blob: there is no inverse
     assert!(formula.json["inverse"].is_null() && formula.json["digits_reached"] == 0);
+    assert!(formula.json["there_and_back"]["source"].is_null());
     for file in ["f.py", "f.js"] {
         let text = std::fs::read_to_string(formula.folder.join(file)).unwrap();
         assert!(text.contains("f_inverse is left out") && !text.contains("function f_inverse") && !text.contains('@'));

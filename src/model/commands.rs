@@ -52,7 +52,7 @@ impl Model {
             | Command::SetPlots(_)
             | Command::SetComparison(_) => {
                 let touched = self.session.apply(command);
-                self.points_changed |= touched.touches(Touched::POINTS | Touched::SETTINGS);
+                self.changed.points |= touched.touches(Touched::POINTS | Touched::SETTINGS);
                 return touched;
             }
         }
@@ -82,7 +82,7 @@ impl Model {
             self.open_surface(side, session.surface(side).cloned());
         }
         self.map_error = None;
-        self.points_changed = true;
+        self.changed.points = true;
     }
 
     fn want_outline(&mut self, side: Side, outline: OutlineSpec, notes: Vec<OutlineNote>) {
@@ -168,7 +168,7 @@ impl Model {
     pub fn take_requests(&mut self, now: f64) -> Vec<(Side, Request)> {
         self.read_on();
         // a dragged outline is prepared again only when the picture shows the last one; otherwise none would be shown
-        let shows = !self.is_pending() && !self.sides_changed;
+        let shows = !self.is_pending() && !self.changed.sides;
         let mut requests = Vec::new();
         for side in Side::BOTH {
             let at = (self.equation_point(side), !self.under_way.is_moving);

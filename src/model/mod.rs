@@ -106,6 +106,15 @@ pub enum Processor {
     Cpu,
 }
 
+/// What the map does not show yet.
+#[derive(Debug, Default)]
+struct Changed {
+    /// Whether the session's points or settings have changed since the map was last requested.
+    points: bool,
+    /// Whether the geometry of a side has changed since the map was last started.
+    sides: bool,
+}
+
 /// The session, its sides and the map.
 ///
 /// Invariant: a side of the map that is shown is a surface only if the session shows that surface, perhaps at another
@@ -125,10 +134,7 @@ pub struct Model {
     pub(super) update_ms: f64,
     /// The map's error about a constraint that it rejected.
     map_error: Option<(Side, Message)>,
-    /// Whether the session's points or settings have changed since the map was last requested.
-    points_changed: bool,
-    /// Whether the geometry of a side has changed since the map was last started.
-    sides_changed: bool,
+    changed: Changed,
     /// The opened files that wait for those before them.
     queue: FileQueue,
     /// The result of the last opened file, for the app.
@@ -153,8 +159,7 @@ impl Model {
             refines: Refines::InRefresh,
             update_ms: UPDATE_MS,
             map_error: None,
-            points_changed: false,
-            sides_changed: false,
+            changed: Changed::default(),
             queue: FileQueue::default(),
             arrived: None,
         };
@@ -173,7 +178,7 @@ impl Model {
         let mut twin = Self::new(self.session.clone().and(Side::BOTH.map(Command::CloseSurface)));
         twin.sides = self.sides.as_ref().map(ModelSide::twin);
         twin.session.apply(Command::Open(Box::new(self.session.clone())));
-        twin.sides_changed = true;
+        twin.changed.sides = true;
         twin
     }
 

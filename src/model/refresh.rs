@@ -21,14 +21,14 @@ impl Model {
     /// Updates the map to session and domains, or continues an update; `dragging`: a dot is being moved.
     pub fn refresh(&mut self, dragging: bool) -> Changes {
         let mut changes = Changes::default();
-        if self.sides_changed || self.points_changed {
+        if self.changed.sides || self.changed.points {
             changes |= self.fine.retire();
         }
-        if std::mem::take(&mut self.sides_changed) {
+        if std::mem::take(&mut self.changed.sides) {
             changes.meshes |= self.take_sides();
-            self.points_changed = true;
+            self.changed.points = true;
         }
-        if std::mem::take(&mut self.points_changed) {
+        if std::mem::take(&mut self.changed.points) {
             self.under_way.revision += 1;
             self.under_way.want();
         } else if !self.is_pending() && self.lacks_grid() {

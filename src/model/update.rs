@@ -24,12 +24,12 @@ impl Model {
     /// Records that a side's surface has another resolution. The map of the former one stays in the picture until the map
     /// of the present one is complete.
     pub(super) fn change_resolution(&mut self) {
-        self.sides_changed = true;
+        self.changed.sides = true;
     }
 
     /// Records a change of a side's geometry. A map of other geometry is no longer shown, except between outlines.
     pub(super) fn change_sides(&mut self) {
-        self.sides_changed = true;
+        self.changed.sides = true;
         let fits = |map: &ConformalMap, side| {
             self.prepared(side).is_some_and(|standing| {
                 let mapped = map.side(side);
@@ -146,7 +146,7 @@ impl Model {
                 (interior.is_some(), SidePoints::Surface { interior: None, anchor })
             }
         };
-        self.points_changed |= is_set;
+        self.changed.points |= is_set;
         self.session.apply(Command::PlacePoints { side, points });
     }
 

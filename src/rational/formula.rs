@@ -24,8 +24,8 @@ pub struct Formula {
     /// The inverse of f. Without a digit only if f has one: where f crowds, doubles cannot name the points of the target.
     pub inverse: Fit,
     /// The largest distance of a point inside the source from its image's image under the inverse; and for the target,
-    /// of a point inside it from the image of its image under the inverse.
-    pub there_and_back: PerSide<f64>,
+    /// of a point inside it from the image of its image under the inverse. `None` if one function has no digit.
+    pub there_and_back: PerSide<Option<f64>>,
     /// Estimates of the largest error of the boundary values that f, and its inverse, were fitted to.
     pub boundary_error: PerSide<f64>,
     /// Whether it is for evaluation in single precision.
@@ -142,9 +142,10 @@ fn contains(curve: &Curve, z: Complex64) -> bool {
     curve.contains(DVec2::new(z.re, z.im))
 }
 
-/// The largest distance of a point inside of a side from where the first function and then the second take it.
-fn there_and_back(map: &ConformalMap, side: Side, [there, back]: [&Fit; 2]) -> f64 {
-    let Some(domain) = map.domain(side) else { return f64::INFINITY };
+/// The largest distance of a point inside of a side from where the first function and then the second take it; `None`
+/// if one of them has no digit.
+fn there_and_back(map: &ConformalMap, side: Side, [there, back]: [&Fit; 2]) -> Option<f64> {
+    let domain = map.domain(side).filter(|_| there.digits() > 0 && back.digits() > 0)?;
     let mesh = domain.mesh();
     let inside = &mesh.vertices()[mesh.boundary_count() as usize..];
     let step = inside.len().div_ceil(INSIDE).max(1);
@@ -152,5 +153,5 @@ fn there_and_back(map: &ConformalMap, side: Side, [there, back]: [&Fit; 2]) -> f
         let z = Complex64::new(x.x, x.y);
         (back.function().at(there.function().at(z)) - z).norm()
     };
-    inside.iter().step_by(step).map(distance).fold(0.0, f64::max)
+    Some(inside.iter().step_by(step).map(distance).fold(0.0, f64::max))
 }

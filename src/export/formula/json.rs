@@ -34,15 +34,15 @@ fn document(file: &FormulaFile<'_>, object: impl Fn(&Fit) -> Map<String, Value>)
         "target": file.names.target,
         "digits": file.digits,
         "digits_reached": formula.forward.digits().min(formula.inverse.digits()),
-        "there_and_back": sides(formula.there_and_back),
-        "boundary_error": sides(formula.boundary_error),
+        "there_and_back": sides(&formula.there_and_back),
+        "boundary_error": sides(&formula.boundary_error),
         "f": function(&formula.forward),
         "inverse": function(&formula.inverse),
     });
     format!("{value:#}\n")
 }
 
-fn sides(values: PerSide<f64>) -> Value {
+fn sides<T: serde::Serialize>(values: &PerSide<T>) -> Value {
     json!({ "source": values.source, "target": values.target })
 }
 

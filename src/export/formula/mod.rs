@@ -84,14 +84,17 @@ impl<'a> FormulaFile<'a> {
                 let _ = writeln!(text, "{name}: none, since no rational function was found that has one digit");
                 continue;
             };
-            let _ = writeln!(
+            let _ = write!(
                 text,
-                "{name}: degree {}, {} digits, largest error {:.1e} on the boundary; there and back {:.1e} inside",
+                "{name}: degree {}, {} digits, largest error {:.1e} on the boundary",
                 fit.function().degree(),
                 fit.digits(),
                 fit.error(),
-                self.formula.there_and_back[side],
             );
+            if let Some(distance) = self.formula.there_and_back[side] {
+                let _ = write!(text, "; there and back {distance:.1e} inside");
+            }
+            text.push('\n');
         }
         text.truncate(text.trim_end().len());
         text
