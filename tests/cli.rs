@@ -257,7 +257,8 @@ fn errors_of_finite_elements_are_estimated_by_comparison_if_numbers_are_asked_fo
     };
     let plain = ["map", "preset:l-shape", "preset:square", "--json", "--kernel", "adjoint"];
     let [omega, image] = estimate(&plain);
-    assert!((1e-6..1e-2).contains(&omega) && (1e-5..1e-1).contains(&image), "{omega:e}, {image:e}");
+    // the image next to the re-entrant corner is off by 4.9e-2, in comparison with the integral equation
+    assert!((1e-6..1e-2).contains(&omega) && (5e-2..5e-1).contains(&image), "{omega:e}, {image:e}");
     let few = [&plain[..], &["--samples", "100"]].concat();
     assert!(estimate(&few)[0] > omega, "fewer samples are estimated to be better");
     // a surface, with the integral equation on the other side

@@ -111,7 +111,9 @@ fn a_surface_stands_on_the_right() {
     let picture = rendered(&folder, &link_of(&session), &[]);
     let plane = rendered(&folder, &link_of(&coarse()), &[]);
     let half = |picture: &RgbImage, half: u32| image::imageops::crop_imm(picture, 160 * half, 0, 160, 160).to_image();
-    assert_eq!(half(&picture, 0), half(&plane, 0), "the source is the same as before");
+    // between outlines the mapped mesh is refined, which moves the pattern by less than what is seen
+    let moved = differences(&half(&picture, 0), &half(&plane, 0));
+    assert!(moved < 1000 && drawn(&picture, 0) > 5000, "{moved} pixels of the source differ");
     let changed = differences(&half(&picture, 1), &half(&plane, 1));
     assert!(changed > 3000 && drawn(&picture, 1) > 5000, "{changed} pixels differ");
     // the pattern of the disk has its own coordinates on both sides

@@ -71,7 +71,7 @@ pub enum MapError {
         /// The solver's error.
         error: NotConverged,
     },
-    /// The boundary integral gives no harmonic measure from the interior point: it lies outside of the curve.
+    /// The boundary integral gives no harmonic measure from the interior point.
     #[error("{side}: {error}")]
     BoundaryIntegral {
         /// Which side.

@@ -110,15 +110,15 @@ impl MapSide {
         let Some(boundary) = self.prepared.curve_boundary() else {
             return inside.ok_or(MapError::PointOutside { side, x: x.x, y: x.y });
         };
-        let error = BoundaryIntegralError::NotInside { at: x };
+        let outside = MapError::PointOutside { side, x: x.x, y: x.y };
         if !boundary.curve().contains(x) {
-            return Err(MapError::BoundaryIntegral { side, error });
+            return Err(outside);
         }
         let beside = || {
             let shortest = self.prepared.edge_lengths().iter().copied().fold(f64::INFINITY, f64::min);
             locate(domain.mesh(), domain.nearest_inside(x, INSET * shortest), None)
         };
-        inside.or_else(beside).ok_or(MapError::BoundaryIntegral { side, error })
+        inside.or_else(beside).ok_or(outside)
     }
 
     /// Starts computing the kernel, if the change requires a new one.
@@ -148,7 +148,10 @@ impl MapSide {
             (change.located, self.prepared.boundary_integral(), constraints.points[side])
         {
             let swept = integral.harmonic_measure(x);
-            let swept = swept.map_err(|error| MapError::BoundaryIntegral { side, error })?;
+            let swept = swept.map_err(|error| match error {
+                BoundaryIntegralError::NotInside { at } => MapError::PointOutside { side, x: at.x, y: at.y },
+                error => MapError::BoundaryIntegral { side, error },
+            })?;
             self.measured.coming_swept = Some(Arc::new(swept));
         }
         if change.renewal().measure {

@@ -148,6 +148,9 @@ pub fn svg(parts: &[Part<'_>], ruling: Option<Ruling>) -> String {
     text
 }
 
+/// Points of an outline less apart than this, in units of the drawing, whose numbers have three decimals, are one.
+const DISTINCT: f64 = 0.004;
+
 /// The transformation from a domain to the drawing, where y points down.
 #[derive(Clone, Copy)]
 struct Placement {
@@ -160,6 +163,22 @@ impl Placement {
     fn of(self, p: DVec2) -> DVec2 {
         let q = (p - self.middle) * self.scale;
         self.corner + DVec2::new(q.x, -q.y)
+    }
+
+    /// The points of a closed line that differ in the drawing: a refined outline has some that its numbers do not tell
+    /// apart, and whoever reads it as an outline would find them repeated.
+    fn distinct(self, points: &[DVec2]) -> Vec<DVec2> {
+        let least = DISTINCT / self.scale;
+        let mut kept: Vec<DVec2> = Vec::with_capacity(points.len());
+        for &p in points {
+            if kept.last().is_none_or(|last| last.distance(p) >= least) {
+                kept.push(p);
+            }
+        }
+        while kept.len() > 3 && kept[0].distance(kept[kept.len() - 1]) < least {
+            kept.pop();
+        }
+        kept
     }
 
     /// Appends the data of a path through `points`.
@@ -188,7 +207,7 @@ impl Part<'_> {
         text.push_str("<g class=\"domain\">\n");
         let _ =
             write!(text, "<path id=\"{side}\" class=\"outline\" stroke=\"{OUTLINE_COLOR}\" stroke-width=\"1.5\" d=\"");
-        placement.path(text, panel.boundary.iter().copied(), true);
+        placement.path(text, placement.distinct(panel.boundary), true);
         text.push_str("\"/>\n");
         self.hatch(text, placement);
         if let Some(ruling) = ruling {

@@ -169,7 +169,15 @@ withEachBackend('the app', (bench) => {
     'every way of preparing gives the same map',
     bench.withApp(async (app) => {
       const { source, target } = await app.session();
-      const before = await app.stats();
+      const finite = [source, target].map((domain) => ({
+        ...domain,
+        settings: { ...domain.settings, kernel: 'adjoint' },
+      }));
+      await app.openSession({ source: finite[0], target: finite[1] });
+      const before = await app.until(
+        'both sides are prepared with finite elements',
+        (stats) => stats.ready && stats.kernels.every((side) => side.kernel === 'adjoint'),
+      );
       for (const way of [{ kernel: 'table' }, { kernel: 'adjoint', solver: 'pcg' }]) {
         const domains = [source, target].map((domain) => ({ ...domain, settings: { ...domain.settings, ...way } }));
         await app.openSession({ source: domains[0], target: domains[1] });

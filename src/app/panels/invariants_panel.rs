@@ -12,7 +12,7 @@ use crate::language::{Label, key, number, say, tr};
 use crate::model::Model;
 use crate::model::overlays::invariants::{InvariantsAction, SideInvariants};
 use crate::worker::{FoundInvariants, Number};
-use egui::{DragValue, Grid, RichText, Ui, WidgetInfo};
+use egui::{DragValue, Grid, RichText, Ui, Vec2, WidgetInfo};
 
 /// Measures beyond this number of arcs are not listed.
 const MOST_ARCS: usize = 12;
@@ -53,7 +53,8 @@ fn explained() -> egui::Id {
 
 /// The button "?", which shows the explanation below, for fingers too.
 fn explain(ui: &mut Ui) {
-    let button = ui.button("?").on_hover_text(tr(key::invariants_explained()));
+    let size = Vec2::splat(ui.spacing().interact_size.y);
+    let button = ui.add(egui::Button::new("?").min_size(size)).on_hover_text(tr(key::invariants_explained()));
     button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, tr(key::what_invariants_are())));
     if button.clicked() {
         ui.data_mut(|data| {
