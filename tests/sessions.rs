@@ -125,7 +125,8 @@ fn a_surface_stands_on_the_right() {
     let mut planar = coarse();
     planar.apply(Change::SetTexture(TextureKind::Conformal));
     let planar = rendered(&folder, &link_of(&planar), &[]);
-    assert_eq!(half(&polar, 0), half(&planar, 0), "the source has the same disk coordinates with a surface");
+    let moved = differences(&half(&polar, 0), &half(&planar, 0));
+    assert!(moved < 1000, "{moved} pixels of the source differ: it has the same disk coordinates with a surface");
 }
 
 #[test]
