@@ -245,8 +245,7 @@ fn a_point_between_mesh_and_curve_is_inside_and_one_beyond_is_not() {
     }
     let outside = Constraints::new((1.01 * DVec2::X, 0.0), (DVec2::ZERO, 0.0));
     let refused = ConformalMap::new(disk.clone(), disk, &outside, Direction::Forward.into()).unwrap_err();
-    let error = BoundaryIntegralError::NotInside { at: 1.01 * DVec2::X };
-    assert_eq!(refused, MapError::BoundaryIntegral { side: Side::Source, error });
+    assert_eq!(refused, MapError::PointOutside { side: Side::Source, x: 1.01, y: 0.0 });
 }
 
 #[test]

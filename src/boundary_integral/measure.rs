@@ -3,7 +3,7 @@
 use super::layout::Layout;
 use super::peak::Peaks;
 use super::span::{Beside, Span};
-use super::spans::{spans, unresolved};
+use super::spans::{self, spans, unresolved};
 use super::system::System;
 use crate::geometry::{Curve, CurvePoint};
 
@@ -15,6 +15,7 @@ pub struct HarmonicMeasure {
     /// The first span of each piece, and the number of spans.
     first: Vec<usize>,
     error: f64,
+    floor: f64,
 }
 
 /// Rounding of sums over a thousand nodes: 8 units of the last place on the V.
@@ -28,13 +29,20 @@ impl HarmonicMeasure {
         let (spans, first) = spans(curve, layout, system, solution);
         let total: f64 = spans.iter().map(|span| span.measure).sum();
         let unresolved = unresolved(curve, layout, &spans, solution);
-        Self { spans, first, error: unresolved.max((total - 1.0).abs()).max(ROUNDING) }
+        Self { spans, first, error: unresolved.max((total - 1.0).abs()).max(ROUNDING), floor: spans::ROUNDING }
     }
 
     /// Takes a residual of an identity into the error estimate.
     pub(super) fn with_residual(mut self, residual: f64) -> Self {
         self.error = self.error.max(residual);
+        self.floor = self.floor.max(residual);
         self
+    }
+
+    /// An estimate of the error of ω that is left also where the density is almost nothing: rounding, and the residuals
+    /// of the identities.
+    pub fn floor(&self) -> f64 {
+        self.floor
     }
 
     /// An estimate of the largest error of ω along the boundary: the residuals of ∫ dω = 1, ∫ z dω = x and
@@ -135,7 +143,8 @@ impl<'a> AnchoredMeasure<'a> {
         let (next, last) = (&spans[(self.start + 1) % count], &spans[(self.start + count - 1) % count]);
         let after = if after == 0.0 { next.beside(next.start()) } else { own.beside(self.anchor) };
         let before = if before == 0.0 { last.beside(last.finish()) } else { own.beside(self.anchor) };
-        [after, before]
+        let share = self.measure.floor / spans::ROUNDING;
+        [after, before].map(|beside| Beside { error: share * beside.error, ..beside })
     }
 
     /// The segment that contains a point, and the measure of its parts before and after the point.

@@ -34,8 +34,8 @@ pub enum Rounding {
 pub struct Beside {
     /// The measure of the panel, or of the leg of a corner, that begins or ends at the point or contains it.
     pub measure: f64,
-    /// The error that rounding leaves in the density at the point, in densities.
-    pub rounding: f64,
+    /// The error of the density at the point, in densities: what rounding leaves, or the floor of all densities.
+    pub error: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -90,10 +90,10 @@ impl Span {
         match (self.rounding, &self.shape) {
             (Rounding::Density(error), Shape::Series(coefficients)) => {
                 let density = self.up_to(coefficients, self.along(self.parameter_of(point)).clamp(0.0, 2.0)).0;
-                Beside { measure: self.measure, rounding: error / density.max(0.0) }
+                Beside { measure: self.measure, error: error / density.max(0.0) }
             }
-            (Rounding::Density(_), Shape::Power(_)) => Beside { measure: self.measure, rounding: f64::EPSILON },
-            (Rounding::Corner { relative, measure }, _) => Beside { measure, rounding: relative },
+            (Rounding::Density(_), Shape::Power(_)) => Beside { measure: self.measure, error: f64::EPSILON },
+            (Rounding::Corner { relative, measure }, _) => Beside { measure, error: relative },
         }
     }
 

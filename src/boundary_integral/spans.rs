@@ -25,7 +25,7 @@ fn depth(exponent: f64, is_straight: bool) -> usize {
 
 /// The error that rounding leaves in the density times the perimeter. Where the true density is nothing, in the arms of
 /// the V and the ends of rectangles of 10×1 and 40×1, it is found to be 2e-17 to 4e-15.
-const ROUNDING: f64 = 4e-15;
+pub const ROUNDING: f64 = 4e-15;
 
 /// The measure of both legs of a block with these true densities at its nodes, and their lengths.
 fn leg_measures(curve: &Curve, block: &Block, density: &Mat<f64>) -> [(f64, f64); 2] {

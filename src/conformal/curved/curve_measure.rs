@@ -48,12 +48,15 @@ impl<'a> CurveMeasure<'a> {
     }
 
     /// The error of a measure counted from the anchor, apart from the [factor](Self::factor) of finite elements: on the
-    /// panels next to the anchor, in proportion to the measure.
+    /// panels next to the anchor, in proportion to the measure, and at least the floor where that is reached.
     pub fn error(&self, omega: f64, way: Way) -> f64 {
         let beside = self.sharp.beside(way);
-        match omega {
-            _ if omega <= 0.0 || omega < self.sharp_from(way) => 0.0,
-            _ if omega < beside => self.sharp.error() * (omega / beside),
+        match self.sharp_from(way) {
+            from if omega <= 0.0 || omega < from => 0.0,
+            from if omega < beside => {
+                let floor = if from > 0.0 { self.sharp.floor() } else { 0.0 };
+                (self.sharp.error() * (omega / beside)).max(floor)
+            }
             _ => self.sharp.error(),
         }
     }

@@ -1,11 +1,12 @@
 //! The measure from the boundary integral at the knots of [`HarmonicMeasure`], counted from the anchor both ways.
 //!
-//! The computed density has an error of either sign. Where that leaves the density next to the anchor three digits or
-//! more, measures counted from the anchor keep them at any distance, in corners too: both are summed from there. Around
-//! an anchor in a crowded part of the boundary, where the measure from it is below [`LEAST`], the positive
-//! finite-element density continues: its measure, summed from the anchor, times the ratio of both measures over the
-//! adjoining stretch where the measure is between 1e-11 and 1e-9. No total below 1e-11 is divided by. Elsewhere steps
-//! below 1e-16 cannot be told apart in f64; there the measure stands still.
+//! The computed density has an error of either sign, from rounding or, on curves of many corners and knots, from panels
+//! that do not resolve it better. Where that leaves the density next to the anchor three digits or more, measures counted
+//! from the anchor keep them at any distance, in corners too: both are summed from there. Around an anchor in a crowded
+//! part of the boundary, where the measure from it is below [`least`], the positive finite-element density continues: its
+//! measure, summed from the anchor, times the ratio of both measures over the adjoining stretch where the measure is 10
+//! to 1000 times as large. No smaller total is divided by. Elsewhere steps below 1e-16 cannot be told apart in f64; there
+//! the measure stands still.
 
 use super::super::matching::inverse_quadratic;
 use super::super::{HarmonicMeasure, PreparedSide};
@@ -15,13 +16,16 @@ use crate::geometry::{CurvePoint, Junction};
 use crate::outline::BoundaryPoint;
 use std::sync::Arc;
 
-/// Measures from the anchor below this one are those of finite elements: the sums of the boundary integral have
-/// relative errors of 1e-3 there.
+/// Measures from an anchor in a crowded part are those of finite elements below this one, where rounding leaves sums of
+/// the boundary integral a relative error of 1e-3.
 const LEAST: f64 = 1e-12;
+/// The same, in floors of the measure, where these are larger than rounding. The residual of the identities is 100 times
+/// the error found in the stem of a leaf of 601 points.
+const LEAST_IN_FLOORS: f64 = 30.0;
 /// The largest error of the density next to the anchor, in densities, with which measures are counted from there.
 const RESOLVED: f64 = 1e-3;
-/// The stretch over which the two measures are compared.
-const COMPARED: [f64; 2] = [1e-11, 1e-9];
+/// The stretch over which the two measures are compared, in least measures.
+const COMPARED: [f64; 2] = [10.0, 1000.0];
 
 /// What Gauss's rule leaves on panels that are next to panels beyond a junction, and the identities do not see: 2e-13
 /// inside of the square's sides, whose measures are right to 1e-15.
@@ -97,12 +101,14 @@ impl SharpMeasure {
         }
         let sums = finite.sums(side.edge_lengths());
         let beside = anchored.beside_anchor();
+        let least = least(swept);
         let continued = Way::BOTH.map(|way| {
-            if beside[way as usize].rounding <= RESOLVED {
+            if beside[way as usize].error <= RESOLVED {
                 return 0;
             }
             let sums = &sums[way as usize];
-            carry_on(&mut measures[way as usize], sums, || ratio(boundary, &anchored, (&*finite, sums), way))
+            let ratio = || ratio(boundary, &anchored, (&*finite, sums), way, least);
+            carry_on(&mut measures[way as usize], sums, least, ratio)
         });
         let [forward, mut backward] = measures;
         backward.reverse();
@@ -146,6 +152,11 @@ impl SharpMeasure {
         self.swept.error_estimate().max(if has_parts { NEAR_PARTS } else { SUMMED })
     }
 
+    /// The error that is left of measures where the density is almost nothing.
+    pub fn floor(&self) -> f64 {
+        self.swept.floor()
+    }
+
     /// The measure of the panel, or of the corner's leg, next to the anchor.
     pub fn beside(&self, way: Way) -> f64 {
         self.beside[way as usize]
@@ -179,12 +190,18 @@ impl SharpMeasure {
     }
 }
 
+/// The measure from an anchor in a crowded part of the boundary below which finite elements continue.
+fn least(swept: &boundary_integral::HarmonicMeasure) -> f64 {
+    LEAST.max(LEAST_IN_FLOORS * swept.floor())
+}
+
 /// The ratio of the boundary integral's measure to the finite elements' over the stretch that both resolve.
 fn ratio(
     boundary: &CurveBoundary,
     anchored: &AnchoredMeasure<'_>,
     (finite, sums): (&HarmonicMeasure, &[f64]),
     way: Way,
+    least: f64,
 ) -> f64 {
     let point = |omega: f64| match way {
         Way::Forward => anchored.point_at(omega),
@@ -196,14 +213,14 @@ fn ratio(
         let (knot, share) = if way == Way::Forward { (j, share) } else { (sums.len() - 2 - j, 1.0 - share) };
         sums[knot] + (sums[knot + 1] - sums[knot]) * share
     };
-    let [from, to] = COMPARED;
+    let [from, to] = COMPARED.map(|factor| (factor * least).min(0.5));
     (to - from) / (at(to) - at(from))
 }
 
-/// Replaces measures below [`LEAST`] at the knots after the anchor by the finite elements', times the ratio; returns
+/// Replaces measures below `least` at the knots after the anchor by the finite elements', times the ratio; returns
 /// how many. At most so much that the next knot's measure is not reached.
-fn carry_on(measure: &mut [f64], finite: &[f64], ratio: impl FnOnce() -> f64) -> usize {
-    let small = measure[1..].partition_point(|&omega| omega < LEAST);
+fn carry_on(measure: &mut [f64], finite: &[f64], least: f64, ratio: impl FnOnce() -> f64) -> usize {
+    let small = measure[1..].partition_point(|&omega| omega < least);
     // without a knot of its own measure there is nothing to continue: a knot may be the anchor itself
     if small == 0 || finite[small] == 0.0 || small + 1 >= measure.len() {
         return 0;
