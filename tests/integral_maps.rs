@@ -5,13 +5,13 @@
 
 mod support;
 
-use riemap::boundary_integral::BoundaryIntegralError;
+use riemap::boundary_integral::{BoundaryIntegral, BoundaryIntegralError, Settings};
 use riemap::conformal::{
-    ConformalMap, Constraints, Direction, ErrorEstimate, KernelMode, MapError, PrepareError, PrepareSettings,
-    PreparedSide, Side, SurfaceSettings, Unsharpened, prepare, prepare_curve, prepare_surface,
+    ConformalMap, Constraints, Direction, ErrorEstimate, KernelMode, MAX_UNKNOWNS, MapError, PrepareError,
+    PrepareSettings, PreparedSide, Side, SurfaceSettings, Unsharpened, prepare, prepare_curve, prepare_surface,
 };
 use riemap::exact::{self, blob, complex, point, square, vshape};
-use riemap::geometry::{DVec2, SimplePolygon};
+use riemap::geometry::{Curve, DVec2, SimplePolygon};
 use riemap::mesh::Sizing;
 use riemap::outline::{BoundaryPoint, Preset, Sampling};
 use riemap::surface::{SurfaceMesh, SurfacePreset};
@@ -286,4 +286,31 @@ fn the_map_does_not_depend_on_which_matched_pair_anchors_it() {
     let change = map.images().iter().zip(&before).map(|(w, v)| w.distance(*v)).fold(0.0, f64::max);
     println!("another pair of anchors moves the images by {change:.1e}");
     assert!(change < 1e-7, "{change:e}");
+}
+
+/// Panels for a point next to the boundary would be too many on an outline of many corners: they are left out.
+#[test]
+fn a_point_next_to_an_outline_of_many_corners_keeps_the_equation() {
+    let star = |n: u32| {
+        let corner = |k: u32| {
+            let p =
+                (if k.is_multiple_of(2) { 1.0 } else { 0.8 }) * DVec2::from_angle(TAU * f64::from(k) / f64::from(n));
+            (p.x, p.y)
+        };
+        polygon(&(0..n).map(corner).collect::<Vec<_>>())
+    };
+    let fits = |outline: &SimplePolygon, near: &[DVec2]| {
+        let settings = Settings::default().with_max_unknowns(MAX_UNKNOWNS).with_points(near);
+        BoundaryIntegral::check(&Curve::from_polygon(outline).unwrap(), &settings).is_ok()
+    };
+    let most = (20..).map(|half| star(2 * half)).take_while(|outline| fits(outline, &[])).last().unwrap();
+    let [a, b] = [most.vertices()[0], most.vertices()[1]];
+    let x = a.lerp(b, 0.5) * (1.0 - 1e-9);
+    assert!(!fits(&most, &[x]), "the point needs panels of its own");
+    let curve = Curve::from_polygon(&most).unwrap();
+    let settings = integral(PrepareSettings::default());
+    let side = prepare_curve((&most, &curve), &[x], &settings, &mut |_| ()).unwrap();
+    assert!(side.unsharpened().is_none(), "{:?}", side.unsharpened());
+    let kept = side.with_equation(Err(BoundaryIntegralError::NotResolved.into()));
+    assert!(kept.equation().is_some(), "a second equation that fails leaves the first one");
 }

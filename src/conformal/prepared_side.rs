@@ -116,6 +116,8 @@ impl PreparedSide {
         let fits = |equation: &BoundaryEquation| self.domain().is_some_and(|domain| equation.is_of(domain));
         let sharpness = match equation {
             Ok(equation) if fits(&equation) => Sharpness::Integral(equation),
+            // one for another interior point, which that point only costs digits
+            Ok(_) | Err(_) if self.equation().is_some() => return self.clone(),
             Ok(_) => Sharpness::Stays(Unsharpened::Apart),
             Err(reason) => Sharpness::Stays(reason),
         };

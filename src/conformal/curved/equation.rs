@@ -33,7 +33,12 @@ impl BoundaryEquation {
 
     /// Factors the equation of a curve with samples.
     pub(in crate::conformal) fn of(boundary: CurveBoundary, near: &[DVec2]) -> Result<Self, Unsharpened> {
-        let integral = BoundaryIntegral::prepare(boundary.curve(), &equation_settings(boundary.curve(), near))?;
+        let prepare = |near: &[DVec2]| {
+            let curve = boundary.curve();
+            BoundaryIntegral::prepare(curve, &equation_settings(curve, near))
+        };
+        // without panels for points next to the boundary they cost digits, not the equation
+        let integral = prepare(near).or_else(|error| if near.is_empty() { Err(error) } else { prepare(&[]) })?;
         Ok(Self { boundary: Arc::new(boundary), integral: Arc::new(integral) })
     }
 
