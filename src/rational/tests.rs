@@ -26,7 +26,7 @@ impl<F: Fn(Complex64) -> Complex64> Boundary for Given<F> {
         } else {
             let n = self.corners.len();
             let (from, to) = (self.corners[ray / 2], self.corners[(ray / 2 + 1) % n]);
-            if ray % 2 == 0 { from + 0.5 * offset * (to - from) } else { to + 0.5 * offset * (from - to) }
+            if ray.is_multiple_of(2) { from + 0.5 * offset * (to - from) } else { to + 0.5 * offset * (from - to) }
         };
         [z, (self.function)(z)]
     }

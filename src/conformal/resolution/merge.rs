@@ -13,8 +13,9 @@ use crate::outline::BoundarySamples;
 pub(super) const FINEST: f64 = 2e-7;
 
 /// A vertex of the other boundary that is nearer than this, relative to the edges around, to a vertex of the mapped
-/// boundary becomes its image: angles there change by up to that, while an edge of a tenth of its neighbors' length
-/// costs ten vertices of the mesh.
+/// boundary is left out: an edge of a tenth of its neighbors' length costs ten vertices of the mesh. On the polygon of
+/// samples it becomes the image, and angles there change by up to that. On a curve the image stays exact, and a corner is
+/// left out only next to a corner.
 const SNAP: f64 = 0.12;
 
 /// A vertex of the resolved boundary.
@@ -77,7 +78,7 @@ impl Merged {
         let mut merged = Self { knots: Vec::new(), start, length, first, cuts: Vec::new() };
         let gap = |i: usize| gaps[(i + turn) % count];
         let groups = merged.groups(&gap, other.samples, finest);
-        merged.join(&own, &others, &groups, mapped, finest);
+        merged.join(&own, &others, &groups, (mapped, other), finest);
         merged
     }
 
@@ -108,7 +109,14 @@ impl Merged {
     }
 
     /// Merges own and other vertices, of each group the first and the last.
-    fn join(&mut self, own: &[(f64, u32, f64)], others: &[f64], groups: &[[usize; 2]], mapped: &Rim<'_>, finest: f64) {
+    fn join(
+        &mut self,
+        own: &[(f64, u32, f64)],
+        others: &[f64],
+        groups: &[[usize; 2]],
+        (mapped, other): (&Rim<'_>, &Rim<'_>),
+        finest: f64,
+    ) {
         let mut kept: Vec<(f64, usize, bool)> = Vec::new();
         let mut pending = groups.iter().peekable();
         let mut i = 0;
@@ -124,7 +132,12 @@ impl Merged {
                 i += 1;
             }
         }
-        self.knots = snapped(own, &kept, others.len(), mapped, finest);
+        let count = others.len();
+        let is_kept = |k: u32, i: usize| {
+            other.is_corner_of_curve((self.first + i) % count) && !mapped.is_corner_of_curve(k as usize)
+        };
+        let snap = |k: u32, i: usize| if is_kept(k, i) { 0.0 } else { SNAP };
+        self.knots = snapped(own, &kept, count, mapped, (finest, &snap));
     }
 }
 
@@ -139,13 +152,13 @@ fn preimages(mapped: &Rim<'_>, other: &Rim<'_>) -> (Vec<f64>, Vec<usize>) {
     other.vertices().map(place).unzip()
 }
 
-/// Own and other vertices in order; others that nearly coincide with an own one are replaced by it.
+/// Own and other vertices in order; others that nearly coincide with an own one, by `snap`, are replaced by it.
 fn snapped(
     own: &[(f64, u32, f64)],
     kept: &[(f64, usize, bool)],
     count: usize,
     mapped: &Rim<'_>,
-    finest: f64,
+    (finest, snap): (f64, &dyn Fn(u32, usize) -> f64),
 ) -> Vec<Knot> {
     let mut knots: Vec<Knot> = Vec::with_capacity(own.len() + kept.len());
     let m = mapped.samples.len() as u32;
@@ -165,7 +178,7 @@ fn snapped(
         let snapped = nearest.filter(|&i| {
             let around = gap(i).min(if i > 0 { gap(i - 1) } else { f64::INFINITY });
             let [before, after] = edges(k);
-            let near = (SNAP * around.min(before).min(after)).max(0.25 * finest);
+            let near = (snap(k, kept[i].1) * around.min(before).min(after)).max(0.25 * finest);
             inside_cut || (kept[i].0 - at).abs() < near
         });
         if let Some(i) = snapped {

@@ -59,6 +59,8 @@ pub struct ResolvedBoundary {
     pub(super) images: Vec<BoundaryPoint>,
     /// The measure from the anchor to each vertex.
     pub(super) measures: Vec<f64>,
+    /// Whether a part of the other domain is cut off after each vertex.
+    is_cut: Vec<bool>,
     /// The other domain's boundary through the images, and in the cuts through its samples.
     outline: Vec<DVec2>,
     cuts: Vec<Vec<DVec2>>,
@@ -82,14 +84,30 @@ impl ResolvedBoundary {
         let cuts: Vec<Vec<DVec2>> = (merged.cuts.iter())
             .map(|&[from, to]| (0..=(to + count - from) % count).map(|k| other.points()[(from + k) % count]).collect())
             .collect();
-        let unresolved = cuts.iter().fold(0.0, |sum, cut| sum + area(cut));
+        let unresolved = cuts.iter().fold(0.0, |sum, cut| sum + area(cut).max(0.0));
         let unresolved_area = (unresolved / area(other.points())).clamp(0.0, 1.0);
-        Some(Self { samples, places, images, measures, outline, cuts, unresolved_area })
+        Some(Self { samples, places, images, measures, is_cut, outline, cuts, unresolved_area })
     }
 
     /// The samples of the refined boundary.
     pub fn samples(&self) -> &BoundarySamples {
         &self.samples
+    }
+
+    /// Whether vertex `k` is an end of a part that is cut off.
+    pub(super) fn is_at_cut(&self, k: usize) -> bool {
+        self.is_cut[k] || self.is_cut[(k + self.is_cut.len() - 1) % self.is_cut.len()]
+    }
+
+    /// Whether an image of vertex `k` lies between the images of its neighbors; inside of a cut, which these share, none
+    /// does.
+    pub(super) fn is_in_order(&self, k: usize, image: BoundaryPoint) -> bool {
+        let count = self.images.len();
+        let [before, after] = [self.images[(k + count - 1) % count], self.images[(k + 1) % count]];
+        let is_before = |a: BoundaryPoint, b: BoundaryPoint| (a.edge(), a.fraction()) <= (b.edge(), b.fraction());
+        // cyclic: of the three comparisons around, two hold
+        let around = [is_before(before, image), is_before(image, after), is_before(after, before)];
+        before != after && around.into_iter().filter(|&holds| holds).count() >= 2
     }
 
     /// The other domain's boundary as it is drawn: through the images, and in the cuts through its samples.

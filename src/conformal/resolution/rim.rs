@@ -106,6 +106,14 @@ impl<'a> Rim<'a> {
         self.lengths[self.samples.len() + 1]
     }
 
+    /// Whether sample `k` is a corner of the curve; without a curve, none is.
+    pub fn is_corner_of_curve(&self, k: usize) -> bool {
+        match &self.law {
+            Law::Curve(law) => law.boundary().curve().is_corner(law.boundary().points()[k]),
+            Law::Finite(_) => false,
+        }
+    }
+
     /// The length of the edge from sample `k` on.
     pub fn edge(&self, k: usize) -> f64 {
         self.edges[k]

@@ -171,6 +171,16 @@ impl Curve {
         self.extent
     }
 
+    /// Whether a point is a corner of the curve.
+    pub fn is_corner(&self, point: CurvePoint) -> bool {
+        let junction = match point {
+            _ if point.from_start() == 0.0 => point.piece(),
+            _ if point.to_end() == 0.0 => (point.piece() + 1) % self.pieces.len(),
+            _ => return false,
+        };
+        matches!(self.junctions[junction], Junction::Corner { .. })
+    }
+
     /// The position of a point; of the last piece if its piece does not exist.
     pub fn position(&self, point: CurvePoint) -> DVec2 {
         self.pieces[point.piece.min(self.pieces.len() - 1)].jet(point.from_start).position
