@@ -143,8 +143,8 @@ impl RiemapApp {
         self.workers.send_due(&mut self.model, now);
         if let Some(due) = self.model.next_due() {
             context.request_repaint_after_secs((due - now).max(0.0) as f32);
-        } else if !self.is_resting(now) && Side::BOTH.into_iter().any(|side| self.model.is_sharpening(side)) {
-            context.request_repaint_after_secs(REST_SECONDS as f32); // an equation for a point that moved is due at rest
+        } else if !self.is_resting(now) && self.model.is_mapped() && !self.model.is_ready() {
+            context.request_repaint_after_secs(REST_SECONDS as f32); // an equation or a refined mesh is due at rest
         }
     }
 
@@ -166,10 +166,13 @@ impl RiemapApp {
         }
     }
 
-    /// Requests a frame while the map is incomplete: at once, or after the rest time if a point moves.
+    /// Requests a frame while the map is incomplete: at once, or after the rest time if a point moves; and while it is
+    /// being refined.
     fn await_map(&self, context: &egui::Context, moves: bool) {
         if self.model.is_pending() {
             context.request_repaint_after_secs(if moves { REST_SECONDS as f32 } else { 0.0 });
+        } else if self.model.refines_in_refresh() {
+            context.request_repaint();
         }
     }
 

@@ -97,6 +97,26 @@ impl ConformalMap {
         }
     }
 
+    /// A copy of the last complete update between outlines; an extension that is not complete begins anew.
+    #[must_use]
+    pub fn copied(&self) -> Self {
+        let [source, target] = Side::BOTH.map(|side| Arc::clone(self.side(side)));
+        let mut copy = Self {
+            sides: PerSide::from_fn(|side| self.sides[side].copied()),
+            settings: self.settings,
+            correspondence: self.correspondence.clone(),
+            images: self.images.clone(),
+            timings: self.timings,
+            resolution: self.resolution.clone(),
+            compared: self.compared.clone(),
+            ..Self::unmapped(source, target)
+        };
+        if self.extension_progress() < 1.0 {
+            copy.begin_refinement();
+        }
+        copy
+    }
+
     /// Recomputes what depends on the changed constraints or settings. After an error the map is unchanged.
     ///
     /// With [`Extension::CauchyGreen`] the images are harmonic after a change, until

@@ -94,8 +94,7 @@ pub use prepare::{
 };
 pub use prepared_side::{PreparedSide, SideGeometry};
 pub use random_walk::{MAX_JUMPS, WALK_STOP, WalkCircle, WalkError, WalkStep, Walker};
-pub(crate) use resolution::Resampled;
-pub use resolution::{ResolveError, ResolvedBoundary};
+pub use resolution::{Refining, Resampled, ResolveError, ResolvedBoundary};
 pub use surface::MeshedSurface;
 pub use table::{HarmonicTable, TableError};
 pub use through_disk::SurfaceImages;

@@ -164,7 +164,7 @@ impl Model {
         self.map_error = self.map_error.take().filter(|(at, _)| *at != side);
     }
 
-    /// The requests that are due, at most one for each side.
+    /// The requests that are due, at most one for each side; those for the sharpened and the refined map come last.
     pub fn take_requests(&mut self, now: f64) -> Vec<(Side, Request)> {
         self.read_on();
         // a dragged outline is prepared again only when the picture shows the last one; otherwise none would be shown
@@ -177,6 +177,7 @@ impl Model {
                 self.sides[side].incoming_points = None; // their domain was refused
             }
         }
+        requests.extend(self.take_mesh_request());
         requests
     }
 
@@ -186,7 +187,7 @@ impl Model {
             let is_due = |point| self.sides[side].is_equation_due(point, !self.under_way.is_moving);
             self.equation_point(side).is_some_and(is_due)
         };
-        let is_due = self.can_read_on() || Side::BOTH.into_iter().any(is_due);
+        let is_due = self.can_read_on() || self.is_mesh_due() || Side::BOTH.into_iter().any(is_due);
         let file = is_due.then_some(f64::NEG_INFINITY);
         self.sides.iter().filter_map(|(_, side)| side.due()).chain(file).reduce(f64::min)
     }
@@ -204,6 +205,9 @@ impl Model {
                 self.change_sides();
             }
             return;
+        }
+        if self.sides[side].mesh.awaits(generation) {
+            return self.accept_mesh(side, generation, response);
         }
         match self.side_mut(side).accept(generation, response) {
             Progress::Nothing => {}
@@ -237,7 +241,7 @@ impl Model {
         }
     }
 
-    /// Tells whether no point moves: an integral equation for another point is requested only then.
+    /// Tells whether no point moves: an integral equation for another point and a refined mesh are requested only then.
     pub fn set_at_rest(&mut self, is_at_rest: bool) {
         self.under_way.is_moving = !is_at_rest;
     }
@@ -290,6 +294,7 @@ impl Model {
             self.reader_died(side, reason);
         }
         self.sides[side].sharpening.worker_died(generation, reason);
+        self.mesh_is_lost(side, generation, reason);
         self.side_mut(side).worker_died(generation, reason);
         self.sides[side].surface.preparation.worker_died(generation, reason);
     }

@@ -172,13 +172,15 @@ impl Model {
     }
 
     /// Another model of the same session, on the same prepared sides, with a map of its own. It makes no requests:
-    /// preparations in progress for this model do not reach it.
+    /// preparations in progress for this model do not reach it. The refined map that is shown is copied; other maps are not
+    /// refined.
     #[must_use]
     pub fn twin(&self) -> Self {
         let mut twin = Self::new(self.session.clone().and(Side::BOTH.map(Command::CloseSurface)));
         twin.sides = self.sides.as_ref().map(ModelSide::twin);
         twin.session.apply(Command::Open(Box::new(self.session.clone())));
         twin.changed.sides = true;
+        twin.fine = self.fine.twin();
         twin
     }
 
@@ -227,7 +229,7 @@ impl Model {
     }
 
     /// The map that is shown; `None` before the first. It is the full map, or a coarse one
-    /// while the full one is being computed or is too slow for the current drag, or without a window a refined one.
+    /// while the full one is being computed or is too slow for the current drag, or the refined one at rest.
     pub fn map(&self) -> Option<&ConformalMap> {
         self.coarse.map().or(self.fine.map()).or(self.shown.map.as_ref())
     }
@@ -308,13 +310,18 @@ impl Model {
         !shows_the_old_one && std::mem::take(&mut self.sides[side].refit)
     }
 
-    /// Whether the final map for the session is shown: [`Self::is_mapped`], and no side awaits its integral equation.
-    /// What is written and measured then does not depend on the moment.
+    /// Whether the final map for the session is shown: [`Self::is_mapped`], no side awaits its integral equation, and the
+    /// map is refined or cannot be. What is written and measured then does not depend on the moment.
     pub fn is_ready(&self) -> bool {
+        self.is_sharp() && !self.is_refining()
+    }
+
+    /// Whether the full map is shown and no side awaits its integral equation; it may still be refined.
+    pub fn is_sharp(&self) -> bool {
         self.is_mapped() && !Side::BOTH.into_iter().any(|side| self.is_sharpening(side))
     }
 
-    /// Whether the full map for the session is shown and no preparation is in progress; it may still be sharpened.
+    /// Whether the full map for the session is shown and no preparation is in progress; it may still be sharpened and refined.
     pub fn is_mapped(&self) -> bool {
         let is_busy = Side::BOTH.into_iter().any(|side| self.is_preparing(side));
         self.shown.map.is_some() && self.shows_present_surfaces() && !self.is_pending() && !is_busy
@@ -368,6 +375,9 @@ pub fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod either_side_tests;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod refining_tests;
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod sharpening_tests;

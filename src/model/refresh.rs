@@ -22,7 +22,7 @@ impl Model {
     pub fn refresh(&mut self, dragging: bool) -> Changes {
         let mut changes = Changes::default();
         if self.changed.sides || self.changed.points {
-            changes |= self.fine.retire();
+            changes |= self.retire_fine();
         }
         if std::mem::take(&mut self.changed.sides) {
             changes.meshes |= self.take_sides();
@@ -36,6 +36,9 @@ impl Model {
         }
         if self.is_pending() {
             changes |= self.go_on(dragging);
+        }
+        if !self.is_pending() && !dragging {
+            changes |= self.advance_fine();
         }
         let refined = self.refines == Refines::InRefresh && self.refine();
         changes.images |= changes.map || refined;

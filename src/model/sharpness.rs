@@ -78,12 +78,17 @@ impl Model {
         if self.is_draft() { None } else { self.shown.estimated.bounds }
     }
 
-    /// Estimates the errors of the full map: at once if that is cheap or nothing moves.
+    /// Estimates the errors of the full or the refined map: at once if that is cheap or nothing moves.
     pub(super) fn estimate(&mut self, is_moving: bool) {
         let is_affordable = !is_moving || self.shown.estimated.milliseconds < CHEAP_MS;
         if is_affordable && !self.is_draft() && self.shown.estimated.generation != self.shown.generation {
             let shown = &mut self.shown;
-            shown.estimated.renew(shown.map.as_ref(), shown.generation);
+            let milliseconds = shown.estimated.milliseconds;
+            shown.estimated.renew(self.fine.map().or(shown.map.as_ref()), shown.generation);
+            if self.fine.map().is_some() {
+                // a map that moves is not refined
+                shown.estimated.milliseconds = milliseconds;
+            }
         }
     }
 }

@@ -78,7 +78,8 @@ impl Job {
             }
             _ => (None, None, 1),
         };
-        let offscreen = Offscreen::of(model, shot.pixels_per_point());
+        let copy = if film.is_some() { Offscreen::moving } else { Offscreen::of };
+        let offscreen = copy(model, shot.pixels_per_point());
         let renderer = SceneRenderer::new(device, queue);
         Ok(Self { offscreen, shot, scenery, way, frames, done: 0, renderer, stage: Stage::Map, film })
     }

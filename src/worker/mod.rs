@@ -18,8 +18,8 @@ pub use taken::{Corner, Taken};
 pub use transfer::Transfer;
 
 use crate::conformal::{
-    BoundaryEquation, KernelMode, PrepareError, PrepareSettings, PreparedSide, Stage, SurfaceSettings, Unsharpened,
-    prepare, prepare_on_curve, prepare_surface,
+    BoundaryEquation, KernelMode, PrepareError, PrepareSettings, PreparedSide, Resampled, Stage, SurfaceSettings,
+    Unsharpened, prepare, prepare_on_curve, prepare_surface,
 };
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::language::Message;
@@ -61,6 +61,13 @@ pub enum Task {
         settings: PrepareSettings,
         /// The interior point to resolve.
         point: DVec2,
+    },
+    /// The inside of an outline that was prepared before with these settings, with other samples of its boundary.
+    Mesh {
+        /// The samples.
+        resampled: Box<Resampled>,
+        /// How it was discretized.
+        settings: PrepareSettings,
     },
     /// The inside of an outline that is parsed from a file first.
     OutlineFile {
@@ -175,6 +182,12 @@ pub fn run(request: &Request, emit: &mut dyn FnMut(u64, Response)) {
         Task::Equation { outline, settings, point } => {
             answer(Response::Progress(Stage::Integral));
             Response::Equation(Box::new(outline.equation(*point, settings)))
+        }
+        Task::Mesh { resampled, settings } => {
+            match resampled.prepare(settings, &mut |stage| answer(Response::Progress(stage))) {
+                Ok(side) => Response::Prepared(Box::new(side), Vec::new()),
+                Err(error) => Response::Failed(Failure::new(&error)),
+            }
         }
         Task::OutlineFile { file, settings } => outline_file(file, settings, answer),
         Task::SessionFile(file) => match file.session() {

@@ -55,14 +55,15 @@ withEachBackend('exports and motion', (bench) => {
       assert.match(svg, /^<svg/);
       assert.equal(svg.match(/class="outline"/g).length, 2);
       const csv = (await saved(app, 'CSV')).bytes.toString().trim().split('\n');
-      const { target } = await app.stats();
-      assert.equal(csv.length, target.m + 1, 'a line for each sample of the mapped side');
+      const { target, triangles } = await app.stats();
+      assert.ok(csv.length > target.m + 1, `${csv.length}: a line for each sample of the refined mapped side`);
       const [head, ...rows] = csv.map((line) => line.split(','));
       const column = head.findIndex((title) => title.startsWith('harmonic measure'));
       const measures = rows.map((row) => Number(row[column]));
       assert.ok(measures.every((value, k) => k === 0 || value >= measures[k - 1]), 'harmonic measure grows');
       const obj = (await saved(app, 'OBJ')).bytes.toString();
-      assert.equal(obj.match(/^f /gm).length, target.triangles);
+      assert.ok(triangles > target.triangles, `${triangles}: it is refined`);
+      assert.equal(obj.match(/^f /gm).length, triangles);
     }),
   );
 

@@ -34,7 +34,7 @@ withEachBackend('sessions', (bench) => {
       await app.openSession({ texture: 'grid', texture_scale: 13, direction: 'backward', anchor: [0.25, 0.5], wireframe: true });
       const address = await app.otherAddress(before);
       assert.match(address, /#s=1\./);
-      const [session, stats] = [await app.session(), await app.stats()];
+      const [session, stats] = [await app.session(), await app.atRest('the map is refined')];
       const other = await bench.open(address);
       await other.during(async () => {
         assert.deepEqual(await other.session(), session);

@@ -101,7 +101,8 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
     });
 }
 
-/// The estimate of the error, or why there is none: sides are being sharpened, or stay with finite elements.
+/// The estimate of the error, or why there is none: sides are being sharpened, or stay with finite elements; and how far
+/// the map is refined.
 fn sharpness(ui: &mut Ui, model: &Model) {
     let palette = Palette::of(ui.visuals());
     let weak = |text: String| RichText::new(text).small().color(palette.weak);
@@ -110,6 +111,11 @@ fn sharpness(ui: &mut Ui, model: &Model) {
     } else if let Some(bounds) = model.error_bounds() {
         let tooltip = format!("{} {:.0e}", tr(key::error_estimate_tooltip()), bounds.omega);
         ui.label(weak(say(&key::error_estimate(format!("{:.0e}", bounds.image))))).on_hover_text(tooltip);
+    }
+    if model.is_sharp() && model.is_refining() {
+        ui.label(weak(String::from(tr(key::refining())))).on_hover_text(tr(key::refining_tooltip()));
+    } else if let Some(share) = model.unresolved_area().filter(|share| *share > 0.0) {
+        ui.label(weak(say(&key::unresolved(format!("{share:.0e}"))))).on_hover_text(tr(key::unresolved_tooltip()));
     }
     for side in Side::BOTH {
         if let Some(SideKernel::Stays(reason)) = model.side_kernel(side) {

@@ -3,6 +3,7 @@
 use crate::app::editing::EditingStats;
 use crate::conformal::{FrameTimings, KernelMode, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
+use crate::language::Message;
 use crate::model::overlays::disk_comparison::Found;
 use crate::model::{ErrorBounds, Model, Processor, SideKernel};
 use crate::outline::Interpreted;
@@ -104,6 +105,12 @@ pub struct MapStats {
     pub image_of_mapped_point: Option<[f64; 2]>,
     /// The expected value of [`Self::image_of_mapped_point`]: the other side's interior point, or the disk's center.
     pub expected: Option<[f64; 2]>,
+    /// The number of triangles of the mapped mesh that is shown.
+    pub triangles: usize,
+    /// The area that the images do not cover, as a fraction of the domain; `None` unless the map is refined.
+    pub unresolved_area: Option<f64>,
+    /// Why the map at rest is not refined.
+    pub unrefined: Option<String>,
     /// The estimate of the map's errors; `None` unless both sides use the boundary integral.
     pub error_estimate: Option<ErrorBounds>,
     /// `Σ (k + 1)/m · (x_k + y_k)` over the images of the mapped side's boundary vertices.
@@ -256,6 +263,9 @@ fn map(model: &Model) -> MapStats {
         image_of_mapped_point: image_of_point(model, mapped),
         expected: if model.is_through_disk() { Some(DVec2::ZERO) } else { model.interior(mapped.other()) }
             .map(|point| point.to_array()),
+        triangles: model.shown().map_or(0, |map| map.triangles.len()),
+        unresolved_area: model.unresolved_area(),
+        unrefined: model.unrefined().map(Message::english),
         error_estimate: model.error_bounds(),
         boundary_checksum: boundary_checksum(model),
     }
@@ -325,7 +335,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 39] = [
+    const KEYS: [&str; 42] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -362,7 +372,10 @@ mod tests {
         "spoken",
         "surface_ms",
         "target",
+        "triangles",
         "undo",
+        "unrefined",
+        "unresolved_area",
         "walks",
         "wireframe",
     ];

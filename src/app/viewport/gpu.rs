@@ -7,7 +7,8 @@
 use crate::app::viewport::gpu_extension::GpuExtension;
 use crate::app::viewport::picture::Picture;
 use crate::app::viewport::surface;
-use crate::conformal::{Extension, MeshedDomain, PerSide, Side};
+use crate::conformal::{Extension, PerSide, Side};
+use crate::export::hatched;
 use crate::geometry::DVec2;
 use crate::model::pattern::Moved;
 use crate::model::{Changes, Model, pattern};
@@ -89,8 +90,9 @@ impl Gpu {
         let fits = self.with_renderer(upload) != Some(false);
         if changes.meshes {
             for side in Side::BOTH {
-                if let Some(domain) = model.shown_domain(side) {
-                    self.upload_boundary(side, domain);
+                if let Some(outline) = model.shown_outline(side) {
+                    let unresolved = model.map().map_or(&[][..], |map| map.unresolved(side));
+                    self.upload_boundary(side, &hatched(outline, unresolved));
                 }
                 self.upload_mesh(side, model);
             }
@@ -173,9 +175,9 @@ impl Gpu {
         self.with_renderer(|renderer| Side::BOTH.map(|side| renderer.set_cell_style(VIEWPORTS[side], style)));
     }
 
-    fn upload_boundary(&self, side: Side, domain: &MeshedDomain) {
+    fn upload_boundary(&self, side: Side, line: &[DVec2]) {
         let RenderState { device, queue, .. } = &self.state;
-        self.with_renderer(|renderer| renderer.set_boundary(device, queue, VIEWPORTS[side], domain.samples().points()));
+        self.with_renderer(|renderer| renderer.set_boundary(device, queue, VIEWPORTS[side], line));
     }
 
     fn upload_mesh(&self, side: Side, model: &Model) {

@@ -6,18 +6,16 @@ use crate::conformal::{
     BoundaryCorrespondence, ConformalMap, Constraints, HarmonicMeasure, MapError, MapSettings, PerSide, PreparedSide,
     Side,
 };
-use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 use crate::outline::BoundaryPoint;
 use std::sync::Arc;
 
 impl ConformalMap {
     /// This map with the mapped mesh replaced by `refined`, whose boundary is that of `boundary`. The other side and the
-    /// boundary map stay; the images of the vertices are new. With [`super::super::Extension::CauchyGreen`]
-    /// they are harmonic until [`Self::refine`] has replaced them.
+    /// boundary map stay; the images of the vertices are still to be computed.
     ///
     /// Errors: as [`Self::update`].
-    pub fn resolved(
+    pub(super) fn resolved(
         &self,
         boundary: Arc<ResolvedBoundary>,
         refined: PreparedSide,
@@ -34,7 +32,6 @@ impl ConformalMap {
         self.set_images(&boundary, &mapped, &mut map.correspondence);
         map.settings = MapSettings { direction: self.settings.direction, ..settings };
         map.resolution = Some(boundary);
-        map.extend_now()?;
         Ok(map)
     }
 
@@ -84,17 +81,20 @@ impl ConformalMap {
         }
     }
 
-    fn extend_now(&mut self) -> Result<(), MapError> {
+    /// Begins with the images of the vertices, from those of the boundary.
+    pub(super) fn begin_resolved_extension(&mut self) {
         let side = self.mapped_side();
-        let Some(domain) = self.sides[side.other()].prepared.domain().map(Arc::clone) else { return Ok(()) };
-        let boundary: Vec<DVec2> = self.correspondence.images(domain.samples()).collect();
+        let Some(domain) = self.sides[side.other()].prepared.domain().map(Arc::clone) else { return };
+        let boundary = self.correspondence.images(domain.samples());
+        self.sides[side].prepared.begin_extension(boundary, &mut self.extension_scratch);
+    }
+
+    /// Continues until all vertices have their images (true) or `deadline` has passed.
+    pub(super) fn advance_resolved_extension(&mut self, deadline: Deadline) -> Result<bool, MapError> {
+        let side = self.mapped_side();
         let prepared = &self.sides[side].prepared;
-        prepared.begin_extension(boundary.into_iter(), &mut self.extension_scratch);
-        let is_done = prepared.advance_extension(&mut self.extension_scratch, &mut self.images, Deadline::NEVER);
-        is_done.map_err(|error| MapError::NotConverged { side, error })?;
-        self.straighten_corners()?;
-        self.begin_refinement();
-        Ok(())
+        let is_done = prepared.advance_extension(&mut self.extension_scratch, &mut self.images, deadline);
+        is_done.map_err(|error| MapError::NotConverged { side, error })
     }
 }
 

@@ -24,7 +24,8 @@
 //! | `fill`, `grade` | vertices in between |
 //! | `map` | the map on the refined mesh |
 //! | `straightened` | images next to re-entrant corners |
-//! | `refined` | all of it, repeated where triangles flip |
+//! | `refining` | all of it in steps, repeated where triangles flip |
+//! | `refined` | the same without a pause |
 
 mod corner;
 mod cut;
@@ -34,10 +35,13 @@ mod law;
 mod map;
 mod merge;
 mod refined;
+mod refining;
 mod rim;
 mod straightened;
 
-use super::{ConformalMap, MapError, MeshedDomain, PrepareError, PrepareSettings, PreparedSide, Stage};
+pub use refining::Refining;
+
+use super::{ConformalMap, MapError, PrepareError, PrepareSettings, PreparedSide, Stage};
 use crate::geometry::DVec2;
 use crate::outline::{BoundaryPoint, BoundarySamples};
 use fill::{Filled, filled, outline};
@@ -106,15 +110,6 @@ impl ResolvedBoundary {
         before != after && around.into_iter().filter(|&holds| holds).count() >= 2
     }
 
-    /// What is needed to prepare the domain `coarse` with these samples.
-    pub(super) fn resampled(&self, coarse: &MeshedDomain) -> Resampled {
-        Resampled {
-            samples: self.samples.clone(),
-            coarse_count: coarse.samples().len(),
-            default_point: coarse.default_point(),
-        }
-    }
-
     /// The other domain's boundary as it is drawn: through the images, and in the cuts through its samples.
     pub fn outline(&self) -> &[DVec2] {
         &self.outline
@@ -158,20 +153,41 @@ pub enum ResolveError {
 
 /// The samples of a refined boundary with what else is needed to prepare the domain.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Resampled {
+pub struct Resampled {
     pub(super) samples: BoundarySamples,
     pub(super) coarse_count: usize,
     pub(super) default_point: DVec2,
 }
 
-/// Meshes and factors a domain with a refined boundary; `settings` are those of the unrefined domain. Kernels are
-/// computed by adjoint solves.
-///
-/// Errors: as [`super::prepare`].
-pub(super) fn prepare_resampled(
-    resampled: &Resampled,
-    settings: &PrepareSettings,
-    progress: &mut dyn FnMut(Stage),
-) -> Result<PreparedSide, PrepareError> {
-    super::prepare::prepare_meshed(resampled, settings, progress)
+impl Resampled {
+    /// From points of the boundary and their fractions of its length, and the number of samples and the default point of
+    /// the domain before; `None` if the points are not samples of a boundary.
+    pub fn from_parts(
+        (points, fractions): (Vec<DVec2>, Vec<f64>),
+        (coarse_count, default_point): (usize, DVec2),
+    ) -> Option<Self> {
+        Some(Self { samples: BoundarySamples::on_curve(points, fractions)?, coarse_count, default_point })
+    }
+
+    /// The samples.
+    pub fn samples(&self) -> &BoundarySamples {
+        &self.samples
+    }
+
+    /// The number of samples and the default point of the domain before.
+    pub fn coarse(&self) -> (usize, DVec2) {
+        (self.coarse_count, self.default_point)
+    }
+
+    /// Meshes and factors the domain; `settings` are those of the unrefined domain. Kernels are computed by adjoint
+    /// solves.
+    ///
+    /// Errors: as [`super::prepare`].
+    pub fn prepare(
+        &self,
+        settings: &PrepareSettings,
+        progress: &mut dyn FnMut(Stage),
+    ) -> Result<PreparedSide, PrepareError> {
+        super::prepare::prepare_meshed(self, settings, progress)
+    }
 }

@@ -1,9 +1,10 @@
 //! The refinement of a map: the resolved boundary, its mesh, the map on it, and all again where triangles flip.
 
 use super::straightened::FOLDS;
-use super::{ResolveError, ResolvedBoundary, prepare_resampled};
-use crate::conformal::{ConformalMap, MapError, PrepareSettings, Side, Stage};
+use super::{Refining, ResolveError, ResolvedBoundary};
+use crate::conformal::{ConformalMap, Constraints, PrepareSettings, Side, Stage};
 use crate::geometry::DVec2;
+use crate::laplace::Deadline;
 use std::sync::Arc;
 
 impl ConformalMap {
@@ -18,35 +19,32 @@ impl ConformalMap {
         settings: &PrepareSettings,
         progress: &mut dyn FnMut(Stage),
     ) -> Result<Option<Self>, ResolveError> {
-        let Some(first) = self.refined_from(self, settings, progress)? else { return Ok(None) };
-        if !first.is_folded() {
-            return Ok(Some(first));
+        let Some(mut refining) = Refining::new(self) else { return Ok(None) };
+        while let Some(wanted) = refining.wanted() {
+            match wanted.prepare(settings, progress) {
+                Ok(mesh) => refining.take_mesh(self, mesh)?,
+                Err(error) if !refining.go_on_without_mesh() => return Err(error.into()),
+                Err(_) => {}
+            }
+            refining.advance(Deadline::NEVER)?;
         }
-        // a second pass that fails, or is no better, leaves the first one
-        let measured = first.remeasured().ok().flatten();
-        let second = measured.and_then(|measured| self.refined_from(&measured, settings, progress).ok().flatten());
-        Ok(Some(second.filter(|second| second.folds() < first.folds()).unwrap_or(first)))
+        Ok(refining.finish())
     }
 
-    /// The map refined for the measures of `measured`, a map under the same constraints.
-    fn refined_from(
-        &self,
-        measured: &Self,
-        settings: &PrepareSettings,
-        progress: &mut dyn FnMut(Stage),
-    ) -> Result<Option<Self>, ResolveError> {
-        let (Some(boundary), Some(coarse)) = (ResolvedBoundary::of(measured), self.mapped().domain()) else {
-            return Ok(None);
-        };
-        let refined = prepare_resampled(&boundary.resampled(coarse), settings, progress)?;
-        Ok(Some(measured.resolved(Arc::new(boundary), refined, self.settings)?))
+    /// Whether this map is a refinement of `full`: under the same constraints and settings, into the same side.
+    pub fn is_refinement_of(&self, full: &Self) -> bool {
+        let other = self.mapped_side().other();
+        let is_same = self.settings == full.settings && self.constraints() == full.constraints();
+        self.resolution.is_some() && is_same && Arc::ptr_eq(self.side(other), full.side(other))
     }
 
-    /// The same map on the same meshes, with the measures of these meshes; `None` before the first update.
-    pub(crate) fn remeasured(&self) -> Result<Option<Self>, MapError> {
-        let Some(constraints) = self.constraints() else { return Ok(None) };
+    /// A map on the same meshes, to be updated to the constraints of this one so that it has the measures of these
+    /// meshes; `None` before the first update.
+    pub(super) fn unmeasured(&self) -> Option<(Self, Constraints)> {
         let [source, target] = Side::BOTH.map(|side| Arc::clone(self.side(side)));
-        Self::new(source, target, &constraints, self.direction().into()).map(Some)
+        let mut map = Self::unmapped(source, target);
+        map.settings.direction = self.direction();
+        Some((map, self.constraints()?))
     }
 
     /// Whether so many triangles are flipped that [`Self::refined`] repeats the refinement.

@@ -7,7 +7,7 @@
 //! corner, its harmonic extension gives f = corner + F^(α/π).
 
 use super::corner::exponent;
-use crate::conformal::{ConformalMap, MapError, triangle_distortions};
+use crate::conformal::{ConformalMap, MapError, MeshedDomain, triangle_distortions};
 use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 
@@ -23,6 +23,7 @@ const CORNERS: usize = 8;
 const REACH: f64 = 0.02;
 
 /// A corner of the other domain.
+#[derive(Debug)]
 struct Corner {
     at: DVec2,
     /// The direction of the edge that begins there.
@@ -64,45 +65,62 @@ impl Corner {
     }
 }
 
-impl ConformalMap {
-    /// Replaces images next to re-entrant corners around which triangles are flipped, where that leaves fewer of them.
-    pub(super) fn straighten_corners(&mut self) -> Result<(), MapError> {
-        let side = self.mapped_side();
-        let m = self.mapped().boundary_count();
-        let (Some(mapped), Some(other)) = (self.domain(side).cloned(), self.domain(side.other()).cloned()) else {
-            return Ok(());
-        };
-        let flipped = |images: &[DVec2]| -> Vec<usize> {
-            let distortions = triangle_distortions(mapped.mesh(), images);
-            (0..distortions.len()).filter(|&t| distortions[t].flipped).collect()
-        };
-        let mut flips = flipped(&self.images);
+/// The corners around which triangles of a map are flipped, one after the other.
+#[derive(Debug)]
+pub(super) struct Straightening {
+    /// The distance from a corner up to which images are replaced.
+    reach: f64,
+    /// The number of flipped triangles.
+    flipped: usize,
+    corners: std::vec::IntoIter<Corner>,
+}
+
+impl Straightening {
+    /// The corners of a map whose images are those of the extension.
+    pub fn new(map: &ConformalMap) -> Self {
+        let nothing = Self { reach: 0.0, flipped: 0, corners: Vec::new().into_iter() };
+        let side = map.mapped_side();
+        let (Some(mapped), Some(other)) = (map.domain(side), map.domain(side.other())) else { return nothing };
+        let flips = flipped(mapped, &map.images);
         if flips.len() as f64 <= FOLDS * mapped.mesh().triangles().len() as f64 {
-            return Ok(());
+            return nothing;
         }
         let reach = REACH * super::extent(other.samples().points());
-        let places = flips.iter().map(|&t| self.images[mapped.mesh().triangles()[t][0] as usize]);
-        for corner in folded_corners(other.samples().points(), places, reach) {
-            let Some(boundary) = corner.straighten(&self.images[..m]) else { continue };
-            let (prepared, scratch) = (&self.sides[side].prepared, &mut self.extension_scratch);
-            let mut values = Vec::new();
-            prepared.begin_extension(boundary.into_iter(), scratch);
-            let is_done = prepared.advance_extension(scratch, &mut values, Deadline::NEVER);
-            is_done.map_err(|error| MapError::NotConverged { side, error })?;
-            let mut images = self.images.clone();
-            for (image, value) in images.iter_mut().zip(values).skip(m) {
-                let straightened = corner.image(value);
-                if straightened.distance(corner.at) < reach {
-                    *image = straightened;
-                }
-            }
-            let fewer = flipped(&images);
-            if fewer.len() < flips.len() {
-                (self.images, flips) = (images, fewer);
+        let places = flips.iter().map(|&t| map.images[mapped.mesh().triangles()[t][0] as usize]);
+        let corners = folded_corners(other.samples().points(), places, reach).into_iter();
+        Self { reach, flipped: flips.len(), corners }
+    }
+
+    /// Replaces the images next to one more corner, if that leaves fewer flipped triangles; true after the last one.
+    pub fn advance(&mut self, map: &mut ConformalMap) -> Result<bool, MapError> {
+        let Some(corner) = self.corners.next() else { return Ok(true) };
+        let side = map.mapped_side();
+        let m = map.mapped().boundary_count();
+        let Some(boundary) = corner.straighten(&map.images[..m]) else { return Ok(false) };
+        let (prepared, scratch) = (&map.sides[side].prepared, &mut map.extension_scratch);
+        let mut values = Vec::new();
+        prepared.begin_extension(boundary.into_iter(), scratch);
+        let is_done = prepared.advance_extension(scratch, &mut values, Deadline::NEVER);
+        is_done.map_err(|error| MapError::NotConverged { side, error })?;
+        let mut images = map.images.clone();
+        for (image, value) in images.iter_mut().zip(values).skip(m) {
+            let straightened = corner.image(value);
+            if straightened.distance(corner.at) < self.reach {
+                *image = straightened;
             }
         }
-        Ok(())
+        let fewer = map.domain(side).map_or(self.flipped, |mapped| flipped(mapped, &images).len());
+        if fewer < self.flipped {
+            (map.images, self.flipped) = (images, fewer);
+        }
+        Ok(false)
     }
+}
+
+/// The flipped triangles.
+fn flipped(mapped: &MeshedDomain, images: &[DVec2]) -> Vec<usize> {
+    let distortions = triangle_distortions(mapped.mesh(), images);
+    (0..distortions.len()).filter(|&t| distortions[t].flipped).collect()
 }
 
 /// The re-entrant corners that are the nearest ones, within `reach`, to most of these places.

@@ -252,6 +252,9 @@ finite_elements_tooltip = Den Integralkern gibt es hier nicht:
 surfaces_use_finite_elements = Eine Fläche hat keine Randkurve in der Ebene: Ihre Seite wird mit finiten Elementen berechnet
 sharpening = wird geschärft…
 sharpening_tooltip = Die Abbildung mit finiten Elementen wird gezeigt, während die Integralgleichung des Randes zerlegt wird
+refining = wird verfeinert…
+refining_tooltip = Das Netz wird verfeinert, wo Bilder lang sind; solange wird die gröbere Abbildung gezeigt
+unresolved_tooltip = Schraffierte Teile des Umrisses, als Anteil seiner Fläche: Sie gehören zu weniger als einem Millionstel der Größe des anderen Gebiets
 error_estimate_tooltip = Eine Schätzung des größten Fehlers eines Bildes auf dem Rand, in den Einheiten seines Umrisses. Sie berücksichtigt die Kondition an Ecken und folgt aus Identitäten, für die man die genaue Abbildung nicht braucht. Das harmonische Maß selbst:
 unknowns_of = { $side }: Integral, { $count } Unbekannte
 kernel_of = { $side }: { $kernel }
@@ -626,6 +629,7 @@ not_available = nicht verfügbar
 
 fps_tooltip = Solange sich etwas bewegt; in Ruhe wird nichts gezeichnet
 error_estimate = Fehler { $value }
+unresolved = unaufgelöst { $share }
 largest_q = größtes Q: { $value }
 flipped = umgeklappt { $count }
 frame_parts = Kern { $kernel } ms + Abgleich { $matching } ms + Fortsetzung { $extension } ms

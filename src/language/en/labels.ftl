@@ -252,6 +252,9 @@ finite_elements_tooltip = The integral kernel is not available here:
 surfaces_use_finite_elements = A surface has no boundary curve in the plane: its side uses finite elements
 sharpening = sharpening…
 sharpening_tooltip = The map by finite elements is shown while the boundary's integral equation is factored
+refining = refining…
+refining_tooltip = The mesh is refined where images are long; the coarser map is shown meanwhile
+unresolved_tooltip = Hatched parts of the outline, as a share of its area: they belong to less than a millionth of the other domain's size
 error_estimate_tooltip = An estimate of the largest error of an image on the boundary, in the units of its outline. It covers the conditioning at corners and is computed from identities that need no exact map. Harmonic measure itself:
 unknowns_of = { $side }: integral, { $count } unknowns
 kernel_of = { $side }: { $kernel }
@@ -626,6 +629,7 @@ not_available = not available
 
 fps_tooltip = While something moves; at rest nothing is drawn
 error_estimate = error { $value }
+unresolved = unresolved { $share }
 largest_q = largest Q: { $value }
 flipped = flipped { $count }
 frame_parts = kernel { $kernel } ms + match { $matching } ms + extend { $extension } ms

@@ -1,7 +1,7 @@
 //! Messages for errors of the map, and for its notes.
 
 use crate::boundary_integral::BoundaryIntegralError;
-use crate::conformal::{MapError, MapNote, NotFlat, PrepareError, TableError, Unsharpened, WalkError};
+use crate::conformal::{MapError, MapNote, NotFlat, PrepareError, ResolveError, TableError, Unsharpened, WalkError};
 use crate::figures::FigureError;
 use crate::language::{Message, key};
 
@@ -24,6 +24,15 @@ impl From<&TableError> for Message {
                 key::table_too_large(*rows, *columns, bytes / 1_000_000, budget / 1_000_000, *fitting_samples)
             }
             TableError::NotConverged(error) => error.into(),
+        }
+    }
+}
+
+impl From<&ResolveError> for Message {
+    fn from(error: &ResolveError) -> Self {
+        match error {
+            ResolveError::Prepare(error) => error.into(),
+            ResolveError::Map(error) => error.into(),
         }
     }
 }

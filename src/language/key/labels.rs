@@ -60,6 +60,7 @@ keys_of_labels! {
     method, cauchy_green_needs_plane, harmonic, cauchy_green, integral_kernel, adjoint_kernel, table_paper, cholesky, pcg,
     harmonic_tooltip, cauchy_green_tooltip, integral_kernel_tooltip, adjoint_kernel_tooltip, finite_elements,
     finite_elements_tooltip, surfaces_use_finite_elements, sharpening, sharpening_tooltip, error_estimate_tooltip,
+    refining, refining_tooltip, unresolved_tooltip,
     interpret_auto, interpret_polygon, interpret_smooth, interpret_auto_tooltip, interpret_polygon_tooltip,
     interpret_smooth_tooltip, taken_polygon, taken_smooth, corner_tooltip, corner_mark_tooltip, smooth_mark_tooltip, table_paper_tooltip, cholesky_tooltip,
     pcg_tooltip,
@@ -182,7 +183,7 @@ keys_of_messages! {
     accessible_map_of_surfaces(source, target);
     points_of_side(interior, place, boundary, percent);
     // status
-    error_estimate(value); unknowns_of(side, count); kernel_of(side, kernel); largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
+    error_estimate(value); unresolved(share); unknowns_of(side, count); kernel_of(side, kernel); largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
     // tour
     of(part, whole);
     // window

@@ -37,13 +37,17 @@ pub(super) fn answer(model: &mut Model, side: Side, request: &Request) -> Option
 
 /// Answers all requests; returns the result of a file.
 fn settle(model: &mut Model) -> Option<Arrived> {
-    let mut arrived = None;
-    while let requests @ [_, ..] = model.take_requests(f64::INFINITY).as_slice() {
-        for (side, request) in requests {
-            arrived = arrived.or(answer(model, *side, request));
+    let (mut arrived, mut is_settled) = (None, false);
+    while !is_settled {
+        is_settled = true;
+        while let requests @ [_, ..] = model.take_requests(f64::INFINITY).as_slice() {
+            is_settled = false;
+            for (side, request) in requests {
+                arrived = arrived.or(answer(model, *side, request));
+            }
         }
+        model.refresh(false);
     }
-    model.refresh(false);
     arrived
 }
 

@@ -1,8 +1,7 @@
 //! What both viewports show of a session, without a window: the model brought to rest, and what there is to draw.
 //!
 //! The model is the app's own, its workers run here and now; so a picture made from this shows what
-//! the app shows, but on a mesh refined for the map (`riemap map` does the same). It does not depend on how fast the
-//! machine is: no coarse map ever stands in.
+//! the app shows at rest. It does not depend on how fast the machine is: no coarse map ever stands in.
 
 mod shot;
 
@@ -97,7 +96,6 @@ impl Offscreen {
         settle(&mut model, tell)?;
         // along a loop the equations stay those of its beginning, as in the app's copy of a model
         model.end_sharpening();
-        model.refine_mesh();
         let mut offscreen = Self { model, cells: Cells::default(), pixels_per_point };
         offscreen.rest();
         Ok(offscreen)
@@ -128,6 +126,13 @@ impl Offscreen {
         Self { model: model.twin(), cells: Cells::default(), pixels_per_point }
     }
 
+    /// As [`Self::of`], for maps along a loop: on the mesh that the app shows while points move, the first one too.
+    pub fn moving(model: &Model, pixels_per_point: f32) -> Self {
+        let mut copy = Self::of(model, pixels_per_point);
+        copy.model.fine.forget_copy();
+        copy
+    }
+
     /// Computes the map for at most the time of a frame; returns whether it is complete.
     pub fn advance(&mut self) -> Result<bool, OffscreenError> {
         self.model.refresh(false);
@@ -150,7 +155,6 @@ impl Offscreen {
     pub fn go(&mut self, place: Place) -> Result<(), OffscreenError> {
         self.head_for(place);
         settle(&mut self.model, &mut |_| ())?;
-        self.model.refine_mesh();
         self.rest();
         Ok(())
     }
@@ -233,7 +237,9 @@ fn begin(session: &Session, surface_files: SurfaceFiles) -> Result<Model, Offscr
 /// Prepares and maps until there is nothing left to do.
 fn settle(model: &mut Model, tell: &mut dyn FnMut(Doing)) -> Result<(), OffscreenError> {
     loop {
-        for (side, request) in model.take_requests(f64::INFINITY) {
+        let requests = model.take_requests(f64::INFINITY);
+        let is_waiting = requests.is_empty();
+        for (side, request) in requests {
             let doing = if request.is_of_surface() { Doing::PreparingSurface } else { Doing::PreparingOutline };
             worker::run(&request, &mut |generation, response| {
                 if let Response::Progress(stage) = response {
@@ -253,7 +259,7 @@ fn settle(model: &mut Model, tell: &mut dyn FnMut(Doing)) -> Result<(), Offscree
         if is_complete(model) {
             return Ok(());
         }
-        if changes == Changes::default() && !model.is_pending() {
+        if is_waiting && changes == Changes::default() && !model.is_pending() {
             return Err(OffscreenError(key::no_map().into()));
         }
     }

@@ -6,11 +6,11 @@ use crate::geometry::DVec2;
 use crate::model::side::opened_file::Reading;
 use crate::model::side::outline_request::OutlineRequest;
 use crate::model::side::preparation::Preparation;
-use crate::model::side::request::Generations;
+use crate::model::side::request::{Generations, PendingRequest};
 use crate::model::side::sharpening::Sharpening;
 use crate::model::side::{SurfaceFiles, SurfaceRequest, SurfaceSide};
 use crate::session::{SidePoints, SideState, SurfaceSpec, SurfaceState};
-use crate::worker::{Request, Response};
+use crate::worker::{Request, Response, Task};
 
 /// What replaces the outline or surface of a side once its preparation is complete.
 #[derive(Debug, Default)]
@@ -69,6 +69,8 @@ pub struct ModelSide {
     pub outline: Preparation<OutlineRequest>,
     /// The integral equation of the prepared outline.
     pub sharpening: Sharpening,
+    /// The mesh that refines the map of this side's outline.
+    pub mesh: PendingRequest<()>,
     /// The surface's preparation, and the surface that is shown.
     pub surface: SurfaceSide,
     /// The points of a session whose outline is being prepared.
@@ -89,6 +91,7 @@ impl ModelSide {
             reading: Reading::default(),
             outline: Preparation::new(state.domain().clone()),
             sharpening: Sharpening::default(),
+            mesh: PendingRequest::default(),
             surface: SurfaceSide::default(),
             incoming_points: None,
             next: Next::Same,
@@ -97,14 +100,16 @@ impl ModelSide {
         }
     }
 
-    /// Exchanges the two sides. Precondition: no request of either is due or in flight, except for an integral equation,
-    /// which is requested again. Each side keeps the numbering
-    /// of its worker's requests, so that no generation is used twice.
+    /// Exchanges the two sides. Precondition: no request of either is due or in flight, except for an integral equation
+    /// and a mesh, which are requested again. Each side keeps the numbering of its worker's requests, so that no
+    /// generation is used twice.
     pub fn swap(sides: &mut PerSide<Self>) {
         sides.swap();
         std::mem::swap(&mut sides.source.generations, &mut sides.target.generations);
-        sides.source.sharpening.forget();
-        sides.target.sharpening.forget();
+        for side in [&mut sides.source, &mut sides.target] {
+            side.sharpening.forget();
+            side.mesh.forget();
+        }
     }
 
     /// Takes over the surface that `other` has prepared, if it is the one that `spec` describes and this side has
@@ -130,6 +135,7 @@ impl ModelSide {
             reading: Reading::default(),
             outline: self.outline.twin(),
             sharpening: Sharpening::none(),
+            mesh: PendingRequest::default(),
             surface: self.surface.twin(),
             incoming_points: None,
             next: Next::Same,
@@ -147,7 +153,8 @@ impl ModelSide {
     }
 
     /// The request for the side's worker that is due, if any, as [`Self::take_preparation`], else for the integral
-    /// equation of the outline, if its interior point is at `point`. Any other request supersedes the equation's.
+    /// equation of the outline, if its interior point is at `point`. Any other request supersedes the equation's
+    /// and the mesh's.
     pub fn take_request(
         &mut self,
         now: f64,
@@ -157,10 +164,17 @@ impl ModelSide {
         let request = self.take_preparation(now, shows);
         if request.is_some() {
             self.sharpening.forget();
+            self.mesh.forget();
             return request;
         }
         let point = point.filter(|&point| self.is_equation_due(point, is_at_rest))?;
+        self.mesh.forget();
         self.sharpening.send(&self.outline, point, &mut self.generations)
+    }
+
+    /// The request for the mesh of a refined map.
+    pub fn request_mesh(&mut self, task: Task) -> Request {
+        self.mesh.send((), task, &mut self.generations)
     }
 
     /// Whether the outline's integral equation is to be requested.

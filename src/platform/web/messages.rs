@@ -1,7 +1,7 @@
 //! Requests and responses as JavaScript values: flat arrays, which are transferred instead of copied.
 //!
 //! A request is `{ generation, task }`, whose `task` names the other fields: `points`, `form` and `settings` of an
-//! outline, with `point` if its integral equation is requested,
+//! outline, with `point` if its integral equation is requested, `points`, `fractions`, `coarse` and `settings` of a mesh,
 //! `file` and `settings` of an outline file, `file` of a session file, `repair`, `settings` and either `preset` or
 //! `file` of a surface. A file is `{ name, bytes }`.
 //!
@@ -10,7 +10,7 @@
 //! failure to read `{ text, repaired }`. `{ rehearsal }` has no response; a study is `{ study }`, its finding `{ study, finding }`;
 //! a panic is reported by `{ died }`. Small enums are JSON text in serde's form.
 
-use crate::conformal::{PerSide, PrepareSettings};
+use crate::conformal::{PerSide, PrepareSettings, Resampled};
 use crate::geometry::{DVec2, SimplePolygon};
 use crate::session::Session;
 use crate::worker::{
@@ -26,6 +26,7 @@ use wasm_bindgen::{JsCast, JsValue};
 // The values of a request's field `task`.
 const OUTLINE: &str = "outline";
 const EQUATION: &str = "equation";
+const MESH: &str = "mesh";
 const OUTLINE_FILE: &str = "outline-file";
 const SESSION_FILE: &str = "session-file";
 const SURFACE: &str = "surface";
@@ -40,6 +41,7 @@ pub fn encode_request(request: &Request) -> (JsValue, Array) {
             fields.push(("point", json(point)));
             (EQUATION, fields)
         }
+        Task::Mesh { resampled, settings } => (MESH, encode_resampled(resampled, settings, &transfer)),
         Task::OutlineFile { file, settings } => {
             (OUTLINE_FILE, vec![("file", encode_file(file, &transfer)), ("settings", json(settings))])
         }
@@ -74,6 +76,26 @@ fn decode_drawn(message: &JsValue) -> Option<Box<Drawn>> {
     Some(Box::new(Drawn { polygon, form: parsed(message, "form")? }))
 }
 
+fn encode_resampled(
+    resampled: &Resampled,
+    settings: &PrepareSettings,
+    transfer: &Array,
+) -> Vec<(&'static str, JsValue)> {
+    let flat: Vec<f64> = resampled.samples().points().iter().flat_map(DVec2::to_array).collect();
+    let [points, fractions] = [&flat, resampled.samples().fractions()].map(Float64Array::from);
+    transfer.push(&points.buffer());
+    transfer.push(&fractions.buffer());
+    let fields = [("points", points.into()), ("fractions", fractions.into())];
+    fields.into_iter().chain([("coarse", json(&resampled.coarse())), ("settings", json(settings))]).collect()
+}
+
+fn decode_resampled(message: &JsValue) -> Option<Box<Resampled>> {
+    let flat = Float64Array::from(get(message, "points")?).to_vec();
+    let points = flat.chunks_exact(2).map(DVec2::from_slice).collect();
+    let fractions = Float64Array::from(get(message, "fractions")?).to_vec();
+    Resampled::from_parts((points, fractions), parsed(message, "coarse")?).map(Box::new)
+}
+
 fn encode_file(NamedFile { name, bytes }: &NamedFile, transfer: &Array) -> JsValue {
     let bytes = Uint8Array::from(bytes.as_slice());
     transfer.push(&bytes.buffer());
@@ -89,6 +111,7 @@ pub fn decode_request(message: &JsValue) -> Option<Request> {
             settings: parsed(message, "settings")?,
             point: parsed(message, "point")?,
         },
+        MESH => Task::Mesh { resampled: decode_resampled(message)?, settings: parsed(message, "settings")? },
         OUTLINE_FILE => Task::OutlineFile { file: decode_file(message)?, settings: parsed(message, "settings")? },
         SESSION_FILE => Task::SessionFile(decode_file(message)?),
         SURFACE => Task::Surface {
