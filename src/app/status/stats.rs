@@ -4,7 +4,7 @@ use crate::app::editing::EditingStats;
 use crate::conformal::{FrameTimings, KernelMode, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::model::overlays::disk_comparison::Found;
-use crate::model::{ErrorBounds, Model, Processor, SideKernel};
+use crate::model::{ErrorBounds, Model, PointedImage, Processor, SideKernel};
 use crate::outline::Interpreted;
 use crate::session::{Colouring, DiskWay};
 use crate::worker::FoundInvariants;
@@ -159,6 +159,8 @@ pub struct ScreenStats {
     pub playing: bool,
     /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
     pub cauchy_green: Option<Processor>,
+    /// The map at the point under the pointer.
+    pub pointed: Option<PointedImage>,
     /// Where the handles are.
     pub handles: HandlePositions,
     /// The outline that is being reshaped.
@@ -325,7 +327,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 39] = [
+    const KEYS: [&str; 40] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -353,6 +355,7 @@ mod tests {
         "notes",
         "playing",
         "plots",
+        "pointed",
         "prepare_ms",
         "preparing",
         "q_max",
