@@ -407,3 +407,18 @@ fn invariants_do_not_depend_on_place_and_size() {
         assert!((found.capacity.value / scale - 1.084_890_390_444_781).abs() < 1e-12, "{scale:e}");
     }
 }
+
+/// At the far end of the 40×1 rectangle the density is nothing but rounding, of either sign: arcs between points in one
+/// panel are nothing too, and not the rest of the boundary.
+#[test]
+fn an_arc_in_the_dark_is_no_way_around() {
+    let curve = rectangle(40.0, 1.0);
+    let integral = BoundaryIntegral::prepare(&curve, &Settings::default()).unwrap();
+    let measure = integral.harmonic_measure(DVec2::new(1.0, 0.5)).unwrap();
+    let at = |k: u32| curve.point_at_fraction(0.3 + 1e-3 * f64::from(k));
+    for k in 0..300 {
+        let [there, around] = [measure.between(at(k), at(k + 1)), measure.between(at(k + 1), at(k))];
+        assert!((0.0..1e-12).contains(&there), "{k}: {there:e}");
+        assert!((around - 1.0).abs() < 1e-12, "{k}: {around:e}");
+    }
+}

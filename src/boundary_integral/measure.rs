@@ -74,14 +74,16 @@ impl HarmonicMeasure {
     /// are one point.
     pub fn between(&self, a: CurvePoint, b: CurvePoint) -> f64 {
         let (first, last) = (self.span(a), self.span(b));
-        let ([before_a, after_a], [before_b, _]) = (self.spans[first].parts(a), self.spans[last].parts(b));
-        if first == last && before_b >= before_a {
-            return before_b - before_a;
+        let own = &self.spans[first];
+        // where the density is almost nothing, its sign is that of an error: the order of points is not that of measures
+        if first == last && !(b.from_start() < a.from_start() || b.to_end() > a.to_end()) {
+            return own.between(a, b).max(0.0);
         }
+        let ([_, after_a], [before_b, _]) = (own.parts(a), self.spans[last].parts(b));
         let count = self.spans.len();
         let spans_between = (last + count - first - 1) % count;
         let whole: f64 = (1..=spans_between).map(|k| self.spans[(first + k) % count].measure).sum();
-        after_a + whole + before_b
+        (after_a + whole + before_b).max(0.0)
     }
 
     /// The measure counted from a boundary point.

@@ -80,9 +80,10 @@ impl CurveForm {
     /// Whether the polygon is one that samples this form's source: the points of the path, up to a billionth of the size.
     /// Other sources fit every polygon.
     pub fn fits(&self, polygon: &SimplePolygon) -> bool {
-        let CurveSource::Segments(segments) = &self.source else { return true };
+        let is_ascending = self.switched.is_sorted_by(|a, b| a < b);
+        let CurveSource::Segments(segments) = &self.source else { return is_ascending };
         let vertices = polygon.vertices();
-        if segments.len() > MAX_POINTS {
+        if !is_ascending || segments.len() > MAX_POINTS || !segments.iter().all(Segment::is_single) {
             return false;
         }
         let points = flattened(segments);

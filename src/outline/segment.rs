@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::{DVec2, Piece};
+use std::f64::consts::TAU;
 
 /// A segment of a path; its numbers are those of the [`Piece`] of the same name.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -28,6 +29,9 @@ pub enum Segment {
 /// The sweep of an arc that one Bézier curve stands for, in radians.
 const ARC_PART: f64 = std::f64::consts::FRAC_PI_8;
 
+/// The most that an arc sweeps, in radians: a whole turn, and what rounding adds.
+const WHOLE_TURN: f64 = TAU * (1.0 + 1e-6);
+
 impl From<Segment> for Piece {
     fn from(segment: Segment) -> Self {
         match segment {
@@ -39,6 +43,17 @@ impl From<Segment> for Piece {
 }
 
 impl Segment {
+    /// Whether it has finite numbers and, as an arc, passes no point twice.
+    pub fn is_single(&self) -> bool {
+        match self {
+            Self::Line(points) => points.iter().all(|p| p.is_finite()),
+            Self::Cubic(points) => points.iter().all(|p| p.is_finite()),
+            Self::Arc { center, axes: [a, b], from, to } => {
+                [center, a, b].iter().all(|p| p.is_finite()) && from.is_finite() && (to - from).abs() <= WHOLE_TURN
+            }
+        }
+    }
+
     /// Its first point.
     pub fn start(&self) -> DVec2 {
         match *self {

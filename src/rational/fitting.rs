@@ -64,7 +64,7 @@ impl<'a> Fitting<'a> {
             }
             let (function, fitted) = (aaa.function(), aaa.error());
             let errors = self.errors(&function);
-            let error = errors.iter().copied().fold(0.0, f64::max);
+            let error = errors.iter().copied().fold(0.0, larger);
             if best.as_ref().is_none_or(|(least, _)| error < *least) {
                 best = Some((error, aaa.supports().to_vec()));
             }
@@ -79,7 +79,7 @@ impl<'a> Fitting<'a> {
     fn errors(&self, function: &Rational) -> Vec<f64> {
         let of_step = |k: usize| {
             let points = self.samples.between(self.boundary, k, CHECKED);
-            let error = points.iter().map(|p| (function.at(p.z) - p.value).norm()).fold(0.0, f64::max);
+            let error = points.iter().map(|p| (function.at(p.z) - p.value).norm()).fold(0.0, larger);
             error * self.tolerance / self.tolerance.max(self.samples.uncertainty(k))
         };
         (0..self.samples.points.len()).map(of_step).collect()
@@ -100,7 +100,7 @@ impl<'a> Fitting<'a> {
         };
         let between = |k: usize| self.samples.between(self.boundary, k, FINALLY_CHECKED);
         let checked = (0..self.samples.points.len()).flat_map(between).chain(self.samples.points.iter().copied());
-        checked.map(|point| error([point.z, point.value])).fold(0.0, f64::max)
+        checked.map(|point| error([point.z, point.value])).fold(0.0, larger)
     }
 
     /// The function with these support points, less those next to poles inside or without effect, and its poles.
@@ -147,4 +147,9 @@ fn remove_nearest(supports: &mut Supports, pole: Complex64) {
     if let Some(nearest) = nearest.filter(|_| supports.len() > 1) {
         supports.remove(nearest);
     }
+}
+
+/// The larger of two errors: that of a value which is no number is infinite.
+pub fn larger(most: f64, error: f64) -> f64 {
+    if error.is_nan() { f64::INFINITY } else { most.max(error) }
 }

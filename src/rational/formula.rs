@@ -1,6 +1,7 @@
 //! A conformal map and its inverse as rational functions.
 
 use super::fit::{Cancelled, Fit, Goal, Precision};
+use super::fitting::larger;
 use super::matched::MatchedBoundary;
 use crate::conformal::{ConformalMap, PerSide, Side};
 use crate::geometry::{Curve, DVec2};
@@ -153,5 +154,5 @@ fn there_and_back(map: &ConformalMap, side: Side, [there, back]: [&Fit; 2]) -> O
         let z = Complex64::new(x.x, x.y);
         (back.function().at(there.function().at(z)) - z).norm()
     };
-    Some(inside.iter().step_by(step).map(distance).fold(0.0, f64::max))
+    Some(inside.iter().step_by(step).map(distance).fold(0.0, larger))
 }

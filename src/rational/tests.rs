@@ -153,3 +153,13 @@ fn in_single_precision_five_digits_hold_in_f32() {
     assert!((fit.function().at_single(z) - (1.3 * z).tan()).norm() < 1e-5 * fit.extent());
     assert_eq!(fit.function(), &fit.function().rounded());
 }
+
+/// Points whose squares overflow in single precision leave no number, and such a value has no digit.
+#[test]
+fn what_single_precision_cannot_hold_has_no_digit() {
+    let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, y)| Complex64::new(1e25 * x, 1e25 * y));
+    let large = Given { corners: corners.to_vec(), function: |z: Complex64| (1e-25 * z).tan() };
+    let goal = Goal { tolerance: 1e-5, degree: 100, precision: Precision::Single };
+    let fit = Fit::new(&large, &|z| z.re.abs().max(z.im.abs()) < 1e25, goal, &mut |_| true).unwrap();
+    assert!(fit.digits() == 0 && fit.error().is_infinite(), "{:e}", fit.error());
+}

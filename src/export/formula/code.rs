@@ -134,6 +134,11 @@ fn comments(file: &FormulaFile<'_>, comment: &str) -> String {
             fit.digits(),
             if fit.digits() < file.digits { format!(" of {} that were asked for", file.digits) } else { String::new() }
         );
+        let _ = writeln!(
+            text,
+            "{comment}   The boundary values that it was fitted to may be off by {:.1e}.",
+            file.formula.boundary_error[side]
+        );
     }
     text
 }

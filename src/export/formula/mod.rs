@@ -86,10 +86,11 @@ impl<'a> FormulaFile<'a> {
             };
             let _ = write!(
                 text,
-                "{name}: degree {}, {} digits, largest error {:.1e} on the boundary",
+                "{name}: degree {}, {} digits, largest error {:.1e} on the boundary, whose values may be off by {:.1e}",
                 fit.function().degree(),
                 fit.digits(),
                 fit.error(),
+                self.formula.boundary_error[side],
             );
             if let Some(distance) = self.formula.there_and_back[side] {
                 let _ = write!(text, "; there and back {distance:.1e} inside");

@@ -86,7 +86,11 @@ impl WiredCurve {
         if polygon.was_clockwise() {
             return Err(LinkError::Damaged);
         }
-        Ok((polygon, CurveForm { interpretation, switched: self.switched, source }))
+        let mut switched = self.switched;
+        switched.sort_unstable();
+        switched.dedup();
+        let form = CurveForm { interpretation, switched, source };
+        if form.fits(&polygon) { Ok((polygon, form)) } else { Err(LinkError::Damaged) }
     }
 }
 
@@ -184,6 +188,7 @@ mod tests {
     use super::*;
     use crate::outline::{Preset, parse};
     use crate::session::{Command, OutlineSpec, Session};
+    use std::f64::consts::TAU;
 
     fn with(outline: OutlineSpec) -> Session {
         Session::with([
@@ -233,6 +238,18 @@ mod tests {
         let (fragment, found) = round_trip(given.clone());
         println!("{} characters", fragment.len());
         assert_eq!(found, given);
+    }
+
+    /// Its polygon is that of a simple circle, but a curve of it has thousands of parts.
+    #[test]
+    fn an_arc_of_many_turns_is_refused() {
+        let circle = |turns: f64| {
+            let path = vec![WiredSegment::Arc([0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, turns * TAU])];
+            let wired = WiredCurve { interpretation: 0, switched: vec![2, 1, 2], shape: WiredShape::Path(path) };
+            wired.outline(Side::Source)
+        };
+        assert_eq!(circle(1.0).unwrap().1.switched, [1, 2]);
+        assert!(matches!(circle(512_001.0), Err(LinkError::Damaged)));
     }
 
     #[test]
