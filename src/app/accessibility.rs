@@ -6,6 +6,7 @@
 use crate::app::RiemapApp;
 use crate::app::language::words;
 use crate::app::panels::invariants_panel;
+use crate::app::status::pointed;
 use crate::conformal::{PerSide, Side};
 use crate::language::{key, number, say, tr};
 use crate::model::Model;
@@ -23,6 +24,7 @@ pub fn state(app: &RiemapApp) -> String {
         sentences.push(say(&key::accessible_quality(mean, quality.flipped)));
     }
     sentences.extend(Side::BOTH.into_iter().filter_map(|side| invariants(model, side)));
+    sentences.extend(app.clicked().as_ref().map(pointed::sentence));
     if !model.is_ready() {
         sentences.push(tr(key::being_prepared()).into());
     }

@@ -5,6 +5,7 @@ use super::input::preferences::Preferences;
 use super::{RiemapApp, accessibility, message_bar};
 use crate::conformal::Side;
 use crate::language::Message;
+use crate::model::PointedImage;
 use crate::platform::{self, PageEvent};
 use crate::worker::FoundInvariants;
 
@@ -25,6 +26,8 @@ struct News {
     is_ready: bool,
     /// Which sides' invariants are shown.
     invariants: [Option<Result<FoundInvariants, Message>>; 2],
+    /// The map at a point that was clicked.
+    pointed: Option<PointedImage>,
     errors: Vec<Message>,
     /// The step of the tour.
     step: Option<usize>,
@@ -75,11 +78,17 @@ impl RiemapApp {
         self.announced.described = Some(news);
     }
 
+    /// The map at a point that was clicked or tapped; those under a moving pointer are not described.
+    pub(super) fn clicked(&self) -> Option<PointedImage> {
+        self.pictures.pointed.filter(|_| self.input.handles.pointed.is_some_and(|at| at.stays))
+    }
+
     fn news(&self) -> News {
         News {
             generation: self.model.generation(),
             is_ready: self.model.is_ready(),
             invariants: Side::BOTH.map(|side| self.model.invariants(side).cloned()),
+            pointed: self.clicked(),
             errors: self.errors(),
             step: self.windows.explore.step(),
             preferences: self.screen.preferences,

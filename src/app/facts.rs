@@ -21,6 +21,7 @@ impl RiemapApp {
             undo: self.persistence.history().undo_count(),
             playing: self.player.is_playing(),
             cauchy_green: self.cauchy_green(),
+            pointed: self.pictures.pointed,
             handles: self.handle_positions(),
             editing: editing::stats(&self.editor, &self.pictures.views),
             plots: PlotStats {

@@ -82,6 +82,7 @@ impl RiemapApp {
         self.measure_at_rest(context, now);
         self.begin_invariants(context, now);
         self.advance_overlays(context, now);
+        self.look_under_pointer(context, now);
         self.work_on_export(context);
         self.describe(context, now);
         self.keep(context);
@@ -187,6 +188,24 @@ impl RiemapApp {
             context.request_repaint_after_secs(platform::ONE_FRAME);
         } else {
             context.request_repaint_after_secs(REST_SECONDS as f32);
+        }
+    }
+
+    /// Evaluates the map under the pointer; its integral is prepared in slices while the map rests.
+    fn look_under_pointer(&mut self, context: &egui::Context, now: f64) {
+        let is_free = self.input.handles.grip.is_none() && self.editor.side().is_none();
+        let at = self.input.handles.pointed.filter(|_| is_free);
+        if let Some(at) = at {
+            if !self.is_resting(now) {
+                context.request_repaint_after_secs(REST_SECONDS as f32);
+            } else if !self.model.prepare_pointer(at.side) {
+                context.request_repaint();
+            }
+        }
+        let pointed = at.and_then(|at| self.model.pointed(at.side, at.point));
+        if std::mem::replace(&mut self.pictures.pointed, pointed) != pointed {
+            // the status line was laid out before
+            context.request_repaint();
         }
     }
 

@@ -100,7 +100,8 @@ fn bars(app: &RiemapApp, ui: &mut Ui, narrow: bool, actions: &mut Actions) {
     let extension = app.cauchy_green().map(|processor| words::cauchy_green(processor, app.model.extension_progress()));
     let backend = extension.into_iter().chain([backend]).collect::<Vec<_>>().join(" · ");
     Panel::bottom("status").exact_size(26.0).resizable(false).frame(bar_frame(&palette)).show(ui, |ui| {
-        status::show(ui, &app.model, &app.screen.meter, &backend, &adapter, narrow);
+        let pointed = app.pictures.pointed.as_ref().zip(app.input.handles.pointed.map(|at| at.decimals));
+        status::show(ui, &app.model, &app.screen.meter, [&backend, &adapter], pointed, narrow);
     });
 }
 

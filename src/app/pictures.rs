@@ -114,6 +114,9 @@ fn paint_handles(app: &RiemapApp, ui: &Ui, side: Side) {
     if app.editor.drawing(side).is_some() {
         // the dots are those of the outline under the sheet
     } else {
+        if let Some(pointed) = app.pictures.pointed.filter(|pointed| pointed.side == side.other()) {
+            planar::paint_image_mark(ui, view, pointed.image);
+        }
         marked.inspect(|&at| picture.paint_boundary_mark(ui, side, &app.model, at));
         picture.paint_dots(ui, side, &app.model, &app.input.handles);
     }

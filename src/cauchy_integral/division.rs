@@ -5,16 +5,9 @@
 //! Next to a break point that leads to panels whose lengths halve from one to the next.
 
 use super::panel::{End, Panel, Sampled, Stretch};
-use super::{BoundaryFunction, Complex};
+use super::rule::NODES;
+use super::{BoundaryFunction, CauchyIntegral, Complex};
 use crate::geometry::{Curve, CurvePoint};
-
-/// The values and panels.
-pub struct Divided {
-    pub panels: Vec<Panel>,
-    pub center: Complex,
-    pub magnitude: f64,
-    pub extent: f64,
-}
 
 /// The most panels. Presets need 200 to 1,500.
 const MOST_PANELS: usize = 16_384;
@@ -45,58 +38,101 @@ const SAME_POINT: f64 = 1e-14;
 /// A piece is cut in its middle unless there is a break point about there.
 const MIDDLE: [f64; 2] = [0.45, 0.55];
 
-/// Divides a curve for a function that is not analytic at `breaks`.
-pub fn divide(curve: &Curve, breaks: &[CurvePoint], function: &dyn BoundaryFunction) -> Divided {
-    let waiting: Vec<Stretch> = (0..curve.pieces().len()).flat_map(|k| stretches(k, breaks)).collect();
-    let sampled = |stretch: &Stretch| Sampled::new(curve, *stretch, function);
-    let first: Vec<Complex> = waiting.iter().flat_map(|stretch| sampled(stretch).values).collect();
-    let center = first.iter().sum::<Complex>() / first.len() as f64;
-    let extent = first.iter().map(|value| (value - center).norm()).fold(0.0, f64::max);
-    let magnitude = center.norm() + extent;
-    let mut division = Division { curve, function, center, extent, magnitude, panels: Vec::new() };
-    let mut waiting: Vec<Waiting> =
-        waiting.into_iter().rev().map(|stretch| Waiting { stretch, parent_tail: f64::INFINITY }).collect();
-    while let Some(Waiting { stretch, parent_tail }) = waiting.pop() {
-        let sampled = sampled(&stretch);
-        let is_last = division.panels.len() + waiting.len() >= MOST_PANELS;
-        if !division.take(&sampled, parent_tail, is_last) {
-            let parent_tail = sampled.tail();
-            waiting.extend(stretch.halves().into_iter().rev().map(|stretch| Waiting { stretch, parent_tail }));
-        }
-    }
-    Divided { panels: division.panels, center, magnitude, extent }
-}
-
 /// A stretch to sample, and the tail on the stretch that it is a half of.
+#[derive(Debug, Clone)]
 struct Waiting {
     stretch: Stretch,
     parent_tail: f64,
 }
 
-struct Division<'a> {
-    curve: &'a Curve,
-    function: &'a dyn BoundaryFunction,
+/// The division of a curve, in progress.
+#[derive(Debug, Clone)]
+pub struct Division {
+    curve: Curve,
+    /// The stretches that are not resolved yet; the next one is the last.
+    waiting: Vec<Waiting>,
+    /// The values on the stretches that it began with, until [`Self::measure_values`] is complete.
+    first: Vec<Complex>,
+    is_measured: bool,
     center: Complex,
     extent: f64,
     magnitude: f64,
     panels: Vec<Panel>,
 }
 
-impl Division<'_> {
+impl Division {
+    /// Begins to divide a curve for a function that is not analytic at `breaks`.
+    pub fn new(curve: &Curve, breaks: &[CurvePoint]) -> Self {
+        let stretches: Vec<Stretch> = (0..curve.pieces().len()).flat_map(|k| stretches(k, breaks)).collect();
+        let waiting = |stretch| Waiting { stretch, parent_tail: f64::INFINITY };
+        Self {
+            curve: curve.clone(),
+            waiting: stretches.into_iter().rev().map(waiting).collect(),
+            first: Vec::new(),
+            is_measured: false,
+            center: Complex::ZERO,
+            extent: 0.0,
+            magnitude: 0.0,
+            panels: Vec::new(),
+        }
+    }
+
+    /// Continues until the curve is divided (true) or `is_over` says so, which is asked after each stretch. All calls
+    /// need the same function; the result does not depend on their number.
+    pub fn advance(&mut self, function: &dyn BoundaryFunction, is_over: &mut dyn FnMut() -> bool) -> bool {
+        if !self.is_measured && !self.measure_values(function, is_over) {
+            return false;
+        }
+        while let Some(Waiting { stretch, parent_tail }) = self.waiting.pop() {
+            let sampled = Sampled::new(&self.curve, stretch, function);
+            let is_last = self.panels.len() + self.waiting.len() >= MOST_PANELS;
+            if !self.take(function, &sampled, parent_tail, is_last) {
+                let parent_tail = sampled.tail();
+                self.waiting.extend(stretch.halves().into_iter().rev().map(|stretch| Waiting { stretch, parent_tail }));
+            }
+            if is_over() {
+                break;
+            }
+        }
+        self.waiting.is_empty()
+    }
+
+    /// Finds center and extent of the values; returns whether that is complete.
+    fn measure_values(&mut self, function: &dyn BoundaryFunction, is_over: &mut dyn FnMut() -> bool) -> bool {
+        while let Some(Waiting { stretch, .. }) = self.waiting.iter().nth_back(self.first.len() / NODES) {
+            self.first.extend(Sampled::new(&self.curve, *stretch, function).values);
+            if is_over() {
+                return false;
+            }
+        }
+        let first = std::mem::take(&mut self.first);
+        self.center = first.iter().sum::<Complex>() / first.len() as f64;
+        self.extent = first.iter().map(|value| (value - self.center).norm()).fold(0.0, f64::max);
+        self.magnitude = self.center.norm() + self.extent;
+        self.is_measured = true;
+        true
+    }
+
+    /// The integral over the panels, once the curve is divided.
+    pub fn finish(self) -> CauchyIntegral {
+        let Self { curve, panels, center, magnitude, extent, .. } = self;
+        CauchyIntegral { curve, panels, center, magnitude, extent }
+    }
+
     /// Makes a panel of the samples if they are enough, or cannot be more.
-    fn take(&mut self, sampled: &Sampled, parent_tail: f64, is_last: bool) -> bool {
+    fn take(&mut self, function: &dyn BoundaryFunction, sampled: &Sampled, parent_tail: f64, is_last: bool) -> bool {
         let (tail, rounding, is_plain) = (sampled.tail(), self.rounding(sampled), self.is_plain(sampled));
         let is_small = is_plain && self.is_small(sampled);
         let is_final = is_last || is_small || is_shortest(sampled);
         if !is_final && !is_plain {
             return false;
         }
-        let error = sampled.function_error(self.curve, self.function);
+        let error = sampled.function_error(&self.curve, function);
         let noise = if is_noise(sampled, parent_tail) { tail } else { NOISE * error };
         if !is_final && tail > rounding.max(noise) {
             return false;
         }
-        let panel = Panel::new(self.curve, sampled, self.center, error + f64::EPSILON * self.magnitude);
+        let panel = Panel::new(&self.curve, sampled, self.center, error + f64::EPSILON * self.magnitude);
         if !is_final && panel.mismatch > MISMATCH * rounding.max(noise) {
             return false;
         }
@@ -114,7 +150,7 @@ impl Division<'_> {
 
     /// Whether the panel's shape is resolved.
     fn is_plain(&self, sampled: &Sampled) -> bool {
-        let rounding = 4.0 * f64::EPSILON * (self.curve.perimeter() + sampled.distance_from_origin(self.curve));
+        let rounding = 4.0 * f64::EPSILON * (self.curve.perimeter() + sampled.distance_from_origin(&self.curve));
         sampled.bend() <= MOST_BEND && sampled.tail_of_positions() <= RESOLVED_POSITIONS * sampled.length() + rounding
     }
 

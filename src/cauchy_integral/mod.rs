@@ -17,7 +17,7 @@ mod rule;
 mod tests;
 
 use crate::geometry::{Curve, CurvePoint, DVec2};
-use division::divide;
+pub use division::Division;
 use panel::Panel;
 pub use placement::Placement;
 
@@ -65,14 +65,9 @@ impl CauchyIntegral {
     ///
     /// F is evaluated at the nodes of all panels that are tried: some ten thousand times for a dozen break points.
     pub fn new(curve: &Curve, breaks: &[CurvePoint], function: &dyn BoundaryFunction) -> Self {
-        let divided = divide(curve, breaks, function);
-        Self {
-            curve: curve.clone(),
-            panels: divided.panels,
-            center: divided.center,
-            magnitude: divided.magnitude,
-            extent: divided.extent,
-        }
+        let mut division = Division::new(curve, breaks);
+        division.advance(function, &mut || false);
+        division.finish()
     }
 
     /// The curve.

@@ -63,7 +63,7 @@ mod table;
 mod through_disk;
 mod unfold;
 
-pub use anywhere::{InteriorImage, InteriorMap, NoInteriorMap};
+pub use anywhere::{InteriorImage, InteriorMap, NoInteriorMap, SlicedInterior};
 #[cfg(feature = "io")]
 pub use buffers::NotFlat;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};

@@ -24,6 +24,7 @@ pub mod opening;
 pub mod overlays;
 pub mod pattern;
 pub mod persistence;
+mod pointer;
 mod refresh;
 pub mod scene;
 pub mod shape;
@@ -37,6 +38,7 @@ mod update;
 pub use abilities::{Abilities, Unavailable};
 pub use interpretation::Interpreting;
 pub use method::Method;
+pub use pointer::{PointedErrors, PointedImage};
 pub use sharpness::{ErrorBounds, SideKernel};
 
 use crate::conformal::{
@@ -50,6 +52,7 @@ use crate::model::measurement::Measurement;
 use crate::model::opening::{Arrived, FileQueue};
 use crate::model::overlays::OverlayState;
 use crate::model::pattern::disk_grid::DiskGrid;
+use crate::model::pointer::Pointer;
 use crate::model::shown::ShownMap;
 use crate::model::side::preparation::Preparation;
 use crate::model::side::{ModelSide, OutlineRequest, SurfaceFiles};
@@ -128,6 +131,7 @@ pub struct Model {
     under_way: MapUnderWay,
     coarse: Draft,
     fine: Fine,
+    pointer: Pointer,
     measurement: Measurement,
     overlay_state: OverlayState,
     refines: Refines,
@@ -154,6 +158,7 @@ impl Model {
             under_way: MapUnderWay::default(),
             coarse: Draft::default(),
             fine: Fine::default(),
+            pointer: Pointer::default(),
             measurement: Measurement::default(),
             overlay_state: OverlayState::default(),
             refines: Refines::InRefresh,

@@ -4,6 +4,7 @@
 //! The nearest dot within [`GRAB_RADIUS`] is hit; a tie goes to the interior point.
 
 use crate::conformal::Side;
+use crate::geometry::DVec2;
 use egui::{Pos2, Vec2};
 
 /// The radius of a dot on the screen, in points, without its ring.
@@ -69,6 +70,19 @@ pub struct Grip {
     pub offset: Vec2,
 }
 
+/// A point of a planar picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pointed {
+    /// The picture's side.
+    pub side: Side,
+    /// The point, rounded to what a pixel resolves.
+    pub point: DVec2,
+    /// The decimals to which it is rounded.
+    pub decimals: usize,
+    /// Whether it stays while no pointer hovers over the picture: it was clicked or tapped.
+    pub stays: bool,
+}
+
 /// Drag, focus, hover and pulse state of the dots.
 #[derive(Debug, Clone, Default)]
 pub struct HandleState {
@@ -80,6 +94,8 @@ pub struct HandleState {
     pub focused_view: Option<Side>,
     /// The dot under the pointer.
     pub hovered: Option<Handle>,
+    /// The point of a domain under the pointer, or the one that was clicked last.
+    pub pointed: Option<Pointed>,
     /// The pulsing dot and the start of its pulse, in seconds.
     pulse: Option<(Handle, f64)>,
     /// Whether a dot was ever dragged or focused; from then on the hint is not shown.

@@ -1,5 +1,6 @@
 //! The status line: quality Q̄, flipped triangles, times, frame rate, graphics API.
 
+pub mod pointed;
 pub mod stats;
 
 use super::theme::Palette;
@@ -9,7 +10,7 @@ use crate::app::theme::text_metrics::text_width;
 use crate::app::theme::widgets::caption_font;
 use crate::conformal::Side;
 use crate::language::{key, say, tr};
-use crate::model::{Model, SideKernel};
+use crate::model::{Model, PointedImage, SideKernel};
 use egui::{Align, Label, Layout, RichText, Ui};
 
 /// A longer time between two frames is not counted for the frame rate: nothing moved meanwhile.
@@ -57,7 +58,31 @@ fn hundredths(ms: f64) -> String {
 const BACKEND_FROM: f32 = 52.0;
 
 /// Shows the line.
-pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapter: &str, narrow: bool) {
+pub fn show(
+    ui: &mut Ui,
+    model: &Model,
+    meter: &FrameMeter,
+    backend: [&str; 2],
+    pointed: Option<(&PointedImage, usize)>,
+    narrow: bool,
+) {
+    match pointed {
+        Some((image, decimals)) if narrow => {
+            ui.horizontal_centered(|ui| pointed::show(ui, image, decimals));
+        }
+        _ => facts(ui, model, meter, backend, pointed, narrow),
+    }
+}
+
+/// Quality, error, times; at the right the point under the pointer, or a hint and the backend.
+fn facts(
+    ui: &mut Ui,
+    model: &Model,
+    meter: &FrameMeter,
+    [backend, adapter]: [&str; 2],
+    pointed: Option<(&PointedImage, usize)>,
+    narrow: bool,
+) {
     let palette = Palette::of(ui.visuals());
     let weak = |text: String| RichText::new(text).small().color(palette.weak);
     ui.horizontal_centered(|ui| {
@@ -73,6 +98,10 @@ pub fn show(ui: &mut Ui, model: &Model, meter: &FrameMeter, backend: &str, adapt
             ui.label(RichText::new(flipped).small().color(ink)).on_hover_text(tr(words::FLIPPED_TOOLTIP));
         }
         sharpness(ui, model);
+        if let Some((image, decimals)) = pointed {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| pointed::show(ui, image, decimals));
+            return;
+        }
         if let Some(map) = model.shown() {
             let t = map.timings;
             let compute = t.kernel + t.matching + t.extend;

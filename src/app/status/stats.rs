@@ -5,7 +5,7 @@ use crate::conformal::{FrameTimings, KernelMode, PerSide, PrepareTimings, Side};
 use crate::geometry::DVec2;
 use crate::language::Message;
 use crate::model::overlays::disk_comparison::Found;
-use crate::model::{ErrorBounds, Model, Processor, SideKernel};
+use crate::model::{ErrorBounds, Model, PointedImage, Processor, SideKernel};
 use crate::outline::Interpreted;
 use crate::session::{Colouring, DiskWay};
 use crate::worker::FoundInvariants;
@@ -166,6 +166,8 @@ pub struct ScreenStats {
     pub playing: bool,
     /// Where the Cauchy–Green extension in the picture comes from; `None` if it is not asked for.
     pub cauchy_green: Option<Processor>,
+    /// The map at the point under the pointer.
+    pub pointed: Option<PointedImage>,
     /// Where the handles are.
     pub handles: HandlePositions,
     /// The outline that is being reshaped.
@@ -335,7 +337,7 @@ mod tests {
     use crate::session::Session;
 
     /// What pages read by these names.
-    const KEYS: [&str; 42] = [
+    const KEYS: [&str; 43] = [
         "backend",
         "boundary_checksum",
         "cauchy_green",
@@ -363,6 +365,7 @@ mod tests {
         "notes",
         "playing",
         "plots",
+        "pointed",
         "prepare_ms",
         "preparing",
         "q_max",

@@ -5,6 +5,7 @@ use super::gpu::Gpu;
 use super::surface::OrbitView;
 use super::view::View;
 use crate::conformal::PerSide;
+use crate::model::PointedImage;
 use image::RgbaImage;
 use std::sync::Arc;
 
@@ -26,6 +27,8 @@ pub struct Pictures {
     /// The cameras of sides that are surfaces.
     pub orbits: PerSide<OrbitView>,
     pub cells: CellUploads,
+    /// The map at the point under the pointer.
+    pub pointed: Option<PointedImage>,
     /// The image that was opened last.
     pub image: Option<TextureImage>,
 }

@@ -5,7 +5,7 @@
 //! other functions draw it, so that a dragged dot never lags behind the pointer.
 
 use crate::app::input::action::{Action, Actions};
-use crate::app::input::handles::{DOT_RADIUS, Handle, HandleKind, HandleState};
+use crate::app::input::handles::{DOT_RADIUS, Handle, HandleKind, HandleState, Pointed};
 use crate::app::input::keyboard_navigation;
 use crate::app::input::keyboard_navigation::{EyeMove, KeyStep};
 use crate::app::input::locks::{Control, Locks};
@@ -18,18 +18,24 @@ use crate::app::viewport::gpu::ViewportCallback;
 use crate::app::viewport::picture::Picture;
 use crate::app::viewport::view::View;
 use crate::conformal::Side;
+use crate::geometry::DVec2;
 use crate::language::{key, tr};
 use crate::model::Model;
 use crate::platform::STAGES_SHOWN_AFTER;
 use crate::render::{Pace, PlanarFrame, TextureStyle};
 use crate::session::Command;
-use egui::{Align2, CornerRadius, CursorIcon, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
+use egui::{
+    Align2, Color32, CornerRadius, CursorIcon, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, vec2,
+};
 
 /// Zoom per point of scrolling: one notch of a wheel (50 points) zooms by 13 %.
 pub const ZOOM_PER_POINT: f32 = 0.0025;
 
 /// The distance from the boundary within which the pointer hits it, in points.
 pub const BOUNDARY_REACH: f32 = 14.0;
+
+/// The radius of the mark of an image, in points.
+const IMAGE_RADIUS: f32 = 6.0;
 
 /// Turns gestures over the viewport into commands and camera moves. Returns the boundary
 /// point under the pointer, as a fraction of arc length.
@@ -56,7 +62,33 @@ pub fn interact(
         Some(EyeMove::Fit) => view.fit(),
         None => {}
     }
+    point_at(ui, &response, side, view, handles);
     boundary_under_pointer(&response, side, model, view, handles)
+}
+
+/// Notes the point under a pointer that hovers, or the one that is clicked; none while a button is down.
+fn point_at(ui: &Ui, response: &Response, side: Side, view: &View, handles: &mut HandleState) {
+    let is_down = ui.input(|input| input.pointer.any_down());
+    let clicked = response.interact_pointer_pos().filter(|_| response.clicked());
+    let hover = response.hover_pos().filter(|_| !is_down && handles.hovered.is_none());
+    if let Some(place) = clicked.or(hover) {
+        let decimals = view.decimals();
+        let unit = 10_f64.powi(decimals as i32);
+        let point = (view.to_world(place) * unit).round() / unit;
+        handles.pointed = Some(Pointed { side, point, decimals, stays: clicked.is_some() });
+    } else if handles.pointed.is_some_and(|pointed| is_down || (pointed.side == side && !pointed.stays)) {
+        handles.pointed = None;
+    }
+}
+
+/// Draws the image of the point under the pointer of the other picture.
+pub fn paint_image_mark(ui: &Ui, view: &View, image: DVec2) {
+    let place = view.to_screen(image);
+    let painter = ui.painter_at(view.rect);
+    for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, Color32::WHITE)] {
+        painter.circle_stroke(place, IMAGE_RADIUS, Stroke::new(width, ink));
+        painter.circle_filled(place, 0.5 * width, ink);
+    }
 }
 
 /// Grabs, drags and releases the side's two dots, or moves them by keys.

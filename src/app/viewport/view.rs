@@ -94,6 +94,11 @@ impl View {
         self.size().map(|side| side.round().max(1.0) as u32)
     }
 
+    /// The decimals of coordinates that a physical pixel resolves.
+    pub fn decimals(&self) -> usize {
+        (-self.camera.units_per_pixel.log10()).ceil().clamp(0.0, 12.0) as usize
+    }
+
     /// The place of a point of the plane on the screen.
     pub fn to_screen(&self, point: DVec2) -> Pos2 {
         let [x, y] = self.camera.to_screen(point, self.size());

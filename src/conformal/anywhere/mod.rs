@@ -5,12 +5,14 @@
 //! finite elements on a side it is that of a polygon with linear values (`polygonal`), right to 2 or 3 digits.
 
 mod polygonal;
+mod sliced;
 
 use super::curved::CurveMap;
 use super::{ConformalMap, Side};
 use crate::cauchy_integral::{BoundaryFunction, CauchyIntegral, Evaluation, Placement};
 use crate::geometry::{CurvePoint, DVec2, Junction};
 use polygonal::PolygonalMap;
+pub use sliced::SlicedInterior;
 use std::sync::Arc;
 
 /// Why there is no such map.
@@ -79,9 +81,7 @@ impl ConformalMap {
             let map = PolygonalMap::new(self, from);
             return map.map(|map| InteriorMap { form: Form::Polygonal(map) });
         };
-        let junctions = curves.onto_curve().junctions().iter().enumerate();
-        let breaks = junctions.filter(|(_, kind)| **kind != Junction::Analytic);
-        let breaks: Vec<CurvePoint> = breaks.map(|(k, _)| back.image(CurvePoint::new(k, 0.0))).collect();
+        let breaks = breaks(&curves, &back);
         let integral = CauchyIntegral::new(curves.from_curve(), &breaks, &curves);
         Ok(InteriorMap { form: Form::Curved(Box::new(curves), integral) })
     }
@@ -110,6 +110,13 @@ impl ConformalMap {
         self.images = images;
         Ok(beyond)
     }
+}
+
+/// The points that go to junctions of the other curve; `back` is the inverse.
+fn breaks(curves: &CurveMap<'_>, back: &CurveMap<'_>) -> Vec<CurvePoint> {
+    let junctions = curves.onto_curve().junctions().iter().enumerate();
+    let breaks = junctions.filter(|(_, kind)| **kind != Junction::Analytic);
+    breaks.map(|(k, _)| back.image(CurvePoint::new(k, 0.0))).collect()
 }
 
 impl InteriorMap<'_> {

@@ -616,6 +616,7 @@ accessible_surface_map = Die Fläche { $surface }, konform abgebildet auf den Um
 accessible_map_of_surfaces = Konforme Abbildung von der Fläche { $source } auf die Fläche { $target }.
 accessible_map = Konforme Abbildung von { $source } nach { $target }.
 points_of_side = { $interior } bei ({ $place }), { $boundary } bei { $percent } % des Randes.
+accessible_pointed = Unter dem Zeiger: { $point } geht auf { $image }, Maßstab { $scale }, Drehung { $turning } Grad.
 button = Schaltfläche
 choice = Auswahl
 check_box = Kontrollkästchen
@@ -628,6 +629,9 @@ not_available = nicht verfügbar
 ## status
 
 fps_tooltip = Solange sich etwas bewegt; in Ruhe wird nichts gezeichnet
+pointed = { $point } → { $image } · Maßstab { $scale } · Drehung { $turning }°
+by_mesh = Netz
+pointed_tooltip = Der Punkt unter dem Zeiger, sein Bild, und wie stark die Abbildung dort vergrößert und dreht: |f′| und arg f′. Alle Stellen stimmen nach der Fehlerschätzung; „Netz“: in einem Dreieck interpoliert, zwei bis drei Stellen
 error_estimate = Fehler { $value }
 unresolved = unaufgelöst { $share }
 largest_q = größtes Q: { $value }

@@ -616,6 +616,7 @@ accessible_surface_map = The surface { $surface }, mapped conformally to the out
 accessible_map_of_surfaces = Conformal map from the surface { $source } to the surface { $target }.
 accessible_map = Conformal map from { $source } to { $target }.
 points_of_side = { $interior } at ({ $place }), { $boundary } at { $percent } % of the boundary.
+accessible_pointed = Under the pointer: { $point } goes to { $image }, scale { $scale }, turning { $turning } degrees.
 button = button
 choice = choice
 check_box = check box
@@ -628,6 +629,9 @@ not_available = not available
 ## status
 
 fps_tooltip = While something moves; at rest nothing is drawn
+pointed = { $point } → { $image } · scale { $scale } · turning { $turning }°
+by_mesh = mesh
+pointed_tooltip = The point under the pointer, its image, and by how much the map enlarges and turns there: |f′| and arg f′. All digits are right by the estimate of the error; “mesh”: interpolated in a triangle, two or three digits
 error_estimate = error { $value }
 unresolved = unresolved { $share }
 largest_q = largest Q: { $value }

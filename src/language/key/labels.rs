@@ -126,7 +126,7 @@ keys_of_labels! {
     // accessibility
     being_prepared, button, choice, check_box, slider, text_field, selected, not_selected, not_available,
     // status
-    fps_tooltip, hint_plane, hint_surface,
+    fps_tooltip, by_mesh, pointed_tooltip, hint_plane, hint_surface,
     // top bar
     riemap_tooltip, choose_image, choose_image_tooltip, plots_tooltip,
     // tour
@@ -181,9 +181,9 @@ keys_of_messages! {
     // accessibility
     accessible_quality(mean, count); problem(what); accessible_surface_map(surface, outline); accessible_map(source, target);
     accessible_map_of_surfaces(source, target);
-    points_of_side(interior, place, boundary, percent);
+    points_of_side(interior, place, boundary, percent); accessible_pointed(point, image, scale, turning);
     // status
-    error_estimate(value); unresolved(share); unknowns_of(side, count); kernel_of(side, kernel); largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
+    pointed(point, image, scale, turning); error_estimate(value); unresolved(share); unknowns_of(side, count); kernel_of(side, kernel); largest_q(value); flipped(count); frame_parts(kernel, matching, extension); frame_times(compute, draw); fps(rate);
     // tour
     of(part, whole);
     // window

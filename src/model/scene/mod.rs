@@ -101,6 +101,12 @@ impl Offscreen {
         Ok(offscreen)
     }
 
+    /// The model at rest.
+    #[cfg(test)]
+    pub fn into_model(self) -> Model {
+        self.model
+    }
+
     /// The session; its points may have been moved into the domains.
     pub fn session(&self) -> &Session {
         self.model.session()
