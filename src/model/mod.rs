@@ -52,7 +52,6 @@ use crate::model::measurement::Measurement;
 use crate::model::opening::{Arrived, FileQueue};
 use crate::model::overlays::OverlayState;
 use crate::model::pattern::disk_grid::DiskGrid;
-use crate::model::pointer::Pointer;
 use crate::model::shown::ShownMap;
 use crate::model::side::preparation::Preparation;
 use crate::model::side::{ModelSide, OutlineRequest, SurfaceFiles};
@@ -131,7 +130,6 @@ pub struct Model {
     under_way: MapUnderWay,
     coarse: Draft,
     fine: Fine,
-    pointer: Pointer,
     measurement: Measurement,
     overlay_state: OverlayState,
     refines: Refines,
@@ -158,7 +156,6 @@ impl Model {
             under_way: MapUnderWay::default(),
             coarse: Draft::default(),
             fine: Fine::default(),
-            pointer: Pointer::default(),
             measurement: Measurement::default(),
             overlay_state: OverlayState::default(),
             refines: Refines::InRefresh,

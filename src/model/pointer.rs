@@ -60,11 +60,12 @@ impl Model {
     /// Prepares the map from a side for [`Self::pointed`], for at most one slice of a frame; returns whether that is
     /// complete, or not possible.
     pub fn prepare_pointer(&mut self, side: Side) -> bool {
-        let Some(map) = self.shown.map.as_ref().filter(|_| !self.under_way.is_pending()) else { return true };
-        if self.pointer.generation != self.shown.map_generation {
-            self.pointer = Pointer { generation: self.shown.map_generation, ..Pointer::default() };
+        let (shown, is_pending) = (&mut self.shown, self.under_way.is_pending());
+        let Some(map) = shown.map.as_ref().filter(|_| !is_pending) else { return true };
+        if shown.pointer.generation != shown.map_generation {
+            shown.pointer = Pointer { generation: shown.map_generation, ..Pointer::default() };
         }
-        let slot = &mut self.pointer.interiors[side];
+        let slot = &mut shown.pointer.interiors[side];
         if slot.is_none() {
             *slot = map.begin_interior(side);
         }
@@ -77,8 +78,8 @@ impl Model {
     }
 
     fn pointed_by_integral(&self, side: Side, point: DVec2) -> Option<PointedImage> {
-        let is_current = self.pointer.generation == self.shown.map_generation && !self.is_draft();
-        let interior = self.pointer.interiors[side].as_ref().filter(|_| is_current)?;
+        let is_current = self.shown.pointer.generation == self.shown.map_generation && !self.is_draft();
+        let interior = self.shown.pointer.interiors[side].as_ref().filter(|_| is_current)?;
         let exact = interior.evaluate(point)?;
         let samples = self.shown.map.as_ref().and_then(|map: &ConformalMap| map.domain(side))?.samples();
         let away = samples.position(samples.nearest(point)).distance(point);

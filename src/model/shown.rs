@@ -3,6 +3,7 @@
 use crate::conformal::{ConformalMap, Direction, FrameTimings, Side};
 use crate::geometry::DVec2;
 use crate::model::Model;
+use crate::model::pointer::Pointer;
 use crate::model::sharpness::Estimated;
 
 /// The last complete full map, and its state in the picture.
@@ -29,6 +30,8 @@ pub struct ShownMap {
     pub map_generation: u64,
     /// The estimate of the map's errors.
     pub estimated: Estimated,
+    /// Cauchy's integrals of the map, for the point under the pointer.
+    pub pointer: Pointer,
 }
 
 impl ShownMap {
@@ -44,6 +47,7 @@ impl ShownMap {
             mesh_generation: 0,
             map_generation: 0,
             estimated: Estimated::default(),
+            pointer: Pointer::default(),
         }
     }
 }
