@@ -50,7 +50,7 @@ fn with_one_surface_it_is_mapped_whichever_side_it_has() {
                 assert!(q[0].hypot(q[1]) < 1.001, "{q:?}");
             }
             let csv = std::fs::read_to_string(folder.join("map.csv")).unwrap();
-            assert_eq!(csv.lines().next().unwrap().split(',').count(), 2 + 3 + 2 + 1);
+            assert_eq!(csv.lines().next().unwrap().split(',').count(), 2 + 3 + 2 + 1 + 1);
             let obj = std::fs::read_to_string(folder.join("map.obj")).unwrap();
             let surface = riemap::surface::read_surface("map.obj", obj.as_bytes()).unwrap();
             assert!(surface.vertices().iter().all(|p| (p.length() - 1.0).abs() < 1e-9), "v lies on the surface");

@@ -157,7 +157,13 @@ impl BoundaryIntegral {
         let transformed = self.system.harmonic(x, &peaks);
         let charges = self.system.charges(&transformed);
         if !charges.iter().all(|charge| charge.is_finite()) {
-            return Err(BoundaryIntegralError::Singular);
+            // a point of the boundary itself is a pole of the right side
+            let is_inside = self.resolves(x);
+            return Err(if is_inside {
+                BoundaryIntegralError::Singular
+            } else {
+                BoundaryIntegralError::NotInside { at: x }
+            });
         }
         let measure = HarmonicMeasure::new(&self.curve, &self.layout, &self.system, (&transformed, &peaks));
         Ok(measure.with_residual(self.residual(&charges, x)))

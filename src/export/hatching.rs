@@ -3,7 +3,7 @@
 //! Lines at 45° across each part, from side to side; parts that are small against the distance of the lines get denser
 //! ones, down to a tenth, and none below.
 
-use crate::geometry::{Bounds, DVec2};
+use crate::geometry::{Bounds, DVec2, sort_by_number};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Lines across the larger side of the whole drawing.
@@ -48,7 +48,7 @@ fn segments(polygon: &[DVec2], spacing: f64) -> Vec<[End; 2]> {
                 ends.push((k, polygon[k].lerp(polygon[next], (height - a) / (b - a))));
             }
         }
-        ends.sort_by(|(_, p), (_, q)| p.dot(along).total_cmp(&q.dot(along)));
+        sort_by_number(&mut ends, |(_, p)| p.dot(along));
         segments.extend(ends.chunks_exact(2).map(|pair| [pair[0], pair[1]]));
     }
     segments
@@ -65,7 +65,7 @@ pub fn hatched(outline: &[DVec2], parts: &[Vec<DVec2>]) -> Vec<DVec2> {
             Some((at, way(part, spacing)))
         })
         .collect();
-    ways.sort_by_key(|(at, _)| *at);
+    sort_by_number(&mut ways, |(at, _)| *at as f64);
     let mut line = Vec::new();
     let mut ways = ways.into_iter().peekable();
     for (k, &p) in outline.iter().enumerate() {

@@ -293,6 +293,6 @@ fn drag(map: &mut ConformalMap, at_rest: Constraints, side: Side, frames: usize)
 
 /// The median; 0 if there are no values.
 fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
+    values.sort_unstable_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }

@@ -5,6 +5,7 @@
 //! d + h√2. The starting points come from scan lines, so that slivers, where
 //! the quadtree would need very many cells, have an interior point at once.
 
+use super::sorting::sort_by_number;
 use std::collections::BinaryHeap;
 use std::f64::consts::SQRT_2;
 
@@ -119,7 +120,7 @@ fn start(polygon: &SimplePolygon, tree: &EdgeTree<&[DVec2]>) -> (DVec2, f64) {
     heights.sort_unstable_by(f64::total_cmp);
     heights.dedup();
     let mut gaps: Vec<(f64, f64)> = heights.windows(2).map(|w| (w[1] - w[0], w[0].midpoint(w[1]))).collect();
-    gaps.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+    sort_by_number(&mut gaps, |gap| -gap.0);
     best_middle(polygon, tree, gaps.into_iter().take(64).map(|(_, y)| y))
 }
 

@@ -27,7 +27,7 @@ pub(super) fn corners(vertices: &[DVec2]) -> Vec<usize> {
     let bend: Vec<f64> = (0..n).map(|k| turn(k) / step(k + n - 1).length().min(step(k).length())).collect();
     let around = |k: usize| {
         let mut near = [n - 2, n - 1, 1, 2].map(|j| bend[(k + j) % n]);
-        near.sort_by(f64::total_cmp);
+        near.sort_unstable_by(f64::total_cmp);
         0.5 * (near[1] + near[2])
     };
     let is_corner = |&k: &usize| {

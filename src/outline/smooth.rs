@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use super::crossing::first_crossing;
-use crate::geometry::{Curve, CurveError, DVec2, Junction, Piece, Spline};
+use crate::geometry::{Curve, CurveError, DVec2, Junction, Piece, Spline, sort_by_number};
 
 /// Why a chain of points stays a polygon although its curve was to be found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -65,7 +65,7 @@ struct Placed {
 /// vertex 0. Junctions at points that are no corners are called analytic: there the curve stands for a smooth one.
 pub(super) fn smooth_curve(vertices: &[DVec2], corners: &[usize]) -> Result<Curve, StaysPolygon> {
     let mut placed = pieces(vertices, corners)?;
-    placed.sort_by_key(|placed| placed.vertex);
+    sort_by_number(&mut placed, |placed| placed.vertex as f64);
     let cubics: Vec<[DVec2; 4]> = placed.iter().flat_map(|placed| cubics(&placed.piece)).collect();
     if let Some(leaving) = cubics.iter().find(|cubic| !stays_near(cubic)) {
         return Err(StaysPolygon::LeavesEdge { at: leaving[0] });

@@ -7,7 +7,7 @@ use super::duplicates::duplicates;
 use super::edges::{EdgeTable, NO_TWIN, ends};
 use super::orient::turned;
 use super::{LoopReport, Surface, TopologyError};
-use crate::geometry::DVec3;
+use crate::geometry::{DVec3, sort_by_number};
 use crate::mesh::{TriangleId, VertexId};
 
 /// Areas are computed from fourth powers, which overflow beyond 1e77; no real object has such a size.
@@ -196,7 +196,7 @@ fn loops(surface: &Surface, twins: &[u32]) -> Vec<Vec<u32>> {
             loops.push(vertices);
         }
     }
-    loops.sort_by(|a, b| loop_length(surface, b).total_cmp(&loop_length(surface, a)));
+    sort_by_number(&mut loops, |vertices| -loop_length(surface, vertices));
     loops
 }
 

@@ -167,7 +167,7 @@ fn label(painter: &Painter, center: Pos2, text: &str, ink: Color32) {
 /// The marks' images through the disk, grouped where they are closer than [`SAME_PLACE`]: place and count.
 fn heaps(found: &Found) -> Vec<(f64, usize)> {
     let mut places: Vec<f64> = found.marks.iter().map(|mark| mark.through_disk).collect();
-    places.sort_by(f64::total_cmp);
+    places.sort_unstable_by(f64::total_cmp);
     places.chunk_by(|a, b| b - a < SAME_PLACE).map(|heap| (heap[heap.len() / 2], heap.len())).collect()
 }
 

@@ -4,6 +4,7 @@ use super::super::theme::Palette;
 use super::{PlotKind, Plots};
 use crate::app::language::words;
 use crate::conformal::{PerSide, Side};
+use crate::geometry::sort_by_number;
 use crate::language::{key, say, tr};
 use crate::model::curves::{Curve, Curves, ExactCurves, decimate};
 use crate::model::overlays::overlay::{Overlay, Overlays};
@@ -301,7 +302,7 @@ fn kernel_range(curves: &PerSide<Curve>, logarithmic: bool) -> (f64, f64) {
 fn quantile(points: &[[f64; 2]], share: f64) -> f64 {
     let mut pieces: Vec<(f64, f64)> =
         points.windows(2).map(|pair| (pair[0][1].max(pair[1][1]), pair[1][0] - pair[0][0])).collect();
-    pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut pieces, |piece| piece.0);
     let total: f64 = pieces.iter().map(|piece| piece.1).sum();
     let mut sum = 0.0;
     let reached = |(_, length): &&(f64, f64)| {

@@ -2,7 +2,7 @@
 
 use super::preparation::{Outlined, equation_settings};
 use super::{CurveBoundary, Unsharpened};
-use crate::boundary_integral::BoundaryIntegral;
+use crate::boundary_integral::{BoundaryIntegral, BoundaryIntegralError};
 use crate::geometry::{Curve, DVec2, SimplePolygon};
 use crate::outline::BoundaryPoint;
 use std::sync::Arc;
@@ -37,8 +37,11 @@ impl BoundaryEquation {
             let curve = boundary.curve();
             BoundaryIntegral::prepare(curve, &equation_settings(curve, near))
         };
-        // without panels for points next to the boundary they cost digits, not the equation
-        let integral = prepare(near).or_else(|error| if near.is_empty() { Err(error) } else { prepare(&[]) })?;
+        let integral = match prepare(near) {
+            // without panels for points next to the boundary they cost digits, not the equation
+            Err(BoundaryIntegralError::TooManyUnknowns { .. }) if !near.is_empty() => prepare(&[])?,
+            result => result?,
+        };
         Ok(Self { boundary: Arc::new(boundary), integral: Arc::new(integral) })
     }
 

@@ -49,7 +49,7 @@ mod tests {
         let ends = [0.0, 0.5, 0.5 + 1e-6, 1.0];
         let added = between(&ends, 2.0, 1e-9, |_| false);
         let mut all: Vec<f64> = ends.iter().copied().chain(added.into_iter().flatten()).collect();
-        all.sort_by(f64::total_cmp);
+        all.sort_unstable_by(f64::total_cmp);
         let edges: Vec<f64> = all.windows(2).map(|w| w[1] - w[0]).collect();
         // next to the short edge itself the length is the geometric mean
         let others: Vec<f64> = edges.iter().copied().filter(|&e| e > 2e-6).collect();

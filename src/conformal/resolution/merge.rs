@@ -6,6 +6,7 @@
 
 use super::cut::cut;
 use super::rim::Rim;
+use crate::geometry::sort_by_number;
 use crate::outline::BoundarySamples;
 
 /// The smallest distance between boundary vertices, relative to the extent of the domain: details of the other domain
@@ -74,7 +75,7 @@ impl Merged {
                 (at, vertex as u32, passed as f64 + image.fraction())
             })
             .collect();
-        own.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut own, |vertex| vertex.0);
         let mut merged = Self { knots: Vec::new(), start, length, first, cuts: Vec::new() };
         let gap = |i: usize| gaps[(i + turn) % count];
         let groups = merged.groups(&gap, other.samples, finest);
@@ -193,7 +194,7 @@ fn snapped(
     knots.extend(own);
     let others = kept.iter().zip(taken).filter(|(_, taken)| !taken);
     knots.extend(others.map(|(&(at, i, is_cut), _)| Knot { at, own: None, image: i as f64, is_cut }));
-    knots.sort_by(|a, b| a.at.total_cmp(&b.at));
+    sort_by_number(&mut knots, |knot| knot.at);
     monotone(&mut knots, finest);
     knots
 }

@@ -8,7 +8,7 @@
 
 use super::corner::exponent;
 use crate::conformal::{ConformalMap, MapError, MeshedDomain, triangle_distortions};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, sort_by_number};
 use crate::laplace::Deadline;
 
 /// A share of flipped triangles above which corners are straightened, and the refinement repeated: a tenth of what a
@@ -135,7 +135,7 @@ fn folded_corners(points: &[DVec2], places: impl Iterator<Item = DVec2>, reach: 
         }
     }
     let mut found: Vec<(usize, Corner)> = counts.into_iter().zip(corners).filter(|(count, _)| *count > 0).collect();
-    found.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+    sort_by_number(&mut found, |(count, _)| -(*count as f64));
     found.into_iter().take(CORNERS).map(|(_, corner)| corner).collect()
 }
 

@@ -47,7 +47,7 @@ pub fn timed<T>(runs: usize, mut work: impl FnMut() -> Result<T, FigureError>) -
         result = again;
         times.push(time);
     }
-    times.sort_by(f64::total_cmp);
+    times.sort_unstable_by(f64::total_cmp);
     Ok((result, times[times.len() / 2]))
 }
 

@@ -5,7 +5,7 @@
 //! linear interpolation give rings with subpixel accuracy; the ring of largest area is simplified and rounded.
 
 use crate::drawing::{curve_with_corners, simplified_ring};
-use crate::geometry::{DVec2, PolygonError, SimplePolygon};
+use crate::geometry::{DVec2, PolygonError, SimplePolygon, sort_by_number};
 use crate::language::{Message, key};
 use crate::model::names;
 use crate::outline::{Outline, OutlineNote};
@@ -61,7 +61,7 @@ impl From<&TraceError> for Message {
 pub fn trace(name: &str, picture: &RgbaImage) -> Result<Outline, TraceError> {
     let (values, threshold) = strengths(picture)?;
     let mut rings = rings(&values, picture.dimensions(), threshold);
-    rings.sort_by(|a, b| area(b).total_cmp(&area(a)));
+    sort_by_number(&mut rings, |ring| -area(ring));
     let whole = f64::from(picture.width()) * f64::from(picture.height());
     let count = rings.iter().filter(|ring| area(ring) >= LEAST_SHARE * whole).count();
     let ring = rings.into_iter().next().filter(|_| count > 0).ok_or(TraceError::NoShape)?;

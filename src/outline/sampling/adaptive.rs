@@ -11,6 +11,7 @@ use super::arc::Arc;
 use super::chords::first_vertices_to_add;
 use super::spacing::{Spacing, Station, samples_between};
 use super::uniform::apportion;
+use crate::geometry::sort_by_number;
 use std::ops::RangeInclusive;
 
 /// Without a target, H starts at the perimeter divided by this, so a circle gets this many samples.
@@ -133,9 +134,10 @@ fn invert(a: Station, b: Station, part: f64) -> f64 {
 fn sharpest(corners: &[(f64, f64)], most: usize) -> Vec<f64> {
     let mut kept = corners.to_vec();
     if kept.len() > most {
-        kept.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.total_cmp(&b.0)));
+        sort_by_number(&mut kept, |corner| corner.0);
+        sort_by_number(&mut kept, |corner| -corner.1);
         kept.truncate(most);
-        kept.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut kept, |corner| corner.0);
     }
     kept.into_iter().map(|(s, _)| s).collect()
 }

@@ -11,7 +11,7 @@
 use super::super::corners::CORNER_COSINE;
 use super::arc::Arc;
 use super::width::limit_by_width;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, sort_by_number};
 
 /// The finest spacing is H divided by this. At a re-entrant right angle the
 /// density has the singularity r^(−1/3): with 50 its share of the error is below
@@ -112,7 +112,7 @@ impl Spacing {
         let corners = corners(arc, sharp, floor);
         let regular = at_stations.iter().enumerate().map(|(k, &h)| Station { s: (k * STATION) as f64 * table.step, h });
         let mut stations: Vec<Station> = regular.chain(corners.iter().map(|&(s, _)| Station { s, h: floor })).collect();
-        stations.sort_by(|a, b| a.s.total_cmp(&b.s));
+        sort_by_number(&mut stations, |station| station.s);
         limit_gradation(&mut stations, arc.length());
         Self { stations, corners }
     }

@@ -3,6 +3,7 @@
 use super::super::corners::CORNER_COSINE;
 use super::SamplingError;
 use super::arc::Arc;
+use crate::geometry::sort_by_number;
 
 /// The arc lengths `k L / count`.
 pub(super) fn equal(arc: &Arc, count: u32) -> Vec<f64> {
@@ -39,7 +40,7 @@ pub(super) fn apportion(lengths: &[f64], count: usize) -> Vec<usize> {
     let share: Vec<f64> = lengths.iter().map(|&l| quota(l) * (free as f64 / needed.max(f64::MIN_POSITIVE))).collect();
     let mut parts: Vec<usize> = share.iter().map(|s| 1 + s.floor() as usize).collect();
     let mut by_remainder: Vec<usize> = (0..lengths.len()).collect();
-    by_remainder.sort_by(|&i, &j| share[j].fract().total_cmp(&share[i].fract()));
+    sort_by_number(&mut by_remainder, |&i| -share[i].fract());
     let left = count.saturating_sub(parts.iter().sum());
     by_remainder.iter().cycle().take(left).for_each(|&i| parts[i] += 1);
     parts

@@ -1,6 +1,6 @@
 //! The small pictures of the built-in surfaces in the menu: flat-shaded triangles, far ones first.
 
-use crate::geometry::DVec3;
+use crate::geometry::{DVec3, sort_by_number};
 use crate::surface::SurfacePreset;
 use egui::{Color32, Id, Mesh, Pos2, Rect, Shape, Ui};
 use std::sync::Arc;
@@ -66,7 +66,7 @@ fn projected(preset: SurfacePreset) -> Vec<Facet> {
             ((a + b + c).dot(toward), (corners.map(place), brightness as f32))
         })
         .collect();
-    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut sorted, |(depth, _)| *depth);
     sorted.into_iter().map(|(_, facet)| facet).collect()
 }
 
