@@ -51,7 +51,7 @@ fn listed(output: &str) -> Vec<String> {
 
 fn cargo_test(places: &Places, arguments: &[&str]) -> Result<Command, Failure> {
     let mut command = Command::new("cargo");
-    command.args(["test", "--workspace", "--locked"]).args(arguments).current_dir(&places.root);
+    command.args(["test", "--workspace", "--locked", "--no-fail-fast"]).args(arguments).current_dir(&places.root);
     if cfg!(target_os = "linux") {
         let driver = ensure_lavapipe()?;
         // the old and the new name of the variable; each loader reads one of them
