@@ -27,6 +27,7 @@ impl DenseFactor {
     }
 
     /// The factor from its arrays; `None` unless they are n² finite values and a permutation of n rows.
+    #[cfg(feature = "io")]
     pub fn from_arrays(values: Vec<f64>, rows: Vec<u32>) -> Option<Self> {
         let mut is_there = vec![false; rows.len()];
         for &row in &rows {
@@ -39,6 +40,7 @@ impl DenseFactor {
     }
 
     /// The arrays: values by columns, and the permutation.
+    #[cfg(feature = "io")]
     pub fn arrays(&self) -> (&[f64], &[u32]) {
         (&self.values, &self.rows)
     }

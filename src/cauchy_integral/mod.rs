@@ -3,7 +3,7 @@
 //!
 //! f(z) = ∮ F(ζ)/(ζ − z) dζ / ∮ 1/(ζ − z) dζ, the quotient ("barycentric form") because both integrals have almost the
 //! same relative error. The curve is divided into panels of Gauss–Legendre nodes, broken where the curve or F is not
-//! analytic and graded toward these points by bisection ([`division`]). A panel that is far from z, in terms of its own
+//! analytic and graded toward these points by bisection (`division`). A panel that is far from z, in terms of its own
 //! length, is integrated by its Gauss rule, a near one exactly for the polynomial that interpolates F in ζ (Helsing &
 //! Ojala, J. Comput. Phys. 227 (2008) 2899), so that z may lie anywhere inside.
 

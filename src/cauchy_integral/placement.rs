@@ -62,7 +62,7 @@ impl CauchyIntegral {
     }
 
     /// f′ at a point of the curve, from inside; `None` next to a corner and to other points where f may have no
-    /// derivative, within [`SINGULAR`] perimeters.
+    /// derivative, within `SINGULAR` perimeters.
     pub fn boundary_derivative(&self, at: CurvePoint) -> Option<DVec2> {
         let panel = self.panels.iter().find(|panel| panel.holds(at))?;
         let half = panel.half_chord();

@@ -95,6 +95,7 @@ impl PreparedSide {
     }
 
     /// Whether harmonic measure is that of the boundary's integral equation.
+    #[cfg(feature = "io")]
     pub(super) fn sharpness(&self) -> &Sharpness {
         &self.sharpness
     }

@@ -16,7 +16,7 @@ pub enum LadderShape {
     Ellipse,
     /// A square, from its center.
     Square,
-    /// A square of side 2 with corners rounded by arcs of radius [`ROUNDING`], from its center.
+    /// A square of side 2 with corners rounded by arcs of radius `ROUNDING`, from its center.
     RoundedSquare,
     /// Three quarters of a square of side 2, from the middle of the quarter at its corner.
     LShape,

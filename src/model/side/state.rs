@@ -152,7 +152,7 @@ impl ModelSide {
         !is_there && self.next.surface().is_some_and(|state| state.spec.shape.is_file(name))
     }
 
-    /// The request for the side's worker that is due, if any, as [`Self::take_preparation`], else for the integral
+    /// The request for the side's worker that is due, if any, as `take_preparation`, else for the integral
     /// equation of the outline, if its interior point is at `point`. Any other request supersedes the equation's
     /// and the mesh's.
     pub fn take_request(
