@@ -1,5 +1,5 @@
 // Shared by all test files: serves the release web app once, and starts a browser for each of
-// wgpu's two backends, in which each test opens its own pages.
+// wgpu's two backends, or for one where nothing depends on how the pictures are drawn. Each test opens its own pages.
 
 import assert from 'node:assert/strict';
 import { after, before, describe } from 'node:test';
@@ -15,11 +15,20 @@ export const DIST = process.env.RIEMAP_DIST ?? fileURLToPath(new URL('../../dist
 
 /** Defines the tests of `define` for each backend. `how`: the options of the server. */
 export function withEachBackend(subject, define, how) {
+  withBackends(BACKENDS, subject, define, how);
+}
+
+/** Defines the tests of `define` for the backend that wgpu prefers. */
+export function withOneBackend(subject, define, how) {
+  withBackends(BACKENDS.slice(0, 1), subject, define, how);
+}
+
+function withBackends(backends, subject, define, how) {
   describe(subject, () => {
     let site;
     before(async () => (site = await serve(DIST, how)));
     after(() => site?.close());
-    for (const backend of BACKENDS) {
+    for (const backend of backends) {
       describe(`with ${backend}`, () => {
         let browser;
         before(async () => (browser = await launch(backend)));

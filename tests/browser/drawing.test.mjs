@@ -3,12 +3,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { withEachBackend } from './backends.mjs';
+import { withOneBackend } from './backends.mjs';
 
 /** A square whose handles are at known points of the outline. */
 const SQUARE = '0,0\n2,0\n2,2\n0,2\n';
 
-withEachBackend('outlines by hand', (bench) => {
+withOneBackend('outlines by hand', (bench) => {
   /** Starts reshaping a square on the left; returns the positions of its handles, counter-clockwise from lower left. */
   const editSquare = async (app) => {
     await app.loadOutline('source', 'square.csv', SQUARE);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { DEVICES } from './app.mjs';
-import { withEachBackend } from './backends.mjs';
+import { withOneBackend } from './backends.mjs';
 
 /** Runs in the page before its scripts: records all messages. */
 function noteMessages() {
@@ -45,7 +45,7 @@ function giveLink(link) {
   });
 }
 
-withEachBackend(
+withOneBackend(
   'in a frame',
   (bench) => {
     test(

@@ -3,12 +3,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { withEachBackend } from './backends.mjs';
+import { withOneBackend } from './backends.mjs';
 
 /** The topics of the tour's six steps. */
 const TOUR = [/between two shapes/, /Angles stay/, /Three freedoms/, /Harmonic measure/, /Crowding/, /Surfaces/];
 
-withEachBackend('everyone', (bench) => {
+withOneBackend('everyone', (bench) => {
   test(
     'a dot is reached by keyboard alone, and moved by arrow keys, finely with Shift',
     bench.withApp(async (app) => {

@@ -3,9 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { withEachBackend } from './backends.mjs';
+import { withOneBackend } from './backends.mjs';
 
-withEachBackend('invariants', (bench) => {
+withOneBackend('invariants', (bench) => {
   test(
     'the invariants of a side are computed at rest, said, and renewed when its point moves',
     bench.withApp(async (app) => {

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-import { DIST, withEachBackend } from './backends.mjs';
+import { DIST, withOneBackend } from './backends.mjs';
 import { serve } from './server.mjs';
 
 /** Changes the version of the build in `folder`, as a change of the app would. */
@@ -22,7 +22,7 @@ function changeVersion(folder, version) {
 /** Waits until the service worker controls the page; it has then stored everything. */
 const isKept = (page) => page.waitForFunction(() => navigator.serviceWorker.controller !== null);
 
-withEachBackend('kept for use without a network', (bench) => {
+withOneBackend('kept for use without a network', (bench) => {
   test('it opens again without a network', async (context) => {
     const host = await serve(DIST, { packed: true, below: '/maps/' });
     context.after(() => host.close()); // closing twice is allowed

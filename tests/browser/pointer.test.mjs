@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { withEachBackend } from './backends.mjs';
+import { withOneBackend } from './backends.mjs';
 
 /** The unit disk onto itself, with x₁ = a: f(z) = (z − a)/(1 − a z) up to a rotation. */
 const A = 0.5;
@@ -21,7 +21,7 @@ function moebius([x, y]) {
   return { size: Math.hypot(x - A, y) / below, scale: (1 - A * A) / below ** 2 };
 }
 
-withEachBackend('the pointer', (bench) => {
+withOneBackend('the pointer', (bench) => {
   test(
     'image, scale and turning of the point under the pointer are right to ten digits, and gone with the pointer',
     bench.withApp(async (app) => {

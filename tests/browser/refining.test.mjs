@@ -3,10 +3,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { withEachBackend } from './backends.mjs';
+import { withOneBackend } from './backends.mjs';
 
 /** A picture may have this share of flipped triangles. */
 const FLIPS = 1e-3;
+
+/** Equations that resolve another point as well have other panels: images differ in the digits that none of them has. */
+const SAME = 1e-9;
 
 const flips = ({ flipped, triangles }) => flipped / triangles;
 
@@ -22,7 +25,13 @@ async function open(app, presets, direction = 'backward') {
 const refined = (app) =>
   app.atRest('the map is refined', (s) => s.ready && s.unresolved_area !== null && s.measured_generation === s.generation);
 
-withEachBackend('refining', (bench) => {
+function isTheSame(now, before) {
+  const difference = Math.abs(now.boundary_checksum - before.boundary_checksum);
+  assert.ok(difference < SAME, `${now.boundary_checksum}, before ${before.boundary_checksum}`);
+  assert.equal(now.triangles, before.triangles);
+}
+
+withOneBackend('refining', (bench) => {
   for (const device of ['desktop', 'phone']) {
     test(
       `a map into a crowded domain is drawn without folds at rest, ${device}`,
@@ -59,12 +68,12 @@ withEachBackend('refining', (bench) => {
       const moved = await refined(app);
       assert.notEqual(moved.boundary_checksum, before.boundary_checksum);
       await app.press('Control+z');
-      const back = await app.atRest('undone and refined', (s, checksum) => s.ready && s.boundary_checksum === checksum, before.boundary_checksum);
-      assert.equal(back.triangles, before.triangles);
+      await app.until('undone', (now, then) => now.generation > then, moved.generation);
+      isTheSame(await refined(app), before);
       await open(app, ['heart', 'star']);
-      assert.notEqual((await refined(app)).boundary_checksum, before.boundary_checksum);
+      assert.notEqual((await refined(app)).triangles, before.triangles);
       await open(app, ['disk', 'v-shape'], 'forward');
-      assert.equal((await refined(app)).boundary_checksum, before.boundary_checksum);
+      isTheSame(await refined(app), before);
     }),
   );
 });

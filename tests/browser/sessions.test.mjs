@@ -3,12 +3,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { withEachBackend } from './backends.mjs';
+import { withOneBackend } from './backends.mjs';
 
 /** A triangle that differs from all presets. */
 const TRIANGLE = '0,0\n3,0\n1,2\n';
 
-withEachBackend('sessions', (bench) => {
+withOneBackend('sessions', (bench) => {
   test(
     'a drag is one step back and one forward',
     bench.withApp(async (app) => {

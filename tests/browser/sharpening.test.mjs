@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { withEachBackend } from './backends.mjs';
+import { withOneBackend } from './backends.mjs';
 
 /** Sides whose equations are factored within a second, also without optimized wasm. */
 const SMALL = { outline: { preset: 'l-shape' }, interior: null, anchor: 0 };
@@ -17,7 +17,7 @@ async function open(app, outline, kernel) {
   await app.openSession({ source: changed(source, outline), target: changed(target, { preset: 'square' }) });
 }
 
-withEachBackend('sharpening', (bench) => {
+withOneBackend('sharpening', (bench) => {
   test(
     'finite elements come first, and a map at rest is that of the boundary integral with an estimate of its error',
     bench.withApp(async (app) => {

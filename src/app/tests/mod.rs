@@ -1,6 +1,7 @@
 //! The panels and the whole app, driven by clicks, drags and keys.
 
 mod colour_vision;
+mod corners;
 mod fitting;
 mod frame;
 mod language;
