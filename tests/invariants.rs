@@ -83,6 +83,45 @@ fn a_second_point_gives_a_hyperbolic_distance() {
 }
 
 #[test]
+fn the_distance_of_a_point_from_itself_is_zero() {
+    let found = json(&["preset:disk", "--point", "0.3,0", "--second-point", "0.3,0"]);
+    assert_eq!(found["hyperbolic_distance"], serde_json::json!({ "value": 0.0, "error": 0.0 }));
+}
+
+#[test]
+fn dense_points_and_paths_are_taken_as_curves() {
+    let folder = folder("curves");
+    let ellipse: String = (0..600)
+        .map(|k| f64::from(k) / 600.0 * std::f64::consts::TAU)
+        .map(|t| format!("{},{}\n", 2.0 * t.cos(), t.sin()))
+        .collect();
+    let ellipse = file(&folder, "ellipse.csv", &ellipse);
+    let found = json(&[&ellipse, "--point", "0,0"]);
+    // (a + b)/2
+    let capacity = found["capacity"]["value"].as_f64().unwrap();
+    assert!((capacity - 1.5).abs() < 1e-7, "{capacity}");
+    assert_eq!(found["harmonic_measure"].as_array().unwrap().len(), 1, "there are no corners");
+    fails(&["invariants", &ellipse, "--point", "0,0", "--interpret", "polygon"], 1, &["unknowns"]);
+    // three quarters of a circle and a quarter, either way round
+    for (name, sweep, order) in [("ccw", 0, [0.25, 0.75]), ("cw", 1, [0.75, 0.25])] {
+        // the y axis of pictures points down
+        let large = |share: f64| i32::from(share > 0.5);
+        let [first, second] = order.map(large);
+        let path = format!("M4 0A4 4 0 {first} {sweep} 0 -4A4 4 0 {second} {sweep} 4 0Z");
+        let svg = format!("<svg xmlns='http://www.w3.org/2000/svg'><path d='{path}'/></svg>");
+        let disk = file(&folder, &format!("{name}.svg"), &svg);
+        let found = json(&[&disk, "--point", "0,0"]);
+        let radius = found["conformal_radius"]["value"].as_f64().unwrap();
+        assert!((radius - 4.0).abs() < 1e-4, "{name}: {radius}");
+        let measures = found["harmonic_measure"].as_array().unwrap();
+        assert_eq!(measures.len(), 2, "{name}: {measures:?}");
+        for (measure, share) in measures.iter().zip(order) {
+            assert!((measure["value"].as_f64().unwrap() - share).abs() < 1e-5, "{name}: {measures:?}");
+        }
+    }
+}
+
+#[test]
 fn small_measures_keep_their_digits() {
     let folder = folder("rectangle");
     let path = file(&folder, "rectangle.csv", "0,0\n10,0\n10,1\n0,1\n");
@@ -112,7 +151,7 @@ fn bad_input_is_refused_with_its_cause() {
     fails(&["invariants", "preset:kitten", "--point", "0,0"], 1, &["kitten", "blob"]);
     let comb: Vec<String> = (0..400).map(|k| format!("[{k},0],[{k}.5,3]")).collect();
     let comb = file(&folder, "comb.json", &format!("[{},[400,5],[0,5]]", comb.join(",")));
-    fails(&["invariants", &comb, "--point", "200,4"], 1, &["unknowns", "limit"]);
+    fails(&["invariants", &comb, "--point", "200,4", "--interpret", "polygon"], 1, &["unknowns", "limit"]);
     fails(&["invariants", &l], 2, &["--point"]);
     let with = |marks: &'static str| ["invariants", "preset:disk", "--point", "0,0", "--marks", marks];
     fails(&with("0,0.5"), 2, &["S,S,S,S"]);

@@ -52,6 +52,45 @@ fn a_moebius_map_of_the_disk_has_its_values_in_either_direction_of_the_mesh() {
 }
 
 #[test]
+fn errors_with_finite_elements_are_covered_either_way_and_not_by_far_too_much() {
+    let folder = folder("finite elements");
+    let text: String = (0..300)
+        .map(f64::from)
+        .map(|k| {
+            let r = 0.97 * (k / 300.0).sqrt();
+            format!("{},{}\n", r * (2.4 * k).cos(), r * (2.4 * k).sin())
+        })
+        .collect();
+    let points = file(&folder, "in.csv", &text);
+    let out = folder.join("out.csv").display().to_string();
+    for inverse in [false, true] {
+        let arguments =
+            ["map", "preset:disk", "preset:disk", "--kernel", "adjoint", "--points", &points, "--out", &out];
+        let constraints = ["--source-point", "0.6,0.2", "--target-point", "0,-0.5"];
+        succeeds(&[&arguments[..], &constraints, if inverse { &["--inverse"] } else { &[] }].concat());
+        let mut factors: Vec<f64> = Vec::new();
+        for (numbers, status) in rows(&out) {
+            assert_eq!(status, "inside");
+            // f = (1 − 5i + 6iz)/(6 + (−5 + i)z), f⁻¹ = (1 − 5i − 6w)/((−5 + i)w − 6i)
+            let [x, y] = [numbers[0], numbers[1]];
+            let (top, bottom) = if inverse {
+                ([1.0 - 6.0 * x, -5.0 - 6.0 * y], [-5.0 * x - y, x - 5.0 * y - 6.0])
+            } else {
+                ([1.0 - 6.0 * y, -5.0 + 6.0 * x], [6.0 - 5.0 * x - y, x - 5.0 * y])
+            };
+            let size = bottom[0] * bottom[0] + bottom[1] * bottom[1];
+            let exact =
+                [(top[0] * bottom[0] + top[1] * bottom[1]) / size, (top[1] * bottom[0] - top[0] * bottom[1]) / size];
+            factors.push(numbers[6] / (numbers[2] - exact[0]).hypot(numbers[3] - exact[1]));
+        }
+        factors.sort_by(f64::total_cmp);
+        let covered = factors.iter().filter(|&&factor| factor >= 1.0).count();
+        println!("inverse {inverse}: {covered} of 300 covered, by {:.1} in the median", factors[150]);
+        assert!(covered >= 285 && factors[150] < 100.0, "inverse {inverse}: {covered}, {}", factors[150]);
+    }
+}
+
+#[test]
 fn there_and_back_between_outlines_with_corners() {
     let folder = folder("there and back");
     let inside: Vec<[f64; 2]> =

@@ -116,7 +116,10 @@ pub fn invariants(curve: &Curve, request: &InvariantsRequest) -> Result<Invarian
         conformal_radius: radius,
         capacity: both(coarse.log_capacity, fine.log_capacity, 1.0).exp(),
         modulus: marked.map(|(a, b)| modulus_of(a, b)),
-        hyperbolic_distance: coarse.green.zip(fine.green).map(|(a, b)| both(a, b, 1.0).hyperbolic(condition)),
+        hyperbolic_distance: match request.second_point {
+            Some(second) if second == request.point => Some(Estimate { value: 0.0, error: 0.0 }),
+            _ => coarse.green.zip(fine.green).map(|(a, b)| both(a, b, 1.0).hyperbolic(condition)),
+        },
         unknowns: [coarse.places.len(), fine.places.len()],
     })
 }

@@ -6,7 +6,7 @@ use super::named_outline::read_outline;
 use super::output::print;
 use crate::boundary_integral::{BoundaryIntegralError, Estimate, Invariants, InvariantsRequest, invariants};
 use crate::geometry::Curve;
-use crate::outline::{OutlineNote, Preset};
+use crate::outline::{OutlineCurve, OutlineNote, Preset};
 use std::fmt::Write as _;
 use std::str::FromStr as _;
 
@@ -37,22 +37,26 @@ pub fn run(arguments: &InvariantsArguments) -> Result<(), CliError> {
 /// An outline as a curve.
 struct Given {
     curve: Curve,
-    /// Whether the file's points ran clockwise, so that the curve's pieces are its sides in the opposite order.
+    /// Whether the file's points ran clockwise, so that the curve's pieces are in the opposite order.
     is_reversed: bool,
 }
 
 impl Given {
-    /// A preset by its formulas, or a file's polygon.
+    /// A preset by its formulas, or a file's curve, as it is interpreted.
     fn read(arguments: &InvariantsArguments) -> Result<Self, CliError> {
         let name = &arguments.outline;
         let refused = |error: &dyn std::fmt::Display| CliError::Input(format!("{name}: {error}"));
         if let Some(Ok(preset)) = name.strip_prefix("preset:").map(Preset::from_str) {
             return Ok(Self { curve: preset.curve().map_err(|error| refused(&error))?, is_reversed: false });
         }
-        let named = read_outline(name, arguments.repair)?;
+        let named = read_outline(name, arguments.repair)?.interpreted(arguments.interpret);
         named.say_notes(name);
         let polygon = named.outline.polygon();
-        let curve = Curve::from_polygon(polygon).map_err(|error| refused(&error))?;
+        let curve = match named.interpretation(name) {
+            Some(_) => named.outline.curve().map(OutlineCurve::into_curve),
+            None => Curve::from_polygon(polygon),
+        };
+        let curve = curve.map_err(|error| refused(&error))?;
         let is_reversed = polygon.was_clockwise() || named.outline.notes().contains(&OutlineNote::Reversed);
         Ok(Self { curve, is_reversed })
     }

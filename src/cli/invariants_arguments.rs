@@ -1,5 +1,6 @@
 //! The arguments of `riemap invariants`.
 
+use super::arguments::InterpretArgument;
 use super::values::Point;
 use std::str::FromStr;
 
@@ -10,7 +11,7 @@ use std::str::FromStr;
   riemap invariants outline.json --point 0.5,0.5 --second-point 1.5,0.5 --json
   riemap invariants preset:disk --point 0,0 --marks 0,0.175,0.35,0.625 --json")]
 pub struct InvariantsArguments {
-    /// The outline, given as a file (JSON, CSV, text, SVG, GeoJSON; taken as a polygon) or `preset:NAME`.
+    /// The outline, given as a file (JSON, CSV, text, SVG, GeoJSON) or `preset:NAME`.
     pub outline: String,
     /// The point from which harmonic measure and conformal radius are taken; strictly inside.
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
@@ -23,6 +24,9 @@ pub struct InvariantsArguments {
     /// extremal distance between the arcs from mark 1 to 2 and from mark 3 to 4.
     #[arg(long, value_name = "S,S,S,S", allow_hyphen_values = true)]
     pub marks: Option<Marks>,
+    /// What an outline's points are taken for, as for `riemap map`. The sides of a curve are its parts between corners.
+    #[arg(long, default_value = "auto")]
+    pub interpret: InterpretArgument,
     /// Cut off small loops and spikes of a file's outline instead of refusing it.
     #[arg(long)]
     pub repair: bool,

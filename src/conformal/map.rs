@@ -19,7 +19,7 @@ use super::map_side::MapSide;
 use super::refinement::Refinement;
 use super::through_disk::ThroughDisk;
 use super::{
-    BoundaryCorrespondence, CauchyGreenMode, Constraints, Direction, ErrorEstimate, Extension, ExtensionScratch,
+    BoundaryCorrespondence, CauchyGreenMode, Constraints, Differences, Direction, Extension, ExtensionScratch,
     MapError, MapSettings, PerSide, PreparedSide, ResolvedBoundary, Side,
 };
 use crate::geometry::DVec2;
@@ -61,7 +61,7 @@ pub struct ConformalMap {
     /// The boundary of the mapped mesh, if it was refined for this map.
     pub(super) resolution: Option<Arc<ResolvedBoundary>>,
     /// The errors by comparison with finer meshes, if they were estimated.
-    pub(super) compared: Option<Box<ErrorEstimate>>,
+    pub(super) compared: Option<Box<Differences>>,
 }
 
 impl ConformalMap {

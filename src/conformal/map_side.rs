@@ -180,7 +180,7 @@ fn check(side: Side, mesh: &TriMesh<DVec3>, point: BarycentricPoint) -> Result<(
 }
 
 /// Whether a located point lies on a boundary edge, where harmonic measure is a point mass.
-fn on_boundary<P>(mesh: &TriMesh<P>, point: BarycentricPoint) -> bool {
+pub(super) fn on_boundary<P>(mesh: &TriMesh<P>, point: BarycentricPoint) -> bool {
     let (triangle, weights) = (point.triangle(), point.weights());
     let corners = mesh.corners(triangle);
     let vertex = (0..3).any(|i| weights[i] == 1.0 && mesh.is_on_boundary(corners[i]));

@@ -67,6 +67,7 @@ pub use anywhere::{InteriorImage, InteriorMap, NoInteriorMap, SlicedInterior};
 #[cfg(feature = "io")]
 pub use buffers::NotFlat;
 pub use cauchy_green::{BoundaryValues, CauchyGreen, CauchyGreenMode, Contour, STORED_BYTES};
+use comparison::Differences;
 pub use comparison::{QuarteredError, prepare_quartered};
 pub use constraints::{Constraints, Direction, InteriorPoint, MapSettings, PerSide, Side};
 #[cfg(feature = "io")]

@@ -5,11 +5,13 @@
 //! the vertices.
 
 use super::curved::{BoundaryEquation, CurveBoundary, Unsharpened};
+use super::map_side::on_boundary;
 use super::system::DirichletSystem;
 use super::{HarmonicTable, InteriorPoint, MeshedDomain, MeshedSurface, Places, PrepareTimings};
 use crate::boundary_integral::BoundaryIntegral;
-use crate::geometry::DVec3;
+use crate::geometry::{DVec2, DVec3};
 use crate::laplace::SolverKind;
+use crate::mesh::locate;
 use crate::outline::BoundaryPoint;
 use std::sync::Arc;
 
@@ -229,6 +231,15 @@ impl PreparedSide {
             SideGeometry::Plane(domain) => Places::Plane(domain.mesh().vertices()),
             SideGeometry::Space(surface) => Places::Space(surface.mesh().vertices()),
         }
+    }
+
+    /// Whether the interior point of a map may be at `x` in the plane: inside of the curve, or of the mesh of a polygon.
+    pub fn contains(&self, x: DVec2) -> bool {
+        if let Some(boundary) = self.curve_boundary() {
+            return boundary.curve().contains(x);
+        }
+        let Some(mesh) = self.domain().filter(|_| x.is_finite()).map(|domain| domain.mesh()) else { return false };
+        locate(mesh, x, None).is_some_and(|found| !on_boundary(mesh, found))
     }
 
     /// The position of a boundary point in space; the plane lies at z = 0.

@@ -114,6 +114,21 @@ fn a_dragged_point_keeps_the_equation_and_one_beside_the_boundary_gets_its_own_a
 }
 
 #[test]
+fn a_point_next_to_the_edge_stays_when_a_side_is_prepared_again() {
+    let mut model = settled(session([Preset::Disk, Preset::Square]));
+    // inside of the circle, and outside of the polygon of 150 samples
+    let beside = DVec2::from_angle(1.0) * 0.999_9;
+    model.dispatch(Command::MoveInterior { side: Side::Source, point: beside.into() }, 0.0);
+    let coarser = settings().with_kernel(KernelMode::Adjoint);
+    model.dispatch(Command::SetSettings { side: Side::Target, settings: coarser }, 0.0);
+    while let requests @ [_, ..] = model.take_requests(f64::INFINITY).as_slice() {
+        answer(&mut model, requests);
+    }
+    assert!(model.is_ready());
+    assert_eq!(model.interior(Side::Source), Some(beside));
+}
+
+#[test]
 fn another_outline_supersedes_the_equation_of_the_one_before() {
     let mut model = started(session([Preset::Square, Preset::LShape]));
     let first = model.take_requests(0.0);

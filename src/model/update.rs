@@ -180,10 +180,11 @@ impl Model {
         Some(Constraints::new(of_side(Side::Source)?, of_side(Side::Target)?))
     }
 
-    /// Moves interior points inside the domains: a point may lie outside a coarser polygon of the same outline.
+    /// Moves interior points that are outside into the domains: a point inside a polygon may lie outside a coarser one.
     pub(super) fn keep_points_inside(&mut self) {
         for side in Side::BOTH {
             if let Some(point) = self.session.side(side).interior
+                && !self.prepared(side).is_some_and(|prepared| prepared.contains(point))
                 && let Some(inside) = self.interior_near(side, point)
             {
                 self.session.apply(Command::MoveInterior { side, point: inside.into() });

@@ -63,10 +63,10 @@ impl OutlineSpec {
         let is_mirrored = count == new.len() && (0..count).all(|k| new[k].y == old[(count - k) % count].y);
         let carried = |&vertex: &u32| {
             let place = old.get(vertex as usize)?;
-            if is_mirrored {
-                Some((count as u32 - vertex) % count as u32)
-            } else if same_order {
+            if same_order {
                 Some(vertex)
+            } else if is_mirrored {
+                Some((count as u32 - vertex) % count as u32)
             } else {
                 new.iter().position(|p| p == place).map(|k| k as u32)
             }

@@ -1,6 +1,7 @@
 //! The map inside of a sampled polygon with images that are linear on its edges, for measures from finite elements.
 //!
-//! f is Cauchy's integral over the edges, f′ = Σ (Δw/Δv) log((v_{k+1} − z)/(v_k − z))/(2πi).
+//! f is Cauchy's integral over the edges, f′ = Σ (Δw/Δv) log((v_{k+1} − z)/(v_k − z))/(2πi), and an error e_k of the
+//! boundary values, one of f of at most Σ e_k |log((v_{k+1} − z)/(v_k − z))|/(2π).
 
 use super::{InteriorImage, NoInteriorMap};
 use crate::cauchy_integral::Evaluation;
@@ -23,8 +24,8 @@ pub struct PolygonalMap {
     images: Vec<DVec2>,
     contour: Contour,
     values: BoundaryValues,
-    /// The error of the images.
-    error: f64,
+    /// The errors of the images.
+    errors: Vec<f64>,
     extent: f64,
 }
 
@@ -42,11 +43,12 @@ impl PolygonalMap {
         };
         let images: Vec<DVec2> = correspondence.images(other).collect();
         let extent = |points: &[DVec2]| Bounds::of(points.iter().copied()).size().max_element();
-        let estimate = map.error_estimate().filter(|_| from == map.mapped_side()).map(|estimate| estimate.image);
         Ok(Self {
             contour: Contour::new(own.points()),
             values: BoundaryValues::new(images.iter().copied()),
-            error: estimate.unwrap_or_else(|| FINITE_ELEMENTS * extent(&images)),
+            errors: map
+                .boundary_errors(from)
+                .unwrap_or_else(|| vec![FINITE_ELEMENTS * extent(&images); own.points().len()]),
             extent: extent(own.points()),
             points: own.points().to_vec(),
             images,
@@ -66,7 +68,7 @@ impl PolygonalMap {
         if let Some(on) = self.on_boundary(z) {
             return on;
         }
-        let (mut turn, mut slope, mut steps) = (0.0, DVec2::ZERO, 0.0);
+        let (mut turn, mut slope, mut error) = (0.0, DVec2::ZERO, 0.0);
         for k in 0..self.points.len() {
             let next = (k + 1) % self.points.len();
             let (a, b) = (self.points[k] - z, self.points[next] - z);
@@ -74,7 +76,7 @@ impl PolygonalMap {
             let step = self.images[next] - self.images[k];
             turn += log.y;
             slope += times(times(step, conjugate(b - a)) / (b - a).length_squared(), log);
-            steps += step.length() * log.length();
+            error += self.error(k) * log.length();
         }
         if turn < PI {
             return InteriorImage::Outside;
@@ -82,8 +84,14 @@ impl PolygonalMap {
         InteriorImage::Inside(Evaluation {
             value: self.contour.evaluate(z, &self.values),
             derivative: DVec2::new(slope.y, -slope.x) / TAU,
-            error: self.error + LINEAR * steps / TAU,
+            error: error / TAU,
         })
+    }
+
+    /// The error of the values on an edge.
+    fn error(&self, edge: usize) -> f64 {
+        let next = (edge + 1) % self.points.len();
+        self.errors[edge].max(self.errors[next]) + LINEAR * self.images[edge].distance(self.images[next])
     }
 
     /// The image of a point on the polygon.
@@ -92,8 +100,8 @@ impl PolygonalMap {
         let next = (on.edge + 1) % self.points.len();
         let place = self.points[on.edge].lerp(self.points[next], on.along);
         let (a, b) = (self.images[on.edge], self.images[next]);
-        let error = self.error + LINEAR * a.distance(b);
-        let image = InteriorImage::Boundary { value: a.lerp(b, on.along), derivative: None, error };
+        let image =
+            InteriorImage::Boundary { value: a.lerp(b, on.along), derivative: None, error: self.error(on.edge) };
         (place.distance(z) <= ON_POLYGON * self.extent).then_some(image)
     }
 }

@@ -10,8 +10,8 @@ mod quartered;
 
 use super::curved::{CurveMeasure, Way};
 use super::{
-    ConformalMap, Constraints, ErrorEstimate, HarmonicMeasure, KernelMode, MapError, PerSide, Places, PrepareSettings,
-    PreparedSide, Side,
+    BoundaryCorrespondence, ConformalMap, Constraints, ErrorEstimate, HarmonicMeasure, KernelMode, MapError, PerSide,
+    Places, PrepareSettings, PreparedSide, Side, match_measures,
 };
 use crate::geometry::{CurvePoint, DVec3};
 use crate::mesh::Sizing;
@@ -43,6 +43,21 @@ impl PrepareSettings {
             Sizing::Uniform => Sizing::Uniform,
         };
         Some(Self { sampling, sizing, kernel: KernelMode::Adjoint, ..self })
+    }
+}
+
+/// What a comparison found.
+#[derive(Debug, Clone)]
+pub struct Differences {
+    estimate: ErrorEstimate,
+    /// The error of the inverse image of each boundary vertex of the other side.
+    inverse: Vec<f64>,
+}
+
+impl Differences {
+    /// The errors of the map.
+    pub fn estimate(&self) -> &ErrorEstimate {
+        &self.estimate
     }
 }
 
@@ -106,23 +121,45 @@ impl ConformalMap {
         self.compared.is_some()
     }
 
-    fn compared(&self, finer: &Self) -> Option<ErrorEstimate> {
+    /// An estimate of the error of the image of each boundary vertex of a side in the other one, whichever is mapped;
+    /// `None` unless both measures are from the boundary integral, or the map was [compared](Self::compare_with).
+    pub fn boundary_errors(&self, from: Side) -> Option<Vec<f64>> {
+        match &self.compared {
+            Some(compared) if from != self.mapped_side() => Some(compared.inverse.clone()),
+            None if from != self.mapped_side() => None,
+            _ => self.error_estimate().map(|estimate| estimate.points),
+        }
+    }
+
+    fn compared(&self, finer: &Self) -> Option<Differences> {
         let (mapped, images) = (self.mapped_side(), self.image_places());
-        let target = Compared::of(finer, mapped.other());
         let place = |k: usize| match images {
             Places::Plane(places) => places[k].extend(0.0),
             Places::Space(places) => places[k],
         };
-        let mut differences = vec![0.0; self.mapped().boundary_count()];
-        let omega_of_mapped = self.largest_difference(finer, mapped, &mut |k, (omega, way)| {
+        let (omega, points) = self.differences(finer, mapped, &place)?;
+        let other = mapped.other();
+        let mut back = BoundaryCorrespondence::default();
+        match_measures(self.measure(other), self.measure(mapped), &mut back);
+        let place = |k: usize| match back.on_curve(k) {
+            Some((_, position)) => position.extend(0.0),
+            None => self.side(mapped).boundary_place(back.points()[k]),
+        };
+        let (omega_of_other, inverse) = self.differences(finer, other, &place)?;
+        let image = points.iter().copied().fold(0.0, f64::max);
+        Some(Differences { estimate: ErrorEstimate { omega: omega.max(omega_of_other), image, points }, inverse })
+    }
+
+    /// The estimated errors of a side's measure, and of the image of each of its vertices, which is at this place.
+    fn differences(&self, finer: &Self, side: Side, place: &dyn Fn(usize) -> DVec3) -> Option<(f64, Vec<f64>)> {
+        let target = Compared::of(finer, side.other());
+        let mut differences = vec![0.0; self.measure(side).vertex_count()];
+        let omega = self.largest_difference(finer, side, &mut |k, (omega, way)| {
             differences[k] = COARSE * place(k).distance(target.place(omega, way));
         })?;
-        let omega_of_other = self.largest_difference(finer, mapped.other(), &mut |_, _| ())?;
         let m = differences.len();
         let around = |k: usize| (0..=2 * NEIGHBOURS).map(move |i| (k + m + i - NEIGHBOURS.min(m)) % m);
-        let points: Vec<f64> = (0..m).map(|k| around(k).map(|i| differences[i]).fold(0.0, f64::max)).collect();
-        let image = points.iter().copied().fold(0.0, f64::max);
-        Some(ErrorEstimate { omega: omega_of_mapped.max(omega_of_other), image, points })
+        Some((omega, (0..m).map(|k| around(k).map(|i| differences[i]).fold(0.0, f64::max)).collect()))
     }
 
     /// The estimated error of a side's measure; tells `each` vertex's measure in the finer map.

@@ -23,7 +23,7 @@ impl ConformalMap {
     /// Cost O(m).
     pub fn error_estimate(&self) -> Option<ErrorEstimate> {
         if let Some(compared) = &self.compared {
-            return Some(ErrorEstimate::clone(compared));
+            return Some(compared.estimate().clone());
         }
         let side = self.mapped_side();
         let (source, map) = (self.measure(side), self.curve_map(side)?);

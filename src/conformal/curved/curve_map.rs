@@ -25,6 +25,9 @@ impl ConformalMap {
     }
 }
 
+/// Fractions of the length that differ by less are one place.
+const SAME: f64 = 1e-9;
+
 impl<'a> CurveMap<'a> {
     /// The curve that is mapped.
     pub fn from_curve(&self) -> &'a Curve {
@@ -84,11 +87,13 @@ impl<'a> CurveMap<'a> {
         } else {
             self.onto.point(off - least, if way == Way::Forward { Way::Backward } else { Way::Forward })
         };
-        let arc = |a: CurvePoint| {
-            let apart = (boundary.fraction(a) - boundary.fraction(image)).abs();
-            apart.min(1.0 - apart) * boundary.perimeter()
+        let arc = |from: CurvePoint, to: CurvePoint| {
+            let (from, to) = if way == Way::Forward { (from, to) } else { (to, from) };
+            let turn = (boundary.fraction(to) - boundary.fraction(from)).rem_euclid(1.0);
+            // points of one place may be in the opposite order; no two points are further apart than half a turn
+            if turn > 1.0 - SAME { 0.0 } else { turn.min(0.5) * boundary.perimeter() }
         };
-        self.rounding() + arc(further).max(arc(nearer))
+        self.rounding() + arc(image, further).max(arc(nearer, image))
     }
 
     /// The error of a measure that finite elements continue on either side.
