@@ -15,6 +15,9 @@ pub enum Extension {
     /// f̂ of equation (15): Cauchy's integral of the boundary images, holomorphic inside;
     /// replaces the images of the boundary vertices too. Cost O(m (m+n)).
     CauchyGreen,
+    /// The map itself by Cauchy's integral over the boundary's curves ([`super::InteriorMap`]): the images of interior
+    /// vertices are exact. Needs measures from the integral equation on both sides; else the images are harmonic.
+    Exact,
 }
 
 /// Working memory of an extension, with the progress of one that is interrupted; no allocation when it is reused.

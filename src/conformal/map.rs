@@ -10,9 +10,10 @@
 //! state is always that of one complete update: kernels, measures and correspondence are computed
 //! in separate buffers, images in the solver's memory, and all of them are replaced at the end.
 //!
-//! With [`Extension::CauchyGreen`] an update yields the harmonic images;
+//! With [`Extension::CauchyGreen`] and [`Extension::Exact`] an update yields the harmonic images;
 //! [`ConformalMap::refine`] then replaces them chunk by chunk, within the given time.
 
+use super::exact_images::ExactImages;
 use super::kernel::KernelScratch;
 use super::map_run::Run;
 use super::map_side::MapSide;
@@ -26,6 +27,9 @@ use crate::geometry::DVec2;
 use crate::laplace::Deadline;
 use std::sync::Arc;
 use web_time::Instant;
+
+/// The time between two reports of the progress of exact images, in ms.
+const REPORT_MS: f64 = 20.0;
 
 /// The duration of an update by stage, in milliseconds; 0 for a stage that was not needed.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
@@ -187,18 +191,33 @@ impl ConformalMap {
                 }
                 self.timings.extend += start.elapsed().as_secs_f64() * 1e3;
             }
+            Extension::Exact => {
+                let exact = ExactImages::begin(self);
+                self.refinement.restart_exactly(exact);
+            }
         }
     }
 
-    /// Replaces harmonic images by Cauchy–Green ones for about `budget_ms` (the clock is checked
+    /// Replaces harmonic images by Cauchy–Green or exact ones for about `budget_ms` (the clock is checked
     /// every few milliseconds; at least one chunk is done; infinity completes all). Returns whether
     /// the extension is complete; with [`Extension::Harmonic`] it always is.
     ///
     /// The coordinates of a mesh up to [`super::STORED_BYTES`] are kept while its domain is mapped.
     pub fn refine(&mut self, budget_ms: f64) -> bool {
         let start = Instant::now();
-        let complete = self.refinement.advance(&mut self.images, budget_ms);
+        let complete = if self.settings.extension == Extension::Exact {
+            self.refine_by_integral(budget_ms)
+        } else {
+            self.refinement.advance(&mut self.images, budget_ms)
+        };
         self.timings.extend += start.elapsed().as_secs_f64() * 1e3;
+        complete
+    }
+
+    fn refine_by_integral(&mut self, budget_ms: f64) -> bool {
+        let (mut refinement, mut images) = (std::mem::take(&mut self.refinement), std::mem::take(&mut self.images));
+        let complete = refinement.advance_exactly(self, &mut images, budget_ms);
+        (self.refinement, self.images) = (refinement, images);
         complete
     }
 
@@ -211,6 +230,12 @@ impl ConformalMap {
     /// As [`Self::refine_exactly`]; `progress` is called with the completed fraction after each chunk of a few
     /// milliseconds.
     pub fn refine_exactly_with(&mut self, progress: &mut dyn FnMut(f64)) {
+        if self.settings.extension == Extension::Exact {
+            while !self.refine(REPORT_MS) {
+                progress(self.extension_progress());
+            }
+            return;
+        }
         let start = Instant::now();
         self.refinement.finish_exactly(&mut self.images, progress);
         self.timings.extend += start.elapsed().as_secs_f64() * 1e3;

@@ -12,7 +12,7 @@
 //! | both by the integral equation on the boundary | `curved` | |
 //! | errors of finite elements by comparison with finer meshes | `comparison` | |
 //! | images of the vertices | `extension` | (14) |
-//! | the same by Cauchy's integral | `cauchy_green`, `refinement` | (7), (15) |
+//! | the same by Cauchy's integral | `cauchy_green`, `refinement`, `exact_images` | (7), (15) |
 //! | f and f′ at any point by Cauchy's integral over the boundary map | `anywhere` | |
 //! | conformal polar coordinates | `disk_coordinates` | sections 1.2, 3.1 |
 //! | images on another surface, through the disk | `through_disk` | |
@@ -35,6 +35,7 @@ mod curved;
 mod disk_coordinates;
 mod distortion;
 mod domain;
+mod exact_images;
 mod extension;
 #[cfg(feature = "io")]
 mod flat;

@@ -50,7 +50,11 @@ impl std::fmt::Display for SceneLabel {
             Self::Radius(radius) => write!(f, "x₁ = {radius}"),
             Self::Way(direction, extension) => {
                 let way = if *direction == Direction::Forward { "forward" } else { "backward" };
-                let how = if *extension == Extension::Harmonic { "harmonic" } else { "Cauchy–Green" };
+                let how = match extension {
+                    Extension::Harmonic => "harmonic",
+                    Extension::CauchyGreen => "Cauchy–Green",
+                    Extension::Exact => "exact",
+                };
                 write!(f, "{way}, {how}")
             }
             Self::Outline(preset) => f.write_str(preset.title()),

@@ -121,5 +121,6 @@ fn how(extension: Extension) -> Label {
     match extension {
         Extension::Harmonic => key::scene_harmonic(),
         Extension::CauchyGreen => key::cauchy_green(),
+        Extension::Exact => key::exact_images(),
     }
 }

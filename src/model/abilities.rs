@@ -5,6 +5,7 @@
 //! | comparison through the disk, random walks, their curves and legends | two outlines | not offered |
 //! | exact map, coarse map during a drag | two outlines | not offered |
 //! | Cauchy–Green extension | two outlines | refused with a reason; the harmonic extension is used |
+//! | exact extension | two outlines with the boundary integral | refused with a reason; the harmonic extension is used |
 //! | choice of the direction | two sides of one kind | the surface is mapped |
 //! | choice of the pattern's home | two outlines, a pattern that is not in the disk | the outline; between surfaces the disk |
 //! | a point that moves along a circle | an outline on its side | refused |
@@ -21,7 +22,7 @@ use crate::language::{Label, key};
 use crate::model::overlays::disk_comparison::DiskComparison;
 use crate::model::overlays::overlay::Overlays;
 use crate::model::overlays::walks::Walks;
-use crate::model::{Model, pattern};
+use crate::model::{Model, SideKernel, pattern};
 use crate::outline::Preset;
 use crate::session::{OutlineSpec, Session, SurfaceSpec};
 
@@ -31,6 +32,9 @@ pub enum Unavailable {
     /// The Cauchy–Green extension maps planar domains only.
     #[error("{}", self.label().english())]
     CauchyGreen,
+    /// Exact images need the boundary integral on both sides.
+    #[error("{}", self.label().english())]
+    Exact,
     /// The point that would move along a circle lies on a surface.
     #[error("{}", self.label().english())]
     Circle,
@@ -41,6 +45,7 @@ impl Unavailable {
     pub fn label(self) -> Label {
         match self {
             Self::CauchyGreen => key::cauchy_green_needs_plane(),
+            Self::Exact => key::exact_needs_integral(),
             Self::Circle => key::no_plane(),
         }
     }
@@ -90,8 +95,12 @@ impl Abilities {
 
     /// Why an extension cannot be chosen; `None` if it can.
     pub fn refused_extension(self, extension: Extension) -> Option<Unavailable> {
-        let is_refused = extension == Extension::CauchyGreen && !self.compares_outlines();
-        is_refused.then_some(Unavailable::CauchyGreen)
+        match extension {
+            _ if self.compares_outlines() => None,
+            Extension::Harmonic => None,
+            Extension::CauchyGreen => Some(Unavailable::CauchyGreen),
+            Extension::Exact => Some(Unavailable::Exact),
+        }
     }
 
     /// Why no point would move along a path: it is a circle in the plane, and the point is on a surface.
@@ -153,10 +162,19 @@ impl Model {
         ExactMap::presets(&self.session).filter(|_| self.abilities().compares_outlines())
     }
 
+    /// Why an extension cannot be chosen: as [`Abilities::refused_extension`], or finite elements are requested for a
+    /// side or stay on one; `None` if it can.
+    pub fn refused_extension(&self, extension: Extension) -> Option<Unavailable> {
+        let has_elements =
+            |side| matches!(self.side_kernel(side), Some(SideKernel::FiniteElements(_) | SideKernel::Stays(_)));
+        let is_refused = extension == Extension::Exact && Side::BOTH.into_iter().any(has_elements);
+        self.abilities().refused_extension(extension).or_else(|| is_refused.then_some(Unavailable::Exact))
+    }
+
     /// The extension of the map: the session's, or harmonic where that is not possible.
     pub fn extension(&self) -> Extension {
         let asked = self.session.extension();
-        if self.abilities().refused_extension(asked).is_some() { Extension::Harmonic } else { asked }
+        if self.refused_extension(asked).is_some() { Extension::Harmonic } else { asked }
     }
 
     /// Whether the person chooses the side on which the pattern is undistorted.
@@ -226,6 +244,8 @@ mod tests {
             assert_eq!(abilities.refused_extension(Extension::Harmonic), None);
             let refused = abilities.refused_extension(Extension::CauchyGreen);
             assert_eq!(refused, has_surface.then_some(Unavailable::CauchyGreen));
+            let exact = abilities.refused_extension(Extension::Exact);
+            assert_eq!(exact, has_surface.then_some(Unavailable::Exact));
             let paths = [Path::SourcePoint, Path::TargetPoint].map(|path| abilities.refused_path(path));
             assert_eq!(paths, sides.map(|is_surface| is_surface.then_some(Unavailable::Circle)));
             assert_eq!([Path::Boundary, Path::All].map(|path| abilities.refused_path(path)), [None; 2]);

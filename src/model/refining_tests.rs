@@ -1,6 +1,6 @@
 //! The refined map in the app: shown at rest, dropped by every change, and the same however it was come to.
 
-use crate::conformal::{ConformalMap, PrepareSettings};
+use crate::conformal::{ConformalMap, Extension, KernelMode, PrepareSettings};
 use crate::export::FileFormat;
 use crate::language::Message;
 use crate::mesh::Sizing;
@@ -8,7 +8,7 @@ use crate::model::export::{FileRequest, file};
 use crate::model::scene::{Offscreen, is_complete};
 use crate::model::*;
 use crate::outline::{Preset, Sampling};
-use crate::session::{Command, OutlineSpec, TextureKind};
+use crate::session::{Command, OutlineSpec, SidePoints, TextureKind};
 use crate::worker::{self, Failure, Request, Response, Task};
 
 fn session(presets: [Preset; 2]) -> Session {
@@ -193,6 +193,40 @@ fn a_refinement_longer_than_a_frame_takes_several_and_is_the_same() {
         }
         assert!(model.is_ready() && model.map().unwrap().images() == at_once.map().unwrap().images());
     }
+}
+
+#[test]
+fn exact_images_at_rest_are_those_of_a_moebius_map() {
+    let (a, anchor) = (0.5, 0.0);
+    let points = [a, 0.0].map(|x| SidePoints::Outline { interior: Some(DVec2::new(x, 0.0)), anchor });
+    let [source, target] = [Side::Source, Side::Target].map(|side| (side, points[side as usize]));
+    let place = |(side, points)| Command::PlacePoints { side, points };
+    let commands = [place(source), place(target), Command::SetExtension(Extension::Exact)];
+    let settings = session([Preset::Disk; 2]).domain(Side::Source).settings.with_kernel(KernelMode::Integral);
+    let sharp = Side::BOTH.map(|side| Command::SetSettings { side, settings });
+    let mut model = Model::new(session([Preset::Disk; 2]).and(sharp).and(commands));
+    model.update_ms = f64::INFINITY;
+    for _stage in ["finite elements", "integral equations"] {
+        for request in model.take_requests(0.0) {
+            run(&request, &mut model);
+        }
+        model.refresh(false);
+    }
+    assert!(model.is_sharp() && model.is_refining());
+    assert_eq!(model.extension_progress(), 0.0, "the full map keeps its harmonic images");
+    rest(&mut model);
+    while model.extension_progress() < 1.0 {
+        assert!(model.refresh(false).images);
+    }
+    let map = model.map().unwrap();
+    // f = (z − a)/(1 − a z)
+    let a = if map.mapped_side() == Side::Source { a } else { -a };
+    let moebius =
+        |z: DVec2| (z - DVec2::X * a).rotate(DVec2::new(1.0 - a * z.x, a * z.y)) / (DVec2::X - a * z).length_squared();
+    let vertices = map.domain(map.mapped_side()).unwrap().mesh().vertices();
+    let off = vertices.iter().zip(map.images()).map(|(&z, image)| image.distance(moebius(z)));
+    let most = off.fold(0.0, f64::max);
+    assert!(most < 1e-12, "{most:e}");
 }
 
 #[test]

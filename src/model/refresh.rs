@@ -1,6 +1,6 @@
 //! A frame of the model: the map is updated (file `update`), refined and measured, and the overlays follow.
 
-use crate::conformal::{ConformalMap, PerSide, Side};
+use crate::conformal::{ConformalMap, Extension, PerSide, Side};
 use crate::laplace::Deadline;
 use crate::model::overlays::walks::WalkAction;
 use crate::model::overlays::{OverlayState, Situation};
@@ -40,7 +40,9 @@ impl Model {
         if !self.is_pending() && !dragging {
             changes |= self.advance_fine();
         }
-        let refined = self.refines == Refines::InRefresh && self.refine();
+        // exact images are those of the map at rest
+        let waits = self.session.extension() == Extension::Exact && (dragging || self.is_refining());
+        let refined = self.refines == Refines::InRefresh && !waits && self.refine();
         changes.images |= changes.map || refined;
         self.shown.map_generation += u64::from(changes.map || changes.meshes);
         if changes.meshes || changes.images {

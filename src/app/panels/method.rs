@@ -13,9 +13,10 @@ use crate::model::{Method, Model, SideKernel};
 use crate::session::Command;
 use egui::{RichText, Ui};
 
-const EXTENSIONS: [Segment<Extension>; 2] = [
+const EXTENSIONS: [Segment<Extension>; 3] = [
     Segment { value: Extension::Harmonic, label: key::harmonic(), tooltip: key::harmonic_tooltip() },
     Segment { value: Extension::CauchyGreen, label: key::cauchy_green(), tooltip: key::cauchy_green_tooltip() },
+    Segment { value: Extension::Exact, label: key::exact_images(), tooltip: key::exact_images_tooltip() },
 ];
 
 const KERNELS: [Segment<KernelMode>; 3] = [
@@ -32,8 +33,7 @@ const SOLVERS: [Segment<SolverKind>; 2] = [
 /// Shows the group.
 pub fn show(ui: &mut Ui, model: &Model, actions: &mut Actions) {
     group_heading(ui, tr(key::method()));
-    let abilities = model.abilities();
-    let refused = |extension| Some(String::from(tr(abilities.refused_extension(extension)?.label())));
+    let refused = |extension| Some(String::from(tr(model.refused_extension(extension)?.label())));
     if let Some(extension) = segmented_where(ui, &EXTENSIONS, model.extension(), refused) {
         actions.push(Action::Session(Command::SetExtension(extension)));
     }

@@ -56,4 +56,9 @@ impl SlicedInterior {
         let State::Made(integral) = &self.state else { return None };
         (integral.placement(z) == Placement::Inside).then(|| integral.evaluate(z))
     }
+
+    /// Whether the preparation is complete.
+    pub(in crate::conformal) fn is_made(&self) -> bool {
+        matches!(self.state, State::Made(_))
+    }
 }

@@ -32,7 +32,7 @@ macro_rules! codes {
 }
 
 codes!(Direction, Direction { Direction::Forward = 0, Direction::Backward = 1 });
-codes!(Extension, Extension { Extension::Harmonic = 0, Extension::CauchyGreen = 1 });
+codes!(Extension, Extension { Extension::Harmonic = 0, Extension::CauchyGreen = 1, Extension::Exact = 2 });
 codes!(Side, Side { Side::Source = 0, Side::Target = 1 });
 codes!(Kernel, KernelMode { KernelMode::Adjoint = 0, KernelMode::Table = 1, KernelMode::Integral = 2 });
 codes!(Solver, SolverKind { SolverKind::Direct = 0, SolverKind::Pcg = 1 });
